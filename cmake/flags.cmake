@@ -1,0 +1,12 @@
+# Flags of every target. Nothing that ships is built for one processor (-march=native): kernels that profit from wider
+# instruction sets are compiled several times and chosen at run time.
+add_library(mrose_flags INTERFACE)
+target_compile_options(mrose_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wimplicit-fallthrough -Werror
+  # A fused multiply-add rounds once where two instructions round twice: what feeds the state must not depend on it.
+  -ffp-contract=off)
+
+if(MROSE_SANITIZE)
+  target_compile_options(mrose_flags INTERFACE -fsanitize=${MROSE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(mrose_flags INTERFACE -fsanitize=${MROSE_SANITIZE})
+endif()

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+
+#include "io/error.h"
+#include "logs/differential_drive.h"
+#include "logs/robot_log.h"
+
+namespace mrose {
+
+struct LogOptions {
+    double commandGap = 0.5;  ///< s: longer pauses between commands are counted as gaps
+    double poseGap = 0.2;     ///< s: likewise between poses; nothing is interpolated across them
+    bool dropBlips = true;    ///< single-sample zero commands
+    DifferentialDrive drive;  ///< for logs of wheel commands
+};
+
+/// Opens a log of any known format: an MRCLAM folder, a Husky windows file, a CSV file or a folder of CSV files. Which
+/// one it is is told from its content. Error: nothing known, or the first thing wrong with it.
+Expected<Log> readLog(const std::filesystem::path& source, const LogOptions& options = {});
+
+}  // namespace mrose

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "geometry/pose.h"
+#include "world/command.h"
+#include "world/time.h"
+
+namespace mrose {
+
+struct StampedCommand {
+    Nanoseconds time = 0;
+    Command command;
+};
+
+struct StampedPose {
+    Nanoseconds time = 0;
+    Pose pose;  ///< heading continuous (unwrapped)
+};
+
+/// What a reader found and did, so that nothing is hidden. Counts of samples unless another unit is given.
+struct LogDefects {
+    std::int64_t outOfOrder = 0;    ///< stamps earlier than the one before: sorted
+    std::int64_t duplicates = 0;    ///< equal stamps in one file: the last one kept
+    std::int64_t blips = 0;         ///< single-sample zero commands between equal moving ones: dropped
+    std::int64_t poseOutliers = 0;  ///< single poses far off both neighbours: dropped
+    std::int64_t headingWraps = 0;  ///< jumps by whole turns: unwrapped
+    std::int64_t commandGaps = 0;   ///< longer than LogOptions::commandGap
+    std::int64_t poseGaps = 0;      ///< longer than LogOptions::poseGap
+    double longestCommandGap = 0;   ///< s
+    double longestPoseGap = 0;      ///< s
+};
+
+/// One stretch of one robot's life without interruption of its clock: commands sent and poses tracked, both in strictly
+/// ascending time. The unit that is held out from learning.
+struct Trajectory {
+    std::string name;  ///< unique within its robot, for reports
+    int group = 0;     ///< trajectories of one group are held out together (repetitions of one command, for example)
+    bool steady =
+        false;  ///< the command has been in force long enough that the motion no longer changes (Husky windows)
+    std::vector<StampedCommand> commands;
+    std::vector<StampedPose> poses;  ///< empty: the log has no ground truth
+};
+
+struct RobotLog {
+    std::string robot;  ///< as the format names it: "1", "husky", "pioneer-a"
+    std::vector<Trajectory> trajectories;
+    LogDefects defects;
+};
+
+struct LogFile {
+    std::string path;  ///< as given
+    std::string hash;  ///< contentHash of its bytes
+};
+
+/// What one `LOG` argument of the program holds.
+struct Log {
+    std::string source;  ///< the path as given
+    std::string format;  ///< "mrclam", "husky-windows", "csv"
+    int dataset = 0;     ///< the number in the name of an MRCLAM folder, 0 elsewhere
+    std::vector<RobotLog> robots;
+    std::vector<LogFile> files;
+};
+
+}  // namespace mrose

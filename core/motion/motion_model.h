@@ -1,0 +1,42 @@
+#pragma once
+
+#include <span>
+
+#include "geometry/pose.h"
+#include "world/command_history.h"
+
+namespace mrose {
+
+/// What a motion model sees of one robot at the start of a period.
+struct MotionInput {
+    const CommandHistory* commands = nullptr;
+    Nanoseconds start = 0;  ///< of the predicted period; no command issued after it is read
+    Velocity velocity;      ///< at `start`
+};
+
+/// What it predicts.
+struct MotionStep {
+    Pose increment;     ///< pose at the period's end in the robot's frame at its start
+    Velocity velocity;  ///< at the period's end
+};
+
+/// Where one robot will be a control period later: Delta: (v, w, commands) -> (dx, dy, dphi, v', w'). Models are const
+/// and remember nothing; dead time is theirs, applied to the issue times in the command history.
+class MotionModel {
+public:
+    virtual ~MotionModel() = default;
+
+    virtual Nanoseconds period() const = 0;
+
+    /// steps[i] from inputs[i]; the spans have equal sizes. The result for a robot does not depend on the others in the
+    /// batch, to the last bit. Inputs must be finite.
+    virtual void predict(std::span<const MotionInput> inputs, std::span<MotionStep> steps) const = 0;
+
+    MotionStep predictOne(const MotionInput& input) const {
+        MotionStep step;
+        predict({&input, 1}, {&step, 1});
+        return step;
+    }
+};
+
+}  // namespace mrose

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+
+namespace mrose {
+
+/// Which draw of a run this is. Equal keys give equal numbers, whatever was drawn before: there is no generator to
+/// save, and branches of a run share their noise.
+struct NoiseKey {
+    std::uint64_t seed = 0;
+    std::int64_t tick = 0;
+    std::uint32_t robot = 0;
+    std::uint32_t channel = 0;
+};
+
+/// Uniform in the open interval (0, 1), from Philox 4x64-10 (Salmon et al. 2011).
+double uniformNoise(const NoiseKey& key);
+
+/// Standard normal, by Box and Muller's transform of the same counter's two words.
+double normalNoise(const NoiseKey& key);
+
+}  // namespace mrose

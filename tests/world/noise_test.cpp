@@ -1,0 +1,49 @@
+#include "world/noise.h"
+
+#include <cmath>
+#include <set>
+
+#include <gtest/gtest.h>
+
+namespace mrose {
+namespace {
+
+TEST(Noise, IsAFunctionOfItsKeyAlone) {
+    const NoiseKey key{7, 12, 3, 1};
+    const double first = normalNoise(key);
+    normalNoise({7, 13, 3, 1});
+    uniformNoise({1, 2, 3, 4});
+    EXPECT_EQ(normalNoise(key), first);
+}
+
+TEST(Noise, EveryPartOfTheKeyMatters) {
+    const std::set<double> draws{uniformNoise({1, 2, 3, 4}), uniformNoise({2, 2, 3, 4}), uniformNoise({1, 3, 3, 4}),
+                                 uniformNoise({1, 2, 4, 4}), uniformNoise({1, 2, 3, 5})};
+    EXPECT_EQ(draws.size(), 5u);
+}
+
+TEST(Noise, NormalDrawsHaveTheMomentsOfANormal) {
+    const int n = 200000;
+    double sum = 0, squares = 0, fourths = 0;
+    for (int i = 0; i < n; ++i) {
+        const double x = normalNoise({42, i, 0, 0});
+        sum += x;
+        squares += x * x;
+        fourths += x * x * x * x;
+    }
+    EXPECT_NEAR(sum / n, 0, 4 / std::sqrt(n));
+    EXPECT_NEAR(squares / n, 1, 4 * std::sqrt(2.0 / n));
+    EXPECT_NEAR(fourths / n, 3, 4 * std::sqrt(96.0 / n));
+}
+
+TEST(Noise, UniformDrawsFillTheUnitIntervalEvenly) {
+    const int n = 100000, cells = 20;
+    int counts[cells] = {};
+    for (int i = 0; i < n; ++i) ++counts[static_cast<int>(cells * uniformNoise({9, i, 5, 2}))];
+    double chiSquared = 0;
+    for (const int count : counts) chiSquared += std::pow(count - n / cells, 2) / (n / cells);
+    EXPECT_LT(chiSquared, 43.8);  // 99.9 % of chi squared with 19 degrees of freedom
+}
+
+}  // namespace
+}  // namespace mrose
