@@ -78,7 +78,7 @@ void InputReader::addWheelPhases(Pieces& pieces) const {
     const double* v = pieces.values[commandQuantity(Quantity::commandV)].data();
     const double* w = pieces.values[commandQuantity(Quantity::commandW)].data();
     const double perQuantum = 1 / wheelPhase_.quantum, arm = wheelPhase_.halfTrack;
-    for (const auto [sine, side] : {std::pair{Quantity::leftSine, -1.0}, std::pair{Quantity::rightSine, 1.0}}) {
+    for (const auto& [sine, side] : {std::pair{Quantity::leftSine, -1.0}, std::pair{Quantity::rightSine, 1.0}}) {
         double* sines = pieces.values[commandQuantity(sine)].data();
         double* cosines = pieces.values[commandQuantity(sine) + 1].data();
         for (std::size_t i = 0; i < pieces.count; ++i) {
@@ -92,7 +92,7 @@ void InputReader::addWheelPhases(Pieces& pieces) const {
 void InputReader::readMean(const MemoryGroup& group, const Pieces& pieces, double* row) const {
     std::size_t first = 0;
     while (first + 1 < pieces.count && pieces.ages[first + 1] <= group.from) ++first;
-    for (const auto [input, quantity] : group.members) {
+    for (const auto& [input, quantity] : group.members) {
         double sum = 0;
         for (std::size_t i = first; i < pieces.count && pieces.ages[i] < group.to; ++i) {
             const double begin = std::max(pieces.ages[i], group.from), end = std::min(pieces.ages[i + 1], group.to);
@@ -122,7 +122,7 @@ void InputReader::readLagged(const MemoryGroup& group, const Pieces& pieces, dou
         shares[i] = share - younger;
         younger = share;
     }
-    for (const auto [input, quantity] : group.members) {
+    for (const auto& [input, quantity] : group.members) {
         double sum = 0;
         for (std::size_t i = 0; i < pieces.count; ++i) sum += shares[i] * pieces.values[quantity][i];
         row[input] = sum;

@@ -29,7 +29,7 @@ std::span<const std::string_view> outputNames(Form form) {
 // --- writing
 
 /// A TOML basic string.
-std::string quoted(std::string_view text) {
+std::string tomlText(std::string_view text) {
     std::string out = "\"";
     for (const char c : text) {
         if (c == '"' || c == '\\')
@@ -49,7 +49,7 @@ std::string line(std::string_view key, double value) { return line(key, numberTe
 std::string line(std::string_view key, std::int64_t value) { return line(key, std::to_string(value)); }
 
 std::string inputText(const NetworkInput& input) {
-    std::string text = "  { quantity = " + quoted(quantityNames[static_cast<std::size_t>(input.quantity)]);
+    std::string text = "  { quantity = " + tomlText(quantityNames[static_cast<std::size_t>(input.quantity)]);
     const auto add = [&](std::string_view key, double value) {
         text += ", " + std::string(key) + " = " + numberText(value);
     };
@@ -60,7 +60,7 @@ std::string inputText(const NetworkInput& input) {
         add("dead_time_s", input.deadTime);
         add("lag_s", input.lag);
     }
-    if (input.quantity == Quantity::robot) text += ", robot = " + quoted(input.robot);
+    if (input.quantity == Quantity::robot) text += ", robot = " + tomlText(input.robot);
     add("mean", input.mean);
     add("scale", input.scale);
     return text + " },\n";
@@ -92,16 +92,17 @@ std::string channelText(std::string_view name, const KinematicParameters::Channe
 
 std::string provenanceText(const MotionNetwork& network) {
     const auto& t = network.training;
-    std::string text = "\n[training]\n" + line("command", quoted(t.command)) + line("method", quoted(t.method)) +
-                       line("loss", quoted(t.loss)) + line("seed", static_cast<std::int64_t>(t.seed)) +
+    std::string text = "\n[training]\n" + line("command", tomlText(t.command)) + line("method", tomlText(t.method)) +
+                       line("loss", tomlText(t.loss)) + line("seed", static_cast<std::int64_t>(t.seed)) +
                        line("patterns", t.patterns) + line("epochs", t.epochs) + "logs = [\n";
-    for (const auto& log : t.logs) text += "  { path = " + quoted(log.path) + ", xxh3 = " + quoted(log.hash) + " },\n";
+    for (const auto& log : t.logs)
+        text += "  { path = " + tomlText(log.path) + ", xxh3 = " + tomlText(log.hash) + " },\n";
     const auto& h = network.heldOut;
     text += "]\n\n[held_out] # open-loop errors on trajectories that were not learned from\n" +
             line("windows", h.windows) + line("horizon_s", h.horizon) + line("position_percent", h.position) +
             line("heading_percent", h.heading);
     for (const auto& i : network.identified)
-        text += "\n[[identified]]\n" + line("robot", quoted(i.robot)) + channelText("v", i.kinematics.v) +
+        text += "\n[[identified]]\n" + line("robot", tomlText(i.robot)) + channelText("v", i.kinematics.v) +
                 channelText("w", i.kinematics.w) + line("lateral_per_rotation_m", i.kinematics.lateralPerRotation) +
                 line("dead_time_error_v_s", i.deadTimeErrorV) + line("dead_time_error_w_s", i.deadTimeErrorW);
     return text;
@@ -237,13 +238,13 @@ void checkFit(TomlTable& root, const MotionNetwork& network) {
 std::string networkText(const MotionNetwork& network) {
     const auto text = [](const std::vector<std::string>& values) {
         std::string out = "[";
-        for (const std::string& value : values) out += (out.size() > 1 ? ", " : "") + quoted(value);
+        for (const std::string& value : values) out += (out.size() > 1 ? ", " : "") + tomlText(value);
         return out + ']';
     };
     std::string out = "# A motion model learned by mrose; nets/README.md explains the keys.\n";
-    out += line("format", quoted(formatName)) + line("version", std::int64_t{MotionNetwork::version}) +
+    out += line("format", tomlText(formatName)) + line("version", std::int64_t{MotionNetwork::version}) +
            line("form", network.form == Form::state ? "\"state\"" : "\"history\"") +
-           line("robot_type", quoted(network.robotType)) + line("synthetic", network.synthetic ? "true" : "false") +
+           line("robot_type", tomlText(network.robotType)) + line("synthetic", network.synthetic ? "true" : "false") +
            line("robots", text(network.robots)) + line("period_s", toSeconds(network.period)) +
            line("hidden", std::int64_t{network.mlp.shape.hidden}) + line("turn_offset_radps", network.turnOffset);
     out += "inputs = [ # the network reads (value - mean) / scale\n";
@@ -251,7 +252,7 @@ std::string networkText(const MotionNetwork& network) {
     out += "]\noutputs = [ # the value is mean + scale * output\n";
     const auto names = outputNames(network.form);
     for (std::size_t i = 0; i < network.outputs.size(); ++i)
-        out += "  { name = " + quoted(names[i]) + ", mean = " + numberText(network.outputs[i].mean) +
+        out += "  { name = " + tomlText(names[i]) + ", mean = " + numberText(network.outputs[i].mean) +
                ", scale = " + numberText(network.outputs[i].scale) + " },\n";
     out += "]\n";
     if (network.wheelPhase.quantum > 0)
