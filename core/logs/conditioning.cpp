@@ -7,35 +7,9 @@
 namespace mrose {
 namespace {
 
-constexpr Nanoseconds longestBlip = nanosecondsPerSecond / 10;
+constexpr Nanoseconds longestBlip = nanosecondsPerSecond / 25;
 constexpr double outlierDistance = 0.1, outlierAngle = 0.5;  // m, rad: beyond what neighbours of a true pose differ by
 constexpr double outlierFactor = 3;                          // times the distance of the neighbours
-
-template <class Sample>
-bool earlier(const Sample& a, const Sample& b) {
-    return a.time < b.time;
-}
-
-template <class Sample>
-void sortByTime(std::vector<Sample>& samples, LogDefects& defects) {
-    std::int64_t outOfOrder = 0;
-    for (std::size_t i = 1; i < samples.size(); ++i) outOfOrder += earlier(samples[i], samples[i - 1]);
-    if (outOfOrder == 0) return;
-    defects.outOfOrder += outOfOrder;
-    std::stable_sort(samples.begin(), samples.end(), earlier<Sample>);
-}
-
-/// Of sorted samples.
-template <class Sample>
-void keepLastOfEqualStamps(std::vector<Sample>& samples, LogDefects& defects) {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-        if (kept > 0 && samples[kept - 1].time == samples[i].time) --kept;
-        samples[kept++] = samples[i];
-    }
-    defects.duplicates += static_cast<std::int64_t>(samples.size() - kept);
-    samples.resize(kept);
-}
 
 template <class Sample>
 void countGaps(const std::vector<Sample>& samples, double limit, std::int64_t& count, double& longest) {
