@@ -47,6 +47,18 @@ bool isFarOff(double toBefore, double toAfter, double between, double limit) {
     return std::min(toBefore, toAfter) > limit + outlierFactor * between;
 }
 
+/// Cheap, and true of nearly all: too near to the pose before to be far off.
+bool isNear(const Pose& a, const Pose& b) {
+    const double dx = b.x - a.x, dy = b.y - a.y;
+    return dx * dx + dy * dy < outlierDistance * outlierDistance && std::abs(b.heading - a.heading) < outlierAngle;
+}
+
+bool isOutlier(const Pose& before, const Pose& pose, const Pose& after) {
+    if (isNear(before, pose)) return false;
+    return isFarOff(distance(before, pose), distance(pose, after), distance(before, after), outlierDistance) ||
+           isFarOff(turn(before, pose), turn(pose, after), turn(before, after), outlierAngle);
+}
+
 void unwrapHeadings(std::vector<StampedPose>& poses, LogDefects& defects) {
     constexpr double wholeTurn = 2 * std::numbers::pi;
     double offset = 0;
@@ -97,10 +109,7 @@ void conditionPoses(std::vector<StampedPose>& poses, const LogOptions& options, 
     keepLastOfEqualStamps(poses, defects);
     const Nanoseconds longest = fromSeconds(options.poseGap);
     defects.poseOutliers += dropBetween(poses, [&](const auto& before, const auto& sample, const auto& after) {
-        if (after.time - before.time > longest) return false;
-        const Pose &a = before.pose, &b = sample.pose, &c = after.pose;
-        return isFarOff(distance(a, b), distance(b, c), distance(a, c), outlierDistance) ||
-               isFarOff(turn(a, b), turn(b, c), turn(a, c), outlierAngle);
+        return after.time - before.time <= longest && isOutlier(before.pose, sample.pose, after.pose);
     });
     unwrapHeadings(poses, defects);
     countGaps(poses, options.poseGap, defects.poseGaps, defects.longestPoseGap);

@@ -27,12 +27,15 @@ template <class Sample>
 Expected<void> endStream(CsvStream<Sample>& stream, std::string_view content, const std::string& name,
                          LogDefects& defects) {
     const auto fresh = stream.samples.end() - static_cast<std::ptrdiff_t>(stream.places.size());
-    std::vector<Sample> added(fresh, stream.samples.end());
-    const auto lineOf = [&](std::size_t row) { return positionOf(content, stream.places[row]).line; };
-    if (auto checked = checkDirection(added, name, lineOf); !checked) return checked;
-    sortByTime(added, defects);
-    std::copy(added.begin(), added.end(), fresh);
-    std::inplace_merge(stream.samples.begin(), fresh, stream.samples.end(), earlier<Sample>);
+    if (!std::is_sorted(fresh, stream.samples.end(), earlier<Sample>)) {
+        std::vector<Sample> added(fresh, stream.samples.end());
+        const auto lineOf = [&](std::size_t row) { return positionOf(content, stream.places[row]).line; };
+        if (auto checked = checkDirection(added, name, lineOf); !checked) return checked;
+        sortByTime(added, defects);
+        std::copy(added.begin(), added.end(), fresh);
+    }
+    if (fresh != stream.samples.begin() && fresh != stream.samples.end() && earlier(*fresh, *std::prev(fresh)))
+        std::inplace_merge(stream.samples.begin(), fresh, stream.samples.end(), earlier<Sample>);
     stream.places.clear();
     return {};
 }
