@@ -7,35 +7,9 @@
 namespace mrose {
 namespace {
 
-constexpr Nanoseconds longestBlip = nanosecondsPerSecond / 10;
+constexpr Nanoseconds longestBlip = nanosecondsPerSecond / 25;
 constexpr double outlierDistance = 0.1, outlierAngle = 0.5;  // m, rad: beyond what neighbours of a true pose differ by
 constexpr double outlierFactor = 3;                          // times the distance of the neighbours
-
-template <class Sample>
-bool earlier(const Sample& a, const Sample& b) {
-    return a.time < b.time;
-}
-
-template <class Sample>
-void sortByTime(std::vector<Sample>& samples, LogDefects& defects) {
-    std::int64_t outOfOrder = 0;
-    for (std::size_t i = 1; i < samples.size(); ++i) outOfOrder += earlier(samples[i], samples[i - 1]);
-    if (outOfOrder == 0) return;
-    defects.outOfOrder += outOfOrder;
-    std::stable_sort(samples.begin(), samples.end(), earlier<Sample>);
-}
-
-/// Of sorted samples.
-template <class Sample>
-void keepLastOfEqualStamps(std::vector<Sample>& samples, LogDefects& defects) {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-        if (kept > 0 && samples[kept - 1].time == samples[i].time) --kept;
-        samples[kept++] = samples[i];
-    }
-    defects.duplicates += static_cast<std::int64_t>(samples.size() - kept);
-    samples.resize(kept);
-}
 
 template <class Sample>
 void countGaps(const std::vector<Sample>& samples, double limit, std::int64_t& count, double& longest) {
@@ -71,6 +45,18 @@ double turn(const Pose& a, const Pose& b) { return std::abs(wrapAngle(a.heading 
 
 bool isFarOff(double toBefore, double toAfter, double between, double limit) {
     return std::min(toBefore, toAfter) > limit + outlierFactor * between;
+}
+
+/// Cheap, and true of nearly all: too near to the pose before to be far off.
+bool isNear(const Pose& a, const Pose& b) {
+    const double dx = b.x - a.x, dy = b.y - a.y;
+    return dx * dx + dy * dy < outlierDistance * outlierDistance && std::abs(b.heading - a.heading) < outlierAngle;
+}
+
+bool isOutlier(const Pose& before, const Pose& pose, const Pose& after) {
+    if (isNear(before, pose)) return false;
+    return isFarOff(distance(before, pose), distance(pose, after), distance(before, after), outlierDistance) ||
+           isFarOff(turn(before, pose), turn(pose, after), turn(before, after), outlierAngle);
 }
 
 void unwrapHeadings(std::vector<StampedPose>& poses, LogDefects& defects) {
@@ -123,10 +109,7 @@ void conditionPoses(std::vector<StampedPose>& poses, const LogOptions& options, 
     keepLastOfEqualStamps(poses, defects);
     const Nanoseconds longest = fromSeconds(options.poseGap);
     defects.poseOutliers += dropBetween(poses, [&](const auto& before, const auto& sample, const auto& after) {
-        if (after.time - before.time > longest) return false;
-        const Pose &a = before.pose, &b = sample.pose, &c = after.pose;
-        return isFarOff(distance(a, b), distance(b, c), distance(a, c), outlierDistance) ||
-               isFarOff(turn(a, b), turn(b, c), turn(a, c), outlierAngle);
+        return after.time - before.time <= longest && isOutlier(before.pose, sample.pose, after.pose);
     });
     unwrapHeadings(poses, defects);
     countGaps(poses, options.poseGap, defects.poseGaps, defects.longestPoseGap);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <vector>
@@ -19,6 +20,33 @@ struct ClockReset {
 /// rows that all lie behind an earlier one reaches the end and is at least 10 rows or half of all, or where a run
 /// behind by more than 2 s is longer than 10 rows and a twentieth of all.
 std::optional<ClockReset> findClockReset(std::span<const Nanoseconds> times);
+
+template <class Sample>
+bool earlier(const Sample& a, const Sample& b) {
+    return a.time < b.time;
+}
+
+/// Stable; counts the steps backwards.
+template <class Sample>
+void sortByTime(std::vector<Sample>& samples, LogDefects& defects) {
+    std::int64_t outOfOrder = 0;
+    for (std::size_t i = 1; i < samples.size(); ++i) outOfOrder += earlier(samples[i], samples[i - 1]);
+    if (outOfOrder == 0) return;
+    defects.outOfOrder += outOfOrder;
+    std::stable_sort(samples.begin(), samples.end(), earlier<Sample>);
+}
+
+/// Of sorted samples.
+template <class Sample>
+void keepLastOfEqualStamps(std::vector<Sample>& samples, LogDefects& defects) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        if (kept > 0 && samples[kept - 1].time == samples[i].time) --kept;
+        samples[kept++] = samples[i];
+    }
+    defects.duplicates += static_cast<std::int64_t>(samples.size() - kept);
+    samples.resize(kept);
+}
 
 /// Sorts by time (stable), keeps the last of equal stamps, drops blips if so told, and counts gaps.
 void conditionCommands(std::vector<StampedCommand>& commands, const LogOptions& options, LogDefects& defects);

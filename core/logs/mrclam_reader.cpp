@@ -55,8 +55,9 @@ public:
             at = parseRow(at, samples.emplace_back());
             if (at == nullptr) return *error_;
         }
-        if (auto checked = checkRows(samples, name_, [&](std::size_t row) { return lineOf(row); }); !checked)
-            return tl::unexpected(checked.error());
+        if (samples.size() < 2) return fail(name_, tooShortCause(samples.size()));
+        const auto checked = checkDirection(samples, name_, [&](std::size_t row) { return lineOf(row); });
+        if (!checked) return tl::unexpected(checked.error());
         return samples;
     }
 

@@ -1,6 +1,7 @@
 #include "logs/pose_grid.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 namespace mrose {
@@ -8,7 +9,7 @@ namespace {
 
 constexpr Nanoseconds millisecond = 1'000'000;
 constexpr Nanoseconds halfWidth = 60 * millisecond, gapLimit = 200 * millisecond;
-constexpr Nanoseconds startWidth = 200 * millisecond;
+constexpr Nanoseconds startWidth = 200 * millisecond, oldest = 600 * millisecond;
 constexpr Nanoseconds settling = 1500 * millisecond, ending = 1000 * millisecond;
 constexpr std::size_t fewest = 4;  // samples of a fit
 
@@ -20,8 +21,13 @@ std::size_t firstNotBefore(Poses poses, Nanoseconds time, std::size_t from) {
     return from;
 }
 
+struct Line {
+    Pose value;
+    Pose slope;  // per second
+};
+
 /// The least-squares straight line through the poses, at `time`.
-Pose fitLine(Poses poses, Nanoseconds time) {
+Line fitLine(Poses poses, Nanoseconds time) {
     const double count = static_cast<double>(poses.size());
     double meanTime = 0;
     Pose mean;
@@ -37,8 +43,8 @@ Pose fitLine(Poses poses, Nanoseconds time) {
         moments = {moments.x + lever * (pose.x - mean.x), moments.y + lever * (pose.y - mean.y),
                    moments.heading + lever * (pose.heading - mean.heading)};
     }
-    const double back = -meanTime / squares;
-    return {mean.x + back * moments.x, mean.y + back * moments.y, mean.heading + back * moments.heading};
+    const Pose slope{moments.x / squares, moments.y / squares, moments.heading / squares};
+    return {{mean.x - meanTime * slope.x, mean.y - meanTime * slope.y, mean.heading - meanTime * slope.heading}, slope};
 }
 
 Pose interpolate(const StampedPose& a, const StampedPose& b, Nanoseconds time) {
@@ -46,6 +52,42 @@ Pose interpolate(const StampedPose& a, const StampedPose& b, Nanoseconds time) {
         std::clamp(static_cast<double>(time - a.time) / static_cast<double>(b.time - a.time), 0.0, 1.0);
     const auto between = [&](double from, double to) { return from + share * (to - from); };
     return {between(a.pose.x, b.pose.x), between(a.pose.y, b.pose.y), between(a.pose.heading, b.pose.heading)};
+}
+
+/// The end of the samples at or before `time`.
+template <class Sample>
+auto behind(const std::vector<Sample>& samples, Nanoseconds time) {
+    return std::upper_bound(samples.begin(), samples.end(), time,
+                            [](Nanoseconds instant, const Sample& sample) { return instant < sample.time; });
+}
+
+/// Those of the last 0.2 s, or the last four if a gap left fewer and they are no older than 0.6 s.
+Poses recentPoses(Poses known, Nanoseconds time) {
+    std::size_t count = 0;
+    while (count < known.size()) {
+        const Nanoseconds age = time - known[known.size() - 1 - count].time;
+        if (age >= (count < fewest ? oldest : startWidth)) break;
+        ++count;
+    }
+    return known.last(count);
+}
+
+Velocity meanOfLast(const std::vector<StampedVelocity>& samples, Nanoseconds time) {
+    Velocity sum;
+    int count = 0;
+    for (auto at = behind(samples, time); at != samples.begin() && time - std::prev(at)->time < startWidth; --at) {
+        sum.v += std::prev(at)->velocity.v;
+        sum.w += std::prev(at)->velocity.w;
+        ++count;
+    }
+    return count == 0 ? Velocity{} : Velocity{sum.v / count, sum.w / count};
+}
+
+/// What the robot itself measured; zero where it did not.
+Velocity meanVelocity(const Trajectory& trajectory, Nanoseconds time) {
+    Velocity mean = meanOfLast(trajectory.measuredVelocity, time);
+    if (!trajectory.measuredRotation.empty()) mean.w = meanOfLast(trajectory.measuredRotation, time).w;
+    return mean;
 }
 
 Nanoseconds ceilToMultiple(Nanoseconds time, Nanoseconds step) {
@@ -69,7 +111,7 @@ PoseGrid poseGrid(const Trajectory& trajectory, Nanoseconds step, Nanoseconds of
         high = firstNotBefore(poses, time + halfWidth, high);
         next = firstNotBefore(poses, time, next);
         const std::size_t after = std::clamp<std::size_t>(next, 1, poses.size() - 1);
-        grid.poses.push_back(high - low >= fewest ? fitLine(poses.subspan(low, high - low), time)
+        grid.poses.push_back(high - low >= fewest ? fitLine(poses.subspan(low, high - low), time).value
                                                   : interpolate(poses[after - 1], poses[after], time));
         grid.ok.push_back(poses[after].time - poses[after - 1].time < gapLimit);
     }
@@ -77,15 +119,16 @@ PoseGrid poseGrid(const Trajectory& trajectory, Nanoseconds step, Nanoseconds of
 }
 
 MeasuredStart measuredStart(const Trajectory& trajectory, Nanoseconds time) {
-    const Poses poses = trajectory.poses;
-    const auto later = [](Nanoseconds t, const StampedPose& pose) { return t < pose.time; };
-    const auto behind = std::upper_bound(poses.begin(), poses.end(), time, later);
-    const auto first = std::upper_bound(poses.begin(), behind, time - startWidth, later);
-    const Poses recent(first, behind);
-    if (recent.size() < fewest) return {};
-    const Pose pose = fitLine(recent, time), before = fitLine(recent, time - 100 * millisecond);
-    const Pose step = relative(before, pose);
-    return {true, pose, {10 * step.x, 10 * step.heading}};
+    const Poses known(trajectory.poses.begin(), behind(trajectory.poses, time));
+    if (known.empty() || time - known.back().time > gapLimit) return {};
+    const Poses recent = recentPoses(known, time);
+    MeasuredStart start{true, known.back().pose, meanVelocity(trajectory, time)};
+    if (recent.size() < fewest) return start;
+    const Pose slope = fitLine(recent, time).slope;
+    const double age = toSeconds(time - known.back().time);
+    start.pose = {start.pose.x + age * slope.x, start.pose.y + age * slope.y, start.pose.heading + age * slope.heading};
+    start.velocity = {std::cos(start.pose.heading) * slope.x + std::sin(start.pose.heading) * slope.y, slope.heading};
+    return start;
 }
 
 }  // namespace mrose

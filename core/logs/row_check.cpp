@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdio>
 
 namespace mrose {
 
@@ -26,6 +27,16 @@ tl::unexpected<Error> failAt(const std::string& name, std::string_view text, con
                              std::string cause) {
     const TextPosition position = positionOf(text, character);
     return tl::unexpected<Error>(Error{name, position.line, position.column, std::move(key), std::move(cause)});
+}
+
+std::string backwardsCause(const ClockReset& reset, int latestLine) {
+    char seconds[32];
+    std::snprintf(seconds, sizeof seconds, "%.3f", toSeconds(reset.behind));
+    return "time runs backwards for good: " + std::string(seconds) + " s before line " + std::to_string(latestLine);
+}
+
+std::string tooShortCause(std::size_t rows) {
+    return "too short: " + std::to_string(rows) + (rows == 1 ? " row" : " rows") + "; expected at least 2";
 }
 
 }  // namespace mrose

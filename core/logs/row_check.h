@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,23 +23,21 @@ std::string quoted(std::string_view text, const char* character, std::string_vie
 tl::unexpected<Error> failAt(const std::string& name, std::string_view text, const char* character, std::string key,
                              std::string cause);
 
-/// Error where `samples` (in the order of the file) are fewer than 2 or run backwards for good. lineOf(row) tells the
-/// line of a sample; it is asked only for a message.
+std::string backwardsCause(const ClockReset& reset, int latestLine);
+std::string tooShortCause(std::size_t rows);
+
+/// Error where `samples`, in the order of the file, run backwards in time for good. lineOf(row) tells the line of a
+/// sample; it is asked only for the message.
 template <class Sample, class LineOf>
-Expected<void> checkRows(const std::vector<Sample>& samples, const std::string& name, LineOf lineOf) {
-    if (samples.size() < 2)
-        return fail(name, "too short: " + std::to_string(samples.size()) + " rows of numbers; expected at least 2");
-    bool ascending = true;
-    for (std::size_t i = 1; i < samples.size(); ++i) ascending = ascending && samples[i - 1].time <= samples[i].time;
-    if (ascending) return {};
+Expected<void> checkDirection(const std::vector<Sample>& samples, const std::string& name, LineOf lineOf) {
+    const auto earlierThanLast = [](const Sample& a, const Sample& b) { return a.time < b.time; };
+    if (std::is_sorted(samples.begin(), samples.end(), earlierThanLast)) return {};
     std::vector<Nanoseconds> times;
+    times.reserve(samples.size());
     for (const Sample& sample : samples) times.push_back(sample.time);
     const auto reset = findClockReset(times);
     if (!reset) return {};
-    return fail(name,
-                "time runs backwards for good: " + std::to_string(toSeconds(reset->behind)) + " s before line " +
-                    std::to_string(lineOf(reset->latestBefore)),
-                lineOf(reset->row));
+    return fail(name, backwardsCause(*reset, lineOf(reset->latestBefore)), lineOf(reset->row));
 }
 
 }  // namespace mrose
