@@ -93,6 +93,30 @@ private:
 
 }  // namespace
 
+std::vector<TrackerOffset> removeTrackerOffsets(MotionSamples& samples) {
+    std::vector<TrackerOffset> offsets(samples.robots.size());
+    for (std::size_t robot = 0; robot < offsets.size(); ++robot) {
+        const auto forOwn = [&](auto f) {
+            for (const SampleRun& run : samples.runs)
+                if (run.robot == static_cast<int>(robot))
+                    for (std::size_t i = 0; i < run.count; ++i) f(samples.samples[run.first + i].increment);
+        };
+        // Normal equations of y = ahead * dphi - rotated * dx.
+        double pp = 1e-12, px = 0, xx = 1e-12, py = 0, xy = 0;
+        forOwn([&](const Pose& d) {
+            pp += d.heading * d.heading;
+            px += d.heading * d.x;
+            xx += d.x * d.x;
+            py += d.heading * d.y;
+            xy += d.x * d.y;
+        });
+        const double determinant = pp * xx - px * px;
+        offsets[robot] = {(py * xx - xy * px) / determinant, -(xy * pp - py * px) / determinant};
+        forOwn([&](Pose& d) { d.y -= offsets[robot].sideways(d); });
+    }
+    return offsets;
+}
+
 Expected<MotionSamples> motionSamples(std::span<const Log> logs, const MotionNetwork& network,
                                       const SampleOptions& options) {
     const InputReader reader(network);
