@@ -4,7 +4,7 @@
 #include <span>
 
 #include "io/error.h"
-#include "logs/differential_drive.h"
+#include "world/differential_drive.h"
 #include "logs/robot_log.h"
 
 namespace mrose {

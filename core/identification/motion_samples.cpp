@@ -1,0 +1,117 @@
+#include "identification/motion_samples.h"
+
+#include <algorithm>
+
+#include "logs/pose_grid.h"
+
+namespace mrose {
+namespace {
+
+constexpr Nanoseconds guard = nanosecondsPerSecond;
+
+/// The patterns of one trajectory.
+class TrajectoryReader {
+public:
+    TrajectoryReader(const Trajectory& trajectory, int robot, int trajectoryFold, const InputReader& reader,
+                     const SampleOptions& options, MotionSamples& out)
+        : trajectory_(trajectory),
+          robot_(robot),
+          trajectoryFold_(trajectoryFold),
+          reader_(reader),
+          options_(options),
+          out_(out),
+          fine_(poseGrid(trajectory, options.period / options.phases)) {}
+
+    void read() {
+        for (int phase = 0; phase < options_.phases; ++phase) readPhase(phase);
+    }
+
+private:
+    std::size_t stride() const { return static_cast<std::size_t>(options_.phases); }
+    std::size_t reach() const { return std::max<std::size_t>(1, stride() / 2); }
+    bool known(std::size_t i) const {
+        return i >= reach() && i + stride() + reach() < fine_.size() && fine_.ok[i] && fine_.ok[i + stride()];
+    }
+
+    int blockOf(Nanoseconds time) const { return static_cast<int>(toSeconds(time - fine_.start) / options_.block); }
+    bool divided() const { return toSeconds(fine_.time(fine_.size()) - fine_.start) > 3 * options_.block; }
+    int foldOf(Nanoseconds time) const {
+        return divided() ? (blockOf(time) + robot_) % options_.folds : trajectoryFold_;
+    }
+    bool inGuard(Nanoseconds time) const {
+        return divided() && blockOf(time) > 0 && blockOf(time - guard) != blockOf(time);
+    }
+
+    Velocity velocityAt(std::size_t i) const {
+        const std::size_t r = reach();
+        const Pose moved = relative(fine_.poses[i - r], fine_.poses[i + r]);
+        const double duration = toSeconds(fine_.time(i + r) - fine_.time(i - r));
+        const Twist twist = log(moved);
+        return {twist.x / duration, twist.rotation / duration};
+    }
+
+    void readPhase(int phase) {
+        CommandHistory history;
+        std::size_t issued = 0;
+        SampleRun run{out_.samples.size(), 0, robot_, -1, phase};
+        const auto close = [&] {
+            if (run.count > 0) out_.runs.push_back(run);
+            run = {out_.samples.size(), 0, robot_, -1, phase};
+        };
+        for (std::size_t i = static_cast<std::size_t>(phase); i < fine_.size(); i += stride()) {
+            const Nanoseconds start = fine_.time(i);
+            for (; issued < trajectory_.commands.size() && trajectory_.commands[issued].time <= start; ++issued)
+                history.issue(trajectory_.commands[issued].time, trajectory_.commands[issued].command);
+            if (!known(i) || inGuard(start)) {
+                close();
+                continue;
+            }
+            if (run.count > 0 && foldOf(start) != run.fold) close();
+            run.fold = foldOf(start);
+            add(history, i);
+            ++run.count;
+        }
+        close();
+    }
+
+    void add(const CommandHistory& history, std::size_t i) {
+        MotionSample sample{fine_.time(i), relative(fine_.poses[i], fine_.poses[i + stride()]), velocityAt(i),
+                            velocityAt(i + stride())};
+        out_.samples.push_back(sample);
+        out_.inputs.resize(out_.inputs.size() + out_.width);
+        reader_.readRaw({&history, sample.start, sample.before}, robot_,
+                        out_.inputs.data() + (out_.inputs.size() - out_.width));
+    }
+
+    const Trajectory& trajectory_;
+    int robot_, trajectoryFold_;
+    const InputReader& reader_;
+    const SampleOptions& options_;
+    MotionSamples& out_;
+    PoseGrid fine_;
+};
+
+}  // namespace
+
+Expected<MotionSamples> motionSamples(std::span<const Log> logs, const MotionNetwork& network,
+                                      const SampleOptions& options) {
+    const InputReader reader(network);
+    MotionSamples out;
+    out.period = options.period;
+    out.folds = options.folds;
+    out.phases = options.phases;
+    out.robots = network.robots;
+    out.width = reader.width();
+    for (const Log& log : logs)
+        for (const RobotLog& robot : log.robots)
+            for (const Trajectory& trajectory : robot.trajectories)
+                TrajectoryReader(trajectory, reader.robotIndex(robot.robot), trajectory.group % options.folds, reader,
+                                 options, out)
+                    .read();
+    if (out.samples.empty())
+        return fail(logs.empty() ? "" : logs.front().source,
+                    "has no stretch with commands and ground truth that is long enough to learn from");
+    return out;
+}
+
+}  // namespace mrose
