@@ -4,8 +4,8 @@
 #include <span>
 
 #include "io/error.h"
-#include "world/differential_drive.h"
 #include "logs/robot_log.h"
+#include "world/differential_drive.h"
 
 namespace mrose {
 
