@@ -28,10 +28,7 @@ public:
 
 private:
     std::size_t stride() const { return static_cast<std::size_t>(options_.phases); }
-    std::size_t reach() const { return std::max<std::size_t>(1, stride() / 2); }
-    bool known(std::size_t i) const {
-        return i >= reach() && i + stride() + reach() < fine_.size() && fine_.ok[i] && fine_.ok[i + stride()];
-    }
+    bool known(std::size_t i) const { return i + stride() < fine_.size() && fine_.ok[i] && fine_.ok[i + stride()]; }
 
     int blockOf(Nanoseconds time) const { return static_cast<int>(toSeconds(time - fine_.start) / options_.block); }
     bool divided() const { return toSeconds(fine_.time(fine_.size()) - fine_.start) > 3 * options_.block; }
@@ -40,14 +37,6 @@ private:
     }
     bool inGuard(Nanoseconds time) const {
         return divided() && blockOf(time) > 0 && blockOf(time - guard) != blockOf(time);
-    }
-
-    Velocity velocityAt(std::size_t i) const {
-        const std::size_t r = reach();
-        const Pose moved = relative(fine_.poses[i - r], fine_.poses[i + r]);
-        const double duration = toSeconds(fine_.time(i + r) - fine_.time(i - r));
-        const Twist twist = log(moved);
-        return {twist.x / duration, twist.rotation / duration};
     }
 
     void readPhase(int phase) {
@@ -75,8 +64,8 @@ private:
     }
 
     void add(const CommandHistory& history, std::size_t i) {
-        MotionSample sample{fine_.time(i), relative(fine_.poses[i], fine_.poses[i + stride()]), velocityAt(i),
-                            velocityAt(i + stride())};
+        MotionSample sample{fine_.time(i), relative(fine_.poses[i], fine_.poses[i + stride()]), fine_.velocities[i],
+                            fine_.velocities[i + stride()]};
         out_.samples.push_back(sample);
         out_.inputs.resize(out_.inputs.size() + out_.width);
         reader_.readRaw({&history, sample.start, sample.before}, robot_,
