@@ -86,12 +86,13 @@ TEST(HuskyReader, AStopBetweenStepsEndsThePast) {
         EXPECT_EQ(trajectory.commands.size(), 40u) << trajectory.name;
 }
 
-TEST(HuskyReader, TheGroupIsThatOfTheRowInTheMiddle) {
-    std::string text = window(0, 7, false, 1, 1, 1);
-    text.replace(0, 3, "0,6");  // the command of the step before still stands in the first row
-    const auto log = parseHusky(header + text, "h.csv");
+TEST(HuskyReader, AFirstWindowLabelledWithTheStepBeforeJoinsTheStepOfItsCommand) {
+    std::string first = window(1, 6, false, 2, 3, 1);
+    first.replace(0, first.find('\n'), "1,6,0,1,1,1,1,0,0,0,0,0");  // the command before still stands in its first row
+    const auto log = parseHusky(header + window(0, 6, true, 1, 1, 1) + first + window(2, 7, true, 2, 3, 1), "h.csv");
     ASSERT_TRUE(log) << log.error().message();
-    EXPECT_EQ(log->robots[0].trajectories.at(0).group, 7);
+    EXPECT_EQ(log->robots[0].trajectories.at(0).group, 6);
+    EXPECT_EQ(log->robots[0].trajectories.at(1).group, 7);
 }
 
 TEST(HuskyReader, AStartHasTheVelocityThatTheRobotMeasured) {
