@@ -10,10 +10,10 @@
 namespace mrose {
 
 struct LogOptions {
-    double commandGap = 0.5;  ///< s: longer pauses between commands are counted as gaps
-    double poseGap = 0.2;     ///< s: likewise between poses; nothing is interpolated across them
-    bool dropBlips = true;    ///< single-sample zero commands
-    DifferentialDrive drive;  ///< for logs of wheel commands
+    double commandGap = 0.5;    ///< s: longer pauses between commands are counted as gaps
+    double poseGap = 0.2;       ///< s: likewise between poses; nothing is interpolated across them
+    bool dropBlips = true;      ///< single-sample zero commands
+    DifferentialDrive drive{};  ///< for logs of wheel commands
 };
 
 /// Opens a log of any known format: an MRCLAM folder, a Husky windows file, a CSV file or a folder of CSV files. Which

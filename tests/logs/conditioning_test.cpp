@@ -89,12 +89,12 @@ TEST(Conditioning, DropsSingleZeroCommandsBetweenEqualMovingOnes) {
 TEST(Conditioning, KeepsRealStops) {
     LogDefects found;
     auto commands = drive(100);
-    commands[10].command = commands[11].command = {};               // two samples
+    commands[10].command = commands[11].command = {};  // two samples
     for (std::size_t i = 50; i < 100; ++i) commands[i].command.v = 0.02;
-    commands[50].command = {};                                      // between different commands
-    commands[70].command = {};                                      // held for long
+    commands[50].command = {};  // between different commands
+    commands[70].command = {};  // held for long
     for (std::size_t i = 71; i < 100; ++i) commands[i].time += 100 * millisecond;
-    commands[99].command = {};                                      // the last
+    commands[99].command = {};  // the last
     conditionCommands(commands, {}, found);
     EXPECT_EQ(found.blips, 0);
     EXPECT_EQ(commands.size(), 100u);
