@@ -1,5 +1,7 @@
 #include "evaluation/html.h"
 
+#include <algorithm>
+
 namespace mrose {
 namespace {
 
@@ -58,6 +60,10 @@ void HtmlTable::group(std::string_view content, std::size_t columns) {
     groups_ += cat("<th colspan=\"", std::to_string(columns), "\">", content, "</th>");
 }
 
+void HtmlTable::part(std::string_view content) {
+    rows_ += cat("<tr class=\"part\"><th colspan=\"", std::to_string(header_.size()), "\">", content, "</th></tr>\n");
+}
+
 void HtmlTable::row(const std::vector<std::string>& cells, std::string_view cssClass) {
     rows_ += cat("<tr", attribute(cssClass), ">");
     for (std::size_t i = 0; i < cells.size(); ++i)
@@ -66,12 +72,16 @@ void HtmlTable::row(const std::vector<std::string>& cells, std::string_view cssC
 }
 
 std::string HtmlTable::text() const {
-    std::string text = cat("<div class=\"scroll\"><table", attribute(cssClass_), "><thead>\n");
-    if (!groups_.empty()) text += cat("<tr class=\"groups\">", groups_, "</tr>\n");
-    text += "<tr>";
-    for (const std::string& cell : header_) text += cat("<th scope=\"col\">", cell, "</th>");
-    text += cat("</tr></thead><tbody>\n", rows_, "</tbody></table></div>\n");
-    return text;
+    std::string head = groups_.empty() ? "" : cat("<tr class=\"groups\">", groups_, "</tr>\n");
+    const bool titled = std::any_of(header_.begin(), header_.end(), [](const std::string& h) { return !h.empty(); });
+    if (titled) {
+        head += "<tr>";
+        for (const std::string& cell : header_) head += cat("<th scope=\"col\">", cell, "</th>");
+        head += "</tr>";
+    }
+    if (!head.empty()) head = cat("<thead>\n", head, "</thead>");
+    return cat("<div class=\"scroll\"><table", attribute(cssClass_), ">", head, "<tbody>\n", rows_,
+               "</tbody></table></div>\n");
 }
 
 }  // namespace mrose

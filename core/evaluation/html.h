@@ -29,6 +29,7 @@ public:
 
     /// Columns under one heading: its markup and how many they are; to be called for all columns in order.
     void group(std::string_view content, std::size_t columns);
+    void part(std::string_view content);  ///< a row that heads those below it
     void row(const std::vector<std::string>& cells, std::string_view cssClass = {});
     std::string text() const;
 

@@ -7,6 +7,7 @@
 #include "evaluation/format.h"
 #include "evaluation/html.h"
 #include "evaluation/report_figures.h"
+#include "evaluation/report_prose.h"
 #include "evaluation/report_style.h"
 #include "evaluation/report_tables.h"
 #include "evaluation/shown_windows.h"
@@ -72,8 +73,9 @@ std::string comparison(const Evaluation& evaluation) {
         text += cat(" The best of the others by P, ", escaped(baseline->name), ", leaves ", fixed(baseline->all.p, 2),
                     " % and ", fixed(baseline->all.hd, 2), " %.");
     if (evaluation.floor && !evaluation.floor->pairs.empty())
-        text += cat(" Two real runs under near-identical commands differ by a P of ", fixed(evaluation.floor->p, 2),
-                    " % themselves (", std::to_string(evaluation.floor->pairs.size()), " pairs, see below).");
+        text +=
+            cat(" Two real runs under near-identical commands differ by a P of ", fixed(evaluation.floor->p, 2),
+                " % themselves (", std::to_string(evaluation.floor->pairs.size()), " <a href=\"#floor\">pairs</a>).");
     return text;
 }
 
@@ -81,8 +83,8 @@ std::string headline(const Evaluation& evaluation) {
     const ModelEvaluation& model = evaluation.models.front();
     return element("p", "lead",
                    cat("Given a start and the commands alone, the prediction’s position is off by <b>",
-                       fixed(model.all.p, 2), " %</b> of the path driven and its heading by <b>",
-                       fixed(model.all.hd, 2), " %</b> of the rotation turned, on average over time. ",
+                       fixed(model.all.p, 2), " %</b> of the path driven (P) and its heading by <b>",
+                       fixed(model.all.hd, 2), " %</b> of the rotation turned (Hd), on average over time. ",
                        typicalWindow(evaluation, model.all), comparison(evaluation)));
 }
 
@@ -107,7 +109,7 @@ std::string tiles(const Evaluation& evaluation) {
                        tile("Hd: heading error over rotation", fixed(s.hd, 2), "%", intervalText(s.hd95)),
                        tile("position at the end, median", fixed(100 * s.positionFinal.median, 1), "cm",
                             percentilesText(s.positionFinal, 100, " cm")),
-                       tile("heading at the end, median", fixed(degrees * s.headingFinal.median, 1), "°",
+                       tile("heading at the end, median", cat(fixed(degrees * s.headingFinal.median, 1), "°"), "",
                             percentilesText(s.headingFinal, degrees, "°"))));
 }
 
@@ -140,21 +142,25 @@ std::string barsSection(const Evaluation& evaluation) {
     const double top = highestBar(evaluation);
     for (std::size_t i = 0; i < evaluation.robots.size(); ++i)
         if (evaluation.robots[i].windows > 0) figures += barsFigure(evaluation, i, top);
-    return cat(
-        heading("Every window"),
-        paragraph("The first model’s time-mean position error in each window, coloured by what the commands ask for. "
-                  "A bar says which window it is when the pointer rests on it."),
-        manoeuvreLegend(), element("div", "card", figures));
+    return cat(heading("Every window"),
+               paragraph("The first model’s time-mean position error in each window, in the log’s order, coloured by "
+                         "what the commands ask for. "
+                         "A bar says which window it is when the pointer rests on it."),
+               manoeuvreLegend(), element("div", "card", figures));
 }
 
 std::string pathCard(const Evaluation& evaluation, const ShownWindow& shown) {
     const Window& w = evaluation.windows[shown.window];
     std::string reason = shown.reason;
     if (reason[0] >= 'a' && reason[0] <= 'z') reason[0] = static_cast<char>(reason[0] - 'a' + 'A');
-    const std::string what =
-        cat("robot ", escaped(evaluation.robots[w.robot].name), " · trajectory ",
-            escaped(evaluation.trajectories[shown.window]), " · from ", secondsText(w.start), " s · ",
-            name(w.manoeuvre), " · path ", fixed(w.path, 2), " m · rotation ", fixed(w.rotation, 2), " rad");
+    // Its name tells something only where a robot has several.
+    const bool several = std::any_of(evaluation.windows.begin(), evaluation.windows.end(), [&](const Window& other) {
+        return other.robot == w.robot && other.trajectory != w.trajectory;
+    });
+    const std::string trajectory = several ? cat(" · trajectory ", escaped(evaluation.trajectories[shown.window])) : "";
+    const std::string what = cat("robot\u00a0", escaped(evaluation.robots[w.robot].name), trajectory, " · from ",
+                                 secondsText(w.start), "\u00a0s · ", name(w.manoeuvre), " · path ", fixed(w.path, 2),
+                                 "\u00a0m · rotation ", fixed(w.rotation, 2), "\u00a0rad");
     return card(escaped(reason), cat(element("p", "soft", what), pathFigure(evaluation, shown.window),
                                      windowTable(evaluation, shown.window)));
 }
@@ -169,34 +175,18 @@ std::string pathSection(const Evaluation& evaluation, const ReportContext& conte
         pathLegend(evaluation), element("div", "paths", cards));
 }
 
-std::string floorText(const Floor& floor) {
-    const std::string pairs = std::to_string(floor.pairs.size());
-    const std::string bounds = cat(fixed(1000 * floor.options.pathBound, 1), " mm and ",
-                                   fixed(1000 * floor.options.rotationBound, 1), " mrad");
-    std::string text = cat(
-        "Which part of the error could no model avoid? Pairs of stretches of ", secondsText(floor.horizon, 0),
-        " s of the same robot were sought whose commands are nearly the same: the integrals of v and of w differ by "
-        "less than ",
-        bounds, " at every instant, from ", secondsText(floor.options.lead, 0), " s before the start to the end. Of ",
-        std::to_string(floor.tried), " stretches, ", std::to_string(floor.candidates), " pairs match; <b>", pairs,
-        "</b> of them, best match first, share no instant and are counted. ");
-    if (floor.pairs.empty()) return cat(text, "So there is no estimate of the floor for this log.");
-    double rotation = 0;
-    for (const FloorPair& pair : floor.pairs) rotation += pair.rotation;
-    text +=
-        cat("They turn by ", fixed(rotation / static_cast<double>(floor.pairs.size()), 2),
-            " rad each on average; Hd depends on that, so compare the rows of this table with each other and not with "
-            "the whole log. Two outcomes differ by the chance of both; a prediction of their mean would be off by 1/√2 "
-            "of that. ");
-    if (floor.pairs.size() < 20) text += cat("<b>With ", pairs, " pairs this is a rough estimate.</b>");
-    return text;
-}
-
 std::string floorSection(const Evaluation& evaluation) {
     if (!evaluation.floor) return {};
-    std::string text = cat(heading("The floor: how differently near-identical commands turn out"),
+    std::string text = cat("<h2 id=\"floor\">The floor: how differently near-identical commands turn out</h2>\n",
                            paragraph(floorText(*evaluation.floor)));
-    if (!evaluation.floor->pairs.empty()) text += tableCard(floorTable(evaluation));
+    if (evaluation.turningFloor) text += paragraph(turningFloorText(*evaluation.turningFloor));
+    const bool any =
+        !evaluation.floor->pairs.empty() || (evaluation.turningFloor && !evaluation.turningFloor->pairs.empty());
+    if (any)
+        text += cat(
+            paragraph("Both depend on how these stretches turn and how long they are: compare the rows of this table "
+                      "with each other and not with those of the whole log."),
+            tableCard(floorTable(evaluation)));
     return text;
 }
 
@@ -213,42 +203,6 @@ std::string tablesSection(const Evaluation& evaluation) {
                           "pieces, each predicted from its own measured start."),
                 tableCard(relativeTable(evaluation)));
     return text;
-}
-
-std::string definition(std::string_view term, std::string_view meaning) {
-    return cat("<dt>", term, "</dt><dd>", meaning, "</dd>\n");
-}
-
-std::string definitions(const Evaluation& evaluation) {
-    const WindowOptions& options = evaluation.options.windows;
-    std::string list;
-    list += definition(
-        "window",
-        cat("A stretch of ", secondsText(options.horizon, 0),
-            " s with ground truth throughout in which the robot drives at least ", fixed(options.leastPath, 2),
-            " m or turns at least ", fixed(options.leastRotation, 2),
-            " rad (in proportion to its length). Windows of one robot do not overlap. Trajectories too short to "
-            "be cut are one window each: their end, or all of them."));
-    list +=
-        definition("prediction",
-                   "Open loop: it knows pose and velocity at the start, measured from truth at or before it, and each "
-                   "command once it is issued. Nothing is aligned afterwards.");
-    list += definition("P", cat("Sum over the windows of the position error’s time-mean (every ",
-                                secondsText(options.step), " s), divided by the sum of the path lengths."));
-    list += definition("Hd",
-                       "Sum over the windows of the absolute heading error’s time-mean, divided by the sum of the "
-                       "absolute rotations.");
-    list += definition("path, rotation", "Summed over steps of 0.5 s, because a robot’s wobble inflates shorter ones.");
-    list += definition("interval", "Bootstrap: the middle 95 % of 1000 drawings of as many windows, with replacement.");
-    list += definition("offset at the end",
-                       "Mean of the signed error in the real robot’s frame: ahead of it, to its left, "
-                       "turned counter-clockwise. It shows a bias that absolute errors hide.");
-    list += definition("hard switch",
-                       "Somewhere in the window v or w goes within 0.1 s from full (0.7 of the robot’s "
-                       "largest command) to zero (0.1 of it) or to the other sign (0.25 on both sides), held "
-                       "0.3 s before and after.");
-    list += definition("straight, turning", "Other windows: commanded rotation below and above 0.5 rad in 10 s.");
-    return cat(heading("What the numbers mean"), element("dl", "", list));
 }
 
 std::string provenance(const Evaluation& evaluation, const ReportContext& context) {
@@ -280,8 +234,8 @@ std::string reportHtml(const Evaluation& evaluation, const ReportContext& contex
     const std::string body =
         cat(header(evaluation, context), headline(evaluation), tiles(evaluation), heading("Models side by side"),
             tableCard(modelTable(evaluation)), errorSection(evaluation), pathSection(evaluation, context),
-            tablesSection(evaluation), barsSection(evaluation), floorSection(evaluation), definitions(evaluation),
-            provenance(evaluation, context));
+            tablesSection(evaluation), barsSection(evaluation), floorSection(evaluation),
+            heading("What the numbers mean"), definitions(evaluation), provenance(evaluation, context));
     return cat("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/>\n",
                "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>", title,
                "</title>\n<style>", reportStyle(), "</style></head>\n<body><main>\n", body, "</main></body></html>\n");

@@ -102,10 +102,19 @@ std::string lengthText(double metres) {
     return metres < 0.995 ? cat(fixed(100 * metres, 0), " cm") : cat(fixed(metres, 0), " m");
 }
 
-void drawArrows(SvgPlot& plot, const std::vector<Pose>& poses, Nanoseconds step, double pixels, std::string_view css) {
-    const auto stride = static_cast<std::size_t>(std::max<Nanoseconds>(1, nanosecondsPerSecond / step));
+/// Between heading arrows: a second, less where windows are short.
+Nanoseconds arrowInterval(const Evaluation& evaluation) {
+    int most = 0;
+    for (const Window& window : evaluation.windows) most = std::max(most, window.steps());
+    const Nanoseconds longest = most * evaluation.options.windows.step;
+    return longest >= 5 * nanosecondsPerSecond ? nanosecondsPerSecond : nanosecondsPerSecond / 5;
+}
+
+void drawArrows(SvgPlot& plot, const Evaluation& evaluation, const std::vector<Pose>& poses, std::string_view css) {
+    const Nanoseconds every = arrowInterval(evaluation) / evaluation.options.windows.step;
+    const auto stride = static_cast<std::size_t>(std::max<Nanoseconds>(1, every));
     for (std::size_t i = 0; i < poses.size(); i += stride)
-        plot.arrow({poses[i].x, poses[i].y}, poses[i].heading, pixels, css);
+        plot.arrow({poses[i].x, poses[i].y}, poses[i].heading, 15, css);
 }
 
 }  // namespace
@@ -116,6 +125,11 @@ std::string seriesClass(std::size_t model) {
 
 std::size_t drawnModels(const Evaluation& evaluation) { return std::min(evaluation.models.size(), mostDrawnModels); }
 
+std::string modelName(const Evaluation& evaluation, std::size_t model) {
+    return cat("<span class=\"model\">", swatch(cat("<path class=\"line ", seriesClass(model), "\" d=\"M1 6H33\"/>")),
+               escaped(evaluation.models[model].name), "</span>");
+}
+
 std::string modelLegend(const Evaluation& evaluation) {
     std::string entries;
     for (std::size_t i = 0; i < evaluation.models.size(); ++i)
@@ -124,12 +138,14 @@ std::string modelLegend(const Evaluation& evaluation) {
 }
 
 std::string pathLegend(const Evaluation& evaluation) {
+    const Nanoseconds between = arrowInterval(evaluation);
+    const std::string interval = between == nanosecondsPerSecond ? "second" : cat(secondsText(between), " s");
     std::string entries = lineEntry("real", "real path");
     for (std::size_t i = 0; i < drawnModels(evaluation); ++i)
         entries += lineEntry(i == 0 ? seriesClass(i) : cat(seriesClass(i), " thin"), evaluation.models[i].name);
     entries += cat("<span>", swatch("<circle class=\"start\" cx=\"17\" cy=\"6\" r=\"4.5\"/>"), "start</span>\n");
-    entries += cat("<span>", swatch("<path class=\"arrow real\" d=\"M6 6H22M22 3L28 6L22 9Z\"/>"),
-                   "heading, every second</span>\n");
+    entries += cat("<span>", swatch("<path class=\"arrow real\" d=\"M6 6H22M22 3L28 6L22 9Z\"/>"), "heading, every ",
+                   interval, "</span>\n");
     entries += cat("<span>", swatch("<path class=\"line miss\" d=\"M1 6H33\"/>"), "error at the end</span>\n");
     return element("div", "legend", entries);
 }
@@ -190,10 +206,10 @@ double highestBar(const Evaluation& evaluation) {
 
 std::string barsFigure(const Evaluation& evaluation, std::size_t robot, double top) {
     const std::string& robotName = evaluation.robots[robot].name;
-    SvgPlot plot({.width = 1110, .height = 120, .left = 54, .right = 8, .top = 8, .bottom = 38},
+    SvgPlot plot({.width = 1110, .height = 112, .left = 54, .right = 8, .top = 8, .bottom = 24},
                  {0, static_cast<double>(evaluation.robots[robot].windows)}, {0, top},
                  cat("Errors of robot ", robotName));
-    plot.axes(cat("windows of robot ", robotName, " in the log's order"), "cm");
+    plot.axes("", cat("robot ", robotName, ", cm"));
     double at = 0;
     for (std::size_t i = 0; i < evaluation.windows.size(); ++i) {
         const Window& w = evaluation.windows[i];
@@ -208,7 +224,6 @@ std::string barsFigure(const Evaluation& evaluation, std::size_t robot, double t
 
 std::string pathFigure(const Evaluation& evaluation, std::size_t index) {
     const Window& window = evaluation.windows[index];
-    const Nanoseconds step = evaluation.options.windows.step;
     Extent extent{{window.truth[0].x, window.truth[0].x}, {window.truth[0].y, window.truth[0].y}};
     extent.include(window.truth);
     for (std::size_t i = 0; i < drawnModels(evaluation); ++i) extent.include(evaluation.models[i].predicted[index]);
@@ -224,8 +239,8 @@ std::string pathFigure(const Evaluation& evaluation, std::size_t index) {
     plot.line(positions(window.truth), "real");
     plot.line(positions(withStart(window, predicted)), seriesClass(0));
     plot.line(ends, "miss");
-    drawArrows(plot, window.truth, step, 15, "arrow real");
-    drawArrows(plot, withStart(window, predicted), step, 15, "arrow s0");
+    drawArrows(plot, evaluation, window.truth, "arrow real");
+    drawArrows(plot, evaluation, withStart(window, predicted), "arrow s0");
     plot.circle({window.truth[0].x, window.truth[0].y}, 4.5, "start");
     plot.scaleBar(bar, lengthText(bar));
     return plot.text();

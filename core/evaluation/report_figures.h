@@ -9,6 +9,9 @@ namespace mrose {
 /// CSS class of the n-th model: s0 is the model of the report, the others are what it is compared with.
 std::string seriesClass(std::size_t model);
 
+/// The model's name behind a sample of its line.
+std::string modelName(const Evaluation& evaluation, std::size_t model);
+
 std::string modelLegend(const Evaluation& evaluation);
 std::string pathLegend(const Evaluation& evaluation);
 std::string manoeuvreLegend();

@@ -1,9 +1,8 @@
-#include "evaluation/report.h"
-
 #include <nlohmann/json.hpp>
 
 #include "evaluation/format.h"
 #include "evaluation/html.h"
+#include "evaluation/report.h"
 
 namespace mrose {
 namespace {
@@ -41,6 +40,8 @@ Json json(const Summary& s) {
             {"final_heading_signed_rad", json(s.headingSigned)}};
 }
 
+Json json(const PercentErrors& e) { return {{"P_percent", e.p}, {"Hd_percent", e.hd}}; }
+
 Json json(const ModelEvaluation& model) {
     Json groups = Json::array(), overTime = Json::array(), relative = Json::array();
     for (const GroupSummary& group : model.groups)
@@ -57,8 +58,8 @@ Json json(const ModelEvaluation& model) {
             {"groups", std::move(groups)},
             {"relative_pose_error", std::move(relative)},
             {"error_over_time", std::move(overTime)},
-            {"P_on_floor_percent", model.pOnFloor},
-            {"Hd_on_floor_percent", model.hdOnFloor}};
+            {"on_floor", json(model.onFloor)},
+            {"on_turning_floor", json(model.onTurningFloor)}};
 }
 
 Json json(const LogDefects& d) {
@@ -96,6 +97,7 @@ Json json(const Floor& floor, const Evaluation& evaluation) {
     return {{"path_bound_m", floor.options.pathBound},
             {"rotation_bound_rad", floor.options.rotationBound},
             {"lead_s", toSeconds(floor.options.lead)},
+            {"least_turn_rate_rad_s", floor.options.leastTurnRate},
             {"horizon_s", toSeconds(floor.horizon)},
             {"stretches_tried", floor.tried},
             {"candidates", floor.candidates},
@@ -105,6 +107,10 @@ Json json(const Floor& floor, const Evaluation& evaluation) {
             {"P_best_percent", floor.pBest},
             {"Hd_best_percent", floor.hdBest},
             {"pairs", std::move(pairs)}};
+}
+
+Json floorJson(const std::optional<Floor>& floor, const Evaluation& evaluation) {
+    return floor ? json(*floor, evaluation) : Json();
 }
 
 Json windowsJson(const Evaluation& evaluation) {
@@ -176,7 +182,8 @@ std::string resultsJson(const Evaluation& evaluation, const ReportContext& conte
                      {"least_path_m", windows.leastPath},
                      {"least_rotation_rad", windows.leastRotation}}},
                    {"models", std::move(models)},
-                   {"floor", evaluation.floor ? json(*evaluation.floor, evaluation) : Json()},
+                   {"floor", floorJson(evaluation.floor, evaluation)},
+                   {"turning_floor", floorJson(evaluation.turningFloor, evaluation)},
                    {"windows", windowsJson(evaluation)}};
     // Names may hold bytes that are no UTF-8: replaced, as in the report.
     return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";

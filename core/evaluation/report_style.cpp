@@ -50,9 +50,17 @@ tr.part th { font-size: 12.5px; color: var(--soft); font-weight: 500; padding-to
 td small { display: block; color: var(--soft); font-size: 11.5px; line-height: 1.2; }
 td b { font-weight: 700; }
 table.words td { text-align: left; white-space: normal; overflow-wrap: anywhere; }
-table.words th { vertical-align: top; width: 1%; padding-right: 18px; }
+table.words th { vertical-align: top; width: 1%; padding-right: 26px; }
+table.dense { font-size: 13px; } table.dense :is(th, td):not(:first-child) { padding: 4px 5px; }
+table.even td { width: 8%; }
+table.files td, table.files th { text-align: left; white-space: normal; }
 table.small { font-size: 12.5px; }
 table.small th, table.small td { padding: 2px 5px; }
+table.small tbody th { white-space: normal; line-height: 1.25; }
+table.small th:first-child { padding-left: 0; } table.small :is(th, td):last-child { padding-right: 1px; }
+tbody tr:last-child > * { border-bottom: none; }
+.model { display: inline-flex; align-items: center; gap: 8px; }
+a { color: inherit; }
 code { font: 12.5px/1.45 ui-monospace, "DejaVu Sans Mono", monospace; overflow-wrap: anywhere; }
 .legend { display: flex; flex-wrap: wrap; gap: 4px 20px; margin: 8px 0 10px; font-size: 13.5px; align-items: center; }
 .legend span { display: inline-flex; align-items: center; gap: 7px; }

@@ -6,6 +6,7 @@
 
 #include "evaluation/format.h"
 #include "evaluation/html.h"
+#include "evaluation/report_figures.h"
 
 namespace mrose {
 namespace {
@@ -45,7 +46,7 @@ struct PairedTable {
                   header.push_back(first);
                   header.push_back(second);
               }
-              return HtmlTable(header);
+              return HtmlTable(header, "even");
           }()) {
         for (std::size_t i = 0; i < leading.size(); ++i) table.group("", 1);
         for (const ModelEvaluation& model : evaluation.models) table.group(escaped(model.name), 2);
@@ -67,18 +68,17 @@ struct PairedTable {
 }  // namespace
 
 std::string modelTable(const Evaluation& evaluation) {
-    HtmlTable table({"", "%", "%", "median", "mean", "p90", "median", "mean", "p90", "median", "mean", "p90",
-                     "along cm", "left cm", "turn °"});
-    table.group("", 1);
-    table.group("P", 1);
-    table.group("Hd", 1);
+    HtmlTable table({"", "P %", "Hd %", "median", "mean", "p90", "median", "mean", "p90", "median", "mean", "p90",
+                     "along cm", "left cm", "turn °"},
+                    "dense");
+    table.group("", 3);
     table.group("time-mean / path, %", 3);
     table.group("position at the end, cm", 3);
     table.group("heading at the end, °", 3);
     table.group("mean offset at the end", 3);
-    for (const ModelEvaluation& model : evaluation.models) {
-        const Summary& s = model.all;
-        std::vector<std::string> cells{escaped(model.name), withInterval(s.p, s.p95), withInterval(s.hd, s.hd95)};
+    for (std::size_t i = 0; i < evaluation.models.size(); ++i) {
+        const Summary& s = evaluation.models[i].all;
+        std::vector<std::string> cells{modelName(evaluation, i), withInterval(s.p, s.p95), withInterval(s.hd, s.hd95)};
         addThree(cells, s.positionMeanOverPath, 1, 2);
         addThree(cells, s.positionFinal, 100, 2);
         addThree(cells, s.headingFinal, degrees, 2);
@@ -94,8 +94,7 @@ std::string groupTable(const Evaluation& evaluation) {
     PairedTable paired(evaluation, {"", "windows", "path m", "rotation rad"}, "P %", "Hd %");
     const auto& groups = evaluation.models.front().groups;
     for (std::size_t g = 0; g < groups.size(); ++g) {
-        if (g == 0 || groups[g].kind != groups[g - 1].kind)
-            paired.table.row({cat("by ", escaped(groups[g].kind))}, "part");
+        if (g == 0 || groups[g].kind != groups[g - 1].kind) paired.table.part(cat("by ", escaped(groups[g].kind)));
         std::vector<double> p, hd;
         for (const ModelEvaluation& model : evaluation.models) {
             p.push_back(model.groups[g].summary.p);
@@ -125,12 +124,28 @@ std::string relativeTable(const Evaluation& evaluation) {
 }
 
 std::string floorTable(const Evaluation& evaluation) {
+    const bool both = evaluation.turningFloor.has_value();
+    std::vector<std::string> header{"", "P %", "Hd %"};
+    if (both) header.insert(header.end(), {"P %", "Hd %"});
+    HtmlTable table(header);
+    const auto title = [](const Floor& floor) {
+        return cat(secondsText(floor.horizon, 0), " s, ", std::to_string(floor.pairs.size()), " pairs",
+                   floor.options.leastTurnRate > 0 ? ", turning" : "");
+    };
+    table.group("", 1);
+    table.group(title(*evaluation.floor), 2);
+    if (both) table.group(title(*evaluation.turningFloor), 2);
+    const auto row = [&](const std::string& label, const PercentErrors& first, const PercentErrors& second) {
+        std::vector<std::string> cells{label, fixed(first.p, 2), fixed(first.hd, 2)};
+        if (both) cells.insert(cells.end(), {fixed(second.p, 2), fixed(second.hd, 2)});
+        table.row(cells);
+    };
     const Floor& floor = *evaluation.floor;
-    HtmlTable table({"on these stretches", "P %", "Hd %"});
-    table.row({"two real outcomes of near-identical commands, apart", fixed(floor.p, 2), fixed(floor.hd, 2)});
-    table.row({"best possible prediction (the above / √2)", fixed(floor.pBest, 2), fixed(floor.hdBest, 2)});
-    for (const ModelEvaluation& model : evaluation.models)
-        table.row({escaped(model.name), fixed(model.pOnFloor, 2), fixed(model.hdOnFloor, 2)});
+    const Floor& turning = both ? *evaluation.turningFloor : floor;
+    row("two real outcomes of near-identical commands, apart", {floor.p, floor.hd}, {turning.p, turning.hd});
+    row("best possible prediction (the above / √2)", {floor.pBest, floor.hdBest}, {turning.pBest, turning.hdBest});
+    for (std::size_t i = 0; i < evaluation.models.size(); ++i)
+        row(modelName(evaluation, i), evaluation.models[i].onFloor, evaluation.models[i].onTurningFloor);
     return table.text();
 }
 
@@ -158,7 +173,7 @@ std::string defectTable(const Evaluation& evaluation) {
 }
 
 std::string windowTable(const Evaluation& evaluation, std::size_t window) {
-    HtmlTable table({"", "mean cm", "% path", "end cm", "end °"}, "small");
+    HtmlTable table({"", "mean<br/>cm", "mean<br/>% path", "end<br/>cm", "end<br/>°"}, "small");
     const double path = evaluation.windows[window].path;
     for (const ModelEvaluation& model : evaluation.models) {
         const WindowErrors& e = model.errors[window];
@@ -170,7 +185,7 @@ std::string windowTable(const Evaluation& evaluation, std::size_t window) {
 }
 
 std::string fileTable(const std::vector<LogFile>& files) {
-    HtmlTable table({"file", "XXH3"}, "words small");
+    HtmlTable table({"file", "XXH3"}, "files");
     for (const LogFile& file : files)
         table.row({cat("<code>", escaped(file.path), "</code>"), cat("<code>", escaped(file.hash), "</code>")});
     return table.text();

@@ -48,7 +48,9 @@ std::vector<ShownWindow> shownWindows(const Evaluation& evaluation, const std::v
         return errors[i].positionMean / evaluation.windows[i].path;
     });
     Choice choice;
+    choice.add(atQuantile(byPosition, 0.1), "10th percentile");
     choice.add(atQuantile(byPosition, 0.5), "median window");
+    choice.add(atQuantile(byPosition, 0.75), "75th percentile");
     choice.add(atQuantile(byPosition, 0.9), "90th percentile");
     choice.add(byPosition.back(), "worst position");
     choice.add(byHeading.back(), "worst heading");

@@ -82,7 +82,7 @@ void SvgPlot::axes(std::string_view xTitle, std::string_view yTitle) {
     }
     around_ += cat("<path class=\"axis\" d=\"M", px(layout_.left), " ", px(layout_.top), "V", px(bottom), "H",
                    px(right), "\"/>\n");
-    around_ += textAt(layout_.left + innerWidth() / 2, layout_.height - 8, "title middle", xTitle);
+    if (!xTitle.empty()) around_ += textAt(layout_.left + innerWidth() / 2, layout_.height - 8, "title middle", xTitle);
     const double middle = layout_.top + innerHeight() / 2;
     around_ += textAt(14, middle, "title middle", yTitle, cat(" transform=\"rotate(-90 14 ", px(middle), ")\""));
 }
