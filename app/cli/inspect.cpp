@@ -43,27 +43,32 @@ struct RobotFacts {
             }
         }
     }
-    double commandRate() const { return commandTime > 0 ? static_cast<double>(commands - trajectories) / commandTime : 0; }
+    double commandRate() const {
+        return commandTime > 0 ? static_cast<double>(commands - trajectories) / commandTime : 0;
+    }
     double poseRate() const { return poseTime > 0 ? static_cast<double>(poses - trajectories) / poseTime : 0; }
 };
 
 const std::pair<const char*, std::int64_t LogDefects::*> counts[] = {
-    {"stamps out of order, sorted", &LogDefects::outOfOrder}, {"equal stamps, last kept", &LogDefects::duplicates},
+    {"stamps out of order, sorted", &LogDefects::outOfOrder},
+    {"equal stamps, last kept", &LogDefects::duplicates},
     {"blips (single zero commands), dropped", &LogDefects::blips},
-    {"pose outliers, dropped", &LogDefects::poseOutliers},    {"heading wraps, unwrapped", &LogDefects::headingWraps},
-    {"gaps in the commands", &LogDefects::commandGaps},       {"gaps in the poses", &LogDefects::poseGaps}};
+    {"pose outliers, dropped", &LogDefects::poseOutliers},
+    {"heading wraps, unwrapped", &LogDefects::headingWraps},
+    {"gaps in the commands", &LogDefects::commandGaps},
+    {"gaps in the poses", &LogDefects::poseGaps}};
 
 std::string channelText(const ChannelResponse& c) {
     if (!c.identifiable) return c.reason;
     return "dead time " + fixed(1000 * c.deadTime, 0) + " +- " + fixed(1000 * c.deadTimeError, 0) + " ms, lag " +
-           fixed(1000 * c.lag, 0) + " +- " + fixed(1000 * c.lagError, 0) + " ms, explains " + fixed(100 * c.explained, 1) +
-           " % of the motion";
+           fixed(1000 * c.lag, 0) + " +- " + fixed(1000 * c.lagError, 0) + " ms, explains " +
+           fixed(100 * c.explained, 1) + " % of the motion";
 }
 
 nlohmann::json channelJson(const ChannelResponse& c) {
     if (!c.identifiable) return {{"identifiable", false}, {"reason", c.reason}};
-    return {{"identifiable", true},          {"dead_time_s", c.deadTime}, {"dead_time_error_s", c.deadTimeError},
-            {"lag_s", c.lag},                {"lag_error_s", c.lagError}, {"explained", c.explained}};
+    return {{"identifiable", true}, {"dead_time_s", c.deadTime}, {"dead_time_error_s", c.deadTimeError},
+            {"lag_s", c.lag},       {"lag_error_s", c.lagError}, {"explained", c.explained}};
 }
 
 nlohmann::json robotJson(const RobotLog& robot, const RobotResponse& response) {
@@ -74,10 +79,18 @@ nlohmann::json robotJson(const RobotLog& robot, const RobotResponse& response) {
     defects["longest pose gap, s"] = robot.defects.longestPoseGap;
     return {{"robot", robot.robot},
             {"trajectories", f.trajectories},
-            {"commands", {{"count", f.commands}, {"seconds", f.commandTime}, {"rate_hz", f.commandRate()},
-                          {"v_mps", f.v.json()}, {"w_radps", f.w.json()}}},
-            {"poses", {{"count", f.poses}, {"seconds", f.poseTime}, {"rate_hz", f.poseRate()},
-                       {"x_m", f.x.json()}, {"y_m", f.y.json()}}},
+            {"commands",
+             {{"count", f.commands},
+              {"seconds", f.commandTime},
+              {"rate_hz", f.commandRate()},
+              {"v_mps", f.v.json()},
+              {"w_radps", f.w.json()}}},
+            {"poses",
+             {{"count", f.poses},
+              {"seconds", f.poseTime},
+              {"rate_hz", f.poseRate()},
+              {"x_m", f.x.json()},
+              {"y_m", f.y.json()}}},
             {"defects", defects},
             {"response", {{"v", channelJson(response.v)}, {"w", channelJson(response.w)}}}};
 }
