@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "evaluation/format.h"
@@ -66,6 +67,33 @@ void compare(const Evaluation& evaluation, std::span<const Part> parts, ModelEva
     model.overTime = errorsOverTime(model.errors, evaluation.options.windows.step);
 }
 
+Expected<void> compareOnFloor(const NamedModel& named, const Log& log, const Evaluation& evaluation,
+                              ModelEvaluation& model) {
+    model.pOnFloor = model.hdOnFloor = std::numeric_limits<double>::quiet_NaN();
+    if (!evaluation.floor || evaluation.floor->pairs.empty()) return {};
+    std::vector<Window> stretches;
+    std::vector<std::size_t> robots;
+    for (const FloorPair& pair : evaluation.floor->pairs)
+        for (const Window* stretch : {&pair.first, &pair.second}) {
+            stretches.push_back(*stretch);
+            robots.push_back(stretch->robot);
+        }
+    const auto predicted = rollOut(named, log, rolloutStarts(log, stretches), robots,
+                                   RolloutOptions{.step = evaluation.options.windows.step});
+    if (!predicted) return tl::unexpected(predicted.error());
+    double position = 0, path = 0, heading = 0, rotation = 0;
+    for (std::size_t i = 0; i < stretches.size(); ++i) {
+        const WindowErrors errors = windowErrors(stretches[i].truth, (*predicted)[i]);
+        position += errors.positionMean;
+        heading += errors.headingMean;
+        path += stretches[i].path;
+        rotation += stretches[i].rotation;
+    }
+    model.pOnFloor = 100 * position / path;
+    model.hdOnFloor = 100 * heading / rotation;
+    return {};
+}
+
 Expected<ModelEvaluation> evaluateModel(const NamedModel& named, const Log& log, const Evaluation& evaluation,
                                         std::span<const Part> parts, std::span<const RelativePieces> pieces) {
     ModelEvaluation model;
@@ -82,6 +110,8 @@ Expected<ModelEvaluation> evaluateModel(const NamedModel& named, const Log& log,
         if (!ends) return tl::unexpected(ends.error());
         model.relative.push_back(relativePoseError(piece, *ends));
     }
+    if (auto compared = compareOnFloor(named, log, evaluation, model); !compared)
+        return tl::unexpected(compared.error());
     return model;
 }
 
@@ -141,12 +171,12 @@ Expected<Evaluation> evaluate(const Log& log, std::span<const NamedModel> models
         RelativePieces piece = relativePieces(log, evaluation.windows, horizon, options.windows.step);
         if (!piece.starts.empty()) pieces.push_back(std::move(piece));
     }
+    if (options.withFloor) evaluation.floor = findFloor(log, options.robots, options.windows, options.floor);
     for (const NamedModel& named : models) {
         auto model = evaluateModel(named, log, evaluation, parts, pieces);
         if (!model) return tl::unexpected(model.error());
         evaluation.models.push_back(std::move(*model));
     }
-    if (options.withFloor) evaluation.floor = findFloor(log, options.robots, options.windows, options.floor);
     return evaluation;
 }
 

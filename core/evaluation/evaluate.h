@@ -23,11 +23,11 @@ struct NamedModel {
 };
 
 struct EvaluationOptions {
-    std::vector<std::string> robots;  ///< as the log names them; empty: all
-    WindowOptions windows;
+    std::vector<std::string> robots{};  ///< as the log names them; empty: all
+    WindowOptions windows{};
     std::vector<double> relativeHorizons{0.1, 1, 5, 10};  ///< s
     bool withFloor = true;
-    FloorOptions floor;
+    FloorOptions floor{};
 };
 
 /// A part of the windows.
@@ -45,6 +45,7 @@ struct ModelEvaluation {
     std::vector<GroupSummary> groups;  ///< the same ones in the same order for every model
     std::vector<ErrorsAt> overTime;
     std::vector<RelativePoseError> relative;  ///< by horizon
+    double pOnFloor = 0, hdOnFloor = 0;       ///< %: P and Hd on the stretches of the floor's pairs; NaN without pairs
 };
 
 /// All that a report needs; it holds no reference to the log or the models.

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
+#include <tuple>
 
 #include "evaluation/metrics.h"
 
@@ -48,10 +49,9 @@ Integrals commandIntegrals(const Trajectory& trajectory, Nanoseconds from, Nanos
 
 /// The largest difference in parts of the bounds; above 1 it may be any that is.
 double difference(const Integrals& a, const Integrals& b, const FloorOptions& options) {
-    const std::size_t count = std::min(a.size(), b.size());
     double largest = 0;
     // The ends differ most as a rule, so that most pairs are settled by the first comparison.
-    for (std::size_t i = count; i-- > 0 && largest <= 1;)
+    for (std::size_t i = a.size(); i-- > 0 && largest <= 1;)
         largest = std::max({largest, std::abs(a[i].path - b[i].path) / options.pathBound,
                             std::abs(a[i].rotation - b[i].rotation) / options.rotationBound});
     return largest;
@@ -66,13 +66,27 @@ bool overlap(const Window& a, const Window& b, Nanoseconds length) {
     return a.trajectory == b.trajectory && std::abs(a.start - b.start) < length;
 }
 
+/// Stretches by their total commanded rotation, so that those that can match lie close together.
+std::vector<std::uint32_t> byRotation(const std::vector<Integrals>& integrals) {
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t i = 0; i < integrals.size(); ++i)
+        if (!integrals[i].empty()) order.push_back(i);
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return integrals[a].back().rotation < integrals[b].back().rotation;
+    });
+    return order;
+}
+
 std::vector<Candidate> matches(const std::vector<Window>& stretches, const std::vector<Integrals>& integrals,
                                Nanoseconds length, const FloorOptions& options) {
+    const std::vector<std::uint32_t> order = byRotation(integrals);
     std::vector<Candidate> candidates;
-    for (std::uint32_t i = 0; i < stretches.size(); ++i)
-        for (std::uint32_t k = i + 1; k < stretches.size(); ++k) {
-            if (stretches[i].truth.size() != stretches[k].truth.size()) continue;
-            if (overlap(stretches[i], stretches[k], length)) continue;
+    for (std::size_t a = 0; a < order.size(); ++a)
+        for (std::size_t b = a + 1; b < order.size(); ++b) {
+            const auto [i, k] = std::minmax(order[a], order[b]);
+            if (integrals[order[b]].back().rotation - integrals[order[a]].back().rotation > options.rotationBound)
+                break;
+            if (integrals[i].size() != integrals[k].size() || overlap(stretches[i], stretches[k], length)) continue;
             const double apart = difference(integrals[i], integrals[k], options);
             if (apart <= 1) candidates.push_back({apart, i, k});
         }
@@ -82,8 +96,9 @@ std::vector<Candidate> matches(const std::vector<Window>& stretches, const std::
 /// Best match first, leaving out what shares an instant with a pair already taken.
 std::vector<Candidate> withoutSharing(std::vector<Candidate> candidates, const std::vector<Window>& stretches,
                                       Nanoseconds length) {
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.difference < b.difference; });
+    std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+        return std::tie(a.difference, a.first, a.second) < std::tie(b.difference, b.first, b.second);
+    });
     std::vector<char> taken(stretches.size(), 0);
     std::vector<Candidate> chosen;
     for (const Candidate& candidate : candidates) {
@@ -107,9 +122,8 @@ FloorPair compare(const Window& a, const Window& b, double commandDifference) {
     const std::vector<Pose> other = seenFromStart(b.truth);
     const WindowErrors errors = windowErrors(seenFromStart(a.truth), std::span(other).subspan(1));
     FloorPair pair;
-    pair.robot = a.robot;
-    pair.first = a.start;
-    pair.second = b.start;
+    pair.first = a;
+    pair.second = b;
     pair.commandDifference = commandDifference;
     pair.positionMean = errors.positionMean;
     pair.positionFinal = errors.positionFinal;
@@ -127,7 +141,7 @@ void addRobot(const Log& log, std::size_t robot, const WindowOptions& windows, F
         integrals.push_back(commandIntegrals(log.robots[robot].trajectories[w.trajectory], w.start - floor.options.lead,
                                              w.start + w.steps() * windows.step));
     const auto candidates = matches(stretches, integrals, windows.horizon, floor.options);
-    floor.stretches += stretches.size();
+    floor.tried += stretches.size();
     floor.candidates += candidates.size();
     for (const Candidate& c : withoutSharing(candidates, stretches, windows.horizon))
         floor.pairs.push_back(compare(stretches[c.first], stretches[c.second], c.difference));

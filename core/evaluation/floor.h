@@ -9,16 +9,15 @@ namespace mrose {
 
 /// Which pairs of stretches count as near-identically commanded.
 struct FloorOptions {
-    double pathBound = 0.01;      ///< m: largest difference of the integrals of v, from the lead's begin to any instant
-    double rotationBound = 0.05;  ///< rad: likewise of w
+    double pathBound = 0.005;  ///< m: largest difference of the integrals of v, from the lead's begin to any instant
+    double rotationBound = 0.025;       ///< rad: likewise of w
     Nanoseconds lead = 1'000'000'000;   ///< commands before the start that must match too
-    Nanoseconds spacing = 500'000'000;  ///< between starts tried in a long trajectory; a whole multiple of the step
+    Nanoseconds spacing = 200'000'000;  ///< between starts tried in a long trajectory; a whole multiple of the step
 };
 
 /// Two stretches of one robot that were commanded alike within the bounds.
 struct FloorPair {
-    std::size_t robot = 0;
-    Nanoseconds first = 0, second = 0;           ///< their starts
+    Window first, second;
     double commandDifference = 0;                ///< the larger of the two differences, in parts of its bound
     double positionMean = 0, positionFinal = 0;  ///< m: how their real paths differ, each seen from its own start
     double headingMean = 0, headingFinal = 0;    ///< rad, absolute
@@ -31,7 +30,7 @@ struct FloorPair {
 struct Floor {
     FloorOptions options;
     Nanoseconds horizon = 0;
-    std::size_t stretches = 0;     ///< tried
+    std::size_t tried = 0;         ///< stretches
     std::size_t candidates = 0;    ///< pairs of them within the bounds, sharing stretches
     std::vector<FloorPair> pairs;  ///< chosen of those, best match first: no two share an instant of a robot
     double p = 0, hd = 0;          ///< %, of the pairs, as the referee defines P and Hd; NaN without pairs

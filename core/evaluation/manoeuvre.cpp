@@ -15,12 +15,17 @@ constexpr double turningPerSecond = 0.05;  // rad/s
 
 std::vector<Command> sampled(const Trajectory& trajectory, Nanoseconds from, Nanoseconds to) {
     std::vector<Command> result;
-    std::size_t next = 0;
+    const auto& commands = trajectory.commands;
+    const auto later = std::upper_bound(commands.begin(), commands.end(), from,
+                                        [](Nanoseconds t, const StampedCommand& c) { return t < c.time; });
+    auto next = static_cast<std::size_t>(later - commands.begin());
     Command inForce;
-    if (trajectory.steady && !trajectory.commands.empty()) inForce = trajectory.commands.front().command;
+    if (next > 0)
+        inForce = commands[next - 1].command;
+    else if (trajectory.steady && !commands.empty())
+        inForce = commands.front().command;
     for (Nanoseconds t = from; t < to; t += sampling) {
-        while (next < trajectory.commands.size() && trajectory.commands[next].time <= t)
-            inForce = trajectory.commands[next++].command;
+        while (next < commands.size() && commands[next].time <= t) inForce = commands[next++].command;
         result.push_back(inForce);
     }
     return result;

@@ -83,7 +83,6 @@ public:
         : log_(log), options_(options), spacing_(spacing) {}
 
     void search(std::size_t robot) {
-        scale_ = commandScale(log_.robots[robot]);
         for (std::size_t i = 0; i < log_.robots[robot].trajectories.size(); ++i) search(robot, i);
     }
 
@@ -161,15 +160,21 @@ private:
         }
         window.measuredPose = start->pose;
         window.measuredVelocity = start->velocity;
-        window.manoeuvre = classify(trajectory, window.start, window.start + length, scale_);
         windows.push_back(std::move(window));
     }
 
     const Log& log_;
     const WindowOptions& options_;
     Nanoseconds spacing_;
-    CommandScale scale_;
 };
+
+void classifyAll(const Log& log, std::vector<Window>& windows, Nanoseconds step) {
+    std::vector<CommandScale> scales;
+    for (const RobotLog& robot : log.robots) scales.push_back(commandScale(robot));
+    for (Window& w : windows)
+        w.manoeuvre = classify(log.robots[w.robot].trajectories[w.trajectory], w.start, w.start + w.steps() * step,
+                               scales[w.robot]);
+}
 
 }  // namespace
 
@@ -233,6 +238,7 @@ Expected<std::vector<Window>> findWindows(const Log& log, const std::vector<std:
     if (finder.windows.empty())
         return fail(log.source,
                     "has no window of " + secondsText(options.horizon, 0) + " s to predict: " + finder.refusals.text());
+    classifyAll(log, finder.windows, options.step);
     return std::move(finder.windows);
 }
 

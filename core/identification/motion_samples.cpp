@@ -28,10 +28,7 @@ public:
 
 private:
     std::size_t stride() const { return static_cast<std::size_t>(options_.phases); }
-    std::size_t reach() const { return std::max<std::size_t>(1, stride() / 2); }
-    bool known(std::size_t i) const {
-        return i >= reach() && i + stride() + reach() < fine_.size() && fine_.ok[i] && fine_.ok[i + stride()];
-    }
+    bool known(std::size_t i) const { return i + stride() < fine_.size() && fine_.ok[i] && fine_.ok[i + stride()]; }
 
     int blockOf(Nanoseconds time) const { return static_cast<int>(toSeconds(time - fine_.start) / options_.block); }
     bool divided() const { return toSeconds(fine_.time(fine_.size()) - fine_.start) > 3 * options_.block; }
@@ -40,14 +37,6 @@ private:
     }
     bool inGuard(Nanoseconds time) const {
         return divided() && blockOf(time) > 0 && blockOf(time - guard) != blockOf(time);
-    }
-
-    Velocity velocityAt(std::size_t i) const {
-        const std::size_t r = reach();
-        const Pose moved = relative(fine_.poses[i - r], fine_.poses[i + r]);
-        const double duration = toSeconds(fine_.time(i + r) - fine_.time(i - r));
-        const Twist twist = log(moved);
-        return {twist.x / duration, twist.rotation / duration};
     }
 
     void readPhase(int phase) {
@@ -75,8 +64,8 @@ private:
     }
 
     void add(const CommandHistory& history, std::size_t i) {
-        MotionSample sample{fine_.time(i), relative(fine_.poses[i], fine_.poses[i + stride()]), velocityAt(i),
-                            velocityAt(i + stride())};
+        MotionSample sample{fine_.time(i), relative(fine_.poses[i], fine_.poses[i + stride()]), fine_.velocities[i],
+                            fine_.velocities[i + stride()]};
         out_.samples.push_back(sample);
         out_.inputs.resize(out_.inputs.size() + out_.width);
         reader_.readRaw({&history, sample.start, sample.before}, robot_,
@@ -92,6 +81,30 @@ private:
 };
 
 }  // namespace
+
+std::vector<TrackerOffset> removeTrackerOffsets(MotionSamples& samples) {
+    std::vector<TrackerOffset> offsets(samples.robots.size());
+    for (std::size_t robot = 0; robot < offsets.size(); ++robot) {
+        const auto forOwn = [&](auto f) {
+            for (const SampleRun& run : samples.runs)
+                if (run.robot == static_cast<int>(robot))
+                    for (std::size_t i = 0; i < run.count; ++i) f(samples.samples[run.first + i].increment);
+        };
+        // Normal equations of y = ahead * dphi - rotated * dx.
+        double pp = 1e-12, px = 0, xx = 1e-12, py = 0, xy = 0;
+        forOwn([&](const Pose& d) {
+            pp += d.heading * d.heading;
+            px += d.heading * d.x;
+            xx += d.x * d.x;
+            py += d.heading * d.y;
+            xy += d.x * d.y;
+        });
+        const double determinant = pp * xx - px * px;
+        offsets[robot] = {(py * xx - xy * px) / determinant, -(xy * pp - py * px) / determinant};
+        forOwn([&](Pose& d) { d.y -= offsets[robot].sideways(d); });
+    }
+    return offsets;
+}
 
 Expected<MotionSamples> motionSamples(std::span<const Log> logs, const MotionNetwork& network,
                                       const SampleOptions& options) {

@@ -45,6 +45,10 @@ struct MotionSamples {
     std::span<const double> inputsOf(std::size_t sample) const { return {&inputs[sample * width], width}; }
 };
 
+/// Finds how each robot's tracked point lies to its body (least squares of the sideways motion), and turns the samples'
+/// increments into those of the body. One offset for each of MotionSamples::robots.
+std::vector<TrackerOffset> removeTrackerOffsets(MotionSamples& samples);
+
 /// Reads the patterns of `logs`, with the inputs that `network` names (its standardisation is not used). The history of
 /// a pattern never reaches into another fold: the first second of each block is left out. Error: no pattern at all.
 Expected<MotionSamples> motionSamples(std::span<const Log> logs, const MotionNetwork& network,
