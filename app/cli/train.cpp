@@ -14,7 +14,7 @@ namespace {
 struct TrainFlags {
     std::vector<std::string> logs, robots;
     std::string out, model = "history", type, method = "irprop+", loss;
-    int hidden = 0, members = 0, epochs = 0, patience = 0, chain = 10, folds = 4;
+    int hidden = 0, members = 0, epochs = 0, patience = 0, chain = 20, folds = 4;
     std::optional<double> deadTimeV, deadTimeW, lagV, lagW;
 };
 

@@ -16,9 +16,9 @@ struct TrainerOptions {
     LearningLoss loss = LearningLoss::rollout;
     int hidden = 32;  ///< units of each member
     int members = 4;  ///< networks learned with other folds held out, whose mean is one network of one hidden layer
-    int rolloutLength = 10;  ///< periods of a chain that is learned from
-    int epochs = 600;        ///< at most
-    int patience = 150;      ///< epochs without a better open-loop error after which learning stops
+    int rolloutLength = 20;  ///< periods of a chain that is learned from
+    int epochs = 1000;       ///< at most
+    int patience = 300;      ///< epochs without a better open-loop error after which learning stops
     int evaluateEvery = 10;  ///< epochs
     double horizon = 10;     ///< s, of the held-out chains; shorter where the runs are
     std::uint64_t seed = 1;
