@@ -9,7 +9,7 @@ namespace mrose {
 /// How far a chain of predicted increments leads from the true one. Distances and angles count by their absolute value,
 /// as in the errors that are reported, rounded near zero so that the loss is smooth.
 struct RolloutLoss {
-    double headingWeight = 0.25;     ///< m/rad
+    double headingWeight = 0.35;     ///< m/rad
     double positionRounding = 1e-3;  ///< m
     double headingRounding = 3e-3;   ///< rad
 

@@ -70,7 +70,7 @@ struct MlpGradient::Workspace {
 };
 
 MlpGradient::MlpGradient(MlpShape shape, InstructionSet set)
-    : shape_(shape), kernel_(&trainingKernelFor(set)), workspace_(std::make_unique<Workspace>(shape)) {}
+    : shape_(shape), set_(set), kernel_(&trainingKernelFor(set)), workspace_(std::make_unique<Workspace>(shape)) {}
 MlpGradient::~MlpGradient() = default;
 MlpGradient::MlpGradient(MlpGradient&&) noexcept = default;
 MlpGradient& MlpGradient::operator=(MlpGradient&&) noexcept = default;

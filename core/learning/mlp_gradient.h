@@ -25,6 +25,7 @@ public:
     MlpGradient& operator=(MlpGradient&&) noexcept;
 
     const MlpShape& shape() const { return shape_; }
+    InstructionSet instructionSet() const { return set_; }
 
     /// Mean of (output - target)^2 over patterns and outputs.
     double meanSquaredError(std::span<const float> parameters, const PatternMatrix& inputs,
@@ -59,6 +60,7 @@ private:
     double sumOverBlocks(std::size_t blocks, std::span<double> gradient, const BlockWork& work) const;
 
     MlpShape shape_;
+    InstructionSet set_;
     const TrainingKernel* kernel_;
     std::unique_ptr<Workspace> workspace_;
 };

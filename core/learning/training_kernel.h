@@ -26,6 +26,9 @@ struct TrainingKernel {
     void (*backward)(const KernelTile&, const float* h, const float* error, float* d, float* lanes, float* dx);
     /// gradient[i] += sum of lanes[i]; the lane sums become 0.
     void (*reduce)(float* lanes, size_t count, double* gradient);
+    /// Features of Gauss and Newton's matrix, by patterns: f[p] = h [hidden], 1, then for every input and a last one of
+    /// 1 (1 - h^2) times it [inputs + 1][hidden]. f is [valid][featureStride].
+    void (*features)(const KernelTile&, const float* h, float* f, size_t featureStride);
     /// gram[m][n] += sum over `rows` r of f[r][m] f[r][n], for n >= m at least; [size][stride], stride a multiple
     /// of 64.
     void (*gram)(const float* f, int rows, int size, size_t stride, float* gram);

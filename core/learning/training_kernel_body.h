@@ -206,6 +206,19 @@ void reduce(float* lanes, size_t count, double* gradient) {
     }
 }
 
+template <int N>
+void features(const KernelTile& t, const float* h, float* f, size_t featureStride) {
+    for (int p = 0; p < t.valid; ++p, f += featureStride) {
+        for (int j = 0; j < t.hidden; ++j) f[j] = h[j * t.hiddenStride + p];
+        f[t.hidden] = 1.0f;
+        float* to = f + t.hidden + 1;
+        for (int i = 0; i <= t.inputs; ++i, to += t.hidden) {
+            const float x = i < t.inputs ? t.x[i * t.stride + p] : 1.0f;
+            for (int j = 0; j < t.hidden; ++j) to[j] = (1.0f - f[j] * f[j]) * x;
+        }
+    }
+}
+
 template <int N, int Rows, int Vectors>
 [[gnu::always_inline]] inline void gramTile(const float* left, const float* right, int rows, size_t stride,
                                             float* gram) {
@@ -235,7 +248,7 @@ void gram(const float* f, int rows, int size, size_t stride, float* out) {
 
 template <int N>
 constexpr TrainingKernel trainingKernel() {
-    return {forward<N>, squaredError<N>, backward<N>, reduce<N>, gram<N>};
+    return {forward<N>, squaredError<N>, backward<N>, reduce<N>, features<N>, gram<N>};
 }
 
 }  // namespace

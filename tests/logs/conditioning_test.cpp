@@ -56,7 +56,7 @@ TEST(Conditioning, LeavesCleanSamplesAlone) {
 TEST(Conditioning, SortsStampsOutOfOrderAndCountsThem) {
     LogDefects found;
     auto commands = drive(100);
-    for (const std::size_t i : {10u, 40u, 70u}) std::swap(commands[i], commands[i + 1]);
+    for (const std::size_t i : {10u, 40u, 98u}) std::swap(commands[i], commands[i + 1]);
     conditionCommands(commands, {}, found);
     EXPECT_EQ(found.outOfOrder, 3);
     EXPECT_EQ(commands.size(), 100u);

@@ -95,6 +95,7 @@ TEST(CsvReader, CommandsInFilesOfTheirOwnHoldUntilTheirNextValue) {
     EXPECT_EQ(commands[2].command, (Command{0.3, 8}));
     EXPECT_EQ(commands[3].command, (Command{0.3, 9}));
     EXPECT_EQ(log->robots[0].defects.unpaired, 1);  // v before w had begun
+    EXPECT_EQ(log->robots[0].defects.duplicates, 0);
 }
 
 TEST(CsvReader, HeadingsInAFileOfTheirOwnAreInterpolatedAtThePositions) {

@@ -16,13 +16,13 @@ constexpr const char* header =
     "window,calib_step,t_s,cmd_left_radps,cmd_right_radps,wheel_left_radps,wheel_right_radps,icp_x_m,icp_y_m,"
     "icp_yaw_rad,imu_yaw_rad,steady\n";
 
-/// 40 rows of a window: command `left`, `right`; the wheels run at `wheels`.
-std::string window(int number, int step, bool steady, double left, double right, double wheels, double yaw = 0) {
+/// Rows of a window, 40 of 50 ms unless told: command `left`, `right`; the wheels run at `wheels`.
+std::string window(int number, int step, bool steady, double left, double right, double wheels, int rows = 40) {
     std::string text;
     char row[200];
-    for (int i = 0; i < 40; ++i) {
+    for (int i = 0; i < rows; ++i) {
         std::snprintf(row, sizeof row, "%d,%d,%.5f,%g,%g,%g,%g,%g,%g,%g,%g,%d\n", number, step, 0.05 * i, left, right,
-                      wheels, wheels, 0.02 * i, 0.0, yaw, 0.25, steady ? 1 : 0);
+                      wheels, wheels, 0.02 * i, 0.0, 0.0, 0.25, steady ? 1 : 0);
         text += row;
     }
     return text;
@@ -75,6 +75,16 @@ TEST(HuskyReader, AWindowKnowsThePastOfThoseThatItContinues) {
         EXPECT_EQ(windows[3].commands[i].time, start + (static_cast<Nanoseconds>(i) - 80) * 50'000'000);
         EXPECT_NEAR(windows[3].commands[i].command.v, 0.165 * (2 + static_cast<double>(i / 40)), 1e-12) << i;
     }
+}
+
+TEST(HuskyReader, ThePastReachesFourSecondsBackAlsoIntoAWindow) {
+    std::string text = header;
+    for (int i = 0; i < 4; ++i) text += window(i, 0, i > 0, 1, 1, 1, 30);
+    const auto log = parseHusky(text, "h.csv");
+    ASSERT_TRUE(log) << log.error().message();
+    const Trajectory& last = log->robots[0].trajectories.at(3);
+    EXPECT_EQ(last.commands.size(), 80u + 30u);
+    EXPECT_EQ(last.poses.front().time - last.commands.front().time, 4'000'000'000);
 }
 
 TEST(HuskyReader, AStopBetweenStepsEndsThePast) {
