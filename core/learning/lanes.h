@@ -28,5 +28,23 @@ template <int N>
     *reinterpret_cast<typename LanesOf<N>::Unaligned*>(to) = values;
 }
 
+/// The first `count` of N values, count <= N: in few and wide stores.
+template <int N>
+[[gnu::always_inline]] inline void storeFirst(float* to, Lanes<N> values, int count) {
+    if (count == N) return store<N>(to, values);
+    if constexpr (N == 8) {
+        Lanes<4> rest = __builtin_shufflevector(values, values, 0, 1, 2, 3);
+        if (count >= 4) {
+            store<4>(to, rest);
+            rest = __builtin_shufflevector(values, values, 4, 5, 6, 7);
+            to += 4;
+        }
+        storeFirst<4>(to, rest, count % 4);
+    } else {
+        for (int i = 0; i < N - 1; ++i)
+            if (i < count) to[i] = values[i];
+    }
+}
+
 }  // namespace
 }  // namespace mrose
