@@ -118,18 +118,6 @@ void predictLanes(const PackedMlp& net, const float* x, float* h, float* y) {
     for (; k < net.outputs; ++k) outputUnits<N, 1>(net, h, k, y);
 }
 
-/// to[column][row] = from[row][column] of 4 x 4 numbers.
-[[gnu::always_inline]] inline void transpose4(const float* from, size_t fromStride, float* to, size_t toStride) {
-    const Lanes<4> a = load<4>(from), b = load<4>(from + fromStride);
-    const Lanes<4> c = load<4>(from + 2 * fromStride), d = load<4>(from + 3 * fromStride);
-    const Lanes<4> ab01 = __builtin_shufflevector(a, b, 0, 4, 1, 5), ab23 = __builtin_shufflevector(a, b, 2, 6, 3, 7);
-    const Lanes<4> cd01 = __builtin_shufflevector(c, d, 0, 4, 1, 5), cd23 = __builtin_shufflevector(c, d, 2, 6, 3, 7);
-    store<4>(to, __builtin_shufflevector(ab01, cd01, 0, 1, 4, 5));
-    store<4>(to + toStride, __builtin_shufflevector(ab01, cd01, 2, 3, 6, 7));
-    store<4>(to + 2 * toStride, __builtin_shufflevector(ab23, cd23, 0, 1, 4, 5));
-    store<4>(to + 3 * toStride, __builtin_shufflevector(ab23, cd23, 2, 3, 6, 7));
-}
-
 /// to[column][row] = from[row][column].
 [[gnu::always_inline]] inline void transpose(const float* from, size_t fromStride, int rows, int columns, float* to,
                                              size_t toStride) {

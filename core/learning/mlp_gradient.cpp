@@ -5,6 +5,7 @@
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include "learning/kernel_choice.h"
 
@@ -54,6 +55,7 @@ struct MlpGradient::Worker {
     }
 
     std::vector<float> h, y, lanes;
+    std::vector<double> partial;  ///< sums of all ranges of a call that this thread made
     double loss = 0;
 };
 
@@ -74,19 +76,25 @@ void MlpGradient::forBlocks(std::size_t blocks, const BlockWork& work) const {
 
 double MlpGradient::sumOverBlocks(std::size_t blocks, std::span<double> gradient, const BlockWork& work) const {
     const std::size_t step = blocksPerRange(blocks), ranges = (blocks + step - 1) / step, count = gradient.size();
-    std::vector<double> losses(ranges), partial(ranges * count);
-    tbb::parallel_for(std::size_t{0}, ranges, [&](std::size_t range) {
+    // kept from call to call: fresh memory of this size costs more than a small batch
+    std::vector<double>& partial = workspace_->workers.local().partial;
+    partial.assign(ranges * (count + 1), 0.0);
+    const auto sumRange = [&](std::size_t range) {
         Worker& worker = workspace_->workers.local();
+        double* sums = partial.data() + range * (count + 1);
         worker.loss = 0;
         for (std::size_t block = range * step; block < std::min(blocks, (range + 1) * step); ++block)
             work(worker, block);
-        losses[range] = worker.loss;
-        if (count > 0) kernel_->reduce(worker.lanes.data(), count, partial.data() + range * count);
-    });
+        sums[count] = worker.loss;
+        if (count > 0) kernel_->reduce(worker.lanes.data(), count, sums);
+    };
+    // isolated: while it waits, this thread must not begin another task that uses its partial sums
+    tbb::this_task_arena::isolate([&] { tbb::parallel_for(std::size_t{0}, ranges, sumRange); });
     double loss = 0;
     for (std::size_t range = 0; range < ranges; ++range) {
-        loss += losses[range];
-        for (std::size_t i = 0; i < count; ++i) gradient[i] += partial[range * count + i];
+        const double* sums = partial.data() + range * (count + 1);
+        for (std::size_t i = 0; i < count; ++i) gradient[i] += sums[i];
+        loss += sums[count];
     }
     return loss;
 }
