@@ -83,7 +83,7 @@ std::string TomlTable::string(std::string_view key) {
     return node->value_or(std::string());
 }
 
-std::size_t TomlTable::choice(std::string_view key, std::initializer_list<std::string_view> choices) {
+std::size_t TomlTable::choice(std::string_view key, std::span<const std::string_view> choices) {
     const std::string value = string(key);
     const auto found = std::find(choices.begin(), choices.end(), value);
     if (found != choices.end()) return static_cast<std::size_t>(found - choices.begin());

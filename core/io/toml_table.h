@@ -2,7 +2,9 @@
 
 #include <initializer_list>
 #include <limits>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,7 +35,10 @@ public:
     bool boolean(std::string_view key);
     std::string string(std::string_view key);
     /// One of `choices`; its index.
-    std::size_t choice(std::string_view key, std::initializer_list<std::string_view> choices);
+    std::size_t choice(std::string_view key, std::span<const std::string_view> choices);
+    std::size_t choice(std::string_view key, std::initializer_list<std::string_view> choices) {
+        return choice(key, std::span(choices.begin(), choices.size()));
+    }
     std::vector<std::string> strings(std::string_view key);
     /// Exactly `count` finite numbers.
     std::vector<double> numbers(std::string_view key, std::size_t count);

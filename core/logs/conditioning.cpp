@@ -73,9 +73,15 @@ void unwrapHeadings(std::vector<StampedPose>& poses, LogDefects& defects) {
     }
 }
 
-bool isForGood(std::size_t run, std::size_t total, bool toTheEnd, Nanoseconds leastBehind) {
-    if (toTheEnd) return run >= 10 || 2 * run >= total;
-    return leastBehind > 2 * nanosecondsPerSecond && run > 10 && 20 * run > total;
+/// A run of rows behind an earlier one.
+struct BackwardRun {
+    std::size_t rows = 0, farBehind = 0;  // farBehind: by more than 2 s
+    bool toTheEnd = false;
+};
+
+bool isForGood(const BackwardRun& run, std::size_t total) {
+    if (run.toTheEnd && (run.rows >= 10 || 2 * run.rows >= total)) return true;
+    return run.farBehind > 10 && 20 * run.farBehind > total;
 }
 
 }  // namespace
@@ -88,11 +94,11 @@ std::optional<ClockReset> findClockReset(std::span<const Nanoseconds> times) {
             continue;
         }
         const std::size_t first = i;
-        Nanoseconds leastBehind = times[latest] - times[i];
-        for (; i < times.size() && times[i] < times[latest]; ++i)
-            leastBehind = std::min(leastBehind, times[latest] - times[i]);
-        if (isForGood(i - first, times.size(), i == times.size(), leastBehind))
-            return ClockReset{first, latest, times[latest] - times[first]};
+        BackwardRun run;
+        for (; i < times.size() && times[i] < times[latest]; ++i, ++run.rows)
+            run.farBehind += times[latest] - times[i] > 2 * nanosecondsPerSecond;
+        run.toTheEnd = i == times.size();
+        if (isForGood(run, times.size())) return ClockReset{first, latest, times[latest] - times[first]};
     }
     return std::nullopt;
 }

@@ -17,8 +17,8 @@ struct ClockReset {
 };
 
 /// Stamps out of order are the business of sorting; time that runs backwards for good is not. It does so where a run of
-/// rows that all lie behind an earlier one reaches the end and is at least 10 rows or half of all, or where a run
-/// behind by more than 2 s is longer than 10 rows and a twentieth of all.
+/// rows that all lie behind an earlier one reaches the end and is at least 10 rows or half of all, or where more than
+/// 10 rows of a run and a twentieth of all lie behind by more than 2 s.
 std::optional<ClockReset> findClockReset(std::span<const Nanoseconds> times);
 
 template <class Sample>

@@ -44,6 +44,13 @@ constexpr CellKind kindOf(CsvColumn column) {
     return column == CsvColumn::robot || column == CsvColumn::trajectory ? CellKind::text : CellKind::number;
 }
 
+constexpr const char* badNameCause = "expected a name of at most 64 printable characters without quotes";
+
+bool isName(std::string_view text) {
+    const auto isBad = [](char c) { return (c >= 0 && c < ' ') || c == '\x7f' || c == '"'; };
+    return text.size() <= 64 && std::none_of(text.begin(), text.end(), isBad);
+}
+
 /// Which cell of a row holds which column; nullptr where the file has none.
 struct CsvCells {
     std::array<const CsvCell*, csvChannels> channels{};
@@ -118,8 +125,11 @@ Expected<void> CsvLog::addRow(const CsvRows& rows, const CsvCells& cells) {
     if (cells.robot != nullptr && !cells.robot->present) return missing(CsvColumn::robot);
     if (cells.trajectory != nullptr && !cells.trajectory->present) return missing(CsvColumn::trajectory);
     if (cells.group != nullptr && !cells.group->present) return missing(CsvColumn::group);
-    CsvTrajectory& trajectory = select(cells.robot == nullptr ? defaultRobot : cells.robot->text,
-                                       cells.trajectory == nullptr ? defaultTrajectory : cells.trajectory->text);
+    const std::string_view robot = cells.robot == nullptr ? defaultRobot : cells.robot->text;
+    const std::string_view name = cells.trajectory == nullptr ? defaultTrajectory : cells.trajectory->text;
+    if (!isName(robot)) return tl::unexpected(rows.about("robot", badNameCause));
+    if (!isName(name)) return tl::unexpected(rows.about("trajectory", badNameCause));
+    CsvTrajectory& trajectory = select(robot, name);
     if (cells.group != nullptr) {
         const double group = cells.group->number;
         if (group != std::floor(group) || std::abs(group) > 1e9)

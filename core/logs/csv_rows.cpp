@@ -1,5 +1,6 @@
 #include "logs/csv_rows.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "logs/decimal.h"
@@ -118,15 +119,15 @@ const char* CsvRows::readCell(const char* at, std::size_t column) {
         return behind;
     }
     behind =
-        kinds_[column] == CellKind::number ? parseNumber(at, end, cell.number) : parseInstant(at, end, cell.instant);
+        kinds_[column] == CellKind::number ? parseSample(at, end, cell.number) : parseInstant(at, end, cell.instant);
     if (behind != nullptr) behind = skipBlanks(behind, end);
     if (behind != nullptr && (behind == end || *behind == ',' || *behind == '\n')) return behind;
-    if (lineEnd(at, end) == end &&
-        content_.find(',', static_cast<std::size_t>(at - content_.data())) == content_.npos &&
-        column + 1 < kinds_.size())
+    const char* const stop = lineEnd(at, end);
+    if (stop == end && column + 1 < kinds_.size() && std::find(at, stop, ',') == stop)
         refuseCount(at, column);
     else
-        refuse(at, std::string(header_[column]), quoted(content_, at, ",\r\n") + " is no finite number");
+        refuse(at, std::string(header_[column]),
+               noNumberCause(content_, at, ",\r\n", kinds_[column] == CellKind::instant));
     return nullptr;
 }
 

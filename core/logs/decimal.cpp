@@ -19,7 +19,6 @@ struct Decimal {
     bool negative = false;
     std::uint64_t digits = 0;
     int digitCount = 0;         // of `digits`, without leading zeros
-    bool exact = true;          // no digit but zeros was left out
     int nextDigit = 0;          // the first one left out
     std::int64_t exponent = 0;  // of ten
 };
@@ -34,7 +33,6 @@ void takeDigit(Decimal& number, int digit, bool fraction) {
         return;
     }
     if (number.digitCount++ == mostDigits) number.nextDigit = digit;
-    number.exact = number.exact && digit == 0;
     number.exponent += !fraction;
 }
 
@@ -65,9 +63,10 @@ const char* scan(const char* at, const char* end, Decimal& number) {
     return at < end && (*at == 'e' || *at == 'E') ? takeExponent(at, end, number) : at;
 }
 
-/// Digits and a power of ten that are both exact doubles: their quotient or product is rounded once.
+/// Digits and a power of ten that are both exact doubles: their quotient or product is rounded once. Where digits were
+/// left out those that were kept exceed 2^53.
 bool fromExactParts(const Decimal& number, double& value) {
-    if (!number.exact || number.digits > (1ULL << 53) || number.exponent < -22 || number.exponent > 22) return false;
+    if (number.digits > (1ULL << 53) || number.exponent < -22 || number.exponent > 22) return false;
     const auto digits = static_cast<double>(number.digits);
     value = number.exponent < 0 ? digits / powersOfTen[static_cast<std::size_t>(-number.exponent)]
                                 : digits * powersOfTen[static_cast<std::size_t>(number.exponent)];

@@ -9,6 +9,9 @@ namespace mrose {
 /// no number or one that no double can hold.
 const char* parseNumber(const char* begin, const char* end, double& value);
 
+/// Numbers of a log lie within this bound: sums and differences of them stay finite.
+constexpr double largestNumber = 1e9;
+
 /// The same for an instant in seconds, without passing through a double: the nearest nanosecond, halves away from zero.
 /// nullptr also for instants beyond +-latestSecond.
 const char* parseInstant(const char* begin, const char* end, Nanoseconds& time);

@@ -52,24 +52,20 @@ struct Window {
 
 int toInt(double number) { return static_cast<int>(std::clamp(number, -1e9, 1e9)); }
 
-Expected<void> addRow(std::vector<Window>& windows, const CsvRows& rows, std::vector<double>& steps) {
+Expected<void> addRow(std::vector<Window>& windows, const CsvRows& rows) {
     const auto cells = rows.cells();
     for (std::size_t i = 0; i < columnNames.size(); ++i)
         if (!cells[i].present) return tl::unexpected(rows.about(std::string(columnNames[i]), "the cell is empty"));
     const int number = toInt(cells[window].number);
-    if (windows.empty() || windows.back().number != number) {
-        windows.push_back({.number = number, .isSteady = cells[steady].number != 0});
-        steps.clear();
-    }
+    if (windows.empty() || windows.back().number != number)
+        windows.push_back(
+            {.number = number, .step = toInt(cells[calibStep].number), .isSteady = cells[steady].number != 0});
     windows.back().rows.push_back({cells[time].instant,
                                    {cells[commandLeft].number, cells[commandRight].number},
                                    {cells[wheelLeft].number, cells[wheelRight].number},
                                    {cells[x].number, cells[y].number, cells[yaw].number},
                                    cells[yawRate].number,
                                    rows.position()});
-    // The command changes a row or two after the window's first one at times: the row in the middle counts.
-    steps.push_back(cells[calibStep].number);
-    windows.back().step = toInt(steps[steps.size() / 2]);
     return {};
 }
 
@@ -82,9 +78,8 @@ Expected<std::vector<Window>> parseWindows(std::string_view content, const std::
     kinds[time] = CellKind::instant;
     rows->setKinds(std::move(kinds));
     std::vector<Window> windows;
-    std::vector<double> steps;
     while (rows->next())
-        if (auto added = addRow(windows, *rows, steps); !added) return tl::unexpected(added.error());
+        if (auto added = addRow(windows, *rows); !added) return tl::unexpected(added.error());
     if (rows->error()) return tl::unexpected(*rows->error());
     return windows;
 }
@@ -151,6 +146,15 @@ Trajectory toTrajectory(const std::vector<Window>& windows, std::size_t index, c
     return trajectory;
 }
 
+/// Where a command was issued a row after its first window began, the file gives that window the step before. It
+/// belongs to the step of its command, or a command that is held out would be learned from.
+void correctSteps(std::vector<Window>& windows) {
+    const auto commandOf = [](const Window& item) { return item.rows[item.rows.size() / 2].command; };
+    for (std::size_t i = 0; i + 1 < windows.size(); ++i)
+        if (!windows[i].isSteady && windows[i + 1].isSteady && commandOf(windows[i]) == commandOf(windows[i + 1]))
+            windows[i].step = windows[i + 1].step;
+}
+
 /// Windows one after another on one clock, with a pause where they do not continue each other.
 void placeInTime(std::vector<Window>& windows) {
     for (std::size_t i = 1; i < windows.size(); ++i) {
@@ -169,6 +173,7 @@ Expected<Log> parseHusky(std::string_view content, const std::string& name, cons
     for (Window& item : *windows)
         if (auto arranged = arrange(item, content, name, robot.defects); !arranged)
             return tl::unexpected(arranged.error());
+    correctSteps(*windows);
     placeInTime(*windows);
     for (std::size_t i = 0; i < windows->size(); ++i)
         robot.trajectories.push_back(toTrajectory(*windows, i, options, robot.defects));

@@ -9,7 +9,8 @@
 namespace mrose {
 
 /// The windows of a Clearpath Husky cut from norlab-ulaval/DRIVE: one robot "husky", one trajectory for each window,
-/// with `group` its calib_step and `steady` from the column. Wheel commands become body commands by LogOptions::drive.
+/// with `group` its calib_step (that of its command where the file has the one before) and `steady` from the column.
+/// Wheel commands become body commands by LogOptions::drive.
 ///
 /// Poses are those of the column icp_*: each window has its own origin, sample-and-hold at about 10 Hz, 0.15 s late
 /// against the gyro. The column imu_yaw_rad is a yaw *rate* in spite of its name (its integral follows icp_yaw_rad with

@@ -66,7 +66,7 @@ private:
     const char* parseRow(const char* at, Sample& sample) {
         std::array<double, columns> values;
         for (std::size_t i = 0; i < columns; ++i) {
-            const char* const behind = i == 0 ? parseInstant(at, end_, sample.time) : parseNumber(at, end_, values[i]);
+            const char* const behind = i == 0 ? parseInstant(at, end_, sample.time) : parseSample(at, end_, values[i]);
             if (behind == nullptr || (behind < end_ && blanks.find(*behind) == blanks.npos)) return reject(at, i);
             at = skipBlanks(behind, end_);
         }
@@ -78,10 +78,9 @@ private:
 
     const char* reject(const char* at, std::size_t column) {
         const std::string have = std::to_string(column) + " of " + std::to_string(columns) + " columns";
-        if (at == end_ || skipLine(at, end_) == end_)
-            return refuse(at, keys_[column], "the last line is cut off: " + have);
+        if (std::find(at, end_, '\n') == end_) return refuse(at, keys_[column], "the last line is cut off: " + have);
         if (*at == '\n') return refuse(at, keys_[column], "missing: " + have);
-        return refuse(at, keys_[column], quoted(content_, at, blanks) + " is no finite number");
+        return refuse(at, keys_[column], noNumberCause(content_, at, blanks, column == 0));
     }
 
     const char* refuse(const char* at, std::string key, std::string cause) {

@@ -10,7 +10,6 @@ namespace {
 constexpr Nanoseconds millisecond = 1'000'000;
 constexpr Nanoseconds halfWidth = 60 * millisecond, gapLimit = 200 * millisecond;
 constexpr Nanoseconds startWidth = 200 * millisecond, oldest = 600 * millisecond;
-constexpr Nanoseconds settling = 1500 * millisecond, ending = 1000 * millisecond;
 constexpr std::size_t fewest = 4;  // samples of a fit
 
 using Poses = std::span<const StampedPose>;
@@ -47,11 +46,18 @@ Line fitLine(Poses poses, Nanoseconds time) {
     return {{mean.x - meanTime * slope.x, mean.y - meanTime * slope.y, mean.heading - meanTime * slope.heading}, slope};
 }
 
-Pose interpolate(const StampedPose& a, const StampedPose& b, Nanoseconds time) {
-    const double share =
-        std::clamp(static_cast<double>(time - a.time) / static_cast<double>(b.time - a.time), 0.0, 1.0);
-    const auto between = [&](double from, double to) { return from + share * (to - from); };
-    return {between(a.pose.x, b.pose.x), between(a.pose.y, b.pose.y), between(a.pose.heading, b.pose.heading)};
+/// The straight line from one pose to the next, at `time`; level outside them.
+Line chord(const StampedPose& a, const StampedPose& b, Nanoseconds time) {
+    const double duration = toSeconds(b.time - a.time);
+    const Pose slope{(b.pose.x - a.pose.x) / duration, (b.pose.y - a.pose.y) / duration,
+                     (b.pose.heading - a.pose.heading) / duration};
+    const double since = toSeconds(std::clamp(time, a.time, b.time) - a.time);
+    return {{a.pose.x + since * slope.x, a.pose.y + since * slope.y, a.pose.heading + since * slope.heading}, slope};
+}
+
+Velocity velocityOf(const Line& line) {
+    const double heading = line.value.heading;
+    return {std::cos(heading) * line.slope.x + std::sin(heading) * line.slope.y, line.slope.heading};
 }
 
 /// The end of the samples at or before `time`.
@@ -97,22 +103,24 @@ Nanoseconds ceilToMultiple(Nanoseconds time, Nanoseconds step) {
 
 }  // namespace
 
-PoseGrid poseGrid(const Trajectory& trajectory, Nanoseconds step, Nanoseconds offset) {
+PoseGrid poseGrid(const Trajectory& trajectory, Nanoseconds step, const GridMargins& margins) {
     PoseGrid grid;
     grid.step = step;
     const Poses poses = trajectory.poses;
     if (poses.size() < 2 || trajectory.commands.empty()) return grid;
-    const Nanoseconds begin = std::max(trajectory.commands.front().time, poses.front().time) + settling;
-    const Nanoseconds end = std::min(trajectory.commands.back().time, poses.back().time) - ending;
-    grid.start = ceilToMultiple(begin - offset, step) + offset;
+    const Nanoseconds begin = std::max(trajectory.commands.front().time, poses.front().time) + margins.begin;
+    const Nanoseconds end = std::min(trajectory.commands.back().time, poses.back().time) - margins.end;
+    grid.start = ceilToMultiple(begin, step);
     std::size_t low = 0, high = 0, next = 0;
     for (Nanoseconds time = grid.start; time < end; time += step) {
         low = firstNotBefore(poses, time - halfWidth, low);
         high = firstNotBefore(poses, time + halfWidth, high);
         next = firstNotBefore(poses, time, next);
         const std::size_t after = std::clamp<std::size_t>(next, 1, poses.size() - 1);
-        grid.poses.push_back(high - low >= fewest ? fitLine(poses.subspan(low, high - low), time).value
-                                                  : interpolate(poses[after - 1], poses[after], time));
+        const Line line = high - low >= fewest ? fitLine(poses.subspan(low, high - low), time)
+                                               : chord(poses[after - 1], poses[after], time);
+        grid.poses.push_back(line.value);
+        grid.velocities.push_back(velocityOf(line));
         grid.ok.push_back(poses[after].time - poses[after - 1].time < gapLimit);
     }
     return grid;
@@ -127,7 +135,7 @@ MeasuredStart measuredStart(const Trajectory& trajectory, Nanoseconds time) {
     const Pose slope = fitLine(recent, time).slope;
     const double age = toSeconds(time - known.back().time);
     start.pose = {start.pose.x + age * slope.x, start.pose.y + age * slope.y, start.pose.heading + age * slope.heading};
-    start.velocity = {std::cos(start.pose.heading) * slope.x + std::sin(start.pose.heading) * slope.y, slope.heading};
+    start.velocity = velocityOf({start.pose, slope});
     return start;
 }
 

@@ -23,6 +23,12 @@ std::string quoted(std::string_view text, const char* character, std::string_vie
     return result;
 }
 
+std::string noNumberCause(std::string_view text, const char* character, std::string_view separators, bool instant) {
+    const std::string expected =
+        instant ? "expected seconds within +-4e9, found " : "expected a number within +-1e9, found ";
+    return expected + quoted(text, character, separators);
+}
+
 tl::unexpected<Error> failAt(const std::string& name, std::string_view text, const char* character, std::string key,
                              std::string cause) {
     const TextPosition position = positionOf(text, character);

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "io/error.h"
 #include "logs/conditioning.h"
+#include "logs/decimal.h"
 
 namespace mrose {
 
@@ -18,6 +20,15 @@ TextPosition positionOf(std::string_view text, const char* character);
 
 /// The text at `character` up to the next separator, shortened and made printable, for messages: `'12x4'`.
 std::string quoted(std::string_view text, const char* character, std::string_view separators);
+
+/// A number of a log: parseNumber within +-largestNumber, nullptr otherwise.
+inline const char* parseSample(const char* begin, const char* end, double& value) {
+    const char* const behind = parseNumber(begin, end, value);
+    return behind != nullptr && std::abs(value) <= largestNumber ? behind : nullptr;
+}
+
+/// "expected a number within +-1e9, found '12x4'"
+std::string noNumberCause(std::string_view text, const char* character, std::string_view separators, bool instant);
 
 /// What is wrong where: `name:line:column: key: cause`.
 tl::unexpected<Error> failAt(const std::string& name, std::string_view text, const char* character, std::string key,

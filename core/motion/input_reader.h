@@ -27,7 +27,7 @@ public:
     void readRaw(const MotionInput& input, int robot, double* row) const;
 
 private:
-    static constexpr std::size_t quantities = 7;  ///< those made from one command: commandV ... rightCosine
+    static constexpr std::size_t quantities = 9;  ///< those made from commands: commandV ... forwardCosine
     static constexpr std::size_t maxPieces = CommandHistory::capacity + 1;
 
     /// The history as pieces of constant command, newest first: piece i covers ages [ages[i], ages[i + 1]) seconds.
@@ -36,27 +36,18 @@ private:
         std::array<double, maxPieces + 1> ages;
         std::array<std::array<double, maxPieces>, quantities> values;
     };
-    /// Inputs that read the history in the same way share the weights of its pieces.
-    struct MemoryGroup {
-        NetworkInput::Memory memory;
-        double from, to;  ///< ages, s, of a mean
-        double deadTime, lag;
-        std::vector<std::pair<std::size_t, std::size_t>> members;  ///< input index, quantity
+    struct CommandInput {
+        std::size_t index, quantity;
+        double newest, oldest;
     };
 
     void collect(const MotionInput& input, Pieces& pieces) const;
     void addWheelPhases(Pieces& pieces) const;
-    void readMean(const MemoryGroup& group, const Pieces& pieces, double* row) const;
-    void readLagged(const MemoryGroup& group, const Pieces& pieces, double* row) const;
-    double laggedShare(const MemoryGroup& group, double age) const;
-    MemoryGroup& groupOf(const NetworkInput& input);
-
     std::vector<NetworkInput> inputs_;
     std::vector<std::string> robots_;
-    std::vector<MemoryGroup> groups_;
+    std::vector<CommandInput> commandInputs_;
     MotionNetwork::WheelPhase wheelPhase_;
     double turnOffset_;
-    double period_;     ///< s
     double oldestAge_;  ///< s: nothing older is read
     bool readsWheels_ = false;
 };

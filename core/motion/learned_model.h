@@ -22,7 +22,7 @@ public:
     void predict(std::span<const MotionInput> inputs, std::span<const int> robots, std::span<MotionStep> steps) const;
 
 private:
-    MotionStep toStep(const MotionInput& input, const float* outputs) const;
+    MotionStep toStep(const MotionInput& input, int robot, const float* outputs) const;
 
     MotionNetwork network_;
     InputReader inputs_;
@@ -33,6 +33,7 @@ private:
     };
     static Decay decayOf(double timeConstant, double period);
     Decay decayV_, decayW_;
+    std::vector<TrackerOffset> trackers_;  ///< by robot index
 };
 
 /// The motion of one robot.

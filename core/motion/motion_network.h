@@ -14,40 +14,50 @@
 
 namespace mrose {
 
-/// One input of a motion network: a quantity, and for those made from commands how the history is read.
+/// One input of a motion network: a quantity; those made from commands are means over a part of the history.
 struct NetworkInput {
     enum class Quantity {
-        velocityV,  ///< forward velocity at the period's start, m/s
-        velocityW,  ///< rotation rate at the period's start, rad/s
-        commandV,
-        commandW,
+        velocityV,   ///< forward velocity at the period's start, m/s
+        velocityW,   ///< rotation rate at the period's start, rad/s
+        robot,       ///< 1 for the robot called `robot`, 0 for the others, the mean for an unknown one
+        commandV,    ///< m/s
+        commandW,    ///< rad/s
         turnSense,   ///< -1, 0, 1: the sense in which a driving robot is told to turn, however little
         leftSine,    ///< sine and cosine of the commanded speed of a wheel over its quantum: where wheel speeds come in
-                     ///< steps,
-        leftCosine,  ///< it tells where between two steps a command lies
+        leftCosine,  ///< steps, they tell where between two steps a command lies
         rightSine,
         rightCosine,
-        robot,  ///< 1 for the robot called `robot`, 0 for the others, the mean for an unknown one
-    };
-    enum class Memory {
-        none,    ///< the present velocity, or the robot's identity
-        mean,    ///< of the commands in force between `newest` and `oldest` seconds before the period's start
-        lagged,  ///< of the commands seen through a dead time and a first-order lag, over the period
+        forwardSine,  ///< likewise of the forward speed over two quanta
+        forwardCosine,
     };
 
     Quantity quantity = Quantity::velocityV;
-    Memory memory = Memory::none;
-    double newest = 0, oldest = 0;  ///< s, for Memory::mean; 0 <= newest < oldest
-    double deadTime = 0, lag = 0;   ///< s, for Memory::lagged
-    std::string robot;              ///< for Quantity::robot
-    double mean = 0, scale = 1;     ///< the network reads (value - mean) / scale
+    double newest = 0,
+           oldest = 0;           ///< s before the period's start, 0 <= newest < oldest; for what is made from commands
+    std::string robot;           ///< for Quantity::robot
+    double mean = 0, scale = 1;  ///< the network reads (value - mean) / scale
     bool operator==(const NetworkInput&) const = default;
+
+    bool fromCommands() const { return quantity >= Quantity::commandV; }
+    bool fromWheels() const { return quantity >= Quantity::leftSine; }
 };
 
 /// y = mean + scale * (what the network's output layer gives).
 struct NetworkOutput {
     double mean = 0, scale = 1;
     bool operator==(const NetworkOutput&) const = default;
+};
+
+/// A tracker's marker is not quite on the axle's middle, nor quite straight: while the body moves by (dx, 0, dphi) the
+/// marker also moves sideways, by ahead * dphi - rotated * dx. Predictions of a robot's log are of its marker.
+struct TrackerOffset {
+    double ahead = 0;    ///< m, of the axle
+    double rotated = 0;  ///< rad, against the body's forward direction
+    bool operator==(const TrackerOffset&) const = default;
+
+    double sideways(const Pose& bodyIncrement) const {
+        return ahead * bodyIncrement.heading - rotated * bodyIncrement.x;
+    }
 };
 
 /// A learned motion model as a value: everything that its file holds. See README.md of this folder for the two forms.
@@ -84,9 +94,11 @@ struct MotionNetwork {
 
     std::optional<DifferentialDrive> drive;  ///< geometry fitted to logs of wheel commands
 
-    /// Dead time and lag identified from the logs, and the kinematic baseline fitted to them, one per robot.
+    /// What was identified from the logs of one robot: how its tracked point and heading lie to its body, and the
+    /// kinematic baseline (dead time, lag, gain) fitted to it.
     struct Identified {
         std::string robot;
+        TrackerOffset tracker;
         KinematicParameters kinematics;
         double deadTimeErrorV = 0, deadTimeErrorW = 0;  ///< s, standard errors
         bool operator==(const Identified&) const = default;

@@ -10,13 +10,12 @@ namespace mrose {
 namespace {
 
 using Quantity = NetworkInput::Quantity;
-using Memory = NetworkInput::Memory;
 using Form = MotionNetwork::Form;
 
 constexpr std::string_view formatName = "mrose motion network";
-constexpr std::array<std::string_view, 10> quantityNames{"velocity_v",   "velocity_w", "command_v",   "command_w",
-                                                         "turn_sense",   "left_sine",  "left_cosine", "right_sine",
-                                                         "right_cosine", "robot"};
+constexpr std::array<std::string_view, 12> quantityNames{
+    "velocity_v", "velocity_w",  "robot",      "command_v",    "command_w",    "turn_sense",
+    "left_sine",  "left_cosine", "right_sine", "right_cosine", "forward_sine", "forward_cosine"};
 constexpr std::array<std::string_view, 5> stateOutputs{"dx_m", "dy_m", "dphi_rad", "end_v_mps", "end_w_radps"};
 constexpr std::array<std::string_view, 7> historyOutputs{"dx_m",          "dy_m",      "dphi_rad",   "start_v_mps",
                                                          "start_w_radps", "end_v_mps", "end_w_radps"};
@@ -53,12 +52,9 @@ std::string inputText(const NetworkInput& input) {
     const auto add = [&](std::string_view key, double value) {
         text += ", " + std::string(key) + " = " + numberText(value);
     };
-    if (input.memory == Memory::mean) {
+    if (input.fromCommands()) {
         add("newest_s", input.newest);
         add("oldest_s", input.oldest);
-    } else if (input.memory == Memory::lagged) {
-        add("dead_time_s", input.deadTime);
-        add("lag_s", input.lag);
     }
     if (input.quantity == Quantity::robot) text += ", robot = " + tomlText(input.robot);
     add("mean", input.mean);
@@ -102,7 +98,9 @@ std::string provenanceText(const MotionNetwork& network) {
             line("windows", h.windows) + line("horizon_s", h.horizon) + line("position_percent", h.position) +
             line("heading_percent", h.heading);
     for (const auto& i : network.identified)
-        text += "\n[[identified]]\n" + line("robot", tomlText(i.robot)) + channelText("v", i.kinematics.v) +
+        text += "\n[[identified]]\n" + line("robot", tomlText(i.robot)) +
+                "tracker = { ahead_m = " + numberText(i.tracker.ahead) +
+                ", rotated_rad = " + numberText(i.tracker.rotated) + " }\n" + channelText("v", i.kinematics.v) +
                 channelText("w", i.kinematics.w) + line("lateral_per_rotation_m", i.kinematics.lateralPerRotation) +
                 line("dead_time_error_v_s", i.deadTimeErrorV) + line("dead_time_error_w_s", i.deadTimeErrorW);
     return text;
@@ -112,20 +110,13 @@ std::string provenanceText(const MotionNetwork& network) {
 
 NetworkInput readInput(TomlTable table, const std::vector<std::string>& robots) {
     NetworkInput input;
-    input.quantity = static_cast<Quantity>(table.choice(
-        "quantity", {quantityNames[0], quantityNames[1], quantityNames[2], quantityNames[3], quantityNames[4],
-                     quantityNames[5], quantityNames[6], quantityNames[7], quantityNames[8], quantityNames[9]}));
-    const bool present = input.quantity == Quantity::velocityV || input.quantity == Quantity::velocityW;
+    input.quantity = static_cast<Quantity>(table.choice("quantity", quantityNames));
     if (input.quantity == Quantity::robot) {
         input.robot = table.string("robot");
         if (std::find(robots.begin(), robots.end(), input.robot) == robots.end())
             table.reject("robot", "is not one of the network's robots");
-    } else if (!present && table.has("dead_time_s")) {
-        input.memory = Memory::lagged;
-        input.deadTime = table.number("dead_time_s", {0, 10});
-        input.lag = table.number("lag_s", {0, 10});
-    } else if (!present) {
-        input.memory = Memory::mean;
+    }
+    if (input.fromCommands()) {
         input.newest = table.number("newest_s", {0, 10});
         input.oldest = table.number("oldest_s", {0, 10});
         if (input.oldest <= input.newest) table.reject("oldest_s", "expected more than newest_s");
@@ -151,6 +142,9 @@ KinematicParameters::Channel readChannel(TomlTable table) {
 MotionNetwork::Identified readIdentified(TomlTable table) {
     MotionNetwork::Identified i;
     i.robot = table.string("robot");
+    TomlTable tracker = table.table("tracker");
+    i.tracker = {tracker.number("ahead_m", {-10, 10}), tracker.number("rotated_rad", {-7, 7})};
+    tracker.rejectUnknown();
     i.kinematics.v = readChannel(table.table("v"));
     i.kinematics.w = readChannel(table.table("w"));
     i.kinematics.lateralPerRotation = table.number("lateral_per_rotation_m");
@@ -228,8 +222,8 @@ void checkFit(TomlTable& root, const MotionNetwork& network) {
     if (network.inputs.empty() || network.inputs.size() > MotionNetwork::maxInputs)
         root.reject("inputs", "expected 1 to " + std::to_string(MotionNetwork::maxInputs) + " inputs");
     for (const NetworkInput& input : network.inputs) {
-        const bool wheels = input.quantity >= Quantity::leftSine && input.quantity <= Quantity::rightCosine;
-        if (wheels && network.wheelPhase.quantum <= 0) root.reject("wheel_phase", "is missing; an input needs it");
+        if (input.fromWheels() && network.wheelPhase.quantum <= 0)
+            root.reject("wheel_phase", "is missing; an input needs it");
     }
 }
 

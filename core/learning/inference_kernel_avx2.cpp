@@ -1,0 +1,7 @@
+#include "learning/inference_kernel_body.h"
+
+namespace mrose {
+
+const InferenceKernel inferenceAvx2 = {predictOne<8, 8>, predictBatch<8, 2>};
+
+}  // namespace mrose

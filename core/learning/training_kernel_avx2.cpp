@@ -1,0 +1,7 @@
+#include "learning/training_kernel_body.h"
+
+namespace mrose {
+
+const TrainingKernel trainingAvx2 = trainingKernel<8>();
+
+}  // namespace mrose

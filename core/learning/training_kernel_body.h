@@ -1,0 +1,255 @@
+#pragma once
+
+#include "learning/elementary.h"
+#include "learning/lanes.h"
+#include "learning/training_kernel.h"
+
+// The training kernels, for N lanes. Lanes are patterns; tiles of sums stay in registers: `Rows` x `Vectors` of them.
+
+namespace mrose {
+namespace {
+
+/// One operand of a product by the broadcast of its elements: a(m, k) = data[m * row + k * column].
+struct Broadcast {
+    const float* data;
+    size_t row, column;
+    [[gnu::always_inline]] Broadcast from(int m) const { return {data + m * row, row, column}; }
+};
+
+struct Identity {
+    template <class T>
+    [[gnu::always_inline]] T operator()(T sum, const float*) const {
+        return sum;
+    }
+};
+
+struct Tanh {
+    template <class T>
+    [[gnu::always_inline]] T operator()(T sum, const float*) const {
+        return rationalTanh(sum);
+    }
+};
+
+/// out[m][p] = f(start[m] + sum over k of a(m, k) b[k][p]) for a tile of Rows x (Vectors * N). `start` may be null (0).
+template <int N, int Rows, int Vectors, class F>
+[[gnu::always_inline]] inline void multiplyTile(Broadcast a, const float* start, const float* b, size_t bStride,
+                                                int depth, float* out, size_t outStride, F f) {
+    Lanes<N> sum[Rows][Vectors];
+    for (int m = 0; m < Rows; ++m)
+        for (int v = 0; v < Vectors; ++v) sum[m][v] = Lanes<N>{} + (start ? start[m] : 0.0f);
+    for (int k = 0; k < depth; ++k, b += bStride, a.data += a.column)
+        for (int m = 0; m < Rows; ++m)
+            for (int v = 0; v < Vectors; ++v) sum[m][v] += load<N>(b + v * N) * a.data[m * a.row];
+    for (int m = 0; m < Rows; ++m)
+        for (int v = 0; v < Vectors; ++v) {
+            float* to = out + m * outStride + v * N;
+            store<N>(to, f(sum[m][v], to));
+        }
+}
+
+template <int N, int Rows, class F>
+void multiplyRows(Broadcast a, const float* start, const float* b, size_t bStride, int depth, float* out,
+                  size_t outStride, int columns, F f) {
+    constexpr int kVectors = N == 16 ? 4 : 2;
+    int p = 0;
+    for (; p + kVectors * N <= columns; p += kVectors * N)
+        multiplyTile<N, Rows, kVectors>(a, start, b + p, bStride, depth, out + p, outStride, f);
+    for (; p < columns; p += N) multiplyTile<N, Rows, 1>(a, start, b + p, bStride, depth, out + p, outStride, f);
+}
+
+/// out[rows][columns] = f(start + a b), b [depth][columns].
+template <int N, class F>
+void multiply(Broadcast a, const float* start, const float* b, size_t bStride, int depth, float* out, size_t outStride,
+              int rows, int columns, F f) {
+    constexpr int kRows = 6;
+    int m = 0;
+    const auto at = [start](int row) { return start ? start + row : start; };
+    for (; m + kRows <= rows; m += kRows)
+        multiplyRows<N, kRows>(a.from(m), at(m), b, bStride, depth, out + m * outStride, outStride, columns, f);
+    float* rest = out + m * outStride;
+    switch (rows - m) {
+        case 5:
+            return multiplyRows<N, 5>(a.from(m), at(m), b, bStride, depth, rest, outStride, columns, f);
+        case 4:
+            return multiplyRows<N, 4>(a.from(m), at(m), b, bStride, depth, rest, outStride, columns, f);
+        case 3:
+            return multiplyRows<N, 3>(a.from(m), at(m), b, bStride, depth, rest, outStride, columns, f);
+        case 2:
+            return multiplyRows<N, 2>(a.from(m), at(m), b, bStride, depth, rest, outStride, columns, f);
+        case 1:
+            return multiplyRows<N, 1>(a.from(m), at(m), b, bStride, depth, rest, outStride, columns, f);
+        default:
+            return;
+    }
+}
+
+/// lanes[m][k] += sums over patterns, lane by lane, of a[m] * b[k]; lane sums of row m start at lanes + m * laneStride.
+template <int N, int Rows, int Columns>
+[[gnu::always_inline]] inline void dotTile(const float* a, size_t aStride, const float* b, size_t bStride, int columns,
+                                           float* lanes, size_t laneStride) {
+    Lanes<N> sum[Rows][Columns];
+    for (int m = 0; m < Rows; ++m)
+        for (int k = 0; k < Columns; ++k) sum[m][k] = load<N>(lanes + m * laneStride + k * 16);
+    for (int p = 0; p < columns; p += N) {
+        Lanes<N> left[Rows];
+        for (int m = 0; m < Rows; ++m) left[m] = load<N>(a + m * aStride + p);
+        for (int k = 0; k < Columns; ++k) {
+            const Lanes<N> right = load<N>(b + k * bStride + p);
+            for (int m = 0; m < Rows; ++m) sum[m][k] += left[m] * right;
+        }
+    }
+    for (int m = 0; m < Rows; ++m)
+        for (int k = 0; k < Columns; ++k) store<N>(lanes + m * laneStride + k * 16, sum[m][k]);
+}
+
+template <int N, int Rows>
+void dotRows(const float* a, size_t aStride, const float* b, size_t bStride, int columns, float* lanes,
+             size_t laneStride, int count) {
+    constexpr int kColumns = N == 16 ? 5 : 3;
+    int k = 0;
+    for (; k + kColumns <= count; k += kColumns)
+        dotTile<N, Rows, kColumns>(a, aStride, b + k * bStride, bStride, columns, lanes + k * 16, laneStride);
+    for (; k < count; ++k)
+        dotTile<N, Rows, 1>(a, aStride, b + k * bStride, bStride, columns, lanes + k * 16, laneStride);
+}
+
+/// a [rows][columns], b [count][columns]: lane sums [rows][count] += a b'.
+template <int N>
+void dots(const float* a, size_t aStride, int rows, const float* b, size_t bStride, int count, int columns,
+          float* lanes, size_t laneStride) {
+    constexpr int kRows = N == 16 ? 4 : 3;
+    int m = 0;
+    for (; m + kRows <= rows; m += kRows)
+        dotRows<N, kRows>(a + m * aStride, aStride, b, bStride, columns, lanes + m * laneStride, laneStride, count);
+    for (; m < rows; ++m)
+        dotRows<N, 1>(a + m * aStride, aStride, b, bStride, columns, lanes + m * laneStride, laneStride, count);
+}
+
+template <int N>
+void rowSums(const float* a, size_t aStride, int rows, int columns, float* lanes) {
+    for (int m = 0; m < rows; ++m, a += aStride, lanes += 16) {
+        Lanes<N> even = load<N>(lanes), odd{};
+        for (int p = 0; p + N < columns; p += 2 * N) {
+            even += load<N>(a + p);
+            odd += load<N>(a + p + N);
+        }
+        if (columns % (2 * N) != 0) even += load<N>(a + columns - N);
+        store<N>(lanes, even + odd);
+    }
+}
+
+struct Parts {
+    const float *w, *b, *v, *c;
+    explicit Parts(const KernelTile& t)
+        : w(t.parameters), b(w + size_t(t.hidden) * t.inputs), v(b + t.hidden), c(v + size_t(t.outputs) * t.hidden) {}
+};
+
+template <int N>
+void forward(const KernelTile& t, float* h, float* y) {
+    const Parts net(t);
+    multiply<N>({net.w, size_t(t.inputs), 1}, net.b, t.x, t.stride, t.inputs, h, t.hiddenStride, t.hidden, t.columns,
+                Tanh{});
+    multiply<N>({net.v, size_t(t.hidden), 1}, net.c, h, t.hiddenStride, t.hidden, y, t.stride, t.outputs, t.columns,
+                Identity{});
+}
+
+/// The derivative at a hidden unit's sum: that at its output times 1 - h^2, h being as far from the output as `offset`.
+struct TimesTanhSlope {
+    ptrdiff_t offset;
+    template <class T>
+    [[gnu::always_inline]] T operator()(T sum, const float* at) const {
+        const T h = load<sizeof(T) / sizeof(float)>(at + offset);
+        return sum * (1.0f - h * h);
+    }
+};
+
+template <int N>
+void backward(const KernelTile& t, const float* h, const float* error, float* d, float* lanes, float* dx) {
+    const Parts net(t);
+    float* laneB = lanes + 16 * (net.b - net.w);
+    float* laneV = lanes + 16 * (net.v - net.w);
+    float* laneC = lanes + 16 * (net.c - net.w);
+    dots<N>(error, t.stride, t.outputs, h, t.hiddenStride, t.hidden, t.columns, laneV, size_t(t.hidden) * 16);
+    rowSums<N>(error, t.stride, t.outputs, t.columns, laneC);
+    multiply<N>({net.v, 1, size_t(t.hidden)}, nullptr, error, t.stride, t.outputs, d, t.hiddenStride, t.hidden,
+                t.columns, TimesTanhSlope{h - d});
+    dots<N>(d, t.hiddenStride, t.hidden, t.x, t.stride, t.inputs, t.columns, lanes, size_t(t.inputs) * 16);
+    rowSums<N>(d, t.hiddenStride, t.hidden, t.columns, laneB);
+    if (dx)
+        multiply<N>({net.w, 1, size_t(t.inputs)}, nullptr, d, t.hiddenStride, t.hidden, dx, t.stride, t.inputs,
+                    t.columns, Identity{});
+}
+
+template <int N>
+double squaredError(const KernelTile& t, const float* y, const float* target, float* error) {
+    double loss = 0;
+    for (int k = 0; k < t.outputs; ++k, y += t.stride, target += t.stride, error += t.stride) {
+        Lanes<N> sum{};
+        for (int p = 0; p < t.columns; p += N) {
+            Lanes<N> e = load<N>(y + p) - load<N>(target + p);
+            for (int lane = t.valid - p; lane < N; ++lane) e[lane < 0 ? 0 : lane] = 0.0f;
+            store<N>(error + p, e);
+            sum += e * e;
+        }
+        for (int lane = 0; lane < N; ++lane) loss += sum[lane];
+    }
+    return loss;
+}
+
+template <int N>
+void reduce(float* lanes, size_t count, double* gradient) {
+    for (size_t i = 0; i < count; ++i, lanes += 16) {
+        double sum = 0;
+        for (int lane = 0; lane < N; ++lane) sum += lanes[lane];
+        gradient[i] += sum;
+        store<N>(lanes, Lanes<N>{});
+    }
+}
+
+template <int N>
+void features(const KernelTile& t, const float* h, float* f, size_t featureStride) {
+    for (int p = 0; p < t.valid; ++p, f += featureStride) {
+        for (int j = 0; j < t.hidden; ++j) f[j] = h[j * t.hiddenStride + p];
+        f[t.hidden] = 1.0f;
+        float* to = f + t.hidden + 1;
+        for (int i = 0; i <= t.inputs; ++i, to += t.hidden) {
+            const float x = i < t.inputs ? t.x[i * t.stride + p] : 1.0f;
+            for (int j = 0; j < t.hidden; ++j) to[j] = (1.0f - f[j] * f[j]) * x;
+        }
+    }
+}
+
+template <int N, int Rows, int Vectors>
+[[gnu::always_inline]] inline void gramTile(const float* left, const float* right, int rows, size_t stride,
+                                            float* gram) {
+    Lanes<N> sum[Rows][Vectors];
+    for (int m = 0; m < Rows; ++m)
+        for (int v = 0; v < Vectors; ++v) sum[m][v] = load<N>(gram + m * stride + v * N);
+    for (int r = 0; r < rows; ++r, left += stride, right += stride)
+        for (int m = 0; m < Rows; ++m)
+            for (int v = 0; v < Vectors; ++v) sum[m][v] += load<N>(right + v * N) * left[m];
+    for (int m = 0; m < Rows; ++m)
+        for (int v = 0; v < Vectors; ++v) store<N>(gram + m * stride + v * N, sum[m][v]);
+}
+
+template <int N>
+void gram(const float* f, int rows, int size, size_t stride, float* out) {
+    constexpr int kVectors = N == 16 ? 4 : 2, kRows = 6;
+    for (int m = 0; m < size; m += kRows)
+        for (int n = m / (kVectors * N) * (kVectors * N); n < size; n += kVectors * N) {
+            if (m + kRows <= size) {
+                gramTile<N, kRows, kVectors>(f + m, f + n, rows, stride, out + m * stride + n);
+            } else {
+                for (int row = m; row < size; ++row)
+                    gramTile<N, 1, kVectors>(f + row, f + n, rows, stride, out + row * stride + n);
+            }
+        }
+}
+
+template <int N>
+constexpr TrainingKernel trainingKernel() {
+    return {forward<N>, squaredError<N>, backward<N>, reduce<N>, features<N>, gram<N>};
+}
+
+}  // namespace
+}  // namespace mrose
