@@ -45,14 +45,14 @@ ChannelDelay identify(std::span<const RobotLog> robots, Channel channel) {
     delay.droppedWindows = fit.dropped;
     if (!(fit.explained > leastExplained)) return unidentified(delay, "the motion does not follow the command");
     if (!(delay.deadTimeError < largestError)) return unidentified(delay, "the standard error exceeds 0.1 s");
-    delay.identifiable = true;
+    delay.identified = true;
     return delay;
 }
 
 }  // namespace
 
 std::string ChannelDelay::quality() const {
-    if (!identifiable) return "not identifiable: " + reason;
+    if (!identified) return "not identifiable: " + reason;
     if (deadTimeError <= 0.01 && explained >= 0.75) return "good";
     return deadTimeError <= 0.03 && explained >= 0.5 ? "fair" : "poor";
 }

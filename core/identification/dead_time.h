@@ -10,7 +10,7 @@ namespace mrose {
 
 /// How one channel of a robot answers its commands in time, with how far that can be trusted.
 struct ChannelDelay {
-    bool identifiable = false;
+    bool identified = false;
     std::string reason;         ///< why it is not; empty when it is
     double deadTime = 0;        ///< s, mean of the single commands' dead times
     double deadTimeError = 0;   ///< s, one standard error: from blocks of 10 s and from the jitter

@@ -31,7 +31,7 @@ TEST(DeadTime, PlantedDeadTimesOfJitteredCommandsAreFoundWithin15Milliseconds) {
             const DeadTimes found = identify(plantedRobot(plant));
             const auto check = [&](const ChannelDelay& delay, double planted, double lag) {
                 const double expected = meanDelay(planted, jitter);
-                ASSERT_TRUE(delay.identifiable) << delay.reason;
+                ASSERT_TRUE(delay.identified) << delay.reason;
                 EXPECT_NEAR(delay.deadTime, expected, 0.015) << "jitter " << jitter << " lag " << lag;
                 EXPECT_NEAR(delay.lag, lag, 0.02);
                 EXPECT_GT(delay.explained, 0.95);
@@ -79,20 +79,20 @@ TEST(DeadTime, MoreNoiseGivesALargerStandardError) {
 
 TEST(DeadTime, ChannelThatNeverMovesIsNotIdentifiable) {
     const DeadTimes straight = identify(plantedRobot({.biasW = 0, .turns = false}));
-    EXPECT_TRUE(straight.v.identifiable) << straight.v.reason;
-    EXPECT_FALSE(straight.w.identifiable);
+    EXPECT_TRUE(straight.v.identified) << straight.v.reason;
+    EXPECT_FALSE(straight.w.identified);
     EXPECT_EQ(straight.w.quality(), "not identifiable: the command changes only 0 times");
     const DeadTimes spinning = identify(plantedRobot({.drives = false}));
-    EXPECT_FALSE(spinning.v.identifiable);
-    EXPECT_TRUE(spinning.w.identifiable) << spinning.w.reason;
+    EXPECT_FALSE(spinning.v.identified);
+    EXPECT_TRUE(spinning.w.identified) << spinning.w.reason;
 }
 
 TEST(DeadTime, MotionThatDoesNotFollowTheCommandIsNotIdentifiable) {
     RobotLog robot = plantedRobot({.seed = 3});
     robot.trajectories[0].poses = plantedTrajectory({.seed = 4}).poses;
     const DeadTimes found = identify(robot);
-    EXPECT_FALSE(found.v.identifiable);
-    EXPECT_FALSE(found.w.identifiable);
+    EXPECT_FALSE(found.v.identified);
+    EXPECT_FALSE(found.w.identified);
 }
 
 TEST(DeadTime, LogWithoutTruthOrCommandsIsNotIdentifiable) {
@@ -102,7 +102,7 @@ TEST(DeadTime, LogWithoutTruthOrCommandsIsNotIdentifiable) {
     mute.trajectories[0].commands.clear();
     EXPECT_EQ(identify(blind).v.reason, "no ground truth");
     EXPECT_EQ(identify(mute).v.reason, "too little ground truth beside commands");
-    EXPECT_FALSE(identifyDeadTimes({}).w.identifiable);
+    EXPECT_FALSE(identifyDeadTimes({}).w.identified);
 }
 
 TEST(DeadTime, RealRobotsAgreeWithCrossCorrelation) {
