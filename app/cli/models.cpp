@@ -12,23 +12,13 @@ RobotModels modelsOf(std::string name, const Log& log, MakeModel make) {
     return models;
 }
 
-/// What was identified for a robot, or else the mean of the others.
-KinematicParameters parametersOf(const MotionNetwork& network, const std::string& robot) {
-    KinematicParameters mean;
-    const auto add = [&](KinematicParameters::Channel& to, const KinematicParameters::Channel& from, bool first) {
-        if (first) to.gain = 0;
-        const double share = 1.0 / static_cast<double>(network.identified.size());
-        to.deadTime += share * from.deadTime;
-        to.lag += share * from.lag;
-        to.gain += share * from.gain;
-    };
-    for (const auto& identified : network.identified) {
-        if (identified.robot == robot) return identified.kinematics;
-        const bool first = &identified == &network.identified.front();
-        add(mean.v, identified.kinematics.v, first);
-        add(mean.w, identified.kinematics.w, first);
-    }
-    return mean;
+using Identified = MotionNetwork::Identified;
+
+/// What was identified for a robot; for an unknown one the first of the known stands in.
+const Identified& identifiedOf(const MotionNetwork& network, const std::string& robot) {
+    for (const Identified& identified : network.identified)
+        if (identified.robot == robot) return identified;
+    return network.identified.front();
 }
 
 }  // namespace
@@ -51,17 +41,11 @@ std::vector<RobotModels> kinematicBaselines(const MotionNetwork& network, const 
         return std::make_unique<KinematicModel>(KinematicParameters{}, network.period);
     }));
     if (network.identified.empty()) return baselines;
-    baselines.push_back(modelsOf("+ dead time", log, [&](const std::string& robot) {
-        const KinematicParameters all = parametersOf(network, robot);
-        KinematicParameters p;
-        // The whole delay: a step's mean response comes a dead time and a lag late.
-        p.v.deadTime = all.v.deadTime + all.v.lag;
-        p.w.deadTime = all.w.deadTime + all.w.lag;
-        return std::make_unique<KinematicModel>(p, network.period);
-    }));
-    baselines.push_back(modelsOf("+ lag, gains, biases", log, [&](const std::string& robot) {
-        return std::make_unique<KinematicModel>(parametersOf(network, robot), network.period);
-    }));
+    for (const auto& [name, member] : {std::pair{"+ dead time", &Identified::delayed},
+                                       std::pair{"+ lag, gains, biases", &Identified::dynamic}})
+        baselines.push_back(modelsOf(name, log, [&, fitted = member](const std::string& robot) {
+            return std::make_unique<KinematicModel>(identifiedOf(network, robot).*fitted, network.period);
+        }));
     return baselines;
 }
 

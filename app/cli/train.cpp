@@ -3,9 +3,10 @@
 
 #include "common.h"
 #include "evaluation/format.h"
+#include "identification/drive_fit.h"
 #include "identification/network_trainer.h"
 #include "identification/recipes.h"
-#include "identification/robot_response.h"
+#include "identification/robot_identification.h"
 #include "io/file.h"
 
 namespace mrose::cli {
@@ -118,17 +119,18 @@ Expected<std::optional<DifferentialDrive>> fittedDrive(const TrainFlags& flags) 
     auto logs = openLogs(flags, {});
     if (!logs) return tl::unexpected(logs.error());
     if (logs->front().format != "husky-windows") return std::nullopt;
-    return fitDrive(logs->front()).map([](const DriveFit& fit) { return std::optional(fit.drive); });
+    return fitDrive(steadyMotions(logs->front(), WheelSource::commands), logs->front().source).map([](const DriveFit& fit) { return std::optional(fit.drive); });
 }
 
+/// Those identified, mean of the robots, unless the command line says otherwise.
 ResponseTimes responseTimes(const std::vector<MotionNetwork::Identified>& robots, const TrainFlags& flags) {
     ResponseTimes times;
     for (const auto& robot : robots) {
         const double share = 1.0 / static_cast<double>(robots.size());
-        times.deadTimeV += share * robot.kinematics.v.deadTime;
-        times.lagV += share * robot.kinematics.v.lag;
-        times.deadTimeW += share * robot.kinematics.w.deadTime;
-        times.lagW += share * robot.kinematics.w.lag;
+        times.deadTimeV += share * robot.dynamic.v.deadTime;
+        times.lagV += share * robot.dynamic.v.lag;
+        times.deadTimeW += share * robot.dynamic.w.deadTime;
+        times.lagW += share * robot.dynamic.w.lag;
     }
     return {flags.deadTimeV.value_or(times.deadTimeV), flags.lagV.value_or(times.lagV),
             flags.deadTimeW.value_or(times.deadTimeW), flags.lagW.value_or(times.lagW)};

@@ -39,7 +39,11 @@ inline MotionNetwork arbitraryNetwork(MotionNetwork::Form form) {
     n.mlp.shape = {int(n.inputs.size()), 13, outputs};
     for (std::size_t i = 0; i < n.mlp.shape.parameterCount(); ++i)
         n.mlp.parameters.push_back(static_cast<float>(0.3 * normalNoise({5, static_cast<std::int64_t>(i), 0, 0})));
-    n.identified.push_back({"b", {0.01, -0.02}, {{.16, .1, .9, 0, 0, 0}, {.1, .14, .98, .002, 0, 0}, 0}, .004, .003});
+    KinematicParameters delayed, dynamic;
+    delayed.v.deadTime = 0.21;
+    dynamic.w = {.1, .14, .98, .002, 1.5, 0.7};
+    dynamic.lateralPerRotation = -0.004;
+    n.identified.push_back({"b", {0.01, -0.02}, {.2, .004, .05, .07}, {.15, .003, .08, .06}, delayed, dynamic});
     n.training = {"mrose train x -o y", "irprop+", "rollout", 7, 1234, 56, {{"x/a.dat", "0123456789abcdef"}}};
     n.heldOut = {321, 10, 1.66, 3.89};
     return n;
