@@ -67,9 +67,15 @@ std::string channelText(const ChannelDelay& c) {
 
 nlohmann::json channelJson(const ChannelDelay& c) {
     if (!c.identified) return {{"identified", false}, {"reason", c.reason}};
-    return {{"identified", true},  {"dead_time_s", c.deadTime}, {"dead_time_error_s", c.deadTimeError},
-            {"lag_s", c.lag},      {"lag_error_s", c.lagError}, {"jitter_s", c.jitter},
-            {"jitter_error_s", c.jitterError}, {"explained", c.explained}, {"quality", c.quality()}};
+    return {{"identified", true},
+            {"dead_time_s", c.deadTime},
+            {"dead_time_error_s", c.deadTimeError},
+            {"lag_s", c.lag},
+            {"lag_error_s", c.lagError},
+            {"jitter_s", c.jitter},
+            {"jitter_error_s", c.jitterError},
+            {"explained", c.explained},
+            {"quality", c.quality()}};
 }
 
 nlohmann::json robotJson(const RobotLog& robot, const DeadTimes& delays) {
@@ -126,8 +132,7 @@ int inspect(const std::string& source, const std::vector<std::string>& robots, c
     if (common.json) {
         nlohmann::json json{{"source", log->source}, {"format", log->format}, {"synthetic", log->synthetic}};
         for (const LogFile& file : log->files) json["files"].push_back({{"path", file.path}, {"xxh3", file.hash}});
-        for (std::size_t i = 0; i < delays.size(); ++i)
-            json["robots"].push_back(robotJson(log->robots[i], delays[i]));
+        for (std::size_t i = 0; i < delays.size(); ++i) json["robots"].push_back(robotJson(log->robots[i], delays[i]));
         std::puts(json.dump(2).c_str());
         return success;
     }

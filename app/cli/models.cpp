@@ -1,6 +1,9 @@
 #include "models.h"
 
+#include "common.h"
+#include "evaluation/format.h"
 #include "motion/kinematic.h"
+#include "version.h"
 
 namespace mrose::cli {
 namespace {
@@ -30,6 +33,37 @@ NamedModel named(const RobotModels& models) {
             }};
 }
 
+ReportContext reportContext(const MotionNetwork& network, const std::string& path, const Log& log) {
+    ReportContext context;
+    context.program = "mrose " MROSE_VERSION;
+    context.commandLine = commandLine();
+    context.synthetic = log.synthetic;
+    for (const auto& source : network.training.logs) context.trainingLogs.push_back({source.path, source.hash});
+    const auto fact = [&](const char* name, std::string value) {
+        context.modelFacts.emplace_back(name, std::move(value));
+    };
+    fact("file", path);
+    fact("form", network.form == MotionNetwork::Form::state
+                     ? "state: (v, w, commands) to motion and next velocity"
+                     : "history: commands of the last tenths of a second to motion");
+    fact("robot", network.robotType + (network.synthetic ? " (synthetic)" : ""));
+    fact("period", fixed(1000 * toSeconds(network.period), 0) + " ms");
+    fact("layers", std::to_string(network.mlp.shape.inputs) + " inputs, " + std::to_string(network.mlp.shape.hidden) +
+                       " tanh, " + std::to_string(network.mlp.shape.outputs) + " outputs");
+    for (const Identified& robot : network.identified)
+        fact("dead time", "robot " + robot.robot + ": v " + fixed(1000 * robot.v.deadTime, 0) + " ± " +
+                              fixed(1000 * robot.v.deadTimeError, 0) + " ms, w " + fixed(1000 * robot.w.deadTime, 0) +
+                              " ± " + fixed(1000 * robot.w.deadTimeError, 0) + " ms");
+    fact("learned by", network.training.method + ", loss " + network.training.loss + ", seed " +
+                           std::to_string(network.training.seed) + ", " + std::to_string(network.training.patterns) +
+                           " patterns, " + std::to_string(network.training.epochs) + " epochs");
+    fact("command", network.training.command);
+    fact("held out in learning", "P " + fixed(network.heldOut.position, 2) + " %, Hd " +
+                                     fixed(network.heldOut.heading, 2) + " % over " +
+                                     fixed(network.heldOut.horizon, 1) + " s (each member on its own part)");
+    return context;
+}
+
 RobotModels learnedModels(const std::shared_ptr<const LearnedMotion>& motion, const Log& log) {
     const std::string name = motion->network().form == MotionNetwork::Form::state ? "paper's network" : "network";
     return modelsOf(name, log, [&](const std::string& robot) { return std::make_unique<LearnedModel>(motion, robot); });
@@ -41,8 +75,8 @@ std::vector<RobotModels> kinematicBaselines(const MotionNetwork& network, const 
         return std::make_unique<KinematicModel>(KinematicParameters{}, network.period);
     }));
     if (network.identified.empty()) return baselines;
-    for (const auto& [name, member] : {std::pair{"+ dead time", &Identified::delayed},
-                                       std::pair{"+ lag, gains, biases", &Identified::dynamic}})
+    for (const auto& [name, member] :
+         {std::pair{"+ dead time", &Identified::delayed}, std::pair{"+ lag, gains, biases", &Identified::dynamic}})
         baselines.push_back(modelsOf(name, log, [&, fitted = member](const std::string& robot) {
             return std::make_unique<KinematicModel>(identifiedOf(network, robot).*fitted, network.period);
         }));

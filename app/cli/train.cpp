@@ -119,7 +119,8 @@ Expected<std::optional<DifferentialDrive>> fittedDrive(const TrainFlags& flags) 
     auto logs = openLogs(flags, {});
     if (!logs) return tl::unexpected(logs.error());
     if (logs->front().format != "husky-windows") return std::nullopt;
-    return fitDrive(steadyMotions(logs->front(), WheelSource::commands), logs->front().source).map([](const DriveFit& fit) { return std::optional(fit.drive); });
+    return fitDrive(steadyMotions(logs->front(), WheelSource::commands), logs->front().source)
+        .map([](const DriveFit& fit) { return std::optional(fit.drive); });
 }
 
 /// Those identified, mean of the robots, unless the command line says otherwise.
@@ -165,8 +166,8 @@ int train(const TrainFlags& flags, const CommonFlags& common) {
     for (const Log& log : *logs)
         for (const LogFile& file : log.files) blueprint.training.logs.push_back({file.path, file.hash});
 
-    const auto summary =
-        trainNetwork(blueprint, *samples, trainerOptions(flags, common), TrainingDisplay(common.quiet));
+    TrainingDisplay display(common.quiet);
+    const auto summary = trainNetwork(blueprint, *samples, trainerOptions(flags, common), std::ref(display));
     if (!summary) return report(summary.error());
     if (const auto saved = saveNetwork(summary->network, flags.out); !saved) return report(saved.error());
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;

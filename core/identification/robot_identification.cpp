@@ -20,7 +20,8 @@ std::vector<Pooled> poolByName(std::span<const Log> logs) {
     std::vector<Pooled> pools;
     for (const Log& log : logs)
         for (const RobotLog& robot : log.robots) {
-            auto pool = std::find_if(pools.begin(), pools.end(), [&](const Pooled& p) { return p.robot == robot.robot; });
+            auto pool =
+                std::find_if(pools.begin(), pools.end(), [&](const Pooled& p) { return p.robot == robot.robot; });
             if (pool == pools.end()) pool = pools.insert(pools.end(), {robot.robot, log.source, {}});
             pool->logs.push_back(robot);
         }

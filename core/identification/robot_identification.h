@@ -10,7 +10,8 @@
 namespace mrose {
 
 /// Dead times and kinematic baselines of every robot of the logs, in the order in which they first appear; the logs of
-/// robots of one name are pooled. A channel that cannot be identified keeps the defaults. Error: too little ground truth.
+/// robots of one name are pooled. A channel that cannot be identified keeps the defaults. Error: too little ground
+/// truth.
 Expected<std::vector<MotionNetwork::Identified>> identifyRobots(std::span<const Log> logs);
 
 }  // namespace mrose

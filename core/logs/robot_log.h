@@ -69,9 +69,9 @@ struct Log {
     std::string source;  ///< the path as given
     std::string format;  ///< "mrclam", "husky-windows", "csv"
     int dataset = 0;     ///< the number in the name of an MRCLAM folder, 0 elsewhere
-    bool synthetic = false;  ///< made by a simulation; no real robot drove (a part of the log is enough)
     std::vector<RobotLog> robots;
     std::vector<LogFile> files;
+    bool synthetic = false;  ///< made by a simulation; no real robot drove (a part of the log is enough)
 };
 
 }  // namespace mrose
