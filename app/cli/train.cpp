@@ -123,18 +123,21 @@ Expected<std::optional<DifferentialDrive>> fittedDrive(const TrainFlags& flags) 
         .map([](const DriveFit& fit) { return std::optional(fit.drive); });
 }
 
-/// Those identified, mean of the robots, unless the command line says otherwise.
+template <class Value>
+double medianOf(const std::vector<MotionNetwork::Identified>& robots, Value value) {
+    std::vector<double> values;
+    for (const auto& robot : robots) values.push_back(value(robot.dynamic));
+    std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
+    return values[values.size() / 2];
+}
+
+/// Those identified, median of the robots, unless the command line says otherwise.
 ResponseTimes responseTimes(const std::vector<MotionNetwork::Identified>& robots, const TrainFlags& flags) {
-    ResponseTimes times;
-    for (const auto& robot : robots) {
-        const double share = 1.0 / static_cast<double>(robots.size());
-        times.deadTimeV += share * robot.dynamic.v.deadTime;
-        times.lagV += share * robot.dynamic.v.lag;
-        times.deadTimeW += share * robot.dynamic.w.deadTime;
-        times.lagW += share * robot.dynamic.w.lag;
-    }
-    return {flags.deadTimeV.value_or(times.deadTimeV), flags.lagV.value_or(times.lagV),
-            flags.deadTimeW.value_or(times.deadTimeW), flags.lagW.value_or(times.lagW)};
+    using K = KinematicParameters;
+    return {flags.deadTimeV.value_or(medianOf(robots, [](const K& k) { return k.v.deadTime; })),
+            flags.lagV.value_or(medianOf(robots, [](const K& k) { return k.v.lag; })),
+            flags.deadTimeW.value_or(medianOf(robots, [](const K& k) { return k.w.deadTime; })),
+            flags.lagW.value_or(medianOf(robots, [](const K& k) { return k.w.lag; }))};
 }
 
 int train(const TrainFlags& flags, const CommonFlags& common) {

@@ -18,6 +18,7 @@ struct Runner {
     std::size_t next = 0;  ///< the first command not yet issued
     Pose pose;
     Velocity velocity;
+    std::optional<Velocity> unperturbed;
 };
 
 void issueUntil(Runner& runner, Nanoseconds time) {
@@ -50,12 +51,13 @@ void advance(const MotionModel& model, std::span<Runner> runners, Nanoseconds el
     for (std::size_t i = 0; i < runners.size(); ++i) {
         const Nanoseconds now = runners[i].start->time + elapsed;
         issueUntil(runners[i], now);
-        inputs[i] = {&runners[i].history, now, runners[i].velocity};
+        inputs[i] = {&runners[i].history, now, runners[i].velocity, runners[i].unperturbed};
     }
     model.predict(inputs, steps);
     for (std::size_t i = 0; i < runners.size(); ++i) {
         runners[i].pose = runners[i].pose * steps[i].increment;
         runners[i].velocity = steps[i].velocity;
+        runners[i].unperturbed = steps[i].unperturbed;
     }
 }
 

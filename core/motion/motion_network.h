@@ -65,7 +65,7 @@ struct MotionNetwork {
     enum class Form {
         state,    ///< (v, w, commands) -> (dx, dy, dphi, v', w'): five outputs; the paper's
         history,  ///< commands -> (dx, dy, dphi, v0, w0, v1, w1): the motion that the commands alone lead to, with the
-                  ///< velocities expected at the period's ends; another start velocity decays by `recovery`
+                  ///< velocities at the period's start and end; what differs from them decays by `recovery`
     };
     static constexpr int version = 1;
     static constexpr std::size_t maxInputs = 256, maxOutputs = 7, maxHidden = 4096;

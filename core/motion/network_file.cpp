@@ -81,9 +81,9 @@ std::string layerText(const MotionNetwork& network) {
 }
 
 std::string delayText(std::string_view name, const MotionNetwork::Identified::Delay& d) {
-    return std::string(name) + " = { dead_time_s = " + numberText(d.deadTime) + ", dead_time_error_s = " +
-           numberText(d.deadTimeError) + ", lag_s = " + numberText(d.lag) + ", jitter_s = " + numberText(d.jitter) +
-           " }\n";
+    return std::string(name) + " = { dead_time_s = " + numberText(d.deadTime) +
+           ", dead_time_error_s = " + numberText(d.deadTimeError) + ", lag_s = " + numberText(d.lag) +
+           ", jitter_s = " + numberText(d.jitter) + " }\n";
 }
 
 std::string channelText(const KinematicParameters::Channel& c) {
@@ -109,10 +109,10 @@ std::string provenanceText(const MotionNetwork& network) {
             line("windows", h.windows) + line("horizon_s", h.horizon) + line("position_percent", h.position) +
             line("heading_percent", h.heading);
     for (const auto& i : network.identified)
-        text += "\n[[identified]]\n" + line("robot", tomlText(i.robot)) + "tracker = { ahead_m = " +
-                numberText(i.tracker.ahead) + ", rotated_rad = " + numberText(i.tracker.rotated) + " }\n" +
-                delayText("v", i.v) + delayText("w", i.w) + kinematicsText("delayed", i.delayed) +
-                kinematicsText("dynamic", i.dynamic);
+        text += "\n[[identified]]\n" + line("robot", tomlText(i.robot)) +
+                "tracker = { ahead_m = " + numberText(i.tracker.ahead) +
+                ", rotated_rad = " + numberText(i.tracker.rotated) + " }\n" + delayText("v", i.v) +
+                delayText("w", i.w) + kinematicsText("delayed", i.delayed) + kinematicsText("dynamic", i.dynamic);
     return text;
 }
 

@@ -10,6 +10,7 @@
 #include "learning/initial_weights.h"
 #include "motion/kinematic.h"
 #include "motion/learned_model.h"
+#include "world/noise.h"
 
 namespace mrose {
 namespace {
@@ -117,9 +118,12 @@ TEST(RolloutBatch, BackpropagationThroughTimeEqualsDirectionalDifferences) {
     }
 }
 
-TEST(RolloutBatch, DrivesLikeTheModelThatIsUsed) {
-    const Planted& p = plantedPaper();
-    TrainerOptions options = quick(LearningLoss::oneStep);
+class RolloutBatchOfBothForms : public testing::TestWithParam<MotionNetwork::Form> {};
+
+TEST_P(RolloutBatchOfBothForms, DrivesLikeTheModelThatIsUsed) {
+    const bool state = GetParam() == MotionNetwork::Form::state;
+    const Planted& p = state ? plantedPaper() : plantedHistory();
+    TrainerOptions options = quick(state ? LearningLoss::oneStep : LearningLoss::rollout);
     options.members = 1;
     const auto summary = trainNetwork(p.blueprint, p.samples, options);
     ASSERT_TRUE(summary);
@@ -132,17 +136,26 @@ TEST(RolloutBatch, DrivesLikeTheModelThatIsUsed) {
     CommandHistory history;
     std::size_t issued = 0;
     Velocity velocity = p.samples.samples[first].before;
+    // The history form starts as its commands say; without that it would recover from the difference first.
+    std::optional<Velocity> unperturbed = velocity;
     const Trajectory& trajectory = p.logs[0].robots[0].trajectories[1];
     for (std::size_t k = 0; k < 30; ++k) {
         const Nanoseconds start = p.samples.samples[first + k].start;
         for (; trajectory.commands[issued].time <= start; ++issued)
             history.issue(trajectory.commands[issued].time, trajectory.commands[issued].command);
-        const MotionStep step = model.predictOne({&history, start, velocity});
+        const MotionStep step = model.predictOne({&history, start, velocity, unperturbed});
         velocity = step.velocity;
+        unperturbed = step.unperturbed;
         EXPECT_NEAR(step.increment.x, increments[k].x, 1e-5);
         EXPECT_NEAR(step.increment.heading, increments[k].heading, 1e-5);
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(Forms, RolloutBatchOfBothForms,
+                         testing::Values(MotionNetwork::Form::state, MotionNetwork::Form::history),
+                         [](const auto& instance) {
+                             return instance.param == MotionNetwork::Form::state ? "State" : "History";
+                         });
 
 TEST(TrainNetwork, HistoryFormLearnsALaggedRobotOpenLoop) {
     const Planted& p = plantedHistory();
@@ -223,13 +236,13 @@ TEST(TrainNetwork, RecoversFromAWrongStartVelocityWithTheLagOfItsFile) {
     history.issue(0, {0.3, 0.2});
     for (const auto& [dv, dw] : {std::pair{0.05, 0.3}, {-0.05, -0.3}}) {
         MotionStep right, wrong;
-        right.velocity = {0.27, 0.19};
+        right.unperturbed = wrong.unperturbed = right.velocity = {0.27, 0.19};
         wrong.velocity = {0.27 + dv, 0.19 + dw};
         double ahead = 0, turned = 0;
         for (int k = 0; k < 10; ++k) {
             const Nanoseconds start = 2'000 * ms + k * 100 * ms;
-            right = model.predictOne({&history, start, right.velocity});
-            wrong = model.predictOne({&history, start, wrong.velocity});
+            right = model.predictOne({&history, start, right.velocity, right.unperturbed});
+            wrong = model.predictOne({&history, start, wrong.velocity, wrong.unperturbed});
             ahead += wrong.increment.x - right.increment.x;
             turned += wrong.increment.heading - right.increment.heading;
         }

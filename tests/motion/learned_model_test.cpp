@@ -40,10 +40,11 @@ MotionStep reference(const MotionNetwork& n, const MotionInput& input, int robot
         }
         y.push_back(n.outputs[std::size_t(k)].mean + n.outputs[std::size_t(k)].scale * sum);
     }
-    MotionStep step{{y[0], y[1], y[2]}, {y[3], y[4]}};
+    MotionStep step{{y[0], y[1], y[2]}, {y[3], y[4]}, {}};
     if (n.form == MotionNetwork::Form::history) {
         const double left[] = {std::exp(-0.1 / n.recovery.v), std::exp(-0.1 / n.recovery.w)};
-        const double dv = input.velocity.v - y[3], dw = input.velocity.w - y[4];
+        const Velocity expected = input.unperturbed.value_or(Velocity{y[3], y[4]});
+        const double dv = input.velocity.v - expected.v, dw = input.velocity.w - expected.w;
         step.increment.x += dv * n.recovery.v * (1 - left[0]);
         step.increment.heading += dw * n.recovery.w * (1 - left[1]);
         step.velocity = {y[5] + dv * left[0], y[6] + dw * left[1]};
@@ -62,7 +63,8 @@ TEST_P(LearnedModelOfBothForms, PredictsWhatItsFileDefines) {
     for (const auto& [name, index] : {std::pair{"a", 0}, {"b", 1}, {"unknown", -1}}) {
         const LearnedModel model(motion, name);
         const CommandHistory history = someHistory(3);
-        const MotionInput input{&history, 400 * ms, {0.21, -0.4}};
+        MotionInput input{&history, 400 * ms, {0.21, -0.4}};
+        if (index == 0) input.unperturbed = Velocity{0.2, -0.1};
         const MotionStep step = model.predictOne(input), expected = reference(network, input, index);
         EXPECT_NEAR(step.increment.x, expected.increment.x, 1e-7);
         EXPECT_NEAR(step.increment.y, expected.increment.y, 1e-7);
@@ -90,8 +92,8 @@ TEST_P(LearnedModelOfBothForms, GivesTheSameBitsAloneAndInAnyBatch) {
 
 INSTANTIATE_TEST_SUITE_P(Forms, LearnedModelOfBothForms,
                          testing::Values(MotionNetwork::Form::state, MotionNetwork::Form::history),
-                         [](const auto& info) {
-                             return info.param == MotionNetwork::Form::state ? "State" : "History";
+                         [](const auto& instance) {
+                             return instance.param == MotionNetwork::Form::state ? "State" : "History";
                          });
 
 }  // namespace
