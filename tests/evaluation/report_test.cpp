@@ -92,7 +92,9 @@ TEST_F(Report, HoldsTheNumbersAndNothingUndefined) {
     for (const char* undefined : {"nan", "NaN", "inf<", "-0.00<", "–,", "\"–\""}) {
         const std::size_t at = html.find(undefined);
         // Words may hold these letters; attributes and cells may not.
-        if (at != std::string::npos) EXPECT_TRUE(std::isalpha(html[at - 1])) << html.substr(at - 20, 40);
+        if (at != std::string::npos) {
+            EXPECT_TRUE(std::isalpha(html[at - 1])) << html.substr(at - 20, 40);
+        }
     }
 }
 
