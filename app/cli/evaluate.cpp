@@ -32,9 +32,13 @@ void printTable(const Evaluation& evaluation) {
         table.add({model.name, fixed(model.all.p, 2), fixed(model.all.hd, 2),
                    fixed(model.all.positionMeanOverPath.median, 2), fixed(100 * model.all.positionFinal.median, 2),
                    fixed(model.all.headingFinal.median * 57.29577951308232, 2)});
-    if (evaluation.floor && !evaluation.floor->pairs.empty())
-        table.add({"floor (" + std::to_string(evaluation.floor->pairs.size()) + " pairs of like commands)",
-                   fixed(evaluation.floor->pBest, 2), fixed(evaluation.floor->hdBest, 2)});
+    const auto addFloor = [&](const std::optional<Floor>& floor, const std::string& what) {
+        if (floor && !floor->pairs.empty())
+            table.add({"floor, " + std::to_string(floor->pairs.size()) + " pairs " + what, fixed(floor->pBest, 2),
+                       fixed(floor->hdBest, 2)});
+    };
+    addFloor(evaluation.floor, "of like commands");
+    addFloor(evaluation.turningFloor, "that turn, 5 s");
     std::fputs(table.text().c_str(), stdout);
     std::puts(
         "\nP: time-mean position error over path; Hd: time-mean heading error over rotation, summed over windows.\n"

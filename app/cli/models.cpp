@@ -70,15 +70,17 @@ RobotModels learnedModels(const std::shared_ptr<const LearnedMotion>& motion, co
 }
 
 std::vector<RobotModels> kinematicBaselines(const MotionNetwork& network, const Log& log) {
+    // A command acts when it was issued, not at the next period of some network.
+    constexpr Nanoseconds period = 10'000'000;
     std::vector<RobotModels> baselines;
     baselines.push_back(modelsOf("velocity = command", log, [&](const std::string&) {
-        return std::make_unique<KinematicModel>(KinematicParameters{}, network.period);
+        return std::make_unique<KinematicModel>(KinematicParameters{}, period);
     }));
     if (network.identified.empty()) return baselines;
     for (const auto& [name, member] :
          {std::pair{"+ dead time", &Identified::delayed}, std::pair{"+ lag, gains, biases", &Identified::dynamic}})
         baselines.push_back(modelsOf(name, log, [&, fitted = member](const std::string& robot) {
-            return std::make_unique<KinematicModel>(identifiedOf(network, robot).*fitted, network.period);
+            return std::make_unique<KinematicModel>(identifiedOf(network, robot).*fitted, period);
         }));
     return baselines;
 }
