@@ -1,1 +1,56 @@
-int main() { return 0; }
+#include <cstdio>
+#include <exception>
+
+#include <tbb/global_control.h>
+
+#include "common.h"
+#include "learning/instruction_set.h"
+#include "version.h"
+
+namespace {
+
+using namespace mrose::cli;
+
+std::string versionText() {
+    std::string text =
+        "mrose " MROSE_VERSION "\n" MROSE_BUILD_TYPE " build, " MROSE_COMPILER "; instruction sets here:";
+    for (const mrose::InstructionSet set : mrose::availableInstructionSets()) text += std::string(" ") + name(set);
+    return text;
+}
+
+int runProgram(int argc, char** argv) {
+    CLI::App app("Learns how a team's robots move from their logs, and says how far the learned motion can be trusted.",
+                 "mrose");
+    app.set_version_flag("--version", versionText());
+    app.require_subcommand(1);
+    app.failure_message([](const CLI::App*, const CLI::Error& error) {
+        return std::string("mrose: ") + error.what() + " (mrose --help, or mrose SUBCOMMAND --help, tells more)\n";
+    });
+    CommonFlags flags;
+    const Subcommand subcommands[] = {addInspect(app, flags), addTrain(app, flags), addEvaluate(app, flags),
+                                      addPredict(app, flags), addGenerate(app, flags)};
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? success : usage;
+    }
+    const auto threads = flags.threads > 0
+                             ? static_cast<std::size_t>(flags.threads)
+                             : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    for (const auto& [subcommand, run] : subcommands)
+        if (subcommand->parsed()) return run();
+    return usage;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    rememberCommandLine(argc, argv);
+    try {
+        return runProgram(argc, argv);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "mrose: %s\n", error.what());
+        return failure;
+    }
+}

@@ -4,16 +4,16 @@
 #include <span>
 
 #include "io/error.h"
-#include "logs/differential_drive.h"
 #include "logs/robot_log.h"
+#include "world/differential_drive.h"
 
 namespace mrose {
 
 struct LogOptions {
-    double commandGap = 0.5;  ///< s: longer pauses between commands are counted as gaps
-    double poseGap = 0.2;     ///< s: likewise between poses; nothing is interpolated across them
-    bool dropBlips = true;    ///< single-sample zero commands
-    DifferentialDrive drive;  ///< for logs of wheel commands
+    double commandGap = 0.5;    ///< s: longer pauses between commands are counted as gaps
+    double poseGap = 0.2;       ///< s: likewise between poses; nothing is interpolated across them
+    bool dropBlips = true;      ///< single-sample zero commands
+    DifferentialDrive drive{};  ///< for logs of wheel commands
 };
 
 /// Opens a log of any known format: an MRCLAM folder, a Husky windows file, a CSV file or a folder of CSV files. Which

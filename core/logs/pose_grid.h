@@ -11,19 +11,31 @@ namespace mrose {
 /// around instant i.
 struct PoseGrid {
     Nanoseconds start = 0, step = 100'000'000;
-    std::vector<Pose> poses;  ///< heading continuous
+    std::vector<Pose> poses;           ///< heading continuous
+    std::vector<Velocity> velocities;  ///< the fit's slope in the direction of the heading, and its rotation rate
     std::vector<bool> ok;
 
     std::size_t size() const { return poses.size(); }
     Nanoseconds time(std::size_t index) const { return start + static_cast<Nanoseconds>(index) * step; }
 };
 
-/// The grid begins 1.5 s after commands and poses have both begun and ends 1 s before one of them ends. `offset` shifts
-/// it (0 <= offset < step): other phases of the same log, for learning.
-PoseGrid poseGrid(const Trajectory& trajectory, Nanoseconds step = 100'000'000, Nanoseconds offset = 0);
+/// How long after commands and poses have both begun a grid begins, and how long before one of them ends it ends.
+struct GridMargins {
+    Nanoseconds begin = 1'500'000'000, end = 1'000'000'000;
+};
+
+/// The grid of a trajectory; with the default margins it is the referee's.
+PoseGrid poseGrid(const Trajectory& trajectory, Nanoseconds step = 100'000'000, const GridMargins& margins = {});
 
 /// Pose and velocity at `time` from the truth at or before it alone, never later: what a prediction that starts there
-/// may know. False when the truth does not reach to within 0.2 s before `time`.
+/// may know. The velocity is the slope of a straight line through the last 0.2 s; the pose is the last one, carried on
+/// by that slope. Where the truth has fewer than 4 samples so far (the start of a short window), the pose is the last
+/// one and the velocity the mean of what the robot itself measured in the last 0.2 s, zero if it measured nothing. Not
+/// valid when the truth does not reach to within 0.2 s before `time`.
+///
+/// Among 16 one-sided fits (straight or curved, over 30 to 400 ms) and 30 ways to carry on the mean of the last
+/// samples, this one had the smallest heading error against poseGrid on MRCLAM data set 6 while driving: 2.7 mrad, 0.6
+/// mm, 8 mm/s and 62 mrad/s RMS (README.md). A longer fit averages the robot's wobble but lags where it turns.
 struct MeasuredStart {
     bool valid = false;
     Pose pose;

@@ -20,12 +20,18 @@ struct StampedPose {
     Pose pose;  ///< heading continuous (unwrapped)
 };
 
+struct StampedVelocity {
+    Nanoseconds time = 0;
+    Velocity velocity;
+};
+
 /// What a reader found and did, so that nothing is hidden. Counts of samples unless another unit is given.
 struct LogDefects {
     std::int64_t outOfOrder = 0;    ///< stamps earlier than the one before: sorted
     std::int64_t duplicates = 0;    ///< equal stamps in one file: the last one kept
     std::int64_t blips = 0;         ///< single-sample zero commands between equal moving ones: dropped
     std::int64_t poseOutliers = 0;  ///< single poses far off both neighbours: dropped
+    std::int64_t unpaired = 0;      ///< values of v, w, x, y or heading alone that met no partner: dropped
     std::int64_t headingWraps = 0;  ///< jumps by whole turns: unwrapped
     std::int64_t commandGaps = 0;   ///< longer than LogOptions::commandGap
     std::int64_t poseGaps = 0;      ///< longer than LogOptions::poseGap
@@ -42,6 +48,9 @@ struct Trajectory {
         false;  ///< the command has been in force long enough that the motion no longer changes (Husky windows)
     std::vector<StampedCommand> commands;
     std::vector<StampedPose> poses;  ///< empty: the log has no ground truth
+    /// What the robot itself measured, where the log has it: wheel speeds through the drive, and the gyro (v is 0). A
+    /// prediction may use it up to its start. Like commands it may begin before the poses.
+    std::vector<StampedVelocity> measuredVelocity, measuredRotation;
 };
 
 struct RobotLog {
@@ -62,6 +71,7 @@ struct Log {
     int dataset = 0;     ///< the number in the name of an MRCLAM folder, 0 elsewhere
     std::vector<RobotLog> robots;
     std::vector<LogFile> files;
+    bool synthetic = false;  ///< made by a simulation; no real robot drove (a part of the log is enough)
 };
 
 }  // namespace mrose

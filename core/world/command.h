@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 namespace mrose {
 
 /// What a differential-drive robot is told to do.
@@ -8,6 +10,11 @@ struct Command {
     double w = 0;  ///< rotation rate, rad/s, counter-clockwise
     bool operator==(const Command&) const = default;
 };
+
+/// Equal, and so are the signs of zeros: some drives turn on a rotation rate of -0.
+inline bool identical(const Command& a, const Command& b) {
+    return a == b && std::signbit(a.v) == std::signbit(b.v) && std::signbit(a.w) == std::signbit(b.w);
+}
 
 /// What it does: velocity in the body's frame.
 struct Velocity {

@@ -11,7 +11,7 @@ void CommandHistory::issue(Nanoseconds time, const Command& command) {
         commands_[slot(size_ - 1)] = command;
         return;
     }
-    if (size_ > 0 && commands_[slot(size_ - 1)] == command) return;
+    if (size_ > 0 && identical(commands_[slot(size_ - 1)], command)) return;
     if (size_ == capacity) {
         first_ = (first_ + 1) % capacity;
         --size_;
@@ -31,7 +31,7 @@ std::size_t CommandHistory::indexAt(Nanoseconds time) const {
 Command CommandHistory::at(Nanoseconds time) const {
     const std::size_t index = indexAt(time);
     if (index < size_) return command(index);
-    return size_ == capacity ? command(0) : Command{};
+    return beforeFirst();
 }
 
 Command CommandHistory::mean(Nanoseconds from, Nanoseconds to) const {
@@ -46,9 +46,9 @@ Command CommandHistory::mean(Nanoseconds from, Nanoseconds to) const {
         w += held * command(i).w;
         end = begin;
     }
-    if (end > from && size_ == capacity) {
-        v += static_cast<double>(end - from) * command(0).v;
-        w += static_cast<double>(end - from) * command(0).w;
+    if (end > from) {
+        v += static_cast<double>(end - from) * beforeFirst().v;
+        w += static_cast<double>(end - from) * beforeFirst().w;
     }
     const double duration = static_cast<double>(to - from);
     return {v / duration, w / duration};

@@ -27,6 +27,8 @@ public:
     Command mean(Nanoseconds from, Nanoseconds to) const;
 
     std::size_t size() const { return size_; }
+    /// What was in force before the oldest command.
+    Command beforeFirst() const { return size_ == capacity ? command(0) : Command{}; }
     Nanoseconds issueTime(std::size_t index) const { return times_[slot(index)]; }  ///< 0 is the oldest
     const Command& command(std::size_t index) const { return commands_[slot(index)]; }
 

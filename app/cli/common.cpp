@@ -1,0 +1,130 @@
+#include "common.h"
+
+#include <algorithm>
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+
+#include <unistd.h>
+
+#include "logs/log_reader.h"
+
+namespace mrose::cli {
+namespace {
+
+std::string givenCommandLine;
+std::atomic<bool> interruptSeen{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+extern "C" void onInterrupt(int signal) {
+    interruptSeen = true;
+    std::signal(signal, SIG_DFL);
+}
+
+std::string shellQuoted(const std::string& word) {
+    const auto plain = [](unsigned char c) { return std::isalnum(c) || std::strchr("-_./,:=+@%", c); };
+    if (!word.empty() && std::all_of(word.begin(), word.end(), plain)) return word;
+    std::string out = "'";
+    for (const char c : word) out += c == '\'' ? "'\\''" : std::string(1, c);
+    return out + '\'';
+}
+
+/// Columns that a terminal needs for UTF-8 text without wide characters.
+std::size_t displayWidth(const std::string& text) {
+    return static_cast<std::size_t>(
+        std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
+}
+
+}  // namespace
+
+CLI::App* addSubcommand(CLI::App& app, CommonFlags& flags, const std::string& name, const std::string& description,
+                        const std::string& examples) {
+    CLI::App* sub = app.add_subcommand(name, description);
+    sub->footer("Examples:\n" + examples);
+    sub->add_option("--seed", flags.seed, "Seed of everything random; the same seed gives the same result")
+        ->capture_default_str();
+    sub->add_option("--threads", flags.threads, "Threads to use; 0: all processors. Results do not depend on it")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
+    sub->add_flag("-q,--quiet", flags.quiet, "No progress");
+    sub->add_flag("--json", flags.json, "Print the result as JSON");
+    return sub;
+}
+
+int report(const Error& error) {
+    std::fprintf(stderr, "mrose: %s\n", error.message().c_str());
+    return failure;
+}
+
+Expected<Log> openLog(const std::string& source, const std::vector<std::string>& robots,
+                      const std::optional<DifferentialDrive>& drive) {
+    LogOptions options;
+    if (drive) options.drive = *drive;
+    auto log = readLog(source, options);
+    if (!log || robots.empty()) return log;
+    std::vector<RobotLog> chosen;
+    for (const std::string& name : robots) {
+        const auto found = std::find_if(log->robots.begin(), log->robots.end(),
+                                        [&](const RobotLog& robot) { return robot.robot == name; });
+        if (found == log->robots.end()) return fail(source, "has no robot \"" + name + '"');
+        chosen.push_back(*found);
+    }
+    log->robots = std::move(chosen);
+    return log;
+}
+
+Expected<std::shared_ptr<const LearnedMotion>> openNetwork(const std::string& path) {
+    return loadNetwork(path).map(
+        [](MotionNetwork network) { return std::make_shared<const LearnedMotion>(std::move(network)); });
+}
+
+std::string commandLine() { return givenCommandLine; }
+
+void rememberCommandLine(int argc, char** argv) {
+    givenCommandLine = "mrose";
+    for (int i = 1; i < argc; ++i) givenCommandLine += ' ' + shellQuoted(argv[i]);
+}
+
+void watchInterrupts() { std::signal(SIGINT, onInterrupt); }
+bool wasInterrupted() { return interruptSeen; }
+
+ProgressLine::ProgressLine(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
+
+ProgressLine::~ProgressLine() {
+    if (shown_) std::fputs("\r\033[K", stderr);
+}
+
+void ProgressLine::show(const std::string& text) {
+    if (quiet_) return;
+    std::fprintf(stderr, terminal_ ? "\r\033[K%s" : "%s\n", text.c_str());
+    std::fflush(stderr);
+    shown_ = terminal_;
+}
+
+std::string durationText(double seconds) {
+    const auto whole = static_cast<long>(seconds + 0.5);
+    char text[48];
+    if (whole < 60)
+        std::snprintf(text, sizeof text, "%ld s", whole);
+    else
+        std::snprintf(text, sizeof text, "%ld min %02ld s", whole / 60, whole % 60);
+    return text;
+}
+
+std::string TextTable::text() const {
+    std::vector<std::size_t> widths(rows_.front().size());
+    for (const auto& row : rows_)
+        for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], displayWidth(row[c]));
+    std::string out;
+    for (const auto& row : rows_) {
+        std::string line;
+        for (std::size_t c = 0; c < row.size(); ++c) {
+            const std::string padding(widths[c] - displayWidth(row[c]), ' ');
+            line += c == 0 ? row[c] + padding : "  " + padding + row[c];
+        }
+        out += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
+    }
+    return out;
+}
+
+}  // namespace mrose::cli

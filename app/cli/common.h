@@ -1,0 +1,95 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "io/error.h"
+#include "logs/robot_log.h"
+#include "motion/learned_model.h"
+
+namespace mrose::cli {
+
+enum ExitStatus : int { success = 0, failure = 1, usage = 2, interrupted = 130 };
+
+/// Flags with the same meaning in every subcommand.
+struct CommonFlags {
+    std::uint64_t seed = 1;
+    int threads = 0;  ///< 0: as many as the machine has
+    bool quiet = false;
+    bool json = false;
+};
+
+/// A subcommand registers itself and gives what runs when it was chosen.
+using Run = std::function<int()>;
+struct Subcommand {
+    CLI::App* app;
+    Run run;
+};
+Subcommand addInspect(CLI::App& app, CommonFlags& flags);
+Subcommand addTrain(CLI::App& app, CommonFlags& flags);
+Subcommand addEvaluate(CLI::App& app, CommonFlags& flags);
+Subcommand addPredict(CLI::App& app, CommonFlags& flags);
+Subcommand addGenerate(CLI::App& app, CommonFlags& flags);
+
+/// A subcommand with the common flags and, below its options, examples.
+CLI::App* addSubcommand(CLI::App& app, CommonFlags& flags, const std::string& name, const std::string& description,
+                        const std::string& examples);
+
+/// One line on standard error; returns ExitStatus::failure.
+int report(const Error& error);
+
+/// Opens a log; `drive` is for logs of wheel commands. Robots not in `robots` are left out, unless it is empty. Error:
+/// an unknown robot too.
+Expected<Log> openLog(const std::string& source, const std::vector<std::string>& robots,
+                      const std::optional<DifferentialDrive>& drive = {});
+
+/// Loads a network and makes it ready for use.
+Expected<std::shared_ptr<const LearnedMotion>> openNetwork(const std::string& path);
+
+/// The command line as it can be typed again.
+std::string commandLine();
+void rememberCommandLine(int argc, char** argv);
+
+/// Starts to watch for Ctrl-C; the second one ends the program at once.
+void watchInterrupts();
+bool wasInterrupted();
+
+/// A line on standard error that is written over; nothing unless it is a terminal and `quiet` is off.
+class ProgressLine {
+public:
+    explicit ProgressLine(bool quiet);
+    ~ProgressLine();
+    ProgressLine(const ProgressLine&) = delete;
+    ProgressLine& operator=(const ProgressLine&) = delete;
+
+    void show(const std::string& text);
+    /// Where there is no terminal, a new line now and then instead.
+    bool terminal() const { return terminal_; }
+
+private:
+    bool quiet_, terminal_;
+    bool shown_ = false;
+};
+
+/// "2 min 05 s"
+std::string durationText(double seconds);
+
+/// A table of text with aligned columns, numbers to the right: what programs print for people.
+class TextTable {
+public:
+    explicit TextTable(std::vector<std::string> header) : rows_{std::move(header)} {}
+    void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+    std::string text() const;
+
+private:
+    std::vector<std::vector<std::string>> rows_;
+};
+
+}  // namespace mrose::cli

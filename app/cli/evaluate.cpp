@@ -1,0 +1,100 @@
+#include "evaluation/evaluate.h"
+
+#include <cstdio>
+
+#include "common.h"
+#include "evaluation/format.h"
+#include "evaluation/report.h"
+#include "models.h"
+
+namespace mrose::cli {
+namespace {
+
+struct EvaluateFlags {
+    std::string network, log, folder;
+    std::vector<std::string> robots, against;
+    double horizon = 10;
+    bool noFloor = false;
+};
+
+std::string robotList(const Evaluation& evaluation) {
+    std::string text;
+    for (const auto& robot : evaluation.robots) text += (text.empty() ? "" : ", ") + robot.name;
+    return text;
+}
+
+void printTable(const Evaluation& evaluation) {
+    std::printf("%s, robot %s: %zu windows of %s s, open loop\n\n", evaluation.source.c_str(),
+                robotList(evaluation).c_str(), evaluation.windows.size(),
+                secondsText(evaluation.options.windows.horizon, 0).c_str());
+    TextTable table({"", "P %", "Hd %", "median pos. %", "final cm", "final deg"});
+    for (const ModelEvaluation& model : evaluation.models)
+        table.add({model.name, fixed(model.all.p, 2), fixed(model.all.hd, 2),
+                   fixed(model.all.positionMeanOverPath.median, 2), fixed(100 * model.all.positionFinal.median, 2),
+                   fixed(model.all.headingFinal.median * 57.29577951308232, 2)});
+    if (evaluation.floor && !evaluation.floor->pairs.empty())
+        table.add({"floor (" + std::to_string(evaluation.floor->pairs.size()) + " pairs of like commands)",
+                   fixed(evaluation.floor->pBest, 2), fixed(evaluation.floor->hdBest, 2)});
+    std::fputs(table.text().c_str(), stdout);
+    std::puts(
+        "\nP: time-mean position error over path; Hd: time-mean heading error over rotation, summed over windows.\n"
+        "median pos.: of the windows' P; final: median errors at the end of a window.");
+}
+
+int evaluateNetwork(const EvaluateFlags& flags, const CommonFlags& common) {
+    const auto motion = openNetwork(flags.network);
+    if (!motion) return report(motion.error());
+    const auto log = openLog(flags.log, flags.robots, (*motion)->network().drive);
+    if (!log) return report(log.error());
+    std::vector<RobotModels> models;
+    models.push_back(learnedModels(*motion, *log));
+    for (const std::string& path : flags.against) {
+        const auto other = openNetwork(path);
+        if (!other) return report(other.error());
+        models.push_back(learnedModels(*other, *log));
+        models.back().name = std::filesystem::path(path).filename().string();
+    }
+    models.front().name = std::filesystem::path(flags.network).filename().string();
+    for (RobotModels& baseline : kinematicBaselines((*motion)->network(), *log)) models.push_back(std::move(baseline));
+    std::vector<NamedModel> views;
+    for (const RobotModels& m : models) views.push_back(named(m));
+
+    EvaluationOptions options;
+    options.windows.horizon = fromSeconds(flags.horizon);
+    options.withFloor = !flags.noFloor;
+    const auto evaluation = evaluate(*log, views, options);
+    if (!evaluation) return report(evaluation.error());
+    const ReportContext context = reportContext((*motion)->network(), flags.network, *log);
+    if (common.json)
+        std::puts(resultsJson(*evaluation, context).c_str());
+    else
+        printTable(*evaluation);
+    if (flags.folder.empty()) return success;
+    if (const auto written = writeReport(*evaluation, context, flags.folder); !written) return report(written.error());
+    if (!common.json)
+        std::printf("\nreport: %s\n", (std::filesystem::path(flags.folder) / "report.html").string().c_str());
+    return success;
+}
+
+}  // namespace
+
+Subcommand addEvaluate(CLI::App& app, CommonFlags& common) {
+    auto flags = std::make_shared<EvaluateFlags>();
+    CLI::App* sub =
+        addSubcommand(app, common, "evaluate", "Say how true a learned robot is: open-loop predictions against a log",
+                      "  mrose evaluate create.net --log MRCLAM_Dataset7 --robots 1,2 --report report\n"
+                      "  mrose evaluate create.net --log MRCLAM_Dataset7 --against create_paper.net --json\n"
+                      "The log should be one that the network was not learned from.");
+    sub->add_option("NET", flags->network, "Network file")->required();
+    sub->add_option("--log", flags->log, "The log to compare with")->required();
+    sub->add_option("--robots", flags->robots, "Only these robots, by name: 1,2")->delimiter(',');
+    sub->add_option("--against", flags->against, "Other network files, beside it in all tables and pictures");
+    sub->add_option("--horizon", flags->horizon, "Length of a window in s")
+        ->check(CLI::Range(0.5, 3600.0))
+        ->capture_default_str();
+    sub->add_option("--report", flags->folder, "Folder for report.html, results.csv and results.json");
+    sub->add_flag("--no-floor", flags->noFloor, "Do not compare near-identical commands");
+    return {sub, [flags, &common] { return evaluateNetwork(*flags, common); }};
+}
+
+}  // namespace mrose::cli

@@ -1,0 +1,67 @@
+#include <cstdio>
+
+#include "common.h"
+#include "evaluation/evaluate.h"
+#include "evaluation/prediction_files.h"
+#include "io/file.h"
+#include "models.h"
+
+namespace mrose::cli {
+namespace {
+
+struct PredictFlags {
+    std::string network, log, windows, out;
+    std::vector<std::string> robots;
+    double horizon = 10;
+};
+
+int predict(const PredictFlags& flags, const CommonFlags& common) {
+    if (const auto writable = checkWritable(flags.out); !writable) return report(writable.error());
+    const auto motion = openNetwork(flags.network);
+    if (!motion) return report(motion.error());
+    const auto log = openLog(flags.log, flags.robots, (*motion)->network().drive);
+    if (!log) return report(log.error());
+    auto requests = readWindows(flags.windows);
+    if (!requests) return report(requests.error());
+    if (!flags.robots.empty())
+        std::erase_if(*requests, [&](const WindowRequest& request) {
+            return std::find(flags.robots.begin(), flags.robots.end(), request.robot) == flags.robots.end();
+        });
+    const RolloutOptions options;
+    const int steps = static_cast<int>(std::lround(flags.horizon / toSeconds(options.step)));
+    const auto starts = requestedStarts(*log, *requests, steps, flags.windows);
+    if (!starts) return report(starts.error());
+    const RobotModels models = learnedModels(*motion, *log);
+    const auto predicted = rollOut(named(models), *log, starts->starts, starts->robots, options);
+    if (!predicted) return report(predicted.error());
+    const std::string csv = predictionsCsv(*log, starts->starts, starts->robots, *predicted, options.step);
+    if (const auto written = writeFileAtomically(flags.out, csv); !written) return report(written.error());
+    if (common.json)
+        std::puts(nlohmann::json{{"windows", predicted->size()}, {"predictions", flags.out}}.dump(2).c_str());
+    else if (!common.quiet)
+        std::printf("%s: %zu windows of %g s predicted\n", flags.out.c_str(), predicted->size(), flags.horizon);
+    return success;
+}
+
+}  // namespace
+
+Subcommand addPredict(CLI::App& app, CommonFlags& common) {
+    auto flags = std::make_shared<PredictFlags>();
+    CLI::App* sub = addSubcommand(
+        app, common, "predict", "Predict windows of a log open loop, and write the poses",
+        "  mrose predict create.net --log MRCLAM_Dataset7 --robots 1,2 --windows windows.csv -o predicted.csv\n"
+        "The windows file has the columns dataset,robot,t_start; the output dataset,robot,t_start,t,x,y,heading.\n"
+        "A prediction uses the commands up to the predicted instant and the ground truth up to t_start, nothing "
+        "later.");
+    sub->add_option("NET", flags->network, "Network file")->required();
+    sub->add_option("--log", flags->log, "The log to predict")->required();
+    sub->add_option("--windows", flags->windows, "CSV file that says which windows")->required();
+    sub->add_option("-o,--output", flags->out, "The CSV file to write")->required();
+    sub->add_option("--robots", flags->robots, "Only these robots, by name: 1,2")->delimiter(',');
+    sub->add_option("--horizon", flags->horizon, "Length of a prediction in s")
+        ->check(CLI::Range(0.1, 3600.0))
+        ->capture_default_str();
+    return {sub, [flags, &common] { return predict(*flags, common); }};
+}
+
+}  // namespace mrose::cli

@@ -1,0 +1,238 @@
+#include <chrono>
+#include <cstdio>
+
+#include "common.h"
+#include "evaluation/format.h"
+#include "identification/drive_fit.h"
+#include "identification/network_trainer.h"
+#include "identification/recipes.h"
+#include "identification/robot_identification.h"
+#include "io/file.h"
+
+namespace mrose::cli {
+namespace {
+
+struct TrainFlags {
+    std::vector<std::string> logs, robots;
+    std::string out, model = "history", type, method = "irprop+", loss;
+    int hidden = 0, members = 0, epochs = 0, patience = 0, chain = 20, folds = 4;
+    std::optional<double> deadTimeV, deadTimeW, lagV, lagW;
+};
+
+const std::map<std::string, LearningMethod> methods{{"irprop+", LearningMethod::irpropPlus},
+                                                    {"irprop-", LearningMethod::irpropMinus},
+                                                    {"rprop+", LearningMethod::rpropPlus},
+                                                    {"rprop-", LearningMethod::rpropMinus},
+                                                    {"lm", LearningMethod::levenbergMarquardt}};
+
+std::string robotTypeOf(const Log& log) {
+    if (log.format == "mrclam") return "irobot-create";
+    if (log.format == "husky-windows") return "husky";
+    return log.synthetic ? "reference-robot" : "robot";
+}
+
+/// Every robot's name once, in the order of the logs.
+std::vector<std::string> robotNames(const std::vector<Log>& logs) {
+    std::vector<std::string> names;
+    for (const Log& log : logs)
+        for (const RobotLog& robot : log.robots)
+            if (std::find(names.begin(), names.end(), robot.robot) == names.end()) names.push_back(robot.robot);
+    return names;
+}
+
+Expected<std::vector<Log>> openLogs(const TrainFlags& flags, const std::optional<DifferentialDrive>& drive) {
+    std::vector<Log> logs;
+    for (const std::string& source : flags.logs) {
+        auto log = openLog(source, flags.robots, drive);
+        if (!log) return tl::unexpected(log.error());
+        logs.push_back(std::move(*log));
+    }
+    return logs;
+}
+
+TrainerOptions trainerOptions(const TrainFlags& flags, const CommonFlags& common) {
+    const bool history = flags.model == "history";
+    TrainerOptions options;
+    options.method = methods.at(flags.method);
+    options.loss =
+        flags.loss == "rollout" || (flags.loss.empty() && history) ? LearningLoss::rollout : LearningLoss::oneStep;
+    options.hidden = flags.hidden > 0 ? flags.hidden : history ? 32 : 24;
+    options.members = flags.members > 0 ? flags.members : history ? 4 : 1;
+    options.epochs = flags.epochs > 0 ? flags.epochs : history ? 1000 : 2000;
+    options.patience = flags.patience > 0 ? flags.patience : 300;
+    options.rolloutLength = flags.chain;
+    options.seed = common.seed;
+    return options;
+}
+
+/// Shows how learning goes, and how long it still takes at most.
+class TrainingDisplay {
+public:
+    explicit TrainingDisplay(bool quiet) : line_(quiet) {}
+
+    bool operator()(const TrainingProgress& p) {
+        const double done = p.member + static_cast<double>(p.epoch) / p.epochs;
+        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin_;
+        if (line_.terminal() || p.epoch % (p.epochs / 10 * 1) == 0) {
+            char text[200];
+            std::snprintf(text, sizeof text,
+                          "network %d of %d, epoch %d: loss %.3e, held out P %.2f %% Hd %.2f %%, at most %s left",
+                          p.member + 1, p.members, p.epoch, p.loss, p.heldOut.position, p.heldOut.heading,
+                          durationText(spent.count() / done * (p.members - done)).c_str());
+            line_.show(text);
+        }
+        return !wasInterrupted();
+    }
+
+private:
+    ProgressLine line_;
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+void printSummary(const TrainingSummary& summary, const TrainFlags& flags, const CommonFlags& common, double seconds) {
+    const MotionNetwork& n = summary.network;
+    if (common.json) {
+        std::puts(nlohmann::json{{"network", flags.out},
+                                 {"patterns", n.training.patterns},
+                                 {"epochs", n.training.epochs},
+                                 {"seconds", seconds},
+                                 {"held_out_windows", n.heldOut.windows},
+                                 {"held_out_position_percent", n.heldOut.position},
+                                 {"held_out_heading_percent", n.heldOut.heading},
+                                 {"interrupted", summary.cancelled}}
+                      .dump(2)
+                      .c_str());
+        return;
+    }
+    std::printf("%s%s: %d inputs, %d hidden units; learned from %lld patterns in %s (%lld epochs)\n", flags.out.c_str(),
+                summary.cancelled ? " (interrupted: the best network so far)" : "", n.mlp.shape.inputs,
+                n.mlp.shape.hidden, static_cast<long long>(n.training.patterns), durationText(seconds).c_str(),
+                static_cast<long long>(n.training.epochs));
+    std::printf(
+        "held out, %.1f s open loop, %lld windows: position error %.2f %% of the path, heading error %.2f %% of the "
+        "rotation\n",
+        n.heldOut.horizon, static_cast<long long>(n.heldOut.windows), n.heldOut.position, n.heldOut.heading);
+}
+
+/// Logs of wheel commands are read with the geometry fitted to them.
+Expected<std::optional<DifferentialDrive>> fittedDrive(const TrainFlags& flags) {
+    auto logs = openLogs(flags, {});
+    if (!logs) return tl::unexpected(logs.error());
+    if (logs->front().format != "husky-windows") return std::nullopt;
+    return fitDrive(steadyMotions(logs->front(), WheelSource::commands), logs->front().source)
+        .map([](const DriveFit& fit) { return std::optional(fit.drive); });
+}
+
+/// Those identified, mean of the robots, unless the command line says otherwise.
+ResponseTimes responseTimes(const std::vector<MotionNetwork::Identified>& robots, const TrainFlags& flags) {
+    ResponseTimes times;
+    for (const auto& robot : robots) {
+        const double share = 1.0 / static_cast<double>(robots.size());
+        times.deadTimeV += share * robot.dynamic.v.deadTime;
+        times.lagV += share * robot.dynamic.v.lag;
+        times.deadTimeW += share * robot.dynamic.w.deadTime;
+        times.lagW += share * robot.dynamic.w.lag;
+    }
+    return {flags.deadTimeV.value_or(times.deadTimeV), flags.lagV.value_or(times.lagV),
+            flags.deadTimeW.value_or(times.deadTimeW), flags.lagW.value_or(times.lagW)};
+}
+
+int train(const TrainFlags& flags, const CommonFlags& common) {
+    const auto begin = std::chrono::steady_clock::now();
+    if (const auto writable = checkWritable(flags.out); !writable) return report(writable.error());
+    const auto drive = fittedDrive(flags);
+    if (!drive) return report(drive.error());
+    const auto logs = openLogs(flags, *drive);
+    if (!logs) return report(logs.error());
+    watchInterrupts();
+
+    const auto identified = identifyRobots(*logs);
+    if (!identified) return report(identified.error());
+    const ResponseTimes times = responseTimes(*identified, flags);
+    const RobotTraits traits = robotTraits(flags.type.empty() ? robotTypeOf(logs->front()) : flags.type);
+    MotionNetwork blueprint = flags.model == "history" ? historyBlueprint(traits, robotNames(*logs), times)
+                                                       : paperBlueprint(traits, robotNames(*logs), times);
+    SampleOptions sampleOptions;
+    sampleOptions.folds = flags.folds;
+    auto samples = motionSamples(*logs, blueprint, sampleOptions);
+    if (!samples) return report(samples.error());
+    blueprint.identified = *identified;
+    const std::vector<TrackerOffset> trackers = removeTrackerOffsets(*samples);
+    for (std::size_t i = 0; i < trackers.size() && i < blueprint.identified.size(); ++i)
+        blueprint.identified[i].tracker = trackers[i];
+    blueprint.drive = *drive;
+    blueprint.synthetic = logs->front().synthetic;
+    blueprint.training.command = commandLine();
+    for (const Log& log : *logs)
+        for (const LogFile& file : log.files) blueprint.training.logs.push_back({file.path, file.hash});
+
+    TrainingDisplay display(common.quiet);
+    const auto summary = trainNetwork(blueprint, *samples, trainerOptions(flags, common), std::ref(display));
+    if (!summary) return report(summary.error());
+    if (const auto saved = saveNetwork(summary->network, flags.out); !saved) return report(saved.error());
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
+    printSummary(*summary, flags, common, spent.count());
+    return summary->cancelled ? interrupted : success;
+}
+
+}  // namespace
+
+Subcommand addTrain(CLI::App& app, CommonFlags& common) {
+    auto flags = std::make_shared<TrainFlags>();
+    CLI::App* sub =
+        addSubcommand(app, common, "train", "Learn a motion network from logs",
+                      "  mrose train MRCLAM_Dataset6 -o create.net\n"
+                      "  mrose train MRCLAM_Dataset6 --model paper --seed 3 -o create_paper.net\n"
+                      "  mrose train monday.csv tuesday.csv --robots attacker -o attacker.net\n"
+                      "Ctrl-C ends learning and saves the best network so far; a second one ends the program at once.");
+    sub->add_option("LOG", flags->logs,
+                    "Logs to learn from: MRCLAM folders, Husky windows, CSV files or folders of them")
+        ->required();
+    sub->add_option("-o,--output", flags->out, "The network file to write")->required();
+    sub->add_option("--model", flags->model,
+                    "history: commands of the last tenths of a second -> motion, learned on rollouts; "
+                    "paper: (v, w, v_cmd, w_cmd) -> (dx, dy, dphi, v', w'), learned on single steps")
+        ->check(CLI::IsMember({"history", "paper"}))
+        ->capture_default_str();
+    sub->add_option("--robots", flags->robots, "Learn from these robots only, by name: 1,2")->delimiter(',');
+    sub->add_option("--robot-type", flags->type, "Kind of robot; default: what the log's format tells");
+    sub->add_option("--method", flags->method, "Learning method; lm fits single steps only")
+        ->check(CLI::IsMember({"irprop+", "irprop-", "rprop+", "rprop-", "lm"}))
+        ->capture_default_str();
+    sub->add_option("--loss", flags->loss, "What is minimised; default: rollout for history, one-step for paper")
+        ->check(CLI::IsMember({"one-step", "rollout"}));
+    sub->add_option("--chain", flags->chain, "Periods of a rollout that is learned from")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    sub->add_option("--hidden", flags->hidden, "Hidden units of each member; default 32 (paper: 24)")
+        ->check(CLI::Range(1, 1024));
+    sub->add_option(
+           "--members", flags->members,
+           "Networks, each learned with another part of the logs held out, whose mean is saved as one; default 4 "
+           "(paper: 1)")
+        ->check(CLI::Range(1, 64));
+    sub->add_option("--folds", flags->folds, "Parts that the logs are divided into, held out in turn")
+        ->check(CLI::Range(2, 64))
+        ->capture_default_str();
+    sub->add_option("--epochs", flags->epochs, "At most so many epochs; default 1000 (paper: 2000)")
+        ->check(CLI::Range(1, 10'000'000));
+    sub->add_option("--patience", flags->patience,
+                    "Stop after so many epochs without a better held-out error; default 300")
+        ->check(CLI::Range(1, 10'000'000));
+    sub->add_option("--dead-time-v", flags->deadTimeV, "Dead time of v in s, instead of the one identified")
+        ->check(CLI::Range(0.0, 2.0));
+    sub->add_option("--dead-time-w", flags->deadTimeW, "Dead time of w in s, instead of the one identified")
+        ->check(CLI::Range(0.0, 2.0));
+    sub->add_option("--lag-v", flags->lagV, "Lag of v in s, instead of the one identified")
+        ->check(CLI::Range(0.0, 2.0));
+    sub->add_option("--lag-w", flags->lagW, "Lag of w in s, instead of the one identified")
+        ->check(CLI::Range(0.0, 2.0));
+    return {sub, [flags, &common] {
+                const bool rollout = flags->loss == "rollout" || (flags->loss.empty() && flags->model == "history");
+                if (flags->method == "lm" && rollout)
+                    return report({"", 0, 0, "--method lm", "fits single steps only; it needs --loss one-step"});
+                return train(*flags, common);
+            }};
+}
+
+}  // namespace mrose::cli

@@ -1,0 +1,188 @@
+#include "evaluation/evaluate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "evaluation/format.h"
+
+namespace mrose {
+namespace {
+
+bool isFinite(const Pose& pose) {
+    return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.heading);
+}
+
+/// Parts of the windows: kind, name and the indices of each. Parts that are all or nothing of their kind stay out,
+/// except for robots.
+struct Part {
+    std::string kind, name;
+    std::vector<std::size_t> windows;
+};
+
+template <class Belongs>
+void addPart(std::vector<Part>& parts, const Log& log, std::span<const Window> windows, std::string kind,
+             std::string partName, Belongs belongs) {
+    Part part{std::move(kind), std::move(partName), {}};
+    for (std::size_t i = 0; i < windows.size(); ++i)
+        if (belongs(windows[i], log.robots[windows[i].robot].trajectories[windows[i].trajectory]))
+            part.windows.push_back(i);
+    if (!part.windows.empty()) parts.push_back(std::move(part));
+}
+
+std::vector<Part> partsOf(const Log& log, std::span<const Window> windows) {
+    std::vector<Part> parts;
+    for (std::size_t r = 0; r < log.robots.size(); ++r)
+        addPart(parts, log, windows, "robot", log.robots[r].robot,
+                [r](const Window& w, const Trajectory&) { return w.robot == r; });
+    for (int kind = 0; kind < manoeuvreCount; ++kind) {
+        const auto manoeuvre = static_cast<Manoeuvre>(kind);
+        addPart(parts, log, windows, "manoeuvre", std::string(name(manoeuvre)),
+                [manoeuvre](const Window& w, const Trajectory&) { return w.manoeuvre == manoeuvre; });
+    }
+    const auto isSteady = [](const Window&, const Trajectory& t) { return t.steady; };
+    std::vector<Part> states;
+    addPart(states, log, windows, "state", "steady", isSteady);
+    addPart(states, log, windows, "state", "transient",
+            [&](const Window& w, const Trajectory& t) { return !isSteady(w, t); });
+    if (states.size() == 2) parts.insert(parts.end(), states.begin(), states.end());
+    return parts;
+}
+
+std::vector<std::size_t> everyIndex(std::size_t count) {
+    std::vector<std::size_t> indices(count);
+    for (std::size_t i = 0; i < count; ++i) indices[i] = i;
+    return indices;
+}
+
+void compare(const Evaluation& evaluation, std::span<const Part> parts, ModelEvaluation& model) {
+    for (std::size_t i = 0; i < evaluation.windows.size(); ++i)
+        model.errors.push_back(windowErrors(evaluation.windows[i].truth, model.predicted[i]));
+    const auto summary = [&](std::span<const std::size_t> chosen) {
+        return summarise(evaluation.windows, model.errors, chosen, evaluation.options.windows);
+    };
+    model.all = summary(everyIndex(evaluation.windows.size()));
+    for (const Part& part : parts) model.groups.push_back({part.kind, part.name, summary(part.windows)});
+    model.overTime = errorsOverTime(model.errors, evaluation.options.windows.step);
+}
+
+Expected<PercentErrors> errorsOnFloor(const NamedModel& named, const Log& log, const std::optional<Floor>& floor,
+                                      Nanoseconds step) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    if (!floor || floor->pairs.empty()) return PercentErrors{nan, nan};
+    std::vector<Window> stretches;
+    std::vector<std::size_t> robots;
+    for (const FloorPair& pair : floor->pairs)
+        for (const Window* stretch : {&pair.first, &pair.second}) {
+            stretches.push_back(*stretch);
+            robots.push_back(stretch->robot);
+        }
+    const auto predicted = rollOut(named, log, rolloutStarts(log, stretches), robots, RolloutOptions{.step = step});
+    if (!predicted) return tl::unexpected(predicted.error());
+    double position = 0, path = 0, heading = 0, rotation = 0;
+    for (std::size_t i = 0; i < stretches.size(); ++i) {
+        const WindowErrors errors = windowErrors(stretches[i].truth, (*predicted)[i]);
+        position += errors.positionMean;
+        heading += errors.headingMean;
+        path += stretches[i].path;
+        rotation += stretches[i].rotation;
+    }
+    return PercentErrors{path > 0 ? 100 * position / path : nan, rotation > 0 ? 100 * heading / rotation : nan};
+}
+
+Expected<ModelEvaluation> evaluateModel(const NamedModel& named, const Log& log, const Evaluation& evaluation,
+                                        std::span<const Part> parts, std::span<const RelativePieces> pieces) {
+    ModelEvaluation model;
+    model.name = named.name;
+    const RolloutOptions options{.step = evaluation.options.windows.step};
+    std::vector<std::size_t> robots;
+    for (const Window& window : evaluation.windows) robots.push_back(window.robot);
+    auto predicted = rollOut(named, log, rolloutStarts(log, evaluation.windows), robots, options);
+    if (!predicted) return tl::unexpected(predicted.error());
+    model.predicted = std::move(*predicted);
+    compare(evaluation, parts, model);
+    for (const RelativePieces& piece : pieces) {
+        const auto ends = rollOut(named, log, piece.starts, piece.robots, options);
+        if (!ends) return tl::unexpected(ends.error());
+        model.relative.push_back(relativePoseError(piece, *ends));
+    }
+    const auto onFloor = errorsOnFloor(named, log, evaluation.floor, options.step);
+    const auto onTurning = errorsOnFloor(named, log, evaluation.turningFloor, options.step);
+    if (!onFloor) return tl::unexpected(onFloor.error());
+    if (!onTurning) return tl::unexpected(onTurning.error());
+    model.onFloor = *onFloor;
+    model.onTurningFloor = *onTurning;
+    return model;
+}
+
+Evaluation describe(const Log& log, std::vector<Window> windows, const EvaluationOptions& options) {
+    Evaluation evaluation;
+    evaluation.source = log.source;
+    evaluation.format = log.format;
+    evaluation.dataset = log.dataset;
+    evaluation.files = log.files;
+    evaluation.options = options;
+    for (const RobotLog& robot : log.robots) evaluation.robots.push_back({robot.robot, robot.defects, 0});
+    for (const Window& window : windows) {
+        ++evaluation.robots[window.robot].windows;
+        evaluation.trajectories.push_back(log.robots[window.robot].trajectories[window.trajectory].name);
+    }
+    evaluation.windows = std::move(windows);
+    return evaluation;
+}
+
+}  // namespace
+
+NamedModel NamedModel::same(std::string name, const MotionModel& model) {
+    return {std::move(name), [&model](const std::string&) { return &model; }};
+}
+
+Expected<std::vector<std::vector<Pose>>> rollOut(const NamedModel& named, const Log& log,
+                                                 std::span<const RolloutStart> starts,
+                                                 std::span<const std::size_t> robots, const RolloutOptions& options) {
+    std::map<std::size_t, std::vector<std::size_t>> byRobot;
+    for (std::size_t i = 0; i < starts.size(); ++i) byRobot[robots[i]].push_back(i);
+    std::vector<std::vector<Pose>> result(starts.size());
+    for (const auto& [robot, indices] : byRobot) {
+        const std::string& robotName = log.robots[robot].robot;
+        const MotionModel* model = named.forRobot(robotName);
+        if (model == nullptr) return fail(named.name, "knows no robot " + robotName);
+        std::vector<RolloutStart> chosen;
+        for (const std::size_t i : indices) chosen.push_back(starts[i]);
+        auto poses = rollOut(*model, chosen, options);
+        if (!poses) return fail(named.name, poses.error().cause);
+        for (std::size_t k = 0; k < indices.size(); ++k) {
+            if (!std::all_of((*poses)[k].begin(), (*poses)[k].end(), isFinite))
+                return fail(named.name, "predicts no finite pose for robot " + robotName + " from " +
+                                            secondsText(chosen[k].time) + " s on");
+            result[indices[k]] = std::move((*poses)[k]);
+        }
+    }
+    return result;
+}
+
+Expected<Evaluation> evaluate(const Log& log, std::span<const NamedModel> models, const EvaluationOptions& options) {
+    auto windows = findWindows(log, options.robots, options.windows);
+    if (!windows) return tl::unexpected(windows.error());
+    Evaluation evaluation = describe(log, std::move(*windows), options);
+    const std::vector<Part> parts = partsOf(log, evaluation.windows);
+    std::vector<RelativePieces> pieces;
+    for (const double horizon : options.relativeHorizons) {
+        RelativePieces piece = relativePieces(log, evaluation.windows, horizon, options.windows.step);
+        if (!piece.starts.empty()) pieces.push_back(std::move(piece));
+    }
+    if (options.withFloor) {
+        evaluation.floor = findFloor(log, options.robots, options.windows, options.floor);
+        if (options.turningFloor.horizon < evaluation.floor->horizon)
+            evaluation.turningFloor = findFloor(log, options.robots, options.windows, options.turningFloor);
+    }
+    for (const NamedModel& named : models) {
+        auto model = evaluateModel(named, log, evaluation, parts, pieces);
+        if (!model) return tl::unexpected(model.error());
+        evaluation.models.push_back(std::move(*model));
+    }
+    return evaluation;
+}
+
+}  // namespace mrose

@@ -1,0 +1,36 @@
+#include "evaluation/format.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace mrose {
+
+std::string fixed(double value, int decimals) {
+    if (!std::isfinite(value)) return "–";
+    std::array<char, 400> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals);
+    const std::string result(text.data(), end.ptr);
+    const bool onlyZeros = result.find_first_not_of("-0.") == std::string::npos;
+    return onlyZeros && result.front() == '-' ? result.substr(1) : result;
+}
+
+std::string exact(double value) {
+    if (!std::isfinite(value)) return "null";
+    std::array<char, 40> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
+    return {text.data(), end.ptr};
+}
+
+std::string secondsText(Nanoseconds time, int leastDecimals) {
+    const bool negative = time < 0;
+    // Unsigned, so that the smallest number has an absolute value too.
+    const auto magnitude = negative ? 0 - static_cast<unsigned long long>(time) : static_cast<unsigned long long>(time);
+    std::string decimals = std::to_string(magnitude % nanosecondsPerSecond);
+    decimals.insert(0, 9 - decimals.size(), '0');
+    while (decimals.size() > static_cast<std::size_t>(leastDecimals) && decimals.back() == '0') decimals.pop_back();
+    const std::string whole = std::to_string(magnitude / nanosecondsPerSecond);
+    return (negative ? "-" : "") + whole + (decimals.empty() ? "" : "." + decimals);
+}
+
+}  // namespace mrose

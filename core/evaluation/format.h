@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "world/time.h"
+
+namespace mrose {
+
+/// `value` with a fixed number of decimals and a point, whatever the locale; "–" when it is not finite.
+std::string fixed(double value, int decimals);
+
+/// The shortest text that reads back as the same double; "null" when it is not finite (JSON has no other word).
+std::string exact(double value);
+
+/// Seconds without rounding, with as many decimals as it takes but at least `leastDecimals`.
+std::string secondsText(Nanoseconds time, int leastDecimals = 1);
+
+}  // namespace mrose

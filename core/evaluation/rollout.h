@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "io/error.h"
+#include "logs/robot_log.h"
+#include "motion/motion_model.h"
+
+namespace mrose {
+
+/// One open-loop prediction to make: where the robot will be at start + k * step, k = 1 ... steps, if it is sent the
+/// commands of its trajectory.
+struct RolloutStart {
+    const Trajectory* trajectory = nullptr;  ///< its commands; its poses are never read
+    Nanoseconds time = 0;
+    Pose pose;                         ///< at `time`
+    std::optional<Velocity> velocity;  ///< at `time`; unknown: what the model itself reaches over RolloutOptions::lead
+    int steps = 0;
+};
+
+struct RolloutOptions {
+    Nanoseconds step = 100'000'000;      ///< of the output; a whole multiple of the model's period
+    Nanoseconds lead = 3'000'000'000LL;  ///< commands known to the model before the start
+};
+
+/// Predicted poses, one list per start, `steps` long, in the frame of the start's pose. Starts advance together,
+/// in large batches. At each period the command history holds exactly the commands stamped at or before its start:
+/// nothing later can be read. A trajectory marked steady is taken to have had its first command before it began; any
+/// other one stood before its first command. Error: the model's period does not divide the step.
+Expected<std::vector<std::vector<Pose>>> rollOut(const MotionModel& model, std::span<const RolloutStart> starts,
+                                                 const RolloutOptions& options = {});
+
+}  // namespace mrose

@@ -1,0 +1,245 @@
+#include "evaluation/windows.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "evaluation/format.h"
+#include "logs/pose_grid.h"
+
+namespace mrose {
+namespace {
+
+constexpr Nanoseconds firstStart = 2'000'000'000;  // after the grid's begin
+constexpr Nanoseconds gap = 200'000'000;           // truth is not interpolated across this
+constexpr Nanoseconds halfWidth = 60'000'000;      // of the local fit
+constexpr Nanoseconds velocityBase = 100'000'000;  // truth before a start from which its velocity can be told
+constexpr Nanoseconds travelStep = 500'000'000;
+constexpr std::size_t stepsBeforeStart = 2;
+
+Pose interpolated(const StampedPose& a, const StampedPose& b, Nanoseconds time) {
+    const double f = static_cast<double>(time - a.time) / static_cast<double>(b.time - a.time);
+    return {a.pose.x + f * (b.pose.x - a.pose.x), a.pose.y + f * (b.pose.y - a.pose.y),
+            a.pose.heading + f * (b.pose.heading - a.pose.heading)};
+}
+
+/// The value at 0 of the line fitted to member(poses) over time from `time`.
+template <class Member>
+double fitted(std::span<const StampedPose> poses, Nanoseconds time, Member member) {
+    double sumX = 0, sumY = 0, sumXX = 0, sumXY = 0;
+    for (const StampedPose& p : poses) sumX += toSeconds(p.time - time), sumY += member(p.pose);
+    const double n = static_cast<double>(poses.size()), meanX = sumX / n, meanY = sumY / n;
+    for (const StampedPose& p : poses) {
+        const double x = toSeconds(p.time - time) - meanX;
+        sumXX += x * x;
+        sumXY += x * (member(p.pose) - meanY);
+    }
+    return meanY - meanX * sumXY / sumXX;
+}
+
+/// Truth at an instant that the poses enclose: a local linear fit where it has poses on both sides, else interpolated.
+Pose truthAt(const std::vector<StampedPose>& poses, Nanoseconds time) {
+    const auto before = [](const StampedPose& p, Nanoseconds t) { return p.time < t; };
+    const auto low = std::lower_bound(poses.begin(), poses.end(), time - halfWidth, before);
+    const auto high = std::lower_bound(low, poses.end(), time + halfWidth, before);
+    const bool bothSides = poses.front().time <= time - halfWidth && poses.back().time >= time + halfWidth;
+    if (bothSides && high - low >= 4) {
+        const std::span near(low, high);
+        return {fitted(near, time, [](const Pose& p) { return p.x; }),
+                fitted(near, time, [](const Pose& p) { return p.y; }),
+                fitted(near, time, [](const Pose& p) { return p.heading; })};
+    }
+    const auto next = std::lower_bound(poses.begin(), poses.end(), time, before);
+    if (next == poses.begin()) return poses.front().pose;
+    if (next == poses.end()) return poses.back().pose;
+    return interpolated(*(next - 1), *next, time);
+}
+
+bool hasGap(const std::vector<StampedPose>& poses, Nanoseconds from, Nanoseconds to) {
+    for (std::size_t i = 1; i < poses.size(); ++i)
+        if (poses[i].time - poses[i - 1].time >= gap && poses[i].time > from && poses[i - 1].time < to) return true;
+    return false;
+}
+
+/// Why stretches were not taken, for the message when none was.
+struct Refusals {
+    int noTruth = 0, tooShort = 0, gaps = 0, still = 0;
+
+    std::string text() const {
+        std::string reasons;
+        const auto add = [&](int count, const char* what) {
+            if (count > 0) reasons += (reasons.empty() ? "" : ", ") + std::to_string(count) + " " + what;
+        };
+        add(noTruth, "without ground truth");
+        add(tooShort, "too short");
+        add(gaps, "with a gap in the ground truth");
+        add(still, "in which the robot hardly moves");
+        return reasons.empty() ? "it has no trajectory" : reasons;
+    }
+};
+
+class Finder {
+public:
+    Finder(const Log& log, const WindowOptions& options, Nanoseconds spacing)
+        : log_(log), options_(options), spacing_(spacing) {}
+
+    void search(std::size_t robot) {
+        for (std::size_t i = 0; i < log_.robots[robot].trajectories.size(); ++i) search(robot, i);
+    }
+
+    std::vector<Window> windows;
+    Refusals refusals;
+
+private:
+    void search(std::size_t robot, std::size_t index) {
+        const Trajectory& trajectory = log_.robots[robot].trajectories[index];
+        Window window;
+        window.robot = robot;
+        window.trajectory = index;
+        if (trajectory.poses.empty())
+            ++refusals.noTruth;
+        else if (!cut(trajectory, window))
+            takeWhole(trajectory, window);
+    }
+
+    /// The referee's rule; false when the trajectory is too short for it.
+    bool cut(const Trajectory& trajectory, const Window& blank) {
+        const PoseGrid grid = poseGrid(trajectory, options_.step);
+        const std::size_t horizon = static_cast<std::size_t>(options_.horizon / options_.step);
+        const std::size_t first = static_cast<std::size_t>(firstStart / options_.step);
+        if (first < stepsBeforeStart || grid.size() <= first + horizon + 1) return false;
+        const std::size_t stride = static_cast<std::size_t>(std::max(spacing_ / options_.step, Nanoseconds{1}));
+        for (std::size_t start = first; start + horizon + 1 < grid.size(); start += stride) {
+            const auto ok = grid.ok.begin() + static_cast<std::ptrdiff_t>(start);
+            if (!std::all_of(ok - stepsBeforeStart, ok + static_cast<std::ptrdiff_t>(horizon) + 1,
+                             [](bool good) { return good; })) {
+                ++refusals.gaps;
+                continue;
+            }
+            Window window = blank;
+            window.start = grid.time(start);
+            const auto poses = grid.poses.begin() + static_cast<std::ptrdiff_t>(start);
+            window.truth.assign(poses, poses + static_cast<std::ptrdiff_t>(horizon) + 1);
+            take(trajectory, std::move(window));
+        }
+        return true;
+    }
+
+    void takeWhole(const Trajectory& trajectory, Window window) {
+        const Nanoseconds first = trajectory.poses.front().time, last = trajectory.poses.back().time;
+        const Nanoseconds onGrid = last / options_.step * options_.step;
+        const bool longEnough = onGrid - options_.horizon >= first;
+        window.start = longEnough ? onGrid - options_.horizon : first;
+        const Nanoseconds length = std::min(options_.horizon, (last - window.start) / options_.step * options_.step);
+        if (length < std::min(options_.shortest, options_.horizon)) {
+            ++refusals.tooShort;
+            return;
+        }
+        if (hasGap(trajectory.poses, window.start, window.start + length)) {
+            ++refusals.gaps;
+            return;
+        }
+        for (Nanoseconds t = 0; t <= length; t += options_.step)
+            window.truth.push_back(truthAt(trajectory.poses, window.start + t));
+        take(trajectory, std::move(window));
+    }
+
+    void take(const Trajectory& trajectory, Window window) {
+        const Nanoseconds length = window.steps() * options_.step;
+        const Travel travel = travelled(window.truth, options_.step);
+        window.path = travel.path;
+        window.rotation = travel.rotation;
+        const double part = toSeconds(length) / 10;
+        if (window.path < options_.leastPath * part && window.rotation < options_.leastRotation * part) {
+            ++refusals.still;
+            return;
+        }
+        const auto start = measureStart(trajectory, window.start, window.steps());
+        if (!start) {
+            ++refusals.gaps;
+            return;
+        }
+        window.measuredPose = start->pose;
+        window.measuredVelocity = start->velocity;
+        windows.push_back(std::move(window));
+    }
+
+    const Log& log_;
+    const WindowOptions& options_;
+    Nanoseconds spacing_;
+};
+
+void classifyAll(const Log& log, std::vector<Window>& windows, Nanoseconds step) {
+    std::vector<CommandScale> scales;
+    for (const RobotLog& robot : log.robots) scales.push_back(commandScale(robot));
+    for (Window& w : windows)
+        w.manoeuvre = classify(log.robots[w.robot].trajectories[w.trajectory], w.start, w.start + w.steps() * step,
+                               scales[w.robot]);
+}
+
+}  // namespace
+
+Travel travelled(std::span<const Pose> poses, Nanoseconds step) {
+    const std::size_t stride = static_cast<std::size_t>(std::max<Nanoseconds>(1, travelStep / step));
+    Travel travel;
+    for (std::size_t i = 0; i + 1 < poses.size(); i += stride) {
+        const Pose &a = poses[i], &b = poses[std::min(i + stride, poses.size() - 1)];
+        travel.path += std::hypot(b.x - a.x, b.y - a.y);
+        travel.rotation += std::abs(b.heading - a.heading);
+    }
+    return travel;
+}
+
+Expected<RolloutStart> measureStart(const Trajectory& trajectory, Nanoseconds time, int steps) {
+    RolloutStart start{&trajectory, time, {}, {}, steps};
+    const auto& poses = trajectory.poses;
+    if (poses.empty() || poses.front().time > time || poses.back().time < time - gap)
+        return fail({}, "no ground truth at the start " + secondsText(time) + " s");
+    if (poses.front().time > time - velocityBase && trajectory.measuredVelocity.empty()) {
+        const auto later = std::upper_bound(poses.begin(), poses.end(), time,
+                                            [](Nanoseconds t, const StampedPose& p) { return t < p.time; });
+        start.pose = (later - 1)->pose;
+        return start;
+    }
+    const MeasuredStart measured = measuredStart(trajectory, time);
+    if (!measured.valid) return fail({}, "no ground truth within 0.2 s before the start " + secondsText(time) + " s");
+    start.pose = measured.pose;
+    start.velocity = measured.velocity;
+    return start;
+}
+
+std::vector<RolloutStart> rolloutStarts(const Log& log, std::span<const Window> windows) {
+    std::vector<RolloutStart> starts;
+    starts.reserve(windows.size());
+    for (const Window& w : windows)
+        starts.push_back(
+            {&log.robots[w.robot].trajectories[w.trajectory], w.start, w.measuredPose, w.measuredVelocity, w.steps()});
+    return starts;
+}
+
+std::vector<Window> denseStretches(const Log& log, std::size_t robot, const WindowOptions& options,
+                                   Nanoseconds spacing) {
+    Finder finder(log, options, spacing);
+    finder.search(robot);
+    return std::move(finder.windows);
+}
+
+Expected<std::vector<Window>> findWindows(const Log& log, const std::vector<std::string>& robots,
+                                          const WindowOptions& options) {
+    if (options.step <= 0 || options.horizon <= 0 || options.horizon % options.step != 0)
+        return fail({}, "a horizon of " + secondsText(options.horizon) + " s is no whole number of steps of " +
+                            secondsText(options.step) + " s");
+    for (const std::string& wanted : robots)
+        if (std::none_of(log.robots.begin(), log.robots.end(), [&](const RobotLog& r) { return r.robot == wanted; }))
+            return fail(log.source, "has no robot " + wanted);
+    Finder finder(log, options, options.horizon);
+    for (std::size_t i = 0; i < log.robots.size(); ++i)
+        if (robots.empty() || std::find(robots.begin(), robots.end(), log.robots[i].robot) != robots.end())
+            finder.search(i);
+    if (finder.windows.empty())
+        return fail(log.source,
+                    "has no window of " + secondsText(options.horizon, 0) + " s to predict: " + finder.refusals.text());
+    classifyAll(log, finder.windows, options.step);
+    return std::move(finder.windows);
+}
+
+}  // namespace mrose

@@ -1,0 +1,130 @@
+#include "identification/motion_samples.h"
+
+#include <algorithm>
+
+#include "logs/pose_grid.h"
+
+namespace mrose {
+namespace {
+
+constexpr Nanoseconds guard = nanosecondsPerSecond;
+
+/// The patterns of one trajectory.
+class TrajectoryReader {
+public:
+    TrajectoryReader(const Trajectory& trajectory, int robot, int trajectoryFold, const InputReader& reader,
+                     const SampleOptions& options, MotionSamples& out)
+        : trajectory_(trajectory),
+          robot_(robot),
+          trajectoryFold_(trajectoryFold),
+          reader_(reader),
+          options_(options),
+          out_(out),
+          fine_(poseGrid(trajectory, options.period / options.phases)) {}
+
+    void read() {
+        for (int phase = 0; phase < options_.phases; ++phase) readPhase(phase);
+    }
+
+private:
+    std::size_t stride() const { return static_cast<std::size_t>(options_.phases); }
+    bool known(std::size_t i) const { return i + stride() < fine_.size() && fine_.ok[i] && fine_.ok[i + stride()]; }
+
+    int blockOf(Nanoseconds time) const { return static_cast<int>(toSeconds(time - fine_.start) / options_.block); }
+    bool divided() const { return toSeconds(fine_.time(fine_.size()) - fine_.start) > 3 * options_.block; }
+    int foldOf(Nanoseconds time) const {
+        return divided() ? (blockOf(time) + robot_) % options_.folds : trajectoryFold_;
+    }
+    bool inGuard(Nanoseconds time) const {
+        return divided() && blockOf(time) > 0 && blockOf(time - guard) != blockOf(time);
+    }
+
+    void readPhase(int phase) {
+        CommandHistory history;
+        std::size_t issued = 0;
+        SampleRun run{out_.samples.size(), 0, robot_, -1, phase};
+        const auto close = [&] {
+            if (run.count > 0) out_.runs.push_back(run);
+            run = {out_.samples.size(), 0, robot_, -1, phase};
+        };
+        for (std::size_t i = static_cast<std::size_t>(phase); i < fine_.size(); i += stride()) {
+            const Nanoseconds start = fine_.time(i);
+            for (; issued < trajectory_.commands.size() && trajectory_.commands[issued].time <= start; ++issued)
+                history.issue(trajectory_.commands[issued].time, trajectory_.commands[issued].command);
+            if (!known(i) || inGuard(start)) {
+                close();
+                continue;
+            }
+            if (run.count > 0 && foldOf(start) != run.fold) close();
+            run.fold = foldOf(start);
+            add(history, i);
+            ++run.count;
+        }
+        close();
+    }
+
+    void add(const CommandHistory& history, std::size_t i) {
+        MotionSample sample{fine_.time(i), relative(fine_.poses[i], fine_.poses[i + stride()]), fine_.velocities[i],
+                            fine_.velocities[i + stride()]};
+        out_.samples.push_back(sample);
+        out_.inputs.resize(out_.inputs.size() + out_.width);
+        reader_.readRaw({&history, sample.start, sample.before}, robot_,
+                        out_.inputs.data() + (out_.inputs.size() - out_.width));
+    }
+
+    const Trajectory& trajectory_;
+    int robot_, trajectoryFold_;
+    const InputReader& reader_;
+    const SampleOptions& options_;
+    MotionSamples& out_;
+    PoseGrid fine_;
+};
+
+}  // namespace
+
+std::vector<TrackerOffset> removeTrackerOffsets(MotionSamples& samples) {
+    std::vector<TrackerOffset> offsets(samples.robots.size());
+    for (std::size_t robot = 0; robot < offsets.size(); ++robot) {
+        const auto forOwn = [&](auto f) {
+            for (const SampleRun& run : samples.runs)
+                if (run.robot == static_cast<int>(robot))
+                    for (std::size_t i = 0; i < run.count; ++i) f(samples.samples[run.first + i].increment);
+        };
+        // Normal equations of y = ahead * dphi - rotated * dx.
+        double pp = 1e-12, px = 0, xx = 1e-12, py = 0, xy = 0;
+        forOwn([&](const Pose& d) {
+            pp += d.heading * d.heading;
+            px += d.heading * d.x;
+            xx += d.x * d.x;
+            py += d.heading * d.y;
+            xy += d.x * d.y;
+        });
+        const double determinant = pp * xx - px * px;
+        offsets[robot] = {(py * xx - xy * px) / determinant, -(xy * pp - py * px) / determinant};
+        forOwn([&](Pose& d) { d.y -= offsets[robot].sideways(d); });
+    }
+    return offsets;
+}
+
+Expected<MotionSamples> motionSamples(std::span<const Log> logs, const MotionNetwork& network,
+                                      const SampleOptions& options) {
+    const InputReader reader(network);
+    MotionSamples out;
+    out.period = options.period;
+    out.folds = options.folds;
+    out.phases = options.phases;
+    out.robots = network.robots;
+    out.width = reader.width();
+    for (const Log& log : logs)
+        for (const RobotLog& robot : log.robots)
+            for (const Trajectory& trajectory : robot.trajectories)
+                TrajectoryReader(trajectory, reader.robotIndex(robot.robot), trajectory.group % options.folds, reader,
+                                 options, out)
+                    .read();
+    if (out.samples.empty())
+        return fail(logs.empty() ? "" : logs.front().source,
+                    "has no stretch with commands and ground truth that is long enough to learn from");
+    return out;
+}
+
+}  // namespace mrose

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "logs/robot_log.h"
+#include "motion/input_reader.h"
+
+namespace mrose {
+
+/// One control period of a real robot: what it did.
+struct MotionSample {
+    Nanoseconds start = 0;
+    Pose increment;          ///< over the period, in the robot's frame at its start
+    Velocity before, after;  ///< at the period's start and end
+};
+
+/// Consecutive periods without a gap, of one robot.
+struct SampleRun {
+    std::size_t first = 0, count = 0;  ///< in MotionSamples::samples
+    int robot = 0;                     ///< index in MotionSamples::robots
+    int fold = 0;                      ///< the part of the logs that it belongs to; parts are held out in turn
+    int phase = 0;                     ///< the same stretch of the log is read at several phases of the period
+};
+
+struct SampleOptions {
+    Nanoseconds period = 100'000'000;
+    int phases = 5;  ///< of the period at which a log is read; more patterns from the same log
+    int folds = 4;
+    double block = 44;  ///< s: a trajectory of several blocks is divided among the folds by blocks, a shorter one
+                        ///< belongs to one fold with all of its group
+};
+
+/// The patterns of one or several logs.
+struct MotionSamples {
+    Nanoseconds period = 0;
+    int folds = 1, phases = 1;
+    std::vector<std::string> robots;
+    std::vector<MotionSample> samples;
+    std::vector<SampleRun> runs;
+    std::size_t width = 0;       ///< inputs per sample
+    std::vector<double> inputs;  ///< samples x width, not standardised
+
+    std::span<const double> inputsOf(std::size_t sample) const { return {&inputs[sample * width], width}; }
+};
+
+/// Finds how each robot's tracked point lies to its body (least squares of the sideways motion), and turns the samples'
+/// increments into those of the body. One offset for each of MotionSamples::robots.
+std::vector<TrackerOffset> removeTrackerOffsets(MotionSamples& samples);
+
+/// Reads the patterns of `logs`, with the inputs that `network` names (its standardisation is not used). The history of
+/// a pattern never reaches into another fold: the first second of each block is left out. Error: no pattern at all.
+Expected<MotionSamples> motionSamples(std::span<const Log> logs, const MotionNetwork& network,
+                                      const SampleOptions& options);
+
+}  // namespace mrose

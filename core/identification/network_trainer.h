@@ -1,0 +1,50 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "identification/motion_samples.h"
+#include "identification/rollout_batch.h"
+
+namespace mrose {
+
+enum class LearningMethod { irpropPlus, irpropMinus, rpropPlus, rpropMinus, levenbergMarquardt };
+enum class LearningLoss { oneStep, rollout };
+
+struct TrainerOptions {
+    LearningMethod method = LearningMethod::irpropPlus;
+    LearningLoss loss = LearningLoss::rollout;
+    int hidden = 32;  ///< units of each member
+    int members = 4;  ///< networks learned with other folds held out, whose mean is one network of one hidden layer
+    int rolloutLength = 20;  ///< periods of a chain that is learned from
+    int epochs = 1000;       ///< at most
+    int patience = 300;      ///< epochs without a better open-loop error after which learning stops
+    int evaluateEvery = 10;  ///< epochs
+    double horizon = 10;     ///< s, of the held-out chains; shorter where the runs are
+    std::uint64_t seed = 1;
+    RolloutLoss rolloutLoss;
+};
+
+struct TrainingProgress {
+    int member = 0, members = 1;  ///< 0 is the first
+    int epoch = 0, epochs = 0;
+    double loss = 0;
+    OpenLoopError heldOut;  ///< best so far, of this member
+};
+
+/// Called about every evaluateEvery epochs; false ends learning with the best network so far.
+using ProgressCallback = std::function<bool(const TrainingProgress&)>;
+
+struct TrainingSummary {
+    MotionNetwork network;  ///< with layers, scales, heldOut and training.{method, loss, seed, patterns, epochs}
+    bool cancelled = false;
+};
+
+/// Learns a motion network open loop. `blueprint` says form, robots, period, inputs (their scales are found here),
+/// recovery. Runs in the caller's oneTBB arena; the same samples, options and seed give the same network whatever the
+/// number of threads. Levenberg-Marquardt needs LearningLoss::oneStep. Error: too few patterns to learn from and to
+/// hold out.
+Expected<TrainingSummary> trainNetwork(const MotionNetwork& blueprint, const MotionSamples& samples,
+                                       const TrainerOptions& options, const ProgressCallback& progress = {});
+
+}  // namespace mrose

@@ -1,0 +1,89 @@
+#include "identification/recipes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mrose {
+namespace {
+
+using Quantity = NetworkInput::Quantity;
+
+NetworkInput meanOf(Quantity quantity, double newest, double oldest) {
+    NetworkInput input;
+    input.quantity = quantity;
+    input.newest = newest;
+    input.oldest = oldest;
+    return input;
+}
+
+double roundedTo5ms(double seconds) { return std::round(seconds * 200) / 200; }
+
+/// Edges of the bins, s before the period's start. They are finest where a command begins to act, and reach back until
+/// the lag has forgotten it.
+std::vector<double> binEdges(const ResponseTimes& times) {
+    const double deadTime = roundedTo5ms(std::min(times.deadTimeV, times.deadTimeW));
+    const double spread = std::abs(times.deadTimeV - times.deadTimeW);
+    const double reach = spread + 1.5 * std::max(times.lagV, times.lagW);
+    std::vector<double> edges;
+    for (const double offset :
+         {-0.05, 0.0, 0.025, 0.05, 0.075, 0.1, 0.125, 0.15, 0.175, 0.2, 0.25, 0.3, 0.4, 0.5, 0.7, 1.0, 1.4}) {
+        const double edge = std::max(0.0, deadTime + offset);
+        if (!edges.empty() && (edge <= edges.back() || (offset > 0.3 && edges.back() - deadTime >= reach))) continue;
+        edges.push_back(edge);
+    }
+    return edges;
+}
+
+MotionNetwork blueprint(const RobotTraits& traits, std::vector<std::string> robots) {
+    MotionNetwork network;
+    network.robotType = traits.type;
+    network.robots = std::move(robots);
+    network.wheelPhase = traits.wheelPhase;
+    network.turnOffset = traits.turnOffset;
+    return network;
+}
+
+}  // namespace
+
+RobotTraits robotTraits(const std::string& type) {
+    // iRobot Create: wheel speeds in steps of 8.4 mm/s, found by scanning the quantum against MRCLAM data set 6; the
+    // logs' rotation rates are about 5.5 mrad/s too large; any rotation rate but 0 makes its driver send a circle.
+    if (type == "irobot-create") return {type, {0.13, 0.0084}, 0.0055, true};
+    return {type, {}, 0, false};
+}
+
+MotionNetwork historyBlueprint(const RobotTraits& traits, std::vector<std::string> robots, const ResponseTimes& times) {
+    MotionNetwork network = blueprint(traits, std::move(robots));
+    network.form = MotionNetwork::Form::history;
+    network.recovery = {times.lagV, times.lagW};
+    const std::vector<double> edges = binEdges(times);
+    std::vector<Quantity> quantities{Quantity::commandV, Quantity::commandW};
+    if (traits.turnsOnTinyCommands) quantities.push_back(Quantity::turnSense);
+    for (const Quantity quantity : quantities)
+        for (std::size_t i = 0; i + 1 < edges.size(); ++i)
+            network.inputs.push_back(meanOf(quantity, edges[i], edges[i + 1]));
+    if (traits.wheelPhase.quantum > 0)
+        for (const double newest : {edges[1], edges[1] + 0.1})
+            for (const Quantity quantity : {Quantity::leftSine, Quantity::leftCosine, Quantity::rightSine,
+                                            Quantity::rightCosine, Quantity::forwardSine, Quantity::forwardCosine})
+                network.inputs.push_back(meanOf(quantity, newest, newest + 0.1));
+    return network;
+}
+
+MotionNetwork paperBlueprint(const RobotTraits& traits, std::vector<std::string> robots, const ResponseTimes& times) {
+    MotionNetwork network = blueprint(traits, std::move(robots));
+    network.form = MotionNetwork::Form::state;
+    network.inputs.resize(2);
+    network.inputs[0].quantity = Quantity::velocityV;
+    network.inputs[1].quantity = Quantity::velocityW;
+    const double period = toSeconds(network.period);
+    const auto command = [&](Quantity quantity, double deadTime) {
+        const double oldest = std::max(roundedTo5ms(deadTime), 0.02);
+        network.inputs.push_back(meanOf(quantity, std::max(0.0, oldest - period), oldest));
+    };
+    command(Quantity::commandV, times.deadTimeV);
+    command(Quantity::commandW, times.deadTimeW);
+    return network;
+}
+
+}  // namespace mrose

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "motion/motion_network.h"
+
+namespace mrose {
+
+/// What is known of a kind of robot beforehand and cannot be told from its logs by learning alone.
+struct RobotTraits {
+    std::string type;                      ///< "irobot-create"
+    MotionNetwork::WheelPhase wheelPhase;  ///< quantum 0: wheel speeds are continuous
+    double turnOffset = 0;                 ///< rad/s, as in MotionNetwork
+    bool turnsOnTinyCommands = false;      ///< a tiny rotation rate is driven as a circle of the largest radius
+};
+
+/// The traits of a known type; of another one, continuous wheel speeds.
+RobotTraits robotTraits(const std::string& type);
+
+/// Dead times and lags, s, that a recipe is laid out for.
+struct ResponseTimes {
+    double deadTimeV = 0, lagV = 0, deadTimeW = 0, lagW = 0;
+};
+
+/// The network that we want people to use: form history. It reads the commands of the last few tenths of a second in
+/// bins, finest where the dead time ends, and for wheel speeds in steps where between two steps the commands lie.
+MotionNetwork historyBlueprint(const RobotTraits& traits, std::vector<std::string> robots, const ResponseTimes& times);
+
+/// The network of Buck, Beetz and Schmitt (2002): form state, with the mean command over the period as seen through the
+/// dead time. No command issued after the period's start is read, so a dead time below the period counts the rest of it
+/// as the newest command.
+MotionNetwork paperBlueprint(const RobotTraits& traits, std::vector<std::string> robots, const ResponseTimes& times);
+
+}  // namespace mrose

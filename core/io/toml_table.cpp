@@ -1,0 +1,174 @@
+#include "io/toml_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/number_text.h"
+
+namespace mrose {
+
+TomlTable::TomlTable(std::string_view text, std::string file) : state_(std::make_shared<State>()) {
+    state_->file = std::move(file);
+    try {
+        state_->root = toml::parse(text);
+    } catch (const toml::parse_error& e) {
+        const auto where = e.source().begin;
+        state_->error =
+            Error{state_->file, int(where.line), int(where.column), "", "is not TOML: " + std::string(e.description())};
+    }
+    table_ = &state_->root;
+}
+
+bool TomlTable::has(std::string_view key) const { return table_->contains(key); }
+
+const toml::node* TomlTable::find(std::string_view key) {
+    asked_.emplace_back(key);
+    const toml::node* node = table_->get(key);
+    if (!node) reject(key, "is missing");
+    return node;
+}
+
+void TomlTable::reject(std::string_view key, std::string cause) { rejectAt(table_->get(key), key, std::move(cause)); }
+
+void TomlTable::rejectAt(const toml::node* node, std::string_view key, std::string cause) {
+    if (failed()) return;
+    const auto where = (node ? node : table_)->source().begin;
+    state_->error = Error{state_->file, int(where.line), int(where.column), path_ + std::string(key), std::move(cause)};
+}
+
+bool TomlTable::finite(const toml::node& node, std::string_view key, double& value) {
+    const auto number = node.value<double>();
+    if (!number || !std::isfinite(*number)) {
+        rejectAt(&node, key, "expected a finite number");
+        return false;
+    }
+    value = *number;
+    return true;
+}
+
+double TomlTable::number(std::string_view key, NumberRange range) {
+    double value = 0;
+    const toml::node* node = find(key);
+    if (!node || !finite(*node, key, value)) return 0;
+    if (value >= range.least && value <= range.most) return value;
+    rejectAt(node, key,
+             "is " + numberText(value) + "; expected " + numberText(range.least) + " to " + numberText(range.most));
+    return 0;
+}
+
+double TomlTable::numberOr(std::string_view key, double fallback, NumberRange range) {
+    return has(key) ? number(key, range) : fallback;
+}
+
+std::int64_t TomlTable::integer(std::string_view key, std::int64_t least, std::int64_t most) {
+    const toml::node* node = find(key);
+    if (!node) return least;
+    const auto value = node->is_integer() ? node->value<std::int64_t>() : std::nullopt;
+    if (value && *value >= least && *value <= most) return *value;
+    rejectAt(node, key, "expected a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+    return least;
+}
+
+bool TomlTable::boolean(std::string_view key) {
+    const toml::node* node = find(key);
+    if (!node) return false;
+    if (!node->is_boolean()) rejectAt(node, key, "expected true or false");
+    return node->value_or(false);
+}
+
+std::string TomlTable::string(std::string_view key) {
+    const toml::node* node = find(key);
+    if (!node) return {};
+    if (!node->is_string()) rejectAt(node, key, "expected a text in quotes");
+    return node->value_or(std::string());
+}
+
+std::size_t TomlTable::choice(std::string_view key, std::span<const std::string_view> choices) {
+    const std::string value = string(key);
+    const auto found = std::find(choices.begin(), choices.end(), value);
+    if (found != choices.end()) return static_cast<std::size_t>(found - choices.begin());
+    std::string expected;
+    for (const std::string_view c : choices) expected += (expected.empty() ? "\"" : ", \"") + std::string(c) + '"';
+    reject(key, "is \"" + value + "\"; expected one of " + expected);
+    return 0;
+}
+
+std::vector<std::string> TomlTable::strings(std::string_view key) {
+    const toml::node* node = find(key);
+    std::vector<std::string> values;
+    if (!node) return values;
+    if (!node->is_array()) rejectAt(node, key, "expected an array of texts");
+    if (const toml::array* array = node->as_array()) {
+        for (const toml::node& element : *array) {
+            if (!element.is_string()) rejectAt(&element, key, "expected a text in quotes");
+            values.push_back(element.value_or(std::string()));
+        }
+    }
+    return values;
+}
+
+void TomlTable::appendRow(const toml::node* node, std::string_view key, std::size_t count, std::vector<double>& out) {
+    const toml::array* array = node ? node->as_array() : nullptr;
+    if (node && !array) rejectAt(node, key, "expected an array of numbers");
+    if (!array) return;
+    if (array->size() != count) {
+        rejectAt(node, key, "has " + std::to_string(array->size()) + " numbers; expected " + std::to_string(count));
+        return;
+    }
+    for (const toml::node& element : *array) {
+        double value = 0;
+        if (!finite(element, key, value)) return;
+        out.push_back(value);
+    }
+}
+
+std::vector<double> TomlTable::numbers(std::string_view key, std::size_t count) {
+    std::vector<double> values;
+    appendRow(find(key), key, count, values);
+    values.resize(count);
+    return values;
+}
+
+std::vector<double> TomlTable::matrix(std::string_view key, std::size_t rows, std::size_t columns) {
+    std::vector<double> values;
+    const toml::node* node = find(key);
+    const toml::array* array = node ? node->as_array() : nullptr;
+    if (node && (!array || array->size() != rows))
+        rejectAt(node, key, "expected " + std::to_string(rows) + " arrays of numbers");
+    else if (array)
+        for (const toml::node& row : *array) appendRow(&row, key, columns, values);
+    values.resize(rows * columns);
+    return values;
+}
+
+TomlTable TomlTable::table(std::string_view key) {
+    static const toml::table empty;
+    const toml::node* node = find(key);
+    const toml::table* found = node ? node->as_table() : nullptr;
+    if (node && !found) rejectAt(node, key, "expected a table");
+    return TomlTable(state_, found ? found : &empty, path_ + std::string(key) + '.');
+}
+
+std::vector<TomlTable> TomlTable::tables(std::string_view key) {
+    std::vector<TomlTable> found;
+    const toml::node* node = find(key);
+    if (!node) return found;
+    const toml::array* array = node->as_array();
+    if (!array) rejectAt(node, key, "expected an array of tables");
+    for (std::size_t i = 0; array && i < array->size(); ++i) {
+        const std::string name = std::string(key) + '[' + std::to_string(i) + ']';
+        if (const toml::table* element = (*array)[i].as_table())
+            found.push_back(TomlTable(state_, element, path_ + name + '.'));
+        else
+            rejectAt(array->get(i), name, "expected a table");
+    }
+    return found;
+}
+
+void TomlTable::rejectUnknown() {
+    for (const auto& [key, node] : *table_)
+        if (std::find(asked_.begin(), asked_.end(), key.str()) == asked_.end())
+            rejectAt(&node, key.str(), "is not a known key");
+}
+
+}  // namespace mrose

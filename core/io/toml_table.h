@@ -1,0 +1,78 @@
+#pragma once
+
+#include <initializer_list>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <toml++/toml.h>
+
+#include "io/error.h"
+
+namespace mrose {
+
+struct NumberRange {
+    double least = -std::numeric_limits<double>::infinity();
+    double most = std::numeric_limits<double>::infinity();
+};
+
+/// A TOML table read strictly: every read names its key, says what was expected, and remembers the first thing wrong
+/// with file, line and column. After an error reads return neutral values, so that a loader checks once, at its end.
+/// For .cpp files of loaders; no public header shows it.
+class TomlTable {
+public:
+    /// Parses a whole file's text. A syntax error is remembered like any other.
+    TomlTable(std::string_view text, std::string file);
+
+    bool has(std::string_view key) const;
+    double number(std::string_view key, NumberRange range = {});
+    double numberOr(std::string_view key, double fallback, NumberRange range = {});
+    std::int64_t integer(std::string_view key, std::int64_t least, std::int64_t most);
+    bool boolean(std::string_view key);
+    std::string string(std::string_view key);
+    /// One of `choices`; its index.
+    std::size_t choice(std::string_view key, std::span<const std::string_view> choices);
+    std::size_t choice(std::string_view key, std::initializer_list<std::string_view> choices) {
+        return choice(key, std::span(choices.begin(), choices.size()));
+    }
+    std::vector<std::string> strings(std::string_view key);
+    /// Exactly `count` finite numbers.
+    std::vector<double> numbers(std::string_view key, std::size_t count);
+    /// `rows` arrays of `columns` finite numbers each, one after the other.
+    std::vector<double> matrix(std::string_view key, std::size_t rows, std::size_t columns);
+    TomlTable table(std::string_view key);
+    std::vector<TomlTable> tables(std::string_view key);  ///< an array of tables
+
+    /// Remembers an error about a key of this table.
+    void reject(std::string_view key, std::string cause);
+    /// Rejects keys that nothing above asked for: most are misspelt.
+    void rejectUnknown();
+
+    bool failed() const { return state_->error.has_value(); }
+    const Error& error() const { return *state_->error; }
+
+private:
+    struct State {
+        toml::table root;
+        std::string file;
+        std::optional<Error> error;
+    };
+    TomlTable(std::shared_ptr<State> state, const toml::table* table, std::string path)
+        : state_(std::move(state)), table_(table), path_(std::move(path)) {}
+
+    const toml::node* find(std::string_view key);
+    void rejectAt(const toml::node* node, std::string_view key, std::string cause);
+    bool finite(const toml::node& node, std::string_view key, double& value);
+    void appendRow(const toml::node* node, std::string_view key, std::size_t count, std::vector<double>& out);
+
+    std::shared_ptr<State> state_;
+    const toml::table* table_;
+    std::string path_;
+    std::vector<std::string> asked_;
+};
+
+}  // namespace mrose

@@ -1,0 +1,168 @@
+#include "logs/csv_channels.h"
+
+#include <algorithm>
+
+#include "geometry/pose.h"
+#include "logs/conditioning.h"
+#include "logs/row_check.h"
+
+namespace mrose {
+namespace {
+
+constexpr std::size_t vChannel = 0, wChannel = 1, xChannel = 2, yChannel = 3, headingChannel = 4;
+
+using Values = std::vector<StampedValue>;
+
+/// Calls the function with each stream in turn until one fails.
+template <class Function>
+Expected<void> forEachStream(CsvChannels& channels, Function function) {
+    Expected<void> result = function(channels.commands);
+    if (result) result = function(channels.poses);
+    for (auto& stream : channels.alone)
+        if (result) result = function(stream);
+    return result;
+}
+
+template <class Sample>
+Expected<void> endStream(CsvStream<Sample>& stream, std::string_view content, const std::string& name,
+                         LogDefects& defects) {
+    const auto fresh = stream.samples.end() - static_cast<std::ptrdiff_t>(stream.places.size());
+    if (!std::is_sorted(fresh, stream.samples.end(), earlier<Sample>)) {
+        std::vector<Sample> added(fresh, stream.samples.end());
+        const auto lineOf = [&](std::size_t row) { return positionOf(content, stream.places[row]).line; };
+        if (auto checked = checkDirection(added, name, lineOf); !checked) return checked;
+        sortByTime(added, defects);
+        std::copy(added.begin(), added.end(), fresh);
+    }
+    if (fresh != stream.samples.begin() && fresh != stream.samples.end() && earlier(*fresh, *std::prev(fresh)))
+        std::inplace_merge(stream.samples.begin(), fresh, stream.samples.end(), earlier<Sample>);
+    stream.places.clear();
+    return {};
+}
+
+/// Whole samples taken apart, into the channels where values stand alone.
+void takeApart(CsvChannels& channels) {
+    const auto put = [&](std::size_t channel, Nanoseconds time, double value) {
+        channels.alone[channel].samples.push_back({time, value});
+    };
+    if (!channels.alone[vChannel].samples.empty() || !channels.alone[wChannel].samples.empty()) {
+        for (const auto& [time, command] : channels.commands.samples) {
+            put(vChannel, time, command.v);
+            put(wChannel, time, command.w);
+        }
+        channels.commands.samples.clear();
+    }
+    const auto isUsed = [](const auto& stream) { return !stream.samples.empty(); };
+    if (std::none_of(channels.alone.begin() + xChannel, channels.alone.end(), isUsed)) return;
+    for (const auto& [time, pose] : channels.poses.samples) {
+        put(xChannel, time, pose.x);
+        put(yChannel, time, pose.y);
+        put(headingChannel, time, pose.heading);
+    }
+    channels.poses.samples.clear();
+}
+
+/// Both hold until their next value; what comes before the other's first is dropped.
+std::vector<StampedCommand> pairCommands(const Values& v, const Values& w, LogDefects& defects) {
+    std::vector<StampedCommand> commands;
+    for (std::size_t i = 0, j = 0; i < v.size() || j < w.size();) {
+        const bool takeV = j == w.size() || (i < v.size() && v[i].time <= w[j].time);
+        const bool takeW = i == v.size() || (j < w.size() && w[j].time <= v[i].time);
+        const Nanoseconds time = takeV ? v[i].time : w[j].time;
+        i += takeV;
+        j += takeW;
+        if (i > 0 && j > 0)
+            commands.push_back({time, {v[i - 1].value, w[j - 1].value}});
+        else
+            ++defects.unpaired;
+    }
+    return commands;
+}
+
+/// A channel read at rising instants.
+class Interpolator {
+public:
+    Interpolator(const Values& values, Nanoseconds longest, bool angle)
+        : values_(values), longest_(longest), angle_(angle) {}
+
+    /// False where the channel does not reach to both sides of `time` closely enough.
+    bool at(Nanoseconds time, double& value) {
+        while (next_ < values_.size() && values_[next_].time < time) ++next_;
+        if (next_ == values_.size()) return false;
+        const StampedValue& after = values_[next_];
+        value = after.value;
+        if (after.time == time) return true;
+        if (next_ == 0 || after.time - values_[next_ - 1].time > longest_) return false;
+        const StampedValue& before = values_[next_ - 1];
+        const double share = static_cast<double>(time - before.time) / static_cast<double>(after.time - before.time);
+        const double change = after.value - before.value;
+        value = before.value + share * (angle_ ? wrapAngle(change) : change);
+        return true;
+    }
+
+private:
+    const Values& values_;
+    Nanoseconds longest_;
+    bool angle_;
+    std::size_t next_ = 0;
+};
+
+std::vector<StampedPose> pairPoses(const Values& x, const Values& y, const Values& heading, Nanoseconds longest,
+                                   LogDefects& defects) {
+    std::vector<StampedPose> poses;
+    Interpolator yAt(y, longest, false), headingAt(heading, longest, true);
+    for (const auto& [time, value] : x) {
+        StampedPose sample{time, {value, 0, 0}};
+        const bool hasY = yAt.at(time, sample.pose.y), hasHeading = headingAt.at(time, sample.pose.heading);
+        if (hasY && hasHeading)
+            poses.push_back(sample);
+        else
+            ++defects.unpaired;
+    }
+    if (x.empty()) defects.unpaired += static_cast<std::int64_t>(std::max(y.size(), heading.size()));
+    return poses;
+}
+
+}  // namespace
+
+void CsvChannels::add(Nanoseconds time, const std::array<const CsvCell*, csvChannels>& cells, const char* place) {
+    const auto has = [&](std::size_t channel) { return cells[channel] != nullptr && cells[channel]->present; };
+    const auto addAlone = [&](std::size_t channel) {
+        if (has(channel)) alone[channel].add({time, cells[channel]->number}, place);
+    };
+    if (has(vChannel) && has(wChannel)) {
+        commands.add({time, {cells[vChannel]->number, cells[wChannel]->number}}, place);
+    } else {
+        addAlone(vChannel);
+        addAlone(wChannel);
+    }
+    if (has(xChannel) && has(yChannel) && has(headingChannel)) {
+        poses.add({time, {cells[xChannel]->number, cells[yChannel]->number, cells[headingChannel]->number}}, place);
+    } else {
+        for (const std::size_t channel : {xChannel, yChannel, headingChannel}) addAlone(channel);
+    }
+}
+
+Expected<void> endFile(CsvChannels& channels, std::string_view content, const std::string& name, LogDefects& defects) {
+    return forEachStream(channels, [&](auto& stream) { return endStream(stream, content, name, defects); });
+}
+
+void merge(CsvChannels& channels, const LogOptions& options, Trajectory& trajectory, LogDefects& defects) {
+    takeApart(channels);
+    for (auto& stream : channels.alone) {
+        std::stable_sort(stream.samples.begin(), stream.samples.end(), earlier<StampedValue>);
+        keepLastOfEqualStamps(stream.samples, defects);
+    }
+    auto& alone = channels.alone;
+    trajectory.commands = std::move(channels.commands.samples);
+    if (trajectory.commands.empty())
+        trajectory.commands = pairCommands(alone[vChannel].samples, alone[wChannel].samples, defects);
+    trajectory.poses = std::move(channels.poses.samples);
+    if (trajectory.poses.empty())
+        trajectory.poses = pairPoses(alone[xChannel].samples, alone[yChannel].samples, alone[headingChannel].samples,
+                                     fromSeconds(options.poseGap), defects);
+    conditionCommands(trajectory.commands, options, defects);
+    conditionPoses(trajectory.poses, options, defects);
+}
+
+}  // namespace mrose

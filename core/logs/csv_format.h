@@ -1,0 +1,17 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace mrose {
+
+/// The columns of a CSV log. Channels first, in the order of the values that a row carries.
+enum class CsvColumn { vCommand, wCommand, x, y, heading, time, robot, trajectory, group };
+constexpr std::size_t csvChannels = 5;
+constexpr std::array<std::string_view, 9> csvColumnNames = {"v_cmd", "w_cmd", "x",          "y",    "heading",
+                                                            "t",     "robot", "trajectory", "group"};
+
+/// Names where a file has no such column.
+constexpr std::string_view defaultRobot = "robot", defaultTrajectory = "whole";
+
+}  // namespace mrose

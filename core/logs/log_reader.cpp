@@ -1,0 +1,46 @@
+#include "logs/log_reader.h"
+
+#include <fstream>
+
+#include "logs/csv_reader.h"
+#include "logs/husky_reader.h"
+#include "logs/mrclam_reader.h"
+
+namespace mrose {
+namespace {
+
+/// Enough for comments and a header line.
+std::string beginning(const std::filesystem::path& file) {
+    std::string text(1 << 16, '\0');
+    std::ifstream stream(file, std::ios::binary);
+    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(stream.gcount()));
+    return text;
+}
+
+bool holdsCsv(const std::filesystem::path& folder) {
+    std::error_code ignored;
+    for (std::filesystem::directory_iterator entry(folder, ignored), end; !ignored && entry != end;
+         entry.increment(ignored))
+        if (entry->path().extension() == ".csv") return true;
+    return false;
+}
+
+}  // namespace
+
+Expected<Log> readLog(const std::filesystem::path& source, const LogOptions& options) {
+    std::error_code error;
+    if (std::filesystem::is_directory(source, error)) {
+        if (isMrclamFolder(source)) return readMrclam(source, options);
+        if (holdsCsv(source)) return readCsv(source, options);
+        return fail(source.string(), "is a folder without a log; expected Robot<N>_Odometry.dat or *.csv files in it");
+    }
+    if (!std::filesystem::exists(source, error)) return fail(source.string(), "does not exist");
+    const std::string text = beginning(source);
+    if (looksLikeHusky(text)) return readHusky(source, options);
+    if (looksLikeCsvLog(text)) return readCsv(source, options);
+    return fail(source.string(), text.empty() ? "is empty or cannot be read; expected a log"
+                                              : "is no log; expected a CSV file whose first line names a column t");
+}
+
+}  // namespace mrose

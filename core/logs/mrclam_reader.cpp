@@ -1,0 +1,190 @@
+#include "logs/mrclam_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstring>
+#include <map>
+
+#include "io/file.h"
+#include "logs/conditioning.h"
+#include "logs/decimal.h"
+#include "logs/row_check.h"
+
+namespace mrose {
+namespace {
+
+constexpr std::string_view odometrySuffix = "_Odometry.dat", truthSuffix = "_Groundtruth.dat";
+constexpr std::array<const char*, 3> odometryColumns = {"time", "v", "w"};
+constexpr std::array<const char*, 4> truthColumns = {"time", "x", "y", "heading"};
+constexpr std::string_view blanks = " \t\r\n";
+
+void store(StampedCommand& sample, const double* values) { sample.command = {values[0], values[1]}; }
+void store(StampedPose& sample, const double* values) { sample.pose = {values[0], values[1], values[2]}; }
+
+const char* skipBlanks(const char* at, const char* end) {
+    while (at < end && (*at == ' ' || *at == '\t' || *at == '\r')) ++at;
+    return at;
+}
+
+const char* skipLine(const char* at, const char* end) {
+    const void* newline = std::memchr(at, '\n', static_cast<std::size_t>(end - at));
+    return newline == nullptr ? end : static_cast<const char*>(newline) + 1;
+}
+
+/// The first line at or after `at` that holds more than blanks or a comment.
+const char* nextRow(const char* at, const char* end) {
+    for (;;) {
+        at = skipBlanks(at, end);
+        if (at == end || (*at != '#' && *at != '\n')) return at;
+        at = skipLine(at, end);
+    }
+}
+
+/// One file of rows of numbers while it is read.
+template <class Sample, std::size_t columns>
+class RowParser {
+public:
+    RowParser(std::string_view content, const std::string& name, const std::array<const char*, columns>& keys)
+        : content_(content), name_(name), keys_(keys), end_(content.data() + content.size()) {}
+
+    Expected<std::vector<Sample>> parse() {
+        std::vector<Sample> samples;
+        samples.reserve(content_.size() / (12 * columns));
+        for (const char* at = nextRow(content_.data(), end_); at != end_; at = nextRow(at, end_)) {
+            at = parseRow(at, samples.emplace_back());
+            if (at == nullptr) return *error_;
+        }
+        if (samples.size() < 2) return fail(name_, tooShortCause(samples.size()));
+        const auto checked = checkDirection(samples, name_, [&](std::size_t row) { return lineOf(row); });
+        if (!checked) return tl::unexpected(checked.error());
+        return samples;
+    }
+
+private:
+    /// The end of the row's line; nullptr and error_ where something is wrong.
+    const char* parseRow(const char* at, Sample& sample) {
+        std::array<double, columns> values;
+        for (std::size_t i = 0; i < columns; ++i) {
+            const char* const behind = i == 0 ? parseInstant(at, end_, sample.time) : parseSample(at, end_, values[i]);
+            if (behind == nullptr || (behind < end_ && blanks.find(*behind) == blanks.npos)) return reject(at, i);
+            at = skipBlanks(behind, end_);
+        }
+        if (at == end_) return refuse(at, keys_.back(), "the last line is cut off: it ends without a line break");
+        if (*at != '\n') return refuse(at, {}, "more than " + std::to_string(columns) + " columns");
+        store(sample, values.data() + 1);
+        return at + 1;
+    }
+
+    const char* reject(const char* at, std::size_t column) {
+        const std::string have = std::to_string(column) + " of " + std::to_string(columns) + " columns";
+        if (std::find(at, end_, '\n') == end_) return refuse(at, keys_[column], "the last line is cut off: " + have);
+        if (*at == '\n') return refuse(at, keys_[column], "missing: " + have);
+        return refuse(at, keys_[column], noNumberCause(content_, at, blanks, column == 0));
+    }
+
+    const char* refuse(const char* at, std::string key, std::string cause) {
+        error_ = failAt(name_, content_, at, std::move(key), std::move(cause));
+        return nullptr;
+    }
+
+    int lineOf(std::size_t row) const {
+        const char* at = nextRow(content_.data(), end_);
+        for (std::size_t i = 0; i < row; ++i) at = nextRow(skipLine(at, end_), end_);
+        return positionOf(content_, at).line;
+    }
+
+    std::string_view content_;
+    const std::string& name_;
+    const std::array<const char*, columns>& keys_;
+    const char* end_;
+    std::optional<tl::unexpected<Error>> error_;
+};
+
+/// The N of "Robot<N><suffix>".
+std::optional<int> robotNumber(std::string_view fileName, std::string_view suffix) {
+    constexpr std::string_view prefix = "Robot";
+    if (!fileName.starts_with(prefix) || !fileName.ends_with(suffix)) return std::nullopt;
+    if (fileName.size() <= prefix.size() + suffix.size()) return std::nullopt;
+    const std::string_view digits = fileName.substr(prefix.size(), fileName.size() - prefix.size() - suffix.size());
+    int number = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    if (error != std::errc{} || end != digits.data() + digits.size() || number < 0) return std::nullopt;
+    return number;
+}
+
+std::map<int, std::filesystem::path> odometryFiles(const std::filesystem::path& folder) {
+    std::map<int, std::filesystem::path> files;
+    std::error_code ignored;
+    for (std::filesystem::directory_iterator entry(folder, ignored), end; !ignored && entry != end;
+         entry.increment(ignored))
+        if (const auto number = robotNumber(entry->path().filename().string(), odometrySuffix))
+            files.emplace(*number, entry->path());
+    return files;
+}
+
+/// The number at the end of the folder's name, 0 where there is none.
+int datasetNumber(const std::filesystem::path& folder) {
+    const auto trimmed = folder.has_filename() ? folder : folder.parent_path();
+    const std::string name = trimmed.filename() == "." || trimmed.filename() == ".."
+                                 ? std::filesystem::weakly_canonical(folder).filename().string()
+                                 : trimmed.filename().string();
+    const std::size_t digits = name.find_last_not_of("0123456789") + 1;
+    int number = 0;
+    std::from_chars(name.data() + digits, name.data() + name.size(), number);
+    return number;
+}
+
+Expected<std::string> loadInto(Log& log, const std::filesystem::path& path) {
+    auto content = readFile(path);
+    if (content) log.files.push_back({path.string(), contentHash(*content)});
+    return content;
+}
+
+Expected<RobotLog> readRobot(Log& log, int number, const std::filesystem::path& odometry, const LogOptions& options) {
+    RobotLog robot{std::to_string(number), {}, {}};
+    Trajectory& trajectory = robot.trajectories.emplace_back();
+    trajectory.name = "whole";
+    const auto content = loadInto(log, odometry);
+    if (!content) return tl::unexpected(content.error());
+    auto commands = parseMrclamOdometry(*content, odometry.string());
+    if (!commands) return tl::unexpected(commands.error());
+    trajectory.commands = std::move(*commands);
+    conditionCommands(trajectory.commands, options, robot.defects);
+
+    const auto truth = odometry.parent_path() / ("Robot" + std::to_string(number) + std::string(truthSuffix));
+    if (!std::filesystem::exists(truth)) return robot;
+    const auto truthContent = loadInto(log, truth);
+    if (!truthContent) return tl::unexpected(truthContent.error());
+    auto poses = parseMrclamGroundtruth(*truthContent, truth.string());
+    if (!poses) return tl::unexpected(poses.error());
+    trajectory.poses = std::move(*poses);
+    conditionPoses(trajectory.poses, options, robot.defects);
+    return robot;
+}
+
+}  // namespace
+
+bool isMrclamFolder(const std::filesystem::path& folder) { return !odometryFiles(folder).empty(); }
+
+Expected<Log> readMrclam(const std::filesystem::path& folder, const LogOptions& options) {
+    Log log{folder.string(), "mrclam", datasetNumber(folder), {}, {}};
+    const auto files = odometryFiles(folder);
+    if (files.empty()) return fail(folder.string(), "holds no Robot<N>_Odometry.dat");
+    for (const auto& [number, path] : files) {
+        auto robot = readRobot(log, number, path, options);
+        if (!robot) return tl::unexpected(robot.error());
+        log.robots.push_back(std::move(*robot));
+    }
+    return log;
+}
+
+Expected<std::vector<StampedCommand>> parseMrclamOdometry(std::string_view content, const std::string& name) {
+    return RowParser<StampedCommand, 3>(content, name, odometryColumns).parse();
+}
+
+Expected<std::vector<StampedPose>> parseMrclamGroundtruth(std::string_view content, const std::string& name) {
+    return RowParser<StampedPose, 4>(content, name, truthColumns).parse();
+}
+
+}  // namespace mrose

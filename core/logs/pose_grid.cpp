@@ -1,0 +1,142 @@
+#include "logs/pose_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace mrose {
+namespace {
+
+constexpr Nanoseconds millisecond = 1'000'000;
+constexpr Nanoseconds halfWidth = 60 * millisecond, gapLimit = 200 * millisecond;
+constexpr Nanoseconds startWidth = 200 * millisecond, oldest = 600 * millisecond;
+constexpr std::size_t fewest = 4;  // samples of a fit
+
+using Poses = std::span<const StampedPose>;
+
+/// Index of the first pose at or after `time`, not before `from`.
+std::size_t firstNotBefore(Poses poses, Nanoseconds time, std::size_t from) {
+    while (from < poses.size() && poses[from].time < time) ++from;
+    return from;
+}
+
+struct Line {
+    Pose value;
+    Pose slope;  // per second
+};
+
+/// The least-squares straight line through the poses, at `time`.
+Line fitLine(Poses poses, Nanoseconds time) {
+    const double count = static_cast<double>(poses.size());
+    double meanTime = 0;
+    Pose mean;
+    for (const auto& [stamp, pose] : poses) {
+        meanTime += toSeconds(stamp - time) / count;
+        mean = {mean.x + pose.x / count, mean.y + pose.y / count, mean.heading + pose.heading / count};
+    }
+    double squares = 0;
+    Pose moments;
+    for (const auto& [stamp, pose] : poses) {
+        const double lever = toSeconds(stamp - time) - meanTime;
+        squares += lever * lever;
+        moments = {moments.x + lever * (pose.x - mean.x), moments.y + lever * (pose.y - mean.y),
+                   moments.heading + lever * (pose.heading - mean.heading)};
+    }
+    const Pose slope{moments.x / squares, moments.y / squares, moments.heading / squares};
+    return {{mean.x - meanTime * slope.x, mean.y - meanTime * slope.y, mean.heading - meanTime * slope.heading}, slope};
+}
+
+/// The straight line from one pose to the next, at `time`; level outside them.
+Line chord(const StampedPose& a, const StampedPose& b, Nanoseconds time) {
+    const double duration = toSeconds(b.time - a.time);
+    const Pose slope{(b.pose.x - a.pose.x) / duration, (b.pose.y - a.pose.y) / duration,
+                     (b.pose.heading - a.pose.heading) / duration};
+    const double since = toSeconds(std::clamp(time, a.time, b.time) - a.time);
+    return {{a.pose.x + since * slope.x, a.pose.y + since * slope.y, a.pose.heading + since * slope.heading}, slope};
+}
+
+Velocity velocityOf(const Line& line) {
+    const double heading = line.value.heading;
+    return {std::cos(heading) * line.slope.x + std::sin(heading) * line.slope.y, line.slope.heading};
+}
+
+/// The end of the samples at or before `time`.
+template <class Sample>
+auto behind(const std::vector<Sample>& samples, Nanoseconds time) {
+    return std::upper_bound(samples.begin(), samples.end(), time,
+                            [](Nanoseconds instant, const Sample& sample) { return instant < sample.time; });
+}
+
+/// Those of the last 0.2 s, or the last four if a gap left fewer and they are no older than 0.6 s.
+Poses recentPoses(Poses known, Nanoseconds time) {
+    std::size_t count = 0;
+    while (count < known.size()) {
+        const Nanoseconds age = time - known[known.size() - 1 - count].time;
+        if (age >= (count < fewest ? oldest : startWidth)) break;
+        ++count;
+    }
+    return known.last(count);
+}
+
+Velocity meanOfLast(const std::vector<StampedVelocity>& samples, Nanoseconds time) {
+    Velocity sum;
+    int count = 0;
+    for (auto at = behind(samples, time); at != samples.begin() && time - std::prev(at)->time < startWidth; --at) {
+        sum.v += std::prev(at)->velocity.v;
+        sum.w += std::prev(at)->velocity.w;
+        ++count;
+    }
+    return count == 0 ? Velocity{} : Velocity{sum.v / count, sum.w / count};
+}
+
+/// What the robot itself measured; zero where it did not.
+Velocity meanVelocity(const Trajectory& trajectory, Nanoseconds time) {
+    Velocity mean = meanOfLast(trajectory.measuredVelocity, time);
+    if (!trajectory.measuredRotation.empty()) mean.w = meanOfLast(trajectory.measuredRotation, time).w;
+    return mean;
+}
+
+Nanoseconds ceilToMultiple(Nanoseconds time, Nanoseconds step) {
+    const Nanoseconds rest = ((time % step) + step) % step;
+    return rest == 0 ? time : time + step - rest;
+}
+
+}  // namespace
+
+PoseGrid poseGrid(const Trajectory& trajectory, Nanoseconds step, const GridMargins& margins) {
+    PoseGrid grid;
+    grid.step = step;
+    const Poses poses = trajectory.poses;
+    if (poses.size() < 2 || trajectory.commands.empty()) return grid;
+    const Nanoseconds begin = std::max(trajectory.commands.front().time, poses.front().time) + margins.begin;
+    const Nanoseconds end = std::min(trajectory.commands.back().time, poses.back().time) - margins.end;
+    grid.start = ceilToMultiple(begin, step);
+    std::size_t low = 0, high = 0, next = 0;
+    for (Nanoseconds time = grid.start; time < end; time += step) {
+        low = firstNotBefore(poses, time - halfWidth, low);
+        high = firstNotBefore(poses, time + halfWidth, high);
+        next = firstNotBefore(poses, time, next);
+        const std::size_t after = std::clamp<std::size_t>(next, 1, poses.size() - 1);
+        const Line line = high - low >= fewest ? fitLine(poses.subspan(low, high - low), time)
+                                               : chord(poses[after - 1], poses[after], time);
+        grid.poses.push_back(line.value);
+        grid.velocities.push_back(velocityOf(line));
+        grid.ok.push_back(poses[after].time - poses[after - 1].time < gapLimit);
+    }
+    return grid;
+}
+
+MeasuredStart measuredStart(const Trajectory& trajectory, Nanoseconds time) {
+    const Poses known(trajectory.poses.begin(), behind(trajectory.poses, time));
+    if (known.empty() || time - known.back().time > gapLimit) return {};
+    const Poses recent = recentPoses(known, time);
+    MeasuredStart start{true, known.back().pose, meanVelocity(trajectory, time)};
+    if (recent.size() < fewest) return start;
+    const Pose slope = fitLine(recent, time).slope;
+    const double age = toSeconds(time - known.back().time);
+    start.pose = {start.pose.x + age * slope.x, start.pose.y + age * slope.y, start.pose.heading + age * slope.heading};
+    start.velocity = velocityOf({start.pose, slope});
+    return start;
+}
+
+}  // namespace mrose

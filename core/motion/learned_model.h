@@ -1,0 +1,54 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "learning/mlp_inference.h"
+#include "motion/input_reader.h"
+#include "motion/motion_model.h"
+#include "motion/motion_network.h"
+
+namespace mrose {
+
+/// A motion network made ready for use; shared by all robots that it moves.
+class LearnedMotion {
+public:
+    explicit LearnedMotion(MotionNetwork network);
+
+    const MotionNetwork& network() const { return network_; }
+    const InputReader& inputs() const { return inputs_; }
+
+    /// Steps for robots that may differ: robots[i] is the index by InputReader::robotIndex.
+    void predict(std::span<const MotionInput> inputs, std::span<const int> robots, std::span<MotionStep> steps) const;
+
+private:
+    MotionStep toStep(const MotionInput& input, int robot, const float* outputs) const;
+
+    MotionNetwork network_;
+    InputReader inputs_;
+    MlpInference inference_;
+    struct Decay {
+        double velocity = 0;      ///< what is left of a velocity disturbance after the period
+        double displacement = 0;  ///< s: what it moved the robot per unit of velocity
+    };
+    static Decay decayOf(double timeConstant, double period);
+    Decay decayV_, decayW_;
+    std::vector<TrackerOffset> trackers_;  ///< by robot index
+};
+
+/// The motion of one robot.
+class LearnedModel final : public MotionModel {
+public:
+    /// A robot that the network was not learned from moves like the mean of those that it was.
+    LearnedModel(std::shared_ptr<const LearnedMotion> motion, const std::string& robot)
+        : motion_(std::move(motion)), robot_(motion_->inputs().robotIndex(robot)) {}
+
+    Nanoseconds period() const override { return motion_->network().period; }
+    void predict(std::span<const MotionInput> inputs, std::span<MotionStep> steps) const override;
+
+private:
+    std::shared_ptr<const LearnedMotion> motion_;
+    int robot_;
+};
+
+}  // namespace mrose

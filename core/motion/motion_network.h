@@ -1,0 +1,150 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/error.h"
+#include "learning/mlp.h"
+#include "motion/kinematic.h"
+#include "world/differential_drive.h"
+#include "world/time.h"
+
+namespace mrose {
+
+/// One input of a motion network: a quantity; those made from commands are means over a part of the history.
+struct NetworkInput {
+    enum class Quantity {
+        velocityV,   ///< forward velocity at the period's start, m/s
+        velocityW,   ///< rotation rate at the period's start, rad/s
+        robot,       ///< 1 for the robot called `robot`, 0 for the others, the mean for an unknown one
+        commandV,    ///< m/s
+        commandW,    ///< rad/s
+        turnSense,   ///< -1, 0, 1: the sense in which a driving robot is told to turn, however little
+        leftSine,    ///< sine and cosine of the commanded speed of a wheel over its quantum: where wheel speeds come in
+        leftCosine,  ///< steps, they tell where between two steps a command lies
+        rightSine,
+        rightCosine,
+        forwardSine,  ///< likewise of the forward speed over two quanta
+        forwardCosine,
+    };
+
+    Quantity quantity = Quantity::velocityV;
+    double newest = 0,
+           oldest = 0;           ///< s before the period's start, 0 <= newest < oldest; for what is made from commands
+    std::string robot;           ///< for Quantity::robot
+    double mean = 0, scale = 1;  ///< the network reads (value - mean) / scale
+    bool operator==(const NetworkInput&) const = default;
+
+    bool fromCommands() const { return quantity >= Quantity::commandV; }
+    bool fromWheels() const { return quantity >= Quantity::leftSine; }
+};
+
+/// y = mean + scale * (what the network's output layer gives).
+struct NetworkOutput {
+    double mean = 0, scale = 1;
+    bool operator==(const NetworkOutput&) const = default;
+};
+
+/// A tracker's marker is not quite on the axle's middle, nor quite straight: while the body moves by (dx, 0, dphi) the
+/// marker also moves sideways, by ahead * dphi - rotated * dx. Predictions of a robot's log are of its marker.
+struct TrackerOffset {
+    double ahead = 0;    ///< m, of the axle
+    double rotated = 0;  ///< rad, against the body's forward direction
+    bool operator==(const TrackerOffset&) const = default;
+
+    double sideways(const Pose& bodyIncrement) const {
+        return ahead * bodyIncrement.heading - rotated * bodyIncrement.x;
+    }
+};
+
+/// A learned motion model as a value: everything that its file holds. See README.md of this folder for the two forms.
+struct MotionNetwork {
+    enum class Form {
+        state,    ///< (v, w, commands) -> (dx, dy, dphi, v', w'): five outputs; the paper's
+        history,  ///< commands -> (dx, dy, dphi, v0, w0, v1, w1): the motion that the commands alone lead to, with the
+                  ///< velocities expected at the period's ends; another start velocity decays by `recovery`
+    };
+    static constexpr int version = 1;
+    static constexpr std::size_t maxInputs = 256, maxOutputs = 7, maxHidden = 4096;
+
+    Form form = Form::state;
+    std::string robotType;            ///< "irobot-create"
+    bool synthetic = false;           ///< learned from logs that no real robot made
+    std::vector<std::string> robots;  ///< whose logs it was learned from
+    Nanoseconds period = 100'000'000;
+    std::vector<NetworkInput> inputs;
+    std::vector<NetworkOutput> outputs;
+    Mlp mlp;
+
+    struct WheelPhase {
+        double halfTrack = 0;  ///< m
+        double quantum = 0;    ///< m/s
+        bool operator==(const WheelPhase&) const = default;
+    };
+    WheelPhase wheelPhase;  ///< used by the inputs made from wheels
+    double turnOffset = 0;  ///< rad/s: w at or below this turns right, above it left; exactly 0 is straight
+    struct Recovery {
+        double v = 0, w = 0;  ///< s, time constants
+        bool operator==(const Recovery&) const = default;
+    };
+    Recovery recovery;  ///< form history only
+
+    std::optional<DifferentialDrive> drive;  ///< geometry fitted to logs of wheel commands
+
+    /// What was identified from the logs of one robot: how its tracked point lies to its body, how late it answers, and
+    /// the kinematic baselines fitted to it.
+    struct Identified {
+        struct Delay {
+            double deadTime = 0, deadTimeError = 0;  ///< s; the mean over commands, and its standard error
+            double lag = 0;                          ///< s
+            double jitter = 0;                       ///< s, standard deviation of the single commands' dead times
+            bool operator==(const Delay&) const = default;
+        };
+        std::string robot;
+        TrackerOffset tracker;
+        Delay v, w;
+        KinematicParameters delayed;  ///< dead time alone
+        KinematicParameters dynamic;  ///< with lag, gain and bias
+        bool operator==(const Identified&) const = default;
+    };
+    std::vector<Identified> identified;
+
+    struct Source {
+        std::string path, hash;
+        bool operator==(const Source&) const = default;
+    };
+    struct Training {
+        std::string command;  ///< the command line that made it
+        std::string method;   ///< "irprop+", "lm" ...
+        std::string loss;     ///< "one-step", "rollout"
+        std::uint64_t seed = 0;
+        std::int64_t patterns = 0, epochs = 0;
+        std::vector<Source> logs;
+        bool operator==(const Training&) const = default;
+    };
+    Training training;
+
+    /// Open-loop errors on the trajectories held out from learning.
+    struct HeldOut {
+        std::int64_t windows = 0;
+        double horizon = 0;                ///< s
+        double position = 0, heading = 0;  ///< P and Hd, %
+        bool operator==(const HeldOut&) const = default;
+    };
+    HeldOut heldOut;
+
+    int outputCount() const { return form == Form::state ? 5 : 7; }
+    bool operator==(const MotionNetwork&) const = default;
+};
+
+/// The text of a network file (TOML) and back, exact to the bit. Error: file, line and key of what does not fit.
+std::string networkText(const MotionNetwork& network);
+Expected<MotionNetwork> parseNetwork(std::string_view text, const std::string& file);
+
+Expected<MotionNetwork> loadNetwork(const std::filesystem::path& path);
+Expected<void> saveNetwork(const MotionNetwork& network, const std::filesystem::path& path);
+
+}  // namespace mrose

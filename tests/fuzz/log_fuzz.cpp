@@ -1,0 +1,70 @@
+// Whatever the bytes are, each reader returns a log whose samples are finite and in strictly ascending time, or an
+// error of one line.
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+#include "logs/conditioning.h"
+#include "logs/csv_reader.h"
+#include "logs/husky_reader.h"
+#include "logs/mrclam_reader.h"
+#include "logs/pose_grid.h"
+
+namespace mrose {
+namespace {
+
+void require(bool condition) {
+    if (!condition) std::abort();
+}
+
+template <class Sample>
+void requireAscending(const std::vector<Sample>& samples) {
+    for (std::size_t i = 1; i < samples.size(); ++i) require(samples[i - 1].time < samples[i].time);
+}
+
+void requireSound(const Trajectory& trajectory) {
+    requireAscending(trajectory.commands);
+    requireAscending(trajectory.poses);
+    requireAscending(trajectory.measuredVelocity);
+    requireAscending(trajectory.measuredRotation);
+    for (const StampedCommand& sample : trajectory.commands)
+        require(std::isfinite(sample.command.v) && std::isfinite(sample.command.w));
+    for (const StampedPose& sample : trajectory.poses)
+        require(std::isfinite(sample.pose.x) && std::isfinite(sample.pose.y));
+    if (!trajectory.poses.empty()) measuredStart(trajectory, trajectory.poses.back().time);
+}
+
+void requireOneLine(const Error& error) {
+    require(!error.cause.empty() && error.message().find('\n') == std::string::npos);
+}
+
+void requireSound(const Expected<Log>& log) {
+    if (!log) return requireOneLine(log.error());
+    for (const RobotLog& robot : log->robots)
+        for (const Trajectory& trajectory : robot.trajectories) requireSound(trajectory);
+}
+
+/// One stream of rows, conditioned.
+template <class Rows, class Condition>
+void requireConditioned(Rows rows, Condition condition) {
+    if (!rows) return requireOneLine(rows.error());
+    LogDefects defects;
+    condition(*rows, LogOptions{}, defects);
+    requireAscending(*rows);
+}
+
+}  // namespace
+}  // namespace mrose
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace mrose;
+    const std::string_view text(reinterpret_cast<const char*>(data), size);
+    requireConditioned(parseMrclamOdometry(text, "odometry"), conditionCommands);
+    requireConditioned(parseMrclamGroundtruth(text, "truth"), conditionPoses);
+    requireSound(parseHusky(text, "husky"));
+    requireSound(parseCsv(text, "csv"));
+    return 0;
+}
