@@ -71,6 +71,7 @@ struct Log {
     int dataset = 0;     ///< the number in the name of an MRCLAM folder, 0 elsewhere
     std::vector<RobotLog> robots;
     std::vector<LogFile> files;
+    bool synthetic = false;  ///< made by a simulation; no real robot drove (a part of the log is enough)
 };
 
 }  // namespace mrose
