@@ -28,7 +28,6 @@ public:
         return least + (most - least) * uniformNoise({seed_, count_++, index_, 100 + channel_});
     }
     bool chance(double probability) { return uniform(0, 1) < probability; }
-    double sign() { return chance(0.5) ? 1 : -1; }
 
 private:
     std::uint64_t seed_;
@@ -43,35 +42,48 @@ struct Stretch {
 };
 
 double holdTime(Draws& draws) { return 0.2 * std::pow(15, draws.uniform(0, 1)); }
-double drivingSpeed(Draws& draws) { return (draws.chance(0.75) ? 1 : -1) * draws.uniform(0.05, fullSpeed); }
 
-/// Random driving, one stretch after the other.
+/// Random driving, one stretch after the other. Half of the drivers are calm: they drive forward, turn gently and
+/// change their mind slowly; but they stop, too.
 class RandomDriver {
 public:
-    explicit RandomDriver(Draws& draws) : draws_(draws) {}
+    explicit RandomDriver(Draws& draws) : draws_(draws), calm_(draws.chance(0.5)) {}
 
     Stretch next() {
-        const Stretch stretch = pick(draws_.uniform(0, 1));
+        const double choice = draws_.uniform(0, 1);
+        const Stretch stretch = calm_ ? calm(choice) : wild(choice);
         last_ = stretch.to;
         return stretch;
     }
 
 private:
-    Stretch hold(double duration, const Command& command) const { return {duration, command, command}; }
+    static Stretch hold(double duration, const Command& command) { return {duration, command, command}; }
+    double forward() { return draws_.uniform(0.1, fullSpeed); }
+    double turn() { return fullTurn * draws_.uniform(-1, 1); }
 
-    Stretch pick(double choice) {
+    Stretch calm(double choice) {
         const double duration = holdTime(draws_);
-        if (choice < 0.16) return hold(duration, {drivingSpeed(draws_), 0});
-        if (choice < 0.26) return hold(duration, {0, fullTurn * draws_.uniform(-1, 1)});
-        if (choice < 0.36) return hold(duration, {0, 0});
-        if (choice < 0.44) return hold(duration, {fullSpeed * draws_.sign(), draws_.uniform(-0.5, 0.5)});
-        if (choice < 0.52) return hold(duration, {-last_.v, draws_.chance(0.5) ? last_.w : -last_.w});
-        const Command aim{drivingSpeed(draws_), fullTurn * draws_.uniform(-1, 1) * draws_.uniform(0, 1)};
-        if (choice < 0.66) return {duration, last_, aim};
-        return hold(duration, aim);
+        if (choice < 0.3) return hold(duration, last_);
+        if (choice < 0.4) return hold(duration, {forward(), 0});
+        if (choice < 0.5) return {duration, last_, {0, 0}};
+        const Command aim{forward(), turn() * draws_.uniform(0, 1)};
+        return {std::max(duration, std::abs(aim.w - last_.w) / 2), last_, aim};
+    }
+
+    Stretch wild(double choice) {
+        const double duration = holdTime(draws_);
+        const double sense = draws_.chance(0.75) ? 1 : -1;
+        if (choice < 0.18) return hold(duration, {sense * forward(), 0});
+        if (choice < 0.24) return hold(duration, {0, turn()});
+        if (choice < 0.32) return hold(duration / 2, {0, 0});
+        if (choice < 0.42) return hold(duration, {sense * fullSpeed, draws_.uniform(-0.5, 0.5)});
+        if (choice < 0.48) return hold(duration, {-last_.v, draws_.chance(0.5) ? last_.w : -last_.w});
+        const Command aim{sense * forward(), turn() * draws_.uniform(0, 1)};
+        return choice < 0.64 ? Stretch{duration, last_, aim} : hold(duration, aim);
     }
 
     Draws& draws_;
+    bool calm_;
     Command last_;
 };
 

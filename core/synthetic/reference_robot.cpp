@@ -9,17 +9,20 @@
 namespace mrose {
 namespace {
 
-enum Channel : std::uint32_t { linkJitter, samplePhase, sampleJitter, leftGrip, rightGrip, bothGrip, casterStart };
+enum Channel : std::uint32_t {
+    linkJitter,
+    samplePhase,
+    sampleJitter,
+    leftGrip,
+    rightGrip,
+    bothGrip,
+    scrubbing,
+    casterStart
+};
 
 double towards(double value, double target, double most) { return value + std::clamp(target - value, -most, most); }
 
 double inSteps(double value, double quantum) { return std::round(value / quantum) * quantum; }
-
-/// One step of a first-order process with the given standard deviation and time constant.
-double wandered(double value, double deviation, double ratio, double normal) {
-    const double kept = std::exp(-ratio);
-    return kept * value + deviation * std::sqrt(1 - kept * kept) * normal;
-}
 
 }  // namespace
 
@@ -34,6 +37,7 @@ ReferenceRobotState ReferenceRobot::start(const Pose& pose) const {
     state.wheels[0].grip = parameters_.wheelNoise * normal(-1, leftGrip);
     state.wheels[1].grip = parameters_.wheelNoise * normal(-1, rightGrip);
     state.commonGrip = parameters_.commonNoise * normal(-1, bothGrip);
+    state.extraScrub = parameters_.scrubNoise * normal(-1, scrubbing);
     state.casterAngle = 0.3 * normal(-1, casterStart);
     return state;
 }
@@ -49,7 +53,10 @@ ReferenceRobotState ReferenceRobot::issue(ReferenceRobotState state, const Comma
 ReferenceRobotState ReferenceRobot::next(ReferenceRobotState state) const {
     constexpr double seconds = toSeconds(step);
     if (state.time >= state.nextSample) sampleCommand(state);
-    if (state.time % fromSeconds(parameters_.servoPeriod) == 0) servo(state);
+    if (state.time % fromSeconds(parameters_.servoPeriod) == 0) {
+        servo(state);
+        wander(state);
+    }
     turnWheels(state, seconds);
     move(state, seconds);
     state.time += step;
@@ -75,25 +82,34 @@ void ReferenceRobot::servo(ReferenceRobotState& state) const {
     const double w = std::clamp(state.command.w, -p.largestTurn, p.largestTurn);
     state.setPoint.v = towards(state.setPoint.v, v, p.acceleration * p.servoPeriod);
     state.setPoint.w = towards(state.setPoint.w, w, p.turnAcceleration * p.servoPeriod);
-    const std::int64_t period = state.time / fromSeconds(p.servoPeriod);
-    state.commonGrip = wandered(state.commonGrip, p.commonNoise, p.servoPeriod / p.gripTime, normal(period, bothGrip));
     for (std::size_t i = 0; i < 2; ++i) {
         ReferenceRobotState::Wheel& wheel = state.wheels[i];
         const double side = i == 0 ? -0.5 : 0.5;
-        const double wanted =
-            std::clamp(inSteps(state.setPoint.v + side * p.track * state.setPoint.w, p.setPointQuantum),
-                       -p.largestWheelSpeed, p.largestWheelSpeed);
+        const double speed = inSteps(state.setPoint.v + side * p.track * state.setPoint.w, p.setPointQuantum);
+        const double wanted = std::clamp(speed, -p.largestWheelSpeed, p.largestWheelSpeed);
         const double counted = std::floor(wheel.travel / p.encoderQuantum) * p.encoderQuantum;
         const double error = wanted - (counted - wheel.counted) / p.servoPeriod;
         const bool rests = wanted == 0 && counted == wheel.counted;
         wheel.counted = counted;
-        wheel.integral = rests ? 0 : wheel.integral + p.integral * p.servoPeriod * error;
-        const double drive = wanted + p.proportional * error + wheel.integral;
+        const double integral = rests ? 0 : wheel.integral + p.integral * p.servoPeriod * error;
+        const double drive = wanted + p.proportional * error + integral;
         wheel.drive = std::clamp(drive, -p.largestDrive, p.largestDrive);
-        if (drive != wheel.drive) wheel.integral -= p.integral * p.servoPeriod * error;  // no wind-up at full voltage
-        wheel.grip = wandered(wheel.grip, p.wheelNoise, p.servoPeriod / p.gripTime,
-                              normal(period, i == 0 ? leftGrip : rightGrip));
+        if (drive == wheel.drive) wheel.integral = integral;  // no wind-up at full voltage
     }
+}
+
+/// What differs from run to run goes on.
+void ReferenceRobot::wander(ReferenceRobotState& state) const {
+    const ReferenceRobotParameters& p = parameters_;
+    const std::int64_t period = state.time / fromSeconds(p.servoPeriod);
+    const double kept = std::exp(-p.servoPeriod / p.gripTime), fresh = std::sqrt(1 - kept * kept);
+    const auto go = [&](double& value, double deviation, Channel channel) {
+        value = kept * value + fresh * deviation * normal(period, channel);
+    };
+    go(state.wheels[0].grip, p.wheelNoise, leftGrip);
+    go(state.wheels[1].grip, p.wheelNoise, rightGrip);
+    go(state.commonGrip, p.commonNoise, bothGrip);
+    go(state.extraScrub, p.scrubNoise, scrubbing);
 }
 
 void ReferenceRobot::turnWheels(ReferenceRobotState& state, double seconds) const {
@@ -132,7 +148,7 @@ void ReferenceRobot::move(ReferenceRobotState& state, double seconds) const {
 
     const double lost = std::abs(rolled * turned);
     state.velocity.v = rolled - std::copysign(std::min(p.turnDrag * lost, std::abs(rolled)), rolled);
-    state.velocity.w = turned * (1 - p.scrub - p.scrubAtSpeed * std::abs(rolled)) + push;
+    state.velocity.w = turned * (1 - p.scrub - state.extraScrub - p.scrubAtSpeed * std::abs(rolled)) + push;
     const double sideways = -p.sideSlip * rolled * turned;
     state.pose = state.pose * exp(Twist{state.velocity.v * seconds, sideways * seconds, state.velocity.w * seconds});
 }

@@ -14,8 +14,8 @@ namespace mrose {
 /// 1's parameter file and of Buck, Beetz and Schmitt (2002); the others are assumptions.
 struct ReferenceRobotParameters {
     // From a command's issue to the on-board controller.
-    double deadTime = 0.300, deadTimeJitter = 0.008;        ///< of the link; jitter is a standard deviation
-    double samplingPeriod = 0.020, samplingJitter = 0.002;  ///< commands are looked for so often, at a random phase
+    double deadTime = 0.300, deadTimeJitter = 0.009;        ///< of the link; jitter is a standard deviation
+    double samplingPeriod = 0.030, samplingJitter = 0.002;  ///< commands are looked for so often, at a random phase
 
     // The on-board controller: set-points in whole steps, limited in speed and acceleration, then one PI loop a wheel.
     double largestSpeed = 0.4, largestTurn = 1.7453292519943295;       ///< turn rates in rad/s
@@ -24,7 +24,7 @@ struct ReferenceRobotParameters {
     double largestWheelSpeed = 0.50;
     double servoPeriod = 0.020;
     double encoderQuantum = 0.0002;             ///< m of travel
-    double proportional = 1.2, integral = 4.0;  ///< 1, 1/s
+    double proportional = 1.2, integral = 8.0;  ///< 1, 1/s
 
     // Wheels and motors.
     double track = 0.330;
@@ -36,17 +36,17 @@ struct ReferenceRobotParameters {
     std::array<double, 2> wheelScale{0.993, 1.006};  ///< left, right: true over nominal radius
 
     // Ground contact.
-    double scrub = 0.04;         ///< share of the rotation that tyres lose
-    double scrubAtSpeed = 0.25;  ///< s/m: further share, with forward speed
-    double turnDrag = 0.05;      ///< m/s of forward speed lost for each m/s * rad/s of |v w|
-    double sideSlip = 0.03;      ///< s: sideways velocity, away from the turn's centre, for each m/s * rad/s of v w
+    double scrub = 0.04, scrubNoise = 0.008;  ///< share of the rotation that tyres lose
+    double scrubAtSpeed = 0.25;              ///< s/m: further share, with forward speed
+    double turnDrag = 0.05;                  ///< m/s of forward speed lost for each m/s * rad/s of |v w|
+    double sideSlip = 0.03;  ///< s: sideways velocity, away from the turn's centre, for each m/s * rad/s of v w
     double casterOffset = 0.20, casterTrail = 0.03;  ///< m: behind the axle; from its pivot to its contact
     double casterTurn = 0.035;                       ///< rad/s by which a caster at right angles turns the robot
 
     // What no two runs share, slowly varying: relative speed error of each wheel and of both, and a turn rate in
     // motion.
     double gripTime = 2.0;                           ///< s
-    double wheelNoise = 0.010, commonNoise = 0.008;  ///< standard deviations
+    double wheelNoise = 0.0045, commonNoise = 0.007;  ///< standard deviations
 };
 
 /// What advances in time, as one value.
@@ -79,7 +79,7 @@ struct ReferenceRobotState {
         double grip = 0;  ///< relative speed error
     };
     std::array<Wheel, 2> wheels;  ///< left, right
-    double commonGrip = 0;
+    double commonGrip = 0, extraScrub = 0;
     double casterAngle = 0;  ///< rad, of its rolling direction; 0 when the robot has driven forward
 };
 
@@ -110,6 +110,7 @@ private:
     double normal(std::int64_t draw, std::uint32_t channel) const;
     void sampleCommand(ReferenceRobotState& state) const;
     void servo(ReferenceRobotState& state) const;
+    void wander(ReferenceRobotState& state) const;
     void turnWheels(ReferenceRobotState& state, double seconds) const;
     void move(ReferenceRobotState& state, double seconds) const;
 
