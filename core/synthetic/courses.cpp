@@ -201,10 +201,11 @@ Curve curveOf(Course course, const CourseShape& shape) {
 
 bool onCurve(Course course) { return course == Course::ellipse || course == Course::jink; }
 
-/// When commands are sent: every 0.1 s, a few milliseconds early or late, in whole steps of the robot.
+/// When commands are sent: every 0.1 s from a random instant on, a few milliseconds early or late, in whole steps of
+/// the robot.
 std::vector<Nanoseconds> sendTimes(double duration, Draws& draws) {
     std::vector<Nanoseconds> times;
-    for (double time = commandPeriod; time < duration; time += commandPeriod) {
+    for (double time = commandPeriod * draws.uniform(1, 2); time < duration; time += commandPeriod) {
         const auto steps = std::llround((time + draws.uniform(-0.006, 0.006)) / toSeconds(ReferenceRobot::step));
         times.push_back(steps * ReferenceRobot::step);
     }
@@ -222,7 +223,7 @@ std::string_view name(Course course) {
 
 double courseDuration(Course course, const CourseShape& shape) {
     if (!onCurve(course)) return 60;
-    const double whole = commandPeriod + Drive(shape, curveOf(course, shape).length).duration() + standingAtEnd;
+    const double whole = 2 * commandPeriod + Drive(shape, curveOf(course, shape).length).duration() + standingAtEnd;
     return std::ceil(whole * 10) / 10;
 }
 

@@ -27,8 +27,9 @@ struct CourseShape {
     double jinkLength = 1.0, jinkSide = 0.35;      ///< of each of the two swerves, along its path, and to the side
 };
 
-/// Commands at 10 Hz over `duration` s from 0, with a jitter of some milliseconds; the same seed and index, the same
-/// commands. `duration` below 0: as long as the course takes, with 2 s of standing at its end; 60 s for random driving.
+/// Commands at 10 Hz, at a random phase, over `duration` s from 0, with a jitter of some milliseconds; the same seed
+/// and index, the same commands. `duration` below 0: as long as the course takes, with 2 s of standing at its end; 60 s
+/// for random driving.
 std::vector<StampedCommand> courseCommands(Course course, double duration, std::uint64_t seed, std::uint32_t index,
                                            const CourseShape& shape = {});
 

@@ -37,15 +37,15 @@ struct ReferenceRobotParameters {
 
     // Ground contact.
     double scrub = 0.04, scrubNoise = 0.008;  ///< share of the rotation that tyres lose
-    double scrubAtSpeed = 0.25;              ///< s/m: further share, with forward speed
-    double turnDrag = 0.05;                  ///< m/s of forward speed lost for each m/s * rad/s of |v w|
+    double scrubAtSpeed = 0.25;               ///< s/m: further share, with forward speed
+    double turnDrag = 0.05;                   ///< m/s of forward speed lost for each m/s * rad/s of |v w|
     double sideSlip = 0.03;  ///< s: sideways velocity, away from the turn's centre, for each m/s * rad/s of v w
     double casterOffset = 0.20, casterTrail = 0.03;  ///< m: behind the axle; from its pivot to its contact
     double casterTurn = 0.035;                       ///< rad/s by which a caster at right angles turns the robot
 
     // What no two runs share, slowly varying: relative speed error of each wheel and of both, and a turn rate in
     // motion.
-    double gripTime = 2.0;                           ///< s
+    double gripTime = 2.0;                            ///< s
     double wheelNoise = 0.0045, commonNoise = 0.007;  ///< standard deviations
 };
 
