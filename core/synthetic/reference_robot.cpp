@@ -114,20 +114,20 @@ void ReferenceRobot::wander(ReferenceRobotState& state) const {
 
 void ReferenceRobot::turnWheels(ReferenceRobotState& state, double seconds) const {
     const ReferenceRobotParameters& p = parameters_;
+    const double stoppedByFriction = p.friction / p.motorLag * seconds;  // m/s within this step
     std::array<double, 2> acceleration{};
+    std::array<bool, 2> stuck{};
     for (std::size_t i = 0; i < 2; ++i) {
         const ReferenceRobotState::Wheel& wheel = state.wheels[i];
-        const bool stuck = wheel.speed == 0 && std::abs(wheel.drive) < p.stiction;
-        if (stuck) continue;
+        stuck[i] = std::abs(wheel.speed) <= stoppedByFriction && std::abs(wheel.drive) < p.stiction;
         const double direction = wheel.speed != 0 ? wheel.speed : wheel.drive;
-        acceleration[i] = (wheel.drive - wheel.speed - std::copysign(p.friction, direction)) / p.motorLag;
+        if (!stuck[i])
+            acceleration[i] = (wheel.drive - wheel.speed - std::copysign(p.friction, direction)) / p.motorLag;
     }
     for (std::size_t i = 0; i < 2; ++i) {
         ReferenceRobotState::Wheel& wheel = state.wheels[i];
-        const double before = wheel.speed;
         wheel.speed += seconds * ((1 - p.coupling) * acceleration[i] + p.coupling * acceleration[1 - i]);
-        const bool crossedZero = before * wheel.speed < 0;
-        if (crossedZero && std::abs(wheel.drive) < p.stiction) wheel.speed = 0;
+        if (stuck[i]) wheel.speed = 0;
         wheel.travel += seconds * wheel.speed;
     }
 }

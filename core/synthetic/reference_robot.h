@@ -46,7 +46,7 @@ struct ReferenceRobotParameters {
     // What no two runs share, slowly varying: relative speed error of each wheel and of both, and a turn rate in
     // motion.
     double gripTime = 2.0;                            ///< s
-    double wheelNoise = 0.0045, commonNoise = 0.007;  ///< standard deviations
+    double wheelNoise = 0.0053, commonNoise = 0.007;  ///< standard deviations
 };
 
 /// What advances in time, as one value.
