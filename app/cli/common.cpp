@@ -4,6 +4,7 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+
 #include <unistd.h>
 
 #include "logs/log_reader.h"

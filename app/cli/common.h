@@ -45,8 +45,8 @@ CLI::App* addSubcommand(CLI::App& app, CommonFlags& flags, const std::string& na
 /// One line on standard error; returns ExitStatus::failure.
 int report(const Error& error);
 
-/// Opens a log; `drive` is for logs of wheel commands. Robots not in `robots` are left out, unless it is empty. Error: an
-/// unknown robot too.
+/// Opens a log; `drive` is for logs of wheel commands. Robots not in `robots` are left out, unless it is empty. Error:
+/// an unknown robot too.
 Expected<Log> openLog(const std::string& source, const std::vector<std::string>& robots,
                       const std::optional<DifferentialDrive>& drive = {});
 

@@ -1,7 +1,8 @@
+#include "evaluation/evaluate.h"
+
 #include <cstdio>
 
 #include "common.h"
-#include "evaluation/evaluate.h"
 #include "evaluation/format.h"
 #include "evaluation/report.h"
 #include "models.h"
@@ -79,11 +80,11 @@ int evaluateNetwork(const EvaluateFlags& flags, const CommonFlags& common) {
 
 Subcommand addEvaluate(CLI::App& app, CommonFlags& common) {
     auto flags = std::make_shared<EvaluateFlags>();
-    CLI::App* sub = addSubcommand(
-        app, common, "evaluate", "Say how true a learned robot is: open-loop predictions against a log",
-        "  mrose evaluate create.net --log MRCLAM_Dataset7 --robots 1,2 --report report\n"
-        "  mrose evaluate create.net --log MRCLAM_Dataset7 --against create_paper.net --json\n"
-        "The log should be one that the network was not learned from.");
+    CLI::App* sub =
+        addSubcommand(app, common, "evaluate", "Say how true a learned robot is: open-loop predictions against a log",
+                      "  mrose evaluate create.net --log MRCLAM_Dataset7 --robots 1,2 --report report\n"
+                      "  mrose evaluate create.net --log MRCLAM_Dataset7 --against create_paper.net --json\n"
+                      "The log should be one that the network was not learned from.");
     sub->add_option("NET", flags->network, "Network file")->required();
     sub->add_option("--log", flags->log, "The log to compare with")->required();
     sub->add_option("--robots", flags->robots, "Only these robots, by name: 1,2")->delimiter(',');

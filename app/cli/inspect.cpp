@@ -4,7 +4,7 @@
 
 #include "common.h"
 #include "evaluation/format.h"
-#include "identification/robot_response.h"
+#include "identification/dead_time.h"
 
 namespace mrose::cli {
 namespace {
@@ -43,30 +43,42 @@ struct RobotFacts {
             }
         }
     }
-    double commandRate() const { return commandTime > 0 ? static_cast<double>(commands - trajectories) / commandTime : 0; }
+    double commandRate() const {
+        return commandTime > 0 ? static_cast<double>(commands - trajectories) / commandTime : 0;
+    }
     double poseRate() const { return poseTime > 0 ? static_cast<double>(poses - trajectories) / poseTime : 0; }
 };
 
 const std::pair<const char*, std::int64_t LogDefects::*> counts[] = {
-    {"stamps out of order, sorted", &LogDefects::outOfOrder}, {"equal stamps, last kept", &LogDefects::duplicates},
+    {"stamps out of order, sorted", &LogDefects::outOfOrder},
+    {"equal stamps, last kept", &LogDefects::duplicates},
     {"blips (single zero commands), dropped", &LogDefects::blips},
-    {"pose outliers, dropped", &LogDefects::poseOutliers},    {"heading wraps, unwrapped", &LogDefects::headingWraps},
-    {"gaps in the commands", &LogDefects::commandGaps},       {"gaps in the poses", &LogDefects::poseGaps}};
+    {"pose outliers, dropped", &LogDefects::poseOutliers},
+    {"heading wraps, unwrapped", &LogDefects::headingWraps},
+    {"gaps in the commands", &LogDefects::commandGaps},
+    {"gaps in the poses", &LogDefects::poseGaps}};
 
-std::string channelText(const ChannelResponse& c) {
-    if (!c.identifiable) return c.reason;
-    return "dead time " + fixed(1000 * c.deadTime, 0) + " +- " + fixed(1000 * c.deadTimeError, 0) + " ms, lag " +
-           fixed(1000 * c.lag, 0) + " +- " + fixed(1000 * c.lagError, 0) + " ms, explains " + fixed(100 * c.explained, 1) +
-           " % of the motion";
+std::string channelText(const ChannelDelay& c) {
+    if (!c.identified) return "not identified: " + c.reason;
+    return "dead time " + fixed(1000 * c.deadTime, 0) + " ± " + fixed(1000 * c.deadTimeError, 0) + " ms, lag " +
+           fixed(1000 * c.lag, 0) + " ± " + fixed(1000 * c.lagError, 0) + " ms, jitter " + fixed(1000 * c.jitter, 0) +
+           " ms (" + c.quality() + "; explains " + fixed(100 * c.explained, 1) + " % of the motion)";
 }
 
-nlohmann::json channelJson(const ChannelResponse& c) {
-    if (!c.identifiable) return {{"identifiable", false}, {"reason", c.reason}};
-    return {{"identifiable", true},          {"dead_time_s", c.deadTime}, {"dead_time_error_s", c.deadTimeError},
-            {"lag_s", c.lag},                {"lag_error_s", c.lagError}, {"explained", c.explained}};
+nlohmann::json channelJson(const ChannelDelay& c) {
+    if (!c.identified) return {{"identified", false}, {"reason", c.reason}};
+    return {{"identified", true},
+            {"dead_time_s", c.deadTime},
+            {"dead_time_error_s", c.deadTimeError},
+            {"lag_s", c.lag},
+            {"lag_error_s", c.lagError},
+            {"jitter_s", c.jitter},
+            {"jitter_error_s", c.jitterError},
+            {"explained", c.explained},
+            {"quality", c.quality()}};
 }
 
-nlohmann::json robotJson(const RobotLog& robot, const RobotResponse& response) {
+nlohmann::json robotJson(const RobotLog& robot, const DeadTimes& delays) {
     const RobotFacts f(robot);
     nlohmann::json defects;
     for (const auto& [text, member] : counts) defects[text] = robot.defects.*member;
@@ -74,15 +86,23 @@ nlohmann::json robotJson(const RobotLog& robot, const RobotResponse& response) {
     defects["longest pose gap, s"] = robot.defects.longestPoseGap;
     return {{"robot", robot.robot},
             {"trajectories", f.trajectories},
-            {"commands", {{"count", f.commands}, {"seconds", f.commandTime}, {"rate_hz", f.commandRate()},
-                          {"v_mps", f.v.json()}, {"w_radps", f.w.json()}}},
-            {"poses", {{"count", f.poses}, {"seconds", f.poseTime}, {"rate_hz", f.poseRate()},
-                       {"x_m", f.x.json()}, {"y_m", f.y.json()}}},
+            {"commands",
+             {{"count", f.commands},
+              {"seconds", f.commandTime},
+              {"rate_hz", f.commandRate()},
+              {"v_mps", f.v.json()},
+              {"w_radps", f.w.json()}}},
+            {"poses",
+             {{"count", f.poses},
+              {"seconds", f.poseTime},
+              {"rate_hz", f.poseRate()},
+              {"x_m", f.x.json()},
+              {"y_m", f.y.json()}}},
             {"defects", defects},
-            {"response", {{"v", channelJson(response.v)}, {"w", channelJson(response.w)}}}};
+            {"delays", {{"v", channelJson(delays.v)}, {"w", channelJson(delays.w)}}}};
 }
 
-void printRobot(const RobotLog& robot, const RobotResponse& response) {
+void printRobot(const RobotLog& robot, const DeadTimes& delays) {
     const RobotFacts f(robot);
     std::printf("\nrobot %s%s\n", robot.robot.c_str(),
                 f.trajectories > 1 ? (", " + std::to_string(f.trajectories) + " trajectories").c_str() : "");
@@ -102,26 +122,24 @@ void printRobot(const RobotLog& robot, const RobotResponse& response) {
         std::printf("  found     %lld %s%s\n", static_cast<long long>(d.*member), text,
                     longest > 0 ? (", the longest " + fixed(longest, 2) + " s").c_str() : "");
     }
-    std::printf("  v         %s\n  w         %s\n", channelText(response.v).c_str(), channelText(response.w).c_str());
+    std::printf("  v         %s\n  w         %s\n", channelText(delays.v).c_str(), channelText(delays.w).c_str());
 }
 
 int inspect(const std::string& source, const std::vector<std::string>& robots, const CommonFlags& common) {
     const auto log = openLog(source, robots);
     if (!log) return report(log.error());
-    std::vector<RobotResponse> responses;
-    for (const RobotLog& robot : log->robots) responses.push_back(identifyResponse(robot));
+    const std::vector<DeadTimes> delays = identifyEachDeadTime(*log);
     if (common.json) {
         nlohmann::json json{{"source", log->source}, {"format", log->format}, {"synthetic", log->synthetic}};
         for (const LogFile& file : log->files) json["files"].push_back({{"path", file.path}, {"xxh3", file.hash}});
-        for (std::size_t i = 0; i < responses.size(); ++i)
-            json["robots"].push_back(robotJson(log->robots[i], responses[i]));
+        for (std::size_t i = 0; i < delays.size(); ++i) json["robots"].push_back(robotJson(log->robots[i], delays[i]));
         std::puts(json.dump(2).c_str());
         return success;
     }
     std::printf("%s: %s%s, %zu robot%s, %zu file%s\n", log->source.c_str(), log->format.c_str(),
                 log->synthetic ? " (synthetic)" : "", log->robots.size(), log->robots.size() == 1 ? "" : "s",
                 log->files.size(), log->files.size() == 1 ? "" : "s");
-    for (std::size_t i = 0; i < responses.size(); ++i) printRobot(log->robots[i], responses[i]);
+    for (std::size_t i = 0; i < delays.size(); ++i) printRobot(log->robots[i], delays[i]);
     return success;
 }
 

@@ -12,14 +12,15 @@ namespace {
 using namespace mrose::cli;
 
 std::string versionText() {
-    std::string text = "mrose " MROSE_VERSION "\n" MROSE_BUILD_TYPE " build, " MROSE_COMPILER "; instruction sets here:";
+    std::string text =
+        "mrose " MROSE_VERSION "\n" MROSE_BUILD_TYPE " build, " MROSE_COMPILER "; instruction sets here:";
     for (const mrose::InstructionSet set : mrose::availableInstructionSets()) text += std::string(" ") + name(set);
     return text;
 }
 
 int runProgram(int argc, char** argv) {
-    CLI::App app(
-        "Learns how a team's robots move from their logs, and says how far the learned motion can be trusted.", "mrose");
+    CLI::App app("Learns how a team's robots move from their logs, and says how far the learned motion can be trusted.",
+                 "mrose");
     app.set_version_flag("--version", versionText());
     app.require_subcommand(1);
     app.failure_message([](const CLI::App*, const CLI::Error& error) {
@@ -33,8 +34,9 @@ int runProgram(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? success : usage;
     }
-    const auto threads = flags.threads > 0 ? static_cast<std::size_t>(flags.threads)
-                                           : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+    const auto threads = flags.threads > 0
+                             ? static_cast<std::size_t>(flags.threads)
+                             : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     for (const auto& [subcommand, run] : subcommands)
         if (subcommand->parsed()) return run();

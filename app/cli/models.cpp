@@ -1,6 +1,9 @@
 #include "models.h"
 
+#include "common.h"
+#include "evaluation/format.h"
 #include "motion/kinematic.h"
+#include "version.h"
 
 namespace mrose::cli {
 namespace {
@@ -12,23 +15,13 @@ RobotModels modelsOf(std::string name, const Log& log, MakeModel make) {
     return models;
 }
 
-/// What was identified for a robot, or else the mean of the others.
-KinematicParameters parametersOf(const MotionNetwork& network, const std::string& robot) {
-    KinematicParameters mean;
-    const auto add = [&](KinematicParameters::Channel& to, const KinematicParameters::Channel& from, bool first) {
-        if (first) to.gain = 0;
-        const double share = 1.0 / static_cast<double>(network.identified.size());
-        to.deadTime += share * from.deadTime;
-        to.lag += share * from.lag;
-        to.gain += share * from.gain;
-    };
-    for (const auto& identified : network.identified) {
-        if (identified.robot == robot) return identified.kinematics;
-        const bool first = &identified == &network.identified.front();
-        add(mean.v, identified.kinematics.v, first);
-        add(mean.w, identified.kinematics.w, first);
-    }
-    return mean;
+using Identified = MotionNetwork::Identified;
+
+/// What was identified for a robot; for an unknown one the first of the known stands in.
+const Identified& identifiedOf(const MotionNetwork& network, const std::string& robot) {
+    for (const Identified& identified : network.identified)
+        if (identified.robot == robot) return identified;
+    return network.identified.front();
 }
 
 }  // namespace
@@ -38,6 +31,37 @@ NamedModel named(const RobotModels& models) {
                 const auto found = models.byRobot.find(robot);
                 return found == models.byRobot.end() ? nullptr : found->second.get();
             }};
+}
+
+ReportContext reportContext(const MotionNetwork& network, const std::string& path, const Log& log) {
+    ReportContext context;
+    context.program = "mrose " MROSE_VERSION;
+    context.commandLine = commandLine();
+    context.synthetic = log.synthetic;
+    for (const auto& source : network.training.logs) context.trainingLogs.push_back({source.path, source.hash});
+    const auto fact = [&](const char* name, std::string value) {
+        context.modelFacts.emplace_back(name, std::move(value));
+    };
+    fact("file", path);
+    fact("form", network.form == MotionNetwork::Form::state
+                     ? "state: (v, w, commands) to motion and next velocity"
+                     : "history: commands of the last tenths of a second to motion");
+    fact("robot", network.robotType + (network.synthetic ? " (synthetic)" : ""));
+    fact("period", fixed(1000 * toSeconds(network.period), 0) + " ms");
+    fact("layers", std::to_string(network.mlp.shape.inputs) + " inputs, " + std::to_string(network.mlp.shape.hidden) +
+                       " tanh, " + std::to_string(network.mlp.shape.outputs) + " outputs");
+    for (const Identified& robot : network.identified)
+        fact("dead time", "robot " + robot.robot + ": v " + fixed(1000 * robot.v.deadTime, 0) + " ± " +
+                              fixed(1000 * robot.v.deadTimeError, 0) + " ms, w " + fixed(1000 * robot.w.deadTime, 0) +
+                              " ± " + fixed(1000 * robot.w.deadTimeError, 0) + " ms");
+    fact("learned by", network.training.method + ", loss " + network.training.loss + ", seed " +
+                           std::to_string(network.training.seed) + ", " + std::to_string(network.training.patterns) +
+                           " patterns, " + std::to_string(network.training.epochs) + " epochs");
+    fact("command", network.training.command);
+    fact("held out in learning", "P " + fixed(network.heldOut.position, 2) + " %, Hd " +
+                                     fixed(network.heldOut.heading, 2) + " % over " +
+                                     fixed(network.heldOut.horizon, 1) + " s (each member on its own part)");
+    return context;
 }
 
 RobotModels learnedModels(const std::shared_ptr<const LearnedMotion>& motion, const Log& log) {
@@ -51,17 +75,11 @@ std::vector<RobotModels> kinematicBaselines(const MotionNetwork& network, const 
         return std::make_unique<KinematicModel>(KinematicParameters{}, network.period);
     }));
     if (network.identified.empty()) return baselines;
-    baselines.push_back(modelsOf("+ dead time", log, [&](const std::string& robot) {
-        const KinematicParameters all = parametersOf(network, robot);
-        KinematicParameters p;
-        // The whole delay: a step's mean response comes a dead time and a lag late.
-        p.v.deadTime = all.v.deadTime + all.v.lag;
-        p.w.deadTime = all.w.deadTime + all.w.lag;
-        return std::make_unique<KinematicModel>(p, network.period);
-    }));
-    baselines.push_back(modelsOf("+ lag, gains, biases", log, [&](const std::string& robot) {
-        return std::make_unique<KinematicModel>(parametersOf(network, robot), network.period);
-    }));
+    for (const auto& [name, member] :
+         {std::pair{"+ dead time", &Identified::delayed}, std::pair{"+ lag, gains, biases", &Identified::dynamic}})
+        baselines.push_back(modelsOf(name, log, [&, fitted = member](const std::string& robot) {
+            return std::make_unique<KinematicModel>(identifiedOf(network, robot).*fitted, network.period);
+        }));
     return baselines;
 }
 

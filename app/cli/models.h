@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "evaluation/evaluate.h"
+#include "evaluation/report.h"
 #include "motion/learned_model.h"
 
 namespace mrose::cli {
@@ -18,6 +19,9 @@ struct RobotModels {
 
 /// The view that an evaluation takes; `models` must outlive it.
 NamedModel named(const RobotModels& models);
+
+/// What a report says about a network.
+ReportContext reportContext(const MotionNetwork& network, const std::string& path, const Log& log);
 
 RobotModels learnedModels(const std::shared_ptr<const LearnedMotion>& motion, const Log& log);
 

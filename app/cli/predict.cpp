@@ -51,7 +51,8 @@ Subcommand addPredict(CLI::App& app, CommonFlags& common) {
         app, common, "predict", "Predict windows of a log open loop, and write the poses",
         "  mrose predict create.net --log MRCLAM_Dataset7 --robots 1,2 --windows windows.csv -o predicted.csv\n"
         "The windows file has the columns dataset,robot,t_start; the output dataset,robot,t_start,t,x,y,heading.\n"
-        "A prediction uses the commands up to the predicted instant and the ground truth up to t_start, nothing later.");
+        "A prediction uses the commands up to the predicted instant and the ground truth up to t_start, nothing "
+        "later.");
     sub->add_option("NET", flags->network, "Network file")->required();
     sub->add_option("--log", flags->log, "The log to predict")->required();
     sub->add_option("--windows", flags->windows, "CSV file that says which windows")->required();

@@ -3,9 +3,10 @@
 
 #include "common.h"
 #include "evaluation/format.h"
+#include "identification/drive_fit.h"
 #include "identification/network_trainer.h"
 #include "identification/recipes.h"
-#include "identification/robot_response.h"
+#include "identification/robot_identification.h"
 #include "io/file.h"
 
 namespace mrose::cli {
@@ -53,8 +54,8 @@ TrainerOptions trainerOptions(const TrainFlags& flags, const CommonFlags& common
     const bool history = flags.model == "history";
     TrainerOptions options;
     options.method = methods.at(flags.method);
-    options.loss = flags.loss == "rollout" || (flags.loss.empty() && history) ? LearningLoss::rollout
-                                                                             : LearningLoss::oneStep;
+    options.loss =
+        flags.loss == "rollout" || (flags.loss.empty() && history) ? LearningLoss::rollout : LearningLoss::oneStep;
     options.hidden = flags.hidden > 0 ? flags.hidden : history ? 32 : 24;
     options.members = flags.members > 0 ? flags.members : history ? 4 : 1;
     options.epochs = flags.epochs > 0 ? flags.epochs : history ? 1000 : 2000;
@@ -74,7 +75,8 @@ public:
         const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin_;
         if (line_.terminal() || p.epoch % (p.epochs / 10 * 1) == 0) {
             char text[200];
-            std::snprintf(text, sizeof text, "network %d of %d, epoch %d: loss %.3e, held out P %.2f %% Hd %.2f %%, at most %s left",
+            std::snprintf(text, sizeof text,
+                          "network %d of %d, epoch %d: loss %.3e, held out P %.2f %% Hd %.2f %%, at most %s left",
                           p.member + 1, p.members, p.epoch, p.loss, p.heldOut.position, p.heldOut.heading,
                           durationText(spent.count() / done * (p.members - done)).c_str());
             line_.show(text);
@@ -106,8 +108,10 @@ void printSummary(const TrainingSummary& summary, const TrainFlags& flags, const
                 summary.cancelled ? " (interrupted: the best network so far)" : "", n.mlp.shape.inputs,
                 n.mlp.shape.hidden, static_cast<long long>(n.training.patterns), durationText(seconds).c_str(),
                 static_cast<long long>(n.training.epochs));
-    std::printf("held out, %.1f s open loop, %lld windows: position error %.2f %% of the path, heading error %.2f %% of the rotation\n",
-                n.heldOut.horizon, static_cast<long long>(n.heldOut.windows), n.heldOut.position, n.heldOut.heading);
+    std::printf(
+        "held out, %.1f s open loop, %lld windows: position error %.2f %% of the path, heading error %.2f %% of the "
+        "rotation\n",
+        n.heldOut.horizon, static_cast<long long>(n.heldOut.windows), n.heldOut.position, n.heldOut.heading);
 }
 
 /// Logs of wheel commands are read with the geometry fitted to them.
@@ -115,20 +119,25 @@ Expected<std::optional<DifferentialDrive>> fittedDrive(const TrainFlags& flags) 
     auto logs = openLogs(flags, {});
     if (!logs) return tl::unexpected(logs.error());
     if (logs->front().format != "husky-windows") return std::nullopt;
-    return fitDrive(logs->front()).map([](const DriveFit& fit) { return std::optional(fit.drive); });
+    return fitDrive(steadyMotions(logs->front(), WheelSource::commands), logs->front().source)
+        .map([](const DriveFit& fit) { return std::optional(fit.drive); });
 }
 
+template <class Value>
+double medianOf(const std::vector<MotionNetwork::Identified>& robots, Value value) {
+    std::vector<double> values;
+    for (const auto& robot : robots) values.push_back(value(robot.dynamic));
+    std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
+    return values[values.size() / 2];
+}
+
+/// Those identified, median of the robots, unless the command line says otherwise.
 ResponseTimes responseTimes(const std::vector<MotionNetwork::Identified>& robots, const TrainFlags& flags) {
-    ResponseTimes times;
-    for (const auto& robot : robots) {
-        const double share = 1.0 / static_cast<double>(robots.size());
-        times.deadTimeV += share * robot.kinematics.v.deadTime;
-        times.lagV += share * robot.kinematics.v.lag;
-        times.deadTimeW += share * robot.kinematics.w.deadTime;
-        times.lagW += share * robot.kinematics.w.lag;
-    }
-    return {flags.deadTimeV.value_or(times.deadTimeV), flags.lagV.value_or(times.lagV),
-            flags.deadTimeW.value_or(times.deadTimeW), flags.lagW.value_or(times.lagW)};
+    using K = KinematicParameters;
+    return {flags.deadTimeV.value_or(medianOf(robots, [](const K& k) { return k.v.deadTime; })),
+            flags.lagV.value_or(medianOf(robots, [](const K& k) { return k.v.lag; })),
+            flags.deadTimeW.value_or(medianOf(robots, [](const K& k) { return k.w.deadTime; })),
+            flags.lagW.value_or(medianOf(robots, [](const K& k) { return k.w.lag; }))};
 }
 
 int train(const TrainFlags& flags, const CommonFlags& common) {
@@ -160,7 +169,8 @@ int train(const TrainFlags& flags, const CommonFlags& common) {
     for (const Log& log : *logs)
         for (const LogFile& file : log.files) blueprint.training.logs.push_back({file.path, file.hash});
 
-    const auto summary = trainNetwork(blueprint, *samples, trainerOptions(flags, common), TrainingDisplay(common.quiet));
+    TrainingDisplay display(common.quiet);
+    const auto summary = trainNetwork(blueprint, *samples, trainerOptions(flags, common), std::ref(display));
     if (!summary) return report(summary.error());
     if (const auto saved = saveNetwork(summary->network, flags.out); !saved) return report(saved.error());
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
@@ -172,13 +182,14 @@ int train(const TrainFlags& flags, const CommonFlags& common) {
 
 Subcommand addTrain(CLI::App& app, CommonFlags& common) {
     auto flags = std::make_shared<TrainFlags>();
-    CLI::App* sub = addSubcommand(
-        app, common, "train", "Learn a motion network from logs",
-        "  mrose train MRCLAM_Dataset6 -o create.net\n"
-        "  mrose train MRCLAM_Dataset6 --model paper --seed 3 -o create_paper.net\n"
-        "  mrose train monday.csv tuesday.csv --robots attacker -o attacker.net\n"
-        "Ctrl-C ends learning and saves the best network so far; a second one ends the program at once.");
-    sub->add_option("LOG", flags->logs, "Logs to learn from: MRCLAM folders, Husky windows, CSV files or folders of them")
+    CLI::App* sub =
+        addSubcommand(app, common, "train", "Learn a motion network from logs",
+                      "  mrose train MRCLAM_Dataset6 -o create.net\n"
+                      "  mrose train MRCLAM_Dataset6 --model paper --seed 3 -o create_paper.net\n"
+                      "  mrose train monday.csv tuesday.csv --robots attacker -o attacker.net\n"
+                      "Ctrl-C ends learning and saves the best network so far; a second one ends the program at once.");
+    sub->add_option("LOG", flags->logs,
+                    "Logs to learn from: MRCLAM folders, Husky windows, CSV files or folders of them")
         ->required();
     sub->add_option("-o,--output", flags->out, "The network file to write")->required();
     sub->add_option("--model", flags->model,
@@ -198,28 +209,31 @@ Subcommand addTrain(CLI::App& app, CommonFlags& common) {
         ->capture_default_str();
     sub->add_option("--hidden", flags->hidden, "Hidden units of each member; default 32 (paper: 24)")
         ->check(CLI::Range(1, 1024));
-    sub->add_option("--members", flags->members,
-                    "Networks, each learned with another part of the logs held out, whose mean is saved as one; default 4 "
-                    "(paper: 1)")
+    sub->add_option(
+           "--members", flags->members,
+           "Networks, each learned with another part of the logs held out, whose mean is saved as one; default 4 "
+           "(paper: 1)")
         ->check(CLI::Range(1, 64));
     sub->add_option("--folds", flags->folds, "Parts that the logs are divided into, held out in turn")
         ->check(CLI::Range(2, 64))
         ->capture_default_str();
     sub->add_option("--epochs", flags->epochs, "At most so many epochs; default 1000 (paper: 2000)")
         ->check(CLI::Range(1, 10'000'000));
-    sub->add_option("--patience", flags->patience, "Stop after so many epochs without a better held-out error; default 300")
+    sub->add_option("--patience", flags->patience,
+                    "Stop after so many epochs without a better held-out error; default 300")
         ->check(CLI::Range(1, 10'000'000));
     sub->add_option("--dead-time-v", flags->deadTimeV, "Dead time of v in s, instead of the one identified")
         ->check(CLI::Range(0.0, 2.0));
     sub->add_option("--dead-time-w", flags->deadTimeW, "Dead time of w in s, instead of the one identified")
         ->check(CLI::Range(0.0, 2.0));
-    sub->add_option("--lag-v", flags->lagV, "Lag of v in s, instead of the one identified")->check(CLI::Range(0.0, 2.0));
-    sub->add_option("--lag-w", flags->lagW, "Lag of w in s, instead of the one identified")->check(CLI::Range(0.0, 2.0));
+    sub->add_option("--lag-v", flags->lagV, "Lag of v in s, instead of the one identified")
+        ->check(CLI::Range(0.0, 2.0));
+    sub->add_option("--lag-w", flags->lagW, "Lag of w in s, instead of the one identified")
+        ->check(CLI::Range(0.0, 2.0));
     return {sub, [flags, &common] {
                 const bool rollout = flags->loss == "rollout" || (flags->loss.empty() && flags->model == "history");
                 if (flags->method == "lm" && rollout)
-                    return report({"", 0, 0, "--method lm", "fits single steps; it needs --model paper --loss one-step"});
-                if (flags->model == "history" && flags->loss == "one-step") {}
+                    return report({"", 0, 0, "--method lm", "fits single steps only; it needs --loss one-step"});
                 return train(*flags, common);
             }};
 }

@@ -67,19 +67,18 @@ void compare(const Evaluation& evaluation, std::span<const Part> parts, ModelEva
     model.overTime = errorsOverTime(model.errors, evaluation.options.windows.step);
 }
 
-Expected<void> compareOnFloor(const NamedModel& named, const Log& log, const Evaluation& evaluation,
-                              ModelEvaluation& model) {
-    model.pOnFloor = model.hdOnFloor = std::numeric_limits<double>::quiet_NaN();
-    if (!evaluation.floor || evaluation.floor->pairs.empty()) return {};
+Expected<PercentErrors> errorsOnFloor(const NamedModel& named, const Log& log, const std::optional<Floor>& floor,
+                                      Nanoseconds step) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    if (!floor || floor->pairs.empty()) return PercentErrors{nan, nan};
     std::vector<Window> stretches;
     std::vector<std::size_t> robots;
-    for (const FloorPair& pair : evaluation.floor->pairs)
+    for (const FloorPair& pair : floor->pairs)
         for (const Window* stretch : {&pair.first, &pair.second}) {
             stretches.push_back(*stretch);
             robots.push_back(stretch->robot);
         }
-    const auto predicted = rollOut(named, log, rolloutStarts(log, stretches), robots,
-                                   RolloutOptions{.step = evaluation.options.windows.step});
+    const auto predicted = rollOut(named, log, rolloutStarts(log, stretches), robots, RolloutOptions{.step = step});
     if (!predicted) return tl::unexpected(predicted.error());
     double position = 0, path = 0, heading = 0, rotation = 0;
     for (std::size_t i = 0; i < stretches.size(); ++i) {
@@ -89,9 +88,7 @@ Expected<void> compareOnFloor(const NamedModel& named, const Log& log, const Eva
         path += stretches[i].path;
         rotation += stretches[i].rotation;
     }
-    model.pOnFloor = 100 * position / path;
-    model.hdOnFloor = 100 * heading / rotation;
-    return {};
+    return PercentErrors{path > 0 ? 100 * position / path : nan, rotation > 0 ? 100 * heading / rotation : nan};
 }
 
 Expected<ModelEvaluation> evaluateModel(const NamedModel& named, const Log& log, const Evaluation& evaluation,
@@ -110,8 +107,12 @@ Expected<ModelEvaluation> evaluateModel(const NamedModel& named, const Log& log,
         if (!ends) return tl::unexpected(ends.error());
         model.relative.push_back(relativePoseError(piece, *ends));
     }
-    if (auto compared = compareOnFloor(named, log, evaluation, model); !compared)
-        return tl::unexpected(compared.error());
+    const auto onFloor = errorsOnFloor(named, log, evaluation.floor, options.step);
+    const auto onTurning = errorsOnFloor(named, log, evaluation.turningFloor, options.step);
+    if (!onFloor) return tl::unexpected(onFloor.error());
+    if (!onTurning) return tl::unexpected(onTurning.error());
+    model.onFloor = *onFloor;
+    model.onTurningFloor = *onTurning;
     return model;
 }
 
@@ -171,7 +172,11 @@ Expected<Evaluation> evaluate(const Log& log, std::span<const NamedModel> models
         RelativePieces piece = relativePieces(log, evaluation.windows, horizon, options.windows.step);
         if (!piece.starts.empty()) pieces.push_back(std::move(piece));
     }
-    if (options.withFloor) evaluation.floor = findFloor(log, options.robots, options.windows, options.floor);
+    if (options.withFloor) {
+        evaluation.floor = findFloor(log, options.robots, options.windows, options.floor);
+        if (options.turningFloor.horizon < evaluation.floor->horizon)
+            evaluation.turningFloor = findFloor(log, options.robots, options.windows, options.turningFloor);
+    }
     for (const NamedModel& named : models) {
         auto model = evaluateModel(named, log, evaluation, parts, pieces);
         if (!model) return tl::unexpected(model.error());

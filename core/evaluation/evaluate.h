@@ -28,6 +28,9 @@ struct EvaluationOptions {
     std::vector<double> relativeHorizons{0.1, 1, 5, 10};  ///< s
     bool withFloor = true;
     FloorOptions floor{};
+    /// Near-identical commands over a whole window go straight as a rule. What turns needs shorter stretches.
+    FloorOptions turningFloor{
+        .pathBound = 0.01, .rotationBound = 0.05, .horizon = 5'000'000'000LL, .leastTurnRate = 0.05};
 };
 
 /// A part of the windows.
@@ -35,6 +38,10 @@ struct GroupSummary {
     std::string kind;  ///< what the windows are parted by: "robot", "manoeuvre", "state"
     std::string name;  ///< "1", "hard switch", "steady"
     Summary summary;
+};
+
+struct PercentErrors {
+    double p = 0, hd = 0;  ///< %
 };
 
 struct ModelEvaluation {
@@ -45,7 +52,7 @@ struct ModelEvaluation {
     std::vector<GroupSummary> groups;  ///< the same ones in the same order for every model
     std::vector<ErrorsAt> overTime;
     std::vector<RelativePoseError> relative;  ///< by horizon
-    double pOnFloor = 0, hdOnFloor = 0;       ///< %: P and Hd on the stretches of the floor's pairs; NaN without pairs
+    PercentErrors onFloor, onTurningFloor;    ///< on the stretches of the floors' pairs; NaN without pairs
 };
 
 /// All that a report needs; it holds no reference to the log or the models.
@@ -63,7 +70,7 @@ struct Evaluation {
     EvaluationOptions options;
     std::vector<Window> windows;
     std::vector<ModelEvaluation> models;  ///< in the order given
-    std::optional<Floor> floor;
+    std::optional<Floor> floor, turningFloor;
 };
 
 /// Rolls every model out over every window of the log and compares with the truth. The result is the same for any

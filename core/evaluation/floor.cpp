@@ -135,11 +135,16 @@ FloorPair compare(const Window& a, const Window& b, double commandDifference) {
 }
 
 void addRobot(const Log& log, std::size_t robot, const WindowOptions& windows, Floor& floor) {
-    const std::vector<Window> stretches = denseStretches(log, robot, windows, floor.options.spacing);
+    std::vector<Window> stretches = denseStretches(log, robot, windows, floor.options.spacing);
+    std::erase_if(stretches, [&](const Window& w) {
+        return w.rotation < floor.options.leastTurnRate * toSeconds(w.steps() * windows.step);
+    });
     std::vector<Integrals> integrals;
-    for (const Window& w : stretches)
+    for (const Window& w : stretches) {
+        floor.horizon = std::max(floor.horizon, w.steps() * windows.step);
         integrals.push_back(commandIntegrals(log.robots[robot].trajectories[w.trajectory], w.start - floor.options.lead,
                                              w.start + w.steps() * windows.step));
+    }
     const auto candidates = matches(stretches, integrals, windows.horizon, floor.options);
     floor.tried += stretches.size();
     floor.candidates += candidates.size();
@@ -149,11 +154,12 @@ void addRobot(const Log& log, std::size_t robot, const WindowOptions& windows, F
 
 }  // namespace
 
-Floor findFloor(const Log& log, const std::vector<std::string>& robots, const WindowOptions& windows,
+Floor findFloor(const Log& log, const std::vector<std::string>& robots, const WindowOptions& windowOptions,
                 const FloorOptions& options) {
+    WindowOptions windows = windowOptions;
+    if (options.horizon > 0) windows.horizon = options.horizon;
     Floor floor;
     floor.options = options;
-    floor.horizon = windows.horizon;
     for (std::size_t i = 0; i < log.robots.size(); ++i)
         if (robots.empty() || std::find(robots.begin(), robots.end(), log.robots[i].robot) != robots.end())
             addRobot(log, i, windows, floor);

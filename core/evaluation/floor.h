@@ -11,6 +11,8 @@ namespace mrose {
 struct FloorOptions {
     double pathBound = 0.005;  ///< m: largest difference of the integrals of v, from the lead's begin to any instant
     double rotationBound = 0.025;       ///< rad: likewise of w
+    Nanoseconds horizon = 0;            ///< length of the stretches; 0: that of the windows
+    double leastTurnRate = 0;           ///< rad/s: both stretches of a pair really turn at least so fast on average
     Nanoseconds lead = 1'000'000'000;   ///< commands before the start that must match too
     Nanoseconds spacing = 200'000'000;  ///< between starts tried in a long trajectory; a whole multiple of the step
 };
@@ -29,7 +31,7 @@ struct FloorPair {
 /// deviations are independent and alike.
 struct Floor {
     FloorOptions options;
-    Nanoseconds horizon = 0;
+    Nanoseconds horizon = 0;       ///< of the longest stretch
     std::size_t tried = 0;         ///< stretches
     std::size_t candidates = 0;    ///< pairs of them within the bounds, sharing stretches
     std::vector<FloorPair> pairs;  ///< chosen of those, best match first: no two share an instant of a robot
@@ -37,7 +39,7 @@ struct Floor {
     double pBest = 0, hdBest = 0;  ///< % / sqrt 2: what the best possible prediction would leave
 };
 
-/// Stretches are `windows.horizon` long: dense starts in trajectories that are long enough, else the trajectory's one
+/// Stretches are the horizon long: dense starts in trajectories that are long enough, else the trajectory's one
 /// window. They satisfy the minima of windows. `robots` empty: all.
 Floor findFloor(const Log& log, const std::vector<std::string>& robots, const WindowOptions& windows,
                 const FloorOptions& options = {});

@@ -1,12 +1,15 @@
 #include "evaluation/rollout.h"
 
 #include <algorithm>
-#include <cassert>
+#include <numeric>
 
 #include "evaluation/format.h"
 
 namespace mrose {
 namespace {
+
+/// Robots that advance together: enough for a model to profit, few enough for their histories to stay in the cache.
+constexpr std::size_t batchSize = 512;
 
 /// A robot under way: what it was told so far and where the model has brought it.
 struct Runner {
@@ -15,6 +18,7 @@ struct Runner {
     std::size_t next = 0;  ///< the first command not yet issued
     Pose pose;
     Velocity velocity;
+    std::optional<Velocity> unperturbed;
 };
 
 void issueUntil(Runner& runner, Nanoseconds time) {
@@ -47,12 +51,13 @@ void advance(const MotionModel& model, std::span<Runner> runners, Nanoseconds el
     for (std::size_t i = 0; i < runners.size(); ++i) {
         const Nanoseconds now = runners[i].start->time + elapsed;
         issueUntil(runners[i], now);
-        inputs[i] = {&runners[i].history, now, runners[i].velocity};
+        inputs[i] = {&runners[i].history, now, runners[i].velocity, runners[i].unperturbed};
     }
     model.predict(inputs, steps);
     for (std::size_t i = 0; i < runners.size(); ++i) {
         runners[i].pose = runners[i].pose * steps[i].increment;
         runners[i].velocity = steps[i].velocity;
+        runners[i].unperturbed = steps[i].unperturbed;
     }
 }
 
@@ -74,6 +79,31 @@ void warmUp(const MotionModel& model, std::span<RolloutStart> starts, const Roll
     for (std::size_t i = 0; i < unknown.size(); ++i) unknown[i]->velocity = runners[i].velocity;
 }
 
+/// Advances the starts with these indices, longest first, so that those still under way are always the first ones.
+void rollOutBatch(const MotionModel& model, std::span<const RolloutStart> starts, std::span<const std::size_t> order,
+                  const RolloutOptions& options, std::vector<std::vector<Pose>>& poses) {
+    std::vector<Runner> runners;
+    runners.reserve(order.size());
+    for (const std::size_t i : order) {
+        runners.push_back(prepare(starts[i], starts[i].time, options.lead));
+        runners.back().pose = starts[i].pose;
+        runners.back().velocity = *starts[i].velocity;
+        poses[i].reserve(static_cast<std::size_t>(std::max(0, starts[i].steps)));
+    }
+    std::vector<MotionInput> inputs;
+    std::vector<MotionStep> steps;
+    std::size_t active = runners.size();
+    const Nanoseconds periodsPerStep = options.step / model.period();
+    for (int step = 0;; ++step) {
+        while (active > 0 && runners[active - 1].start->steps <= step) --active;
+        if (active == 0) return;
+        const std::span underWay(runners.data(), active);
+        for (Nanoseconds i = 0; i < periodsPerStep; ++i)
+            advance(model, underWay, step * options.step + i * model.period(), inputs, steps);
+        for (std::size_t i = 0; i < active; ++i) poses[order[i]].push_back(runners[i].pose);
+    }
+}
+
 }  // namespace
 
 Expected<std::vector<std::vector<Pose>>> rollOut(const MotionModel& model, std::span<const RolloutStart> starts,
@@ -84,34 +114,15 @@ Expected<std::vector<std::vector<Pose>>> rollOut(const MotionModel& model, std::
                             secondsText(options.step) + " s");
     std::vector<RolloutStart> known(starts.begin(), starts.end());
     warmUp(model, known, options);
-
-    // Longest first, so that those still under way are always the first ones.
     std::vector<std::size_t> order(known.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return known[a].steps > known[b].steps; });
-    std::vector<Runner> runners;
-    runners.reserve(order.size());
     std::vector<std::vector<Pose>> poses(known.size());
-    for (const std::size_t i : order) {
-        runners.push_back(prepare(known[i], known[i].time, options.lead));
-        runners.back().pose = known[i].pose;
-        runners.back().velocity = *known[i].velocity;
-        poses[i].reserve(static_cast<std::size_t>(std::max(0, known[i].steps)));
-    }
-
-    std::vector<MotionInput> inputs;
-    std::vector<MotionStep> steps;
-    std::size_t active = runners.size();
-    const Nanoseconds periodsPerStep = options.step / period;
-    for (int step = 0;; ++step) {
-        while (active > 0 && runners[active - 1].start->steps <= step) --active;
-        if (active == 0) return poses;
-        const std::span underWay(runners.data(), active);
-        for (Nanoseconds i = 0; i < periodsPerStep; ++i)
-            advance(model, underWay, step * options.step + i * period, inputs, steps);
-        for (std::size_t i = 0; i < active; ++i) poses[order[i]].push_back(runners[i].pose);
-    }
+    for (std::size_t first = 0; first < order.size(); first += batchSize)
+        rollOutBatch(model, known, std::span(order).subspan(first, std::min(batchSize, order.size() - first)), options,
+                     poses);
+    return poses;
 }
 
 }  // namespace mrose

@@ -25,8 +25,8 @@ struct RolloutOptions {
     Nanoseconds lead = 3'000'000'000LL;  ///< commands known to the model before the start
 };
 
-/// Predicted poses, one list per start, `steps` long, in the frame of the start's pose. All starts advance together,
-/// one batch per period. At each period the command history holds exactly the commands stamped at or before its start:
+/// Predicted poses, one list per start, `steps` long, in the frame of the start's pose. Starts advance together,
+/// in large batches. At each period the command history holds exactly the commands stamped at or before its start:
 /// nothing later can be read. A trajectory marked steady is taken to have had its first command before it began; any
 /// other one stood before its first command. Error: the model's period does not divide the step.
 Expected<std::vector<std::vector<Pose>>> rollOut(const MotionModel& model, std::span<const RolloutStart> starts,

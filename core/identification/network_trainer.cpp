@@ -1,10 +1,14 @@
 #include "identification/network_trainer.h"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <cmath>
+#include <optional>
 
 #include "identification/velocity_outputs.h"
 #include "learning/initial_weights.h"
+#include "learning/levenberg_marquardt.h"
 #include "learning/rprop.h"
 
 namespace mrose {
@@ -24,6 +28,10 @@ struct Moments {
     }
 };
 
+std::array<double, 5> targetsOf(const MotionSample& sample) {
+    return {sample.increment.x, sample.increment.y, sample.increment.heading, sample.after.v, sample.after.w};
+}
+
 /// Means and scales of inputs and outputs over all samples. What never changes gets scale 1.
 void standardise(const MotionSamples& samples, MotionNetwork& network) {
     const auto count = static_cast<double>(samples.samples.size());
@@ -31,9 +39,7 @@ void standardise(const MotionSamples& samples, MotionNetwork& network) {
     for (std::size_t s = 0; s < samples.samples.size(); ++s) {
         const auto row = samples.inputsOf(s);
         for (std::size_t i = 0; i < row.size(); ++i) inputs[i].add(row[i]);
-        const MotionSample& sample = samples.samples[s];
-        const double targets[] = {sample.increment.x, sample.increment.y, sample.increment.heading, sample.after.v,
-                                  sample.after.w};
+        const auto targets = targetsOf(samples.samples[s]);
         for (std::size_t k = 0; k < outputs.size(); ++k) outputs[k].add(targets[k]);
     }
     const auto scale = [&](const Moments& m) { return m.deviation(count) > 1e-9 ? m.deviation(count) : 1.0; };
@@ -55,129 +61,125 @@ RpropOptions rpropOptions(LearningMethod method) {
     return options;
 }
 
-/// One network, learned with one fold held out.
-class Member {
+/// What is learned from: all patterns but those of one fold, as chains or as single steps.
+class LearningSet {
 public:
-    Member(const MotionNetwork& network, const MotionSamples& samples, const TrainerOptions& options, int index)
-        : network_(network),
-          options_(options),
-          index_(index),
-          shape_{int(samples.width), options.hidden, int(network.outputs.size())},
-          engine_(shape_),
-          heldOut_(samples, network, heldOutStarts(samples), horizonSteps(samples)),
-          parameters_(randomMlp(shape_, {.seed = options.seed * 1000 + static_cast<std::uint64_t>(index)}).parameters),
-          best_(parameters_) {
-        const auto learned = [&](const SampleRun& run) { return samples.folds == 1 || run.fold != fold(samples); };
+    LearningSet(const MotionSamples& samples, const MotionNetwork& network, const TrainerOptions& options, int heldOut)
+        : engine_({int(samples.width), options.hidden, int(network.outputs.size())}), loss_(options.rolloutLoss) {
+        const auto learned = [&](const SampleRun& run) { return run.fold != heldOut; };
+        const auto length = static_cast<std::size_t>(options.rolloutLength);
         if (options.loss == LearningLoss::rollout)
-            rollouts_.emplace(samples, network, chainStarts(samples, rolloutLength(), rolloutLength(), learned),
-                              rolloutLength());
+            chains_.emplace(samples, network, chainStarts(samples, length, length, learned), length);
         else
-            gatherSteps(samples, learned);
+            gatherSteps(samples, network, chainStarts(samples, 1, 1, learned));
     }
 
-    bool canLearn() const { return patterns() > 0 && heldOut_.chains() > 0; }
-    std::int64_t patterns() const {
-        return static_cast<std::int64_t>(rollouts_ ? rollouts_->chains() * rollouts_->length() : targets_.patterns());
-    }
+    const MlpGradient& engine() const { return engine_; }
+    std::size_t patterns() const { return chains_ ? chains_->chains() * chains_->length() : targets_.patterns(); }
+    const PatternMatrix& inputs() const { return inputs_; }    ///< of single steps
+    const PatternMatrix& targets() const { return targets_; }  ///< likewise
 
-    /// False when cancelled.
-    bool learn(const ProgressCallback& progress) {
-        Rprop rprop(shape_.parameterCount(), rpropOptions(options_.method));
-        std::vector<double> gradient(shape_.parameterCount());
-        bool cancelled = false;
-        for (epochs_ = 1; epochs_ <= options_.epochs; ++epochs_) {
-            const double loss = lossAndGradient(gradient);
-            if (epochs_ % options_.evaluateEvery == 0 && !assess(loss, progress, cancelled)) break;
-            rprop.step(parameters_, gradient, loss);
-        }
-        return !cancelled;
+    double lossAndGradient(std::span<const float> parameters, std::span<double> gradient) const {
+        return chains_ ? chains_->lossAndGradient(engine_, parameters, loss_, gradient)
+                       : engine_.meanSquaredError(parameters, inputs_, targets_, gradient);
     }
-
-    const std::vector<float>& best() const { return best_; }
-    const OpenLoopError& bestError() const { return bestError_; }
-    int epochs() const { return epochs_; }
-    const MlpShape& shape() const { return shape_; }
 
 private:
-    std::size_t rolloutLength() const { return static_cast<std::size_t>(options_.rolloutLength); }
-    int fold(const MotionSamples& samples) const { return index_ % samples.folds; }
-
-    /// The horizon in periods, or the longest held-out run where that is shorter.
-    std::size_t horizonSteps(const MotionSamples& samples) const {
-        auto steps = static_cast<std::size_t>(std::llround(options_.horizon * 1e9 / double(samples.period)));
-        std::size_t longest = 1;
-        for (const SampleRun& run : samples.runs) longest = std::max(longest, run.count);
-        return std::min(steps, longest);
-    }
-    std::vector<std::size_t> heldOutStarts(const MotionSamples& samples) const {
-        const std::size_t steps = horizonSteps(samples);
-        return chainStarts(samples, steps, std::max<std::size_t>(1, steps / 10),
-                           [&](const SampleRun& run) { return run.phase == 0 && run.fold == fold(samples); });
-    }
-
-    template <class Predicate>
-    void gatherSteps(const MotionSamples& samples, Predicate learned) {
-        std::vector<std::size_t> rows = chainStarts(samples, 1, 1, learned);
-        inputs_ = PatternMatrix(rows.size(), shape_.inputs);
-        targets_ = PatternMatrix(rows.size(), shape_.outputs);
+    void gatherSteps(const MotionSamples& samples, const MotionNetwork& network, const std::vector<std::size_t>& rows) {
+        inputs_ = PatternMatrix(rows.size(), int(network.inputs.size()));
+        targets_ = PatternMatrix(rows.size(), int(network.outputs.size()));
         for (std::size_t r = 0; r < rows.size(); ++r) {
             const auto raw = samples.inputsOf(rows[r]);
             for (std::size_t i = 0; i < raw.size(); ++i)
-                inputs_(r, int(i)) = float((raw[i] - network_.inputs[i].mean) / network_.inputs[i].scale);
-            const MotionSample& s = samples.samples[rows[r]];
-            const double targets[] = {s.increment.x, s.increment.y, s.increment.heading, s.after.v, s.after.w};
-            for (int k = 0; k < shape_.outputs; ++k)
-                targets_(r, k) = float((targets[k] - network_.outputs[k].mean) / network_.outputs[k].scale);
+                inputs_(r, int(i)) = float((raw[i] - network.inputs[i].mean) / network.inputs[i].scale);
+            const auto y = targetsOf(samples.samples[rows[r]]);
+            for (std::size_t k = 0; k < network.outputs.size(); ++k)
+                targets_(r, int(k)) = float((y[k] - network.outputs[k].mean) / network.outputs[k].scale);
         }
     }
 
-    double lossAndGradient(std::span<double> gradient) const {
-        return rollouts_ ? rollouts_->lossAndGradient(engine_, parameters_, options_.rolloutLoss, gradient)
-                         : engine_.meanSquaredError(parameters_, inputs_, targets_, gradient);
-    }
-
-    /// Keeps the parameters if they are the best so far; false when it is time to stop.
-    bool assess(double loss, const ProgressCallback& progress, bool& cancelled) {
-        const OpenLoopError error = openLoopError(heldOut_, heldOut_.predict(engine_, parameters_), network_.period);
-        const double score = error.position + 0.5 * error.heading;
-        if (std::isfinite(score) && score < bestScore_) {
-            bestScore_ = score;
-            bestError_ = error;
-            best_ = parameters_;
-            bestEpoch_ = epochs_;
-        }
-        cancelled = progress && !progress({index_, options_.members, epochs_, options_.epochs, loss, bestError_});
-        return !cancelled && epochs_ - bestEpoch_ < options_.patience && std::isfinite(loss);
-    }
-
-    const MotionNetwork& network_;
-    const TrainerOptions& options_;
-    int index_;
-    MlpShape shape_;
     MlpGradient engine_;
-    RolloutBatch heldOut_;
-    std::optional<RolloutBatch> rollouts_;
-    PatternMatrix inputs_, targets_;  ///< of one-step learning
-    std::vector<float> parameters_, best_;
-    OpenLoopError bestError_;
-    double bestScore_ = std::numeric_limits<double>::infinity();
-    int epochs_ = 0, bestEpoch_ = 0;
+    RolloutLoss loss_;
+    std::optional<RolloutBatch> chains_;
+    PatternMatrix inputs_, targets_;
 };
 
+/// The chains of one fold that nothing is learned from, `horizon` long or as long as the fold's longest run.
+RolloutBatch heldOutChains(const MotionSamples& samples, const MotionNetwork& network, double horizon, int fold) {
+    const auto isHeldOut = [&](const SampleRun& run) { return run.phase == 0 && run.fold == fold; };
+    std::size_t longest = 1;
+    for (const SampleRun& run : samples.runs)
+        if (isHeldOut(run)) longest = std::max(longest, run.count);
+    const auto wanted = static_cast<std::size_t>(std::llround(horizon / toSeconds(samples.period)));
+    const std::size_t steps = std::min(wanted, longest);
+    return {samples, network, chainStarts(samples, steps, std::max<std::size_t>(1, steps / 10), isHeldOut), steps};
+}
+
+/// A network while it learns, and the best that it was.
+struct Member {
+    std::vector<float> parameters, best;
+    OpenLoopError bestError;
+    double bestScore = std::numeric_limits<double>::infinity();
+    int epochs = 0, bestEpoch = 0;
+    bool cancelled = false;
+};
+
+/// One epoch of any method; its loss.
+using Epoch = std::function<double(std::span<float> parameters)>;
+
+Epoch epochsBy(LearningMethod method, const LearningSet& set) {
+    if (method == LearningMethod::levenbergMarquardt)
+        return [optimiser = LevenbergMarquardt(set.engine(), set.inputs(), set.targets())](
+                   std::span<float> parameters) mutable {
+            optimiser.step(parameters);
+            return optimiser.loss();
+        };
+    const std::size_t count = set.engine().shape().parameterCount();
+    return [&set, rprop = Rprop(count, rpropOptions(method)),
+            gradient = std::vector<double>(count)](std::span<float> parameters) mutable {
+        const double loss = set.lossAndGradient(parameters, gradient);
+        rprop.step(parameters, gradient, loss);
+        return loss;
+    };
+}
+
+Member learn(const LearningSet& set, const RolloutBatch& heldOut, const TrainerOptions& options, int index,
+             Nanoseconds period, const ProgressCallback& progress) {
+    Member member;
+    const std::uint64_t seed = options.seed * 1000 + static_cast<std::uint64_t>(index);
+    member.parameters = randomMlp(set.engine().shape(), {.seed = seed}).parameters;
+    const Epoch epoch = epochsBy(options.method, set);
+    while (member.epochs < options.epochs && !member.cancelled) {
+        const double loss = epoch(member.parameters);
+        if (++member.epochs % options.evaluateEvery != 0 && member.epochs < options.epochs) continue;
+        const OpenLoopError error = openLoopError(heldOut, heldOut.predict(set.engine(), member.parameters), period);
+        const double score = error.position + 0.5 * error.heading;
+        if (score < member.bestScore) {
+            member.bestScore = score;
+            member.bestError = error;
+            member.best = member.parameters;
+            member.bestEpoch = member.epochs;
+        }
+        member.cancelled =
+            progress && !progress({index, options.members, member.epochs, options.epochs, loss, member.bestError});
+        if (!std::isfinite(loss) || member.epochs - member.bestEpoch >= options.patience) break;
+    }
+    return member;
+}
+
 /// The mean of the members' outputs, as one network: their hidden layers side by side.
-Mlp meanOf(const std::vector<Member>& members) {
-    const MlpShape one = members.front().shape();
+Mlp meanOf(const std::vector<Member>& members, const MlpShape& one) {
     const auto count = static_cast<int>(members.size());
     const auto ni = static_cast<std::size_t>(one.inputs), nh = static_cast<std::size_t>(one.hidden);
     std::vector<float> weights, biases, outWeights, outBiases(static_cast<std::size_t>(one.outputs));
     for (const Member& member : members) {
-        const auto p = member.best().begin();
+        const float* p = member.best.data();
         weights.insert(weights.end(), p, p + nh * ni);
         biases.insert(biases.end(), p + nh * ni, p + nh * (ni + 1));
     }
     for (std::size_t k = 0; k < outBiases.size(); ++k)
         for (const Member& member : members) {
-            const auto p = member.best().begin() + nh * (ni + 1);
+            const float* p = member.best.data() + nh * (ni + 1);
             for (std::size_t j = 0; j < nh; ++j) outWeights.push_back(p[k * nh + j] / float(count));
             outBiases[k] += p[outBiases.size() * nh + k] / float(count);
         }
@@ -187,31 +189,68 @@ Mlp meanOf(const std::vector<Member>& members) {
     return mlp;
 }
 
+std::string methodName(LearningMethod method) {
+    switch (method) {
+        case LearningMethod::irpropPlus:
+            return "irprop+";
+        case LearningMethod::irpropMinus:
+            return "irprop-";
+        case LearningMethod::rpropPlus:
+            return "rprop+";
+        case LearningMethod::rpropMinus:
+            return "rprop-";
+        case LearningMethod::levenbergMarquardt:
+            return "lm";
+    }
+    return {};
+}
+
+void describe(const std::vector<Member>& members, const TrainerOptions& options, double horizon,
+              MotionNetwork& network) {
+    network.training.method = methodName(options.method);
+    network.training.loss = options.loss == LearningLoss::rollout ? "rollout" : "one-step";
+    network.training.seed = options.seed;
+    network.heldOut.horizon = horizon;
+    const double share = 1 / static_cast<double>(members.size());
+    for (const Member& member : members) {
+        network.training.epochs += member.epochs;
+        network.heldOut.windows += member.bestError.windows;
+        network.heldOut.position += share * member.bestError.position;
+        network.heldOut.heading += share * member.bestError.heading;
+    }
+}
+
 }  // namespace
 
 Expected<TrainingSummary> trainNetwork(const MotionNetwork& blueprint, const MotionSamples& samples,
                                        const TrainerOptions& options, const ProgressCallback& progress) {
+    assert(options.method != LearningMethod::levenbergMarquardt || options.loss == LearningLoss::oneStep);
     TrainingSummary summary;
-    summary.network = blueprint;
-    standardise(samples, summary.network);
-    const MotionNetwork network = summary.network;
+    MotionNetwork& network = summary.network;
+    network = blueprint;
+    standardise(samples, network);
     std::vector<Member> members;
-    members.reserve(static_cast<std::size_t>(options.members));
-    OpenLoopError& error = summary.heldOut;
+    MlpShape shape;
+    double horizon = 0;
     for (int m = 0; m < options.members && !summary.cancelled; ++m) {
-        Member& member = members.emplace_back(network, samples, options, m);
-        if (!member.canLearn())
-            return fail("", "the logs are too short: part " + std::to_string(m + 1) + " of " +
-                                std::to_string(samples.folds) + " has nothing to learn from or to hold out");
-        summary.cancelled = !member.learn(progress);
-        summary.network.training.epochs += member.epochs();
-        summary.network.training.patterns = std::max(summary.network.training.patterns, member.patterns());
-        error.position += member.bestError().position / options.members;
-        error.heading += member.bestError().heading / options.members;
-        error.windows += member.bestError().windows;
+        const int fold = m % samples.folds;
+        const LearningSet set(samples, network, options, fold);
+        const RolloutBatch heldOut = heldOutChains(samples, network, options.horizon, fold);
+        if (set.patterns() == 0 || heldOut.chains() == 0)
+            return fail("", "the logs are too short: part " + std::to_string(fold + 1) + " of " +
+                                std::to_string(samples.folds) + " leaves nothing to learn from or to hold out");
+        Member member = learn(set, heldOut, options, m, samples.period, progress);
+        if (member.best.empty()) return fail("", "learning diverged: the loss is not a finite number");
+        summary.cancelled = member.cancelled;
+        shape = set.engine().shape();
+        horizon = toSeconds(samples.period) * static_cast<double>(heldOut.length());
+        network.training.patterns = std::max(network.training.patterns, static_cast<std::int64_t>(set.patterns()));
+        // A member that was cut off is worse than the others; it counts only where it is all there is.
+        if (!member.cancelled || members.empty()) members.push_back(std::move(member));
     }
-    summary.network.mlp = meanOf(members);
-    if (network.form == Form::history) addVelocityOutputs(samples, summary.network);
+    network.mlp = meanOf(members, shape);
+    describe(members, options, horizon, network);
+    if (network.form == Form::history) addVelocityOutputs(samples, network);
     return summary;
 }
 

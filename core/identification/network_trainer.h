@@ -8,7 +8,7 @@
 
 namespace mrose {
 
-enum class LearningMethod { irpropPlus, irpropMinus, rpropPlus, rpropMinus, adam, levenbergMarquardt };
+enum class LearningMethod { irpropPlus, irpropMinus, rpropPlus, rpropMinus, levenbergMarquardt };
 enum class LearningLoss { oneStep, rollout };
 
 struct TrainerOptions {
@@ -36,14 +36,14 @@ struct TrainingProgress {
 using ProgressCallback = std::function<bool(const TrainingProgress&)>;
 
 struct TrainingSummary {
-    MotionNetwork network;  ///< layers, scales and training.{method, loss, seed, patterns, epochs} filled in
-    OpenLoopError heldOut;  ///< of each member on the fold that it was not learned from, all folds together
+    MotionNetwork network;  ///< with layers, scales, heldOut and training.{method, loss, seed, patterns, epochs}
     bool cancelled = false;
 };
 
 /// Learns a motion network open loop. `blueprint` says form, robots, period, inputs (their scales are found here),
 /// recovery. Runs in the caller's oneTBB arena; the same samples, options and seed give the same network whatever the
-/// number of threads. Error: too few patterns to learn from and to hold out.
+/// number of threads. Levenberg-Marquardt needs LearningLoss::oneStep. Error: too few patterns to learn from and to
+/// hold out.
 Expected<TrainingSummary> trainNetwork(const MotionNetwork& blueprint, const MotionSamples& samples,
                                        const TrainerOptions& options, const ProgressCallback& progress = {});
 

@@ -25,8 +25,8 @@ std::vector<double> binEdges(const ResponseTimes& times) {
     const double spread = std::abs(times.deadTimeV - times.deadTimeW);
     const double reach = spread + 1.5 * std::max(times.lagV, times.lagW);
     std::vector<double> edges;
-    for (const double offset : {-0.05, 0.0, 0.025, 0.05, 0.075, 0.1, 0.125, 0.15, 0.175, 0.2, 0.25, 0.3, 0.4, 0.5, 0.7,
-                                1.0, 1.4}) {
+    for (const double offset :
+         {-0.05, 0.0, 0.025, 0.05, 0.075, 0.1, 0.125, 0.15, 0.175, 0.2, 0.25, 0.3, 0.4, 0.5, 0.7, 1.0, 1.4}) {
         const double edge = std::max(0.0, deadTime + offset);
         if (!edges.empty() && (edge <= edges.back() || (offset > 0.3 && edges.back() - deadTime >= reach))) continue;
         edges.push_back(edge);

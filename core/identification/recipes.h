@@ -9,7 +9,7 @@ namespace mrose {
 
 /// What is known of a kind of robot beforehand and cannot be told from its logs by learning alone.
 struct RobotTraits {
-    std::string type;  ///< "irobot-create"
+    std::string type;                      ///< "irobot-create"
     MotionNetwork::WheelPhase wheelPhase;  ///< quantum 0: wheel speeds are continuous
     double turnOffset = 0;                 ///< rad/s, as in MotionNetwork
     bool turnsOnTinyCommands = false;      ///< a tiny rotation rate is driven as a circle of the largest radius
@@ -28,8 +28,8 @@ struct ResponseTimes {
 MotionNetwork historyBlueprint(const RobotTraits& traits, std::vector<std::string> robots, const ResponseTimes& times);
 
 /// The network of Buck, Beetz and Schmitt (2002): form state, with the mean command over the period as seen through the
-/// dead time. No command issued after the period's start is read, so a dead time below the period counts the rest of it as
-/// the newest command.
+/// dead time. No command issued after the period's start is read, so a dead time below the period counts the rest of it
+/// as the newest command.
 MotionNetwork paperBlueprint(const RobotTraits& traits, std::vector<std::string> robots, const ResponseTimes& times);
 
 }  // namespace mrose

@@ -15,7 +15,8 @@ struct PackedMlp {
     const float* outputBiases = nullptr;   ///< [outputStride]
 };
 
-/// Scratch floats that a call may use: `one` hiddenStride + outputStride, `batch` 16 (inputs + hidden + outputs).
+/// Scratch floats that a call may use: `one` hiddenStride + outputStride, `batch` 64 inputs + 16 (hidden +
+/// outputs).
 struct InferenceKernel {
     void (*one)(const PackedMlp&, const float* x, float* y, float* scratch);
     void (*batch)(const PackedMlp&, const float* rows, float* out, size_t n, float* scratch);

@@ -2,6 +2,6 @@
 
 namespace mrose {
 
-const InferenceKernel inferenceAvx2 = {predictOne<8, 8>, predictBatch<8, 2>};
+const InferenceKernel inferenceAvx2 = {predictOne<8, 8, 8>, predictBatch<8, 2>};
 
 }  // namespace mrose

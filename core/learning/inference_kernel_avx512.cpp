@@ -2,6 +2,6 @@
 
 namespace mrose {
 
-const InferenceKernel inferenceAvx512 = {predictOne<8, 8>, predictBatch<16, 5>};
+const InferenceKernel inferenceAvx512 = {predictOne<8, 16, 8>, predictBatch<16, 5>};
 
 }  // namespace mrose

@@ -2,6 +2,6 @@
 
 namespace mrose {
 
-const InferenceKernel inferenceBaseline = {predictOne<4, 4>, predictBatch<4, 2>};
+const InferenceKernel inferenceBaseline = {predictOne<4, 4, 4>, predictBatch<4, 2>};
 
 }  // namespace mrose

@@ -55,15 +55,19 @@ template <int N>
     return load<N>(net.outputBiases + first) + ((sum[0] + sum[1]) + (sum[2] + sum[3]));
 }
 
-/// Lanes `Hidden` in the hidden layer, `Out` in the output layer.
-template <int Hidden, int Out>
+/// Lanes of the hidden layer: `Wide` where it has many units, else `Narrow`, which wastes fewer; `Out` of the output
+/// layer.
+template <int Narrow, int Wide, int Out>
 void predictOne(const PackedMlp& net, const float* x, float* y, float* scratch) {
     float* h = scratch;
-    hiddenLayerAlone<Hidden>(net, x, h);
+    if (net.hidden > 2 * Wide) {
+        hiddenLayerAlone<Wide>(net, x, h);
+    } else {
+        hiddenLayerAlone<Narrow>(net, x, h);
+    }
     for (int first = 0; first < net.outputs; first += Out) {
         const Lanes<Out> values = outputBlock<Out>(net, h, first);
-        const int count = net.outputs - first < Out ? net.outputs - first : Out;
-        for (int k = 0; k < count; ++k) y[first + k] = values[k];
+        storeFirst<Out>(y + first, values, net.outputs - first < Out ? net.outputs - first : Out);
     }
 }
 
@@ -83,7 +87,9 @@ template <int N, int Units>
 
 template <int N, int Count>
 [[gnu::always_inline]] inline void outputUnits(const PackedMlp& net, const float* h, int first, float* y) {
-    Lanes<N> sum[Count][4] = {};
+    Lanes<N> sum[Count][4];
+    for (int k = 0; k < Count; ++k)
+        for (int part = 0; part < 4; ++part) sum[k][part] = Lanes<N>{};
     const float* weights = net.outputWeights + first;
     int j = 0;
     for (; j + 4 <= net.hidden; j += 4)
@@ -112,19 +118,41 @@ void predictLanes(const PackedMlp& net, const float* x, float* h, float* y) {
     for (; k < net.outputs; ++k) outputUnits<N, 1>(net, h, k, y);
 }
 
+/// to[column][row] = from[row][column].
+[[gnu::always_inline]] inline void transpose(const float* from, size_t fromStride, int rows, int columns, float* to,
+                                             size_t toStride) {
+    int column = 0;
+    for (; column + 4 <= columns; column += 4) {
+        int row = 0;
+        for (; row + 4 <= rows; row += 4)
+            transpose4(from + row * fromStride + column, fromStride, to + column * toStride + row, toStride);
+        for (; row < rows; ++row)
+            for (int i = column; i < column + 4; ++i) to[i * toStride + row] = from[row * fromStride + i];
+    }
+    for (; column < columns; ++column)
+        for (int row = 0; row < rows; ++row) to[column * toStride + row] = from[row * fromStride + column];
+}
+
+[[gnu::always_inline]] inline int atMost(size_t left, int most) { return left < size_t(most) ? int(left) : most; }
+
+/// 64 rows are turned into lanes before the first of them is computed: vectors of freshly stored single floats load
+/// slowly.
 template <int N, int OutputUnits>
 void predictBatch(const PackedMlp& net, const float* rows, float* out, size_t n, float* scratch) {
+    constexpr int kRows = 64;
+    const int inputs = net.inputs, outputs = net.outputs;
     float* x = scratch;
-    float* h = x + net.inputs * N;
+    float* h = x + inputs * kRows;
     float* y = h + net.hidden * N;
-    for (size_t first = 0; first < n; first += N) {
-        const int count = n - first < N ? static_cast<int>(n - first) : N;
-        for (int i = 0; i < net.inputs; ++i)
-            for (int lane = 0; lane < N; ++lane)
-                x[i * N + lane] = lane < count ? rows[(first + lane) * net.inputs + i] : 0.0f;
-        predictLanes<N, OutputUnits>(net, x, h, y);
-        for (int lane = 0; lane < count; ++lane)
-            for (int k = 0; k < net.outputs; ++k) out[(first + lane) * net.outputs + k] = y[k * N + lane];
+    for (int i = 0; i < inputs * kRows; ++i) x[i] = 0;
+    for (size_t first = 0; first < n; first += kRows) {
+        const int here = atMost(n - first, kRows);
+        for (int row = 0; row < here; row += N)
+            transpose(rows + (first + row) * inputs, inputs, atMost(here - row, N), inputs, x + row * inputs, N);
+        for (int row = 0; row < here; row += N) {
+            predictLanes<N, OutputUnits>(net, x + row * inputs, h, y);
+            transpose(y, N, outputs, atMost(here - row, N), out + (first + row) * outputs, outputs);
+        }
     }
 }
 

@@ -5,6 +5,7 @@
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include "learning/kernel_choice.h"
 
@@ -15,29 +16,22 @@ namespace {
 constexpr int kBlock = static_cast<int>(PatternMatrix::kBlock);
 constexpr int kLanes = 16;
 
-/// Patterns that a pass takes at once: as many as leave the hidden activations in the nearest caches.
-int columnsAtOnce(int hidden) { return hidden <= 40 ? kBlock : kBlock / 2; }
-
 /// Blocks whose gradients are summed in float lanes before they are added in double. A function of the batch alone.
 std::size_t blocksPerRange(std::size_t blocks) { return std::clamp<std::size_t>(blocks / 48, 1, 8); }
 
-/// f(tile, first column) for the parts of a block that are taken at once.
-template <class F>
-void forTiles(const MlpShape& shape, std::span<const float> parameters, const PatternMatrix& inputs, std::size_t block,
-              const F& f) {
-    const int valid = static_cast<int>(inputs.patternsOfBlock(block)), step = columnsAtOnce(shape.hidden);
+/// A block of patterns on its way through the network.
+KernelTile tileOf(const MlpShape& shape, std::span<const float> parameters, const PatternMatrix& inputs,
+                  std::size_t block) {
     KernelTile tile;
     tile.inputs = shape.inputs;
     tile.hidden = shape.hidden;
     tile.outputs = shape.outputs;
+    tile.valid = static_cast<int>(inputs.patternsOfBlock(block));
+    tile.columns = (tile.valid + kLanes - 1) / kLanes * kLanes;
     tile.parameters = parameters.data();
+    tile.x = inputs.block(block);
     tile.stride = tile.hiddenStride = kBlock;
-    for (int first = 0; first < valid; first += step) {
-        tile.valid = std::min(valid - first, step);
-        tile.columns = (tile.valid + kLanes - 1) / kLanes * kLanes;
-        tile.x = inputs.block(block) + first;
-        f(tile, first);
-    }
+    return tile;
 }
 
 }  // namespace
@@ -61,6 +55,7 @@ struct MlpGradient::Worker {
     }
 
     std::vector<float> h, y, lanes;
+    std::vector<double> partial;  ///< sums of all ranges of a call that this thread made
     double loss = 0;
 };
 
@@ -81,19 +76,25 @@ void MlpGradient::forBlocks(std::size_t blocks, const BlockWork& work) const {
 
 double MlpGradient::sumOverBlocks(std::size_t blocks, std::span<double> gradient, const BlockWork& work) const {
     const std::size_t step = blocksPerRange(blocks), ranges = (blocks + step - 1) / step, count = gradient.size();
-    std::vector<double> losses(ranges), partial(ranges * count);
-    tbb::parallel_for(std::size_t{0}, ranges, [&](std::size_t range) {
+    // kept from call to call: fresh memory of this size costs more than a small batch
+    std::vector<double>& partial = workspace_->workers.local().partial;
+    partial.assign(ranges * (count + 1), 0.0);
+    const auto sumRange = [&](std::size_t range) {
         Worker& worker = workspace_->workers.local();
+        double* sums = partial.data() + range * (count + 1);
         worker.loss = 0;
         for (std::size_t block = range * step; block < std::min(blocks, (range + 1) * step); ++block)
             work(worker, block);
-        losses[range] = worker.loss;
-        if (count > 0) kernel_->reduce(worker.lanes.data(), count, partial.data() + range * count);
-    });
+        sums[count] = worker.loss;
+        if (count > 0) kernel_->reduce(worker.lanes.data(), count, sums);
+    };
+    // isolated: while it waits, this thread must not begin another task that uses its partial sums
+    tbb::this_task_arena::isolate([&] { tbb::parallel_for(std::size_t{0}, ranges, sumRange); });
     double loss = 0;
     for (std::size_t range = 0; range < ranges; ++range) {
-        loss += losses[range];
-        for (std::size_t i = 0; i < count; ++i) gradient[i] += partial[range * count + i];
+        const double* sums = partial.data() + range * (count + 1);
+        for (std::size_t i = 0; i < count; ++i) gradient[i] += sums[i];
+        loss += sums[count];
     }
     return loss;
 }
@@ -110,13 +111,12 @@ double MlpGradient::meanSquaredError(std::span<const float> parameters, const Pa
     assert(inputs.features() == shape_.inputs && targets.features() == shape_.outputs);
     std::fill(gradient.begin(), gradient.end(), 0.0);
     const double sum = sumOverBlocks(inputs.blocks(), gradient, [&](Worker& worker, std::size_t block) {
-        forTiles(shape_, parameters, inputs, block, [&](const KernelTile& tile, int first) {
-            float* h = worker.h.data();
-            float* y = worker.y.data();
-            kernel_->forward(tile, h, y);
-            worker.loss += kernel_->squaredError(tile, y, targets.block(block) + first, y);
-            if (!gradient.empty()) kernel_->backward(tile, h, y, h, worker.lanes.data(), nullptr);
-        });
+        const KernelTile tile = tileOf(shape_, parameters, inputs, block);
+        float* h = worker.h.data();
+        float* y = worker.y.data();
+        kernel_->forward(tile, h, y);
+        worker.loss += kernel_->squaredError(tile, y, targets.block(block), y);
+        if (!gradient.empty()) kernel_->backward(tile, h, y, h, worker.lanes.data(), nullptr);
     });
     const double count = static_cast<double>(inputs.patterns()) * shape_.outputs;
     for (double& g : gradient) g *= 2 / count;
@@ -129,10 +129,8 @@ void MlpGradient::forward(std::span<const float> parameters, const PatternMatrix
     outputs.resize(inputs.patterns(), shape_.outputs);
     if (hidden) hidden->resize(inputs.patterns(), shape_.hidden);
     forBlocks(inputs.blocks(), [&](Worker& worker, std::size_t block) {
-        forTiles(shape_, parameters, inputs, block, [&](const KernelTile& tile, int first) {
-            float* h = hidden ? hidden->block(block) + first : worker.h.data();
-            kernel_->forward(tile, h, outputs.block(block) + first);
-        });
+        float* h = hidden ? hidden->block(block) : worker.h.data();
+        kernel_->forward(tileOf(shape_, parameters, inputs, block), h, outputs.block(block));
     });
 }
 
@@ -145,14 +143,13 @@ void MlpGradient::backward(std::span<const float> parameters, const PatternMatri
     assert(!hidden || (hidden->patterns() == inputs.patterns() && hidden->features() == shape_.hidden));
     if (inputGradient) inputGradient->resize(inputs.patterns(), shape_.inputs);
     sumOverBlocks(inputs.blocks(), gradient, [&](Worker& worker, std::size_t block) {
-        forTiles(shape_, parameters, inputs, block, [&](const KernelTile& tile, int first) {
-            float* d = worker.h.data();
-            if (!hidden) kernel_->forward(tile, d, worker.y.data());
-            const float* h = hidden ? hidden->block(block) + first : d;
-            float* dx = inputGradient ? inputGradient->block(block) + first : nullptr;
-            const float* error = worker.padded(tile, outputGradient.block(block) + first);
-            kernel_->backward(tile, h, error, d, worker.lanes.data(), dx);
-        });
+        const KernelTile tile = tileOf(shape_, parameters, inputs, block);
+        float* d = worker.h.data();
+        if (!hidden) kernel_->forward(tile, d, worker.y.data());
+        const float* h = hidden ? hidden->block(block) : d;
+        const float* error = worker.padded(tile, outputGradient.block(block));
+        kernel_->backward(tile, h, error, d, worker.lanes.data(),
+                          inputGradient ? inputGradient->block(block) : nullptr);
     });
 }
 

@@ -9,7 +9,7 @@ namespace mrose {
 namespace {
 
 constexpr int kMostLanes = 16;
-constexpr std::size_t kScratchOnStack = 4096;  // floats
+constexpr std::size_t kScratchOnStack = 8192;  // floats
 
 int roundUp(int count, int multiple) { return (count + multiple - 1) / multiple * multiple; }
 
@@ -68,7 +68,7 @@ void MlpInference::one(const float* x, float* y) const {
 void MlpInference::batch(const float* rows, float* out, std::size_t n) const {
     if (n == 1) return one(rows, out);
     const PackedMlp net = packed();
-    const std::size_t floats = static_cast<std::size_t>(kMostLanes) * (net.inputs + net.hidden + net.outputs);
+    const std::size_t floats = 64 * net.inputs + kMostLanes * (net.hidden + net.outputs);
     withScratch(floats, [&](float* scratch) { kernel_->batch(net, rows, out, n, scratch); });
 }
 

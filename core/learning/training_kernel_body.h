@@ -196,13 +196,28 @@ double squaredError(const KernelTile& t, const float* y, const float* target, fl
     return loss;
 }
 
+/// Sums of N lanes, by way of four.
+template <int N>
+[[gnu::always_inline]] inline Lanes<4> fourSums(const float* lanes) {
+    Lanes<4> sum = load<4>(lanes);
+    for (int i = 4; i < N; i += 4) sum += load<4>(lanes + i);
+    return sum;
+}
+
 template <int N>
 void reduce(float* lanes, size_t count, double* gradient) {
-    for (size_t i = 0; i < count; ++i, lanes += 16) {
-        double sum = 0;
-        for (int lane = 0; lane < N; ++lane) sum += lanes[lane];
-        gradient[i] += sum;
-        store<N>(lanes, Lanes<N>{});
+    for (size_t i = 0; i < count; i += 4) {
+        float sums[16] = {}, columns[16];
+        const int here = count - i < 4 ? int(count - i) : 4;
+        for (int row = 0; row < here; ++row) {
+            float* from = lanes + (i + row) * 16;
+            store<4>(sums + 4 * row, fourSums<N>(from));
+            store<N>(from, Lanes<N>{});
+        }
+        transpose4(sums, 4, columns, 4);
+        const Lanes<4> total =
+            (load<4>(columns) + load<4>(columns + 4)) + (load<4>(columns + 8) + load<4>(columns + 12));
+        for (int row = 0; row < here; ++row) gradient[i + row] += total[row];
     }
 }
 

@@ -105,7 +105,7 @@ MotionStep KinematicModel::step(const MotionInput& input) const {
     assert(delayV >= 0 && delayW >= 0);
     const CommandHistory& commands = *input.commands;
     const Nanoseconds end = input.start + period_;
-    MotionStep result{{}, input.velocity};
+    MotionStep result{{}, input.velocity, {}};
     for (Nanoseconds now = input.start; now < end;) {
         const double commandV = commands.at(std::min(now - delayV, input.start)).v;
         const double commandW = commands.at(std::min(now - delayW, input.start)).w;
@@ -122,6 +122,7 @@ MotionStep KinematicModel::step(const MotionInput& input) const {
         }
         now = next;
     }
+    result.unperturbed = result.velocity;
     return result;
 }
 

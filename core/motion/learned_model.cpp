@@ -29,11 +29,14 @@ MotionStep LearnedMotion::toStep(const MotionInput& input, int robot, const floa
     std::array<double, MotionNetwork::maxOutputs> y;
     for (std::size_t i = 0; i < network_.outputs.size(); ++i)
         y[i] = network_.outputs[i].mean + network_.outputs[i].scale * static_cast<double>(outputs[i]);
-    MotionStep step{{y[0], y[1], y[2]}, {y[3], y[4]}};
+    MotionStep step{{y[0], y[1], y[2]}, {y[3], y[4]}, {y[3], y[4]}};
     if (network_.form == MotionNetwork::Form::history) {
-        const double v = input.velocity.v - y[3], w = input.velocity.w - y[4];
-        step = {{y[0] + v * decayV_.displacement, y[1], y[2] + w * decayW_.displacement},
-                {y[5] + v * decayV_.velocity, y[6] + w * decayW_.velocity}};
+        const Velocity expected = input.unperturbed.value_or(Velocity{y[3], y[4]});
+        const double v = input.velocity.v - expected.v, w = input.velocity.w - expected.w;
+        step.increment.x += v * decayV_.displacement;
+        step.increment.heading += w * decayW_.displacement;
+        step.unperturbed = {y[5], y[6]};
+        step.velocity = {y[5] + v * decayV_.velocity, y[6] + w * decayW_.velocity};
     }
     if (robot >= 0) step.increment.y += trackers_[static_cast<std::size_t>(robot)].sideways(step.increment);
     return step;

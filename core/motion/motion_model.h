@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "geometry/pose.h"
@@ -12,12 +13,18 @@ struct MotionInput {
     const CommandHistory* commands = nullptr;
     Nanoseconds start = 0;  ///< of the predicted period; no command issued after it is read
     Velocity velocity;      ///< at `start`
+    /// The MotionStep::unperturbed of the period before: what differs from it has been pushed, and recovers. Unknown at
+    /// a first period: the model then tells it from the commands.
+    std::optional<Velocity> unperturbed = std::nullopt;
 };
 
 /// What it predicts.
 struct MotionStep {
     Pose increment;     ///< pose at the period's end in the robot's frame at its start
     Velocity velocity;  ///< at the period's end
+    /// The velocity at the period's end that the commands alone lead to, for models that tell it from `velocity`; equal
+    /// to it for the others. Part of a robot's state, like its velocity.
+    Velocity unperturbed;
 };
 
 /// Where one robot will be a control period later: Delta: (v, w, commands) -> (dx, dy, dphi, v', w'). Models are const

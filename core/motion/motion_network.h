@@ -65,7 +65,7 @@ struct MotionNetwork {
     enum class Form {
         state,    ///< (v, w, commands) -> (dx, dy, dphi, v', w'): five outputs; the paper's
         history,  ///< commands -> (dx, dy, dphi, v0, w0, v1, w1): the motion that the commands alone lead to, with the
-                  ///< velocities expected at the period's ends; another start velocity decays by `recovery`
+                  ///< velocities at the period's start and end; what differs from them decays by `recovery`
     };
     static constexpr int version = 1;
     static constexpr std::size_t maxInputs = 256, maxOutputs = 7, maxHidden = 4096;
@@ -94,13 +94,20 @@ struct MotionNetwork {
 
     std::optional<DifferentialDrive> drive;  ///< geometry fitted to logs of wheel commands
 
-    /// What was identified from the logs of one robot: how its tracked point and heading lie to its body, and the
-    /// kinematic baseline (dead time, lag, gain) fitted to it.
+    /// What was identified from the logs of one robot: how its tracked point lies to its body, how late it answers, and
+    /// the kinematic baselines fitted to it.
     struct Identified {
+        struct Delay {
+            double deadTime = 0, deadTimeError = 0;  ///< s; the mean over commands, and its standard error
+            double lag = 0;                          ///< s
+            double jitter = 0;                       ///< s, standard deviation of the single commands' dead times
+            bool operator==(const Delay&) const = default;
+        };
         std::string robot;
         TrackerOffset tracker;
-        KinematicParameters kinematics;
-        double deadTimeErrorV = 0, deadTimeErrorW = 0;  ///< s, standard errors
+        Delay v, w;
+        KinematicParameters delayed;  ///< dead time alone
+        KinematicParameters dynamic;  ///< with lag, gain and bias
         bool operator==(const Identified&) const = default;
     };
     std::vector<Identified> identified;

@@ -80,10 +80,21 @@ std::string layerText(const MotionNetwork& network) {
     return text + "]\noutput_biases = " + rowText(p, outputs) + '\n';
 }
 
-std::string channelText(std::string_view name, const KinematicParameters::Channel& c) {
-    return std::string(name) + " = { dead_time_s = " + numberText(c.deadTime) + ", lag_s = " + numberText(c.lag) +
+std::string delayText(std::string_view name, const MotionNetwork::Identified::Delay& d) {
+    return std::string(name) + " = { dead_time_s = " + numberText(d.deadTime) +
+           ", dead_time_error_s = " + numberText(d.deadTimeError) + ", lag_s = " + numberText(d.lag) +
+           ", jitter_s = " + numberText(d.jitter) + " }\n";
+}
+
+std::string channelText(const KinematicParameters::Channel& c) {
+    return "{ dead_time_s = " + numberText(c.deadTime) + ", lag_s = " + numberText(c.lag) +
            ", gain = " + numberText(c.gain) + ", bias = " + numberText(c.bias) + ", limit = " + numberText(c.limit) +
-           ", acceleration = " + numberText(c.acceleration) + " }\n";
+           ", acceleration = " + numberText(c.acceleration) + " }";
+}
+
+std::string kinematicsText(std::string_view name, const KinematicParameters& k) {
+    return std::string(name) + " = { v = " + channelText(k.v) + ", w = " + channelText(k.w) +
+           ", lateral_per_rotation_m = " + numberText(k.lateralPerRotation) + " }\n";
 }
 
 std::string provenanceText(const MotionNetwork& network) {
@@ -100,9 +111,8 @@ std::string provenanceText(const MotionNetwork& network) {
     for (const auto& i : network.identified)
         text += "\n[[identified]]\n" + line("robot", tomlText(i.robot)) +
                 "tracker = { ahead_m = " + numberText(i.tracker.ahead) +
-                ", rotated_rad = " + numberText(i.tracker.rotated) + " }\n" + channelText("v", i.kinematics.v) +
-                channelText("w", i.kinematics.w) + line("lateral_per_rotation_m", i.kinematics.lateralPerRotation) +
-                line("dead_time_error_v_s", i.deadTimeErrorV) + line("dead_time_error_w_s", i.deadTimeErrorW);
+                ", rotated_rad = " + numberText(i.tracker.rotated) + " }\n" + delayText("v", i.v) +
+                delayText("w", i.w) + kinematicsText("delayed", i.delayed) + kinematicsText("dynamic", i.dynamic);
     return text;
 }
 
@@ -139,17 +149,35 @@ KinematicParameters::Channel readChannel(TomlTable table) {
     return c;
 }
 
+KinematicParameters readKinematics(TomlTable table) {
+    KinematicParameters k;
+    k.v = readChannel(table.table("v"));
+    k.w = readChannel(table.table("w"));
+    k.lateralPerRotation = table.number("lateral_per_rotation_m");
+    table.rejectUnknown();
+    return k;
+}
+
+MotionNetwork::Identified::Delay readDelay(TomlTable table) {
+    MotionNetwork::Identified::Delay d;
+    d.deadTime = table.number("dead_time_s", {0, 10});
+    d.deadTimeError = table.number("dead_time_error_s", {0, 1e6});
+    d.lag = table.number("lag_s", {0, 10});
+    d.jitter = table.number("jitter_s", {0, 10});
+    table.rejectUnknown();
+    return d;
+}
+
 MotionNetwork::Identified readIdentified(TomlTable table) {
     MotionNetwork::Identified i;
     i.robot = table.string("robot");
     TomlTable tracker = table.table("tracker");
     i.tracker = {tracker.number("ahead_m", {-10, 10}), tracker.number("rotated_rad", {-7, 7})};
     tracker.rejectUnknown();
-    i.kinematics.v = readChannel(table.table("v"));
-    i.kinematics.w = readChannel(table.table("w"));
-    i.kinematics.lateralPerRotation = table.number("lateral_per_rotation_m");
-    i.deadTimeErrorV = table.number("dead_time_error_v_s", {0, 1e6});
-    i.deadTimeErrorW = table.number("dead_time_error_w_s", {0, 1e6});
+    i.v = readDelay(table.table("v"));
+    i.w = readDelay(table.table("w"));
+    i.delayed = readKinematics(table.table("delayed"));
+    i.dynamic = readKinematics(table.table("dynamic"));
     table.rejectUnknown();
     return i;
 }

@@ -49,9 +49,10 @@ void compare(const char* title, std::vector<Contender> contenders, bool hasPeer,
     for (int round = 0; round < rounds; ++round)
         for (Contender& contender : contenders)
             contender.each.push_back(scale * seconds(contender.work) / contender.times);
-    std::printf("\n%s\n", title);
+    std::printf("\n%s: median (least)\n", title);
     for (const Contender& contender : contenders) {
-        std::printf("  %-34s %9.2f %s", contender.name.c_str(), median(contender.each), unit);
+        std::printf("  %-34s %9.2f (%.2f) %s", contender.name.c_str(), median(contender.each),
+                    *std::min_element(contender.each.begin(), contender.each.end()), unit);
         std::vector<double> ratios;
         for (int round = 0; round < rounds; ++round)
             ratios.push_back(contenders[0].each[round] / contender.each[round]);

@@ -33,8 +33,12 @@ Trajectory irregular(std::uint64_t seed) {
     return trajectory;
 }
 
+struct PlainLine {
+    Pose value, slope;
+};
+
 /// The definition in its plainest form: normal equations over all samples, for every instant anew.
-Pose plainFit(const std::vector<StampedPose>& poses, Nanoseconds time) {
+PlainLine plainFit(const std::vector<StampedPose>& poses, Nanoseconds time) {
     double n = 0, st = 0, stt = 0;
     Pose s, stp;
     for (const auto& [stamp, pose] : poses) {
@@ -46,14 +50,16 @@ Pose plainFit(const std::vector<StampedPose>& poses, Nanoseconds time) {
     }
     if (n >= 4) {
         const double d = n * stt - st * st;
-        return {(stt * s.x - st * stp.x) / d, (stt * s.y - st * stp.y) / d, (stt * s.heading - st * stp.heading) / d};
+        return {{(stt * s.x - st * stp.x) / d, (stt * s.y - st * stp.y) / d, (stt * s.heading - st * stp.heading) / d},
+                {(n * stp.x - st * s.x) / d, (n * stp.y - st * s.y) / d, (n * stp.heading - st * s.heading) / d}};
     }
     std::size_t after = 1;
     while (poses[after].time < time) ++after;
     const StampedPose &a = poses[after - 1], &b = poses[after];
-    const double share = static_cast<double>(time - a.time) / static_cast<double>(b.time - a.time);
-    return {a.pose.x + share * (b.pose.x - a.pose.x), a.pose.y + share * (b.pose.y - a.pose.y),
-            a.pose.heading + share * (b.pose.heading - a.pose.heading)};
+    const double since = static_cast<double>(time - a.time) / 1e9, whole = static_cast<double>(b.time - a.time) / 1e9;
+    const Pose slope{(b.pose.x - a.pose.x) / whole, (b.pose.y - a.pose.y) / whole,
+                     (b.pose.heading - a.pose.heading) / whole};
+    return {{a.pose.x + since * slope.x, a.pose.y + since * slope.y, a.pose.heading + since * slope.heading}, slope};
 }
 
 TEST(PoseGrid, IsTheLineFittedOver60MillisecondsOnBothSides) {
@@ -61,10 +67,13 @@ TEST(PoseGrid, IsTheLineFittedOver60MillisecondsOnBothSides) {
     const PoseGrid grid = poseGrid(trajectory);
     ASSERT_GT(grid.size(), 250u);
     for (std::size_t i = 0; i < grid.size(); ++i) {
-        const Pose expected = plainFit(trajectory.poses, grid.time(i));
-        EXPECT_NEAR(grid.poses[i].x, expected.x, 1e-10) << i;
-        EXPECT_NEAR(grid.poses[i].y, expected.y, 1e-10) << i;
-        EXPECT_NEAR(grid.poses[i].heading, expected.heading, 1e-10) << i;
+        const auto [value, slope] = plainFit(trajectory.poses, grid.time(i));
+        EXPECT_NEAR(grid.poses[i].x, value.x, 1e-10) << i;
+        EXPECT_NEAR(grid.poses[i].y, value.y, 1e-10) << i;
+        EXPECT_NEAR(grid.poses[i].heading, value.heading, 1e-10) << i;
+        const double forward = std::cos(value.heading) * slope.x + std::sin(value.heading) * slope.y;
+        EXPECT_NEAR(grid.velocities[i].v, forward, 1e-8) << i;
+        EXPECT_NEAR(grid.velocities[i].w, slope.heading, 1e-8) << i;
     }
 }
 
@@ -85,20 +94,24 @@ TEST(PoseGrid, IsNotOkWithinAGapOfTheTruth) {
 
 TEST(PoseGrid, LiesOnWholeStepsFromAfterTheStartToBeforeTheEnd) {
     const Trajectory trajectory = irregular(3);
-    const Nanoseconds begin = trajectory.commands.front().time + 1500 * millisecond;
-    const Nanoseconds end = trajectory.commands.back().time - 1000 * millisecond;
     for (const Nanoseconds step : {100 * millisecond, 20 * millisecond})
-        for (const Nanoseconds offset : {Nanoseconds{0}, 7 * millisecond}) {
-            const PoseGrid grid = poseGrid(trajectory, step, offset);
-            EXPECT_EQ((grid.start - offset) % step, 0);
+        for (const GridMargins margins : {GridMargins{}, GridMargins{0, 0}, GridMargins{2000 * millisecond, 0}}) {
+            const Nanoseconds begin = trajectory.commands.front().time + margins.begin;
+            const Nanoseconds end = trajectory.commands.back().time - margins.end;
+            const PoseGrid grid = poseGrid(trajectory, step, margins);
+            EXPECT_EQ(grid.start % step, 0);
             EXPECT_GE(grid.start, begin);
             EXPECT_LT(grid.start - step, begin);
             EXPECT_LT(grid.time(grid.size() - 1), end);
             EXPECT_GE(grid.time(grid.size()), end);
             EXPECT_EQ(grid.ok.size(), grid.size());
-            for (std::size_t i = 0; i < grid.size(); i += 10)
-                EXPECT_NEAR(grid.poses[i].heading, plainFit(trajectory.poses, grid.time(i)).heading, 1e-10);
+            EXPECT_EQ(grid.velocities.size(), grid.size());
         }
+}
+
+TEST(PoseGrid, DefaultMarginsAreThoseOfTheReferee) {
+    EXPECT_EQ(GridMargins{}.begin, 1500 * millisecond);
+    EXPECT_EQ(GridMargins{}.end, 1000 * millisecond);
 }
 
 TEST(PoseGrid, IsEmptyWithoutCommandsOrTruthOrTime) {

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+
+#include "evaluation/evaluate.h"
+
+namespace mrose {
+
+/// CSS class of the n-th model: s0 is the model of the report, the others are what it is compared with.
+std::string seriesClass(std::size_t model);
+
+/// The model's name behind a sample of its line.
+std::string modelName(const Evaluation& evaluation, std::size_t model);
+
+std::string modelLegend(const Evaluation& evaluation);
+std::string pathLegend(const Evaluation& evaluation);
+std::string manoeuvreLegend();
+
+enum class Channel { position, heading };
+
+/// Error against time: the first model's 10-90 % and 25-75 % bands and every model's median. cm or degrees.
+std::string errorOverTimeFigure(const Evaluation& evaluation, Channel channel);
+
+/// Part of the windows with an error up to x: position, time-mean over path in %; heading at the end in degrees.
+std::string cumulativeFigure(const Evaluation& evaluation, Channel channel);
+
+/// One bar per window of one robot in the log's order: the first model's time-mean position error in cm.
+std::string barsFigure(const Evaluation& evaluation, std::size_t robot, double highest);
+double highestBar(const Evaluation& evaluation);  ///< cm, the same scale for all robots
+
+/// Real and predicted path of one window on equal axes, heading arrows every second.
+std::string pathFigure(const Evaluation& evaluation, std::size_t window);
+
+/// Models whose paths are drawn.
+std::size_t drawnModels(const Evaluation& evaluation);
+
+}  // namespace mrose

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string_view>
+
+namespace mrose {
+
+/// The style sheet of reports, light and dark. Series colours are Okabe and Ito's, which stay apart for colour-blind
+/// eyes; dashes tell the series apart without colour.
+std::string_view reportStyle();
+
+constexpr int seriesStyles = 6;  ///< classes s0 ... s5
+
+}  // namespace mrose

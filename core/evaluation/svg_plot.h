@@ -1,0 +1,73 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mrose {
+
+struct PlotPoint {
+    double x = 0, y = 0;
+};
+
+struct PlotRange {
+    double low = 0, high = 1;
+};
+
+/// Multiples of 1, 2 or 5 times a power of ten within [low, high], about `wanted` of them.
+struct Ticks {
+    std::vector<double> values;
+    double step = 1;
+    int decimals = 0;  ///< that tell them apart
+};
+Ticks niceTicks(PlotRange range, int wanted);
+
+/// One diagram as an <svg> element. Colours, widths and dashes come from the page's style sheet: each mark has the CSS
+/// classes that it is given. Points that are not finite are left out; what lies outside the frame is clipped.
+class SvgPlot {
+public:
+    struct Layout {
+        double width = 540, height = 300;
+        double left = 54, right = 16, top = 12, bottom = 46;  ///< margins
+    };
+
+    /// `description` is what a screen reader says.
+    SvgPlot(const Layout& layout, PlotRange x, PlotRange y, std::string_view description);
+
+    /// The same scale on both axes around the ranges' middle, x to the right and y up; no axes are drawn by itself.
+    static SvgPlot equalScale(const Layout& layout, PlotRange x, PlotRange y, std::string_view description);
+
+    /// Frame, grid lines, tick labels and axis titles with units (plain text).
+    void axes(std::string_view xTitle, std::string_view yTitle);
+    void grid(double step);  ///< lines at the multiples of `step`, no labels
+
+    void line(std::span<const PlotPoint> points, std::string_view cssClass);
+    void steps(std::span<const PlotPoint> points, std::string_view cssClass);  ///< a staircase: up at each point
+    void band(std::span<const PlotPoint> low, std::span<const PlotPoint> high, std::string_view cssClass);
+    void bar(double x, double width, double height, std::string_view cssClass, std::string_view tooltip);
+    void circle(PlotPoint centre, double pixels, std::string_view cssClass);
+    /// An arrow of the given length in pixels from a point, in a direction in the plot's own coordinates.
+    void arrow(PlotPoint from, double direction, double pixels, std::string_view cssClass);
+    void label(PlotPoint at, double dx, double dy, std::string_view text, std::string_view cssClass);
+    /// A bar of `length` (in x) at the lower left with its text beside it.
+    void scaleBar(double length, std::string_view text);
+
+    std::string text() const;
+    double unitsPerPixel() const { return (x_.high - x_.low) / innerWidth(); }
+
+private:
+    double innerWidth() const { return layout_.width - layout_.left - layout_.right; }
+    double innerHeight() const { return layout_.height - layout_.top - layout_.bottom; }
+    double pixelX(double x) const { return (x - x_.low) / (x_.high - x_.low) * innerWidth(); }
+    double pixelY(double y) const { return (y_.high - y) / (y_.high - y_.low) * innerHeight(); }
+    std::string path(std::span<const PlotPoint> points, bool staircase) const;
+    void gridLine(bool vertical, double value);
+
+    Layout layout_;
+    PlotRange x_, y_;
+    std::string description_;
+    std::string grid_, marks_, around_;  ///< grid and marks are clipped to the frame
+};
+
+}  // namespace mrose

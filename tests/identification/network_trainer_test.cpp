@@ -1,0 +1,314 @@
+#include "identification/network_trainer.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <tbb/task_arena.h>
+
+#include "identification/recipes.h"
+#include "learning/initial_weights.h"
+#include "motion/kinematic.h"
+#include "motion/learned_model.h"
+#include "world/noise.h"
+
+namespace mrose {
+namespace {
+
+constexpr Nanoseconds ms = 1'000'000;
+
+/// A robot that follows `model` exactly, driven by random commands; poses every 20 ms.
+Log drivenLog(const MotionModel& model, int trajectories, double seconds, std::uint64_t seed) {
+    Log log;
+    log.source = "planted";
+    RobotLog robot{"1", {}, {}};
+    for (int t = 0; t < trajectories; ++t) {
+        Trajectory trajectory;
+        trajectory.name = std::to_string(t);
+        trajectory.group = t;
+        CommandHistory history;
+        Pose pose;
+        Velocity velocity;
+        Command command;
+        for (std::int64_t tick = 0; tick < static_cast<std::int64_t>(seconds * 50); ++tick) {
+            const Nanoseconds time = tick * 20 * ms;
+            if (tick % 5 == 0) {
+                const NoiseKey key{seed, tick, static_cast<std::uint32_t>(t), 0};
+                if (uniformNoise(key) < 0.15)
+                    command = {0.5 * uniformNoise({seed, tick, key.robot, 1}),
+                               0.8 * normalNoise({seed, tick, key.robot, 2})};
+                history.issue(time, command);
+                trajectory.commands.push_back({time, command});
+            }
+            trajectory.poses.push_back({time, pose});
+            const MotionStep step = model.predictOne({&history, time, velocity});
+            pose = pose * step.increment;
+            velocity = step.velocity;
+        }
+        robot.trajectories.push_back(std::move(trajectory));
+    }
+    log.robots.push_back(std::move(robot));
+    return log;
+}
+
+KinematicParameters laggedRobot() {
+    KinematicParameters p;
+    p.v = {0.12, 0.1, 0.9, 0, 0, 0};
+    p.w = {0.12, 0.15, 0.95, 0, 0, 0};
+    return p;
+}
+
+const ResponseTimes times{0.12, 0.1, 0.12, 0.15};
+
+struct Planted {
+    std::vector<Log> logs;
+    MotionNetwork blueprint;
+    MotionSamples samples;
+
+    explicit Planted(MotionNetwork network) : blueprint(std::move(network)) {
+        logs.push_back(drivenLog(KinematicModel(laggedRobot(), 20 * ms), 12, 30, 11));
+        SampleOptions options;
+        options.phases = 1;
+        samples = *motionSamples(logs, blueprint, options);
+    }
+};
+
+const Planted& plantedHistory() {
+    static const Planted planted(historyBlueprint(robotTraits("test"), {"1"}, times));
+    return planted;
+}
+const Planted& plantedPaper() {
+    static const Planted planted(paperBlueprint(robotTraits("test"), {"1"}, times));
+    return planted;
+}
+
+TrainerOptions quick(LearningLoss loss) {
+    TrainerOptions options;
+    options.loss = loss;
+    options.hidden = 8;
+    options.members = 2;
+    options.epochs = 30;
+    options.rolloutLength = 6;
+    return options;
+}
+
+TEST(RolloutBatch, BackpropagationThroughTimeEqualsDirectionalDifferences) {
+    const Planted& p = plantedPaper();
+    MotionNetwork network = p.blueprint;
+    for (NetworkInput& input : network.inputs) input.scale = 0.3;
+    network.outputs.assign(5, {0.01, 0.03});
+    const MlpGradient engine({4, 6, 5});
+    const RolloutBatch batch(p.samples, network, {3, 40, 77, 200}, 8);
+    std::vector<float> parameters = randomMlp({4, 6, 5}, {.seed = 3}).parameters;
+    std::vector<double> gradient(parameters.size()), unused(parameters.size());
+    const RolloutLoss loss;
+    batch.lossAndGradient(engine, parameters, loss, gradient);
+    for (std::uint32_t direction = 0; direction < 5; ++direction) {
+        auto above = parameters, below = parameters;
+        double expected = 0;
+        for (std::size_t i = 0; i < parameters.size(); ++i) {
+            const double d = normalNoise({8, std::int64_t(i), direction, 0});
+            above[i] = static_cast<float>(parameters[i] + 1e-3 * d);
+            below[i] = static_cast<float>(parameters[i] - 1e-3 * d);
+            expected += gradient[i] * (double(above[i]) - double(below[i]));
+        }
+        const double difference =
+            batch.lossAndGradient(engine, above, loss, unused) - batch.lossAndGradient(engine, below, loss, unused);
+        EXPECT_NEAR(difference, expected, 0.01 * std::abs(expected) + 1e-7) << direction;
+    }
+}
+
+class RolloutBatchOfBothForms : public testing::TestWithParam<MotionNetwork::Form> {};
+
+TEST_P(RolloutBatchOfBothForms, DrivesLikeTheModelThatIsUsed) {
+    const bool state = GetParam() == MotionNetwork::Form::state;
+    const Planted& p = state ? plantedPaper() : plantedHistory();
+    TrainerOptions options = quick(state ? LearningLoss::oneStep : LearningLoss::rollout);
+    options.members = 1;
+    const auto summary = trainNetwork(p.blueprint, p.samples, options);
+    ASSERT_TRUE(summary);
+    const MotionNetwork& network = summary->network;
+    const MlpGradient engine(network.mlp.shape);
+    const std::size_t first = p.samples.runs[1].first;
+    const RolloutBatch batch(p.samples, network, {first}, 30);
+    const std::vector<Pose> increments = batch.predict(engine, network.mlp.parameters);
+    const LearnedModel model(std::make_shared<const LearnedMotion>(network), "1");
+    CommandHistory history;
+    std::size_t issued = 0;
+    Velocity velocity = p.samples.samples[first].before;
+    // The history form starts as its commands say; without that it would recover from the difference first.
+    std::optional<Velocity> unperturbed = velocity;
+    const Trajectory& trajectory = p.logs[0].robots[0].trajectories[1];
+    for (std::size_t k = 0; k < 30; ++k) {
+        const Nanoseconds start = p.samples.samples[first + k].start;
+        for (; trajectory.commands[issued].time <= start; ++issued)
+            history.issue(trajectory.commands[issued].time, trajectory.commands[issued].command);
+        const MotionStep step = model.predictOne({&history, start, velocity, unperturbed});
+        velocity = step.velocity;
+        unperturbed = step.unperturbed;
+        EXPECT_NEAR(step.increment.x, increments[k].x, 1e-5);
+        EXPECT_NEAR(step.increment.heading, increments[k].heading, 1e-5);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Forms, RolloutBatchOfBothForms,
+                         testing::Values(MotionNetwork::Form::state, MotionNetwork::Form::history),
+                         [](const auto& instance) {
+                             return instance.param == MotionNetwork::Form::state ? "State" : "History";
+                         });
+
+TEST(TrainNetwork, HistoryFormLearnsALaggedRobotOpenLoop) {
+    const Planted& p = plantedHistory();
+    TrainerOptions options = quick(LearningLoss::rollout);
+    options.hidden = 16;
+    options.epochs = 400;
+    const auto summary = trainNetwork(p.blueprint, p.samples, options);
+    ASSERT_TRUE(summary);
+    // The robot is linear, so a network can follow it closely; velocity = command is off by some 10 %.
+    EXPECT_LT(summary->network.heldOut.position, 1.5);
+    EXPECT_LT(summary->network.heldOut.heading, 1.5);
+    EXPECT_GT(summary->network.heldOut.windows, 10);
+}
+
+TEST(TrainNetwork, PapersNetworkLearnsALaggedRobotByEveryMethod) {
+    const Planted& p = plantedPaper();
+    for (const LearningMethod method :
+         {LearningMethod::irpropPlus, LearningMethod::irpropMinus, LearningMethod::rpropPlus,
+          LearningMethod::rpropMinus, LearningMethod::levenbergMarquardt}) {
+        TrainerOptions options = quick(LearningLoss::oneStep);
+        options.method = method;
+        options.members = 1;
+        options.epochs = method == LearningMethod::levenbergMarquardt ? 40 : 500;
+        const auto summary = trainNetwork(p.blueprint, p.samples, options);
+        ASSERT_TRUE(summary);
+        EXPECT_LT(summary->network.heldOut.position, 5) << summary->network.training.method;
+        EXPECT_LT(summary->network.heldOut.heading, 5) << summary->network.training.method;
+    }
+}
+
+TEST(TrainNetwork, SameSeedGivesTheSameFileWhateverTheThreads) {
+    for (const auto& [planted, loss] :
+         {std::pair{&plantedHistory(), LearningLoss::rollout}, {&plantedPaper(), LearningLoss::oneStep}}) {
+        std::string texts[3];
+        int i = 0;
+        for (const int threads : {1, 2, 8}) {
+            tbb::task_arena arena(threads);
+            arena.execute([&] {
+                texts[i++] = networkText(trainNetwork(planted->blueprint, planted->samples, quick(loss))->network);
+            });
+        }
+        EXPECT_EQ(texts[0], texts[1]);
+        EXPECT_EQ(texts[0], texts[2]);
+    }
+}
+
+TEST(TrainNetwork, AnotherSeedGivesAnotherNetwork) {
+    TrainerOptions options = quick(LearningLoss::oneStep);
+    const auto first = trainNetwork(plantedPaper().blueprint, plantedPaper().samples, options);
+    options.seed = 2;
+    const auto second = trainNetwork(plantedPaper().blueprint, plantedPaper().samples, options);
+    EXPECT_NE(first->network.mlp.parameters, second->network.mlp.parameters);
+}
+
+TEST(TrainNetwork, CancelledGivesTheBestNetworkSoFar) {
+    const Planted& p = plantedHistory();
+    int calls = 0;
+    OpenLoopError best;
+    const auto summary =
+        trainNetwork(p.blueprint, p.samples, quick(LearningLoss::rollout), [&](const TrainingProgress& progress) {
+            best = progress.heldOut;
+            return ++calls < 2;
+        });
+    ASSERT_TRUE(summary);
+    EXPECT_TRUE(summary->cancelled);
+    EXPECT_EQ(calls, 2);
+    EXPECT_EQ(summary->network.heldOut.position, best.position);
+    EXPECT_TRUE(parseNetwork(networkText(summary->network), "n.net"));
+}
+
+TEST(TrainNetwork, RecoversFromAWrongStartVelocityWithTheLagOfItsFile) {
+    const Planted& p = plantedHistory();
+    TrainerOptions options = quick(LearningLoss::rollout);
+    options.epochs = 200;
+    const auto summary = trainNetwork(p.blueprint, p.samples, options);
+    const LearnedModel model(std::make_shared<const LearnedMotion>(summary->network), "1");
+    CommandHistory history;
+    history.issue(0, {0.3, 0.2});
+    for (const auto& [dv, dw] : {std::pair{0.05, 0.3}, {-0.05, -0.3}}) {
+        MotionStep right, wrong;
+        right.unperturbed = wrong.unperturbed = right.velocity = {0.27, 0.19};
+        wrong.velocity = {0.27 + dv, 0.19 + dw};
+        double ahead = 0, turned = 0;
+        for (int k = 0; k < 10; ++k) {
+            const Nanoseconds start = 2'000 * ms + k * 100 * ms;
+            right = model.predictOne({&history, start, right.velocity, right.unperturbed});
+            wrong = model.predictOne({&history, start, wrong.velocity, wrong.unperturbed});
+            ahead += wrong.increment.x - right.increment.x;
+            turned += wrong.increment.heading - right.increment.heading;
+        }
+        // First order: the disturbance decays by exp(-t/lag) and has moved the robot by lag times itself.
+        EXPECT_NEAR(wrong.velocity.v - right.velocity.v, dv * std::exp(-1 / times.lagV), 1e-6);
+        EXPECT_NEAR(wrong.velocity.w - right.velocity.w, dw * std::exp(-1 / times.lagW), 1e-6);
+        EXPECT_NEAR(ahead, dv * times.lagV * (1 - std::exp(-1 / times.lagV)), 1e-6);
+        EXPECT_NEAR(turned, dw * times.lagW * (1 - std::exp(-1 / times.lagW)), 1e-6);
+    }
+}
+
+TEST(TrainNetwork, TooShortLogsAreAnError) {
+    const Planted& p = plantedHistory();
+    MotionSamples few = p.samples;
+    few.runs.resize(1);
+    const auto summary = trainNetwork(p.blueprint, few, quick(LearningLoss::rollout));
+    ASSERT_FALSE(summary);
+    EXPECT_THAT(summary.error().message(), testing::HasSubstr("too short"));
+}
+
+TEST(MotionSamples, TrackerOffsetIsFoundAndRemoved) {
+    MotionSamples samples = plantedPaper().samples;
+    const TrackerOffset planted{0.03, -0.02};
+    for (MotionSample& s : samples.samples) s.increment.y += planted.sideways(s.increment);
+    double lateral = 0;
+    for (const MotionSample& s : plantedPaper().samples.samples) lateral = std::max(lateral, std::abs(s.increment.y));
+    const auto offsets = removeTrackerOffsets(samples);
+    ASSERT_EQ(offsets.size(), 1u);
+    EXPECT_NEAR(offsets[0].ahead, planted.ahead, 2e-3);
+    EXPECT_NEAR(offsets[0].rotated, planted.rotated, 2e-3);
+    for (const MotionSample& s : samples.samples) EXPECT_LT(std::abs(s.increment.y), lateral + 5e-4);
+}
+
+TEST(MotionSamples, HistoryOfAPatternNeverReachesIntoAnotherFold) {
+    const MotionNetwork blueprint = historyBlueprint(robotTraits("test"), {"1"}, times);
+    std::vector<Log> logs;
+    logs.push_back(drivenLog(KinematicModel(laggedRobot(), 20 * ms), 1, 200, 5));
+    SampleOptions options;
+    options.block = 20;
+    const auto samples = motionSamples(logs, blueprint, options);
+    ASSERT_TRUE(samples);
+    double reach = 0;
+    for (const NetworkInput& input : blueprint.inputs) reach = std::max(reach, input.oldest);
+    int folds = 0;
+    for (const SampleRun& a : samples->runs) {
+        folds |= 1 << a.fold;
+        for (const SampleRun& b : samples->runs) {
+            if (a.fold == b.fold) continue;
+            const Nanoseconds begin = samples->samples[a.first].start - fromSeconds(reach);
+            const Nanoseconds end = samples->samples[b.first + b.count - 1].start + 100 * ms;
+            const bool disjoint =
+                begin >= end || samples->samples[a.first + a.count - 1].start <= samples->samples[b.first].start;
+            EXPECT_TRUE(disjoint);
+        }
+    }
+    EXPECT_EQ(folds, 0b1111);
+}
+
+TEST(MotionSamples, LogWithoutGroundTruthIsAnError) {
+    std::vector<Log> logs;
+    logs.push_back(drivenLog(KinematicModel(laggedRobot(), 20 * ms), 1, 20, 5));
+    logs[0].robots[0].trajectories[0].poses.clear();
+    const auto samples = motionSamples(logs, plantedPaper().blueprint, {});
+    ASSERT_FALSE(samples);
+    EXPECT_THAT(samples.error().message(), testing::HasSubstr("planted: "));
+}
+
+}  // namespace
+}  // namespace mrose

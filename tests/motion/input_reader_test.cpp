@@ -1,0 +1,112 @@
+#include "motion/input_reader.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "motion/network_fixture.h"
+
+namespace mrose {
+namespace {
+
+using Quantity = NetworkInput::Quantity;
+
+constexpr Nanoseconds ms = 1'000'000;
+
+/// One input alone, not standardised.
+double readOne(Quantity quantity, double newest, double oldest, const CommandHistory& history, Nanoseconds start,
+               double turnOffset = 0) {
+    MotionNetwork network;
+    network.robots = {"1"};
+    network.wheelPhase = {0.13, 0.0084};
+    network.turnOffset = turnOffset;
+    NetworkInput input;
+    input.quantity = quantity;
+    input.newest = newest;
+    input.oldest = oldest;
+    network.inputs = {input};
+    double value = NAN;
+    InputReader(network).readRaw({&history, start, {}}, 0, &value);
+    return value;
+}
+
+TEST(InputReader, MeanOfCommandsIsThatOfTheHistory) {
+    CommandHistory history;
+    history.issue(0, {0.1, 0.5});
+    history.issue(130 * ms, {0.3, -0.5});
+    history.issue(180 * ms, {-0.2, 1.5});
+    history.issue(190 * ms, {0.7, 0});
+    for (const auto& [newest, oldest] : {std::pair{0.0, 0.05}, {0.0, 0.2}, {0.013, 0.111}, {0.05, 0.3}, {0.15, 0.5}}) {
+        const Command mean = history.mean(200 * ms - fromSeconds(oldest), 200 * ms - fromSeconds(newest));
+        EXPECT_NEAR(readOne(Quantity::commandV, newest, oldest, history, 200 * ms), mean.v, 1e-14);
+        EXPECT_NEAR(readOne(Quantity::commandW, newest, oldest, history, 200 * ms), mean.w, 1e-14);
+    }
+}
+
+TEST(InputReader, ReadsNoCommandIssuedAfterThePeriodsStart) {
+    CommandHistory without, with;
+    without.issue(0, {0.1, 0.5});
+    with = without;
+    with.issue(100 * ms + 1, {9, 9});
+    const InputReader reader(arbitraryNetwork(MotionNetwork::Form::history));
+    std::vector<float> a(reader.width()), b(reader.width());
+    reader.read({&without, 100 * ms, {}}, 0, a.data());
+    reader.read({&with, 100 * ms, {}}, 0, b.data());
+    EXPECT_EQ(a, b);
+    with.issue(100 * ms + 2, {9, 9});
+    reader.read({&with, 101 * ms, {}}, 0, b.data());
+    EXPECT_NE(a, b);
+}
+
+TEST(InputReader, StandsBeforeTheFirstCommand) {
+    CommandHistory history;
+    EXPECT_EQ(readOne(Quantity::commandV, 0, 0.4, history, 500 * ms), 0);
+    history.issue(400 * ms, {0.2, 0});
+    EXPECT_NEAR(readOne(Quantity::commandV, 0, 0.4, history, 500 * ms), 0.2 * 0.1 / 0.4, 1e-15);
+}
+
+TEST(InputReader, TurnSenseIsToldForTinyRotationsOfADrivingRobotOnly) {
+    const auto sense = [](const Command& command) {
+        CommandHistory history;
+        history.issue(0, command);
+        return readOne(Quantity::turnSense, 0, 0.1, history, 100 * ms, 0.005);
+    };
+    EXPECT_EQ(sense({0.1, 0.0}), 0);
+    EXPECT_EQ(sense({0.1, -0.0}), -1);
+    EXPECT_EQ(sense({0.1, 0.007}), 1);
+    EXPECT_EQ(sense({0.1, 0.003}), -1);
+    EXPECT_EQ(sense({0.1, -0.4}), -1);
+    EXPECT_EQ(sense({0.0, 0.4}), 0);
+}
+
+TEST(InputReader, WheelPhasesAreThoseOfTheCommandedWheelSpeeds) {
+    const Command command{0.0613, -0.171};
+    CommandHistory history;
+    history.issue(0, command);
+    const auto read = [&](Quantity q) { return readOne(q, 0.02, 0.07, history, 100 * ms); };
+    const double turn = 2 * std::numbers::pi / 0.0084;
+    EXPECT_NEAR(read(Quantity::leftSine), std::sin(turn * (command.v - 0.13 * command.w)), 1e-12);
+    EXPECT_NEAR(read(Quantity::leftCosine), std::cos(turn * (command.v - 0.13 * command.w)), 1e-12);
+    EXPECT_NEAR(read(Quantity::rightSine), std::sin(turn * (command.v + 0.13 * command.w)), 1e-12);
+    EXPECT_NEAR(read(Quantity::rightCosine), std::cos(turn * (command.v + 0.13 * command.w)), 1e-12);
+    EXPECT_NEAR(read(Quantity::forwardSine), std::sin(turn / 2 * command.v), 1e-12);
+    EXPECT_NEAR(read(Quantity::forwardCosine), std::cos(turn / 2 * command.v), 1e-12);
+}
+
+TEST(InputReader, UnknownRobotCountsAsTheMeanOfTheKnown) {
+    MotionNetwork network = arbitraryNetwork(MotionNetwork::Form::state);
+    const InputReader reader(network);
+    EXPECT_EQ(reader.robotIndex("a"), 0);
+    EXPECT_EQ(reader.robotIndex("b"), 1);
+    EXPECT_EQ(reader.robotIndex("c"), -1);
+    CommandHistory history;
+    std::vector<float> row(reader.width());
+    reader.read({&history, 0, {}}, -1, row.data());
+    EXPECT_EQ(row[2], 0);
+    reader.read({&history, 0, {}}, 1, row.data());
+    EXPECT_FLOAT_EQ(row[2], static_cast<float>((1 - network.inputs[2].mean) / network.inputs[2].scale));
+}
+
+}  // namespace
+}  // namespace mrose
