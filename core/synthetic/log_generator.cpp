@@ -75,7 +75,7 @@ const std::vector<SyntheticSet>& syntheticSets() {
          {{Course::random, 80, 15}, {Course::hardSwitch, 20, 15}}},
         {"example",
          "a few minutes of driving and the two courses, to try the program on",
-         {{Course::random, 5, 60}, {Course::jink, 1}, {Course::ellipse, 1}}},
+         {{Course::random, 4, 60}, {Course::jink, 1}, {Course::ellipse, 1}}},
         {"repeat",
          "the same commands several times, to see how far runs differ",
          {{Course::random, 30, 15, 4}, {Course::jink, 1, -1, 10}, {Course::ellipse, 1, -1, 10}}},

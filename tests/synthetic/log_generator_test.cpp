@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <filesystem>
 
 #include <gtest/gtest.h>
 
@@ -120,6 +120,27 @@ TEST(LogGenerator, TheHeldOutSetHasAHundredWindowsAndEnoughHardSwitches) {
     }
     EXPECT_EQ(windows, 100u);
     EXPECT_EQ(switches, 20u);
+}
+
+TEST(LogGenerator, TheShippedLogsAreTheExampleSet) {
+    std::uintmax_t bytes = 0;
+    for (const SyntheticPart& part : setNamed("example").parts) {
+        const auto file = std::filesystem::path(MROSE_SOURCE_DIR) / "resources" / "logs" / "pioneer" /
+                          (std::string(name(part.course)) + ".csv");
+        const auto shipped = readCsv(file);
+        ASSERT_TRUE(shipped) << shipped.error().message();
+        EXPECT_TRUE(shipped->synthetic);
+        bytes += std::filesystem::file_size(file);
+        const auto& made = generated(part, 1).robots.at(0).trajectories;
+        ASSERT_EQ(shipped->robots.at(0).trajectories.size(), made.size());
+        for (std::size_t i = 0; i < made.size(); ++i) {
+            const Trajectory& trajectory = shipped->robots[0].trajectories[i];
+            ASSERT_EQ(trajectory.poses.size(), made[i].poses.size());
+            EXPECT_NEAR(trajectory.poses.back().pose.x, made[i].poses.back().pose.x, 1e-3);
+            EXPECT_NEAR(trajectory.poses.back().pose.heading, made[i].poses.back().pose.heading, 1e-3);
+        }
+    }
+    EXPECT_LT(bytes, 800'000u);
 }
 
 /// How far two runs of the same commands are apart over the 10 s from `begin`, each seen from its own true start.
