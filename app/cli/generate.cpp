@@ -46,11 +46,13 @@ double secondsOf(const SyntheticPart& part) {
 
 /// Makes the folder, unless it is there, and sees that all files can be written.
 Expected<void> prepare(const std::filesystem::path& folder, const std::vector<SyntheticPart>& parts) {
+    for (const SyntheticPart& part : parts)
+        if (secondsOf(part) > longestLog)
+            return fail({}, "more than 1,000,000 s of driving in one file", 0, "--trajectories");
     std::error_code error;
     std::filesystem::create_directory(folder, error);
     if (error) return fail(folder.string(), "cannot make the folder: " + error.message());
     for (const SyntheticPart& part : parts) {
-        if (secondsOf(part) > longestLog) return fail({}, "more than 1,000,000 s of driving in one file");
         const auto path = folder / (std::string(name(part.course)) + ".csv");
         if (auto writable = checkWritable(path); !writable) return writable;
     }
