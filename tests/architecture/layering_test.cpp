@@ -1,0 +1,152 @@
+// Who may include whom, from the include lines of the source itself.
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "architecture/source_files.h"
+
+namespace mrose {
+namespace {
+
+/// For each folder of core the other ones that it may include. A new folder says here where it stands.
+const std::map<std::string, std::set<std::string>> allowedLayers{
+    {"io", {}},
+    {"geometry", {}},
+    {"world", {}},
+    {"learning", {}},
+    {"logs", {"io", "geometry", "world"}},
+    {"motion", {"io", "geometry", "world", "learning"}},
+    {"identification", {"io", "geometry", "world", "learning", "logs", "motion"}},
+    {"evaluation", {"io", "geometry", "world", "logs", "motion"}},
+    {"synthetic", {"io", "geometry", "world", "logs", "motion"}},
+    {"physics", {"geometry", "world"}},
+};
+
+/// Libraries that only some layers see: what an include begins with, and who may.
+const std::map<std::string, std::set<std::string>> librariesOfLayers{
+    {"box2d/", {"physics"}},
+    {"toml++/", {"io"}},
+    {"xxhash.h", {"io"}},
+    {"CLI/", {"app/cli"}},
+    {"spdlog/", {"app/cli", "app/gui"}},
+    {"nlohmann/", {"evaluation", "app/cli"}},
+    {"Eigen/", {"learning", "identification"}},
+    {"immintrin.h", {"learning"}},
+    {"Random123/", {"learning", "world"}},
+};
+
+std::string where(const SourceFile& file, const Include& include) {
+    return file.path + ':' + std::to_string(include.line) + " includes " + include.name;
+}
+
+/// The layer of core that an include names; empty for the standard library, other libraries and a file beside.
+std::string includedLayer(const Include& include) {
+    const auto slash = include.name.find('/');
+    return include.quoted && slash != std::string::npos ? include.name.substr(0, slash) : "";
+}
+
+bool isQt(const std::string& name) {
+    return name.starts_with("Qt") || name.starts_with("qcustomplot") ||
+           (name.size() > 2 && name[0] == 'Q' && std::isupper(static_cast<unsigned char>(name[1])) != 0);
+}
+
+TEST(Layering, SourceIsFoundAtAll) {
+    std::set<std::string> layers;
+    for (const SourceFile& file : sourceFiles({"core", "app"})) layers.insert(file.layer);
+    for (const char* expected : {"io", "world", "logs", "motion", "learning", "evaluation", "app/cli"})
+        EXPECT_TRUE(layers.count(expected)) << expected;
+}
+
+TEST(Layering, ParserSeesEveryKindOfInclude) {
+    const SourceFile file = parseSource("core/logs/a.h",
+                                        "// c\n#pragma once\n#include \"io/error.h\"  // why\n"
+                                        " # include <vector>\n// #include <no>\n");
+    EXPECT_TRUE(file.header && file.pragmaOnce);
+    EXPECT_EQ(file.layer, "logs");
+    EXPECT_EQ(file.lines, 5);
+    ASSERT_EQ(file.includes.size(), 2u);
+    EXPECT_EQ(where(file, file.includes[0]), "core/logs/a.h:3 includes io/error.h");
+    EXPECT_EQ(includedLayer(file.includes[0]), "io");
+    EXPECT_EQ(file.includes[1].name, "vector");
+    EXPECT_EQ(includedLayer(file.includes[1]), "");
+    EXPECT_FALSE(parseSource("core/a/b.h", "#include <vector>\n#pragma once\n").pragmaOnce);
+    EXPECT_EQ(parseSource("app/cli/main.cpp", "").layer, "app/cli");
+    EXPECT_TRUE(isQt("QWidget") && isQt("QtCore/QString") && !isQt("Queue"));
+}
+
+/// Left never needs right: the table itself has no circle, so that each layer can be used without those above.
+TEST(Layering, AllowedIncludesFormNoCircle) {
+    std::set<std::string> placed;
+    for (bool progress = true; progress;) {
+        progress = false;
+        for (const auto& [layer, below] : allowedLayers)
+            if (!placed.count(layer) && std::includes(placed.begin(), placed.end(), below.begin(), below.end()))
+                progress = placed.insert(layer).second;
+    }
+    EXPECT_EQ(placed.size(), allowedLayers.size());
+}
+
+TEST(Layering, FoldersOfCoreIncludeOnlyThoseBelowThem) {
+    for (const SourceFile& file : sourceFiles({"core"})) {
+        const auto allowed = allowedLayers.find(file.layer);
+        ASSERT_NE(allowed, allowedLayers.end()) << file.path << ": core/" << file.layer << " is in no layer yet";
+        for (const Include& include : file.includes) {
+            const std::string layer = includedLayer(include);
+            EXPECT_TRUE(!include.quoted || layer == file.layer || allowed->second.count(layer)) << where(file, include);
+        }
+    }
+}
+
+TEST(Layering, CoreAndProgramsIncludeOnlyDownwards) {
+    const std::map<std::string, std::set<std::string>> forbidden{
+        {"core", {"app", "widgets", "tests", "cli", "gui"}}, {"widgets", {"app", "tests"}}, {"app", {"tests"}}};
+    for (const SourceFile& file : sourceFiles({"core", "widgets", "app"})) {
+        const std::set<std::string>& no = forbidden.at(file.path.substr(0, file.path.find('/')));
+        for (const Include& include : file.includes) {
+            EXPECT_FALSE(no.count(includedLayer(include))) << where(file, include);
+            EXPECT_EQ(include.name.find("../"), std::string::npos) << where(file, include);
+        }
+    }
+}
+
+TEST(Layering, QtStaysInWidgetsAndWindow) {
+    for (const SourceFile& file : sourceFiles({"core", "app"}))
+        for (const Include& include : file.includes)
+            EXPECT_FALSE(file.layer != "app/gui" && isQt(include.name)) << where(file, include);
+}
+
+TEST(Layering, LibrariesStayWhereTheyBelong) {
+    for (const SourceFile& file : sourceFiles({"core", "app"}))
+        for (const Include& include : file.includes)
+            for (const auto& [library, layers] : librariesOfLayers)
+                EXPECT_TRUE(!include.name.starts_with(library) || layers.count(file.layer)) << where(file, include);
+}
+
+TEST(Layering, CorePrintsNothing) {
+    for (const SourceFile& file : sourceFiles({"core"}))
+        for (const Include& include : file.includes)
+            EXPECT_FALSE(include.name == "iostream" || include.name == "print") << where(file, include);
+}
+
+TEST(SourceFiles, HeadersBeginWithPragmaOnce) {
+    for (const SourceFile& file : sourceFiles({"core", "app", "widgets", "tests"}))
+        EXPECT_TRUE(!file.header || file.pragmaOnce) << file.path;
+}
+
+TEST(SourceFiles, OwnHeaderComesFirst) {
+    for (const SourceFile& file : sourceFiles({"core", "app"})) {
+        if (file.ownHeader.empty()) continue;
+        ASSERT_FALSE(file.includes.empty()) << file.path;
+        EXPECT_EQ(file.includes.front().name, file.ownHeader) << file.path;
+    }
+}
+
+TEST(SourceFiles, NoneIsLongerThan500Lines) {
+    for (const SourceFile& file : sourceFiles({"core", "app", "widgets", "tests"}))
+        EXPECT_LE(file.lines, 500) << file.path;
+}
+
+}  // namespace
+}  // namespace mrose
