@@ -58,7 +58,7 @@ KinematicParameters laggedRobot() {
     return p;
 }
 
-const ResponseTimes times{0.12, 0.1, 0.12, 0.15};
+const ResponseTimes times{0.12, 0.1, 0.12, 0.15, 0.1, 0.15};
 
 struct Planted {
     std::vector<Log> logs;
