@@ -126,6 +126,19 @@ PoseGrid poseGrid(const Trajectory& trajectory, Nanoseconds step, const GridMarg
     return grid;
 }
 
+Pose truthAt(std::span<const StampedPose> poses, Nanoseconds time) {
+    if (time <= poses.front().time) return poses.front().pose;
+    if (time >= poses.back().time) return poses.back().pose;
+    const auto firstAt = [&](Nanoseconds instant) {
+        const auto earlier = [](const StampedPose& pose, Nanoseconds t) { return pose.time < t; };
+        return static_cast<std::size_t>(std::lower_bound(poses.begin(), poses.end(), instant, earlier) - poses.begin());
+    };
+    const std::size_t low = firstAt(time - halfWidth), high = firstAt(time + halfWidth), next = firstAt(time);
+    const bool bothSides = poses.front().time <= time - halfWidth && poses.back().time >= time + halfWidth;
+    return bothSides && high - low >= fewest ? fitLine(poses.subspan(low, high - low), time).value
+                                             : chord(poses[next - 1], poses[next], time).value;
+}
+
 MeasuredStart measuredStart(const Trajectory& trajectory, Nanoseconds time) {
     const Poses known(trajectory.poses.begin(), behind(trajectory.poses, time));
     if (known.empty() || time - known.back().time > gapLimit) return {};

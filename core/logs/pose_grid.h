@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "logs/robot_log.h"
@@ -26,6 +27,10 @@ struct GridMargins {
 
 /// The grid of a trajectory; with the default margins it is the referee's.
 PoseGrid poseGrid(const Trajectory& trajectory, Nanoseconds step = 100'000'000, const GridMargins& margins = {});
+
+/// Truth at one instant, as on a grid; next to the ends of the poses, where a fit would be one-sided, interpolated. At
+/// least one pose.
+Pose truthAt(std::span<const StampedPose> poses, Nanoseconds time);
 
 /// Pose and velocity at `time` from the truth at or before it alone, never later: what a prediction that starts there
 /// may know. The velocity is the slope of a straight line through the last 0.2 s; the pose is the last one, carried on
