@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <cstring>
 
 #include <unistd.h>
 
@@ -102,7 +104,7 @@ void ProgressLine::show(const std::string& text) {
 }
 
 std::string durationText(double seconds) {
-    const auto whole = static_cast<long>(seconds + 0.5);
+    const long whole = std::lround(seconds);
     char text[48];
     if (whole < 60)
         std::snprintf(text, sizeof text, "%ld s", whole);

@@ -126,21 +126,29 @@ Expected<std::optional<DifferentialDrive>> fittedDrive(const TrainFlags& flags) 
         .map([](const DriveFit& fit) { return std::optional(fit.drive); });
 }
 
+using Identified = MotionNetwork::Identified;
+
 template <class Value>
-double medianOf(const std::vector<MotionNetwork::Identified>& robots, Value value) {
+double medianOf(const std::vector<Identified>& robots, Value value) {
     std::vector<double> values;
-    for (const auto& robot : robots) values.push_back(value(robot.dynamic));
+    for (const Identified& robot : robots) values.push_back(value(robot));
     std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
     return values[values.size() / 2];
 }
 
 /// Those identified, median of the robots, unless the command line says otherwise.
-ResponseTimes responseTimes(const std::vector<MotionNetwork::Identified>& robots, const TrainFlags& flags) {
-    using K = KinematicParameters;
-    return {flags.deadTimeV.value_or(medianOf(robots, [](const K& k) { return k.v.deadTime; })),
-            flags.lagV.value_or(medianOf(robots, [](const K& k) { return k.v.lag; })),
-            flags.deadTimeW.value_or(medianOf(robots, [](const K& k) { return k.w.deadTime; })),
-            flags.lagW.value_or(medianOf(robots, [](const K& k) { return k.w.lag; }))};
+ResponseTimes responseTimes(const std::vector<Identified>& robots, const TrainFlags& flags) {
+    constexpr double quickest = 0.03;  // s: no drive forgets a push faster, whatever the fit says
+    ResponseTimes t;
+    t.deadTimeV = flags.deadTimeV.value_or(medianOf(robots, [](const Identified& i) { return i.dynamic.v.deadTime; }));
+    t.deadTimeW = flags.deadTimeW.value_or(medianOf(robots, [](const Identified& i) { return i.dynamic.w.deadTime; }));
+    t.lagV = flags.lagV.value_or(medianOf(robots, [](const Identified& i) { return i.dynamic.v.lag; }));
+    t.lagW = flags.lagW.value_or(medianOf(robots, [](const Identified& i) { return i.dynamic.w.lag; }));
+    t.recoveryV =
+        flags.lagV.value_or(std::max(quickest, medianOf(robots, [](const Identified& i) { return i.v.lag; })));
+    t.recoveryW =
+        flags.lagW.value_or(std::max(quickest, medianOf(robots, [](const Identified& i) { return i.w.lag; })));
+    return t;
 }
 
 int train(const TrainFlags& flags, const CommonFlags& common) {

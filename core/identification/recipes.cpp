@@ -55,7 +55,7 @@ RobotTraits robotTraits(const std::string& type) {
 MotionNetwork historyBlueprint(const RobotTraits& traits, std::vector<std::string> robots, const ResponseTimes& times) {
     MotionNetwork network = blueprint(traits, std::move(robots));
     network.form = MotionNetwork::Form::history;
-    network.recovery = {times.lagV, times.lagW};
+    network.recovery = {times.recoveryV, times.recoveryW};
     const std::vector<double> edges = binEdges(times);
     std::vector<Quantity> quantities{Quantity::commandV, Quantity::commandW};
     if (traits.turnsOnTinyCommands) quantities.push_back(Quantity::turnSense);

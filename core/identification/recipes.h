@@ -18,9 +18,10 @@ struct RobotTraits {
 /// The traits of a known type; of another one, continuous wheel speeds.
 RobotTraits robotTraits(const std::string& type);
 
-/// Dead times and lags, s, that a recipe is laid out for.
+/// How a robot answers commands in time, s: what a recipe is laid out for.
 struct ResponseTimes {
-    double deadTimeV = 0, lagV = 0, deadTimeW = 0, lagW = 0;
+    double deadTimeV = 0, lagV = 0, deadTimeW = 0, lagW = 0;  ///< of the mean response: jitter counts as lag
+    double recoveryV = 0, recoveryW = 0;  ///< lags of the drive itself, by which a push is forgotten
 };
 
 /// The network that we want people to use: form history. It reads the commands of the last few tenths of a second in

@@ -11,6 +11,9 @@ constexpr std::size_t csvChannels = 5;
 constexpr std::array<std::string_view, 9> csvColumnNames = {"v_cmd", "w_cmd", "x",          "y",    "heading",
                                                             "t",     "robot", "trajectory", "group"};
 
+/// How a comment line above the header of a log that no real robot made begins.
+constexpr std::string_view syntheticMark = "# synthetic";
+
 /// Names where a file has no such column.
 constexpr std::string_view defaultRobot = "robot", defaultTrajectory = "whole";
 

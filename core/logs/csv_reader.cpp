@@ -62,6 +62,7 @@ class CsvLog {
 public:
     Expected<void> addFile(std::string_view content, const std::string& name);
     Expected<std::vector<RobotLog>> finish(const std::string& source, const LogOptions& options);
+    bool synthetic() const { return synthetic_; }
 
 private:
     Expected<void> addRow(const CsvRows& rows, const CsvCells& cells);
@@ -71,6 +72,7 @@ private:
     CsvRobot* robot_ = nullptr;  // of the row before
     CsvTrajectory* trajectory_ = nullptr;
     std::size_t rows_ = 0;
+    bool synthetic_ = false;
 };
 
 Expected<void> checkHeader(const CsvRows& rows, const std::string& name) {
@@ -84,6 +86,11 @@ Expected<void> checkHeader(const CsvRows& rows, const std::string& name) {
     }
     if (!seen.contains("t")) return fail(name, "column missing from the header", rows.headerLine(), "t");
     return {};
+}
+
+bool isSynthetic(std::string_view preamble) {
+    return preamble.starts_with(syntheticMark) ||
+           preamble.find('\n' + std::string(syntheticMark)) != std::string_view::npos;
 }
 
 CsvCells bindCells(CsvRows& rows) {
@@ -105,6 +112,7 @@ Expected<void> CsvLog::addFile(std::string_view content, const std::string& name
     auto rows = CsvRows::open(content, name);
     if (!rows) return tl::unexpected(rows.error());
     if (auto checked = checkHeader(*rows, name); !checked) return checked;
+    synthetic_ = synthetic_ || isSynthetic(rows->preamble());
     const CsvCells cells = bindCells(*rows);
     const std::size_t before = rows_;
     for (; rows->next(); ++rows_)
@@ -189,7 +197,7 @@ std::vector<std::filesystem::path> csvFiles(const std::filesystem::path& source)
 }  // namespace
 
 Expected<Log> readCsv(const std::filesystem::path& source, const LogOptions& options) {
-    Log log{source.string(), "csv", 0, {}, {}};
+    Log log{source.string(), "csv", 0, {}, {}, false};
     CsvLog csv;
     const auto files = csvFiles(source);
     if (files.empty()) return fail(source.string(), "holds no *.csv");
@@ -202,6 +210,7 @@ Expected<Log> readCsv(const std::filesystem::path& source, const LogOptions& opt
     auto robots = csv.finish(log.source, options);
     if (!robots) return tl::unexpected(robots.error());
     log.robots = std::move(*robots);
+    log.synthetic = csv.synthetic();
     return log;
 }
 
@@ -210,7 +219,7 @@ Expected<Log> parseCsv(std::string_view content, const std::string& name, const 
     if (auto added = csv.addFile(content, name); !added) return tl::unexpected(added.error());
     auto robots = csv.finish(name, options);
     if (!robots) return tl::unexpected(robots.error());
-    return Log{name, "csv", 0, std::move(*robots), {{name, contentHash(content)}}};
+    return Log{name, "csv", 0, std::move(*robots), {{name, contentHash(content)}}, csv.synthetic()};
 }
 
 bool looksLikeCsvLog(std::string_view content) {

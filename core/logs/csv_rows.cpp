@@ -50,7 +50,7 @@ Expected<CsvRows> CsvRows::open(std::string_view content, const std::string& nam
 
 bool CsvRows::readHeader() {
     const char* const end = content_.data() + content_.size();
-    row_ = nextLine(content_.data(), end);
+    row_ = headerStart_ = nextLine(content_.data(), end);
     if (row_ == end) return false;
     const char* const stop = lineEnd(row_, end);
     for (const char* cell = row_;;) {

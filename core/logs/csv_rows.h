@@ -29,6 +29,10 @@ public:
     static Expected<CsvRows> open(std::string_view content, const std::string& name);
 
     const std::vector<std::string_view>& header() const { return header_; }
+    /// What stands above the header: comments.
+    std::string_view preamble() const {
+        return {content_.data(), static_cast<std::size_t>(headerStart_ - content_.data())};
+    }
     int headerLine() const;
 
     /// One for each column of the header; to be called once, before the first row.
@@ -60,6 +64,7 @@ private:
     std::vector<std::string_view> header_;
     std::vector<CellKind> kinds_;
     std::vector<CsvCell> cells_;
+    const char* headerStart_ = nullptr;
     const char* at_ = nullptr;
     const char* row_ = nullptr;
     std::optional<Error> error_;

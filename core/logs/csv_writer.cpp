@@ -76,6 +76,7 @@ void appendRows(std::string& text, const std::string& prefix, const Trajectory& 
 std::string toCsv(const Log& log) {
     const Labels labels = labelsOf(log);
     std::string text;
+    if (log.synthetic) text.append(syntheticMark).append(": no real robot drove\n");
     if (labels.robot) text += "robot,";
     if (labels.trajectory) text += "trajectory,";
     if (labels.group) text += "group,";

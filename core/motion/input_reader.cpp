@@ -30,8 +30,15 @@ InputReader::InputReader(const MotionNetwork& network)
       oldestAge_(0) {
     for (std::size_t i = 0; i < inputs_.size(); ++i) {
         const NetworkInput& input = inputs_[i];
-        if (!input.fromCommands()) continue;
-        commandInputs_.push_back({i, commandQuantity(input.quantity), input.newest, input.oldest});
+        inverseScales_.push_back(1 / input.scale);
+        if (!input.fromCommands()) {
+            others_.push_back(i);
+            continue;
+        }
+        auto bin = std::find_if(bins_.begin(), bins_.end(),
+                                [&](const Bin& b) { return b.newest == input.newest && b.oldest == input.oldest; });
+        if (bin == bins_.end()) bin = bins_.insert(bin, {input.newest, input.oldest, {}});
+        bin->members.push_back({i, commandQuantity(input.quantity)});
         oldestAge_ = std::max(oldestAge_, input.oldest);
         readsWheels_ = readsWheels_ || input.fromWheels();
     }
@@ -62,33 +69,38 @@ void InputReader::collect(const MotionInput& input, Pieces& pieces) const {
 void InputReader::addWheelPhases(Pieces& pieces) const {
     const double* v = pieces.values[commandQuantity(Quantity::commandV)].data();
     const double* w = pieces.values[commandQuantity(Quantity::commandW)].data();
-    const auto add = [&](Quantity sine, double arm, double quantum) {
+    const auto add = [&](Quantity sine, double arm, double perQuantum) {
         double* sines = pieces.values[commandQuantity(sine)].data();
         double* cosines = pieces.values[commandQuantity(sine) + 1].data();
         for (std::size_t i = 0; i < pieces.count; ++i) {
-            const double turns = (v[i] + arm * w[i]) / quantum;
+            const double turns = (v[i] + arm * w[i]) * perQuantum;
             sines[i] = sinTurns(turns);
             cosines[i] = cosTurns(turns);
         }
     };
-    add(Quantity::leftSine, -wheelPhase_.halfTrack, wheelPhase_.quantum);
-    add(Quantity::rightSine, wheelPhase_.halfTrack, wheelPhase_.quantum);
-    add(Quantity::forwardSine, 0, 2 * wheelPhase_.quantum);
+    const double perQuantum = 1 / wheelPhase_.quantum;
+    add(Quantity::leftSine, -wheelPhase_.halfTrack, perQuantum);
+    add(Quantity::rightSine, wheelPhase_.halfTrack, perQuantum);
+    add(Quantity::forwardSine, 0, perQuantum / 2);
+}
+
+void InputReader::readBin(const Bin& bin, const Pieces& pieces, double* row) {
+    for (const auto& [input, quantity] : bin.members) row[input] = 0;
+    std::size_t piece = 0;
+    while (piece + 1 < pieces.count && pieces.ages[piece + 1] <= bin.newest) ++piece;
+    const double perLength = 1 / (bin.oldest - bin.newest);
+    for (; piece < pieces.count && pieces.ages[piece] < bin.oldest; ++piece) {
+        const double begin = std::max(pieces.ages[piece], bin.newest);
+        const double share = (std::min(pieces.ages[piece + 1], bin.oldest) - begin) * perLength;
+        for (const auto& [input, quantity] : bin.members) row[input] += share * pieces.values[quantity][piece];
+    }
 }
 
 void InputReader::readRaw(const MotionInput& input, int robot, double* row) const {
     Pieces pieces;
     collect(input, pieces);
-    for (const auto& [index, quantity, newest, oldest] : commandInputs_) {
-        const double* values = pieces.values[quantity].data();
-        std::size_t i = 0;
-        while (i + 1 < pieces.count && pieces.ages[i + 1] <= newest) ++i;
-        double sum = 0;
-        for (; i < pieces.count && pieces.ages[i] < oldest; ++i)
-            sum += (std::min(pieces.ages[i + 1], oldest) - std::max(pieces.ages[i], newest)) * values[i];
-        row[index] = sum / (oldest - newest);
-    }
-    for (std::size_t i = 0; i < inputs_.size(); ++i) {
+    for (const Bin& bin : bins_) readBin(bin, pieces, row);
+    for (const std::size_t i : others_) {
         if (inputs_[i].quantity == Quantity::velocityV) row[i] = input.velocity.v;
         if (inputs_[i].quantity == Quantity::velocityW) row[i] = input.velocity.w;
         if (inputs_[i].quantity == Quantity::robot)
@@ -100,7 +112,7 @@ void InputReader::read(const MotionInput& input, int robot, float* row) const {
     std::array<double, MotionNetwork::maxInputs> raw;
     readRaw(input, robot, raw.data());
     for (std::size_t i = 0; i < inputs_.size(); ++i)
-        row[i] = static_cast<float>((raw[i] - inputs_[i].mean) / inputs_[i].scale);
+        row[i] = static_cast<float>((raw[i] - inputs_[i].mean) * inverseScales_[i]);
 }
 
 }  // namespace mrose

@@ -36,16 +36,23 @@ private:
         std::array<double, maxPieces + 1> ages;
         std::array<std::array<double, maxPieces>, quantities> values;
     };
-    struct CommandInput {
-        std::size_t index, quantity;
-        double newest, oldest;
+    /// A part of the history, and the inputs that are means over it.
+    struct Bin {
+        double newest, oldest;  ///< s
+        struct Member {
+            std::size_t input, quantity;
+        };
+        std::vector<Member> members;
     };
 
     void collect(const MotionInput& input, Pieces& pieces) const;
     void addWheelPhases(Pieces& pieces) const;
+    static void readBin(const Bin& bin, const Pieces& pieces, double* row);
     std::vector<NetworkInput> inputs_;
     std::vector<std::string> robots_;
-    std::vector<CommandInput> commandInputs_;
+    std::vector<Bin> bins_;
+    std::vector<std::size_t> others_;  ///< inputs that are not made from commands
+    std::vector<double> inverseScales_;
     MotionNetwork::WheelPhase wheelPhase_;
     double turnOffset_;
     double oldestAge_;  ///< s: nothing older is read

@@ -122,7 +122,7 @@ private:
                                                    std::vector<double>(shape_.parameterCount()),
                                                    {}});
         state->arena.initialize(threads);
-        constexpr int kTimes = 10;
+        constexpr int kTimes = 2;
         const auto work = [this, state] {
             state->arena.execute([&] {
                 for (int i = 0; i < kTimes; ++i) {
@@ -136,7 +136,7 @@ private:
     }
 
     void compareInference(const MlpShape& shape, int rounds, FannPeer* fann) {
-        constexpr int kTimes = 50;
+        constexpr int kTimes = 5;  // short enough to fit between interruptions
         std::vector<float> x(kRobots * shape.inputs), y(kRobots * shape.outputs);
         for (std::size_t i = 0; i < x.size(); ++i) x[i] = rows_.values[i % rows_.values.size()];
         std::vector<Contender> contenders;
@@ -212,6 +212,6 @@ int main(int argc, char** argv) {
     }
     Bench bench(std::move(*rows));
     bench.epochs(rounds);
-    bench.inference(rounds);
+    bench.inference(10 * rounds);
     if (seeds > 0) bench.convergence(target, seeds);
 }

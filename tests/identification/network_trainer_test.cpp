@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
 #include "identification/recipes.h"
@@ -58,7 +59,7 @@ KinematicParameters laggedRobot() {
     return p;
 }
 
-const ResponseTimes times{0.12, 0.1, 0.12, 0.15};
+const ResponseTimes times{0.12, 0.1, 0.12, 0.15, 0.1, 0.15};
 
 struct Planted {
     std::vector<Log> logs;
@@ -192,6 +193,7 @@ TEST(TrainNetwork, SameSeedGivesTheSameFileWhateverTheThreads) {
         std::string texts[3];
         int i = 0;
         for (const int threads : {1, 2, 8}) {
+            const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
             tbb::task_arena arena(threads);
             arena.execute([&] {
                 texts[i++] = networkText(trainNetwork(planted->blueprint, planted->samples, quick(loss))->network);

@@ -57,6 +57,23 @@ TEST(CsvReader, SeparatesRobotsAndTrajectories) {
     EXPECT_EQ(log->robots[1].trajectories[0].commands.size(), 2u);
 }
 
+TEST(CsvReader, ALogIsSyntheticWhereACommentAboveItsHeaderSaysSo) {
+    const auto isSynthetic = [](const std::string& text) { return parseCsv(text, "l.csv").value().synthetic; };
+    const std::string rows = "t,v_cmd,w_cmd\n0,1,0\n1,1,0\n";
+    EXPECT_TRUE(isSynthetic("# synthetic\n" + rows));
+    EXPECT_TRUE(isSynthetic("\xEF\xBB\xBF# made yesterday\n# synthetic: by a simulation\n" + rows));
+    EXPECT_FALSE(isSynthetic(rows));
+    EXPECT_FALSE(isSynthetic("# not # synthetic\n" + rows));
+    EXPECT_FALSE(isSynthetic(rows + "# synthetic\n"));
+}
+
+TEST(CsvReader, OneSyntheticFileMakesAFolderSynthetic) {
+    const TemporaryFolder folder;
+    folder.write("a.csv", "# synthetic\nt,v_cmd,w_cmd\n0,1,0\n1,1,0\n");
+    folder.write("b.csv", "t,x,y,heading\n0,1,0,0\n1,1,0,0\n");
+    EXPECT_TRUE(readCsv(folder.path()).value().synthetic);
+}
+
 TEST(CsvReader, GroupsAreThoseOfTheColumn) {
     const auto log = parseCsv("trajectory,group,t,v_cmd,w_cmd\na,7,0,1,0\nb,7,0,2,0\n", "l.csv");
     ASSERT_TRUE(log) << log.error().message();
@@ -230,6 +247,16 @@ TEST(CsvWriter, WhatIsWrittenComesBackBitForBit) {
             }
         }
     }
+}
+
+TEST(CsvWriter, KeepsThatALogIsSynthetic) {
+    Log log = randomLog();
+    EXPECT_FALSE(parseCsv(toCsv(log), "l.csv").value().synthetic);
+    log.synthetic = true;
+    const auto again = parseCsv(toCsv(log), "l.csv");
+    ASSERT_TRUE(again) << again.error().message();
+    EXPECT_TRUE(again->synthetic);
+    EXPECT_EQ(again->robots.size(), log.robots.size());
 }
 
 TEST(CsvWriter, WritesTheShortestTextThatIsExact) {

@@ -1,0 +1,112 @@
+#include "synthetic/log_generator.h"
+
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "world/noise.h"
+
+namespace mrose {
+namespace {
+
+enum Channel : std::uint32_t { trackedX = 200, trackedY, trackedHeading, startX, startY, startHeading, runSeed };
+
+constexpr double pause = 5;  // s between trajectories
+constexpr double fieldLength = 9, fieldWidth = 5;
+
+double inTenThousandths(double value) { return std::round(value * 1e4) / 1e4; }
+
+Pose tracked(const Pose& pose, std::uint64_t seed, std::int64_t sample, const SyntheticTracker& tracker) {
+    const auto noise = [&](std::uint32_t channel) { return normalNoise({seed, sample, 0, channel}); };
+    return {inTenThousandths(pose.x + tracker.positionNoise * noise(trackedX)),
+            inTenThousandths(pose.y + tracker.positionNoise * noise(trackedY)),
+            inTenThousandths(pose.heading + tracker.headingNoise * noise(trackedHeading))};
+}
+
+Pose startOf(std::uint64_t seed, std::uint32_t index, Course course) {
+    const auto uniform = [&](std::uint32_t channel) {
+        return uniformNoise({seed, static_cast<std::int64_t>(course), index, channel});
+    };
+    return {fieldLength * uniform(startX), fieldWidth * uniform(startY),
+            std::numbers::pi * (2 * uniform(startHeading) - 1)};
+}
+
+/// A seed of its own for each run of a log.
+std::uint64_t seedOfRun(std::uint64_t seed, Course course, std::uint32_t index, int repeat) {
+    const std::int64_t which = static_cast<std::int64_t>(course) * 1'000'000 + repeat;
+    return static_cast<std::uint64_t>(uniformNoise({seed, which, index, runSeed}) * 0x1p53);
+}
+
+std::string trajectoryName(Course course, int index, int repeat, int repeats) {
+    char text[64];
+    std::snprintf(text, sizeof text, repeats > 1 ? "%s%d.%d" : "%s%d", std::string(name(course)).c_str(), index + 1,
+                  repeat + 1);
+    return text;
+}
+
+Nanoseconds wholeSteps(double seconds) {
+    return std::llround(seconds / toSeconds(ReferenceRobot::step)) * ReferenceRobot::step;
+}
+
+}  // namespace
+
+SyntheticRun runReferenceRobot(std::span<const StampedCommand> commands, double duration, const Pose& start,
+                               std::uint64_t seed, const SyntheticTracker& tracker) {
+    const ReferenceRobot robot(seed);
+    ReferenceRobotState state = robot.start(start);
+    SyntheticRun run;
+    const Nanoseconds end = wholeSteps(duration);
+    for (std::size_t next = 0; state.time <= end; state = robot.next(state)) {
+        for (; next < commands.size() && commands[next].time <= state.time; ++next)
+            state = robot.issue(state, commands[next].command);
+        if (state.time % tracker.period != 0) continue;
+        const std::int64_t sample = state.time / tracker.period;
+        run.truth.push_back({state.time, state.pose});
+        run.tracked.push_back({state.time, tracked(state.pose, seed, sample, tracker)});
+    }
+    return run;
+}
+
+const std::vector<SyntheticSet>& syntheticSets() {
+    static const std::vector<SyntheticSet> sets{
+        {"training", "more than 100,000 patterns of random driving, to learn from", {{Course::random, 200, 60}}},
+        {"held-out",
+         "100 trajectories with one window of 10 s each, 20 of them with a full-to-zero switch, to judge by",
+         {{Course::random, 80, 15}, {Course::hardSwitch, 20, 15}}},
+        {"example",
+         "a few minutes of driving and the two courses, to try the program on",
+         {{Course::random, 4, 60}, {Course::jink, 1}, {Course::ellipse, 1}}},
+        {"repeat",
+         "the same commands several times, to see how far runs differ",
+         {{Course::random, 30, 15, 4}, {Course::jink, 1, -1, 10}, {Course::ellipse, 1, -1, 10}}},
+    };
+    return sets;
+}
+
+std::optional<Log> generateLog(const SyntheticPart& part, std::uint64_t seed, const SyntheticProgress& progress) {
+    const double duration = part.duration < 0 ? courseDuration(part.course) : part.duration;
+    Log log{"", "csv", 0, {{"reference", {}, {}}}, {}, true};
+    auto& trajectories = log.robots.front().trajectories;
+    Nanoseconds begin = 0;
+    for (int i = 0; i < part.trajectories; ++i) {
+        const auto index = static_cast<std::uint32_t>(i);
+        const auto commands = courseCommands(part.course, duration, seed, index);
+        for (int repeat = 0; repeat < part.repeats; ++repeat) {
+            const SyntheticRun run = runReferenceRobot(commands, duration, startOf(seed, index, part.course),
+                                                       seedOfRun(seed, part.course, index, repeat));
+            Trajectory& trajectory = trajectories.emplace_back();
+            trajectory.name = trajectoryName(part.course, i, repeat, part.repeats);
+            trajectory.group = i;
+            trajectory.commands = commands;
+            trajectory.poses = run.tracked;
+            for (StampedCommand& command : trajectory.commands) command.time += begin;
+            for (StampedPose& pose : trajectory.poses) pose.time += begin;
+            begin += fromSeconds(std::ceil(duration + pause));
+            const double done = static_cast<double>(trajectories.size()) / (part.trajectories * part.repeats);
+            if (progress && !progress(done)) return std::nullopt;
+        }
+    }
+    return log;
+}
+
+}  // namespace mrose
