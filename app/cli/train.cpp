@@ -73,7 +73,9 @@ public:
     bool operator()(const TrainingProgress& p) {
         const double done = p.member + static_cast<double>(p.epoch) / p.epochs;
         const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin_;
-        if (line_.terminal() || p.epoch % (p.epochs / 10 * 1) == 0) {
+        const int tenth = static_cast<int>(10 * done);
+        if (line_.terminal() || tenth != shownTenth_) {
+            shownTenth_ = tenth;
             char text[200];
             std::snprintf(text, sizeof text,
                           "network %d of %d, epoch %d: loss %.3e, held out P %.2f %% Hd %.2f %%, at most %s left",
@@ -86,6 +88,7 @@ public:
 
 private:
     ProgressLine line_;
+    int shownTenth_ = -1;  ///< of a member's epochs
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 

@@ -248,12 +248,10 @@ Expected<void> writeReport(const Evaluation& evaluation, const ReportContext& co
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error) return fail(folder.string(), cat("cannot be made: ", error.message()));
-    const std::pair<const char*, std::string> files[] = {{"results.csv", resultsCsv(evaluation)},
-                                                         {"results.json", resultsJson(evaluation, context)},
-                                                         {"report.html", reportHtml(evaluation, context)}};
-    for (const auto& [fileName, content] : files)
-        if (auto written = writeFileAtomically(folder / fileName, content); !written) return written;
-    return {};
+    const NamedFile files[] = {{folder / "results.csv", resultsCsv(evaluation)},
+                               {folder / "results.json", resultsJson(evaluation, context)},
+                               {folder / "report.html", reportHtml(evaluation, context)}};
+    return writeFilesAtomically(files);
 }
 
 }  // namespace mrose

@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <deque>
 #include <system_error>
 
 #include <fcntl.h>
@@ -43,6 +44,51 @@ bool writeAll(int descriptor, std::string_view content) {
     return true;
 }
 
+/// The file that an output's name means: behind symbolic links, so that a link stays one.
+std::filesystem::path targetOf(const std::filesystem::path& path) {
+    std::error_code error;
+    auto target = std::filesystem::weakly_canonical(path, error);
+    return error || !std::filesystem::is_symlink(path, error) ? path : target;
+}
+
+/// An output on its way: written beside its place, and gone again unless it replaces what is there.
+class PendingFile {
+public:
+    explicit PendingFile(const std::filesystem::path& path)
+        : path_(path), target_(targetOf(path)), beside_(target_.string() + ".part") {}
+    PendingFile(const PendingFile&) = delete;
+    PendingFile& operator=(const PendingFile&) = delete;
+    ~PendingFile() {
+        if (pending_) ::unlink(beside_.c_str());
+    }
+
+    Expected<void> write(std::string_view content) {
+        std::error_code ignored;
+        const auto status = std::filesystem::status(target_, ignored);
+        if (std::filesystem::is_directory(status)) return fail(path_.string(), "is a folder; expected a file");
+        // A device or a pipe cannot be replaced, and never should be.
+        if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+            return fail(path_.string(), "is no regular file; expected a name that can be replaced");
+        FileDescriptor file(::open(beside_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
+        if (file.value() < 0) return systemFailure();
+        pending_ = true;
+        if (!writeAll(file.value(), content) || ::fsync(file.value()) != 0 || !file.close()) return systemFailure();
+        return {};
+    }
+
+    Expected<void> replace() {
+        if (::rename(beside_.c_str(), target_.c_str()) != 0) return systemFailure();
+        pending_ = false;
+        return {};
+    }
+
+private:
+    tl::unexpected<Error> systemFailure() const { return fail(path_.string(), systemCause("cannot be written")); }
+
+    std::filesystem::path path_, target_, beside_;
+    bool pending_ = false;
+};
+
 }  // namespace
 
 Expected<std::string> readFile(const std::filesystem::path& path) {
@@ -63,24 +109,24 @@ Expected<std::string> readFile(const std::filesystem::path& path) {
 }
 
 Expected<void> writeFileAtomically(const std::filesystem::path& path, std::string_view content) {
-    const std::filesystem::path beside = path.string() + ".part";
-    FileDescriptor file(::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
-    if (file.value() < 0) return fail(path.string(), systemCause("cannot be written"));
-    const bool written = writeAll(file.value(), content) && ::fsync(file.value()) == 0 && file.close() &&
-                         ::rename(beside.c_str(), path.c_str()) == 0;
-    if (written) return {};
-    auto failure = fail(path.string(), systemCause("cannot be written"));
-    ::unlink(beside.c_str());
-    return failure;
+    const NamedFile file{path, std::string(content)};
+    return writeFilesAtomically({&file, 1});
+}
+
+Expected<void> writeFilesAtomically(std::span<const NamedFile> files) {
+    std::deque<PendingFile> pending;
+    for (const NamedFile& file : files) {
+        pending.emplace_back(file.path);
+        if (const auto written = pending.back().write(file.content); !written) return written;
+    }
+    for (PendingFile& file : pending)
+        if (const auto replaced = file.replace(); !replaced) return replaced;
+    return {};
 }
 
 Expected<void> checkWritable(const std::filesystem::path& path) {
-    if (std::filesystem::is_directory(path)) return fail(path.string(), "is a folder; expected the name of a file");
-    const std::filesystem::path beside = path.string() + ".part";
-    FileDescriptor file(::open(beside.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644));
-    if (file.value() < 0) return fail(path.string(), systemCause("cannot be written"));
-    ::unlink(beside.c_str());
-    return {};
+    PendingFile file(path);
+    return file.write({});
 }
 
 std::string contentHash(std::string_view bytes) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -13,7 +14,16 @@ Expected<std::string> readFile(const std::filesystem::path& path);
 
 /// Replaces `path` in one go: the content is written beside it, synced and renamed, so that a full disk, a crash or a
 /// kill leaves either the old file or the new one. Parent folders must exist. Error: what the system says.
+/// A symbolic link stays one: the file that it names is replaced. What is no regular file (a folder, a device) is not.
 Expected<void> writeFileAtomically(const std::filesystem::path& path, std::string_view content);
+
+/// Several files that belong together: all of them are written before the first replaces its old one, so that a full
+/// disk leaves all the old ones.
+struct NamedFile {
+    std::filesystem::path path;
+    std::string content;
+};
+Expected<void> writeFilesAtomically(std::span<const NamedFile> files);
 
 /// Error unless a file could be written at `path`; lets long work fail at its start and not at its end.
 Expected<void> checkWritable(const std::filesystem::path& path);
