@@ -50,16 +50,31 @@ Expected<std::vector<Log>> openLogs(const TrainFlags& flags, const std::optional
     return logs;
 }
 
+/// What a kind of network reads, and what its training defaults to.
+struct Recipe {
+    MotionNetwork (*blueprint)(const RobotTraits&, std::vector<std::string>, const ResponseTimes&);
+    LearningLoss loss;
+    int hidden, members, epochs, patience;
+};
+const std::map<std::string, Recipe> recipes{{"history", {historyBlueprint, LearningLoss::rollout, 32, 4, 1000, 300}},
+                                            {"state", {stateBlueprint, LearningLoss::rollout, 24, 1, 4000, 1000}},
+                                            {"paper", {paperBlueprint, LearningLoss::oneStep, 24, 1, 2000, 300}}};
+
+LearningLoss lossOf(const TrainFlags& flags) {
+    if (flags.loss.empty()) return recipes.at(flags.model).loss;
+    return flags.loss == "rollout" ? LearningLoss::rollout : LearningLoss::oneStep;
+}
+
 TrainerOptions trainerOptions(const TrainFlags& flags, const CommonFlags& common) {
-    const bool history = flags.model == "history";
+    const Recipe& recipe = recipes.at(flags.model);
+    const auto given = [](int flag, int otherwise) { return flag > 0 ? flag : otherwise; };
     TrainerOptions options;
     options.method = methods.at(flags.method);
-    options.loss =
-        flags.loss == "rollout" || (flags.loss.empty() && history) ? LearningLoss::rollout : LearningLoss::oneStep;
-    options.hidden = flags.hidden > 0 ? flags.hidden : history ? 32 : 24;
-    options.members = flags.members > 0 ? flags.members : history ? 4 : 1;
-    options.epochs = flags.epochs > 0 ? flags.epochs : history ? 1000 : 2000;
-    options.patience = flags.patience > 0 ? flags.patience : 300;
+    options.loss = lossOf(flags);
+    options.hidden = given(flags.hidden, recipe.hidden);
+    options.members = given(flags.members, recipe.members);
+    options.epochs = given(flags.epochs, recipe.epochs);
+    options.patience = given(flags.patience, recipe.patience);
     options.rolloutLength = flags.chain;
     options.seed = common.seed;
     return options;
@@ -164,8 +179,7 @@ int train(const TrainFlags& flags, const CommonFlags& common) {
     if (!identified) return report(identified.error());
     const ResponseTimes times = responseTimes(*identified, flags);
     const RobotTraits traits = robotTraits(flags.type.empty() ? robotTypeOf(logs->front()) : flags.type);
-    MotionNetwork blueprint = flags.model == "history" ? historyBlueprint(traits, robotNames(*logs), times)
-                                                       : paperBlueprint(traits, robotNames(*logs), times);
+    MotionNetwork blueprint = recipes.at(flags.model).blueprint(traits, robotNames(*logs), times);
     SampleOptions sampleOptions;
     sampleOptions.folds = flags.folds;
     auto samples = motionSamples(*logs, blueprint, sampleOptions);
@@ -203,22 +217,25 @@ Subcommand addTrain(CLI::App& app, CommonFlags& common) {
                     "Logs to learn from: MRCLAM folders, Husky windows, CSV files or folders of them")
         ->required();
     sub->add_option("-o,--output", flags->out, "The network file to write")->required();
-    sub->add_option("--model", flags->model,
-                    "history: commands of the last tenths of a second -> motion, learned on rollouts; "
-                    "paper: (v, w, v_cmd, w_cmd) -> (dx, dy, dphi, v', w'), learned on single steps")
-        ->check(CLI::IsMember({"history", "paper"}))
+    sub->add_option(
+           "--model", flags->model,
+           "history: commands of the last tenths of a second -> motion, four networks learned on rollouts; "
+           "state: velocity and commands around the dead time -> motion and velocity, learned on rollouts, for "
+           "robots of limited acceleration; "
+           "paper: (v, w, v_cmd, w_cmd) -> (dx, dy, dphi, v', w'), learned on single steps")
+        ->check(CLI::IsMember({"history", "state", "paper"}))
         ->capture_default_str();
     sub->add_option("--robots", flags->robots, "Learn from these robots only, by name: 1,2")->delimiter(',');
     sub->add_option("--robot-type", flags->type, "Kind of robot; default: what the log's format tells");
     sub->add_option("--method", flags->method, "Learning method; lm fits single steps only")
         ->check(CLI::IsMember({"irprop+", "irprop-", "rprop+", "rprop-", "lm"}))
         ->capture_default_str();
-    sub->add_option("--loss", flags->loss, "What is minimised; default: rollout for history, one-step for paper")
+    sub->add_option("--loss", flags->loss, "What is minimised; default: one-step for paper, else rollout")
         ->check(CLI::IsMember({"one-step", "rollout"}));
     sub->add_option("--chain", flags->chain, "Periods of a rollout that is learned from")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
-    sub->add_option("--hidden", flags->hidden, "Hidden units of each member; default 32 (paper: 24)")
+    sub->add_option("--hidden", flags->hidden, "Hidden units of each member; default 32 for history, else 24")
         ->check(CLI::Range(1, 1024));
     sub->add_option(
            "--members", flags->members,
@@ -228,10 +245,11 @@ Subcommand addTrain(CLI::App& app, CommonFlags& common) {
     sub->add_option("--folds", flags->folds, "Parts that the logs are divided into, held out in turn")
         ->check(CLI::Range(2, 64))
         ->capture_default_str();
-    sub->add_option("--epochs", flags->epochs, "At most so many epochs; default 1000 (paper: 2000)")
+    sub->add_option("--epochs", flags->epochs,
+                    "At most so many epochs; default 1000 for history, 4000 for state, 2000 for paper")
         ->check(CLI::Range(1, 10'000'000));
     sub->add_option("--patience", flags->patience,
-                    "Stop after so many epochs without a better held-out error; default 300")
+                    "Stop after so many epochs without a better held-out error; default 300, 1000 for state")
         ->check(CLI::Range(1, 10'000'000));
     sub->add_option("--dead-time-v", flags->deadTimeV, "Dead time of v in s, instead of the one identified")
         ->check(CLI::Range(0.0, 2.0));
@@ -242,8 +260,7 @@ Subcommand addTrain(CLI::App& app, CommonFlags& common) {
     sub->add_option("--lag-w", flags->lagW, "Lag of w in s, instead of the one identified")
         ->check(CLI::Range(0.0, 2.0));
     return {sub, [flags, &common] {
-                const bool rollout = flags->loss == "rollout" || (flags->loss.empty() && flags->model == "history");
-                if (flags->method == "lm" && rollout)
+                if (flags->method == "lm" && lossOf(*flags) == LearningLoss::rollout)
                     return report({"", 0, 0, "--method lm", "fits single steps only; it needs --loss one-step"});
                 return train(*flags, common);
             }};
