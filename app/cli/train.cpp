@@ -58,7 +58,7 @@ struct Recipe {
 };
 const std::map<std::string, Recipe> recipes{{"history", {historyBlueprint, LearningLoss::rollout, 32, 4, 1000, 300}},
                                             {"state", {stateBlueprint, LearningLoss::rollout, 24, 1, 4000, 1000}},
-                                            {"paper", {paperBlueprint, LearningLoss::oneStep, 24, 1, 2000, 300}}};
+                                            {"paper", {paperBlueprint, LearningLoss::oneStep, 40, 1, 2000, 300}}};
 
 LearningLoss lossOf(const TrainFlags& flags) {
     if (flags.loss.empty()) return recipes.at(flags.model).loss;
@@ -235,7 +235,8 @@ Subcommand addTrain(CLI::App& app, CommonFlags& common) {
     sub->add_option("--chain", flags->chain, "Periods of a rollout that is learned from")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
-    sub->add_option("--hidden", flags->hidden, "Hidden units of each member; default 32 for history, else 24")
+    sub->add_option("--hidden", flags->hidden,
+                    "Hidden units of each member; default 32 for history, 24 for state, 40 for paper")
         ->check(CLI::Range(1, 1024));
     sub->add_option(
            "--members", flags->members,
