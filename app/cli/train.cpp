@@ -161,7 +161,7 @@ int train(const TrainFlags& flags, const CommonFlags& common) {
     watchInterrupts();
 
     const auto identified = identifyRobots(*logs);
-    if (!identified) return report(identified.error());
+    if (!identified) return report(identified.error(), flags.logs.front());
     const ResponseTimes times = responseTimes(*identified, flags);
     const RobotTraits traits = robotTraits(flags.type.empty() ? robotTypeOf(logs->front()) : flags.type);
     MotionNetwork blueprint = flags.model == "history" ? historyBlueprint(traits, robotNames(*logs), times)
@@ -169,7 +169,7 @@ int train(const TrainFlags& flags, const CommonFlags& common) {
     SampleOptions sampleOptions;
     sampleOptions.folds = flags.folds;
     auto samples = motionSamples(*logs, blueprint, sampleOptions);
-    if (!samples) return report(samples.error());
+    if (!samples) return report(samples.error(), flags.logs.front());
     blueprint.identified = *identified;
     const std::vector<TrackerOffset> trackers = removeTrackerOffsets(*samples);
     for (std::size_t i = 0; i < trackers.size() && i < blueprint.identified.size(); ++i)
@@ -182,7 +182,7 @@ int train(const TrainFlags& flags, const CommonFlags& common) {
 
     TrainingDisplay display(common.quiet);
     const auto summary = trainNetwork(blueprint, *samples, trainerOptions(flags, common), std::ref(display));
-    if (!summary) return report(summary.error());
+    if (!summary) return report(summary.error(), flags.logs.front());
     if (const auto saved = saveNetwork(summary->network, flags.out); !saved) return report(saved.error());
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
     printSummary(*summary, flags, common, spent.count());
@@ -243,8 +243,10 @@ Subcommand addTrain(CLI::App& app, CommonFlags& common) {
         ->check(CLI::Range(0.0, 2.0));
     return {sub, [flags, &common] {
                 const bool rollout = flags->loss == "rollout" || (flags->loss.empty() && flags->model == "history");
-                if (flags->method == "lm" && rollout)
-                    return report({"", 0, 0, "--method lm", "fits single steps only; it needs --loss one-step"});
+                if (flags->method == "lm" && rollout) {
+                    report({"", 0, 0, "--method lm", "fits single steps only; it needs --loss one-step"});
+                    return static_cast<int>(usage);
+                }
                 return train(*flags, common);
             }};
 }
