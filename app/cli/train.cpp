@@ -15,7 +15,7 @@ namespace {
 struct TrainFlags {
     std::vector<std::string> logs, robots;
     std::string out, model = "history", type, method = "irprop+", loss;
-    int hidden = 0, members = 0, epochs = 0, patience = 0, chain = 20, folds = 4;
+    int hidden = 0, members = 0, epochs = 0, patience = 0, phases = 0, chain = 20, folds = 4;
     std::optional<double> deadTimeV, deadTimeW, lagV, lagW;
 };
 
@@ -55,10 +55,11 @@ struct Recipe {
     MotionNetwork (*blueprint)(const RobotTraits&, std::vector<std::string>, const ResponseTimes&);
     LearningLoss loss;
     int hidden, members, epochs, patience;
+    int phases;  ///< of the period at which the logs are read
 };
-const std::map<std::string, Recipe> recipes{{"history", {historyBlueprint, LearningLoss::rollout, 32, 4, 1000, 300}},
-                                            {"state", {stateBlueprint, LearningLoss::rollout, 24, 1, 4000, 1000}},
-                                            {"paper", {paperBlueprint, LearningLoss::oneStep, 40, 1, 2000, 300}}};
+const std::map<std::string, Recipe> recipes{{"history", {historyBlueprint, LearningLoss::rollout, 32, 4, 1000, 300, 5}},
+                                            {"state", {stateBlueprint, LearningLoss::rollout, 24, 1, 4000, 4000, 1}},
+                                            {"paper", {paperBlueprint, LearningLoss::oneStep, 40, 1, 2000, 300, 5}}};
 
 LearningLoss lossOf(const TrainFlags& flags) {
     if (flags.loss.empty()) return recipes.at(flags.model).loss;
@@ -176,14 +177,15 @@ int train(const TrainFlags& flags, const CommonFlags& common) {
     watchInterrupts();
 
     const auto identified = identifyRobots(*logs);
-    if (!identified) return report(identified.error());
+    if (!identified) return report(identified.error(), flags.logs.front());
     const ResponseTimes times = responseTimes(*identified, flags);
     const RobotTraits traits = robotTraits(flags.type.empty() ? robotTypeOf(logs->front()) : flags.type);
     MotionNetwork blueprint = recipes.at(flags.model).blueprint(traits, robotNames(*logs), times);
     SampleOptions sampleOptions;
     sampleOptions.folds = flags.folds;
+    sampleOptions.phases = flags.phases > 0 ? flags.phases : recipes.at(flags.model).phases;
     auto samples = motionSamples(*logs, blueprint, sampleOptions);
-    if (!samples) return report(samples.error());
+    if (!samples) return report(samples.error(), flags.logs.front());
     blueprint.identified = *identified;
     const std::vector<TrackerOffset> trackers = removeTrackerOffsets(*samples);
     for (std::size_t i = 0; i < trackers.size() && i < blueprint.identified.size(); ++i)
@@ -196,7 +198,7 @@ int train(const TrainFlags& flags, const CommonFlags& common) {
 
     TrainingDisplay display(common.quiet);
     const auto summary = trainNetwork(blueprint, *samples, trainerOptions(flags, common), std::ref(display));
-    if (!summary) return report(summary.error());
+    if (!summary) return report(summary.error(), flags.logs.front());
     if (const auto saved = saveNetwork(summary->network, flags.out); !saved) return report(saved.error());
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
     printSummary(*summary, flags, common, spent.count());
@@ -250,8 +252,13 @@ Subcommand addTrain(CLI::App& app, CommonFlags& common) {
                     "At most so many epochs; default 1000 for history, 4000 for state, 2000 for paper")
         ->check(CLI::Range(1, 10'000'000));
     sub->add_option("--patience", flags->patience,
-                    "Stop after so many epochs without a better held-out error; default 300, 1000 for state")
+                    "Stop after so many epochs without a better held-out error; default 300; all for state")
         ->check(CLI::Range(1, 10'000'000));
+    sub->add_option(
+           "--phases", flags->phases,
+           "Phases of the period at which the logs are read: more patterns from the same logs; default 5, 1 for "
+           "state")
+        ->check(CLI::Range(1, 20));
     sub->add_option("--dead-time-v", flags->deadTimeV, "Dead time of v in s, instead of the one identified")
         ->check(CLI::Range(0.0, 2.0));
     sub->add_option("--dead-time-w", flags->deadTimeW, "Dead time of w in s, instead of the one identified")
@@ -261,8 +268,16 @@ Subcommand addTrain(CLI::App& app, CommonFlags& common) {
     sub->add_option("--lag-w", flags->lagW, "Lag of w in s, instead of the one identified")
         ->check(CLI::Range(0.0, 2.0));
     return {sub, [flags, &common] {
+<<<<<<< HEAD
                 if (flags->method == "lm" && lossOf(*flags) == LearningLoss::rollout)
                     return report({"", 0, 0, "--method lm", "fits single steps only; it needs --loss one-step"});
+=======
+                const bool rollout = flags->loss == "rollout" || (flags->loss.empty() && flags->model == "history");
+                if (flags->method == "lm" && rollout) {
+                    report({"", 0, 0, "--method lm", "fits single steps only; it needs --loss one-step"});
+                    return static_cast<int>(usage);
+                }
+>>>>>>> clitests
                 return train(*flags, common);
             }};
 }
