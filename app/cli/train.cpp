@@ -268,16 +268,10 @@ Subcommand addTrain(CLI::App& app, CommonFlags& common) {
     sub->add_option("--lag-w", flags->lagW, "Lag of w in s, instead of the one identified")
         ->check(CLI::Range(0.0, 2.0));
     return {sub, [flags, &common] {
-<<<<<<< HEAD
-                if (flags->method == "lm" && lossOf(*flags) == LearningLoss::rollout)
-                    return report({"", 0, 0, "--method lm", "fits single steps only; it needs --loss one-step"});
-=======
-                const bool rollout = flags->loss == "rollout" || (flags->loss.empty() && flags->model == "history");
-                if (flags->method == "lm" && rollout) {
+                if (flags->method == "lm" && lossOf(*flags) == LearningLoss::rollout) {
                     report({"", 0, 0, "--method lm", "fits single steps only; it needs --loss one-step"});
                     return static_cast<int>(usage);
                 }
->>>>>>> clitests
                 return train(*flags, common);
             }};
 }
