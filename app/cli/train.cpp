@@ -3,19 +3,20 @@
 
 #include "common.h"
 #include "evaluation/format.h"
-#include "identification/drive_fit.h"
 #include "identification/network_trainer.h"
 #include "identification/recipes.h"
 #include "identification/robot_identification.h"
 #include "io/file.h"
+#include "learning_logs.h"
 
 namespace mrose::cli {
 namespace {
 
 struct TrainFlags {
     std::vector<std::string> logs, robots;
-    std::string out, model = "history", type, method = "irprop+", loss;
-    int hidden = 0, members = 0, epochs = 0, patience = 0, chain = 20, folds = 4;
+    std::string out, model, type, method = "irprop+", loss;
+    int hidden = 0, members = 0, epochs = 0, patience = 0, chain = 20, folds = 4, holdOutPart = 0;
+    double holdOut = 0;
     std::optional<double> deadTimeV, deadTimeW, lagV, lagW;
 };
 
@@ -40,25 +41,32 @@ std::vector<std::string> robotNames(const std::vector<Log>& logs) {
     return names;
 }
 
-Expected<std::vector<Log>> openLogs(const TrainFlags& flags, const std::optional<DifferentialDrive>& drive) {
-    std::vector<Log> logs;
-    for (const std::string& source : flags.logs) {
-        auto log = openLog(source, flags.robots, drive);
-        if (!log) return tl::unexpected(log.error());
-        logs.push_back(std::move(*log));
-    }
-    return logs;
+/// A robot that measures its own velocity is predicted from it, any other one from its commands.
+std::string modelFor(const std::vector<Log>& logs) {
+    for (const Log& log : logs)
+        for (const RobotLog& robot : log.robots)
+            for (const Trajectory& trajectory : robot.trajectories)
+                if (trajectory.measuredVelocity.empty()) return "history";
+    return "velocity";
+}
+
+MotionNetwork blueprintOf(const std::string& model, const TrainFlags& flags, const std::vector<Log>& logs,
+                          const ResponseTimes& times) {
+    const RobotTraits traits = robotTraits(flags.type.empty() ? robotTypeOf(logs.front()) : flags.type);
+    const auto robots = robotNames(logs);
+    if (model == "paper") return paperBlueprint(traits, robots, times);
+    return model == "velocity" ? velocityBlueprint(traits, robots, times) : historyBlueprint(traits, robots, times);
 }
 
 TrainerOptions trainerOptions(const TrainFlags& flags, const CommonFlags& common) {
-    const bool history = flags.model == "history";
+    const bool paper = flags.model == "paper", velocity = flags.model == "velocity";
     TrainerOptions options;
     options.method = methods.at(flags.method);
     options.loss =
-        flags.loss == "rollout" || (flags.loss.empty() && history) ? LearningLoss::rollout : LearningLoss::oneStep;
-    options.hidden = flags.hidden > 0 ? flags.hidden : history ? 32 : 24;
-    options.members = flags.members > 0 ? flags.members : history ? 4 : 1;
-    options.epochs = flags.epochs > 0 ? flags.epochs : history ? 1000 : 2000;
+        flags.loss == "rollout" || (flags.loss.empty() && !paper) ? LearningLoss::rollout : LearningLoss::oneStep;
+    options.hidden = flags.hidden > 0 ? flags.hidden : paper ? 24 : velocity ? 16 : 32;
+    options.members = flags.members > 0 ? flags.members : paper ? 1 : 4;
+    options.epochs = flags.epochs > 0 ? flags.epochs : paper ? 2000 : velocity ? 400 : 1000;
     options.patience = flags.patience > 0 ? flags.patience : 300;
     options.rolloutLength = flags.chain;
     options.seed = common.seed;
@@ -117,15 +125,6 @@ void printSummary(const TrainingSummary& summary, const TrainFlags& flags, const
         n.heldOut.horizon, static_cast<long long>(n.heldOut.windows), n.heldOut.position, n.heldOut.heading);
 }
 
-/// Logs of wheel commands are read with the geometry fitted to them.
-Expected<std::optional<DifferentialDrive>> fittedDrive(const TrainFlags& flags) {
-    auto logs = openLogs(flags, {});
-    if (!logs) return tl::unexpected(logs.error());
-    if (logs->front().format != "husky-windows") return std::nullopt;
-    return fitDrive(steadyMotions(logs->front(), WheelSource::commands), logs->front().source)
-        .map([](const DriveFit& fit) { return std::optional(fit.drive); });
-}
-
 using Identified = MotionNetwork::Identified;
 
 template <class Value>
@@ -151,33 +150,33 @@ ResponseTimes responseTimes(const std::vector<Identified>& robots, const TrainFl
     return t;
 }
 
-int train(const TrainFlags& flags, const CommonFlags& common) {
+int train(TrainFlags flags, const CommonFlags& common) {
     const auto begin = std::chrono::steady_clock::now();
     if (const auto writable = checkWritable(flags.out); !writable) return report(writable.error());
-    const auto drive = fittedDrive(flags);
-    if (!drive) return report(drive.error());
-    const auto logs = openLogs(flags, *drive);
-    if (!logs) return report(logs.error());
+    const GroupHoldOut holdOut = holdOutShare(flags.holdOut, flags.holdOutPart);
+    const auto opened = openLearningLogs({flags.logs, flags.robots, holdOut});
+    if (!opened) return report(opened.error());
+    const std::vector<Log>& logs = opened->logs;
+    if (flags.model.empty()) flags.model = modelFor(logs);
     watchInterrupts();
 
-    const auto identified = identifyRobots(*logs);
+    const auto identified = identifyRobots(logs);
     if (!identified) return report(identified.error());
-    const ResponseTimes times = responseTimes(*identified, flags);
-    const RobotTraits traits = robotTraits(flags.type.empty() ? robotTypeOf(logs->front()) : flags.type);
-    MotionNetwork blueprint = flags.model == "history" ? historyBlueprint(traits, robotNames(*logs), times)
-                                                       : paperBlueprint(traits, robotNames(*logs), times);
+    MotionNetwork blueprint = blueprintOf(flags.model, flags, logs, responseTimes(*identified, flags));
     SampleOptions sampleOptions;
+    sampleOptions.heldOut = holdOut;
     sampleOptions.folds = flags.folds;
-    auto samples = motionSamples(*logs, blueprint, sampleOptions);
+    auto samples = motionSamples(logs, blueprint, sampleOptions);
     if (!samples) return report(samples.error());
     blueprint.identified = *identified;
     const std::vector<TrackerOffset> trackers = removeTrackerOffsets(*samples);
     for (std::size_t i = 0; i < trackers.size() && i < blueprint.identified.size(); ++i)
         blueprint.identified[i].tracker = trackers[i];
-    blueprint.drive = *drive;
-    blueprint.synthetic = logs->front().synthetic;
+    blueprint.drive = opened->drive;
+    blueprint.heldOut.groups = holdOut;
+    blueprint.synthetic = logs.front().synthetic;
     blueprint.training.command = commandLine();
-    for (const Log& log : *logs)
+    for (const Log& log : logs)
         for (const LogFile& file : log.files) blueprint.training.logs.push_back({file.path, file.hash});
 
     TrainingDisplay display(common.quiet);
@@ -197,6 +196,7 @@ Subcommand addTrain(CLI::App& app, CommonFlags& common) {
         addSubcommand(app, common, "train", "Learn a motion network from logs",
                       "  mrose train MRCLAM_Dataset6 -o create.net\n"
                       "  mrose train MRCLAM_Dataset6 --model paper --seed 3 -o create_paper.net\n"
+                      "  mrose train husky_windows.csv --hold-out 0.2 -o husky.net\n"
                       "  mrose train monday.csv tuesday.csv --robots attacker -o attacker.net\n"
                       "Ctrl-C ends learning and saves the best network so far; a second one ends the program at once.");
     sub->add_option("LOG", flags->logs,
@@ -205,9 +205,10 @@ Subcommand addTrain(CLI::App& app, CommonFlags& common) {
     sub->add_option("-o,--output", flags->out, "The network file to write")->required();
     sub->add_option("--model", flags->model,
                     "history: commands of the last tenths of a second -> motion, learned on rollouts; "
-                    "paper: (v, w, v_cmd, w_cmd) -> (dx, dy, dphi, v', w'), learned on single steps")
-        ->check(CLI::IsMember({"history", "paper"}))
-        ->capture_default_str();
+                    "velocity: likewise, with the velocity at the start; "
+                    "paper: (v, w, v_cmd, w_cmd) -> (dx, dy, dphi, v', w'), learned on single steps. "
+                    "Default: velocity for robots that measure their own, history for others")
+        ->check(CLI::IsMember({"history", "velocity", "paper"}));
     sub->add_option("--robots", flags->robots, "Learn from these robots only, by name: 1,2")->delimiter(',');
     sub->add_option("--robot-type", flags->type, "Kind of robot; default: what the log's format tells");
     sub->add_option("--method", flags->method, "Learning method; lm fits single steps only")
@@ -218,7 +219,7 @@ Subcommand addTrain(CLI::App& app, CommonFlags& common) {
     sub->add_option("--chain", flags->chain, "Periods of a rollout that is learned from")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
-    sub->add_option("--hidden", flags->hidden, "Hidden units of each member; default 32 (paper: 24)")
+    sub->add_option("--hidden", flags->hidden, "Hidden units of each member; default 32 (velocity: 16, paper: 24)")
         ->check(CLI::Range(1, 1024));
     sub->add_option(
            "--members", flags->members,
@@ -228,7 +229,14 @@ Subcommand addTrain(CLI::App& app, CommonFlags& common) {
     sub->add_option("--folds", flags->folds, "Parts that the logs are divided into, held out in turn")
         ->check(CLI::Range(2, 64))
         ->capture_default_str();
-    sub->add_option("--epochs", flags->epochs, "At most so many epochs; default 1000 (paper: 2000)")
+    sub->add_option("--hold-out", flags->holdOut,
+                    "Share of the groups of trajectories that nothing is learned from: mrose evaluate --held-out "
+                    "judges by them alone")
+        ->check(CLI::Range(0.001, 0.5));
+    sub->add_option("--hold-out-part", flags->holdOutPart, "Which share that is, for cross-validation: 0, 1, ...")
+        ->check(CLI::Range(0, 1000))
+        ->capture_default_str();
+    sub->add_option("--epochs", flags->epochs, "At most so many epochs; default 1000 (velocity: 400, paper: 2000)")
         ->check(CLI::Range(1, 10'000'000));
     sub->add_option("--patience", flags->patience,
                     "Stop after so many epochs without a better held-out error; default 300")
@@ -242,7 +250,7 @@ Subcommand addTrain(CLI::App& app, CommonFlags& common) {
     sub->add_option("--lag-w", flags->lagW, "Lag of w in s, instead of the one identified")
         ->check(CLI::Range(0.0, 2.0));
     return {sub, [flags, &common] {
-                const bool rollout = flags->loss == "rollout" || (flags->loss.empty() && flags->model == "history");
+                const bool rollout = flags->loss == "rollout" || (flags->loss.empty() && flags->model != "paper");
                 if (flags->method == "lm" && rollout)
                     return report({"", 0, 0, "--method lm", "fits single steps only; it needs --loss one-step"});
                 return train(*flags, common);

@@ -1,6 +1,7 @@
 #include "identification/recipes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace mrose {
@@ -67,6 +68,21 @@ MotionNetwork historyBlueprint(const RobotTraits& traits, std::vector<std::strin
             for (const Quantity quantity : {Quantity::leftSine, Quantity::leftCosine, Quantity::rightSine,
                                             Quantity::rightCosine, Quantity::forwardSine, Quantity::forwardCosine})
                 network.inputs.push_back(meanOf(quantity, newest, newest + 0.1));
+    return network;
+}
+
+MotionNetwork velocityBlueprint(const RobotTraits& traits, std::vector<std::string> robots,
+                                const ResponseTimes& times) {
+    MotionNetwork network = blueprint(traits, std::move(robots));
+    network.form = MotionNetwork::Form::state;
+    network.inputs.resize(2);
+    network.inputs[0].quantity = Quantity::velocityV;
+    network.inputs[1].quantity = Quantity::velocityW;
+    const double begin = std::max(0.2, roundedTo5ms(std::min(times.deadTimeV, times.deadTimeW)));
+    const std::array edges{0.0, begin, begin + 0.4, begin + 1.2};
+    for (const Quantity quantity : {Quantity::commandV, Quantity::commandW})
+        for (std::size_t i = 0; i + 1 < edges.size(); ++i)
+            network.inputs.push_back(meanOf(quantity, edges[i], edges[i + 1]));
     return network;
 }
 
