@@ -1,6 +1,7 @@
 #include "identification/recipes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace mrose {
@@ -88,6 +89,17 @@ MotionNetwork stateBlueprint(const RobotTraits& traits, std::vector<std::string>
     for (const Quantity quantity : {Quantity::commandV, Quantity::commandW})
         for (int i = 0; newest + 0.05 * i < oldest - 0.01; ++i)
             network.inputs.push_back(meanOf(quantity, newest + 0.05 * i, newest + 0.05 * (i + 1)));
+    return network;
+}
+
+MotionNetwork velocityBlueprint(const RobotTraits& traits, std::vector<std::string> robots,
+                                const ResponseTimes& times) {
+    MotionNetwork network = statePart(traits, std::move(robots));
+    const double begin = std::max(0.2, roundedTo5ms(std::min(times.deadTimeV, times.deadTimeW)));
+    const std::array edges{0.0, begin, begin + 0.4, begin + 1.2};
+    for (const Quantity quantity : {Quantity::commandV, Quantity::commandW})
+        for (std::size_t i = 0; i + 1 < edges.size(); ++i)
+            network.inputs.push_back(meanOf(quantity, edges[i], edges[i + 1]));
     return network;
 }
 

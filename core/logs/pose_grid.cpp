@@ -78,7 +78,7 @@ Poses recentPoses(Poses known, Nanoseconds time) {
     return known.last(count);
 }
 
-Velocity meanOfLast(const std::vector<StampedVelocity>& samples, Nanoseconds time) {
+std::optional<Velocity> meanOfLast(const std::vector<StampedVelocity>& samples, Nanoseconds time) {
     Velocity sum;
     int count = 0;
     for (auto at = behind(samples, time); at != samples.begin() && time - std::prev(at)->time < startWidth; --at) {
@@ -86,14 +86,8 @@ Velocity meanOfLast(const std::vector<StampedVelocity>& samples, Nanoseconds tim
         sum.w += std::prev(at)->velocity.w;
         ++count;
     }
-    return count == 0 ? Velocity{} : Velocity{sum.v / count, sum.w / count};
-}
-
-/// What the robot itself measured; zero where it did not.
-Velocity meanVelocity(const Trajectory& trajectory, Nanoseconds time) {
-    Velocity mean = meanOfLast(trajectory.measuredVelocity, time);
-    if (!trajectory.measuredRotation.empty()) mean.w = meanOfLast(trajectory.measuredRotation, time).w;
-    return mean;
+    if (count == 0) return std::nullopt;
+    return Velocity{sum.v / count, sum.w / count};
 }
 
 Nanoseconds ceilToMultiple(Nanoseconds time, Nanoseconds step) {
@@ -143,13 +137,22 @@ MeasuredStart measuredStart(const Trajectory& trajectory, Nanoseconds time) {
     const Poses known(trajectory.poses.begin(), behind(trajectory.poses, time));
     if (known.empty() || time - known.back().time > gapLimit) return {};
     const Poses recent = recentPoses(known, time);
-    MeasuredStart start{true, known.back().pose, meanVelocity(trajectory, time)};
+    MeasuredStart start{true, known.back().pose, measuredVelocity(trajectory, time).value_or(Velocity{})};
     if (recent.size() < fewest) return start;
     const Pose slope = fitLine(recent, time).slope;
     const double age = toSeconds(time - known.back().time);
     start.pose = {start.pose.x + age * slope.x, start.pose.y + age * slope.y, start.pose.heading + age * slope.heading};
     start.velocity = velocityOf({start.pose, slope});
     return start;
+}
+
+std::optional<Velocity> measuredVelocity(const Trajectory& trajectory, Nanoseconds time) {
+    auto mean = meanOfLast(trajectory.measuredVelocity, time);
+    if (const auto rotation = meanOfLast(trajectory.measuredRotation, time)) {
+        if (!mean) mean = Velocity{};
+        mean->w = rotation->w;
+    }
+    return mean;
 }
 
 }  // namespace mrose

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <optional>
 #include <vector>
 
 #include "logs/robot_log.h"
@@ -47,5 +48,8 @@ struct MeasuredStart {
     Velocity velocity;
 };
 MeasuredStart measuredStart(const Trajectory& trajectory, Nanoseconds time);
+
+/// Mean of what the robot itself measured in the 0.2 s up to `time`; none if it measured nothing.
+std::optional<Velocity> measuredVelocity(const Trajectory& trajectory, Nanoseconds time);
 
 }  // namespace mrose
