@@ -250,6 +250,7 @@ Subcommand addTrain(CLI::App& app, CommonFlags& common) {
                     "judges by them alone")
         ->check(CLI::Range(0.001, 0.5));
     sub->add_option("--hold-out-part", flags->holdOutPart, "Which share that is, for cross-validation: 0, 1, ...")
+        ->needs("--hold-out")
         ->check(CLI::Range(0, 1000))
         ->capture_default_str();
     sub->add_option("--epochs", flags->epochs, "At most so many epochs; default: the model's")

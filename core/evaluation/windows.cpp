@@ -108,6 +108,9 @@ private:
         const Nanoseconds length = window.steps() * options_.step;
         const Travel travel = travelled(window.truth, options_.step);
         window.path = travel.path;
+        for (std::size_t i = 1; i < window.truth.size(); ++i)
+            window.pathBySteps +=
+                std::hypot(window.truth[i].x - window.truth[i - 1].x, window.truth[i].y - window.truth[i - 1].y);
         window.rotation = travel.rotation;
         const double part = toSeconds(length) / 10;
         if (window.path < options_.leastPath * part && window.rotation < options_.leastRotation * part) {
