@@ -96,15 +96,18 @@ TEST_F(BadInput, ForeignAndHalfNetworksAreRefused) {
     };
     for (const Case& c :
          {Case{"empty.net", "", {"format", "is missing"}}, Case{"half.net", text.substr(0, text.size() / 2), {":"}},
-          Case{"binary.net", std::string("\0\xff\x01 not a network", 20), {"empty"}},
+          Case{"binary.net", std::string("\0\xff\x01 not a network", 17), {}},
           Case{"foreign.net", "FANN_FLO_2.1\nnum_layers=3\n", {"foreign.net:1:", "TOML"}},
           Case{"later.net", replaced(text, "version = 1", "version = 2"), {"later.net:3:11: version: "}},
           Case{"unit.net", replaced(text, "hidden = 6", "hidden = 7"), {"hidden_weights"}},
           Case{"huge.net", replaced(text, "hidden = 6", "hidden = 999999999999"), {"hidden: "}},
+          Case{"weight.net",
+               replaced(text, "output_biases = [", "output_biases = [1e39, "),
+               {"output_biases: has 8 numbers; expected 7"}},
+          Case{"key.net", "\"new\\nline\" = 1\n" + text, {"key.net:1:15: new?line: "}},
           Case{"extra.net", "colour = \"red\"\n" + text, {"extra.net:1:", "colour"}}}) {
         std::vector<std::string> parts = c.parts;
         parts.push_back(c.name);
-        if (c.name == "binary.net") parts = {"binary.net"};
         const std::string file = write(c.name, c.content);
         expectOneLine(runMrose({"evaluate", file, "--log", log(), "--report", path("report")}), parts);
         expectOneLine(runMrose({"predict", file, "--log", log(), "--windows", windows(), "-o", path("p.csv")}), parts);

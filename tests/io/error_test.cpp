@@ -13,6 +13,10 @@ TEST(Error, SaysWhatIsKnownAndLeavesOutTheRest) {
     EXPECT_EQ((Error{"", 0, 0, "", "is text"}.message()), "is text");
 }
 
+TEST(Error, StaysOneLineWhateverFilesHold) {
+    EXPECT_EQ((Error{"a\nb", 1, 0, "k\r\x1b[2J", "is \"\t\x7f ä\""}.message()), "a?b:1: k??[2J: is \"?? ä\"");
+}
+
 TEST(Error, FailFillsTheMembers) {
     const Expected<int> result = fail("a.csv", "is text", 3, "t");
     ASSERT_FALSE(result);

@@ -95,6 +95,20 @@ TEST(TomlTable, ElementsOfTheWrongKindAreFoundWhereTheyStand) {
     EXPECT_EQ(errorOf("k = -1", [](TomlTable& t) { t.number("k", {0, 2}); }), "f:1:5: k: is -1.0; expected 0.0 to 2.0");
 }
 
+TEST(TomlTable, RangesHoldForEveryElement) {
+    EXPECT_EQ(errorOf("k = [1,\n 5]",
+                      [](TomlTable& t) {
+                          t.numbers("k", 2, {0, 2});
+                      }),
+              "f:2:2: k: is 5.0; expected 0.0 to 2.0");
+    EXPECT_EQ(errorOf("k = [[1, -1]]",
+                      [](TomlTable& t) {
+                          t.matrix("k", 1, 2, {0, 2});
+                      }),
+              "f:1:10: k: is -1.0; expected 0.0 to 2.0");
+    EXPECT_EQ(errorOf("k = [0, 2]", [](TomlTable& t) { t.numbers("k", 2, {0, 2}); }), "");
+}
+
 TEST(TomlTable, KeysOfInnerTablesAreNamedFromTheRoot) {
     const auto inner = [](TomlTable& t) { t.table("a").table("b").number("k"); };
     EXPECT_EQ(errorOf("[a.b]\nk = true\n", inner), "f:2:5: a.b.k: expected a finite number");
