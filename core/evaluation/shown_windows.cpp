@@ -16,7 +16,7 @@ Indices ranked(Indices windows, Score score) {
 }
 
 std::size_t atQuantile(const Indices& rankedWindows, double q) {
-    return rankedWindows[static_cast<std::size_t>(q * static_cast<double>(rankedWindows.size() - 1) + 0.5)];
+    return rankedWindows[static_cast<std::size_t>(std::lround(q * static_cast<double>(rankedWindows.size() - 1)))];
 }
 
 class Choice {

@@ -1,5 +1,5 @@
-// Time of a learned motion model for one robot, alone and in a batch: reading the command history, the network, the step.
-// Beside it, as the peer of the ratio, kinematics with dead time and lag on the same histories.
+// Time of a learned motion model for one robot, alone and in a batch: reading the command history, the network, the
+// step. Beside it, as the peer of the ratio, kinematics with dead time and lag on the same histories.
 #include <benchmark/benchmark.h>
 
 #include "motion/kinematic.h"
