@@ -30,8 +30,8 @@ struct SampleOptions {
     int phases = 5;  ///< of the period at which a log is read; more patterns from the same log
     int folds = 4;
     GroupHoldOut heldOut{};  ///< groups that are not among the logs: the others are divided evenly
-    double block = 44;  ///< s: a trajectory of several blocks is divided among the folds by blocks, a shorter one
-                        ///< belongs to one fold with all of its group
+    double block = 44;       ///< s: a trajectory of several blocks is divided among the folds by blocks, a shorter one
+                             ///< belongs to one fold with all of its group
 };
 
 /// The patterns of one or several logs.

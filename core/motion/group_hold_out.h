@@ -12,7 +12,9 @@ struct GroupHoldOut {
     bool holds(int group) const { return holdsAny() && remainder(group - offset) == 0; }
 
     /// Numbers the groups that are not held out without gaps, so that they can be divided evenly.
-    int rankOfOther(int group) const { return holdsAny() ? group - (group - offset - remainder(group - offset)) / every : group; }
+    int rankOfOther(int group) const {
+        return holdsAny() ? group - (group - offset - remainder(group - offset)) / every : group;
+    }
 
 private:
     int remainder(int number) const { return ((number % every) + every) % every; }
