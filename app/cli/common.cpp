@@ -9,6 +9,8 @@
 
 #include <unistd.h>
 
+#include "evaluation/rollout.h"
+#include "io/number_text.h"
 #include "logs/log_reader.h"
 
 namespace mrose::cli {
@@ -58,6 +60,11 @@ int report(const Error& error) {
     return failure;
 }
 
+int report(Error error, const std::string& file) {
+    if (error.file.empty()) error.file = file;
+    return report(error);
+}
+
 Expected<Log> openLog(const std::string& source, const std::vector<std::string>& robots,
                       const std::optional<DifferentialDrive>& drive) {
     LogOptions options;
@@ -76,8 +83,15 @@ Expected<Log> openLog(const std::string& source, const std::vector<std::string>&
 }
 
 Expected<std::shared_ptr<const LearnedMotion>> openNetwork(const std::string& path) {
-    return loadNetwork(path).map(
-        [](MotionNetwork network) { return std::make_shared<const LearnedMotion>(std::move(network)); });
+    auto network = loadNetwork(path);
+    if (!network) return tl::unexpected(network.error());
+    const Nanoseconds step = RolloutOptions{}.step;
+    if (step % network->period != 0)
+        return fail(path,
+                    "is " + numberText(toSeconds(network->period)) + "; expected a period that divides " +
+                        numberText(toSeconds(step)) + " s, the step of predictions",
+                    0, "period_s");
+    return std::make_shared<const LearnedMotion>(std::move(*network));
 }
 
 std::string commandLine() { return givenCommandLine; }

@@ -44,13 +44,15 @@ CLI::App* addSubcommand(CLI::App& app, CommonFlags& flags, const std::string& na
 
 /// One line on standard error; returns ExitStatus::failure.
 int report(const Error& error);
+/// The same of what names no file of its own.
+int report(Error error, const std::string& file);
 
 /// Opens a log; `drive` is for logs of wheel commands. Robots not in `robots` are left out, unless it is empty. Error:
 /// an unknown robot too.
 Expected<Log> openLog(const std::string& source, const std::vector<std::string>& robots,
                       const std::optional<DifferentialDrive>& drive = {});
 
-/// Loads a network and makes it ready for use.
+/// Loads a network and makes it ready for use. Error: a period that predictions of logs cannot be made with, too.
 Expected<std::shared_ptr<const LearnedMotion>> openNetwork(const std::string& path);
 
 /// The command line as it can be typed again.

@@ -22,7 +22,7 @@ int runProgram(int argc, char** argv) {
     CLI::App app("Learns how a team's robots move from their logs, and says how far the learned motion can be trusted.",
                  "mrose");
     app.set_version_flag("--version", versionText());
-    app.require_subcommand(1);
+    app.require_subcommand(0, 1);  // none is refused below: an unknown one is then named
     app.failure_message([](const CLI::App*, const CLI::Error& error) {
         return std::string("mrose: ") + error.what() + " (mrose --help, or mrose SUBCOMMAND --help, tells more)\n";
     });
@@ -31,6 +31,7 @@ int runProgram(int argc, char** argv) {
                                       addPredict(app, flags), addGenerate(app, flags)};
     try {
         app.parse(argc, argv);
+        if (app.get_subcommands().empty()) throw CLI::RequiredError("A subcommand");
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? success : usage;
     }

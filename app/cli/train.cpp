@@ -15,7 +15,7 @@ namespace {
 struct TrainFlags {
     std::vector<std::string> logs, robots;
     std::string out, model, type, method = "irprop+", loss;
-    int hidden = 0, members = 0, epochs = 0, patience = 0, chain = 20, folds = 4, holdOutPart = 0;
+    int hidden = 0, members = 0, epochs = 0, patience = 0, phases = 0, chain = 20, folds = 4, holdOutPart = 0;
     double holdOut = 0;
     std::optional<double> deadTimeV, deadTimeW, lagV, lagW;
 };
@@ -50,24 +50,34 @@ std::string modelFor(const std::vector<Log>& logs) {
     return "velocity";
 }
 
-MotionNetwork blueprintOf(const std::string& model, const TrainFlags& flags, const std::vector<Log>& logs,
-                          const ResponseTimes& times) {
-    const RobotTraits traits = robotTraits(flags.type.empty() ? robotTypeOf(logs.front()) : flags.type);
-    const auto robots = robotNames(logs);
-    if (model == "paper") return paperBlueprint(traits, robots, times);
-    return model == "velocity" ? velocityBlueprint(traits, robots, times) : historyBlueprint(traits, robots, times);
+/// What a kind of network reads, and what its training defaults to.
+struct Recipe {
+    MotionNetwork (*blueprint)(const RobotTraits&, std::vector<std::string>, const ResponseTimes&);
+    LearningLoss loss;
+    int hidden, members, epochs, patience;
+    int phases;  ///< of the period at which the logs are read
+};
+const std::map<std::string, Recipe> recipes{
+    {"history", {historyBlueprint, LearningLoss::rollout, 32, 4, 1000, 300, 5}},
+    {"state", {stateBlueprint, LearningLoss::rollout, 24, 1, 4000, 4000, 1}},
+    {"velocity", {velocityBlueprint, LearningLoss::rollout, 16, 4, 400, 300, 5}},
+    {"paper", {paperBlueprint, LearningLoss::oneStep, 40, 1, 2000, 300, 5}}};
+
+LearningLoss lossOf(const TrainFlags& flags) {
+    if (flags.loss.empty()) return recipes.at(flags.model).loss;
+    return flags.loss == "rollout" ? LearningLoss::rollout : LearningLoss::oneStep;
 }
 
 TrainerOptions trainerOptions(const TrainFlags& flags, const CommonFlags& common) {
-    const bool paper = flags.model == "paper", velocity = flags.model == "velocity";
+    const Recipe& recipe = recipes.at(flags.model);
+    const auto given = [](int flag, int otherwise) { return flag > 0 ? flag : otherwise; };
     TrainerOptions options;
     options.method = methods.at(flags.method);
-    options.loss =
-        flags.loss == "rollout" || (flags.loss.empty() && !paper) ? LearningLoss::rollout : LearningLoss::oneStep;
-    options.hidden = flags.hidden > 0 ? flags.hidden : paper ? 24 : velocity ? 16 : 32;
-    options.members = flags.members > 0 ? flags.members : paper ? 1 : 4;
-    options.epochs = flags.epochs > 0 ? flags.epochs : paper ? 2000 : velocity ? 400 : 1000;
-    options.patience = flags.patience > 0 ? flags.patience : 300;
+    options.loss = lossOf(flags);
+    options.hidden = given(flags.hidden, recipe.hidden);
+    options.members = given(flags.members, recipe.members);
+    options.epochs = given(flags.epochs, recipe.epochs);
+    options.patience = given(flags.patience, recipe.patience);
     options.rolloutLength = flags.chain;
     options.seed = common.seed;
     return options;
@@ -161,13 +171,16 @@ int train(TrainFlags flags, const CommonFlags& common) {
     watchInterrupts();
 
     const auto identified = identifyRobots(logs);
-    if (!identified) return report(identified.error());
-    MotionNetwork blueprint = blueprintOf(flags.model, flags, logs, responseTimes(*identified, flags));
+    if (!identified) return report(identified.error(), flags.logs.front());
+    const RobotTraits traits = robotTraits(flags.type.empty() ? robotTypeOf(logs.front()) : flags.type);
+    MotionNetwork blueprint =
+        recipes.at(flags.model).blueprint(traits, robotNames(logs), responseTimes(*identified, flags));
     SampleOptions sampleOptions;
     sampleOptions.heldOut = holdOut;
     sampleOptions.folds = flags.folds;
+    sampleOptions.phases = flags.phases > 0 ? flags.phases : recipes.at(flags.model).phases;
     auto samples = motionSamples(logs, blueprint, sampleOptions);
-    if (!samples) return report(samples.error());
+    if (!samples) return report(samples.error(), flags.logs.front());
     blueprint.identified = *identified;
     const std::vector<TrackerOffset> trackers = removeTrackerOffsets(*samples);
     for (std::size_t i = 0; i < trackers.size() && i < blueprint.identified.size(); ++i)
@@ -181,7 +194,7 @@ int train(TrainFlags flags, const CommonFlags& common) {
 
     TrainingDisplay display(common.quiet);
     const auto summary = trainNetwork(blueprint, *samples, trainerOptions(flags, common), std::ref(display));
-    if (!summary) return report(summary.error());
+    if (!summary) return report(summary.error(), flags.logs.front());
     if (const auto saved = saveNetwork(summary->network, flags.out); !saved) return report(saved.error());
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
     printSummary(*summary, flags, common, spent.count());
@@ -203,23 +216,26 @@ Subcommand addTrain(CLI::App& app, CommonFlags& common) {
                     "Logs to learn from: MRCLAM folders, Husky windows, CSV files or folders of them")
         ->required();
     sub->add_option("-o,--output", flags->out, "The network file to write")->required();
-    sub->add_option("--model", flags->model,
-                    "history: commands of the last tenths of a second -> motion, learned on rollouts; "
-                    "velocity: likewise, with the velocity at the start; "
-                    "paper: (v, w, v_cmd, w_cmd) -> (dx, dy, dphi, v', w'), learned on single steps. "
-                    "Default: velocity for robots that measure their own, history for others")
-        ->check(CLI::IsMember({"history", "velocity", "paper"}));
+    sub->add_option(
+           "--model", flags->model,
+           "history: commands of the last tenths of a second -> motion, learned on rollouts; "
+           "state: velocity and commands around the dead time -> motion and velocity, learned on rollouts, for "
+           "robots of limited acceleration; "
+           "velocity: velocity and commands in coarse bins, for robots that measure their velocity; "
+           "paper: (v, w, v_cmd, w_cmd) -> (dx, dy, dphi, v', w'), learned on single steps. "
+           "Default: velocity for robots that measure their own, history for others")
+        ->check(CLI::IsMember({"history", "state", "velocity", "paper"}));
     sub->add_option("--robots", flags->robots, "Learn from these robots only, by name: 1,2")->delimiter(',');
     sub->add_option("--robot-type", flags->type, "Kind of robot; default: what the log's format tells");
     sub->add_option("--method", flags->method, "Learning method; lm fits single steps only")
         ->check(CLI::IsMember({"irprop+", "irprop-", "rprop+", "rprop-", "lm"}))
         ->capture_default_str();
-    sub->add_option("--loss", flags->loss, "What is minimised; default: rollout for history, one-step for paper")
+    sub->add_option("--loss", flags->loss, "What is minimised; default: one-step for paper, else rollout")
         ->check(CLI::IsMember({"one-step", "rollout"}));
     sub->add_option("--chain", flags->chain, "Periods of a rollout that is learned from")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
-    sub->add_option("--hidden", flags->hidden, "Hidden units of each member; default 32 (velocity: 16, paper: 24)")
+    sub->add_option("--hidden", flags->hidden, "Hidden units of each member; default: the model's")
         ->check(CLI::Range(1, 1024));
     sub->add_option(
            "--members", flags->members,
@@ -237,11 +253,16 @@ Subcommand addTrain(CLI::App& app, CommonFlags& common) {
         ->needs("--hold-out")
         ->check(CLI::Range(0, 1000))
         ->capture_default_str();
-    sub->add_option("--epochs", flags->epochs, "At most so many epochs; default 1000 (velocity: 400, paper: 2000)")
+    sub->add_option("--epochs", flags->epochs, "At most so many epochs; default: the model's")
         ->check(CLI::Range(1, 10'000'000));
     sub->add_option("--patience", flags->patience,
-                    "Stop after so many epochs without a better held-out error; default 300")
+                    "Stop after so many epochs without a better held-out error; default 300, but all for state")
         ->check(CLI::Range(1, 10'000'000));
+    sub->add_option(
+           "--phases", flags->phases,
+           "Phases of the period at which the logs are read: more patterns from the same logs; default 5, 1 for "
+           "state")
+        ->check(CLI::Range(1, 20));
     sub->add_option("--dead-time-v", flags->deadTimeV, "Dead time of v in s, instead of the one identified")
         ->check(CLI::Range(0.0, 2.0));
     sub->add_option("--dead-time-w", flags->deadTimeW, "Dead time of w in s, instead of the one identified")
@@ -251,9 +272,11 @@ Subcommand addTrain(CLI::App& app, CommonFlags& common) {
     sub->add_option("--lag-w", flags->lagW, "Lag of w in s, instead of the one identified")
         ->check(CLI::Range(0.0, 2.0));
     return {sub, [flags, &common] {
-                const bool rollout = flags->loss == "rollout" || (flags->loss.empty() && flags->model != "paper");
-                if (flags->method == "lm" && rollout)
-                    return report({"", 0, 0, "--method lm", "fits single steps only; it needs --loss one-step"});
+                if (flags->method == "lm" &&
+                    (flags->loss == "rollout" || (flags->loss.empty() && flags->model != "paper"))) {
+                    report({"", 0, 0, "--method lm", "fits single steps only; it needs --loss one-step"});
+                    return static_cast<int>(usage);
+                }
                 return train(*flags, common);
             }};
 }

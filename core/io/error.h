@@ -14,7 +14,7 @@ struct Error {
     std::string key;
     std::string cause;  ///< what was found and what was expected
 
-    /// "file:line:column: key: cause"
+    /// "file:line:column: key: cause", control characters as question marks
     std::string message() const;
 };
 

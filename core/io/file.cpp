@@ -45,10 +45,12 @@ bool writeAll(int descriptor, std::string_view content) {
 }
 
 /// The file that an output's name means: behind symbolic links, so that a link stays one.
-std::filesystem::path targetOf(const std::filesystem::path& path) {
+std::filesystem::path targetOf(std::filesystem::path path) {
+    constexpr int mostLinks = 40;  // the kernel's own bound; a circle of links then cannot be opened
     std::error_code error;
-    auto target = std::filesystem::weakly_canonical(path, error);
-    return error || !std::filesystem::is_symlink(path, error) ? path : target;
+    for (int i = 0; i < mostLinks && std::filesystem::is_symlink(path, error); ++i)
+        path = path.parent_path() / std::filesystem::read_symlink(path, error);
+    return path;
 }
 
 /// An output on its way: written beside its place, and gone again unless it replaces what is there.

@@ -36,24 +36,19 @@ void TomlTable::rejectAt(const toml::node* node, std::string_view key, std::stri
     state_->error = Error{state_->file, int(where.line), int(where.column), path_ + std::string(key), std::move(cause)};
 }
 
-bool TomlTable::finite(const toml::node& node, std::string_view key, double& value) {
-    const auto number = node.value<double>();
-    if (!number || !std::isfinite(*number)) {
-        rejectAt(&node, key, "expected a finite number");
-        return false;
-    }
-    value = *number;
-    return true;
+std::optional<double> TomlTable::numberIn(const toml::node& node, std::string_view key, NumberRange range) {
+    const auto value = node.value<double>();
+    if (value && *value >= range.least && *value <= range.most && std::isfinite(*value)) return value;
+    rejectAt(&node, key,
+             value && std::isfinite(*value) ? "is " + numberText(*value) + "; expected " + numberText(range.least) +
+                                                  " to " + numberText(range.most)
+                                            : "expected a finite number");
+    return std::nullopt;
 }
 
 double TomlTable::number(std::string_view key, NumberRange range) {
-    double value = 0;
     const toml::node* node = find(key);
-    if (!node || !finite(*node, key, value)) return 0;
-    if (value >= range.least && value <= range.most) return value;
-    rejectAt(node, key,
-             "is " + numberText(value) + "; expected " + numberText(range.least) + " to " + numberText(range.most));
-    return 0;
+    return node ? numberIn(*node, key, range).value_or(0) : 0;
 }
 
 double TomlTable::numberOr(std::string_view key, double fallback, NumberRange range) {
@@ -107,7 +102,8 @@ std::vector<std::string> TomlTable::strings(std::string_view key) {
     return values;
 }
 
-void TomlTable::appendRow(const toml::node* node, std::string_view key, std::size_t count, std::vector<double>& out) {
+void TomlTable::appendRow(const toml::node* node, std::string_view key, std::size_t count, NumberRange range,
+                          std::vector<double>& out) {
     const toml::array* array = node ? node->as_array() : nullptr;
     if (node && !array) rejectAt(node, key, "expected an array of numbers");
     if (!array) return;
@@ -116,27 +112,27 @@ void TomlTable::appendRow(const toml::node* node, std::string_view key, std::siz
         return;
     }
     for (const toml::node& element : *array) {
-        double value = 0;
-        if (!finite(element, key, value)) return;
-        out.push_back(value);
+        const auto value = numberIn(element, key, range);
+        if (!value) return;
+        out.push_back(*value);
     }
 }
 
-std::vector<double> TomlTable::numbers(std::string_view key, std::size_t count) {
+std::vector<double> TomlTable::numbers(std::string_view key, std::size_t count, NumberRange range) {
     std::vector<double> values;
-    appendRow(find(key), key, count, values);
+    appendRow(find(key), key, count, range, values);
     values.resize(count);
     return values;
 }
 
-std::vector<double> TomlTable::matrix(std::string_view key, std::size_t rows, std::size_t columns) {
+std::vector<double> TomlTable::matrix(std::string_view key, std::size_t rows, std::size_t columns, NumberRange range) {
     std::vector<double> values;
     const toml::node* node = find(key);
     const toml::array* array = node ? node->as_array() : nullptr;
     if (node && (!array || array->size() != rows))
         rejectAt(node, key, "expected " + std::to_string(rows) + " arrays of numbers");
     else if (array)
-        for (const toml::node& row : *array) appendRow(&row, key, columns, values);
+        for (const toml::node& row : *array) appendRow(&row, key, columns, range, values);
     values.resize(rows * columns);
     return values;
 }

@@ -40,10 +40,10 @@ public:
         return choice(key, std::span(choices.begin(), choices.size()));
     }
     std::vector<std::string> strings(std::string_view key);
-    /// Exactly `count` finite numbers.
-    std::vector<double> numbers(std::string_view key, std::size_t count);
+    /// Exactly `count` finite numbers in `range`.
+    std::vector<double> numbers(std::string_view key, std::size_t count, NumberRange range = {});
     /// `rows` arrays of `columns` finite numbers each, one after the other.
-    std::vector<double> matrix(std::string_view key, std::size_t rows, std::size_t columns);
+    std::vector<double> matrix(std::string_view key, std::size_t rows, std::size_t columns, NumberRange range = {});
     TomlTable table(std::string_view key);
     std::vector<TomlTable> tables(std::string_view key);  ///< an array of tables
 
@@ -66,8 +66,10 @@ private:
 
     const toml::node* find(std::string_view key);
     void rejectAt(const toml::node* node, std::string_view key, std::string cause);
-    bool finite(const toml::node& node, std::string_view key, double& value);
-    void appendRow(const toml::node* node, std::string_view key, std::size_t count, std::vector<double>& out);
+    /// A finite number in `range`; nothing, after remembering the error, for anything else.
+    std::optional<double> numberIn(const toml::node& node, std::string_view key, NumberRange range);
+    void appendRow(const toml::node* node, std::string_view key, std::size_t count, NumberRange range,
+                   std::vector<double>& out);
 
     std::shared_ptr<State> state_;
     const toml::table* table_;

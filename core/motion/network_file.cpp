@@ -29,14 +29,13 @@ std::span<const std::string_view> outputNames(Form form) {
 
 /// A TOML basic string.
 std::string tomlText(std::string_view text) {
+    constexpr std::string_view digits = "0123456789abcdef";
     std::string out = "\"";
     for (const char c : text) {
         if (c == '"' || c == '\\')
             (out += '\\') += c;
-        else if (c == '\n')
-            out += "\\n";
         else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
-            out += ' ';
+            ((out += "\\u00") += digits[c >> 4]) += digits[c & 15];
         else
             out += c;
     }
@@ -221,9 +220,10 @@ void readOutputs(TomlTable& root, MotionNetwork& network) {
 void readLayers(TomlTable table, std::size_t hidden, MotionNetwork& network) {
     const std::size_t inputs = network.inputs.size(), outputs = network.outputs.size();
     network.mlp.shape = {int(inputs), int(hidden), int(outputs)};
+    constexpr NumberRange weight{-std::numeric_limits<float>::max(), std::numeric_limits<float>::max()};
     for (const auto& values :
-         {table.matrix("hidden_weights", hidden, inputs), table.numbers("hidden_biases", hidden),
-          table.matrix("output_weights", outputs, hidden), table.numbers("output_biases", outputs)})
+         {table.matrix("hidden_weights", hidden, inputs, weight), table.numbers("hidden_biases", hidden, weight),
+          table.matrix("output_weights", outputs, hidden, weight), table.numbers("output_biases", outputs, weight)})
         for (const double value : values) network.mlp.parameters.push_back(static_cast<float>(value));
     table.rejectUnknown();
 }

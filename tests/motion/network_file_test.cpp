@@ -94,6 +94,23 @@ TEST(NetworkFile, NotTomlAtAllIsAnErrorWithItsPlace) {
     }
 }
 
+TEST(NetworkFile, TextsWithControlCharactersComeBack) {
+    MotionNetwork network = arbitraryNetwork(MotionNetwork::Form::state);
+    network.training.command = "mrose train 'a\nb\t\x01\x7f' \\ \"ä\"";
+    const auto read = parseNetwork(networkText(network), "n.net");
+    ASSERT_TRUE(read) << read.error().message();
+    EXPECT_EQ(read->training.command, network.training.command);
+}
+
+TEST(NetworkFile, WeightsBeyondFloatsAreRefused) {
+    std::string text = networkText(arbitraryNetwork(MotionNetwork::Form::state));
+    const auto at = text.find("output_biases = [") + 17;
+    text.replace(at, text.find(',', at) - at, "4e38");
+    const auto read = parseNetwork(text, "n.net");
+    ASSERT_FALSE(read);
+    EXPECT_THAT(read.error().message(), testing::HasSubstr("layers.output_biases: is 4e+38; expected"));
+}
+
 TEST(NetworkFile, MissingFileIsAnError) {
     const auto read = loadNetwork("no/such/file.net");
     ASSERT_FALSE(read);

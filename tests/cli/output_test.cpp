@@ -1,0 +1,107 @@
+// Outputs that cannot be written, and runs that end before their time: what was there before stays.
+#include <csignal>
+
+#include <unistd.h>
+
+#include "cli/workshop.h"
+#include "motion/motion_network.h"
+
+namespace mrose {
+namespace {
+
+using Output = Workshop;
+
+std::vector<std::string> longTraining(std::vector<std::string> words) {
+    for (std::size_t i = 0; i + 1 < words.size(); ++i)
+        if (words[i] == "--epochs") words[i + 1] = "10000000";
+    words.insert(words.end(), {"--patience", "10000000"});
+    return words;
+}
+
+std::vector<std::string> mroseWords(std::vector<std::string> words) {
+    words.insert(words.begin(), MROSE_PROGRAM);
+    return words;
+}
+
+TEST_F(Output, PlacesThatCannotBeWrittenAreNamedBeforeAnyWork) {
+    std::filesystem::create_directory(path("folder"));
+    const std::string net = network();
+    const auto before = (windows(), listing());
+    for (const auto& [out, cause] :
+         {std::pair{path("no/such/b.net"), "No such file or directory"}, std::pair{path("folder"), "is a folder"},
+          std::pair{std::string("/dev/full"), "is no regular file"},
+          std::pair{path("log.csv/b.net"), "Not a directory"}}) {
+        expectOneLine(runMrose(trainWords(out)), {out + ": ", cause});
+        expectOneLine(runMrose({"predict", net, "--log", log(), "--windows", windows(), "-o", out}),
+                      {out + ": ", cause});
+    }
+    expectOneLine(runMrose({"evaluate", net, "--log", log(), "--quiet", "--report", path("log.csv")}),
+                  {path("log.csv") + ": "});
+    EXPECT_EQ(listing(), before);
+    EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
+}
+
+TEST_F(Output, ReadOnlyFolderIsNamed) {
+    if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
+    const std::string log = this->log();
+    write("locked/b.net", "earlier");
+    std::filesystem::permissions(path("locked"),
+                                 std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
+    expectOneLine(runMrose(trainWords(path("locked/b.net"))), {"locked/b.net: ", "Permission denied"});
+    std::filesystem::permissions(path("locked"), std::filesystem::perms::owner_all);
+    EXPECT_EQ(read("locked/b.net"), "earlier");
+}
+
+TEST_F(Output, FullDiskKeepsEarlierOutputs) {
+    const std::string net = network(), windowsFile = windows(), logFile = log();
+    write("b.net", "earlier network");
+    write("p.csv", "earlier predictions");
+    for (const char* name : {"report/report.html", "report/results.csv", "report/results.json"}) write(name, "earlier");
+    const auto before = listing();
+    std::vector<std::string> train = trainWords(path("b.net"));
+    train.push_back("--quiet");
+    expectOneLine(runMrose(train, {.fullDisk = true}), {"b.net: cannot be written: File too large"});
+    expectOneLine(
+        runMrose({"predict", net, "--log", logFile, "--windows", windowsFile, "-o", path("p.csv")}, {.fullDisk = true}),
+        {"p.csv: cannot be written: File too large"});
+    expectOneLine(runMrose({"evaluate", net, "--log", logFile, "--report", path("report")}, {.fullDisk = true}),
+                  {"report/results.csv: cannot be written: File too large"});
+    EXPECT_EQ(read("b.net"), "earlier network");
+    EXPECT_EQ(read("p.csv"), "earlier predictions");
+    for (const char* name : {"report/report.html", "report/results.csv", "report/results.json"})
+        EXPECT_EQ(read(name), "earlier") << name;
+    EXPECT_EQ(listing(), before) << "nothing half-written is left";
+}
+
+TEST_F(Output, InterruptSavesTheBestNetworkSoFar) {
+    RunningProgram program(mroseWords(longTraining(trainWords(path("b.net")))));
+    ASSERT_TRUE(program.waitForError("epoch "));
+    program.send(SIGINT);
+    const ProgramResult result = program.finish();
+    EXPECT_EQ(result.status, 130) << result.err;
+    EXPECT_NE(result.out.find("interrupted"), std::string::npos) << result.out;
+    EXPECT_TRUE(loadNetwork(path("b.net")));
+    EXPECT_EQ(runMrose({"evaluate", path("b.net"), "--log", log()}).status, 0);
+    EXPECT_FALSE(std::filesystem::exists(path("b.net.part")));
+}
+
+TEST_F(Output, KillInMidTrainingLeavesTheEarlierNetwork) {
+    write("b.net", "earlier");
+    const auto before = (log(), listing());
+    RunningProgram program(mroseWords(longTraining(trainWords(path("b.net")))));
+    ASSERT_TRUE(program.waitForError("epoch "));
+    program.send(SIGKILL);
+    EXPECT_EQ(program.finish().status, 128 + SIGKILL);
+    EXPECT_EQ(read("b.net"), "earlier");
+    EXPECT_EQ(listing(), before);
+}
+
+TEST_F(Output, WhatAKillLeftBehindDoesNotDisturb) {
+    write("b.net.part", "half a netw");
+    ASSERT_EQ(runMrose(trainWords(path("b.net"))).status, 0);
+    EXPECT_TRUE(loadNetwork(path("b.net")));
+    EXPECT_FALSE(std::filesystem::exists(path("b.net.part")));
+}
+
+}  // namespace
+}  // namespace mrose

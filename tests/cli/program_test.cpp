@@ -1,0 +1,187 @@
+// The program as its users run it: what goes well.
+#include <algorithm>
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/workshop.h"
+#include "motion/motion_network.h"
+
+namespace mrose {
+namespace {
+
+using Program = Workshop;
+using Json = nlohmann::json;
+
+std::vector<std::string> linesOf(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+TEST_F(Program, TellsItsVersion) {
+    const ProgramResult result = runMrose({"--version"});
+    EXPECT_EQ(result.status, 0);
+    EXPECT_TRUE(result.out.starts_with("mrose 0.")) << result.out;
+    EXPECT_EQ(result.err, "");
+}
+
+TEST_F(Program, HelpOfEverySubcommandHasExamplesAndTheCommonFlags) {
+    const ProgramResult all = runMrose({"--help"});
+    EXPECT_EQ(all.status, 0);
+    for (const std::string name : {"inspect", "train", "evaluate", "predict", "generate"}) {
+        EXPECT_NE(all.out.find("\n  " + name), std::string::npos) << name;
+        const ProgramResult help = runMrose({name, "--help"});
+        EXPECT_EQ(help.status, 0);
+        EXPECT_NE(help.out.find("Examples:\n  mrose " + name + ' '), std::string::npos) << help.out;
+        for (const char* flag : {"--seed", "--threads", "--quiet", "--json"})
+            EXPECT_NE(help.out.find(flag), std::string::npos) << name << flag;
+    }
+}
+
+TEST_F(Program, WrongUsageIsOneLineAndStatusTwo) {
+    expectOneLine(runMrose({}), {"--help"}, 2);
+    expectOneLine(runMrose({"learn"}), {"learn"}, 2);
+    expectOneLine(runMrose({"train", log()}), {"--output", "required"}, 2);
+    expectOneLine(runMrose({"inspect", log(), "--threads", "many"}), {"--threads", "many"}, 2);
+    expectOneLine(runMrose({"inspect", log(), "--colour"}), {"--colour"}, 2);
+    expectOneLine(runMrose({"train", log(), "-o", path("x"), "--method", "lm"}), {"--method lm", "one-step"}, 2);
+    EXPECT_EQ(listing(), std::vector<std::string>{"log.csv"});
+}
+
+TEST_F(Program, InspectFindsWhatWasPlanted) {
+    const ProgramResult text = runMrose({"inspect", log()});
+    EXPECT_EQ(text.status, 0);
+    EXPECT_NE(text.out.find("robot planted, 4 trajectories"), std::string::npos) << text.out;
+    const ProgramResult result = runMrose({"inspect", log(), "--json"});
+    ASSERT_EQ(result.status, 0);
+    EXPECT_EQ(result.err, "");
+    const Json json = Json::parse(result.out, nullptr, false);
+    ASSERT_FALSE(json.is_discarded());
+    EXPECT_EQ(json["source"], log());
+    EXPECT_EQ(json["format"], "csv");
+    ASSERT_EQ(json["robots"].size(), 1u);
+    const Json& robot = json["robots"][0];
+    EXPECT_EQ(robot["robot"], "planted");
+    EXPECT_EQ(robot["trajectories"], 4);
+    EXPECT_NEAR(robot["commands"]["seconds"].get<double>(), 100, 0.5);
+    EXPECT_NEAR(robot["commands"]["rate_hz"].get<double>(), 1 / 0.022, 1);  // a command every 16 to 28 ms
+    EXPECT_NEAR(robot["poses"]["rate_hz"].get<double>(), 1 / 0.0165, 2);    // a pose every 12 to 20 ms, on whole ms
+    for (const char* channel : {"v", "w"}) {
+        const Json& delay = robot["delays"][channel];
+        EXPECT_NEAR(delay["dead_time_s"].get<double>() + delay["lag_s"].get<double>(), 0.2, 0.015) << delay;
+    }
+}
+
+TEST_F(Program, TrainedNetworkIsEvaluatedAndReported) {
+    const std::string net = network(), report = path("reports/first");
+    const ProgramResult result = runMrose({"evaluate", net, "--log", log(), "--report", report, "--json"});
+    ASSERT_EQ(result.status, 0) << result.err;
+    const Json json = Json::parse(result.out, nullptr, false);
+    ASSERT_FALSE(json.is_discarded());
+    EXPECT_EQ(Json::parse(read("reports/first/results.json"), nullptr, false), json);
+    const std::string html = read("reports/first/report.html");
+    EXPECT_TRUE(html.starts_with("<!DOCTYPE html>") && html.ends_with("</html>\n"));
+    EXPECT_NE(html.find("<svg"), std::string::npos);
+    EXPECT_GT(linesOf(read("reports/first/results.csv")).size(), 5u);
+    const std::vector<std::string> names = listing();
+    EXPECT_EQ(std::count_if(names.begin(), names.end(), [](const auto& name) { return name.starts_with("reports"); }),
+              5)
+        << "the folders reports and reports/first with three files";
+    const ProgramResult text = runMrose({"evaluate", net, "--log", log()});
+    EXPECT_NE(text.out.find("velocity = command"), std::string::npos) << text.out;
+}
+
+TEST_F(Program, PredictWritesARowForEachWindowAndStep) {
+    const std::string out = path("predicted.csv");
+    const ProgramResult result =
+        runMrose({"predict", network(), "--log", log(), "--windows", windows(), "-o", out, "--horizon", "2"});
+    ASSERT_EQ(result.status, 0) << result.err;
+    const std::vector<std::string> lines = linesOf(read("predicted.csv"));
+    ASSERT_EQ(lines.size(), 1u + 4 * 20);
+    EXPECT_TRUE(lines[0].starts_with("dataset,robot,t_start,t,x,y,heading")) << lines[0];
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+        double t = 0, x = 0, y = 0, heading = 0;
+        ASSERT_EQ(std::sscanf(lines[i].c_str(), "0,planted,1700000003.5,%lf,%lf,%lf,%lf", &t, &x, &y, &heading), 4)
+            << lines[i];
+        EXPECT_NEAR(t, 0.1 * static_cast<double>((i - 1) % 20 + 1), 1e-9);
+        EXPECT_LT(std::abs(x) + std::abs(y), 20);
+    }
+}
+
+TEST_F(Program, PredictionReadsNothingLaterThanItMay) {
+    // After the window's end the log says something else; the predictions stay the same to the byte.
+    const std::string common = firstLines(plantedCsv(), 900);
+    ASSERT_TRUE(common.starts_with("robot,trajectory,t,v_cmd,w_cmd,x,y,heading\n")) << firstLines(common, 1);
+    const std::string window = write("one.csv", "dataset,robot,t_start\n0,planted,1700000003.5\n");
+    const std::string row = "planted,run0,1700000008.9,";
+    const std::string first = write("first.csv", common + row + "0.5,1,9,9,1\n");
+    const std::string second = write("second.csv", common + row + "-0.5,-1,-9,-9,-1\n");
+    for (const auto& [log, out] : {std::pair{first, "p1.csv"}, std::pair{second, "p2.csv"}})
+        ASSERT_EQ(runMrose({"predict", network(), "--log", log, "--windows", window, "-o", path(out), "--horizon", "3"})
+                      .status,
+                  0);
+    EXPECT_EQ(read("p1.csv"), read("p2.csv"));
+    EXPECT_EQ(linesOf(read("p1.csv")).size(), 31u);
+}
+
+TEST_F(Program, NetworkFileDependsOnSeedAndNotOnThreads) {
+    // The command line is part of the file: runs differ only by what the environment says.
+    const auto train = [&](const std::string& seed, const std::string& threads) {
+        std::vector<std::string> words = trainWords(path("b.net"));
+        words.insert(words.end(), {"--seed", seed, "--threads", threads});
+        EXPECT_EQ(runMrose(words).status, 0);
+        return replaced(read("b.net"), "--threads " + threads, "--threads N");
+    };
+    const std::string one = train("1", "1");
+    EXPECT_EQ(one, train("1", "1"));
+    EXPECT_EQ(one, train("1", "2"));
+    EXPECT_NE(one.substr(one.find("[layers]")),
+              [](const std::string& text) { return text.substr(text.find("[layers]")); }(train("2", "2")));
+}
+
+TEST_F(Program, ProgressGoesToStandardErrorUnlessQuiet) {
+    const ProgramResult loud = runMrose(trainWords(path("b.net")));
+    EXPECT_NE(loud.err.find("epoch 10: loss "), std::string::npos) << loud.err;
+    EXPECT_NE(loud.err.find("left"), std::string::npos) << loud.err;
+    EXPECT_EQ(loud.out.find("epoch 10"), std::string::npos);
+    std::vector<std::string> words = trainWords(path("b.net"));
+    words.push_back("--quiet");
+    const ProgramResult quiet = runMrose(words);
+    EXPECT_EQ(quiet.status, 0);
+    EXPECT_EQ(quiet.err, "");
+}
+
+TEST_F(Program, FewEpochsAreEnough) {
+    EXPECT_EQ(runMrose({"train", log(), "-o", path("b.net"), "--epochs", "3", "--members", "1", "--folds", "2"}).status,
+              0);
+}
+
+TEST_F(Program, TrainPrintsJson) {
+    std::vector<std::string> words = trainWords(path("b.net"));
+    words.insert(words.end(), {"--json", "--quiet", "--dead-time-v", "0.123"});
+    const ProgramResult result = runMrose(words);
+    ASSERT_EQ(result.status, 0) << result.err;
+    const Json json = Json::parse(result.out, nullptr, false);
+    ASSERT_FALSE(json.is_discarded()) << result.out;
+    EXPECT_EQ(json["network"], path("b.net"));
+    EXPECT_EQ(json["interrupted"], false);
+    const auto net = loadNetwork(path("b.net"));
+    ASSERT_TRUE(net);
+    EXPECT_EQ(json["patterns"], net->training.patterns);
+    ASSERT_EQ(net->training.logs.size(), 1u);
+    EXPECT_EQ(net->training.logs[0].path, log());
+    EXPECT_EQ(net->training.command.substr(0, 12), "mrose train ");
+}
+
+TEST_F(Program, OutputBehindASymbolicLinkKeepsTheLink) {
+    write("kept/real.net", "old");
+    std::filesystem::create_symlink("kept/real.net", path("link.net"));
+    ASSERT_EQ(runMrose(trainWords(path("link.net"))).status, 0);
+    EXPECT_TRUE(std::filesystem::is_symlink(path("link.net")));
+    EXPECT_TRUE(loadNetwork(path("kept/real.net")));
+}
+
+}  // namespace
+}  // namespace mrose

@@ -1,0 +1,86 @@
+// Whatever the bytes are, a network file gives a network that predicts and comes back from its own text, or an error of
+// one line; strict reading of TOML never leaves its bounds.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "io/toml_table.h"
+#include "motion/learned_model.h"
+
+namespace mrose {
+namespace {
+
+void require(bool condition) {
+    if (!condition) std::abort();
+}
+
+void requireOneLine(const Error& error) {
+    require(!error.cause.empty() && error.message().find('\n') == std::string::npos);
+}
+
+/// A history of irregular commands that depends on the input; more of them than it can hold.
+CommandHistory arbitraryHistory(std::string_view bytes) {
+    CommandHistory history;
+    Nanoseconds time = 0;
+    for (std::size_t i = 0; i < 2 * CommandHistory::capacity; ++i) {
+        const auto byte = static_cast<unsigned char>(bytes[i % bytes.size()]);
+        time += 1 + byte * Nanoseconds{200'000};
+        history.issue(time, {0.01 * (byte - 100), 0.05 * (100 - byte)});
+    }
+    return history;
+}
+
+void requirePrediction(const MotionNetwork& network, std::string_view bytes) {
+    const auto motion = std::make_shared<const LearnedMotion>(network);
+    const CommandHistory history = arbitraryHistory(bytes), empty;
+    std::vector<std::string> robots = network.robots;
+    robots.resize(std::min<std::size_t>(robots.size(), 3));
+    robots.push_back("no such robot");
+    for (const std::string& robot : robots) {
+        const LearnedModel model(motion, robot);
+        for (const Nanoseconds start : {Nanoseconds{0}, Nanoseconds{900'000'000}, Nanoseconds{1} << 50}) {
+            model.predictOne({&history, start, {0.2, -0.3}});
+            model.predictOne({&empty, start, {}, Velocity{0.1, 0.1}});
+        }
+    }
+}
+
+void requireSound(std::string_view text) {
+    const auto network = parseNetwork(text, "net");
+    if (!network) return requireOneLine(network.error());
+    const auto again = parseNetwork(networkText(*network), "net");
+    require(again && *again == *network);
+    requirePrediction(*network, text);
+}
+
+/// Every kind of read, of keys of every kind.
+void requireStrictReads(std::string_view text) {
+    TomlTable table(text, "toml");
+    for (const char* key : {"a", "hidden", "inputs", "layers", "training"}) {
+        table.number(key, {-1, 1});
+        table.numberOr(key, 1);
+        table.integer(key, 0, 9);
+        table.boolean(key);
+        table.choice(key, {"x", "y"});
+        table.strings(key);
+        table.numbers(key, 3);
+        table.matrix(key, 2, 3);
+        table.table(key).string("a");
+        for (TomlTable& element : table.tables(key)) element.rejectUnknown();
+    }
+    table.rejectUnknown();
+    if (table.failed()) requireOneLine(table.error());
+}
+
+}  // namespace
+}  // namespace mrose
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string_view text(reinterpret_cast<const char*>(data), size);
+    mrose::requireStrictReads(text);
+    if (!text.empty()) mrose::requireSound(text);
+    return 0;
+}
