@@ -20,6 +20,15 @@ TEST(NetworkFile, ReadsBackEveryBitOfBothForms) {
     }
 }
 
+TEST(NetworkFile, TellsWhichGroupsWereHeldOutOnlyWhereSomeWere) {
+    MotionNetwork network = arbitraryNetwork(Form::state);
+    EXPECT_THAT(networkText(network), testing::Not(testing::HasSubstr("groups")));
+    network.heldOut.groups = {5, 3};
+    const auto read = parseNetwork(networkText(network), "n.net");
+    ASSERT_TRUE(read) << read.error().message();
+    EXPECT_TRUE(*read == network);
+}
+
 /// The error of a file in which `from` was replaced by `to`.
 std::string errorAfter(const std::string& from, const std::string& to, Form form = Form::history) {
     std::string text = networkText(arbitraryNetwork(form));
@@ -52,6 +61,19 @@ TEST(NetworkFile, NamesFileLineAndKeyOfWhatDoesNotFit) {
     EXPECT_THAT(errorAfter("hidden_biases = [", "hidden_biases = [\"1\", "),
                 testing::HasSubstr("layers.hidden_biases"));
     EXPECT_THAT(errorAfter("[held_out]", "[held_in]"), testing::HasSubstr("held_out: is missing"));
+}
+
+TEST(NetworkFile, HeldOutGroupsMustBeARule) {
+    const auto errorOf = [](const std::string& groups) {
+        return errorAfter("heading_percent = 3.89", "heading_percent = 3.89\ngroups = " + groups);
+    };
+    EXPECT_EQ(errorOf("{ every = 5, offset = 4 }"), "no error");
+    EXPECT_THAT(errorOf("{ every = 1, offset = 0 }"), testing::HasSubstr("held_out.groups.every"));
+    EXPECT_THAT(errorOf("{ every = 5, offset = 5 }"), testing::HasSubstr("held_out.groups.offset: expected less"));
+    EXPECT_THAT(errorOf("{ every = 5, offset = -1 }"), testing::HasSubstr("held_out.groups.offset"));
+    EXPECT_THAT(errorOf("{ every = 5 }"), testing::HasSubstr("held_out.groups.offset: is missing"));
+    EXPECT_THAT(errorOf("{ every = 5, offset = 4, share = 0.2 }"), testing::HasSubstr("held_out.groups.share"));
+    EXPECT_THAT(errorOf("\"group % 5\""), testing::HasSubstr("held_out.groups"));
 }
 
 TEST(NetworkFile, StateFormNeedsFiveOutputs) {
