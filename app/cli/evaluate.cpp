@@ -5,6 +5,7 @@
 #include "common.h"
 #include "evaluation/format.h"
 #include "evaluation/report.h"
+#include "identification/held_out_groups.h"
 #include "models.h"
 
 namespace mrose::cli {
@@ -14,13 +15,30 @@ struct EvaluateFlags {
     std::string network, log, folder;
     std::vector<std::string> robots, against;
     double horizon = 10;
-    bool noFloor = false;
+    bool noFloor = false, heldOut = false;
 };
 
 std::string robotList(const Evaluation& evaluation) {
     std::string text;
     for (const auto& robot : evaluation.robots) text += (text.empty() ? "" : ", ") + robot.name;
     return text;
+}
+
+/// Steady motion and the rest apart, where a log tells them apart.
+void printStates(const Evaluation& evaluation) {
+    TextTable table({"", "windows", "P %", "Hd %", "final / path %", "by steps %"});
+    bool any = false;
+    for (const ModelEvaluation& model : evaluation.models)
+        for (const GroupSummary& group : model.groups) {
+            if (group.kind != "state") continue;
+            any = true;
+            const Summary& s = group.summary;
+            table.add({model.name + ", " + group.name, std::to_string(s.windows), fixed(s.p, 2), fixed(s.hd, 2),
+                       fixed(s.positionFinalOverPath.median, 2), fixed(s.positionFinalOverPathBySteps.median, 2)});
+        }
+    if (!any) return;
+    std::printf("\n%s\nfinal / path: medians; the path is summed over 0.5 s, or over steps of %s s.\n",
+                table.text().c_str(), secondsText(evaluation.options.windows.step, 1).c_str());
 }
 
 void printTable(const Evaluation& evaluation) {
@@ -43,12 +61,24 @@ void printTable(const Evaluation& evaluation) {
     std::puts(
         "\nP: time-mean position error over path; Hd: time-mean heading error over rotation, summed over windows.\n"
         "median pos.: of the windows' P; final: median errors at the end of a window.");
+    printStates(evaluation);
+}
+
+/// The part of the log that the network has never seen.
+Expected<Log> heldOutPart(Log log, const MotionNetwork& network, const std::string& path) {
+    if (!network.heldOut.groups.holdsAny()) return fail(path, "was learned without --hold-out: it has seen its logs");
+    const auto& known = network.training.logs;
+    for (const LogFile& file : log.files)
+        if (std::none_of(known.begin(), known.end(), [&](const auto& source) { return source.hash == file.hash; }))
+            return fail(file.path, "is no log that " + path + " was learned from; --held-out is for those");
+    return partOf(std::move(log), network.heldOut.groups, LogPart::heldOut);
 }
 
 int evaluateNetwork(const EvaluateFlags& flags, const CommonFlags& common) {
     const auto motion = openNetwork(flags.network);
     if (!motion) return report(motion.error());
-    const auto log = openLog(flags.log, flags.robots, (*motion)->network().drive);
+    auto log = openLog(flags.log, flags.robots, (*motion)->network().drive);
+    if (log && flags.heldOut) log = heldOutPart(std::move(*log), (*motion)->network(), flags.network);
     if (!log) return report(log.error());
     std::vector<RobotModels> models;
     models.push_back(learnedModels(*motion, *log));
@@ -88,7 +118,8 @@ Subcommand addEvaluate(CLI::App& app, CommonFlags& common) {
         addSubcommand(app, common, "evaluate", "Say how true a learned robot is: open-loop predictions against a log",
                       "  mrose evaluate create.net --log MRCLAM_Dataset7 --robots 1,2 --report report\n"
                       "  mrose evaluate create.net --log MRCLAM_Dataset7 --against create_paper.net --json\n"
-                      "The log should be one that the network was not learned from.");
+                      "  mrose evaluate husky.net --log husky_windows.csv --held-out\n"
+                      "The log should be one that the network was not learned from, or the part of it held out.");
     sub->add_option("NET", flags->network, "Network file")->required();
     sub->add_option("--log", flags->log, "The log to compare with")->required();
     sub->add_option("--robots", flags->robots, "Only these robots, by name: 1,2")->delimiter(',');
@@ -97,6 +128,8 @@ Subcommand addEvaluate(CLI::App& app, CommonFlags& common) {
         ->check(CLI::Range(0.5, 3600.0))
         ->capture_default_str();
     sub->add_option("--report", flags->folder, "Folder for report.html, results.csv and results.json");
+    sub->add_flag("--held-out", flags->heldOut,
+                  "Only the part of the log that mrose train --hold-out kept from learning");
     sub->add_flag("--no-floor", flags->noFloor, "Do not compare near-identical commands");
     return {sub, [flags, &common] { return evaluateNetwork(*flags, common); }};
 }

@@ -3,19 +3,20 @@
 
 #include "common.h"
 #include "evaluation/format.h"
-#include "identification/drive_fit.h"
 #include "identification/network_trainer.h"
 #include "identification/recipes.h"
 #include "identification/robot_identification.h"
 #include "io/file.h"
+#include "learning_logs.h"
 
 namespace mrose::cli {
 namespace {
 
 struct TrainFlags {
     std::vector<std::string> logs, robots;
-    std::string out, model = "history", type, method = "irprop+", loss;
-    int hidden = 0, members = 0, epochs = 0, patience = 0, chain = 20, folds = 4;
+    std::string out, model, type, method = "irprop+", loss;
+    int hidden = 0, members = 0, epochs = 0, patience = 0, phases = 0, chain = 20, folds = 4, holdOutPart = 0;
+    double holdOut = 0;
     std::optional<double> deadTimeV, deadTimeW, lagV, lagW;
 };
 
@@ -40,26 +41,43 @@ std::vector<std::string> robotNames(const std::vector<Log>& logs) {
     return names;
 }
 
-Expected<std::vector<Log>> openLogs(const TrainFlags& flags, const std::optional<DifferentialDrive>& drive) {
-    std::vector<Log> logs;
-    for (const std::string& source : flags.logs) {
-        auto log = openLog(source, flags.robots, drive);
-        if (!log) return tl::unexpected(log.error());
-        logs.push_back(std::move(*log));
-    }
-    return logs;
+/// A robot that measures its own velocity is predicted from it, any other one from its commands.
+std::string modelFor(const std::vector<Log>& logs) {
+    for (const Log& log : logs)
+        for (const RobotLog& robot : log.robots)
+            for (const Trajectory& trajectory : robot.trajectories)
+                if (trajectory.measuredVelocity.empty()) return "history";
+    return "velocity";
+}
+
+/// What a kind of network reads, and what its training defaults to.
+struct Recipe {
+    MotionNetwork (*blueprint)(const RobotTraits&, std::vector<std::string>, const ResponseTimes&);
+    LearningLoss loss;
+    int hidden, members, epochs, patience;
+    int phases;  ///< of the period at which the logs are read
+};
+const std::map<std::string, Recipe> recipes{
+    {"history", {historyBlueprint, LearningLoss::rollout, 32, 4, 1000, 300, 5}},
+    {"state", {stateBlueprint, LearningLoss::rollout, 24, 1, 4000, 4000, 1}},
+    {"velocity", {velocityBlueprint, LearningLoss::rollout, 16, 4, 400, 300, 5}},
+    {"paper", {paperBlueprint, LearningLoss::oneStep, 40, 1, 2000, 300, 5}}};
+
+LearningLoss lossOf(const TrainFlags& flags) {
+    if (flags.loss.empty()) return recipes.at(flags.model).loss;
+    return flags.loss == "rollout" ? LearningLoss::rollout : LearningLoss::oneStep;
 }
 
 TrainerOptions trainerOptions(const TrainFlags& flags, const CommonFlags& common) {
-    const bool history = flags.model == "history";
+    const Recipe& recipe = recipes.at(flags.model);
+    const auto given = [](int flag, int otherwise) { return flag > 0 ? flag : otherwise; };
     TrainerOptions options;
     options.method = methods.at(flags.method);
-    options.loss =
-        flags.loss == "rollout" || (flags.loss.empty() && history) ? LearningLoss::rollout : LearningLoss::oneStep;
-    options.hidden = flags.hidden > 0 ? flags.hidden : history ? 32 : 24;
-    options.members = flags.members > 0 ? flags.members : history ? 4 : 1;
-    options.epochs = flags.epochs > 0 ? flags.epochs : history ? 1000 : 2000;
-    options.patience = flags.patience > 0 ? flags.patience : 300;
+    options.loss = lossOf(flags);
+    options.hidden = given(flags.hidden, recipe.hidden);
+    options.members = given(flags.members, recipe.members);
+    options.epochs = given(flags.epochs, recipe.epochs);
+    options.patience = given(flags.patience, recipe.patience);
     options.rolloutLength = flags.chain;
     options.seed = common.seed;
     return options;
@@ -117,15 +135,6 @@ void printSummary(const TrainingSummary& summary, const TrainFlags& flags, const
         n.heldOut.horizon, static_cast<long long>(n.heldOut.windows), n.heldOut.position, n.heldOut.heading);
 }
 
-/// Logs of wheel commands are read with the geometry fitted to them.
-Expected<std::optional<DifferentialDrive>> fittedDrive(const TrainFlags& flags) {
-    auto logs = openLogs(flags, {});
-    if (!logs) return tl::unexpected(logs.error());
-    if (logs->front().format != "husky-windows") return std::nullopt;
-    return fitDrive(steadyMotions(logs->front(), WheelSource::commands), logs->front().source)
-        .map([](const DriveFit& fit) { return std::optional(fit.drive); });
-}
-
 using Identified = MotionNetwork::Identified;
 
 template <class Value>
@@ -151,33 +160,36 @@ ResponseTimes responseTimes(const std::vector<Identified>& robots, const TrainFl
     return t;
 }
 
-int train(const TrainFlags& flags, const CommonFlags& common) {
+int train(TrainFlags flags, const CommonFlags& common) {
     const auto begin = std::chrono::steady_clock::now();
     if (const auto writable = checkWritable(flags.out); !writable) return report(writable.error());
-    const auto drive = fittedDrive(flags);
-    if (!drive) return report(drive.error());
-    const auto logs = openLogs(flags, *drive);
-    if (!logs) return report(logs.error());
+    const GroupHoldOut holdOut = holdOutShare(flags.holdOut, flags.holdOutPart);
+    const auto opened = openLearningLogs({flags.logs, flags.robots, holdOut});
+    if (!opened) return report(opened.error());
+    const std::vector<Log>& logs = opened->logs;
+    if (flags.model.empty()) flags.model = modelFor(logs);
     watchInterrupts();
 
-    const auto identified = identifyRobots(*logs);
+    const auto identified = identifyRobots(logs);
     if (!identified) return report(identified.error(), flags.logs.front());
-    const ResponseTimes times = responseTimes(*identified, flags);
-    const RobotTraits traits = robotTraits(flags.type.empty() ? robotTypeOf(logs->front()) : flags.type);
-    MotionNetwork blueprint = flags.model == "history" ? historyBlueprint(traits, robotNames(*logs), times)
-                                                       : paperBlueprint(traits, robotNames(*logs), times);
+    const RobotTraits traits = robotTraits(flags.type.empty() ? robotTypeOf(logs.front()) : flags.type);
+    MotionNetwork blueprint =
+        recipes.at(flags.model).blueprint(traits, robotNames(logs), responseTimes(*identified, flags));
     SampleOptions sampleOptions;
+    sampleOptions.heldOut = holdOut;
     sampleOptions.folds = flags.folds;
-    auto samples = motionSamples(*logs, blueprint, sampleOptions);
+    sampleOptions.phases = flags.phases > 0 ? flags.phases : recipes.at(flags.model).phases;
+    auto samples = motionSamples(logs, blueprint, sampleOptions);
     if (!samples) return report(samples.error(), flags.logs.front());
     blueprint.identified = *identified;
     const std::vector<TrackerOffset> trackers = removeTrackerOffsets(*samples);
     for (std::size_t i = 0; i < trackers.size() && i < blueprint.identified.size(); ++i)
         blueprint.identified[i].tracker = trackers[i];
-    blueprint.drive = *drive;
-    blueprint.synthetic = logs->front().synthetic;
+    blueprint.drive = opened->drive;
+    blueprint.heldOut.groups = holdOut;
+    blueprint.synthetic = logs.front().synthetic;
     blueprint.training.command = commandLine();
-    for (const Log& log : *logs)
+    for (const Log& log : logs)
         for (const LogFile& file : log.files) blueprint.training.logs.push_back({file.path, file.hash});
 
     TrainingDisplay display(common.quiet);
@@ -197,28 +209,33 @@ Subcommand addTrain(CLI::App& app, CommonFlags& common) {
         addSubcommand(app, common, "train", "Learn a motion network from logs",
                       "  mrose train MRCLAM_Dataset6 -o create.net\n"
                       "  mrose train MRCLAM_Dataset6 --model paper --seed 3 -o create_paper.net\n"
+                      "  mrose train husky_windows.csv --hold-out 0.2 -o husky.net\n"
                       "  mrose train monday.csv tuesday.csv --robots attacker -o attacker.net\n"
                       "Ctrl-C ends learning and saves the best network so far; a second one ends the program at once.");
     sub->add_option("LOG", flags->logs,
                     "Logs to learn from: MRCLAM folders, Husky windows, CSV files or folders of them")
         ->required();
     sub->add_option("-o,--output", flags->out, "The network file to write")->required();
-    sub->add_option("--model", flags->model,
-                    "history: commands of the last tenths of a second -> motion, learned on rollouts; "
-                    "paper: (v, w, v_cmd, w_cmd) -> (dx, dy, dphi, v', w'), learned on single steps")
-        ->check(CLI::IsMember({"history", "paper"}))
-        ->capture_default_str();
+    sub->add_option(
+           "--model", flags->model,
+           "history: commands of the last tenths of a second -> motion, learned on rollouts; "
+           "state: velocity and commands around the dead time -> motion and velocity, learned on rollouts, for "
+           "robots of limited acceleration; "
+           "velocity: velocity and commands in coarse bins, for robots that measure their velocity; "
+           "paper: (v, w, v_cmd, w_cmd) -> (dx, dy, dphi, v', w'), learned on single steps. "
+           "Default: velocity for robots that measure their own, history for others")
+        ->check(CLI::IsMember({"history", "state", "velocity", "paper"}));
     sub->add_option("--robots", flags->robots, "Learn from these robots only, by name: 1,2")->delimiter(',');
     sub->add_option("--robot-type", flags->type, "Kind of robot; default: what the log's format tells");
     sub->add_option("--method", flags->method, "Learning method; lm fits single steps only")
         ->check(CLI::IsMember({"irprop+", "irprop-", "rprop+", "rprop-", "lm"}))
         ->capture_default_str();
-    sub->add_option("--loss", flags->loss, "What is minimised; default: rollout for history, one-step for paper")
+    sub->add_option("--loss", flags->loss, "What is minimised; default: one-step for paper, else rollout")
         ->check(CLI::IsMember({"one-step", "rollout"}));
     sub->add_option("--chain", flags->chain, "Periods of a rollout that is learned from")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
-    sub->add_option("--hidden", flags->hidden, "Hidden units of each member; default 32 (paper: 24)")
+    sub->add_option("--hidden", flags->hidden, "Hidden units of each member; default: the model's")
         ->check(CLI::Range(1, 1024));
     sub->add_option(
            "--members", flags->members,
@@ -228,11 +245,24 @@ Subcommand addTrain(CLI::App& app, CommonFlags& common) {
     sub->add_option("--folds", flags->folds, "Parts that the logs are divided into, held out in turn")
         ->check(CLI::Range(2, 64))
         ->capture_default_str();
-    sub->add_option("--epochs", flags->epochs, "At most so many epochs; default 1000 (paper: 2000)")
+    sub->add_option("--hold-out", flags->holdOut,
+                    "Share of the groups of trajectories that nothing is learned from: mrose evaluate --held-out "
+                    "judges by them alone")
+        ->check(CLI::Range(0.001, 0.5));
+    sub->add_option("--hold-out-part", flags->holdOutPart, "Which share that is, for cross-validation: 0, 1, ...")
+        ->needs("--hold-out")
+        ->check(CLI::Range(0, 1000))
+        ->capture_default_str();
+    sub->add_option("--epochs", flags->epochs, "At most so many epochs; default: the model's")
         ->check(CLI::Range(1, 10'000'000));
     sub->add_option("--patience", flags->patience,
-                    "Stop after so many epochs without a better held-out error; default 300")
+                    "Stop after so many epochs without a better held-out error; default 300, but all for state")
         ->check(CLI::Range(1, 10'000'000));
+    sub->add_option(
+           "--phases", flags->phases,
+           "Phases of the period at which the logs are read: more patterns from the same logs; default 5, 1 for "
+           "state")
+        ->check(CLI::Range(1, 20));
     sub->add_option("--dead-time-v", flags->deadTimeV, "Dead time of v in s, instead of the one identified")
         ->check(CLI::Range(0.0, 2.0));
     sub->add_option("--dead-time-w", flags->deadTimeW, "Dead time of w in s, instead of the one identified")
@@ -242,8 +272,8 @@ Subcommand addTrain(CLI::App& app, CommonFlags& common) {
     sub->add_option("--lag-w", flags->lagW, "Lag of w in s, instead of the one identified")
         ->check(CLI::Range(0.0, 2.0));
     return {sub, [flags, &common] {
-                const bool rollout = flags->loss == "rollout" || (flags->loss.empty() && flags->model == "history");
-                if (flags->method == "lm" && rollout) {
+                if (flags->method == "lm" &&
+                    (flags->loss == "rollout" || (flags->loss.empty() && flags->model != "paper"))) {
                     report({"", 0, 0, "--method lm", "fits single steps only; it needs --loss one-step"});
                     return static_cast<int>(usage);
                 }

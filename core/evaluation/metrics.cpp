@@ -132,6 +132,8 @@ Summary summarise(std::span<const Window> windows, std::span<const WindowErrors>
         overWindows(driving, [&](std::size_t i) { return percent(errors[i].positionMean, windows[i].path); });
     s.positionFinalOverPath =
         overWindows(driving, [&](std::size_t i) { return percent(errors[i].positionFinal, windows[i].path); });
+    s.positionFinalOverPathBySteps =
+        overWindows(driving, [&](std::size_t i) { return percent(errors[i].positionFinal, windows[i].pathBySteps); });
     s.positionMean = overWindows(chosen, [&](std::size_t i) { return errors[i].positionMean; });
     s.positionFinal = overWindows(chosen, [&](std::size_t i) { return errors[i].positionFinal; });
     s.headingMean = overWindows(chosen, [&](std::size_t i) { return errors[i].headingMean; });

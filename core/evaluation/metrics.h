@@ -43,6 +43,7 @@ struct Summary {
     double hd = 0;                  ///< %: sum of time-mean |heading errors| / sum of rotations
     Interval p95, hd95;             ///< %: 95 % bootstrap intervals, windows drawn with replacement
     Distribution positionMeanOverPath, positionFinalOverPath;  ///< %, of windows with at least 0.3 m per 10 s
+    Distribution positionFinalOverPathBySteps;  ///< %, likewise, over the longer Window::pathBySteps
     Distribution positionMean, positionFinal;                  ///< m
     Distribution headingMean, headingFinal;                    ///< rad
     Distribution along, left, headingSigned;                   ///< m, m, rad: at the end, signed: the means are biases

@@ -31,6 +31,7 @@ Json json(const Summary& s) {
             {"Hd_interval95_percent", {s.hd95.low, s.hd95.high}},
             {"position_mean_over_path_percent", json(s.positionMeanOverPath)},
             {"position_final_over_path_percent", json(s.positionFinalOverPath)},
+            {"position_final_over_path_by_steps_percent", json(s.positionFinalOverPathBySteps)},
             {"position_mean_m", json(s.positionMean)},
             {"position_final_m", json(s.positionFinal)},
             {"heading_mean_rad", json(s.headingMean)},

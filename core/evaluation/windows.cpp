@@ -11,48 +11,9 @@ namespace {
 
 constexpr Nanoseconds firstStart = 2'000'000'000;  // after the grid's begin
 constexpr Nanoseconds gap = 200'000'000;           // truth is not interpolated across this
-constexpr Nanoseconds halfWidth = 60'000'000;      // of the local fit
 constexpr Nanoseconds velocityBase = 100'000'000;  // truth before a start from which its velocity can be told
 constexpr Nanoseconds travelStep = 500'000'000;
 constexpr std::size_t stepsBeforeStart = 2;
-
-Pose interpolated(const StampedPose& a, const StampedPose& b, Nanoseconds time) {
-    const double f = static_cast<double>(time - a.time) / static_cast<double>(b.time - a.time);
-    return {a.pose.x + f * (b.pose.x - a.pose.x), a.pose.y + f * (b.pose.y - a.pose.y),
-            a.pose.heading + f * (b.pose.heading - a.pose.heading)};
-}
-
-/// The value at 0 of the line fitted to member(poses) over time from `time`.
-template <class Member>
-double fitted(std::span<const StampedPose> poses, Nanoseconds time, Member member) {
-    double sumX = 0, sumY = 0, sumXX = 0, sumXY = 0;
-    for (const StampedPose& p : poses) sumX += toSeconds(p.time - time), sumY += member(p.pose);
-    const double n = static_cast<double>(poses.size()), meanX = sumX / n, meanY = sumY / n;
-    for (const StampedPose& p : poses) {
-        const double x = toSeconds(p.time - time) - meanX;
-        sumXX += x * x;
-        sumXY += x * (member(p.pose) - meanY);
-    }
-    return meanY - meanX * sumXY / sumXX;
-}
-
-/// Truth at an instant that the poses enclose: a local linear fit where it has poses on both sides, else interpolated.
-Pose truthAt(const std::vector<StampedPose>& poses, Nanoseconds time) {
-    const auto before = [](const StampedPose& p, Nanoseconds t) { return p.time < t; };
-    const auto low = std::lower_bound(poses.begin(), poses.end(), time - halfWidth, before);
-    const auto high = std::lower_bound(low, poses.end(), time + halfWidth, before);
-    const bool bothSides = poses.front().time <= time - halfWidth && poses.back().time >= time + halfWidth;
-    if (bothSides && high - low >= 4) {
-        const std::span near(low, high);
-        return {fitted(near, time, [](const Pose& p) { return p.x; }),
-                fitted(near, time, [](const Pose& p) { return p.y; }),
-                fitted(near, time, [](const Pose& p) { return p.heading; })};
-    }
-    const auto next = std::lower_bound(poses.begin(), poses.end(), time, before);
-    if (next == poses.begin()) return poses.front().pose;
-    if (next == poses.end()) return poses.back().pose;
-    return interpolated(*(next - 1), *next, time);
-}
 
 bool hasGap(const std::vector<StampedPose>& poses, Nanoseconds from, Nanoseconds to) {
     for (std::size_t i = 1; i < poses.size(); ++i)
@@ -147,6 +108,9 @@ private:
         const Nanoseconds length = window.steps() * options_.step;
         const Travel travel = travelled(window.truth, options_.step);
         window.path = travel.path;
+        for (std::size_t i = 1; i < window.truth.size(); ++i)
+            window.pathBySteps +=
+                std::hypot(window.truth[i].x - window.truth[i - 1].x, window.truth[i].y - window.truth[i - 1].y);
         window.rotation = travel.rotation;
         const double part = toSeconds(length) / 10;
         if (window.path < options_.leastPath * part && window.rotation < options_.leastRotation * part) {

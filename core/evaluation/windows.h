@@ -28,6 +28,7 @@ struct Window {
     Pose measuredPose;                         ///< at the start, from truth at or before it alone
     std::optional<Velocity> measuredVelocity;  ///< likewise; none where truth does not reach back before the start
     double path = 0, rotation = 0;  ///< m, rad; summed over 0.5 s steps, because a wobble inflates shorter ones
+    double pathBySteps = 0;         ///< m; summed over the steps of `truth`, wobble and all
     Manoeuvre manoeuvre = Manoeuvre::straight;
 
     int steps() const { return static_cast<int>(truth.size()) - 1; }

@@ -8,6 +8,21 @@ namespace mrose {
 namespace {
 
 constexpr Nanoseconds guard = nanosecondsPerSecond;
+constexpr Nanoseconds shortTrajectory = 10 * nanosecondsPerSecond;
+
+/// The usual margins would leave nothing of a short trajectory. Its history may be known before its truth begins.
+GridMargins marginsOf(const Trajectory& trajectory) {
+    GridMargins margins;
+    if (trajectory.poses.empty() || trajectory.commands.empty()) return margins;
+    const Nanoseconds first = trajectory.poses.front().time;
+    if (trajectory.poses.back().time - first >= shortTrajectory) return margins;
+    const Nanoseconds known = std::max<Nanoseconds>(0, first - trajectory.commands.front().time);
+    return {std::max<Nanoseconds>(0, margins.begin - known), 0};
+}
+
+int foldOf(int group, const SampleOptions& options) {
+    return ((options.heldOut.rankOfOther(group) % options.folds) + options.folds) % options.folds;
+}
 
 /// The patterns of one trajectory.
 class TrajectoryReader {
@@ -20,7 +35,7 @@ public:
           reader_(reader),
           options_(options),
           out_(out),
-          fine_(poseGrid(trajectory, options.period / options.phases)) {}
+          fine_(poseGrid(trajectory, options.period / options.phases, marginsOf(trajectory))) {}
 
     void read() {
         for (int phase = 0; phase < options_.phases; ++phase) readPhase(phase);
@@ -63,9 +78,13 @@ private:
         close();
     }
 
+    Velocity velocityAt(std::size_t i) const {
+        return measuredVelocity(trajectory_, fine_.time(i)).value_or(fine_.velocities[i]);
+    }
+
     void add(const CommandHistory& history, std::size_t i) {
-        MotionSample sample{fine_.time(i), relative(fine_.poses[i], fine_.poses[i + stride()]), fine_.velocities[i],
-                            fine_.velocities[i + stride()]};
+        MotionSample sample{fine_.time(i), relative(fine_.poses[i], fine_.poses[i + stride()]), velocityAt(i),
+                            velocityAt(i + stride())};
         out_.samples.push_back(sample);
         out_.inputs.resize(out_.inputs.size() + out_.width);
         reader_.readRaw({&history, sample.start, sample.before}, robot_,
@@ -119,7 +138,7 @@ Expected<MotionSamples> motionSamples(std::span<const Log> logs, const MotionNet
     for (const Log& log : logs)
         for (const RobotLog& robot : log.robots)
             for (const Trajectory& trajectory : robot.trajectories)
-                TrajectoryReader(trajectory, reader.robotIndex(robot.robot), trajectory.group % options.folds, reader,
+                TrajectoryReader(trajectory, reader.robotIndex(robot.robot), foldOf(trajectory.group, options), reader,
                                  options, out)
                     .read();
     if (out.samples.empty())

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "logs/robot_log.h"
+#include "motion/group_hold_out.h"
 #include "motion/input_reader.h"
 
 namespace mrose {
@@ -28,6 +29,7 @@ struct SampleOptions {
     Nanoseconds period = 100'000'000;
     int phases = 5;  ///< of the period at which a log is read; more patterns from the same log
     int folds = 4;
+    GroupHoldOut heldOut{};  ///< groups that are not among the logs: the others are divided evenly
     double block = 44;  ///< s: a trajectory of several blocks is divided among the folds by blocks, a shorter one
                         ///< belongs to one fold with all of its group
 };
@@ -50,7 +52,10 @@ struct MotionSamples {
 std::vector<TrackerOffset> removeTrackerOffsets(MotionSamples& samples);
 
 /// Reads the patterns of `logs`, with the inputs that `network` names (its standardisation is not used). The history of
-/// a pattern never reaches into another fold: the first second of each block is left out. Error: no pattern at all.
+/// a pattern never reaches into another fold: the first second of each block is left out. Of trajectories of less than
+/// 10 s nothing is given away: patterns go up to the end, and begin 1.5 s after the first command or with the truth.
+/// Velocities are what the robot measured itself, as in measuredStart, where it did; else slopes of the truth. Error:
+/// no pattern at all.
 Expected<MotionSamples> motionSamples(std::span<const Log> logs, const MotionNetwork& network,
                                       const SampleOptions& options);
 

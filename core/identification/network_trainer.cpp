@@ -61,13 +61,21 @@ RpropOptions rpropOptions(LearningMethod method) {
     return options;
 }
 
+template <class Predicate>
+std::size_t longestRun(const MotionSamples& samples, Predicate wanted) {
+    std::size_t longest = 1;
+    for (const SampleRun& run : samples.runs)
+        if (wanted(run)) longest = std::max(longest, run.count);
+    return longest;
+}
+
 /// What is learned from: all patterns but those of one fold, as chains or as single steps.
 class LearningSet {
 public:
     LearningSet(const MotionSamples& samples, const MotionNetwork& network, const TrainerOptions& options, int heldOut)
         : engine_({int(samples.width), options.hidden, int(network.outputs.size())}), loss_(options.rolloutLoss) {
         const auto learned = [&](const SampleRun& run) { return run.fold != heldOut; };
-        const auto length = static_cast<std::size_t>(options.rolloutLength);
+        const auto length = std::min(static_cast<std::size_t>(options.rolloutLength), longestRun(samples, learned));
         if (options.loss == LearningLoss::rollout)
             chains_.emplace(samples, network, chainStarts(samples, length, length, learned), length);
         else
@@ -107,9 +115,7 @@ private:
 /// The chains of one fold that nothing is learned from, `horizon` long or as long as the fold's longest run.
 RolloutBatch heldOutChains(const MotionSamples& samples, const MotionNetwork& network, double horizon, int fold) {
     const auto isHeldOut = [&](const SampleRun& run) { return run.phase == 0 && run.fold == fold; };
-    std::size_t longest = 1;
-    for (const SampleRun& run : samples.runs)
-        if (isHeldOut(run)) longest = std::max(longest, run.count);
+    const std::size_t longest = longestRun(samples, isHeldOut);
     const auto wanted = static_cast<std::size_t>(std::llround(horizon / toSeconds(samples.period)));
     const std::size_t steps = std::min(wanted, longest);
     return {samples, network, chainStarts(samples, steps, std::max<std::size_t>(1, steps / 10), isHeldOut), steps};

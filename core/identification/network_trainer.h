@@ -16,7 +16,7 @@ struct TrainerOptions {
     LearningLoss loss = LearningLoss::rollout;
     int hidden = 32;  ///< units of each member
     int members = 4;  ///< networks learned with other folds held out, whose mean is one network of one hidden layer
-    int rolloutLength = 20;  ///< periods of a chain that is learned from
+    int rolloutLength = 20;  ///< periods of a chain that is learned from; fewer where no run is so long
     int epochs = 1000;       ///< at most
     int patience = 300;      ///< epochs without a better open-loop error after which learning stops
     int evaluateEvery = 10;  ///< epochs

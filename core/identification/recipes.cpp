@@ -1,6 +1,7 @@
 #include "identification/recipes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace mrose {
@@ -43,6 +44,16 @@ MotionNetwork blueprint(const RobotTraits& traits, std::vector<std::string> robo
     return network;
 }
 
+/// Form state with the velocity among its inputs.
+MotionNetwork statePart(const RobotTraits& traits, std::vector<std::string> robots) {
+    MotionNetwork network = blueprint(traits, std::move(robots));
+    network.form = MotionNetwork::Form::state;
+    network.inputs.resize(2);
+    network.inputs[0].quantity = Quantity::velocityV;
+    network.inputs[1].quantity = Quantity::velocityW;
+    return network;
+}
+
 }  // namespace
 
 RobotTraits robotTraits(const std::string& type) {
@@ -70,12 +81,30 @@ MotionNetwork historyBlueprint(const RobotTraits& traits, std::vector<std::strin
     return network;
 }
 
+MotionNetwork stateBlueprint(const RobotTraits& traits, std::vector<std::string> robots, const ResponseTimes& times) {
+    MotionNetwork network = statePart(traits, std::move(robots));
+    const double deadTime = roundedTo5ms(std::min(times.deadTimeV, times.deadTimeW));
+    const double newest = std::max(0.0, deadTime - 0.15);
+    const double oldest = std::max(times.deadTimeV, times.deadTimeW) + 0.15;
+    for (const Quantity quantity : {Quantity::commandV, Quantity::commandW})
+        for (int i = 0; newest + 0.05 * i < oldest - 0.01; ++i)
+            network.inputs.push_back(meanOf(quantity, newest + 0.05 * i, newest + 0.05 * (i + 1)));
+    return network;
+}
+
+MotionNetwork velocityBlueprint(const RobotTraits& traits, std::vector<std::string> robots,
+                                const ResponseTimes& times) {
+    MotionNetwork network = statePart(traits, std::move(robots));
+    const double begin = std::max(0.2, roundedTo5ms(std::min(times.deadTimeV, times.deadTimeW)));
+    const std::array edges{0.0, begin, begin + 0.4, begin + 1.2};
+    for (const Quantity quantity : {Quantity::commandV, Quantity::commandW})
+        for (std::size_t i = 0; i + 1 < edges.size(); ++i)
+            network.inputs.push_back(meanOf(quantity, edges[i], edges[i + 1]));
+    return network;
+}
+
 MotionNetwork paperBlueprint(const RobotTraits& traits, std::vector<std::string> robots, const ResponseTimes& times) {
-    MotionNetwork network = blueprint(traits, std::move(robots));
-    network.form = MotionNetwork::Form::state;
-    network.inputs.resize(2);
-    network.inputs[0].quantity = Quantity::velocityV;
-    network.inputs[1].quantity = Quantity::velocityW;
+    MotionNetwork network = statePart(traits, std::move(robots));
     const double period = toSeconds(network.period);
     const auto command = [&](Quantity quantity, double deadTime) {
         const double oldest = std::max(roundedTo5ms(deadTime), 0.02);

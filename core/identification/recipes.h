@@ -28,6 +28,14 @@ struct ResponseTimes {
 /// bins, finest where the dead time ends, and for wheel speeds in steps where between two steps the commands lie.
 MotionNetwork historyBlueprint(const RobotTraits& traits, std::vector<std::string> robots, const ResponseTimes& times);
 
+/// For robots whose motion depends on how fast they already are, as where accelerations are limited: form state, with
+/// the commands around the dead time in bins of 50 ms. Meant to be learned on rollouts.
+MotionNetwork stateBlueprint(const RobotTraits& traits, std::vector<std::string> robots, const ResponseTimes& times);
+
+/// For robots that measure their own velocity: form state, to be learned on rollouts. What terrain makes of a command
+/// shows in the velocity at the start; of the commands, a few coarse bins are enough beside it.
+MotionNetwork velocityBlueprint(const RobotTraits& traits, std::vector<std::string> robots, const ResponseTimes& times);
+
 /// The network of Buck, Beetz and Schmitt (2002): form state, with the mean command over the period as seen through the
 /// dead time. No command issued after the period's start is read, so a dead time below the period counts the rest of it
 /// as the newest command.

@@ -34,11 +34,17 @@ RolloutBatch::RolloutBatch(const MotionSamples& samples, const MotionNetwork& ne
     }
     recurrent_ = !feedback_.empty();
     inputs_.assign(length_, PatternMatrix(starts_.size(), int(samples.width)));
+    if (recurrent_) velocities_.assign(length_, PatternMatrix(starts_.size(), 2));
     truth_.resize(starts_.size() * length_);
     tbb::parallel_for(std::size_t{0}, starts_.size(), [&](std::size_t chain) {
         for (std::size_t k = 0; k < length_; ++k) {
             const std::size_t sample = starts_[chain] + k;
             truth_[chain * length_ + k] = samples.samples[sample].increment;
+            if (recurrent_) {
+                const auto& [v, w] = samples.samples[sample].after;
+                velocities_[k](chain, 0) = static_cast<float>((v - network.outputs[3].mean) / network.outputs[3].scale);
+                velocities_[k](chain, 1) = static_cast<float>((w - network.outputs[4].mean) / network.outputs[4].scale);
+            }
             const auto raw = samples.inputsOf(sample);
             for (std::size_t i = 0; i < raw.size(); ++i)
                 inputs_[k](chain, int(i)) =
@@ -94,6 +100,20 @@ std::vector<Pose> RolloutBatch::predict(const MlpGradient& engine, std::span<con
     return forward(engine, parameters, false).increments;
 }
 
+/// So that the velocities which a network hands on to itself are velocities.
+double RolloutBatch::addVelocityError(const Pass& pass, std::size_t chain, double weight,
+                                      std::vector<PatternMatrix>& byOutput) const {
+    double sum = 0;
+    const double share = weight / static_cast<double>(length_), each = share / static_cast<double>(chains());
+    for (std::size_t k = 0; k < length_; ++k)
+        for (int c = 0; c < 2; ++c) {
+            const double error = pass.outputs[k](chain, velocityOutputs + c) - velocities_[k](chain, c);
+            sum += share * error * error;
+            byOutput[k](chain, velocityOutputs + c) = static_cast<float>(2 * each * error);
+        }
+    return sum;
+}
+
 double RolloutBatch::lossAndGradient(const MlpGradient& engine, std::span<const float> parameters,
                                      const RolloutLoss& loss, std::span<double> gradient) const {
     const Pass pass = forward(engine, parameters, true);
@@ -110,6 +130,7 @@ double RolloutBatch::lossAndGradient(const MlpGradient& engine, std::span<const 
             byOutput[k](chain, 1) = static_cast<float>(share * network_.outputs[1].scale * g.y);
             byOutput[k](chain, 2) = static_cast<float>(share * network_.outputs[2].scale * g.heading);
         }
+        if (recurrent_) losses[chain] += addVelocityError(pass, chain, loss.velocityWeight, byOutput);
     });
     std::fill(gradient.begin(), gradient.end(), 0);
     PatternMatrix byInput;

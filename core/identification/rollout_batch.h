@@ -47,6 +47,7 @@ private:
         std::vector<Pose> increments;
     };
     Pass forward(const MlpGradient& engine, std::span<const float> parameters, bool keepHidden) const;
+    double addVelocityError(const Pass& pass, std::size_t chain, double weight, std::vector<PatternMatrix>& byOutput) const;
     void takeVelocity(const PatternMatrix& outputs, PatternMatrix& inputs) const;
     void returnVelocity(const PatternMatrix& inputGradient, PatternMatrix& outputGradient) const;
 
@@ -56,6 +57,7 @@ private:
     bool recurrent_;
     std::vector<PatternMatrix> inputs_;  ///< one for each step of the chains
     std::vector<Pose> truth_;
+    std::vector<PatternMatrix> velocities_;  ///< (v', w') in units of the outputs, for each step; if recurrent
     std::vector<std::pair<int, int>> feedback_;  ///< input that reads a velocity, output that predicts it
 };
 

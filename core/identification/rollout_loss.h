@@ -10,6 +10,7 @@ namespace mrose {
 /// as in the errors that are reported, rounded near zero so that the loss is smooth.
 struct RolloutLoss {
     double headingWeight = 0.35;     ///< m/rad
+    double velocityWeight = 0.02;    ///< m; of squared errors of v' and w' in units of their spread: form state only
     double positionRounding = 1e-3;  ///< m
     double headingRounding = 3e-3;   ///< rad
 

@@ -78,7 +78,7 @@ Poses recentPoses(Poses known, Nanoseconds time) {
     return known.last(count);
 }
 
-Velocity meanOfLast(const std::vector<StampedVelocity>& samples, Nanoseconds time) {
+std::optional<Velocity> meanOfLast(const std::vector<StampedVelocity>& samples, Nanoseconds time) {
     Velocity sum;
     int count = 0;
     for (auto at = behind(samples, time); at != samples.begin() && time - std::prev(at)->time < startWidth; --at) {
@@ -86,14 +86,8 @@ Velocity meanOfLast(const std::vector<StampedVelocity>& samples, Nanoseconds tim
         sum.w += std::prev(at)->velocity.w;
         ++count;
     }
-    return count == 0 ? Velocity{} : Velocity{sum.v / count, sum.w / count};
-}
-
-/// What the robot itself measured; zero where it did not.
-Velocity meanVelocity(const Trajectory& trajectory, Nanoseconds time) {
-    Velocity mean = meanOfLast(trajectory.measuredVelocity, time);
-    if (!trajectory.measuredRotation.empty()) mean.w = meanOfLast(trajectory.measuredRotation, time).w;
-    return mean;
+    if (count == 0) return std::nullopt;
+    return Velocity{sum.v / count, sum.w / count};
 }
 
 Nanoseconds ceilToMultiple(Nanoseconds time, Nanoseconds step) {
@@ -126,17 +120,39 @@ PoseGrid poseGrid(const Trajectory& trajectory, Nanoseconds step, const GridMarg
     return grid;
 }
 
+Pose truthAt(std::span<const StampedPose> poses, Nanoseconds time) {
+    if (time <= poses.front().time) return poses.front().pose;
+    if (time >= poses.back().time) return poses.back().pose;
+    const auto firstAt = [&](Nanoseconds instant) {
+        const auto earlier = [](const StampedPose& pose, Nanoseconds t) { return pose.time < t; };
+        return static_cast<std::size_t>(std::lower_bound(poses.begin(), poses.end(), instant, earlier) - poses.begin());
+    };
+    const std::size_t low = firstAt(time - halfWidth), high = firstAt(time + halfWidth), next = firstAt(time);
+    const bool bothSides = poses.front().time <= time - halfWidth && poses.back().time >= time + halfWidth;
+    return bothSides && high - low >= fewest ? fitLine(poses.subspan(low, high - low), time).value
+                                             : chord(poses[next - 1], poses[next], time).value;
+}
+
 MeasuredStart measuredStart(const Trajectory& trajectory, Nanoseconds time) {
     const Poses known(trajectory.poses.begin(), behind(trajectory.poses, time));
     if (known.empty() || time - known.back().time > gapLimit) return {};
     const Poses recent = recentPoses(known, time);
-    MeasuredStart start{true, known.back().pose, meanVelocity(trajectory, time)};
+    MeasuredStart start{true, known.back().pose, measuredVelocity(trajectory, time).value_or(Velocity{})};
     if (recent.size() < fewest) return start;
     const Pose slope = fitLine(recent, time).slope;
     const double age = toSeconds(time - known.back().time);
     start.pose = {start.pose.x + age * slope.x, start.pose.y + age * slope.y, start.pose.heading + age * slope.heading};
     start.velocity = velocityOf({start.pose, slope});
     return start;
+}
+
+std::optional<Velocity> measuredVelocity(const Trajectory& trajectory, Nanoseconds time) {
+    auto mean = meanOfLast(trajectory.measuredVelocity, time);
+    if (const auto rotation = meanOfLast(trajectory.measuredRotation, time)) {
+        if (!mean) mean = Velocity{};
+        mean->w = rotation->w;
+    }
+    return mean;
 }
 
 }  // namespace mrose

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+#include <optional>
 #include <vector>
 
 #include "logs/robot_log.h"
@@ -27,6 +29,10 @@ struct GridMargins {
 /// The grid of a trajectory; with the default margins it is the referee's.
 PoseGrid poseGrid(const Trajectory& trajectory, Nanoseconds step = 100'000'000, const GridMargins& margins = {});
 
+/// Truth at one instant, as on a grid; next to the ends of the poses, where a fit would be one-sided, interpolated. At
+/// least one pose.
+Pose truthAt(std::span<const StampedPose> poses, Nanoseconds time);
+
 /// Pose and velocity at `time` from the truth at or before it alone, never later: what a prediction that starts there
 /// may know. The velocity is the slope of a straight line through the last 0.2 s; the pose is the last one, carried on
 /// by that slope. Where the truth has fewer than 4 samples so far (the start of a short window), the pose is the last
@@ -42,5 +48,8 @@ struct MeasuredStart {
     Velocity velocity;
 };
 MeasuredStart measuredStart(const Trajectory& trajectory, Nanoseconds time);
+
+/// Mean of what the robot itself measured in the 0.2 s up to `time`; none if it measured nothing.
+std::optional<Velocity> measuredVelocity(const Trajectory& trajectory, Nanoseconds time);
 
 }  // namespace mrose

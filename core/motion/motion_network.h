@@ -8,6 +8,7 @@
 
 #include "io/error.h"
 #include "learning/mlp.h"
+#include "motion/group_hold_out.h"
 #include "motion/kinematic.h"
 #include "world/differential_drive.h"
 #include "world/time.h"
@@ -132,6 +133,7 @@ struct MotionNetwork {
         std::int64_t windows = 0;
         double horizon = 0;                ///< s
         double position = 0, heading = 0;  ///< P and Hd, %
+        GroupHoldOut groups{};             ///< of the logs, kept from every member and from all that was identified
         bool operator==(const HeldOut&) const = default;
     };
     HeldOut heldOut;

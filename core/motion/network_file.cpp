@@ -107,6 +107,9 @@ std::string provenanceText(const MotionNetwork& network) {
     text += "]\n\n[held_out] # open-loop errors on trajectories that were not learned from\n" +
             line("windows", h.windows) + line("horizon_s", h.horizon) + line("position_percent", h.position) +
             line("heading_percent", h.heading);
+    if (h.groups.holdsAny())
+        text += "groups = { every = " + std::to_string(h.groups.every) +
+                ", offset = " + std::to_string(h.groups.offset) + " } # never seen: group % every == offset\n";
     for (const auto& i : network.identified)
         text += "\n[[identified]]\n" + line("robot", tomlText(i.robot)) +
                 "tracker = { ahead_m = " + numberText(i.tracker.ahead) +
@@ -225,6 +228,23 @@ void readLayers(TomlTable table, std::size_t hidden, MotionNetwork& network) {
     table.rejectUnknown();
 }
 
+MotionNetwork::HeldOut readHeldOut(TomlTable table) {
+    MotionNetwork::HeldOut h;
+    h.windows = table.integer("windows", 0, 1'000'000'000);
+    h.horizon = table.number("horizon_s", {0, 1e6});
+    h.position = table.number("position_percent");
+    h.heading = table.number("heading_percent");
+    if (table.has("groups")) {
+        TomlTable groups = table.table("groups");
+        h.groups.every = static_cast<int>(groups.integer("every", 2, 1'000'000));
+        h.groups.offset = static_cast<int>(groups.integer("offset", 0, 1'000'000));
+        if (h.groups.offset >= h.groups.every) groups.reject("offset", "expected less than every");
+        groups.rejectUnknown();
+    }
+    table.rejectUnknown();
+    return h;
+}
+
 void readOptionalParts(TomlTable& root, MotionNetwork& network) {
     if (root.has("wheel_phase")) {
         TomlTable table = root.table("wheel_phase");
@@ -306,10 +326,7 @@ Expected<MotionNetwork> parseNetwork(std::string_view text, const std::string& f
     readOptionalParts(root, network);
     checkFit(root, network);
     network.training = readTraining(root.table("training"));
-    TomlTable heldOut = root.table("held_out");
-    network.heldOut = {heldOut.integer("windows", 0, 1'000'000'000), heldOut.number("horizon_s", {0, 1e6}),
-                       heldOut.number("position_percent"), heldOut.number("heading_percent")};
-    heldOut.rejectUnknown();
+    network.heldOut = readHeldOut(root.table("held_out"));
     if (!root.failed()) readLayers(root.table("layers"), hidden, network);
     if (!root.failed()) root.rejectUnknown();
     if (root.failed()) return tl::unexpected(root.error());

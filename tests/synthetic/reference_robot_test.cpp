@@ -193,6 +193,14 @@ TEST(ReferenceRobot, SlipsOutOfACurveAndTurnsLessThanItsWheels) {
     }
 }
 
+TEST(ReferenceRobot, TyresScrubOnTheSpotByTheShareThatIsSaid) {
+    const ReferenceRobot robot(9, exactParameters());
+    const ReferenceRobotState state = run(robot, robot.start({}), {{0.5, {0, 1}}}, 4);
+    const double wheels = (state.wheels[1].speed - state.wheels[0].speed) / robot.parameters().track;
+    EXPECT_NEAR(wheels, 1, 0.02);
+    EXPECT_NEAR(state.velocity.w / wheels, 1 - robot.parameters().scrub, 0.002);
+}
+
 TEST(ReferenceRobot, UnequalWheelsBendAStraightLine) {
     ReferenceRobotParameters p = exactParameters();
     p.wheelScale = {0.99, 1.01};

@@ -1,0 +1,48 @@
+#include "learning_logs.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common.h"
+#include "identification/drive_fit.h"
+#include "identification/held_out_groups.h"
+
+namespace mrose::cli {
+namespace {
+
+Expected<std::vector<Log>> openAll(const LearningLogsRequest& request, const std::optional<DifferentialDrive>& drive) {
+    std::vector<Log> logs;
+    for (const std::string& source : request.sources) {
+        auto log = openLog(source, request.robots, drive);
+        if (!log) return tl::unexpected(log.error());
+        if (request.holdOut.holdsAny()) {
+            if (const auto kept = partOf(*log, request.holdOut, LogPart::heldOut); !kept)
+                return tl::unexpected(kept.error());
+            log = partOf(std::move(*log), request.holdOut, LogPart::learned);
+            if (!log) return tl::unexpected(log.error());
+        }
+        logs.push_back(std::move(*log));
+    }
+    return logs;
+}
+
+}  // namespace
+
+Expected<LearningLogs> openLearningLogs(const LearningLogsRequest& request) {
+    auto logs = openAll(request, {});
+    if (!logs) return tl::unexpected(logs.error());
+    if (logs->front().format != "husky-windows") return LearningLogs{std::move(*logs), {}};
+    const auto fit = fitDrive(steadyMotions(logs->front(), WheelSource::commands), logs->front().source);
+    if (!fit) return tl::unexpected(fit.error());
+    logs = openAll(request, fit->drive);
+    if (!logs) return tl::unexpected(logs.error());
+    return LearningLogs{std::move(*logs), fit->drive};
+}
+
+GroupHoldOut holdOutShare(double share, int part) {
+    if (share <= 0) return {};
+    const int every = std::max(2, static_cast<int>(std::lround(1 / share)));
+    return {every, (part % every + every - 1) % every};
+}
+
+}  // namespace mrose::cli
