@@ -1,6 +1,7 @@
 #include "evaluation/shown_windows.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "evaluation/html.h"
 
