@@ -1,5 +1,7 @@
 #include <chrono>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 #include "common.h"
 #include "evaluation/format.h"
@@ -15,7 +17,7 @@ namespace {
 struct TrainFlags {
     std::vector<std::string> logs, robots;
     std::string out, model, type, method = "irprop+", loss;
-    int hidden = 0, members = 0, epochs = 0, patience = 0, phases = 0, chain = 20, folds = 4, holdOutPart = 0;
+    int hidden = 0, members = 0, epochs = 0, patience = 0, phases = 0, chain = 0, folds = 4, holdOutPart = 0;
     double holdOut = 0;
     std::optional<double> deadTimeV, deadTimeW, lagV, lagW;
 };
@@ -56,12 +58,14 @@ struct Recipe {
     LearningLoss loss;
     int hidden, members, epochs, patience;
     int phases;  ///< of the period at which the logs are read
+    int chain;   ///< periods
+    double velocityWeight = RolloutLoss{}.velocityWeight;
 };
 const std::map<std::string, Recipe> recipes{
-    {"history", {historyBlueprint, LearningLoss::rollout, 32, 4, 1000, 300, 5}},
-    {"state", {stateBlueprint, LearningLoss::rollout, 24, 1, 4000, 4000, 1}},
-    {"velocity", {velocityBlueprint, LearningLoss::rollout, 16, 4, 400, 300, 5}},
-    {"paper", {paperBlueprint, LearningLoss::oneStep, 40, 1, 2000, 300, 5}}};
+    {"history", {historyBlueprint, LearningLoss::rollout, 32, 4, 1000, 300, 5, 20}},
+    {"state", {stateBlueprint, LearningLoss::rollout, 24, 1, 4000, 4000, 1, 20}},
+    {"velocity", {velocityBlueprint, LearningLoss::rollout, 32, 8, 1000, 300, 5, 10, 0.3}},
+    {"paper", {paperBlueprint, LearningLoss::oneStep, 40, 1, 2000, 300, 5, 20}}};
 
 LearningLoss lossOf(const TrainFlags& flags) {
     if (flags.loss.empty()) return recipes.at(flags.model).loss;
@@ -78,7 +82,8 @@ TrainerOptions trainerOptions(const TrainFlags& flags, const CommonFlags& common
     options.members = given(flags.members, recipe.members);
     options.epochs = given(flags.epochs, recipe.epochs);
     options.patience = given(flags.patience, recipe.patience);
-    options.rolloutLength = flags.chain;
+    options.rolloutLength = given(flags.chain, recipe.chain);
+    options.rolloutLoss.velocityWeight = recipe.velocityWeight;
     options.seed = common.seed;
     return options;
 }
@@ -201,6 +206,11 @@ int train(TrainFlags flags, const CommonFlags& common) {
     return summary->cancelled ? interrupted : success;
 }
 
+/// A range has no objection to "nan".
+std::string refuseNan(const std::string& text) {
+    return std::isnan(std::strtod(text.c_str(), nullptr)) ? text + " is no number" : std::string();
+}
+
 }  // namespace
 
 Subcommand addTrain(CLI::App& app, CommonFlags& common) {
@@ -232,15 +242,14 @@ Subcommand addTrain(CLI::App& app, CommonFlags& common) {
         ->capture_default_str();
     sub->add_option("--loss", flags->loss, "What is minimised; default: one-step for paper, else rollout")
         ->check(CLI::IsMember({"one-step", "rollout"}));
-    sub->add_option("--chain", flags->chain, "Periods of a rollout that is learned from")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
+    sub->add_option("--chain", flags->chain, "Periods of a rollout that is learned from; default 20, 10 for velocity")
+        ->check(CLI::Range(1, 1000));
     sub->add_option("--hidden", flags->hidden, "Hidden units of each member; default: the model's")
         ->check(CLI::Range(1, 1024));
     sub->add_option(
            "--members", flags->members,
            "Networks, each learned with another part of the logs held out, whose mean is saved as one; default 4 "
-           "(paper: 1)")
+           "(velocity: 8, state and paper: 1)")
         ->check(CLI::Range(1, 64));
     sub->add_option("--folds", flags->folds, "Parts that the logs are divided into, held out in turn")
         ->check(CLI::Range(2, 64))
@@ -248,7 +257,8 @@ Subcommand addTrain(CLI::App& app, CommonFlags& common) {
     sub->add_option("--hold-out", flags->holdOut,
                     "Share of the groups of trajectories that nothing is learned from: mrose evaluate --held-out "
                     "judges by them alone")
-        ->check(CLI::Range(0.001, 0.5));
+        ->check(CLI::Range(0.001, 0.5))
+        ->check(refuseNan);
     sub->add_option("--hold-out-part", flags->holdOutPart, "Which share that is, for cross-validation: 0, 1, ...")
         ->needs("--hold-out")
         ->check(CLI::Range(0, 1000))
