@@ -55,6 +55,16 @@ CLI::App* addSubcommand(CLI::App& app, CommonFlags& flags, const std::string& na
     return sub;
 }
 
+CLI::Validator numberRange(double least, double most) {
+    const CLI::Range range(least, most);
+    return range & CLI::Validator(
+                       [](std::string& text) {
+                           return std::isnan(std::strtod(text.c_str(), nullptr)) ? text + " is no number"
+                                                                                 : std::string();
+                       },
+                       "");
+}
+
 int report(const Error& error) {
     std::fprintf(stderr, "mrose: %s\n", error.message().c_str());
     return failure;

@@ -42,6 +42,9 @@ Subcommand addGenerate(CLI::App& app, CommonFlags& flags);
 CLI::App* addSubcommand(CLI::App& app, CommonFlags& flags, const std::string& name, const std::string& description,
                         const std::string& examples);
 
+/// Accepts numbers from `least` to `most`; CLI::Range has no objection to "nan".
+CLI::Validator numberRange(double least, double most);
+
 /// One line on standard error; returns ExitStatus::failure.
 int report(const Error& error);
 /// The same of what names no file of its own.

@@ -42,9 +42,11 @@ void printStates(const Evaluation& evaluation) {
 }
 
 void printTable(const Evaluation& evaluation) {
+    int steps = 0;
+    for (const Window& window : evaluation.windows) steps = std::max(steps, window.steps());
     std::printf("%s, robot %s: %zu windows of %s s, open loop\n\n", evaluation.source.c_str(),
                 robotList(evaluation).c_str(), evaluation.windows.size(),
-                secondsText(evaluation.options.windows.horizon, 0).c_str());
+                secondsText(evaluation.options.windows.step * steps, 0).c_str());
     TextTable table({"", "P %", "Hd %", "median pos. %", "final cm", "final deg"});
     for (const ModelEvaluation& model : evaluation.models)
         table.add({model.name, fixed(model.all.p, 2), fixed(model.all.hd, 2),
@@ -125,7 +127,7 @@ Subcommand addEvaluate(CLI::App& app, CommonFlags& common) {
     sub->add_option("--robots", flags->robots, "Only these robots, by name: 1,2")->delimiter(',');
     sub->add_option("--against", flags->against, "Other network files, beside it in all tables and pictures");
     sub->add_option("--horizon", flags->horizon, "Length of a window in s")
-        ->check(CLI::Range(0.5, 3600.0))
+        ->check(numberRange(0.5, 3600.0))
         ->capture_default_str();
     sub->add_option("--report", flags->folder, "Folder for report.html, results.csv and results.json");
     sub->add_flag("--held-out", flags->heldOut,

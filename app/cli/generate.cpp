@@ -158,7 +158,7 @@ Subcommand addGenerate(CLI::App& app, CommonFlags& common) {
         ->check(CLI::Range(1, 100'000));
     sub->add_option("--duration", flags->duration,
                     "Length of a trajectory in s; the jink and the ellipse take as long as they take")
-        ->check(CLI::Range(5.0, 36'000.0));
+        ->check(numberRange(5.0, 36'000.0));
     sub->add_option("--repeats", flags->repeats, "Runs of each trajectory's commands")->check(CLI::Range(1, 1000));
     return {sub, [flags, &common] { return generate(*flags, common); }};
 }

@@ -59,7 +59,7 @@ Subcommand addPredict(CLI::App& app, CommonFlags& common) {
     sub->add_option("-o,--output", flags->out, "The CSV file to write")->required();
     sub->add_option("--robots", flags->robots, "Only these robots, by name: 1,2")->delimiter(',');
     sub->add_option("--horizon", flags->horizon, "Length of a prediction in s")
-        ->check(CLI::Range(0.1, 3600.0))
+        ->check(numberRange(0.1, 3600.0))
         ->capture_default_str();
     return {sub, [flags, &common] { return predict(*flags, common); }};
 }

@@ -206,11 +206,6 @@ int train(TrainFlags flags, const CommonFlags& common) {
     return summary->cancelled ? interrupted : success;
 }
 
-/// A range has no objection to "nan".
-std::string refuseNan(const std::string& text) {
-    return std::isnan(std::strtod(text.c_str(), nullptr)) ? text + " is no number" : std::string();
-}
-
 }  // namespace
 
 Subcommand addTrain(CLI::App& app, CommonFlags& common) {
@@ -257,8 +252,7 @@ Subcommand addTrain(CLI::App& app, CommonFlags& common) {
     sub->add_option("--hold-out", flags->holdOut,
                     "Share of the groups of trajectories that nothing is learned from: mrose evaluate --held-out "
                     "judges by them alone")
-        ->check(CLI::Range(0.001, 0.5))
-        ->check(refuseNan);
+        ->check(numberRange(0.001, 0.5));
     sub->add_option("--hold-out-part", flags->holdOutPart, "Which share that is, for cross-validation: 0, 1, ...")
         ->needs("--hold-out")
         ->check(CLI::Range(0, 1000))
@@ -274,13 +268,13 @@ Subcommand addTrain(CLI::App& app, CommonFlags& common) {
            "state")
         ->check(CLI::Range(1, 20));
     sub->add_option("--dead-time-v", flags->deadTimeV, "Dead time of v in s, instead of the one identified")
-        ->check(CLI::Range(0.0, 2.0));
+        ->check(numberRange(0.0, 2.0));
     sub->add_option("--dead-time-w", flags->deadTimeW, "Dead time of w in s, instead of the one identified")
-        ->check(CLI::Range(0.0, 2.0));
+        ->check(numberRange(0.0, 2.0));
     sub->add_option("--lag-v", flags->lagV, "Lag of v in s, instead of the one identified")
-        ->check(CLI::Range(0.0, 2.0));
+        ->check(numberRange(0.0, 2.0));
     sub->add_option("--lag-w", flags->lagW, "Lag of w in s, instead of the one identified")
-        ->check(CLI::Range(0.0, 2.0));
+        ->check(numberRange(0.0, 2.0));
     return {sub, [flags, &common] {
                 if (flags->method == "lm" &&
                     (flags->loss == "rollout" || (flags->loss.empty() && flags->model != "paper"))) {

@@ -61,7 +61,7 @@ struct TrackerOffset {
     }
 };
 
-/// A learned motion model as a value: everything that its file holds. See README.md of this folder for the two forms.
+/// A learned motion model as a value: everything that its file holds. nets/README.md explains the file.
 struct MotionNetwork {
     enum class Form {
         state,    ///< (v, w, commands) -> (dx, dy, dphi, v', w'): five outputs; the paper's

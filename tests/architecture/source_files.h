@@ -22,7 +22,7 @@ struct SourceFile {
     bool pragmaOnce = false;  ///< its first directive is #pragma once
     std::vector<Include> includes;
 
-    /// "learning/adam.h" for core/learning/adam.cpp where that header exists beside it; otherwise empty.
+    /// "learning/rprop.h" for core/learning/rprop.cpp where that header exists beside it; otherwise empty.
     std::string ownHeader;
 };
 

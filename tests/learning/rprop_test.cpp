@@ -7,8 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include "learning/adam.h"
-
 namespace mrose {
 namespace {
 
@@ -128,22 +126,6 @@ TEST(Rprop, KeepsStepsBetweenTheirLimits) {
         }
         EXPECT_EQ(shrinks.stepSizes()[0], 1e-6);
     }
-}
-
-TEST(Adam, FollowsItsFormula) {
-    const AdamOptions options{.rate = 0.05};
-    Adam adam(1, options);
-    std::vector<float> w = {3};
-    double x = 3, m = 0, v = 0;
-    for (int t = 1; t <= 200; ++t) {
-        const double g = 4 * (x - 1);
-        adam.step(w, {&g, 1});
-        m = 0.9 * m + 0.1 * g;
-        v = 0.999 * v + 0.001 * g * g;
-        x -= 0.05 * (m / (1 - std::pow(0.9, t))) / (std::sqrt(v / (1 - std::pow(0.999, t))) + 1e-8);
-        ASSERT_NEAR(w[0], x, 1e-5);
-    }
-    EXPECT_NEAR(w[0], 1, 0.05);
 }
 
 }  // namespace
