@@ -5,6 +5,8 @@
 #include <regex>
 #include <sstream>
 
+#include "support/places.h"
+
 namespace mrose {
 namespace {
 
@@ -43,7 +45,7 @@ SourceFile parseSource(const std::string& path, std::string_view text) {
 }
 
 std::vector<SourceFile> sourceFiles(const std::vector<std::string>& folders) {
-    const std::filesystem::path root = MROSE_SOURCE_DIR;
+    const std::filesystem::path root = sourceFolder();
     std::vector<SourceFile> files;
     for (const std::string& folder : folders) {
         if (!std::filesystem::is_directory(root / folder)) continue;

@@ -6,6 +6,7 @@
 
 #include "cli/workshop.h"
 #include "motion/motion_network.h"
+#include "support/places.h"
 
 namespace mrose {
 namespace {
@@ -20,7 +21,7 @@ std::vector<std::string> longTraining(std::vector<std::string> words) {
 }
 
 std::vector<std::string> mroseWords(std::vector<std::string> words) {
-    words.insert(words.begin(), MROSE_PROGRAM);
+    words.insert(words.begin(), mroseProgram());
     return words;
 }
 

@@ -11,6 +11,7 @@
 #include "evaluation/test_models.h"
 #include "io/file.h"
 #include "logs/log_reader.h"
+#include "support/places.h"
 #include "support/test_data.h"
 
 namespace mrose {
@@ -31,8 +32,7 @@ std::optional<std::string> outputOf(const std::string& command) {
 std::optional<std::string> referee() {
     const char* const named = std::getenv("MROSE_REFEREE");
     const std::filesystem::path script =
-        named != nullptr ? named
-                         : std::filesystem::path(MROSE_SOURCE_DIR).parent_path() / "shared/tools/score_rollouts.py";
+        named != nullptr ? named : sourceFolder().parent_path() / "shared/tools/score_rollouts.py";
     if (!std::filesystem::exists(script)) return std::nullopt;
     for (const std::string python : {"python3", "/usr/bin/python3"})
         if (outputOf(python + " -c 'import numpy'")) return python + " '" + script.string() + "'";

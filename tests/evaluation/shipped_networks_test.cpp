@@ -9,12 +9,13 @@
 #include "io/file.h"
 #include "logs/log_reader.h"
 #include "motion/learned_model.h"
+#include "support/places.h"
 #include "support/test_data.h"
 
 namespace mrose {
 namespace {
 
-const std::filesystem::path nets = MROSE_SOURCE_DIR "/nets";
+const std::filesystem::path nets = sourceFolder() / "nets";
 
 std::shared_ptr<const LearnedMotion> shipped(const char* file) {
     const auto network = loadNetwork(nets / file);

@@ -10,6 +10,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "support/places.h"
+
 namespace mrose {
 namespace {
 
@@ -94,7 +96,7 @@ ProgramResult RunningProgram::finish() {
 }
 
 ProgramResult runMrose(const std::vector<std::string>& arguments, const RunningProgram::Options& options) {
-    std::vector<std::string> words{MROSE_PROGRAM};
+    std::vector<std::string> words{mroseProgram()};
     words.insert(words.end(), arguments.begin(), arguments.end());
     return RunningProgram(words, options).finish();
 }

@@ -8,6 +8,7 @@
 
 #include "io/file.h"
 #include "logs/csv_reader.h"
+#include "support/places.h"
 #include "support/temporary_folder.h"
 
 namespace mrose {
@@ -21,7 +22,7 @@ struct Outcome {
 /// Runs `mrose generate` with the arguments, after the shell's `before`.
 Outcome generate(const std::string& arguments, const std::string& before = "") {
     Outcome outcome;
-    FILE* pipe = ::popen((before + " '" MROSE_PROGRAM "' generate " + arguments + " 2>&1").c_str(), "r");
+    FILE* pipe = ::popen((before + " '" + mroseProgram() + "' generate " + arguments + " 2>&1").c_str(), "r");
     if (pipe == nullptr) return outcome;
     std::array<char, 4096> buffer{};
     while (const std::size_t got = std::fread(buffer.data(), 1, buffer.size(), pipe))

@@ -9,6 +9,7 @@
 #include "evaluation/windows.h"
 #include "logs/csv_reader.h"
 #include "logs/csv_writer.h"
+#include "support/places.h"
 #include "support/temporary_folder.h"
 
 namespace mrose {
@@ -125,8 +126,7 @@ TEST(LogGenerator, TheHeldOutSetHasAHundredWindowsAndEnoughHardSwitches) {
 TEST(LogGenerator, TheShippedLogsAreTheExampleSet) {
     std::uintmax_t bytes = 0;
     for (const SyntheticPart& part : setNamed("example").parts) {
-        const auto file = std::filesystem::path(MROSE_SOURCE_DIR) / "resources" / "logs" / "pioneer" /
-                          (std::string(name(part.course)) + ".csv");
+        const auto file = sourceFolder() / "resources" / "logs" / "pioneer" / (std::string(name(part.course)) + ".csv");
         const auto shipped = readCsv(file);
         ASSERT_TRUE(shipped) << shipped.error().message();
         EXPECT_TRUE(shipped->synthetic);
