@@ -10,11 +10,6 @@
 
 namespace mrose {
 
-struct StampedCommand {
-    Nanoseconds time = 0;
-    Command command;
-};
-
 struct StampedPose {
     Nanoseconds time = 0;
     Pose pose;  ///< heading continuous (unwrapped)

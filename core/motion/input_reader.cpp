@@ -50,7 +50,7 @@ int InputReader::robotIndex(const std::string& name) const {
 }
 
 void InputReader::collect(const MotionInput& input, Pieces& pieces) const {
-    const CommandHistory& history = *input.commands;
+    const CommandView& history = input.commands;
     std::size_t index = history.size();
     while (index > 0 && history.issueTime(index - 1) > input.start) --index;
     pieces.count = 0;

@@ -17,6 +17,9 @@ public:
 
     std::size_t width() const { return inputs_.size(); }
 
+    /// How far before a period's start it reads commands.
+    Nanoseconds memory() const { return fromSeconds(oldestAge_); }
+
     /// Index of a robot by its name, -1 for one that the network was not learned from.
     int robotIndex(const std::string& name) const;
 

@@ -86,7 +86,7 @@ Pose integrate(Course v, Course w, double lateralPerRotation, double t) {
 }
 
 /// When a command issued in (known from, known to] next takes effect, or `end`.
-Nanoseconds nextSwitch(const CommandHistory& commands, Nanoseconds now, Nanoseconds delay, Nanoseconds known,
+Nanoseconds nextSwitch(const CommandView& commands, Nanoseconds now, Nanoseconds delay, Nanoseconds known,
                        Nanoseconds end) {
     for (std::size_t i = commands.size(); i-- > 0;) {
         const Nanoseconds issued = commands.issueTime(i);
@@ -99,11 +99,15 @@ Nanoseconds nextSwitch(const CommandHistory& commands, Nanoseconds now, Nanoseco
 
 }  // namespace
 
+Nanoseconds KinematicModel::memory() const {
+    return fromSeconds(std::max(parameters_.v.deadTime, parameters_.w.deadTime));
+}
+
 MotionStep KinematicModel::step(const MotionInput& input) const {
     const auto& [v, w, lateralPerRotation] = parameters_;
     const Nanoseconds delayV = fromSeconds(v.deadTime), delayW = fromSeconds(w.deadTime);
     assert(delayV >= 0 && delayW >= 0);
-    const CommandHistory& commands = *input.commands;
+    const CommandView& commands = input.commands;
     const Nanoseconds end = input.start + period_;
     MotionStep result{{}, input.velocity, {}};
     for (Nanoseconds now = input.start; now < end;) {

@@ -28,6 +28,7 @@ public:
         : parameters_(parameters), period_(period) {}
 
     Nanoseconds period() const override { return period_; }
+    Nanoseconds memory() const override;
     void predict(std::span<const MotionInput> inputs, std::span<MotionStep> steps) const override;
     const KinematicParameters& parameters() const { return parameters_; }
 

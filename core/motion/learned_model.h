@@ -44,6 +44,7 @@ public:
         : motion_(std::move(motion)), robot_(motion_->inputs().robotIndex(robot)) {}
 
     Nanoseconds period() const override { return motion_->network().period; }
+    Nanoseconds memory() const override { return motion_->inputs().memory(); }
     void predict(std::span<const MotionInput> inputs, std::span<MotionStep> steps) const override;
 
 private:

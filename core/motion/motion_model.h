@@ -10,7 +10,7 @@ namespace mrose {
 
 /// What a motion model sees of one robot at the start of a period.
 struct MotionInput {
-    const CommandHistory* commands = nullptr;
+    CommandView commands;
     Nanoseconds start = 0;  ///< of the predicted period; no command issued after it is read
     Velocity velocity;      ///< at `start`
     /// The MotionStep::unperturbed of the period before: what differs from it has been pushed, and recovers. Unknown at
@@ -34,6 +34,9 @@ public:
     virtual ~MotionModel() = default;
 
     virtual Nanoseconds period() const = 0;
+
+    /// How far before a period's start it reads commands: what a history must keep.
+    virtual Nanoseconds memory() const = 0;
 
     /// steps[i] from inputs[i]; the spans have equal sizes. The result for a robot does not depend on the others in the
     /// batch, to the last bit. Inputs must be finite.

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "world/time.h"
+
 namespace mrose {
 
 /// What a differential-drive robot is told to do.
@@ -15,6 +17,12 @@ struct Command {
 inline bool identical(const Command& a, const Command& b) {
     return a == b && std::signbit(a.v) == std::signbit(b.v) && std::signbit(a.w) == std::signbit(b.w);
 }
+
+struct StampedCommand {
+    Nanoseconds time = 0;  ///< of issue
+    Command command;
+    bool operator==(const StampedCommand&) const = default;
+};
 
 /// What it does: velocity in the body's frame.
 struct Velocity {

@@ -26,10 +26,17 @@ double openUnit(std::uint64_t word) { return (static_cast<double>(word >> 11) + 
 
 double uniformNoise(const NoiseKey& key) { return openUnit(words(key).first); }
 
-double normalNoise(const NoiseKey& key) {
+NoisePair uniformPair(const NoiseKey& key) {
     const Words w = words(key);
-    const double radius = std::sqrt(-2 * std::log(openUnit(w.first)));
-    return radius * std::cos(2 * std::numbers::pi * openUnit(w.second));
+    return {openUnit(w.first), openUnit(w.second)};
 }
+
+NoisePair normalPair(const NoiseKey& key) {
+    const NoisePair u = uniformPair(key);
+    const double radius = std::sqrt(-2 * std::log(u.first)), angle = 2 * std::numbers::pi * u.second;
+    return {radius * std::cos(angle), radius * std::sin(angle)};
+}
+
+double normalNoise(const NoiseKey& key) { return normalPair(key).first; }
 
 }  // namespace mrose

@@ -16,6 +16,15 @@ struct NoiseKey {
 /// Uniform in the open interval (0, 1), from Philox 4x64-10 (Salmon et al. 2011).
 double uniformNoise(const NoiseKey& key);
 
+/// Two uniform and independent ones, at the price of one.
+struct NoisePair {
+    double first = 0, second = 0;
+};
+NoisePair uniformPair(const NoiseKey& key);
+
+/// Two standard normal and independent ones; the first is normalNoise's.
+NoisePair normalPair(const NoiseKey& key);
+
 /// Standard normal, by Box and Muller's transform of the same counter's two words.
 double normalNoise(const NoiseKey& key);
 

@@ -22,6 +22,11 @@ const std::map<std::string, std::set<std::string>> allowedLayers{
     {"evaluation", {"io", "geometry", "world", "logs", "motion"}},
     {"synthetic", {"io", "geometry", "world", "logs", "motion"}},
     {"physics", {"geometry", "world"}},
+    {"scene", {"geometry", "world", "motion"}},
+    {"control", {"geometry", "world"}},
+    {"scenario", {"io", "geometry", "world", "motion", "physics", "scene", "control"}},
+    {"sensing", {"geometry", "world", "scene", "control", "scenario"}},
+    {"simulation", {"geometry", "world", "motion", "physics", "scene", "control", "scenario", "sensing"}},
 };
 
 /// Libraries that only some layers see: what an include begins with, and who may.

@@ -24,7 +24,7 @@ public:
 
 private:
     MotionStep step(const MotionInput& input) const override {
-        const CommandHistory& h = *input.commands;
+        const CommandView& h = input.commands;
         latest = std::max(latest, h.issueTime(h.size() - 1) - input.start);
         longestHistory = std::max(longestHistory, input.start - h.issueTime(0));
         return HeldCommandModel::step(input);
@@ -107,10 +107,11 @@ TEST(Rollout, RefusesAPeriodThatDoesNotDivideTheStep) {
 class LaggedModel final : public MotionModel {
 public:
     Nanoseconds period() const override { return 100'000'000; }
+    Nanoseconds memory() const override { return 0; }
     void predict(std::span<const MotionInput> inputs, std::span<MotionStep> steps) const override {
         for (std::size_t i = 0; i < inputs.size(); ++i) {
             const double v =
-                inputs[i].velocity.v + 0.1 * (inputs[i].commands->at(inputs[i].start).v - inputs[i].velocity.v);
+                inputs[i].velocity.v + 0.1 * (inputs[i].commands.at(inputs[i].start).v - inputs[i].velocity.v);
             steps[i] = {{0.1 * v, 0, 0}, {v, 0}};
         }
     }

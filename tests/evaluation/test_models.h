@@ -14,13 +14,14 @@ public:
     explicit HeldCommandModel(Nanoseconds period = 100'000'000, double gain = 1) : period_(period), gain_(gain) {}
 
     Nanoseconds period() const override { return period_; }
+    Nanoseconds memory() const override { return 0; }
     void predict(std::span<const MotionInput> inputs, std::span<MotionStep> steps) const override {
         for (std::size_t i = 0; i < inputs.size(); ++i) steps[i] = step(inputs[i]);
     }
 
 protected:
     virtual MotionStep step(const MotionInput& input) const {
-        const Command c = input.commands->at(input.start);
+        const Command c = input.commands.at(input.start);
         const double t = toSeconds(period_);
         return {exp({gain_ * c.v * t, 0, c.w * t}), {gain_ * c.v, c.w}};
     }

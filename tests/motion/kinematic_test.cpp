@@ -151,8 +151,8 @@ MotionStep bruteForce(const KinematicParameters& p, const MotionInput& input) {
     };
     for (int i = 0; i < steps; ++i) {
         const Nanoseconds now = input.start + i * (100 * ms / steps);
-        const Command cv = input.commands->at(std::min(now - fromSeconds(p.v.deadTime), input.start));
-        const Command cw = input.commands->at(std::min(now - fromSeconds(p.w.deadTime), input.start));
+        const Command cv = input.commands.at(std::min(now - fromSeconds(p.v.deadTime), input.start));
+        const Command cw = input.commands.at(std::min(now - fromSeconds(p.w.deadTime), input.start));
         const bool standing = cv.v == 0 && cw.w == 0;
         const auto target = [&](double command, const KinematicParameters::Channel& c) {
             const double t = standing ? 0 : c.gain * command + c.bias;

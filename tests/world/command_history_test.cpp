@@ -57,15 +57,15 @@ TEST(CommandHistory, ReadsNothingIssuedAtOrAfterTheEndOfTheMean) {
     EXPECT_EQ(history.mean(50 * ms, 100 * ms), (Command{1, 0}));
 }
 
-TEST(CommandHistory, ForgetsTheOldestAndTakesItsSuccessorForThePast) {
+TEST(CommandHistory, ForgetsAllButTheLastOfThosePushedOut) {
     CommandHistory history;
     const int issued = CommandHistory::capacity + 40;
     for (int i = 0; i < issued; ++i) history.issue(i * ms, {double(i), 0});
     EXPECT_EQ(history.size(), CommandHistory::capacity);
     EXPECT_EQ(history.at((issued - 1) * ms).v, issued - 1);
     EXPECT_EQ(history.at(40 * ms).v, 40);
-    EXPECT_EQ(history.at(3 * ms).v, 40);
-    EXPECT_NEAR(history.mean(38 * ms, 42 * ms).v, (40 * 3 + 41) / 4.0, 1e-13);
+    EXPECT_EQ(history.at(3 * ms).v, 39);
+    EXPECT_NEAR(history.mean(38 * ms, 42 * ms).v, (39 + 39 + 40 + 41) / 4.0, 1e-13);
 }
 
 }  // namespace

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "control/observation.h"
+
+namespace mrose {
+
+struct Kick {
+    std::uint32_t manipulator = 0;  ///< index in the robot file
+    double power = 1;               ///< 0 ... 1
+    bool operator==(const Kick&) const = default;
+};
+
+/// Something that a controller wants the inspector or the field view to show. Never part of the state.
+struct Annotation {
+    enum class Kind { value, text, point, line };
+    Kind kind = Kind::value;
+    std::string label;
+    double value = 0;           ///< of Kind::value
+    std::string text;           ///< of Kind::text
+    std::vector<Point> points;  ///< of the others, in the world's frame
+};
+
+/// What a controller decided at one instant.
+struct Decision {
+    std::optional<Command> command;       ///< issued now; nothing: the one in force stays
+    std::vector<StampedCommand> earlier;  ///< issued since the last instant, in order of time: by players of logs
+    std::vector<Kick> kicks;
+    std::vector<Annotation> annotations;
+    std::string breakReason;  ///< not empty: the debugger stops after this tick
+    std::string fault;        ///< not empty: the controller failed, and the robot is told to stand
+
+    /// Asks the debugger to stop here.
+    void breakHere(std::string reason = "breakHere()") { breakReason = std::move(reason); }
+    void clear();
+    /// The same orders, whatever is annotated.
+    bool sameOrders(const Decision& other) const {
+        return command == other.command && earlier == other.earlier && kicks == other.kicks;
+    }
+};
+
+/// Control software of one robot: a pure function of what it sees and of its memory, which belongs to the world's state
+/// so that going back is exact. One object may drive many robots.
+class Controller {
+public:
+    virtual ~Controller() = default;
+
+    /// Bytes of memory, constant; multiples of 8 lie aligned for anything.
+    virtual std::size_t memorySize() const { return 0; }
+    /// Fills the memory at a run's start. All zero before.
+    virtual void start(std::span<std::byte> /*memory*/) const {}
+    /// How many commands it may issue in one control period.
+    virtual std::size_t commandsPerPeriod() const { return 1; }
+
+    /// Called once per control period; `decision` is empty.
+    virtual void decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const = 0;
+};
+
+/// A controller's memory as its own type: trivially copyable, without padding worth hashing.
+template <class Memory>
+Memory& as(std::span<std::byte> memory) {
+    static_assert(std::is_trivially_copyable_v<Memory>);
+    return *reinterpret_cast<Memory*>(memory.data());
+}
+
+}  // namespace mrose

@@ -1,0 +1,127 @@
+#include "geometry/shape.h"
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+
+namespace mrose {
+namespace {
+
+/// Largest distance of `b`'s corners from one of `a`'s edges, seen from outside: a lower bound of the distance of the
+/// polygons, or minus their depth.
+double edgeSeparation(const ConvexPiece& a, const ConvexPiece& b) {
+    double most = -std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < a.count; ++i) {
+        const Point &from = a.corners[i], &to = a.corners[(i + 1) % a.count];
+        const Point edge = to - from;
+        const Point outward = (1 / length(edge)) * Point{edge.y, -edge.x};
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t j = 0; j < b.count; ++j) least = std::min(least, dot(outward, b.corners[j] - from));
+        most = std::max(most, least);
+    }
+    return most;
+}
+
+double separation(const ConvexPiece& a, const ConvexPiece& b) {
+    const double radii = a.radius + b.radius;
+    if (a.isCircle() && b.isCircle()) return distance(a.corners[0], b.corners[0]) - radii;
+    if (a.isCircle()) return edgeSeparation(b, a) - radii;
+    if (b.isCircle()) return edgeSeparation(a, b) - radii;
+    return std::max(edgeSeparation(a, b), edgeSeparation(b, a));
+}
+
+double cornersToEdges(const ConvexPiece& corners, const ConvexPiece& edges) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < corners.count; ++i)
+        for (std::size_t j = 0; j < edges.count; ++j)
+            least = std::min(
+                least, distanceToSegment(corners.corners[i], edges.corners[j], edges.corners[(j + 1) % edges.count]));
+    return least;
+}
+
+AreaMoments momentsOf(const ShapePart& part) {
+    if (!part.polygon.empty()) return areaMoments(part.polygon);
+    const double area = std::numbers::pi * part.radius * part.radius;
+    return {area, part.centre, area * part.radius * part.radius / 2};
+}
+
+void addPieces(Shape& shape, const ShapePart& part, std::uint32_t index) {
+    if (part.polygon.empty()) {
+        shape.pieces.push_back(ConvexPiece::circle(part.centre, part.radius));
+    } else {
+        for (const Polygon& piece : convexPieces(part.polygon)) shape.pieces.push_back(ConvexPiece::polygon(piece));
+    }
+    shape.partOfPiece.resize(shape.pieces.size(), index);
+}
+
+}  // namespace
+
+ConvexPiece ConvexPiece::polygon(const Polygon& corners) {
+    ConvexPiece piece;
+    piece.count = std::min(corners.size(), maxCorners);
+    std::copy_n(corners.begin(), piece.count, piece.corners.begin());
+    Point least = corners.front(), most = corners.front();
+    for (const Point& p : corners) {
+        least = {std::min(least.x, p.x), std::min(least.y, p.y)};
+        most = {std::max(most.x, p.x), std::max(most.y, p.y)};
+    }
+    piece.centre = 0.5 * (least + most);
+    for (const Point& p : corners) piece.reach = std::max(piece.reach, mrose::distance(piece.centre, p));
+    return piece;
+}
+
+ConvexPiece ConvexPiece::circle(const Point& centre, double radius) {
+    ConvexPiece piece;
+    piece.count = 1;
+    piece.corners[0] = piece.centre = centre;
+    piece.radius = piece.reach = radius;
+    return piece;
+}
+
+ConvexPiece placed(const ConvexPiece& piece, const Placement& placement) {
+    ConvexPiece result = piece;
+    for (std::size_t i = 0; i < piece.count; ++i) result.corners[i] = placement.place(piece.corners[i]);
+    result.centre = placement.place(piece.centre);
+    return result;
+}
+
+double distance(const ConvexPiece& a, const ConvexPiece& b) {
+    const double apart = separation(a, b);
+    if (a.isCircle() && b.isCircle()) return apart;
+    if (apart + a.radius + b.radius <= 0) return apart;
+    if (a.isCircle()) return cornersToEdges(a, b) - a.radius;
+    if (b.isCircle()) return cornersToEdges(b, a) - b.radius;
+    return std::min(cornersToEdges(a, b), cornersToEdges(b, a));
+}
+
+bool mayBeNearer(const ConvexPiece& a, const ConvexPiece& b, double limit) {
+    const double reach = a.reach + b.reach + limit;
+    const Point between = b.centre - a.centre;
+    if (dot(between, between) > reach * reach) return false;
+    return separation(a, b) <= limit && distance(a, b) <= limit;
+}
+
+Shape Shape::fromParts(std::string name, std::vector<ShapePart> parts) {
+    Shape shape;
+    shape.name = std::move(name);
+    shape.parts = std::move(parts);
+    double area = 0, polar = 0;
+    Point first;
+    for (std::uint32_t i = 0; i < shape.parts.size(); ++i) {
+        addPieces(shape, shape.parts[i], i);
+        const AreaMoments moments = momentsOf(shape.parts[i]);
+        area += moments.area;
+        first = first + moments.area * moments.centroid;
+        polar += moments.polar + moments.area * dot(moments.centroid, moments.centroid);
+    }
+    for (const ConvexPiece& piece : shape.pieces)
+        for (std::size_t i = 0; i < piece.count; ++i)
+            shape.reach = std::max(shape.reach, length(piece.corners[i]) + piece.radius);
+    if (area > 0) {
+        shape.centroid = (1 / area) * first;
+        shape.gyration = std::sqrt(std::max(0.0, polar / area - dot(shape.centroid, shape.centroid)));
+    }
+    return shape;
+}
+
+}  // namespace mrose

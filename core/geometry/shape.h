@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "geometry/polygon.h"
+
+namespace mrose {
+
+struct Colour {
+    std::uint8_t red = 0, green = 0, blue = 0;
+    bool operator==(const Colour&) const = default;
+};
+
+/// A convex polygon, or a circle as one corner with a radius: what contact and sight work on.
+struct ConvexPiece {
+    static constexpr std::size_t maxCorners = 8;
+
+    std::array<Point, maxCorners> corners{};  ///< counter-clockwise
+    std::size_t count = 0;
+    double radius = 0;  ///< of a circle, about its only corner; 0 for polygons
+    Point centre;       ///< of a circle that holds the piece
+    double reach = 0;   ///< its radius
+
+    static ConvexPiece polygon(const Polygon& corners);
+    static ConvexPiece circle(const Point& centre, double radius);
+    bool isCircle() const { return count == 1; }
+};
+
+/// The same piece elsewhere.
+ConvexPiece placed(const ConvexPiece& piece, const Placement& placement);
+
+/// The distance between two pieces in one frame; negative where they overlap: the least depth along an edge's normal.
+double distance(const ConvexPiece& a, const ConvexPiece& b);
+
+/// Whether they may be nearer than `limit`, answered quickly: never wrongly no.
+bool mayBeNearer(const ConvexPiece& a, const ConvexPiece& b, double limit);
+
+/// A polygon or a circle of one colour.
+struct ShapePart {
+    std::string name;
+    Polygon polygon;    ///< empty for a circle
+    Point centre;       ///< of a circle
+    double radius = 0;  ///< of a circle, m
+    Colour colour;
+    bool operator==(const ShapePart&) const = default;
+};
+
+/// The outline of a robot or an object, about its reference point at the origin, x forward.
+struct Shape {
+    std::string name;
+    std::vector<ShapePart> parts;
+
+    // What follows is told from the parts.
+    std::vector<ConvexPiece> pieces;
+    std::vector<std::uint32_t> partOfPiece;
+    double reach = 0;     ///< m, of the farthest point from the origin
+    Point centroid;       ///< of the area
+    double gyration = 0;  ///< m, radius of gyration of the area about its centroid
+
+    /// Parts that overlap count twice in centroid and gyration. Parts must be simple polygons or circles of some size.
+    static Shape fromParts(std::string name, std::vector<ShapePart> parts);
+};
+
+}  // namespace mrose

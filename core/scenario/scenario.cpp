@@ -1,0 +1,111 @@
+#include "scenario/scenario.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace mrose {
+namespace {
+
+/// How far round a body obstacles are looked for: its reach and what the fastest one moves in a tick, generously.
+double searchMargin(const Scene& scene) {
+    constexpr double fastest = 12;  // m/s
+    double reach = 0;
+    for (const RobotType& type : scene.robotTypes) reach = std::max(reach, type.shape->reach);
+    for (const ObjectType& type : scene.objectTypes) reach = std::max(reach, type.shape->reach);
+    return reach + fastest * toSeconds(scene.tickLength) + 0.05;
+}
+
+std::int64_t ticksOf(Nanoseconds duration, Nanoseconds tick) { return (duration + tick / 2) / tick; }
+
+std::int64_t longestLag(const Scene& scene) {
+    Nanoseconds longest = 0;
+    for (const RobotType& type : scene.robotTypes)
+        longest = std::max(
+            {longest, type.perception.self.latency, type.perception.objects.latency, type.perception.robots.latency});
+    return ticksOf(longest, scene.tickLength);
+}
+
+std::size_t roundUp(std::size_t bytes) { return (bytes + 15) / 16 * 16; }
+
+}  // namespace
+
+Scenario::Scenario(ScenarioParts parts)
+    : parts_(std::move(parts)),
+      obstacles_(parts_.scene.environment, searchMargin(parts_.scene)),
+      obstacleShape_(obstacles_.pieces()) {
+    assert(parts_.controllers.size() == parts_.scene.robots.size());
+    layOut();
+    prepareContacts();
+}
+
+void Scenario::layOut() {
+    const Scene& scene = parts_.scene;
+    for (std::size_t i = 0; i < scene.robots.size(); ++i) {
+        const MotionModel& model = scene.modelOf(i);
+        assert(model.period() % scene.tickLength == 0);
+        const auto periods = static_cast<std::size_t>(model.memory() / model.period()) + 2;
+        Slots slots;
+        slots.commands = commandSlots_;
+        slots.commandCount = std::min(periods * controller(i).commandsPerPeriod(), CommandHistory::capacity);
+        slots.memory = memorySize_;
+        slots.memorySize = controller(i).memorySize();
+        commandSlots_ += slots.commandCount;
+        memorySize_ += roundUp(slots.memorySize);
+        slots_.push_back(slots);
+        periods_.push_back({model.period() / scene.tickLength, toSeconds(model.period())});
+    }
+    pastDepth_ = longestLag(scene);
+}
+
+void Scenario::prepareContacts() {
+    const Scene& scene = parts_.scene;
+    for (const RobotType& type : scene.robotTypes) {
+        const Shape& shape = *type.shape;
+        contactTypes_.push_back({CollisionShape(shape.pieces), type.surface, type.mass,
+                                 type.mass * shape.gyration * shape.gyration, shape.centroid, shape.reach});
+    }
+    for (const ObjectType& type : scene.objectTypes) {
+        const Shape& shape = *type.shape;
+        const double inertia = type.rolls ? type.inertia * shape.reach * shape.reach : shape.gyration * shape.gyration;
+        contactTypes_.push_back(
+            {CollisionShape(shape.pieces), type.surface, type.mass, type.mass * inertia, shape.centroid, shape.reach});
+    }
+    for (const SceneRobot& robot : scene.robots) contactTypeOf_.push_back(robot.type);
+    for (const SceneObject& object : scene.objects)
+        contactTypeOf_.push_back(static_cast<std::uint32_t>(scene.robotTypes.size()) + object.type);
+}
+
+WorldState Scenario::initialState(std::uint64_t seed) const {
+    const Scene& scene = parts_.scene;
+    WorldState state;
+    state.seed = seed;
+    for (const SceneRobot& robot : scene.robots) {
+        RobotState r;
+        r.pose = r.segment.start = robot.start;
+        r.nextControl = robot.phase;
+        state.robots.push_back(r);
+    }
+    for (const SceneObject& object : scene.objects) {
+        const Twist& v = object.velocity_W;
+        // A ball that starts with a speed starts rolling.
+        state.objects.push_back({object.start, v, {v.x, v.y}});
+    }
+    state.goals.assign(scene.environment.goals.size(), 0);
+    state.commands.resize(commandSlots_);
+    state.memory.resize(memorySize_);
+    for (std::size_t i = 0; i < scene.robots.size(); ++i) controller(i).start(memoryOf(state, i));
+    for (std::int64_t k = 0; k < pastDepth_; ++k)
+        for (std::size_t body = 0; body < scene.bodyCount(); ++body) state.past.push_back(poseOf(state, body));
+    return state;
+}
+
+const Pose& Scenario::poseBefore(const WorldState& state, std::size_t body, std::int64_t lag) const {
+    assert(lag >= 0 && lag <= pastDepth_);
+    if (lag == 0) return poseOf(state, body);
+    // Slot k of the ring holds the poses of the newest tick that is k modulo the depth; ticks before 0 stand for the
+    // start.
+    const std::int64_t slot = ((state.tick - lag) % pastDepth_ + pastDepth_) % pastDepth_;
+    return state.past[static_cast<std::size_t>(slot) * parts_.scene.bodyCount() + body];
+}
+
+}  // namespace mrose

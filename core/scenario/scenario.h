@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "control/controller.h"
+#include "physics/collision_shape.h"
+#include "scene/obstacle_index.h"
+#include "scene/scene.h"
+#include "world/world_state.h"
+
+namespace mrose {
+
+/// What a scenario is made of.
+struct ScenarioParts {
+    std::string name;
+    Scene scene;
+    std::vector<std::shared_ptr<const Controller>> controllers;  ///< of each robot
+    std::uint64_t seed = 1;
+    Nanoseconds duration = 60 * nanosecondsPerSecond;  ///< of a run for which nobody asks another one
+    bool kickOff = true;                               ///< after a goal the ball lies at its start again
+};
+
+/// All that is constant in a run, with what is told from it once: where in the state each robot's commands and memory
+/// lie, and what contact needs. Periods must be multiples of the tick; one controller a robot.
+class Scenario {
+public:
+    explicit Scenario(ScenarioParts parts);
+
+    const ScenarioParts& parts() const { return parts_; }
+    const Scene& scene() const { return parts_.scene; }
+    const Controller& controller(std::size_t robot) const { return *parts_.controllers[robot]; }
+    const ObstacleIndex& obstacles() const { return obstacles_; }
+
+    WorldState initialState() const { return initialState(parts_.seed); }
+    WorldState initialState(std::uint64_t seed) const;
+
+    /// Where a robot's commands lie in WorldState::commands, its controller's memory in WorldState::memory.
+    std::span<StampedCommand> commandSlots(WorldState& state, std::size_t robot) const {
+        return std::span(state.commands).subspan(slots_[robot].commands, slots_[robot].commandCount);
+    }
+    CommandView commandsOf(const WorldState& state, std::size_t robot) const {
+        const RobotState& r = state.robots[robot];
+        return CommandView({state.commands.data() + slots_[robot].commands, r.commandCount}, r.commandBefore);
+    }
+    std::span<std::byte> memoryOf(WorldState& state, std::size_t robot) const {
+        return std::span(state.memory).subspan(slots_[robot].memory, slots_[robot].memorySize);
+    }
+    std::span<const std::byte> memoryOf(const WorldState& state, std::size_t robot) const {
+        return std::span(state.memory).subspan(slots_[robot].memory, slots_[robot].memorySize);
+    }
+    /// How many ticks of poses WorldState::past holds; 0 where no sensor is late.
+    std::int64_t pastDepth() const { return pastDepth_; }
+    /// Where a body was `lag` ticks ago, 0 <= lag <= pastDepth; before the start it stood where it started.
+    const Pose& poseBefore(const WorldState& state, std::size_t body, std::int64_t lag) const;
+    static const Pose& poseOf(const WorldState& state, std::size_t body) {
+        return body < state.robots.size() ? state.robots[body].pose : state.objects[body - state.robots.size()].pose;
+    }
+
+    /// A robot's control period.
+    struct Period {
+        std::int64_t ticks = 0;
+        double seconds = 0;
+    };
+    const Period& periodOf(std::size_t robot) const { return periods_[robot]; }
+
+    // What contact needs of a body, told once.
+    struct ContactBodyType {
+        CollisionShape shape;
+        Surface surface;
+        double mass, inertia;  ///< kg; kg m2 about the centre of mass
+        Point centre;
+        double reach;
+    };
+    const ContactBodyType& contactType(std::size_t body) const { return contactTypes_[contactTypeOf_[body]]; }
+    const CollisionShape& obstacleShape() const { return obstacleShape_; }
+
+private:
+    struct Slots {
+        std::size_t commands = 0, commandCount = 0, memory = 0, memorySize = 0;
+    };
+    void layOut();
+    void prepareContacts();
+
+    ScenarioParts parts_;
+    ObstacleIndex obstacles_;
+    CollisionShape obstacleShape_;
+    std::vector<ContactBodyType> contactTypes_;
+    std::vector<std::uint32_t> contactTypeOf_;
+    std::vector<Slots> slots_;
+    std::vector<Period> periods_;
+    std::size_t commandSlots_ = 0, memorySize_ = 0;
+    std::int64_t pastDepth_ = 0;
+};
+
+}  // namespace mrose

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/shape.h"
+
+namespace mrose {
+
+/// How a surface answers a touch. Between two surfaces friction mixes by the geometric mean, restitution by the larger.
+struct Surface {
+    double friction = 0.3;
+    double restitution = 0.1;
+    bool operator==(const Surface&) const = default;
+};
+
+/// What stands still: a wall, a post, a cupboard. Its shape lies in the world's frame.
+struct Obstacle {
+    std::string name;
+    Shape shape;
+    Surface surface;
+};
+
+/// A line on the floor: a polyline, or a circle; for the eye only.
+struct Marking {
+    std::vector<Point> points;
+    bool closed = false;
+    Point centre;
+    double radius = 0;    ///< m, of a circle; 0 for a polyline
+    double width = 0.05;  ///< m
+    Colour colour{255, 255, 255};
+};
+
+/// Where a ball counts.
+struct Goal {
+    std::string name;
+    Polygon area;
+};
+
+struct Floor {
+    double slidingFriction = 0.3;      ///< coefficient
+    double rollingDeceleration = 0.4;  ///< m/s2
+    Colour colour{52, 120, 71};
+    Polygon area;  ///< drawn; empty: what the obstacles span
+};
+
+/// The place in which robots act.
+struct Environment {
+    std::string name;
+    std::vector<Obstacle> obstacles;
+    std::vector<Marking> markings;
+    std::vector<Goal> goals;
+    Floor floor;
+};
+
+}  // namespace mrose

@@ -1,0 +1,77 @@
+#include "scene/obstacle_index.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mrose {
+namespace {
+
+constexpr double smallestCell = 0.25;    // m
+constexpr double mostCells = 1'000'000;  // a larger place has larger cells
+
+}  // namespace
+
+ObstacleIndex::Box ObstacleIndex::boxOf(const ConvexPiece& piece) {
+    Box box{piece.corners[0], piece.corners[0]};
+    for (std::size_t i = 1; i < piece.count; ++i) {
+        box.least = {std::min(box.least.x, piece.corners[i].x), std::min(box.least.y, piece.corners[i].y)};
+        box.most = {std::max(box.most.x, piece.corners[i].x), std::max(box.most.y, piece.corners[i].y)};
+    }
+    return {box.least - Point{piece.radius, piece.radius}, box.most + Point{piece.radius, piece.radius}};
+}
+
+template <class Visit>
+void ObstacleIndex::visitCells(const ConvexPiece& piece, Visit visit) const {
+    const Box box = boxOf(piece);
+    const auto column = [&](double x) {
+        return static_cast<std::size_t>(std::clamp((x - corner_.x) / cell_, 0.0, static_cast<double>(columns_ - 1)));
+    };
+    const auto row = [&](double y) {
+        return static_cast<std::size_t>(std::clamp((y - corner_.y) / cell_, 0.0, static_cast<double>(rows_ - 1)));
+    };
+    for (std::size_t r = row(box.least.y - margin_); r <= row(box.most.y + margin_); ++r)
+        for (std::size_t c = column(box.least.x - margin_); c <= column(box.most.x + margin_); ++c) {
+            // A slanted wall's box is much larger than the wall.
+            const Point centre =
+                corner_ + Point{(static_cast<double>(c) + 0.5) * cell_, (static_cast<double>(r) + 0.5) * cell_};
+            if (mayBeNearer(ConvexPiece::circle(centre, cell_ * 0.7072), piece, margin_)) visit(cellOf(c, r));
+        }
+}
+
+ObstacleIndex::ObstacleIndex(const Environment& environment, double margin) : margin_(margin) {
+    for (std::uint32_t i = 0; i < environment.obstacles.size(); ++i)
+        for (const ConvexPiece& piece : environment.obstacles[i].shape.pieces) {
+            pieces_.push_back(piece);
+            surfaces_.push_back(environment.obstacles[i].surface);
+            obstacles_.push_back(i);
+        }
+    if (pieces_.empty()) return;
+    Box all = boxOf(pieces_.front());
+    for (const ConvexPiece& piece : pieces_) {
+        const Box box = boxOf(piece);
+        all.least = {std::min(all.least.x, box.least.x), std::min(all.least.y, box.least.y)};
+        all.most = {std::max(all.most.x, box.most.x), std::max(all.most.y, box.most.y)};
+    }
+    corner_ = all.least - Point{margin, margin};
+    const Point size = all.most + Point{margin, margin} - corner_;
+    cell_ = std::max(
+        {smallestCell, margin / 2, std::sqrt(size.x * size.y / mostCells), std::max(size.x, size.y) / mostCells});
+    columns_ = static_cast<std::size_t>(size.x / cell_) + 1;
+    rows_ = static_cast<std::size_t>(size.y / cell_) + 1;
+    begins_.assign(columns_ * rows_ + 1, 0);
+    for (const ConvexPiece& piece : pieces_) visitCells(piece, [&](std::size_t cell) { ++begins_[cell + 1]; });
+    for (std::size_t i = 1; i < begins_.size(); ++i) begins_[i] += begins_[i - 1];
+    entries_.resize(begins_.back());
+    std::vector<std::uint32_t> filled(begins_.begin(), begins_.end() - 1);
+    for (std::uint32_t i = 0; i < pieces_.size(); ++i)
+        visitCells(pieces_[i], [&](std::size_t cell) { entries_[filled[cell]++] = i; });
+}
+
+std::span<const std::uint32_t> ObstacleIndex::near(const Point& point) const {
+    const double x = (point.x - corner_.x) / cell_, y = (point.y - corner_.y) / cell_;
+    if (!(x >= 0 && y >= 0 && x < static_cast<double>(columns_) && y < static_cast<double>(rows_))) return {};
+    const std::size_t cell = cellOf(static_cast<std::size_t>(x), static_cast<std::size_t>(y));
+    return std::span(entries_).subspan(begins_[cell], begins_[cell + 1] - begins_[cell]);
+}
+
+}  // namespace mrose

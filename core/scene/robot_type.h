@@ -1,0 +1,51 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "geometry/shape.h"
+#include "scene/environment.h"
+#include "scene/perception.h"
+#include "world/time.h"
+#include "world/world_state.h"
+
+namespace mrose {
+
+/// What a model's prediction leaves out, as standard deviations per period: the odometry model of Thrun, Burgard, Fox
+/// (2005), 5.4, without its third rotation.
+struct MotionNoise {
+    double distancePerDistance = 0;  ///< m/m
+    double rotationPerRotation = 0;  ///< rad/rad
+    double rotationPerDistance = 0;  ///< rad/m
+    bool operator==(const MotionNoise&) const = default;
+
+    bool none() const { return *this == MotionNoise{}; }
+};
+
+/// A kicker: a ball whose edge lies within its reach leaves it with the given speed along its direction.
+struct Manipulator {
+    std::string name;
+    Point position;        ///< of the middle of its face, in the robot's frame, m
+    double direction = 0;  ///< rad, in the robot's frame
+    double speed = 3;      ///< m/s at full power, relative to the robot
+    double reach = 0.05;   ///< m, how far before its face it meets the ball
+    double width = 0.2;    ///< m, of its face
+    Nanoseconds recharge = nanosecondsPerSecond;
+    Nanoseconds deadTime = 0;  ///< from command to kick
+    bool operator==(const Manipulator&) const = default;
+};
+
+/// A kind of robot: all that its robots share but the motion model, which may differ from robot to robot.
+struct RobotType {
+    std::string name;
+    std::shared_ptr<const Shape> shape;
+    double mass = 10;  ///< kg, spread evenly over the shape
+    Surface surface;
+    MotionNoise motionNoise;
+    std::vector<Manipulator> manipulators;  ///< at most maxManipulators
+    Perception perception;
+    bool person = false;  ///< drawn and counted as one
+};
+
+}  // namespace mrose

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstddef>
+
+#include "control/observation.h"
+#include "scenario/scenario.h"
+
+namespace mrose {
+
+/// What robot `robot` perceives at the tick of `state`, by its type's Perception and the counter-based noise. `memory`
+/// is the robot's SensorMemory, as it was before and as it becomes; `out` is filled anew.
+void observe(const Scenario& scenario, const WorldState& state, std::size_t robot, SensorMemory& memory,
+             Observation& out);
+
+}  // namespace mrose

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "scene/scene.h"
+#include "world/world_state.h"
+
+namespace mrose {
+
+/// Where a free body on the floor is after `duration` seconds without touch. A ball slides, its slip shrinking by
+/// friction (Coulomb), until it rolls; then it slows down evenly until it rests: in closed form, so that no step's
+/// length matters. Other bodies slide and turn until friction has stopped them. `frictionFactor` scales both frictions.
+ObjectState afterFloorMotion(const ObjectState& state, const ObjectType& type, const Floor& floor,
+                             double frictionFactor, double duration);
+
+}  // namespace mrose

@@ -1,0 +1,69 @@
+#include <algorithm>
+#include <cmath>
+
+#include "simulation/step_stages.h"
+#include "world/noise.h"
+#include "world/noise_channel.h"
+
+namespace mrose {
+namespace {
+
+void addMotionNoise(const MotionNoise& noise, const NoiseKey& key, MotionStep& step) {
+    if (noise.none()) return;
+    const double distance = std::hypot(step.increment.x, step.increment.y), rotation = step.increment.heading;
+    const NoisePair draw = normalPair(key);
+    step.increment.x += noise.distancePerDistance * distance * draw.first;
+    step.increment.heading +=
+        std::hypot(noise.rotationPerRotation * rotation, noise.rotationPerDistance * distance) * draw.second;
+}
+
+bool finite(const MotionStep& step) {
+    return std::isfinite(step.increment.x + step.increment.y + step.increment.heading) &&
+           std::isfinite(step.velocity.v + step.velocity.w + step.unperturbed.v + step.unperturbed.w);
+}
+
+}  // namespace
+
+void predictMotion(const Scenario& scenario, WorldState& state, StepBuffers::Content& buffers, StepTrace* trace) {
+    const Scene& scene = scenario.scene();
+    std::vector<std::uint32_t>& due = buffers.due;
+    const auto modelOf = [&](std::uint32_t robot) { return scene.robots[robot].model; };
+    // Robots of one model are predicted together.
+    if (scene.models.size() > 1)
+        std::sort(due.begin(), due.end(), [&](std::uint32_t a, std::uint32_t b) {
+            return modelOf(a) != modelOf(b) ? modelOf(a) < modelOf(b) : a < b;
+        });
+    buffers.inputs.clear();
+    buffers.predictions.resize(due.size());
+    for (const std::uint32_t i : due) {
+        const RobotState& robot = state.robots[i];
+        MotionInput& input = buffers.inputs.emplace_back();
+        input.commands = scenario.commandsOf(state, i);
+        input.start = scene.timeOf(state.tick);
+        input.velocity = {robot.velocity_B.x, robot.velocity_B.rotation};
+        if (robot.segment.hasUnperturbed) input.unperturbed = robot.segment.unperturbed;
+    }
+    for (std::size_t begin = 0, end = 0; begin < due.size(); begin = end) {
+        while (end < due.size() && modelOf(due[end]) == modelOf(due[begin])) ++end;
+        scene.models[modelOf(due[begin])]->predict(std::span(buffers.inputs).subspan(begin, end - begin),
+                                                   std::span(buffers.predictions).subspan(begin, end - begin));
+    }
+    for (std::size_t k = 0; k < due.size(); ++k) {
+        const std::uint32_t i = due[k];
+        RobotState& robot = state.robots[i];
+        MotionStep& predicted = buffers.predictions[k];
+        addMotionNoise(scene.typeOf(i).motionNoise, {state.seed, state.tick, i, channelOf(NoiseChannel::motion)},
+                       predicted);
+        if (finite(predicted)) {
+            robot.segment =
+                beginSegment(robot.pose, robot.velocity_B, predicted, state.tick, scenario.periodOf(i).seconds);
+        } else {
+            robot.segment = restAt(robot.pose, state.tick);
+            predicted = {};
+            if (trace != nullptr) trace->faults.push_back({i, "its motion model predicted no finite motion"});
+        }
+        if (trace != nullptr) trace->robots[i].predicted = predicted;
+    }
+}
+
+}  // namespace mrose

@@ -1,0 +1,106 @@
+#include "simulation/touch_search.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace mrose {
+namespace {
+
+// Up to here all pairs are tried, which is quicker than a grid.
+constexpr std::size_t fewBodies = 24;
+
+bool mayTouch(const SweptBody& a, const SweptBody& b, double limit) {
+    const Placement frameA(a.pose), frameB(b.pose);
+    for (const ConvexPiece& x : a.shape->pieces) {
+        const ConvexPiece placedX = placed(x, frameA);
+        for (const ConvexPiece& y : b.shape->pieces)
+            if (mayBeNearer(placedX, placed(y, frameB), limit)) return true;
+    }
+    return false;
+}
+
+bool mayTouch(const SweptBody& body, const ConvexPiece& obstacle, double limit) {
+    const double reach = body.shape->reach + obstacle.reach + limit;
+    const Point between = obstacle.centre - position(body.pose);
+    if (dot(between, between) > reach * reach) return false;
+    if (!mayBeNearer(ConvexPiece::circle(position(body.pose), body.shape->reach), obstacle, limit)) return false;
+    const Placement frame(body.pose);
+    return std::any_of(body.shape->pieces.begin(), body.shape->pieces.end(),
+                       [&](const ConvexPiece& piece) { return mayBeNearer(placed(piece, frame), obstacle, limit); });
+}
+
+std::size_t hashOf(std::int32_t column, std::int32_t row, std::size_t mask) {
+    const auto mixed = static_cast<std::uint32_t>(column) * 0x9E3779B1U ^ static_cast<std::uint32_t>(row) * 0x85EBCA77U;
+    return (mixed ^ (mixed >> 15)) & mask;
+}
+
+}  // namespace
+
+void TouchSearch::consider(std::span<const SweptBody> bodies, std::uint32_t a, std::uint32_t b) {
+    const SweptBody &first = bodies[a], &second = bodies[b];
+    const double limit = first.travel + second.travel + margin;
+    const double reach = first.shape->reach + second.shape->reach + limit;
+    const double dx = second.pose.x - first.pose.x, dy = second.pose.y - first.pose.y;
+    if (dx * dx + dy * dy <= reach * reach && mayTouch(first, second, limit)) bodyPairs_.push_back({a, b});
+}
+
+void TouchSearch::findNear(std::span<const SweptBody> bodies) {
+    const auto count = static_cast<std::uint32_t>(bodies.size());
+    for (std::uint32_t a = 0; a < count; ++a)
+        for (std::uint32_t b = a + 1; b < count; ++b) consider(bodies, a, b);
+}
+
+void TouchSearch::findNearInGrid(std::span<const SweptBody> bodies) {
+    double widest = 0;
+    for (const SweptBody& body : bodies) widest = std::max(widest, body.shape->reach + body.travel);
+    const double perCell = 1 / (2 * widest + margin);
+    const std::size_t mask = std::bit_ceil(bodies.size()) - 1;
+    cells_.resize(bodies.size());
+    begins_.assign(mask + 2, 0);
+    const auto cellOf = [&](double x) {
+        return static_cast<std::int32_t>(std::floor(std::clamp(x * perCell, -1e9, 1e9)));
+    };
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        cells_[i] = {cellOf(bodies[i].pose.x), cellOf(bodies[i].pose.y)};
+        ++begins_[hashOf(cells_[i].column, cells_[i].row, mask) + 1];
+    }
+    for (std::size_t i = 1; i < begins_.size(); ++i) begins_[i] += begins_[i - 1];
+    order_.resize(bodies.size());
+    for (std::size_t i = bodies.size(); i-- > 0;)
+        order_[--begins_[hashOf(cells_[i].column, cells_[i].row, mask) + 1]] = static_cast<std::uint32_t>(i);
+    // Filling from the back has moved each begin to where its bucket begins, one place on.
+    const auto bucket = [&](std::size_t hash) {
+        const std::size_t begin = begins_[hash + 1],
+                          end = hash + 2 < begins_.size() ? begins_[hash + 2] : order_.size();
+        return std::span(order_).subspan(begin, end - begin);
+    };
+    for (std::uint32_t a = 0; a < bodies.size(); ++a)
+        for (std::int32_t row = cells_[a].row - 1; row <= cells_[a].row + 1; ++row)
+            for (std::int32_t column = cells_[a].column - 1; column <= cells_[a].column + 1; ++column)
+                for (const std::uint32_t b : bucket(hashOf(column, row, mask)))
+                    if (b > a && cells_[b] == Cell{column, row}) consider(bodies, a, b);
+    std::sort(bodyPairs_.begin(), bodyPairs_.end());
+}
+
+void TouchSearch::find(std::span<const SweptBody> bodies, const ObstacleIndex& obstacles) {
+    bodyPairs_.clear();
+    obstaclePairs_.clear();
+    if (bodies.size() <= fewBodies)
+        findNear(bodies);
+    else
+        findNearInGrid(bodies);
+    for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+        const SweptBody& body = bodies[i];
+        const auto tryPiece = [&](std::uint32_t piece) {
+            if (mayTouch(body, obstacles.pieces()[piece], body.travel + margin)) obstaclePairs_.push_back({i, piece});
+        };
+        if (body.shape->reach + body.travel + margin <= obstacles.margin()) {
+            for (const std::uint32_t piece : obstacles.near(position(body.pose))) tryPiece(piece);
+        } else {
+            for (std::uint32_t piece = 0; piece < obstacles.pieces().size(); ++piece) tryPiece(piece);
+        }
+    }
+}
+
+}  // namespace mrose

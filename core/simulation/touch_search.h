@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/shape.h"
+#include "scene/obstacle_index.h"
+
+namespace mrose {
+
+/// A body and how far any point of it may get within a tick.
+struct SweptBody {
+    const Shape* shape = nullptr;
+    Pose pose;
+    double travel = 0;  ///< m
+};
+
+/// Which bodies may touch within a tick: all of them that do, few that do not. Memory is kept from call to call; the
+/// result does not depend on it.
+class TouchSearch {
+public:
+    struct Pair {
+        std::uint32_t a = 0, b = 0;
+        auto operator<=>(const Pair&) const = default;
+    };
+
+    /// Pairs of bodies (a < b) and of a body and an obstacle's piece, both in ascending order.
+    void find(std::span<const SweptBody> bodies, const ObstacleIndex& obstacles);
+    const std::vector<Pair>& bodyPairs() const { return bodyPairs_; }
+    const std::vector<Pair>& obstaclePairs() const { return obstaclePairs_; }
+
+    /// Distance at which the contact solver begins to see a touch, and some more: m.
+    static constexpr double margin = 0.004;
+
+private:
+    void findNear(std::span<const SweptBody> bodies);
+    void findNearInGrid(std::span<const SweptBody> bodies);
+    void consider(std::span<const SweptBody> bodies, std::uint32_t a, std::uint32_t b);
+
+    std::vector<Pair> bodyPairs_, obstaclePairs_;
+    struct Cell {
+        std::int32_t column, row;
+        bool operator==(const Cell&) const = default;
+    };
+    std::vector<Cell> cells_;
+    std::vector<std::uint32_t> begins_, order_;
+};
+
+}  // namespace mrose

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+
+namespace mrose {
+
+/// What a draw of noise is for: the kind in the upper byte, which body or part it concerns in the rest.
+enum class NoiseChannel : std::uint32_t {
+    motion,
+    restitution,
+    contactFriction,
+    floorFriction,
+    selfLocalisation,
+    velocity,
+    sightOfRobots,
+    sightOfObjects,
+    controller,
+    trial,
+};
+
+constexpr std::uint32_t channelOf(NoiseChannel kind, std::uint32_t part = 0) {
+    return static_cast<std::uint32_t>(kind) << 24 | (part & 0xffffff);
+}
+
+}  // namespace mrose

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "geometry/point.h"
+#include "world/command_history.h"
+
+namespace mrose {
+
+/// The way of a robot through one of its control periods: start * exp(p(s)), s from 0 to 1, p cubic. Its ends match the
+/// predicted pose and the velocities at both ends.
+struct MotionSegment {
+    std::int64_t startTick = 0;
+    Pose start;                   ///< in the world; contact moves it along with the robot
+    Pose increment;               ///< what the model predicted: start * increment is the pose at the period's end
+    Twist logarithm;              ///< of the increment: p(1)
+    Twist startRate, endRate;     ///< p'(0) and p'(1), per period
+    Velocity endVelocity;         ///< predicted
+    Velocity unperturbed;         ///< MotionStep::unperturbed of the period
+    bool hasUnperturbed = false;  ///< false before the first period
+};
+
+/// What a robot's sensors remember (sensing/).
+struct SensorMemory {
+    Pose bias;                     ///< of self-localisation, at present
+    Pose self;                     ///< measured last
+    Nanoseconds selfMeasured = 0;  ///< when
+    bool localised = false;        ///< false until the first measurement
+    double ballBias = 0;           ///< of the bearing to other bodies, rad
+};
+
+constexpr std::size_t maxManipulators = 4;
+
+/// One robot, or a person or machine that moves like one. Its commands and its controller's memory lie in the world
+/// state's own arrays: each robot has as much of them as it needs, and none owns heap memory.
+struct RobotState {
+    Pose pose;
+    Twist velocity_B;              ///< m/s, m/s, rad/s: the one that really occurs, of the reference point
+    std::int64_t nextControl = 0;  ///< tick at which its controller decides next
+    MotionSegment segment;
+    std::uint32_t commandCount = 0;
+    Command commandBefore;  ///< in force before the oldest command kept
+    SensorMemory sensing;
+    std::array<Nanoseconds, maxManipulators> ready{};  ///< when each manipulator can act again
+};
+
+/// A body without a will: the ball, a box.
+struct ObjectState {
+    Pose pose;
+    Twist velocity_W;  ///< of the reference point: m/s, m/s, rad/s about the vertical
+    Point roll_W;      ///< m/s: the velocity at which a ball would be rolling, of its spin about horizontal axes
+};
+
+/// What a touching pair pressed on in the last tick; warm-starts the next, so that resting bodies rest.
+struct ContactImpulse {
+    std::uint32_t bodyA = 0, pieceA = 0;  ///< bodies: robots first, then objects, then noBody for what stands still
+    std::uint32_t bodyB = 0, pieceB = 0;
+    std::uint32_t feature = 0;
+    float normal = 0, tangent = 0;  ///< in the solver's units
+};
+constexpr std::uint32_t noBody = 0xffffffff;
+
+/// A kick that has been commanded and is on its way through the dead time.
+struct PendingKick {
+    Nanoseconds due = 0;
+    std::uint32_t robot = 0, manipulator = 0;
+    double power = 0;  ///< 0 ... 1
+};
+
+/// Everything that advances in time. A tick is a function of it and of the scenario, which is constant: whoever keeps
+/// a copy can go back to it, to the last bit.
+struct WorldState {
+    std::int64_t tick = 0;
+    std::uint64_t seed = 0;
+    std::vector<RobotState> robots;
+    std::vector<ObjectState> objects;      ///< the ball first, where there is one
+    std::vector<ContactImpulse> contacts;  ///< of the last tick, in the order of their keys
+    std::vector<PendingKick> kicks;        ///< in the order in which they were commanded
+    std::vector<std::int32_t> goals;       ///< balls so far in each of the environment's goals
+    std::vector<StampedCommand> commands;  ///< of all robots; Scenario::layout says whose are where
+    std::vector<std::byte> memory;         ///< of all controllers, likewise
+    std::vector<Pose> past;                ///< of all bodies in the last ticks, for sensors that are late; likewise
+};
+
+}  // namespace mrose
