@@ -7,17 +7,14 @@
 namespace mrose {
 namespace {
 
-/// Largest distance of `b`'s corners from one of `a`'s edges, seen from outside: a lower bound of the distance of the
-/// polygons, or minus their depth.
+/// How far `b` lies outside the edge of `a` that it is farthest from: a lower bound of the distance of the polygons, or
+/// minus their depth.
 double edgeSeparation(const ConvexPiece& a, const ConvexPiece& b) {
     double most = -std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < a.count; ++i) {
-        const Point &from = a.corners[i], &to = a.corners[(i + 1) % a.count];
-        const Point edge = to - from;
-        const Point outward = (1 / length(edge)) * Point{edge.y, -edge.x};
         double least = std::numeric_limits<double>::infinity();
-        for (std::size_t j = 0; j < b.count; ++j) least = std::min(least, dot(outward, b.corners[j] - from));
-        most = std::max(most, least);
+        for (std::size_t j = 0; j < b.count; ++j) least = std::min(least, dot(a.normals[i], b.corners[j]));
+        most = std::max(most, least - dot(a.normals[i], a.corners[i]));
     }
     return most;
 }
@@ -67,6 +64,10 @@ ConvexPiece ConvexPiece::polygon(const Polygon& corners) {
     }
     piece.centre = 0.5 * (least + most);
     for (const Point& p : corners) piece.reach = std::max(piece.reach, mrose::distance(piece.centre, p));
+    for (std::size_t i = 0; i < piece.count; ++i) {
+        const Point edge = piece.corners[(i + 1) % piece.count] - piece.corners[i];
+        piece.normals[i] = (1 / length(edge)) * Point{edge.y, -edge.x};
+    }
     return piece;
 }
 
@@ -80,7 +81,10 @@ ConvexPiece ConvexPiece::circle(const Point& centre, double radius) {
 
 ConvexPiece placed(const ConvexPiece& piece, const Placement& placement) {
     ConvexPiece result = piece;
-    for (std::size_t i = 0; i < piece.count; ++i) result.corners[i] = placement.place(piece.corners[i]);
+    for (std::size_t i = 0; i < piece.count; ++i) {
+        result.corners[i] = placement.place(piece.corners[i]);
+        result.normals[i] = placement.rotate(piece.normals[i]);
+    }
     result.centre = placement.place(piece.centre);
     return result;
 }
@@ -98,7 +102,7 @@ bool mayBeNearer(const ConvexPiece& a, const ConvexPiece& b, double limit) {
     const double reach = a.reach + b.reach + limit;
     const Point between = b.centre - a.centre;
     if (dot(between, between) > reach * reach) return false;
-    return separation(a, b) <= limit && distance(a, b) <= limit;
+    return separation(a, b) <= limit;
 }
 
 Shape Shape::fromParts(std::string name, std::vector<ShapePart> parts) {

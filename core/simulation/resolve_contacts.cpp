@@ -10,9 +10,24 @@
 namespace mrose {
 namespace {
 
-double shareOfPeriod(const Scenario& scenario, const WorldState& state, std::size_t robot) {
-    return static_cast<double>(state.tick + 1 - state.robots[robot].segment.startTick) /
-           static_cast<double>(scenario.periodOf(robot).ticks);
+constexpr double gravity = 9.81;  // m/s2
+
+double shareOfPeriod(const Scenario& scenario, const RobotState& robot, std::size_t index, std::int64_t tick) {
+    return static_cast<double>(tick - robot.segment.startTick) / static_cast<double>(scenario.periodOf(index).ticks);
+}
+
+/// Where a robot gets in this tick if nothing touches it.
+Recovery freeMotion(const Scenario& scenario, const WorldState& state, std::size_t index) {
+    const Scene& scene = scenario.scene();
+    const RobotState& robot = state.robots[index];
+    const double period = scenario.periodOf(index).seconds;
+    const double share = shareOfPeriod(scenario, robot, index, state.tick + 1);
+    if (!robot.pushed) return {at(robot.segment, share, period), false};
+    const PathPoint onWay = fromStart(robot.segment, shareOfPeriod(scenario, robot, index, state.tick), period);
+    const Shape& shape = *scene.typeOf(index).shape;
+    const double turnLever = 0.5 * shape.reach / std::max(1e-4, shape.gyration * shape.gyration);
+    return recover({robot.pose, robot.velocity_B}, onWay, fromStart(robot.segment, share, period),
+                   toSeconds(scene.tickLength), scene.environment.floor.traction * gravity, turnLever);
 }
 
 /// How far any point of a body gets between two poses, at most.
@@ -21,7 +36,8 @@ double travelOf(const Pose& from, const Pose& to, double reach) {
 }
 
 const Pose& plannedPose(const StepBuffers::Content& buffers, std::size_t body) {
-    return body < buffers.paths.size() ? buffers.paths[body].pose : buffers.objects[body - buffers.paths.size()].pose;
+    return body < buffers.paths.size() ? buffers.paths[body].point.pose
+                                       : buffers.objects[body - buffers.paths.size()].pose;
 }
 
 bool atRest(const ObjectState& object) { return object.velocity_W == Twist{} && object.roll_W == Point{}; }
@@ -115,20 +131,24 @@ void solve(const Scenario& scenario, const WorldState& state, StepBuffers::Conte
     }
 }
 
-void moveRobot(const Scenario& scenario, WorldState& state, std::size_t robot, const ContactOutcome& outcome) {
-    RobotState& r = state.robots[robot];
+void moveRobot(RobotState& r, const ContactOutcome& outcome) {
     r.pose = outcome.pose;
     const Point velocity = Placement(r.pose).rotateBack({outcome.velocity_W.x, outcome.velocity_W.y});
     r.velocity_B = {velocity.x, velocity.y, outcome.velocity_W.rotation};
-    moveTo(r.segment, shareOfPeriod(scenario, state, robot), r.pose);
+    r.pushed = true;
 }
 
 void commit(const Scenario& scenario, WorldState& state, StepBuffers::Content& buffers, StepTrace* trace) {
     const std::size_t robots = state.robots.size();
     for (std::size_t i = 0; i < robots; ++i) {
-        state.robots[i].pose = buffers.paths[i].pose;
-        state.robots[i].velocity_B = buffers.paths[i].velocity_B;
-        if (trace != nullptr) trace->robots[i].planned = buffers.paths[i].pose;
+        RobotState& robot = state.robots[i];
+        const auto& [point, recovering] = buffers.paths[i];
+        robot.pose = point.pose;
+        robot.velocity_B = point.velocity_B;
+        if (robot.pushed && !recovering)
+            moveTo(robot.segment, shareOfPeriod(scenario, robot, i, state.tick + 1), robot.pose);
+        robot.pushed = recovering;
+        if (trace != nullptr) trace->robots[i].planned = point.pose;
     }
     std::swap(state.objects, buffers.objects);
     for (std::size_t k = 0; k < buffers.task.bodies.size(); ++k) {
@@ -136,7 +156,7 @@ void commit(const Scenario& scenario, WorldState& state, StepBuffers::Content& b
         if (!outcome.moved) continue;
         const std::size_t body = buffers.task.bodies[k].body;
         if (body < robots) {
-            moveRobot(scenario, state, body, outcome);
+            moveRobot(state.robots[body], outcome);
             if (trace != nullptr) trace->robots[body].touched = true;
         } else {
             state.objects[body - robots].pose = outcome.pose;
@@ -153,10 +173,10 @@ void planFreeMotion(const Scenario& scenario, const WorldState& state, StepBuffe
     buffers.paths.resize(state.robots.size());
     buffers.swept.resize(state.robots.size() + state.objects.size());
     for (std::size_t i = 0; i < state.robots.size(); ++i) {
-        const RobotState& robot = state.robots[i];
-        buffers.paths[i] = at(robot.segment, shareOfPeriod(scenario, state, i), scenario.periodOf(i).seconds);
+        buffers.paths[i] = freeMotion(scenario, state, i);
+        const Pose& pose = state.robots[i].pose;
         const Shape& shape = *scene.typeOf(i).shape;
-        buffers.swept[i] = {&shape, robot.pose, travelOf(robot.pose, buffers.paths[i].pose, shape.reach)};
+        buffers.swept[i] = {&shape, pose, travelOf(pose, buffers.paths[i].point.pose, shape.reach)};
     }
     buffers.objects.clear();
     for (std::size_t i = 0; i < state.objects.size(); ++i) {

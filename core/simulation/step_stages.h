@@ -12,7 +12,7 @@ struct StepBuffers::Content {
     Decision decision;
     std::vector<MotionInput> inputs;
     std::vector<MotionStep> predictions;
-    std::vector<PathPoint> paths;      ///< of the robots at the tick's end, without touch
+    std::vector<Recovery> paths;       ///< of the robots at the tick's end, without touch
     std::vector<ObjectState> objects;  ///< likewise
     std::vector<SweptBody> swept;
     TouchSearch search;

@@ -10,25 +10,7 @@ namespace {
 // Up to here all pairs are tried, which is quicker than a grid.
 constexpr std::size_t fewBodies = 24;
 
-bool mayTouch(const SweptBody& a, const SweptBody& b, double limit) {
-    const Placement frameA(a.pose), frameB(b.pose);
-    for (const ConvexPiece& x : a.shape->pieces) {
-        const ConvexPiece placedX = placed(x, frameA);
-        for (const ConvexPiece& y : b.shape->pieces)
-            if (mayBeNearer(placedX, placed(y, frameB), limit)) return true;
-    }
-    return false;
-}
-
-bool mayTouch(const SweptBody& body, const ConvexPiece& obstacle, double limit) {
-    const double reach = body.shape->reach + obstacle.reach + limit;
-    const Point between = obstacle.centre - position(body.pose);
-    if (dot(between, between) > reach * reach) return false;
-    if (!mayBeNearer(ConvexPiece::circle(position(body.pose), body.shape->reach), obstacle, limit)) return false;
-    const Placement frame(body.pose);
-    return std::any_of(body.shape->pieces.begin(), body.shape->pieces.end(),
-                       [&](const ConvexPiece& piece) { return mayBeNearer(placed(piece, frame), obstacle, limit); });
-}
+constexpr std::uint32_t notPlaced = 0xffffffff;
 
 std::size_t hashOf(std::int32_t column, std::int32_t row, std::size_t mask) {
     const auto mixed = static_cast<std::uint32_t>(column) * 0x9E3779B1U ^ static_cast<std::uint32_t>(row) * 0x85EBCA77U;
@@ -37,12 +19,39 @@ std::size_t hashOf(std::int32_t column, std::int32_t row, std::size_t mask) {
 
 }  // namespace
 
+std::span<const ConvexPiece> TouchSearch::placedPieces(const SweptBody& body, std::uint32_t index) {
+    if (placedFrom_[index] == notPlaced) {
+        placedFrom_[index] = static_cast<std::uint32_t>(placed_.size());
+        const Placement frame(body.pose);
+        for (const ConvexPiece& piece : body.shape->pieces) placed_.push_back(placed(piece, frame));
+    }
+    return {placed_.data() + placedFrom_[index], body.shape->pieces.size()};
+}
+
 void TouchSearch::consider(std::span<const SweptBody> bodies, std::uint32_t a, std::uint32_t b) {
     const SweptBody &first = bodies[a], &second = bodies[b];
     const double limit = first.travel + second.travel + margin;
     const double reach = first.shape->reach + second.shape->reach + limit;
     const double dx = second.pose.x - first.pose.x, dy = second.pose.y - first.pose.y;
-    if (dx * dx + dy * dy <= reach * reach && mayTouch(first, second, limit)) bodyPairs_.push_back({a, b});
+    if (dx * dx + dy * dy > reach * reach) return;
+    placedPieces(first, a);  // placing the second may move the first's pieces in memory
+    const std::span<const ConvexPiece> theirs = placedPieces(second, b), own = placedPieces(first, a);
+    for (const ConvexPiece& x : own)
+        for (const ConvexPiece& y : theirs)
+            if (mayBeNearer(x, y, limit)) return bodyPairs_.push_back({a, b});
+}
+
+void TouchSearch::considerObstacle(const SweptBody& body, std::uint32_t index, std::uint32_t piece,
+                                   const ConvexPiece& obstacle) {
+    const double limit = body.travel + margin;
+    const Point centre = position(body.pose);
+    // How far the middle is outside the obstacle's edges tells most bodies apart from it.
+    double outside = length(obstacle.centre - centre) - obstacle.reach;
+    for (std::size_t i = 0; i < obstacle.count && !obstacle.isCircle(); ++i)
+        outside = std::max(outside, dot(obstacle.normals[i], centre - obstacle.corners[i]));
+    if (outside > body.shape->reach + limit) return;
+    for (const ConvexPiece& own : placedPieces(body, index))
+        if (mayBeNearer(own, obstacle, limit)) return obstaclePairs_.push_back({index, piece});
 }
 
 void TouchSearch::findNear(std::span<const SweptBody> bodies) {
@@ -86,15 +95,15 @@ void TouchSearch::findNearInGrid(std::span<const SweptBody> bodies) {
 void TouchSearch::find(std::span<const SweptBody> bodies, const ObstacleIndex& obstacles) {
     bodyPairs_.clear();
     obstaclePairs_.clear();
+    placed_.clear();
+    placedFrom_.assign(bodies.size(), notPlaced);
     if (bodies.size() <= fewBodies)
         findNear(bodies);
     else
         findNearInGrid(bodies);
     for (std::uint32_t i = 0; i < bodies.size(); ++i) {
         const SweptBody& body = bodies[i];
-        const auto tryPiece = [&](std::uint32_t piece) {
-            if (mayTouch(body, obstacles.pieces()[piece], body.travel + margin)) obstaclePairs_.push_back({i, piece});
-        };
+        const auto tryPiece = [&](std::uint32_t piece) { considerObstacle(body, i, piece, obstacles.pieces()[piece]); };
         if (body.shape->reach + body.travel + margin <= obstacles.margin()) {
             for (const std::uint32_t piece : obstacles.near(position(body.pose))) tryPiece(piece);
         } else {

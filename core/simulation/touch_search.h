@@ -37,8 +37,12 @@ private:
     void findNear(std::span<const SweptBody> bodies);
     void findNearInGrid(std::span<const SweptBody> bodies);
     void consider(std::span<const SweptBody> bodies, std::uint32_t a, std::uint32_t b);
+    void considerObstacle(const SweptBody& body, std::uint32_t index, std::uint32_t piece, const ConvexPiece& obstacle);
+    std::span<const ConvexPiece> placedPieces(const SweptBody& body, std::uint32_t index);
 
     std::vector<Pair> bodyPairs_, obstaclePairs_;
+    std::vector<ConvexPiece> placed_;        ///< of the bodies that came near something in this search
+    std::vector<std::uint32_t> placedFrom_;  ///< by body; notPlaced
     struct Cell {
         std::int32_t column, row;
         bool operator==(const Cell&) const = default;

@@ -14,7 +14,7 @@ namespace {
 const std::map<std::string, std::set<std::string>> allowedLayers{
     {"io", {}},
     {"geometry", {}},
-    {"world", {}},
+    {"world", {"geometry"}},
     {"learning", {}},
     {"logs", {"io", "geometry", "world"}},
     {"motion", {"io", "geometry", "world", "learning"}},
