@@ -27,6 +27,23 @@ double separation(const ConvexPiece& a, const ConvexPiece& b) {
     return std::max(edgeSeparation(a, b), edgeSeparation(b, a));
 }
 
+/// The gap between the pieces' shadows on a line along `axis`, from a to b.
+double gapAlong(const Point& axis, const ConvexPiece& a, const ConvexPiece& b) {
+    double most = -std::numeric_limits<double>::infinity(), least = -most;
+    for (std::size_t i = 0; i < a.count; ++i) most = std::max(most, dot(axis, a.corners[i]));
+    for (std::size_t i = 0; i < b.count; ++i) least = std::min(least, dot(axis, b.corners[i]));
+    return least - b.radius - (most + a.radius);
+}
+
+/// From a's corner nearest to the circle `b`, or a's centre, to b's; zero where they coincide.
+Point axisToCircle(const ConvexPiece& a, const ConvexPiece& b) {
+    Point best = b.centre - a.corners[0];
+    for (std::size_t i = 1; i < a.count; ++i)
+        if (const Point to = b.centre - a.corners[i]; dot(to, to) < dot(best, best)) best = to;
+    const double far = length(best);
+    return far > 0 ? (1 / far) * best : Point{};
+}
+
 double cornersToEdges(const ConvexPiece& corners, const ConvexPiece& edges) {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < corners.count; ++i)
@@ -103,6 +120,19 @@ bool mayBeNearer(const ConvexPiece& a, const ConvexPiece& b, double limit) {
     const Point between = b.centre - a.centre;
     if (dot(between, between) > reach * reach) return false;
     return separation(a, b) <= limit;
+}
+
+bool stayApart(const ConvexPiece& a0, const ConvexPiece& b0, const ConvexPiece& a1, const ConvexPiece& b1,
+               double slack) {
+    const auto divides = [&](const Point& axis) {
+        return gapAlong(axis, a0, b0) > slack && gapAlong(axis, a1, b1) > slack;
+    };
+    for (std::size_t i = 0; i < a0.count && !a0.isCircle(); ++i)
+        if (divides(a0.normals[i])) return true;
+    for (std::size_t i = 0; i < b0.count && !b0.isCircle(); ++i)
+        if (divides(-1 * b0.normals[i])) return true;
+    if (b0.isCircle()) return divides(axisToCircle(a0, b0));
+    return a0.isCircle() && divides(-1 * axisToCircle(b0, a0));
 }
 
 Shape Shape::fromParts(std::string name, std::vector<ShapePart> parts) {

@@ -30,16 +30,6 @@ Recovery freeMotion(const Scenario& scenario, const WorldState& state, std::size
                    toSeconds(scene.tickLength), scene.environment.floor.traction * gravity, turnLever);
 }
 
-/// How far any point of a body gets between two poses, at most.
-double travelOf(const Pose& from, const Pose& to, double reach) {
-    return distance(position(from), position(to)) + reach * std::abs(to.heading - from.heading);
-}
-
-const Pose& plannedPose(const StepBuffers::Content& buffers, std::size_t body) {
-    return body < buffers.paths.size() ? buffers.paths[body].point.pose
-                                       : buffers.objects[body - buffers.paths.size()].pose;
-}
-
 bool atRest(const ObjectState& object) { return object.velocity_W == Twist{} && object.roll_W == Point{}; }
 
 std::uint32_t rootOf(std::vector<std::uint32_t>& cluster, std::uint32_t body) {
@@ -70,7 +60,7 @@ ContactBody contactBody(const Scenario& scenario, const StepBuffers::Content& bu
             type.surface.friction,
             type.surface.restitution,
             buffers.swept[body].pose,
-            plannedPose(buffers, body)};
+            buffers.swept[body].planned};
 }
 
 void makeTask(const Scenario& scenario, const WorldState& state, StepBuffers::Content& buffers) {
@@ -83,16 +73,28 @@ void makeTask(const Scenario& scenario, const WorldState& state, StepBuffers::Co
     task.randomFactor = scenario.scene().randomFactor;
     task.seed = state.seed;
     task.tick = state.tick;
-    std::vector<std::uint32_t> bodies;
-    for (const auto& [a, b] : buffers.search.bodyPairs()) bodies.insert(bodies.end(), {a, b});
-    for (const auto& [body, piece] : buffers.search.obstaclePairs()) bodies.push_back(body);
+    // Clusters in which nobody meets anybody need no solver.
+    std::vector<std::uint32_t>& bodies = buffers.touching;
+    std::vector<bool>& meets = buffers.meets;
+    meets.assign(buffers.swept.size(), false);
+    bodies.clear();
+    for (const TouchSearch::Pair& pair : buffers.search.bodyPairs()) {
+        bodies.insert(bodies.end(), {pair.a, pair.b});
+        if (pair.meet) meets[rootOf(buffers.cluster, pair.a)] = true;
+    }
+    for (const TouchSearch::Pair& pair : buffers.search.obstaclePairs()) {
+        bodies.push_back(pair.a);
+        if (pair.meet) meets[rootOf(buffers.cluster, pair.a)] = true;
+    }
     std::sort(bodies.begin(), bodies.end());
     bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+    std::erase_if(bodies, [&](std::uint32_t body) { return !meets[rootOf(buffers.cluster, body)]; });
     for (const std::uint32_t body : bodies)
         task.bodies.push_back(contactBody(scenario, buffers, body, rootOf(buffers.cluster, body)));
     std::stable_sort(task.bodies.begin(), task.bodies.end(),
                      [](const ContactBody& a, const ContactBody& b) { return a.cluster < b.cluster; });
-    for (const auto& [body, piece] : buffers.search.obstaclePairs()) {
+    for (const auto& [body, piece, meet] : buffers.search.obstaclePairs()) {
+        if (!meets[rootOf(buffers.cluster, body)]) continue;
         const Surface& surface = scenario.obstacles().surfaceOf(piece);
         task.obstacles.push_back({piece, rootOf(buffers.cluster, body), surface.friction, surface.restitution});
     }
@@ -109,7 +111,7 @@ bool outranged(StepBuffers::Content& buffers) {
     for (std::size_t k = 0; k < buffers.task.bodies.size(); ++k) {
         if (!buffers.outcomes[k].moved) continue;
         SweptBody& body = buffers.swept[buffers.task.bodies[k].body];
-        const double travel = travelOf(body.pose, buffers.outcomes[k].pose, body.shape->reach);
+        const double travel = SweptBody::of(*body.shape, body.pose, buffers.outcomes[k].pose).travel;
         if (travel <= body.travel + TouchSearch::margin / 2) continue;
         body.travel = travel;
         any = true;
@@ -122,6 +124,7 @@ void solve(const Scenario& scenario, const WorldState& state, StepBuffers::Conte
     for (int round = 0; round < mostRounds; ++round) {
         makeTask(scenario, state, buffers);
         if (trace != nullptr) trace->contacts.clear();
+        if (buffers.task.bodies.empty()) return;
         solveContacts(buffers.task, state.contacts, buffers.impulses, buffers.outcomes,
                       trace != nullptr ? &trace->contacts : nullptr);
         if (!outranged(buffers)) return;
@@ -176,7 +179,7 @@ void planFreeMotion(const Scenario& scenario, const WorldState& state, StepBuffe
         buffers.paths[i] = freeMotion(scenario, state, i);
         const Pose& pose = state.robots[i].pose;
         const Shape& shape = *scene.typeOf(i).shape;
-        buffers.swept[i] = {&shape, pose, travelOf(pose, buffers.paths[i].point.pose, shape.reach)};
+        buffers.swept[i] = SweptBody::of(shape, pose, buffers.paths[i].point.pose);
     }
     buffers.objects.clear();
     for (std::size_t i = 0; i < state.objects.size(); ++i) {
@@ -192,8 +195,7 @@ void planFreeMotion(const Scenario& scenario, const WorldState& state, StepBuffe
                                       ? object
                                       : afterFloorMotion(object, type, scene.environment.floor,
                                                          1 + scene.randomFactor * u, toSeconds(scene.tickLength)));
-        buffers.swept[body] = {type.shape.get(), object.pose,
-                               travelOf(object.pose, buffers.objects[i].pose, type.shape->reach)};
+        buffers.swept[body] = SweptBody::of(*type.shape, object.pose, buffers.objects[i].pose);
     }
 }
 

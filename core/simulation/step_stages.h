@@ -16,7 +16,8 @@ struct StepBuffers::Content {
     std::vector<ObjectState> objects;  ///< likewise
     std::vector<SweptBody> swept;
     TouchSearch search;
-    std::vector<std::uint32_t> cluster;
+    std::vector<std::uint32_t> cluster, touching;
+    std::vector<bool> meets;
     ContactTask task;
     std::vector<ContactOutcome> outcomes;
     std::vector<ContactImpulse> impulses;

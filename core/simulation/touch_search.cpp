@@ -10,6 +10,12 @@ namespace {
 // Up to here all pairs are tried, which is quicker than a grid.
 constexpr std::size_t fewBodies = 24;
 
+/// How far a turning body's points get off their chords.
+double sagOf(const SweptBody& body) {
+    const double turn = body.planned.heading - body.pose.heading;
+    return body.shape->reach * turn * turn / 8;
+}
+
 constexpr std::uint32_t notPlaced = 0xffffffff;
 
 std::size_t hashOf(std::int32_t column, std::int32_t row, std::size_t mask) {
@@ -19,13 +25,20 @@ std::size_t hashOf(std::int32_t column, std::int32_t row, std::size_t mask) {
 
 }  // namespace
 
+SweptBody SweptBody::of(const Shape& shape, const Pose& pose, const Pose& planned) {
+    return {&shape, pose, planned,
+            distance(position(pose), position(planned)) + shape.reach * std::abs(planned.heading - pose.heading)};
+}
+
 std::span<const ConvexPiece> TouchSearch::placedPieces(const SweptBody& body, std::uint32_t index) {
     if (placedFrom_[index] == notPlaced) {
         placedFrom_[index] = static_cast<std::uint32_t>(placed_.size());
         const Placement frame(body.pose);
         for (const ConvexPiece& piece : body.shape->pieces) placed_.push_back(placed(piece, frame));
+        const Placement after(body.planned);
+        for (const ConvexPiece& piece : body.shape->pieces) placed_.push_back(placed(piece, after));
     }
-    return {placed_.data() + placedFrom_[index], body.shape->pieces.size()};
+    return {placed_.data() + placedFrom_[index], 2 * body.shape->pieces.size()};
 }
 
 void TouchSearch::consider(std::span<const SweptBody> bodies, std::uint32_t a, std::uint32_t b) {
@@ -36,9 +49,15 @@ void TouchSearch::consider(std::span<const SweptBody> bodies, std::uint32_t a, s
     if (dx * dx + dy * dy > reach * reach) return;
     placedPieces(first, a);  // placing the second may move the first's pieces in memory
     const std::span<const ConvexPiece> theirs = placedPieces(second, b), own = placedPieces(first, a);
-    for (const ConvexPiece& x : own)
-        for (const ConvexPiece& y : theirs)
-            if (mayBeNearer(x, y, limit)) return bodyPairs_.push_back({a, b});
+    const std::size_t x1 = own.size() / 2, y1 = theirs.size() / 2;
+    bool near = false, meet = false;
+    for (std::size_t x = 0; x < x1 && !meet; ++x)
+        for (std::size_t y = 0; y < y1 && !meet; ++y) {
+            if (!mayBeNearer(own[x], theirs[y], limit)) continue;
+            near = true;
+            meet = !stayApart(own[x], theirs[y], own[x1 + x], theirs[y1 + y], margin + sagOf(first) + sagOf(second));
+        }
+    if (near) bodyPairs_.push_back({a, b, meet});
 }
 
 void TouchSearch::considerObstacle(const SweptBody& body, std::uint32_t index, std::uint32_t piece,
@@ -50,8 +69,15 @@ void TouchSearch::considerObstacle(const SweptBody& body, std::uint32_t index, s
     for (std::size_t i = 0; i < obstacle.count && !obstacle.isCircle(); ++i)
         outside = std::max(outside, dot(obstacle.normals[i], centre - obstacle.corners[i]));
     if (outside > body.shape->reach + limit) return;
-    for (const ConvexPiece& own : placedPieces(body, index))
-        if (mayBeNearer(own, obstacle, limit)) return obstaclePairs_.push_back({index, piece});
+    const std::span<const ConvexPiece> own = placedPieces(body, index);
+    const std::size_t after = own.size() / 2;
+    bool near = false, meet = false;
+    for (std::size_t x = 0; x < after && !meet; ++x) {
+        if (!mayBeNearer(own[x], obstacle, limit)) continue;
+        near = true;
+        meet = !stayApart(own[x], obstacle, own[after + x], obstacle, margin + sagOf(body));
+    }
+    if (near) obstaclePairs_.push_back({index, piece, meet});
 }
 
 void TouchSearch::findNear(std::span<const SweptBody> bodies) {
@@ -89,7 +115,8 @@ void TouchSearch::findNearInGrid(std::span<const SweptBody> bodies) {
             for (std::int32_t column = cells_[a].column - 1; column <= cells_[a].column + 1; ++column)
                 for (const std::uint32_t b : bucket(hashOf(column, row, mask)))
                     if (b > a && cells_[b] == Cell{column, row}) consider(bodies, a, b);
-    std::sort(bodyPairs_.begin(), bodyPairs_.end());
+    std::sort(bodyPairs_.begin(), bodyPairs_.end(),
+              [](const Pair& p, const Pair& q) { return p.a != q.a ? p.a < q.a : p.b < q.b; });
 }
 
 void TouchSearch::find(std::span<const SweptBody> bodies, const ObstacleIndex& obstacles) {
