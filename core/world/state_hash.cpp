@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-// Compiled here, so that the hasher can live on the stack.
+// Compiled here: calls of few bytes are many.
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
@@ -13,61 +13,54 @@
 namespace mrose {
 namespace {
 
-class Hasher {
-public:
-    Hasher() { XXH3_64bits_reset(&state_); }
-    void add(const void* bytes, std::size_t size) { XXH3_64bits_update(&state_, bytes, size); }
+template <class T>
+std::uint64_t hashOfAll(const std::vector<T>& values) {
+    if constexpr (!std::is_same_v<T, std::byte>) static_assert(packed<T>);
+    return XXH3_64bits(values.data(), values.size() * sizeof(T));
+}
 
-    template <class T>
-    void add(const std::vector<T>& values) {
-        if constexpr (!std::is_same_v<T, std::byte>) static_assert(packed<T>);
-        if (!values.empty()) add(values.data(), values.size() * sizeof(T));
+/// Of the robots' fields, some robots at a time; each time begins with the hash so far.
+template <class F>
+std::uint64_t hashOfRobots(const std::vector<RobotState>& robots) {
+    constexpr std::size_t atOnce = 16;
+    std::array<char, sizeof(std::uint64_t) + atOnce * packedSize<RobotState, F>()> buffer;
+    std::uint64_t hash = 0;
+    for (std::size_t first = 0; first < robots.size(); first += atOnce) {
+        std::memcpy(buffer.data(), &hash, sizeof hash);
+        char* end = buffer.data() + sizeof hash;
+        for (std::size_t i = first; i < std::min(first + atOnce, robots.size()); ++i) end = pack<F>(robots[i], end);
+        hash = XXH3_64bits(buffer.data(), static_cast<std::size_t>(end - buffer.data()));
     }
-    /// The robots' fields, some robots at a time.
-    template <class F>
-    void addRobots(const std::vector<RobotState>& robots) {
-        constexpr std::size_t atOnce = 16;
-        std::array<char, atOnce * packedSize<RobotState, F>()> buffer;
-        for (std::size_t first = 0; first < robots.size(); first += atOnce) {
-            char* end = buffer.data();
-            for (std::size_t i = first; i < std::min(first + atOnce, robots.size()); ++i) end = pack<F>(robots[i], end);
-            add(buffer.data(), static_cast<std::size_t>(end - buffer.data()));
-        }
-    }
-    std::uint64_t digest() const { return XXH3_64bits_digest(&state_); }
+    return hash;
+}
 
-private:
-    XXH3_state_t state_;
-};
+template <std::size_t n>
+std::uint64_t combined(const std::uint64_t (&parts)[n]) {
+    return XXH3_64bits(parts, sizeof parts);
+}
 
 }  // namespace
 
 StateHash hashOf(const WorldState& state) {
-    Hasher world;
-    // Lengths go first, so that no two states are the same run of bytes.
-    const std::array<std::uint64_t, 8> head{static_cast<std::uint64_t>(state.tick),
-                                            state.seed,
-                                            state.robots.size(),
-                                            state.objects.size(),
-                                            state.contacts.size(),
-                                            state.kicks.size(),
-                                            state.goals.size(),
-                                            state.commands.size()};
-    world.add(head.data(), sizeof head);
-    world.addRobots<RobotWorldFields>(state.robots);
-    world.add(state.objects);
-    world.add(state.contacts);
-    world.add(state.kicks);
-    world.add(state.goals);
-    world.add(state.commands);
-
-    Hasher minds;
-    const std::array<std::uint64_t, 3> sizes{state.robots.size(), state.memory.size(), state.past.size()};
-    minds.add(sizes.data(), sizeof sizes);
-    minds.addRobots<RobotMindFields>(state.robots);
-    minds.add(state.memory);
-    minds.add(state.past);
-    return {world.digest(), minds.digest()};
+    // Lengths are hashed along with the arrays, so that no two states look alike by what lies where.
+    const std::uint64_t world[] = {static_cast<std::uint64_t>(state.tick),
+                                   state.seed,
+                                   state.robots.size(),
+                                   state.objects.size(),
+                                   state.contacts.size(),
+                                   state.kicks.size(),
+                                   state.goals.size(),
+                                   state.commands.size(),
+                                   hashOfRobots<RobotWorldFields>(state.robots),
+                                   hashOfAll(state.objects),
+                                   hashOfAll(state.contacts),
+                                   hashOfAll(state.kicks),
+                                   hashOfAll(state.goals),
+                                   hashOfAll(state.commands)};
+    const std::uint64_t minds[] = {state.robots.size(),     state.memory.size(),
+                                   state.past.size(),       hashOfRobots<RobotMindFields>(state.robots),
+                                   hashOfAll(state.memory), hashOfAll(state.past)};
+    return {combined(world), combined(minds)};
 }
 
 }  // namespace mrose
