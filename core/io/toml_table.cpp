@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "io/number_text.h"
 
@@ -29,6 +30,17 @@ const toml::node* TomlTable::find(std::string_view key) {
 }
 
 void TomlTable::reject(std::string_view key, std::string cause) { rejectAt(table_->get(key), key, std::move(cause)); }
+
+void TomlTable::rejectElement(std::string_view key, std::size_t index, std::string cause) {
+    const toml::node* node = table_->get(key);
+    const toml::array* array = node ? node->as_array() : nullptr;
+    const toml::node* element = array && index < array->size() ? array->get(index) : node;
+    rejectAt(element, std::string(key) + '[' + std::to_string(index) + ']', std::move(cause));
+}
+
+void TomlTable::adopt(Error error) {
+    if (!failed()) state_->error = std::move(error);
+}
 
 void TomlTable::rejectAt(const toml::node* node, std::string_view key, std::string cause) {
     if (failed()) return;
@@ -64,6 +76,10 @@ std::int64_t TomlTable::integer(std::string_view key, std::int64_t least, std::i
     return least;
 }
 
+std::int64_t TomlTable::integerOr(std::string_view key, std::int64_t fallback, std::int64_t least, std::int64_t most) {
+    return has(key) ? integer(key, least, most) : fallback;
+}
+
 bool TomlTable::boolean(std::string_view key) {
     const toml::node* node = find(key);
     if (!node) return false;
@@ -71,11 +87,17 @@ bool TomlTable::boolean(std::string_view key) {
     return node->value_or(false);
 }
 
+bool TomlTable::booleanOr(std::string_view key, bool fallback) { return has(key) ? boolean(key) : fallback; }
+
 std::string TomlTable::string(std::string_view key) {
     const toml::node* node = find(key);
     if (!node) return {};
     if (!node->is_string()) rejectAt(node, key, "expected a text in quotes");
     return node->value_or(std::string());
+}
+
+std::string TomlTable::stringOr(std::string_view key, std::string fallback) {
+    return has(key) ? string(key) : std::move(fallback);
 }
 
 std::size_t TomlTable::choice(std::string_view key, std::span<const std::string_view> choices) {
@@ -137,12 +159,32 @@ std::vector<double> TomlTable::matrix(std::string_view key, std::size_t rows, st
     return values;
 }
 
+std::vector<double> TomlTable::rows(std::string_view key, std::size_t columns, std::size_t least, std::size_t most,
+                                    NumberRange range) {
+    const toml::node* node = find(key);
+    const toml::array* array = node ? node->as_array() : nullptr;
+    if (node && (!array || array->size() < least || array->size() > most))
+        rejectAt(node, key,
+                 (array ? "has " + std::to_string(array->size()) + " elements; " : "") + "expected " +
+                     std::to_string(least) + " to " + std::to_string(most) + " arrays of " + std::to_string(columns) +
+                     " numbers");
+    std::vector<double> values;
+    if (!array || failed()) return values;
+    for (const toml::node& row : *array) appendRow(&row, key, columns, range, values);
+    return failed() ? std::vector<double>() : values;
+}
+
 TomlTable TomlTable::table(std::string_view key) {
     static const toml::table empty;
     const toml::node* node = find(key);
     const toml::table* found = node ? node->as_table() : nullptr;
     if (node && !found) rejectAt(node, key, "expected a table");
     return TomlTable(state_, found ? found : &empty, path_ + std::string(key) + '.');
+}
+
+TomlTable TomlTable::tableOrEmpty(std::string_view key) {
+    static const toml::table empty;
+    return has(key) ? table(key) : TomlTable(state_, &empty, path_ + std::string(key) + '.');
 }
 
 std::vector<TomlTable> TomlTable::tables(std::string_view key) {
@@ -159,6 +201,16 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) {
             rejectAt(array->get(i), name, "expected a table");
     }
     return found;
+}
+
+std::vector<TomlTable> TomlTable::tablesOrNone(std::string_view key) {
+    return has(key) ? tables(key) : std::vector<TomlTable>();
+}
+
+std::string TomlTable::text() const {
+    std::ostringstream text;
+    text << *table_;
+    return text.str();
 }
 
 void TomlTable::rejectUnknown() {

@@ -32,8 +32,11 @@ public:
     double number(std::string_view key, NumberRange range = {});
     double numberOr(std::string_view key, double fallback, NumberRange range = {});
     std::int64_t integer(std::string_view key, std::int64_t least, std::int64_t most);
+    std::int64_t integerOr(std::string_view key, std::int64_t fallback, std::int64_t least, std::int64_t most);
     bool boolean(std::string_view key);
+    bool booleanOr(std::string_view key, bool fallback);
     std::string string(std::string_view key);
+    std::string stringOr(std::string_view key, std::string fallback);
     /// One of `choices`; its index.
     std::size_t choice(std::string_view key, std::span<const std::string_view> choices);
     std::size_t choice(std::string_view key, std::initializer_list<std::string_view> choices) {
@@ -44,11 +47,22 @@ public:
     std::vector<double> numbers(std::string_view key, std::size_t count, NumberRange range = {});
     /// `rows` arrays of `columns` finite numbers each, one after the other.
     std::vector<double> matrix(std::string_view key, std::size_t rows, std::size_t columns, NumberRange range = {});
+    /// `least` to `most` arrays of `columns` finite numbers each, one after the other; empty after an error.
+    std::vector<double> rows(std::string_view key, std::size_t columns, std::size_t least, std::size_t most,
+                             NumberRange range = {});
     TomlTable table(std::string_view key);
+    TomlTable tableOrEmpty(std::string_view key);         ///< an empty one where the key is missing
     std::vector<TomlTable> tables(std::string_view key);  ///< an array of tables
+    std::vector<TomlTable> tablesOrNone(std::string_view key);
 
-    /// Remembers an error about a key of this table.
+    /// The table's own text in TOML.
+    std::string text() const;
+
+    /// Remembers an error about a key of this table, or about element `index` of the array that it holds.
     void reject(std::string_view key, std::string cause);
+    void rejectElement(std::string_view key, std::size_t index, std::string cause);
+    /// Remembers an error of another file, which this one needs.
+    void adopt(Error error);
     /// Rejects keys that nothing above asked for: most are misspelt.
     void rejectUnknown();
 

@@ -219,9 +219,9 @@ constexpr bool packed = std::is_trivially_copyable_v<T>&& packedSize<T>() == siz
 
 static_assert(packed<ObjectState> && packed<ContactImpulse> && packed<PendingKick> && packed<StampedCommand> &&
               packed<Pose> && packed<std::int32_t>);
-// These have padding: 7 bytes after each bool, 4 after the count of commands.
+// These have padding: 7 bytes after the bools at their ends, 3 after `pushed`.
 static_assert(packedSize<MotionSegment>() + 7 == sizeof(MotionSegment));
 static_assert(packedSize<SensorMemory>() + 7 == sizeof(SensorMemory));
-static_assert(packedSize<RobotState>() + 7 + 4 + 7 == sizeof(RobotState));
+static_assert(packedSize<RobotState>() + 7 + 3 + 7 == sizeof(RobotState));
 
 }  // namespace mrose

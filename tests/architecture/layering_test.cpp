@@ -24,7 +24,7 @@ const std::map<std::string, std::set<std::string>> allowedLayers{
     {"physics", {"geometry", "world"}},
     {"scene", {"geometry", "world", "motion"}},
     {"control", {"geometry", "world"}},
-    {"scenario", {"io", "geometry", "world", "motion", "physics", "scene", "control"}},
+    {"scenario", {"io", "geometry", "world", "logs", "motion", "physics", "scene", "control"}},
     {"sensing", {"geometry", "world", "scene", "control", "scenario"}},
     {"simulation", {"geometry", "world", "motion", "physics", "scene", "control", "scenario", "sensing"}},
 };

@@ -1,0 +1,135 @@
+#include "scenario/controller_file.h"
+
+#include "io/number_text.h"
+#include "scenario/controller_seam.h"
+#include "scenario/description_reader.h"
+#include "scenario/log_excerpt.h"
+
+namespace mrose {
+namespace {
+
+using File = DescriptionLibrary::File;
+
+constexpr NumberRange speeds{0, 20};
+constexpr NumberRange rotations{0, 3600};
+constexpr NumberRange runTime{0, 1e6};
+constexpr std::size_t mostTargets = 1000;
+
+/// Stands in for a plug-in that is not to be loaded: it decides nothing.
+class AbsentController final : public Controller {
+public:
+    void decide(const Observation&, std::span<std::byte>, Decision&) const override {}
+};
+
+struct Context {
+    TomlTable& table;
+    const File& from;
+    DescriptionLibrary& library;
+    bool plugins;
+};
+
+ControllerSetting velocityScript(const Context& context) {
+    std::vector<StampedCommand> commands;
+    for (TomlTable& row : context.table.tables("commands")) {
+        const Nanoseconds time = duration(row, "t_s", runTime);
+        const Command command{row.numberOr("v_mps", 0, {-20, 20}), angleOr(row, "w_degps", 0, {-3600, 3600})};
+        row.rejectUnknown();
+        if (!commands.empty() && time <= commands.back().time)
+            row.reject("t_s", "is not later than that of the command before");
+        commands.push_back({time, command});
+    }
+    return {std::make_shared<CommandPlayer>(std::move(commands)), std::nullopt};
+}
+
+ControllerSetting logPlayer(const Context& context) {
+    TomlTable& table = context.table;
+    LogExcerpt excerpt;
+    excerpt.reference = table.string("log");
+    excerpt.log = joinedName(context.from.name, excerpt.reference);
+    excerpt.robot = name(table, "robot");
+    excerpt.trajectory = nameOr(table, "trajectory", "");
+    excerpt.start = table.numberOr("start_s", 0, runTime);
+    if (table.failed()) return {};
+    const auto file = context.library.excerpt(excerpt);
+    if (!file) return table.adopt(file.error()), ControllerSetting{};
+    if (*file == nullptr) {
+        table.reject("log",
+                     '"' + excerpt.reference +
+                         "\" was not found; expected a log of that name beside this file, in the current folder or "
+                         "in the folder that MROSE_DATA names, or another one by --log");
+        return {};
+    }
+    auto content = parseExcerpt((*file)->text, (*file)->shown);
+    if (!content) return table.adopt(content.error()), ControllerSetting{};
+    return {std::make_shared<CommandPlayer>(std::move(content->commands)), content->start};
+}
+
+ControllerSetting goToPose(const Context& context) {
+    GoToPose::Options options;
+    TomlTable& table = context.table;
+    std::vector<TomlTable> targets = table.tables("targets");
+    if (targets.empty() || targets.size() > mostTargets) table.reject("targets", "expected 1 to 1000 poses");
+    for (const TomlTable& target : targets) options.targets.push_back(pose(target));
+    options.loop = table.booleanOr("loop", options.loop);
+    options.speed = table.numberOr("speed_mps", options.speed, speeds);
+    options.rotation = angleOr(table, "rotation_degps", options.rotation, rotations);
+    options.tolerance = table.numberOr("tolerance_m", options.tolerance, {0.001, 10});
+    options.headingTolerance = angleOr(table, "heading_tolerance_deg", options.headingTolerance, {0.1, 360});
+    return {std::make_shared<GoToPose>(std::move(options)), std::nullopt};
+}
+
+ControllerSetting chaseBall(const Context& context) {
+    ChaseBall::Options options;
+    TomlTable& table = context.table;
+    options.target = point(table, "target_m", metresFar);
+    options.speed = table.numberOr("speed_mps", options.speed, speeds);
+    options.rotation = angleOr(table, "rotation_degps", options.rotation, rotations);
+    options.kicks = table.booleanOr("kicks", options.kicks);
+    return {std::make_shared<ChaseBall>(std::move(options)), std::nullopt};
+}
+
+ControllerSetting wander(const Context& context) {
+    Wander::Options options;
+    TomlTable& table = context.table;
+    options.speed = table.numberOr("speed_mps", options.speed, speeds);
+    options.rotation = angleOr(table, "rotation_degps", options.rotation, rotations);
+    options.changeEvery = table.numberOr("change_every_s", options.changeEvery, {0.01, 1e6});
+    return {std::make_shared<Wander>(std::move(options)), std::nullopt};
+}
+
+ControllerSetting plugin(const Context& context) {
+    TomlTable& table = context.table;
+    const std::string library = table.string("library");
+    const std::string options = table.tableOrEmpty("options").text();
+    if (table.failed()) return {};
+    if (!context.plugins) return {std::make_shared<AbsentController>(), std::nullopt};
+    auto loaded = loadPlugin(context.library.shown(joinedName(context.from.name, library)), options);
+    if (!loaded) return table.adopt(loaded.error()), ControllerSetting{};
+    return {std::move(*loaded), std::nullopt};
+}
+
+struct Kind {
+    std::string_view name;
+    ControllerSetting (*read)(const Context&);
+};
+constexpr std::array kinds{
+    Kind{"velocity_script", velocityScript}, Kind{"log_player", logPlayer}, Kind{"go_to_pose", goToPose},
+    Kind{"chase_ball", chaseBall},           Kind{"wander", wander},        Kind{"plugin", plugin}};
+
+}  // namespace
+
+ControllerSetting readController(TomlTable table, const File& from, DescriptionLibrary& library, bool plugins) {
+    std::array<std::string_view, kinds.size()> names;
+    for (std::size_t i = 0; i < kinds.size(); ++i) names[i] = kinds[i].name;
+    const std::size_t kind = table.choice("kind", names);
+    if (table.failed()) return {};
+    ControllerSetting setting = kinds[kind].read({table, from, library, plugins});
+    table.rejectUnknown();
+    return setting;
+}
+
+std::shared_ptr<const Controller> noController() {
+    return std::make_shared<const CommandPlayer>(std::vector<StampedCommand>());
+}
+
+}  // namespace mrose

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "control/controller.h"
+#include "geometry/pose.h"
+#include "io/toml_table.h"
+#include "scenario/description_library.h"
+
+namespace mrose {
+
+/// What a scenario file says about who drives a robot. For .cpp files of loaders: it shows TomlTable.
+struct ControllerSetting {
+    std::shared_ptr<const Controller> controller;  ///< nothing after an error, which the table remembers
+    std::optional<Pose> logStart;                  ///< of a log player: where the real robot was
+};
+
+/// Reads `controller = { kind = ..., ... }` of the scenario `from`. resources/README.md lists the kinds and their
+/// options. Without `plugins` no shared library is loaded, and robots of plug-ins keep whatever they were told.
+ControllerSetting readController(TomlTable table, const DescriptionLibrary::File& from, DescriptionLibrary& library,
+                                 bool plugins);
+
+/// Of a robot that nobody drives: it stands.
+std::shared_ptr<const Controller> noController();
+
+}  // namespace mrose

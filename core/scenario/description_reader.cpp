@@ -1,0 +1,186 @@
+#include "scenario/description_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "io/number_text.h"
+
+namespace mrose {
+namespace {
+
+constexpr std::array<std::string_view, 4> formats{"mrose shape", "mrose environment", "mrose robot", "mrose scenario"};
+constexpr std::int64_t formatVersion = 1;
+
+std::optional<Colour> parseColour(std::string_view text) {
+    const auto hexadecimal = [](char c) {
+        return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
+    };
+    if (text.size() != 7 || text[0] != '#' || !std::all_of(text.begin() + 1, text.end(), hexadecimal))
+        return std::nullopt;
+    const auto value = std::stoul(std::string(text.substr(1)), nullptr, 16);
+    return Colour{static_cast<std::uint8_t>(value >> 16), static_cast<std::uint8_t>(value >> 8),
+                  static_cast<std::uint8_t>(value)};
+}
+
+/// The least distance between two parallel lines that hold all points between them, of which one lies along an edge.
+double width(const Polygon& corners) {
+    double least = metresFar;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Point edge = corners[(i + 1) % corners.size()] - corners[i];
+        double low = 0, high = 0;
+        for (const Point& p : corners) {
+            const double aside = cross(edge, p - corners[i]) / length(edge);
+            low = std::min(low, aside);
+            high = std::max(high, aside);
+        }
+        least = std::min(least, high - low);
+    }
+    return least;
+}
+
+double areaOf(const std::vector<Polygon>& pieces) {
+    double area = 0;
+    for (const Polygon& piece : pieces) area += signedArea(piece);
+    return area;
+}
+
+/// What is wrong with a polygon as something solid; "" for nothing. Its edges are long enough and do not meet.
+std::string solidityProblem(const Polygon& corners) {
+    if (width(corners) < leastLength) return "is thinner than 0.001 m";
+    const std::vector<Polygon> pieces = convexPieces(corners);
+    const double area = std::abs(signedArea(corners));
+    if (std::abs(areaOf(pieces) - area) > 1e-3 * area) return "is too thin in places to be divided into convex pieces";
+    for (const Polygon& piece : pieces)
+        if (width(piece) < 1e-4)
+            return "is thinner than 0.0001 m near (" + numberText(piece[0].x) + ", " + numberText(piece[0].y) + ')';
+    return {};
+}
+
+ShapePart circle(TomlTable table, double far) {
+    ShapePart part;
+    part.centre = pointOr(table, "centre_m", {}, far);
+    part.radius = table.number("radius_m", {leastLength, far});
+    table.rejectUnknown();
+    return part;
+}
+
+}  // namespace
+
+TomlTable openDescription(std::string_view text, const std::string& file, DescriptionKind kind) {
+    TomlTable root(text, file);
+    root.choice("format", {formats[static_cast<std::size_t>(kind)]});
+    root.integer("version", formatVersion, formatVersion);
+    return root;
+}
+
+Expected<DescriptionKind> descriptionKind(std::string_view text, const std::string& file) {
+    TomlTable root(text, file);
+    const auto kind = static_cast<DescriptionKind>(root.choice("format", formats));
+    if (root.failed()) return tl::unexpected(root.error());
+    return kind;
+}
+
+double radians(double degrees) { return degrees * (std::numbers::pi / 180); }
+
+double angle(TomlTable& table, std::string_view key, NumberRange degrees) {
+    return radians(table.number(key, degrees));
+}
+
+double angleOr(TomlTable& table, std::string_view key, double fallback, NumberRange degrees) {
+    return table.has(key) ? angle(table, key, degrees) : fallback;
+}
+
+Nanoseconds duration(TomlTable& table, std::string_view key, NumberRange seconds) {
+    return fromSeconds(table.number(key, seconds));
+}
+
+Nanoseconds durationOr(TomlTable& table, std::string_view key, Nanoseconds fallback, NumberRange seconds) {
+    return table.has(key) ? duration(table, key, seconds) : fallback;
+}
+
+Point point(TomlTable& table, std::string_view key, double far) {
+    const std::vector<double> values = table.numbers(key, 2, {-far, far});
+    return {values[0], values[1]};
+}
+
+Point pointOr(TomlTable& table, std::string_view key, const Point& fallback, double far) {
+    return table.has(key) ? point(table, key, far) : fallback;
+}
+
+Pose pose(TomlTable table) {
+    const NumberRange metres{-metresFar, metresFar};
+    const Pose pose{table.number("x_m", metres), table.number("y_m", metres),
+                    angleOr(table, "heading_deg", 0, {-360, 360})};
+    table.rejectUnknown();
+    return pose;
+}
+
+std::string name(TomlTable& table, std::string_view key) {
+    std::string text = table.string(key);
+    const auto printable = [](char c) { return static_cast<unsigned char>(c) >= 0x20 && c != 0x7f; };
+    if (!table.failed() && (text.empty() || text.size() > 64 || !std::all_of(text.begin(), text.end(), printable)))
+        table.reject(key, "expected a name of 1 to 64 printable characters");
+    return text;
+}
+
+std::string nameOr(TomlTable& table, std::string_view key, const std::string& fallback) {
+    return table.has(key) ? name(table, key) : fallback;
+}
+
+Colour colourOr(TomlTable& table, std::string_view key, const Colour& fallback) {
+    if (!table.has(key)) return fallback;
+    const std::string text = table.string(key);
+    const auto colour = parseColour(text);
+    if (!colour) table.reject(key, "expected a colour such as \"#3050c0\"");
+    return colour.value_or(fallback);
+}
+
+Surface surfaceOr(TomlTable& table, std::string_view key, const Surface& fallback) {
+    if (!table.has(key)) return fallback;
+    TomlTable inner = table.table(key);
+    const Surface surface{inner.numberOr("friction", fallback.friction, {0, 10}),
+                          inner.numberOr("restitution", fallback.restitution, {0, 1})};
+    inner.rejectUnknown();
+    return surface;
+}
+
+Polygon points(TomlTable& table, std::string_view key, std::size_t least, double far, bool closed) {
+    Polygon corners;
+    const std::vector<double> values = table.rows(key, 2, least, mostCorners, {-far, far});
+    for (std::size_t i = 0; i < values.size(); i += 2) corners.push_back({values[i], values[i + 1]});
+    for (std::size_t i = 0; i + (closed ? 0 : 1) < corners.size(); ++i)
+        if (distance(corners[i], corners[(i + 1) % corners.size()]) < leastLength)
+            table.rejectElement(key, i, "is nearer than 0.001 m to the next corner; edges need some length");
+    return table.failed() ? Polygon() : corners;
+}
+
+Polygon polygon(TomlTable& table, std::string_view key, double far) {
+    Polygon corners = points(table, key, 3, far, true);
+    if (corners.empty()) return corners;
+    if (const auto edges = selfIntersection(corners))
+        table.rejectElement(key, edges->second,
+                            "begins an edge that meets the edge from corner " + std::to_string(edges->first) +
+                                "; expected a simple polygon");
+    else if (const std::string problem = solidityProblem(corners); !problem.empty())
+        table.reject(key, problem);
+    return table.failed() ? Polygon() : corners;
+}
+
+ShapePart part(TomlTable& table, const Colour& colour, double far) {
+    const std::string called = nameOr(table, "name", "");
+    if (table.has("circle") == table.has("polygon_m"))
+        table.reject(table.has("circle") ? "circle" : "polygon_m",
+                     "expected either polygon_m = [[x, y], ...] or circle = { centre_m, radius_m }");
+    ShapePart part;
+    if (table.has("circle"))
+        part = circle(table.table("circle"), far);
+    else
+        part.polygon = polygon(table, "polygon_m", far);
+    part.name = called;
+    part.colour = colourOr(table, "colour", colour);
+    return part;
+}
+
+}  // namespace mrose

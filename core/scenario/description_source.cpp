@@ -1,0 +1,76 @@
+#include "scenario/description_source.h"
+
+#include "io/file.h"
+#include "io/number_text.h"
+#include "logs/log_reader.h"
+#include "scenario/log_excerpt.h"
+
+namespace mrose {
+namespace {
+
+bool isShipped(std::string_view name) { return name.starts_with(shippedPrefix); }
+
+std::string normal(const std::filesystem::path& path) { return path.lexically_normal().generic_string(); }
+
+}  // namespace
+
+std::string LogExcerpt::name() const {
+    std::string text = log + "#robot=" + robot;
+    if (!trajectory.empty()) text += ",trajectory=" + trajectory;
+    return text + ",start_s=" + numberText(start);
+}
+
+std::string joinedName(const std::string& from, const std::string& reference) {
+    const std::filesystem::path path(reference);
+    if (path.is_absolute() || isShipped(reference)) return reference;
+    if (isShipped(from)) {
+        const std::filesystem::path inner(from.substr(shippedPrefix.size()));
+        return std::string(shippedPrefix) + normal(inner.parent_path() / path);
+    }
+    return normal(std::filesystem::path(from).parent_path() / path);
+}
+
+std::string DiskDescriptions::shown(const std::string& name) const {
+    if (!isShipped(name)) return name;
+    return (options_.resources / name.substr(shippedPrefix.size())).string();
+}
+
+Expected<std::optional<std::string>> DiskDescriptions::text(const std::string& name) {
+    const std::filesystem::path path = shown(name);
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored)) return std::nullopt;
+    auto content = readFile(path);
+    if (!content) return tl::unexpected(content.error());
+    return std::move(*content);
+}
+
+Expected<const Log*> DiskDescriptions::log(const std::filesystem::path& path) {
+    if (const auto found = logs_.find(path); found != logs_.end()) return &found->second;
+    auto log = readLog(path);
+    if (!log) return tl::unexpected(log.error());
+    return &logs_.emplace(path, std::move(*log)).first->second;
+}
+
+Expected<std::optional<std::string>> DiskDescriptions::excerpt(const LogExcerpt& excerpt) {
+    std::vector<std::filesystem::path> places{shown(excerpt.log)};
+    for (const std::filesystem::path& folder : options_.logFolders) places.push_back(folder / excerpt.reference);
+    if (!options_.log.empty()) places = {options_.log};
+    for (const std::filesystem::path& place : places) {
+        std::error_code ignored;
+        if (!std::filesystem::exists(place, ignored) && options_.log.empty()) continue;
+        const auto found = log(place);
+        if (!found) return tl::unexpected(found.error());
+        auto text = excerptText(**found, excerpt);
+        if (!text) return tl::unexpected(text.error());
+        return std::move(*text);
+    }
+    return std::nullopt;
+}
+
+Expected<std::optional<std::string>> KeptDescriptions::text(const std::string& name) {
+    const auto found = texts_.find(name);
+    if (found == texts_.end()) return std::nullopt;
+    return found->second;
+}
+
+}  // namespace mrose

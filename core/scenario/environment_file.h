@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "io/error.h"
+#include "scene/environment.h"
+
+namespace mrose {
+
+/// An environment file's text (resources/README.md explains the keys). Walls become obstacles of one part for each of
+/// their segments, mitred where they bend. Error: file, line, column and key of the first thing wrong.
+Expected<Environment> parseEnvironment(std::string_view text, const std::string& file);
+
+}  // namespace mrose

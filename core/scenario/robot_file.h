@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "io/error.h"
+#include "motion/kinematic.h"
+#include "motion/learned_model.h"
+#include "scenario/description_library.h"
+#include "scene/robot_type.h"
+
+namespace mrose {
+
+/// What a robot file describes.
+struct RobotDescription {
+    RobotType type;
+    std::shared_ptr<const LearnedMotion> motion;       ///< learned; nothing where it moves by kinematics
+    std::string motionRobot;                           ///< which of the network's robots it is; "": the mean of them
+    std::shared_ptr<const KinematicModel> kinematics;  ///< nothing where it is learned
+
+    Nanoseconds controlPeriod() const { return motion ? motion->network().period : kinematics->period(); }
+};
+
+/// A robot file (resources/README.md explains the keys). Error: file, line, column and key of the first thing wrong, in
+/// it or in a file that it names.
+Expected<RobotDescription> readRobot(const DescriptionLibrary::File& file, DescriptionLibrary& library);
+
+}  // namespace mrose

@@ -1,0 +1,263 @@
+#include "scenario/scenario_file.h"
+
+#include <algorithm>
+#include <set>
+
+#include "io/number_text.h"
+#include "scenario/controller_file.h"
+#include "scenario/description_reader.h"
+#include "scenario/environment_file.h"
+#include "scenario/robot_file.h"
+#include "scenario/start_check.h"
+
+namespace mrose {
+namespace {
+
+using File = DescriptionLibrary::File;
+
+class ScenarioReader {
+public:
+    ScenarioReader(const File& file, DescriptionLibrary& library, const ScenarioLoading& loading)
+        : file_(file),
+          library_(library),
+          loading_(loading),
+          root_(openDescription(file.text, file.shown, DescriptionKind::scenario)) {}
+
+    Expected<ScenarioParts> read();
+
+private:
+    void readRun();
+    void readEnvironment();
+    void readRobot(TomlTable& table, bool person);
+    void readObject(TomlTable& table);
+    std::string bodyName(TomlTable& table);
+    const RobotDescription* robotDescription(TomlTable& table);
+    std::uint32_t typeIndex(const RobotDescription& robot, bool person);
+    std::uint32_t modelIndex(const RobotDescription& robot, const std::string& motionRobot);
+    std::string motionRobot(TomlTable& table, const RobotDescription& robot);
+    std::int64_t phase(TomlTable& table, const MotionModel& model);
+    ObjectType objectType(TomlTable& table);
+    std::uint32_t objectTypeIndex(ObjectType type);
+    void ballsFirst();
+    void checkStarts();
+
+    const File& file_;
+    DescriptionLibrary& library_;
+    const ScenarioLoading& loading_;
+    TomlTable root_;
+    ScenarioParts parts_;
+    Scene& scene_ = parts_.scene;
+    std::vector<TomlTable> robotTables_, objectTables_;  ///< of the scene's bodies
+    std::set<std::string> names_;
+    std::map<std::string, RobotDescription> descriptions_;
+    std::map<std::pair<const RobotDescription*, bool>, std::uint32_t> types_;
+    std::map<std::pair<const void*, std::string>, std::uint32_t> models_;
+};
+
+void ScenarioReader::readRun() {
+    parts_.name = name(root_, "name");
+    parts_.seed = static_cast<std::uint64_t>(root_.integerOr("seed", 1, 0, std::numeric_limits<std::int64_t>::max()));
+    parts_.duration = durationOr(root_, "duration_s", parts_.duration, {0.001, 1e6});
+    parts_.kickOff = root_.booleanOr("kick_off", parts_.kickOff);
+    scene_.tickLength = durationOr(root_, "tick_s", scene_.tickLength, {0.001, 0.1});
+    scene_.randomFactor = root_.numberOr("random_factor", 0, {0, 1});
+}
+
+void ScenarioReader::readEnvironment() {
+    const File* file = library_.file(root_, "environment", file_.name, "resources/environments");
+    if (file == nullptr) return;
+    auto environment = parseEnvironment(file->text, file->shown);
+    if (!environment) return root_.adopt(environment.error());
+    scene_.environment = std::move(*environment);
+}
+
+std::string ScenarioReader::bodyName(TomlTable& table) {
+    std::string called = name(table, "name");
+    if (!table.failed() && !names_.insert(called).second)
+        table.reject("name", '"' + called + "\" is the name of another robot, person or object too");
+    return called;
+}
+
+const RobotDescription* ScenarioReader::robotDescription(TomlTable& table) {
+    const File* file = library_.file(table, "type", file_.name, "resources/robots");
+    if (file == nullptr) return nullptr;
+    if (const auto found = descriptions_.find(file->name); found != descriptions_.end()) return &found->second;
+    auto robot = mrose::readRobot(*file, library_);
+    if (!robot) return table.adopt(robot.error()), nullptr;
+    return &descriptions_.emplace(file->name, std::move(*robot)).first->second;
+}
+
+std::uint32_t ScenarioReader::typeIndex(const RobotDescription& robot, bool person) {
+    const auto [type, added] =
+        types_.emplace(std::pair(&robot, person), static_cast<std::uint32_t>(scene_.robotTypes.size()));
+    if (added) {
+        scene_.robotTypes.push_back(robot.type);
+        scene_.robotTypes.back().person = person;
+    }
+    return type->second;
+}
+
+std::string ScenarioReader::motionRobot(TomlTable& table, const RobotDescription& robot) {
+    const std::string chosen = nameOr(table, "motion_robot", robot.motionRobot);
+    if (!table.has("motion_robot") || table.failed()) return chosen;
+    if (!robot.motion)
+        table.reject("motion_robot", "its robot file has no network to choose a robot of");
+    else if (robot.motion->inputs().robotIndex(chosen) < 0)
+        table.reject("motion_robot", "\"" + chosen + "\" is none of the network's robots");
+    return chosen;
+}
+
+std::uint32_t ScenarioReader::modelIndex(const RobotDescription& robot, const std::string& motionRobot) {
+    const void* const motion = robot.motion ? static_cast<const void*>(robot.motion.get()) : robot.kinematics.get();
+    const auto [model, added] =
+        models_.emplace(std::pair(motion, motionRobot), static_cast<std::uint32_t>(scene_.models.size()));
+    if (added && robot.motion)
+        scene_.models.push_back(std::make_shared<const LearnedModel>(robot.motion, motionRobot));
+    else if (added)
+        scene_.models.push_back(robot.kinematics);
+    return model->second;
+}
+
+/// Without a phase of its own each robot has one by the golden ratio: any number of them is spread over the period.
+std::int64_t ScenarioReader::phase(TomlTable& table, const MotionModel& model) {
+    const Nanoseconds tick = scene_.tickLength;
+    const std::int64_t ticks = model.period() / tick;
+    if (table.has("phase_s") && table.has("phase_share"))
+        table.reject("phase_share", "phase_s is there too; expected one of them");
+    if (table.has("phase_s")) {
+        const Nanoseconds phase = duration(table, "phase_s", {0, 10});
+        if (phase % tick != 0 || phase >= model.period())
+            table.reject("phase_s", "expected a multiple of tick_s below the control period of " +
+                                        numberText(toSeconds(model.period())));
+        return phase / tick;
+    }
+    const double golden = static_cast<double>(scene_.robots.size()) * 0.618033988749895;
+    const double share = table.numberOr("phase_share", golden - std::floor(golden), {0, 1});
+    return std::min(static_cast<std::int64_t>(share * static_cast<double>(ticks)), ticks - 1);
+}
+
+void ScenarioReader::readRobot(TomlTable& table, bool person) {
+    SceneRobot body;
+    body.name = bodyName(table);
+    const RobotDescription* robot = robotDescription(table);
+    if (robot == nullptr) return;
+    if (robot->controlPeriod() % scene_.tickLength != 0)
+        table.reject("type", "has a control period of " + numberText(toSeconds(robot->controlPeriod())) +
+                                 "; expected a multiple of tick_s = " + numberText(toSeconds(scene_.tickLength)));
+    body.type = typeIndex(*robot, person);
+    body.model = modelIndex(*robot, motionRobot(table, *robot));
+    ControllerSetting setting{noController(), std::nullopt};
+    if (table.has("controller")) setting = readController(table.table("controller"), file_, library_, loading_.plugins);
+    if (setting.logStart && !table.has("start"))
+        body.start = *setting.logStart;
+    else
+        body.start = pose(table.table("start"));
+    body.phase = phase(table, *scene_.models[body.model]);
+    table.rejectUnknown();
+    scene_.robots.push_back(std::move(body));
+    parts_.controllers.push_back(std::move(setting.controller));
+    robotTables_.push_back(table);
+}
+
+ObjectType ScenarioReader::objectType(TomlTable& table) {
+    ObjectType type;
+    type.rolls = table.has("kind") ? table.choice("kind", {"ball", "box"}) == 0 : true;
+    type.shape = library_.shape(table, "shape", file_.name);
+    type.mass = table.number("mass_kg", {0.001, 1e5});
+    type.surface = surfaceOr(table, "surface", type.surface);
+    if (type.rolls) type.inertia = table.numberOr("inertia", type.inertia, {0.01, 1});
+    if (!type.shape || !type.rolls) return type;
+    type.name = type.shape->name;
+    const bool round =
+        type.shape->parts.size() == 1 && type.shape->parts[0].polygon.empty() && type.shape->parts[0].centre == Point{};
+    if (!round) table.reject("shape", "is no circle about its reference point; expected one, for a ball");
+    return type;
+}
+
+std::uint32_t ScenarioReader::objectTypeIndex(ObjectType type) {
+    if (type.shape) type.name = type.shape->name;
+    const auto same = [&](const ObjectType& other) {
+        return other.shape == type.shape && other.mass == type.mass && other.surface == type.surface &&
+               other.rolls == type.rolls && other.inertia == type.inertia;
+    };
+    const auto found = std::find_if(scene_.objectTypes.begin(), scene_.objectTypes.end(), same);
+    const auto index = static_cast<std::uint32_t>(found - scene_.objectTypes.begin());
+    if (found == scene_.objectTypes.end()) scene_.objectTypes.push_back(std::move(type));
+    return index;
+}
+
+void ScenarioReader::readObject(TomlTable& table) {
+    SceneObject object;
+    object.name = bodyName(table);
+    object.type = objectTypeIndex(objectType(table));
+    object.start = pose(table.table("start"));
+    if (table.has("velocity")) {
+        TomlTable velocity = table.table("velocity");
+        object.velocity_W = {velocity.numberOr("x_mps", 0, {-20, 20}), velocity.numberOr("y_mps", 0, {-20, 20}),
+                             angleOr(velocity, "rotation_degps", 0, {-3600, 3600})};
+        velocity.rejectUnknown();
+    }
+    table.rejectUnknown();
+    scene_.objects.push_back(std::move(object));
+    objectTables_.push_back(table);
+}
+
+/// Robots know the ball as object 0.
+void ScenarioReader::ballsFirst() {
+    std::vector<std::size_t> order(scene_.objects.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::stable_partition(order.begin(), order.end(), [&](std::size_t i) { return scene_.typeOfObject(i).rolls; });
+    std::vector<SceneObject> objects;
+    std::vector<TomlTable> tables;
+    for (const std::size_t i : order) {
+        objects.push_back(scene_.objects[i]);
+        tables.push_back(objectTables_[i]);
+    }
+    scene_.objects = std::move(objects);
+    objectTables_ = std::move(tables);
+}
+
+void ScenarioReader::checkStarts() {
+    const auto overlap = findStartOverlap(scene_);
+    if (!overlap) return;
+    const std::size_t robots = scene_.robots.size();
+    const auto bodyName = [&](std::size_t body) {
+        return '"' + (body < robots ? scene_.robots[body].name : scene_.objects[body - robots].name) + '"';
+    };
+    TomlTable& table = overlap->body < robots ? robotTables_[overlap->body] : objectTables_[overlap->body - robots];
+    const std::string other = overlap->other
+                                  ? bodyName(*overlap->other)
+                                  : "the obstacle \"" + scene_.environment.obstacles[overlap->obstacle].name + '"';
+    const double millimetres = std::ceil(overlap->depth * 1000);
+    table.reject("start", bodyName(overlap->body) + " overlaps " + other + " by about " +
+                              std::to_string(static_cast<int>(millimetres)) + " mm; expected room between them");
+}
+
+Expected<ScenarioParts> ScenarioReader::read() {
+    readRun();
+    readEnvironment();
+    for (const auto& [key, person] : {std::pair("robot", false), std::pair("person", true)})
+        for (TomlTable& table : root_.tablesOrNone(key))
+            if (!root_.failed()) readRobot(table, person);
+    for (TomlTable& table : root_.tablesOrNone("object"))
+        if (!root_.failed()) readObject(table);
+    root_.rejectUnknown();
+    if (!root_.failed()) ballsFirst();
+    if (!root_.failed()) checkStarts();
+    if (root_.failed()) return tl::unexpected(root_.error());
+    return std::move(parts_);
+}
+
+}  // namespace
+
+Expected<LoadedScenario> loadScenario(const std::string& name, DescriptionSource& source,
+                                      const ScenarioLoading& loading) {
+    DescriptionLibrary library(source);
+    const auto file = library.file(name, "resources/scenarios");
+    if (!file) return tl::unexpected(file.error());
+    auto parts = ScenarioReader(**file, library, loading).read();
+    if (!parts) return tl::unexpected(parts.error());
+    return LoadedScenario{(*file)->name, std::move(*parts), library.texts()};
+}
+
+}  // namespace mrose

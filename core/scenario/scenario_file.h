@@ -1,0 +1,30 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "io/error.h"
+#include "scenario/description_source.h"
+#include "scenario/scenario.h"
+
+namespace mrose {
+
+/// A scenario with all texts that say what it is: KeptDescriptions of them under the same name give it again, without
+/// any disk.
+struct LoadedScenario {
+    std::string name;  ///< of its own text
+    ScenarioParts parts;
+    std::map<std::string, std::string> texts;
+};
+
+struct ScenarioLoading {
+    /// False: shared libraries are not loaded, and robots of plug-ins keep whatever command is in force: for replays.
+    bool plugins = true;
+};
+
+/// Loads the scenario file called `name` (resources/README.md explains the keys), or the one of that name that ships,
+/// with every file that it names. Error: file, line, column and key of the first thing wrong in any of them.
+Expected<LoadedScenario> loadScenario(const std::string& name, DescriptionSource& source,
+                                      const ScenarioLoading& loading = {});
+
+}  // namespace mrose

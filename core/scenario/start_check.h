@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "scene/scene.h"
+
+namespace mrose {
+
+/// Bodies that do not fit beside one another at the start.
+struct StartOverlap {
+    std::size_t body = 0;              ///< the later one in the scene
+    std::optional<std::size_t> other;  ///< the other body, or ...
+    std::size_t obstacle = 0;          ///< ... this obstacle
+    double depth = 0;                  ///< m
+};
+
+/// A pair that overlaps by more than `tolerance` at the start; nothing where all fit. Quick where many bodies overlap,
+/// too.
+std::optional<StartOverlap> findStartOverlap(const Scene& scene, double tolerance = 1e-4);
+
+}  // namespace mrose
