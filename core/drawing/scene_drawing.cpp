@@ -48,14 +48,6 @@ void addShape(SvgDrawing& drawing, const Shape& shape, const Placement& at, cons
     }
 }
 
-/// The colour under the reference point.
-Colour colourAtOrigin(const Shape& shape) {
-    for (const ShapePart& part : shape.parts)
-        if (part.polygon.empty() ? length(part.centre) <= part.radius : contains(part.polygon, Point{}))
-            return part.colour;
-    return white;
-}
-
 /// How far the shape reaches ahead of its reference point.
 double front(const Shape& shape) {
     double most = 0;
@@ -132,9 +124,8 @@ void addBody(SvgDrawing& drawing, const Shape& shape, const Pose& pose, bool hea
     const Placement at(pose);
     addShape(drawing, shape, at, options);
     if (!heading) return;
-    const Colour colour = contrast(colourAtOrigin(shape));
-    drawing.arrow(at.place({}), at.place({0.95 * front(shape), 0}), colour);
-    drawing.dot(at.place({}), 2.2, {.fill = colour});
+    drawing.arrow(at.place({}), at.place({std::max(front(shape), shape.reach), 0}), black);
+    drawing.dot(at.place({}), 3, {.fill = black, .stroke = white});
 }
 
 }  // namespace

@@ -130,10 +130,16 @@ private:
         const Point along = (1 / size) * (to - from), aside{-along.y, along.x};
         const double head = std::min(10.0, size / 2);
         const Point neck = to - head * along, left = neck + head / 2.6 * aside, right = neck - head / 2.6 * aside;
-        const std::string colour = hexadecimal(*mark.style.stroke);
-        return cat("<path d=\"M", px(from.x), " ", px(from.y), "L", px(neck.x), " ", px(neck.y), "\" stroke=\"", colour,
-                   "\" stroke-width=\"2\"/><path d=\"M", px(to.x), " ", px(to.y), "L", px(left.x), " ", px(left.y), "L",
-                   px(right.x), " ", px(right.y), "Z\" fill=\"", colour, "\"/>\n");
+        const std::string shaft = cat("M", px(from.x), " ", px(from.y), "L", px(neck.x), " ", px(neck.y));
+        const std::string tip = cat("M", px(to.x), " ", px(to.y), "L", px(left.x), " ", px(left.y), "L", px(right.x),
+                                    " ", px(right.y), "Z");
+        const auto part = [](const std::string& d, const std::string& fill, const std::string& stroke, double wide) {
+            return cat("<path d=\"", d, "\" fill=\"", fill, "\" stroke=\"", stroke, "\" stroke-width=\"", px(wide),
+                       "\"/>");
+        };
+        const std::string colour = hexadecimal(*mark.style.stroke), halo = "#ffffff";
+        return part(shaft, "none", halo, 4.5) + part(tip, halo, halo, 3) + part(shaft, "none", colour, 2) +
+               part(tip, colour, "none", 0) + '\n';
     }
 
     Point least_;

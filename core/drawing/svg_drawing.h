@@ -33,7 +33,7 @@ public:
     void circle(const Point& centre, double radius, const Style& style);
     /// A pixel size however large the picture is.
     void dot(const Point& centre, double pixels, const Style& style);
-    /// An arrow with a filled head.
+    /// An arrow with a filled head, with a halo.
     void arrow(const Point& from, const Point& to, const Colour& colour);
     /// Text with a halo, its middle so many pixels below a point.
     void label(const Point& at, double below, std::string_view text);

@@ -7,17 +7,14 @@
 namespace mrose {
 namespace {
 
-/// Largest distance of `b`'s corners from one of `a`'s edges, seen from outside: a lower bound of the distance of the
-/// polygons, or minus their depth.
+/// How far `b` lies outside the edge of `a` that it is farthest from: a lower bound of the distance of the polygons, or
+/// minus their depth.
 double edgeSeparation(const ConvexPiece& a, const ConvexPiece& b) {
     double most = -std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < a.count; ++i) {
-        const Point &from = a.corners[i], &to = a.corners[(i + 1) % a.count];
-        const Point edge = to - from;
-        const Point outward = (1 / length(edge)) * Point{edge.y, -edge.x};
         double least = std::numeric_limits<double>::infinity();
-        for (std::size_t j = 0; j < b.count; ++j) least = std::min(least, dot(outward, b.corners[j] - from));
-        most = std::max(most, least);
+        for (std::size_t j = 0; j < b.count; ++j) least = std::min(least, dot(a.normals[i], b.corners[j]));
+        most = std::max(most, least - dot(a.normals[i], a.corners[i]));
     }
     return most;
 }
@@ -28,6 +25,23 @@ double separation(const ConvexPiece& a, const ConvexPiece& b) {
     if (a.isCircle()) return edgeSeparation(b, a) - radii;
     if (b.isCircle()) return edgeSeparation(a, b) - radii;
     return std::max(edgeSeparation(a, b), edgeSeparation(b, a));
+}
+
+/// The gap between the pieces' shadows on a line along `axis`, from a to b.
+double gapAlong(const Point& axis, const ConvexPiece& a, const ConvexPiece& b) {
+    double most = -std::numeric_limits<double>::infinity(), least = -most;
+    for (std::size_t i = 0; i < a.count; ++i) most = std::max(most, dot(axis, a.corners[i]));
+    for (std::size_t i = 0; i < b.count; ++i) least = std::min(least, dot(axis, b.corners[i]));
+    return least - b.radius - (most + a.radius);
+}
+
+/// From a's corner nearest to the circle `b`, or a's centre, to b's; zero where they coincide.
+Point axisToCircle(const ConvexPiece& a, const ConvexPiece& b) {
+    Point best = b.centre - a.corners[0];
+    for (std::size_t i = 1; i < a.count; ++i)
+        if (const Point to = b.centre - a.corners[i]; dot(to, to) < dot(best, best)) best = to;
+    const double far = length(best);
+    return far > 0 ? (1 / far) * best : Point{};
 }
 
 double cornersToEdges(const ConvexPiece& corners, const ConvexPiece& edges) {
@@ -67,6 +81,10 @@ ConvexPiece ConvexPiece::polygon(const Polygon& corners) {
     }
     piece.centre = 0.5 * (least + most);
     for (const Point& p : corners) piece.reach = std::max(piece.reach, mrose::distance(piece.centre, p));
+    for (std::size_t i = 0; i < piece.count; ++i) {
+        const Point edge = piece.corners[(i + 1) % piece.count] - piece.corners[i];
+        piece.normals[i] = (1 / length(edge)) * Point{edge.y, -edge.x};
+    }
     return piece;
 }
 
@@ -80,7 +98,10 @@ ConvexPiece ConvexPiece::circle(const Point& centre, double radius) {
 
 ConvexPiece placed(const ConvexPiece& piece, const Placement& placement) {
     ConvexPiece result = piece;
-    for (std::size_t i = 0; i < piece.count; ++i) result.corners[i] = placement.place(piece.corners[i]);
+    for (std::size_t i = 0; i < piece.count; ++i) {
+        result.corners[i] = placement.place(piece.corners[i]);
+        result.normals[i] = placement.rotate(piece.normals[i]);
+    }
     result.centre = placement.place(piece.centre);
     return result;
 }
@@ -98,7 +119,20 @@ bool mayBeNearer(const ConvexPiece& a, const ConvexPiece& b, double limit) {
     const double reach = a.reach + b.reach + limit;
     const Point between = b.centre - a.centre;
     if (dot(between, between) > reach * reach) return false;
-    return separation(a, b) <= limit && distance(a, b) <= limit;
+    return separation(a, b) <= limit;
+}
+
+bool stayApart(const ConvexPiece& a0, const ConvexPiece& b0, const ConvexPiece& a1, const ConvexPiece& b1,
+               double slack) {
+    const auto divides = [&](const Point& axis) {
+        return gapAlong(axis, a0, b0) > slack && gapAlong(axis, a1, b1) > slack;
+    };
+    for (std::size_t i = 0; i < a0.count && !a0.isCircle(); ++i)
+        if (divides(a0.normals[i])) return true;
+    for (std::size_t i = 0; i < b0.count && !b0.isCircle(); ++i)
+        if (divides(-1 * b0.normals[i])) return true;
+    if (b0.isCircle()) return divides(axisToCircle(a0, b0));
+    return a0.isCircle() && divides(-1 * axisToCircle(b0, a0));
 }
 
 Shape Shape::fromParts(std::string name, std::vector<ShapePart> parts) {

@@ -20,6 +20,7 @@ struct ConvexPiece {
     static constexpr std::size_t maxCorners = 8;
 
     std::array<Point, maxCorners> corners{};  ///< counter-clockwise
+    std::array<Point, maxCorners> normals{};  ///< outward, length 1, of the edge from corner i to the next
     std::size_t count = 0;
     double radius = 0;  ///< of a circle, about its only corner; 0 for polygons
     Point centre;       ///< of a circle that holds the piece
@@ -36,8 +37,13 @@ ConvexPiece placed(const ConvexPiece& piece, const Placement& placement);
 /// The distance between two pieces in one frame; negative where they overlap: the least depth along an edge's normal.
 double distance(const ConvexPiece& a, const ConvexPiece& b);
 
-/// Whether they may be nearer than `limit`, answered quickly: never wrongly no.
+/// Whether they may be nearer than `limit`, answered quickly: never wrongly no, and wrongly yes only corner to corner.
 bool mayBeNearer(const ConvexPiece& a, const ConvexPiece& b, double limit);
+
+/// Whether a line keeps two pieces more than `slack` apart both before (a0, b0) and after (a1, b1) they moved: then
+/// they stay apart on any straight way between, too.
+bool stayApart(const ConvexPiece& a0, const ConvexPiece& b0, const ConvexPiece& a1, const ConvexPiece& b1,
+               double slack);
 
 /// A polygon or a circle of one colour.
 struct ShapePart {

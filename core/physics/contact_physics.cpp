@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <optional>
 #include <tuple>
+#include <utility>
 
 #include <box2d/box2d.h>
 
@@ -19,12 +21,18 @@ constexpr std::size_t bodiesPerWorld = 64;
 // Box2D limits a step to 2 units and a quarter turn.
 constexpr double longestMove = 1.5, largestTurn = 1.2;
 constexpr int velocityIterations = 8, positionIterations = 3;
+// A light body squeezed between heavy ones needs more: each iteration leaves heavy / (heavy + light) of the error.
+constexpr int squeezedIterations = 40;
+constexpr double light = 0.25;
 // Below this speed (units/s) bounces are dead: 5 cm/s.
 constexpr float bounceThreshold = 0.5F;
 // A path that differs by less than this (units) is the planned one, rounded to float.
 constexpr float onPlan = 3e-4F;
-// A body that moves farther than this (units) in a step needs continuous collision with other moving ones: 2 cm.
-constexpr double farMove = 0.2;
+// A body that moves farther than this (m) in a step needs continuous collision with other moving ones too.
+constexpr double farMove = 0.02;
+// Continuous collision takes a quarter of a step's time. Bodies that only lean on what they touched before do without,
+// and those that would come less deep (m) into something new, which the solver presses out again.
+constexpr double shallow = 0.002;
 
 using Key = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t>;
 Key keyOf(const ContactImpulse& c) { return {c.bodyA, c.pieceA, c.bodyB, c.pieceB, c.feature}; }
@@ -51,7 +59,12 @@ public:
         world_.SetAllowSleeping(false);
         world_.SetContactFilter(this);
         world_.SetContactListener(this);
-        steps_ = stepsNeeded(lastBody);
+        moves_.reserve(lastBody - firstBody);
+        bodies_.reserve(lastBody - firstBody);
+        for (std::size_t i = firstBody; i < lastBody; ++i) moves_.push_back(plannedMove(task.bodies[i]));
+        steps_ = stepsNeeded();
+        iterations_ = iterationsNeeded(lastBody, firstObstacle, lastObstacle);
+        world_.SetContinuousPhysics(mayTunnel(lastBody, firstObstacle, lastObstacle));
         stepLength_ = static_cast<float>(task.duration / steps_);
         // Box2D scales saved impulses by the ratio of this step's length to the last one's, which it must first know.
         world_.Step(stepLength_, 0, 0);
@@ -61,7 +74,7 @@ public:
 
     void solve(std::span<ContactOutcome> outcomes) {
         for (int i = 0; i < steps_; ++i) {
-            world_.Step(stepLength_, velocityIterations, positionIterations);
+            world_.Step(stepLength_, iterations_, positionIterations);
             warm_ = false;
         }
         for (std::size_t i = 0; i < bodies_.size(); ++i) outcomes[first_ + i] = outcomeOf(bodies_[i], first_ + i);
@@ -100,24 +113,91 @@ private:
         return {std::round(body.pose.x / grid) * grid, std::round(body.pose.y / grid) * grid};
     }
 
-    static Point middle(const Pose& pose, const Point& centre) { return Placement(pose).place(centre); }
+    /// How far a body's centre of mass is planned to go.
+    static Point plannedMove(const ContactBody& b) {
+        const Point move = position(b.planned) - position(b.pose);
+        if (b.centre == Point{}) return move;
+        return move + Placement(b.planned).rotate(b.centre) - Placement(b.pose).rotate(b.centre);
+    }
 
-    int stepsNeeded(std::size_t lastBody) const {
+    int stepsNeeded() const {
         double steps = 1;
+        for (std::size_t i = 0; i < moves_.size(); ++i) {
+            const ContactBody& b = task_.bodies[first_ + i];
+            const double turn = std::abs(b.planned.heading - b.pose.heading);
+            steps = std::max({steps, length(moves_[i]) * unitsPerMetre / longestMove, turn / largestTurn});
+        }
+        return static_cast<int>(std::ceil(std::min(steps, 1000.0)));
+    }
+
+    int iterationsNeeded(std::size_t lastBody, std::size_t firstObstacle, std::size_t lastObstacle) const {
+        for (std::size_t i = first_, end = first_; i < lastBody; i = end) {
+            double least = task_.bodies[i].mass, most = least;
+            for (; end < lastBody && task_.bodies[end].cluster == task_.bodies[i].cluster; ++end) {
+                least = std::min(least, task_.bodies[end].mass);
+                most = std::max(most, task_.bodies[end].mass);
+            }
+            const std::uint32_t cluster = task_.bodies[i].cluster;
+            const bool byObstacle = std::any_of(task_.obstacles.begin() + static_cast<std::ptrdiff_t>(firstObstacle),
+                                                task_.obstacles.begin() + static_cast<std::ptrdiff_t>(lastObstacle),
+                                                [&](const ContactObstacle& o) { return o.cluster == cluster; });
+            if (end - i + (byObstacle ? 1 : 0) >= 3 && least < light * most) return squeezedIterations;
+        }
+        return velocityIterations;
+    }
+
+    /// Held between two others in the tick before.
+    bool squeezed(std::uint32_t body) const {
+        std::optional<std::pair<std::uint32_t, std::uint32_t>> partner;
+        for (const ContactImpulse& c : before_) {
+            if (c.bodyA != body && c.bodyB != body) continue;
+            const auto other = c.bodyA == body ? std::pair{c.bodyB, c.bodyB == noBody ? c.pieceB : 0}
+                                               : std::pair{c.bodyA, c.bodyA == noBody ? c.pieceA : 0};
+            if (partner && *partner != other) return true;
+            partner = other;
+        }
+        return false;
+    }
+
+    /// What a body's mass is multiplied by: the solver lets heavy bodies sink into a light one that they hold.
+    double massFactor(const ContactBody& body) const {
+        double heaviest = 0;
+        for (const ContactBody& other : task_.bodies)
+            if (other.cluster == body.cluster) heaviest = std::max(heaviest, other.mass);
+        return body.mass < light * heaviest && squeezed(body.body) ? light * heaviest / body.mass : 1;
+    }
+
+    bool touchedBefore(std::uint32_t body, std::uint32_t obstacle) const {
+        return std::any_of(before_.begin(), before_.end(), [&](const ContactImpulse& c) {
+            return (c.bodyA == body && c.bodyB == noBody && c.pieceB == obstacle) ||
+                   (c.bodyB == body && c.bodyA == noBody && c.pieceA == obstacle);
+        });
+    }
+
+    bool mayTunnel(std::size_t lastBody, std::size_t firstObstacle, std::size_t lastObstacle) const {
         for (std::size_t i = first_; i < lastBody; ++i) {
             const ContactBody& b = task_.bodies[i];
-            const double move = distance(middle(b.pose, b.centre), middle(b.planned, b.centre)) * unitsPerMetre;
-            const double turn = std::abs(b.planned.heading - b.pose.heading);
-            steps = std::max({steps, std::ceil(move / longestMove), std::ceil(turn / largestTurn)});
+            if (length(moves_[i - first_]) > farMove) return true;
+            for (std::size_t k = firstObstacle; k < lastObstacle; ++k) {
+                const std::uint32_t piece = task_.obstacles[k].piece;
+                if (task_.obstacles[k].cluster != b.cluster || touchedBefore(b.body, piece)) continue;
+                const Placement planned(b.planned);
+                const ConvexPiece& obstacle = task_.obstacleShape->prepared().pieces[piece];
+                const auto deep = [&](const ConvexPiece& own) {
+                    return mayBeNearer(placed(own, planned), obstacle, -shallow);
+                };
+                const std::vector<ConvexPiece>& pieces = b.shape->prepared().pieces;
+                if (std::any_of(pieces.begin(), pieces.end(), deep)) return true;
+            }
         }
-        return static_cast<int>(std::min(steps, 1000.0));
+        return false;
     }
 
     void addBody(std::size_t index) {
         const ContactBody& b = task_.bodies[index];
         if (index == first_ || b.cluster != task_.bodies[index - 1].cluster) origin_ = originOf(b);
         const auto duration = static_cast<float>(task_.duration);
-        const Point move = middle(b.planned, b.centre) - middle(b.pose, b.centre);
+        const Point& move = moves_[index - first_];
         Body entry;
         entry.origin = origin_;
         entry.angle = static_cast<float>(wrapAngle(b.pose.heading));
@@ -127,7 +207,7 @@ private:
         definition.type = b2_dynamicBody;
         definition.position = {units(b.pose.x - origin_.x), units(b.pose.y - origin_.y)};
         definition.angle = entry.angle;
-        definition.bullet = length(move) * unitsPerMetre > farMove;
+        definition.bullet = length(move) > farMove;
         entry.planned = {units(b.planned.x - origin_.x), units(b.planned.y - origin_.y)};
         entry.plannedAngle = entry.angle + static_cast<float>(b.planned.heading - b.pose.heading);
         entry.body = world_.CreateBody(&definition);
@@ -135,11 +215,13 @@ private:
         for (std::uint32_t piece = 0; piece < shape.shapes.size(); ++piece)
             addFixture(*entry.body, shape.shape(piece), {static_cast<std::uint32_t>(index), piece}, b.friction,
                        b.restitution);
+        const double factor = massFactor(b);
         b2MassData mass;
-        mass.mass = static_cast<float>(b.mass);
+        mass.mass = static_cast<float>(factor * b.mass);
         mass.center = {units(b.centre.x), units(b.centre.y)};
         // Box2D wants the moment about the body's origin, in its units.
-        mass.I = static_cast<float>((b.inertia + b.mass * dot(b.centre, b.centre)) * unitsPerMetre * unitsPerMetre);
+        mass.I =
+            static_cast<float>(factor * (b.inertia + b.mass * dot(b.centre, b.centre)) * unitsPerMetre * unitsPerMetre);
         entry.body->SetMassData(&mass);
         entry.body->SetLinearVelocity(entry.velocity);
         entry.body->SetAngularVelocity(entry.rotation);
@@ -220,6 +302,8 @@ private:
             if (found == before_.end() || keyOf(*found) != keyOf(impulse)) continue;
             manifold.points[i].normalImpulse = found->normal;
             manifold.points[i].tangentImpulse = found->tangent;
+            // Who leans on something does not bounce off it, though the wheels drive it there anew in every tick.
+            contact->SetRestitution(0);
         }
     }
 
@@ -281,9 +365,10 @@ private:
     std::span<const ContactImpulse> before_;
     std::size_t first_;
     b2World world_;
+    std::vector<Point> moves_;  ///< of the centres of mass, m
     std::vector<Body> bodies_;
     Point origin_;
-    int steps_ = 1;
+    int steps_ = 1, iterations_ = velocityIterations;
     float stepLength_ = 0.02F;
     bool warm_ = true;  ///< in the first step only
 };

@@ -38,7 +38,8 @@ struct Goal {
 };
 
 struct Floor {
-    double slidingFriction = 0.3;      ///< coefficient
+    double slidingFriction = 0.3;      ///< coefficient, of balls and boxes
+    double traction = 0.6;             ///< coefficient, of driven wheels: how hard robots can push
     double rollingDeceleration = 0.4;  ///< m/s2
     Colour colour{52, 120, 71};
     Polygon area;  ///< drawn; empty: what the obstacles span

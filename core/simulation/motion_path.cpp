@@ -1,5 +1,6 @@
 #include "simulation/motion_path.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace mrose {
@@ -8,36 +9,45 @@ namespace {
 Twist operator*(double factor, const Twist& t) { return {factor * t.x, factor * t.y, factor * t.rotation}; }
 Twist operator+(const Twist& a, const Twist& b) { return {a.x + b.x, a.y + b.y, a.rotation + b.rotation}; }
 
-/// The right Jacobian of SE(2) at p (Sola, Deray, Atchuthan 2018, eq. 163): body velocity = J p'.
-struct RightJacobian {
+/// What exponential and right Jacobian of SE(2) at a rotation r are made of, by one sine and cosine.
+struct ArcTerms {
     double along, across;  ///< sin(r)/r, (1 - cos(r))/r
-    double fromRotationX, fromRotationY;
+    double lag, bend;      ///< (r - sin(r))/r2, (1 - cos(r))/r2
 
-    explicit RightJacobian(const Twist& p) {
-        const double r = p.rotation;
-        double left;  // (r - sin(r)) / r2
+    explicit ArcTerms(double r) {
         if (std::abs(r) < 1e-3) {
             along = 1 - r * r / 6;
-            across = r / 2 * (1 - r * r / 12);
-            left = r / 6 * (1 - r * r / 20);
+            lag = r / 6 * (1 - r * r / 20);
+            bend = 0.5 - r * r / 24;
         } else {
-            const double sine = std::sin(r), half = std::sin(r / 2);
+            const double s = std::sin(r / 2), c = std::cos(r / 2), sine = 2 * s * c;
             along = sine / r;
-            across = 2 * half * half / r;
-            left = (r - sine) / (r * r);
+            lag = (r - sine) / (r * r);
+            bend = 2 * s * s / (r * r);
         }
-        const double right = std::abs(r) < 1e-3 ? 0.5 - r * r / 24 : across / r;  // (1 - cos(r)) / r2
-        fromRotationX = left * p.x - right * p.y;
-        fromRotationY = right * p.x + left * p.y;
+        across = bend * r;
     }
 
+    Point displacement(const Twist& p) const { return {along * p.x - across * p.y, across * p.x + along * p.y}; }
+};
+
+/// The right Jacobian of SE(2) at p (Sola, Deray, Atchuthan 2018, eq. 163): body velocity = J p'.
+struct RightJacobian {
+    double along, across;
+    Point fromRotation;
+
+    RightJacobian(const Twist& p, const ArcTerms& terms)
+        : along(terms.along),
+          across(terms.across),
+          fromRotation{terms.lag * p.x - terms.bend * p.y, terms.bend * p.x + terms.lag * p.y} {}
+
     Twist apply(const Twist& rate) const {
-        return {along * rate.x + across * rate.y + fromRotationX * rate.rotation,
-                along * rate.y - across * rate.x + fromRotationY * rate.rotation, rate.rotation};
+        return {along * rate.x + across * rate.y + fromRotation.x * rate.rotation,
+                along * rate.y - across * rate.x + fromRotation.y * rate.rotation, rate.rotation};
     }
     Twist solve(const Twist& velocity) const {
-        const double x = velocity.x - fromRotationX * velocity.rotation;
-        const double y = velocity.y - fromRotationY * velocity.rotation;
+        const double x = velocity.x - fromRotation.x * velocity.rotation;
+        const double y = velocity.y - fromRotation.y * velocity.rotation;
         const double squared = along * along + across * across;
         return {(along * x - across * y) / squared, (along * y + across * x) / squared, velocity.rotation};
     }
@@ -66,8 +76,8 @@ MotionSegment beginSegment(const Pose& pose, const Twist& velocity_B, const Moti
     segment.increment = predicted.increment;
     segment.logarithm = log(predicted.increment);
     segment.startRate = {period * velocity_B.x, 0, period * velocity_B.rotation};
-    segment.endRate =
-        RightJacobian(segment.logarithm).solve({period * predicted.velocity.v, 0, period * predicted.velocity.w});
+    segment.endRate = RightJacobian(segment.logarithm, ArcTerms(segment.logarithm.rotation))
+                          .solve({period * predicted.velocity.v, 0, period * predicted.velocity.w});
     segment.endVelocity = predicted.velocity;
     segment.unperturbed = predicted.unperturbed;
     segment.hasUnperturbed = true;
@@ -81,15 +91,40 @@ MotionSegment restAt(const Pose& pose, std::int64_t tick) {
     return segment;
 }
 
-PathPoint at(const MotionSegment& segment, double share, double period) {
-    if (share >= 1) return {segment.start * segment.increment, {segment.endVelocity.v, 0, segment.endVelocity.w}};
+PathPoint fromStart(const MotionSegment& segment, double share, double period) {
+    if (share >= 1) return {segment.increment, {segment.endVelocity.v, 0, segment.endVelocity.w}};
     const LogPoint p = logAt(segment, share);
-    return {segment.start * exp(p.value), (1 / period) * RightJacobian(p.value).apply(p.rate)};
+    const ArcTerms terms(p.value.rotation);
+    const Point moved = terms.displacement(p.value);
+    return {{moved.x, moved.y, p.value.rotation}, (1 / period) * RightJacobian(p.value, terms).apply(p.rate)};
+}
+
+PathPoint at(const MotionSegment& segment, double share, double period) {
+    PathPoint point = fromStart(segment, share, period);
+    point.pose = segment.start * point.pose;
+    return point;
+}
+
+Recovery recover(const PathPoint& now, const PathPoint& onWay, const PathPoint& next, double duration, double traction,
+                 double turnLever) {
+    // How much faster it is than its way, in the body's frame, which turns little within a tick.
+    Point slip{now.velocity_B.x - onWay.velocity_B.x, now.velocity_B.y - onWay.velocity_B.y};
+    double turn = now.velocity_B.rotation - onWay.velocity_B.rotation;
+    const double speed = length(slip), lost = traction * duration;
+    slip = speed > lost ? (1 - lost / speed) * slip : Point{};
+    turn = std::copysign(std::max(0.0, std::abs(turn) - lost * turnLever), turn);
+    Recovery result{next, !(slip == Point{}) || turn != 0};
+    const Pose way = relative(onWay.pose, next.pose);
+    result.point.pose =
+        now.pose * Pose{way.x + slip.x * duration, way.y + slip.y * duration, way.heading + turn * duration};
+    result.point.velocity_B.x += slip.x;
+    result.point.velocity_B.y += slip.y;
+    result.point.velocity_B.rotation += turn;
+    return result;
 }
 
 void moveTo(MotionSegment& segment, double share, const Pose& pose) {
-    const Pose done = share >= 1 ? segment.increment : exp(logAt(segment, share).value);
-    segment.start = pose * inverse(done);
+    segment.start = pose * inverse(fromStart(segment, share, 1).pose);
 }
 
 }  // namespace mrose

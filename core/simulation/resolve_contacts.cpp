@@ -10,18 +10,24 @@
 namespace mrose {
 namespace {
 
-double shareOfPeriod(const Scenario& scenario, const WorldState& state, std::size_t robot) {
-    return static_cast<double>(state.tick + 1 - state.robots[robot].segment.startTick) /
-           static_cast<double>(scenario.periodOf(robot).ticks);
+constexpr double gravity = 9.81;  // m/s2
+
+double shareOfPeriod(const Scenario& scenario, const RobotState& robot, std::size_t index, std::int64_t tick) {
+    return static_cast<double>(tick - robot.segment.startTick) / static_cast<double>(scenario.periodOf(index).ticks);
 }
 
-/// How far any point of a body gets between two poses, at most.
-double travelOf(const Pose& from, const Pose& to, double reach) {
-    return distance(position(from), position(to)) + reach * std::abs(to.heading - from.heading);
-}
-
-const Pose& plannedPose(const StepBuffers::Content& buffers, std::size_t body) {
-    return body < buffers.paths.size() ? buffers.paths[body].pose : buffers.objects[body - buffers.paths.size()].pose;
+/// Where a robot gets in this tick if nothing touches it.
+Recovery freeMotion(const Scenario& scenario, const WorldState& state, std::size_t index) {
+    const Scene& scene = scenario.scene();
+    const RobotState& robot = state.robots[index];
+    const double period = scenario.periodOf(index).seconds;
+    const double share = shareOfPeriod(scenario, robot, index, state.tick + 1);
+    if (!robot.pushed) return {at(robot.segment, share, period), false};
+    const PathPoint onWay = fromStart(robot.segment, shareOfPeriod(scenario, robot, index, state.tick), period);
+    const Shape& shape = *scene.typeOf(index).shape;
+    const double turnLever = 0.5 * shape.reach / std::max(1e-4, shape.gyration * shape.gyration);
+    return recover({robot.pose, robot.velocity_B}, onWay, fromStart(robot.segment, share, period),
+                   toSeconds(scene.tickLength), scene.environment.floor.traction * gravity, turnLever);
 }
 
 bool atRest(const ObjectState& object) { return object.velocity_W == Twist{} && object.roll_W == Point{}; }
@@ -54,7 +60,7 @@ ContactBody contactBody(const Scenario& scenario, const StepBuffers::Content& bu
             type.surface.friction,
             type.surface.restitution,
             buffers.swept[body].pose,
-            plannedPose(buffers, body)};
+            buffers.swept[body].planned};
 }
 
 void makeTask(const Scenario& scenario, const WorldState& state, StepBuffers::Content& buffers) {
@@ -67,16 +73,28 @@ void makeTask(const Scenario& scenario, const WorldState& state, StepBuffers::Co
     task.randomFactor = scenario.scene().randomFactor;
     task.seed = state.seed;
     task.tick = state.tick;
-    std::vector<std::uint32_t> bodies;
-    for (const auto& [a, b] : buffers.search.bodyPairs()) bodies.insert(bodies.end(), {a, b});
-    for (const auto& [body, piece] : buffers.search.obstaclePairs()) bodies.push_back(body);
+    // Clusters in which nobody meets anybody need no solver.
+    std::vector<std::uint32_t>& bodies = buffers.touching;
+    std::vector<bool>& meets = buffers.meets;
+    meets.assign(buffers.swept.size(), false);
+    bodies.clear();
+    for (const TouchSearch::Pair& pair : buffers.search.bodyPairs()) {
+        bodies.insert(bodies.end(), {pair.a, pair.b});
+        if (pair.meet) meets[rootOf(buffers.cluster, pair.a)] = true;
+    }
+    for (const TouchSearch::Pair& pair : buffers.search.obstaclePairs()) {
+        bodies.push_back(pair.a);
+        if (pair.meet) meets[rootOf(buffers.cluster, pair.a)] = true;
+    }
     std::sort(bodies.begin(), bodies.end());
     bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+    std::erase_if(bodies, [&](std::uint32_t body) { return !meets[rootOf(buffers.cluster, body)]; });
     for (const std::uint32_t body : bodies)
         task.bodies.push_back(contactBody(scenario, buffers, body, rootOf(buffers.cluster, body)));
     std::stable_sort(task.bodies.begin(), task.bodies.end(),
                      [](const ContactBody& a, const ContactBody& b) { return a.cluster < b.cluster; });
-    for (const auto& [body, piece] : buffers.search.obstaclePairs()) {
+    for (const auto& [body, piece, meet] : buffers.search.obstaclePairs()) {
+        if (!meets[rootOf(buffers.cluster, body)]) continue;
         const Surface& surface = scenario.obstacles().surfaceOf(piece);
         task.obstacles.push_back({piece, rootOf(buffers.cluster, body), surface.friction, surface.restitution});
     }
@@ -93,7 +111,7 @@ bool outranged(StepBuffers::Content& buffers) {
     for (std::size_t k = 0; k < buffers.task.bodies.size(); ++k) {
         if (!buffers.outcomes[k].moved) continue;
         SweptBody& body = buffers.swept[buffers.task.bodies[k].body];
-        const double travel = travelOf(body.pose, buffers.outcomes[k].pose, body.shape->reach);
+        const double travel = SweptBody::of(*body.shape, body.pose, buffers.outcomes[k].pose).travel;
         if (travel <= body.travel + TouchSearch::margin / 2) continue;
         body.travel = travel;
         any = true;
@@ -106,6 +124,7 @@ void solve(const Scenario& scenario, const WorldState& state, StepBuffers::Conte
     for (int round = 0; round < mostRounds; ++round) {
         makeTask(scenario, state, buffers);
         if (trace != nullptr) trace->contacts.clear();
+        if (buffers.task.bodies.empty()) return;
         solveContacts(buffers.task, state.contacts, buffers.impulses, buffers.outcomes,
                       trace != nullptr ? &trace->contacts : nullptr);
         if (!outranged(buffers)) return;
@@ -115,20 +134,24 @@ void solve(const Scenario& scenario, const WorldState& state, StepBuffers::Conte
     }
 }
 
-void moveRobot(const Scenario& scenario, WorldState& state, std::size_t robot, const ContactOutcome& outcome) {
-    RobotState& r = state.robots[robot];
+void moveRobot(RobotState& r, const ContactOutcome& outcome) {
     r.pose = outcome.pose;
     const Point velocity = Placement(r.pose).rotateBack({outcome.velocity_W.x, outcome.velocity_W.y});
     r.velocity_B = {velocity.x, velocity.y, outcome.velocity_W.rotation};
-    moveTo(r.segment, shareOfPeriod(scenario, state, robot), r.pose);
+    r.pushed = true;
 }
 
 void commit(const Scenario& scenario, WorldState& state, StepBuffers::Content& buffers, StepTrace* trace) {
     const std::size_t robots = state.robots.size();
     for (std::size_t i = 0; i < robots; ++i) {
-        state.robots[i].pose = buffers.paths[i].pose;
-        state.robots[i].velocity_B = buffers.paths[i].velocity_B;
-        if (trace != nullptr) trace->robots[i].planned = buffers.paths[i].pose;
+        RobotState& robot = state.robots[i];
+        const auto& [point, recovering] = buffers.paths[i];
+        robot.pose = point.pose;
+        robot.velocity_B = point.velocity_B;
+        if (robot.pushed && !recovering)
+            moveTo(robot.segment, shareOfPeriod(scenario, robot, i, state.tick + 1), robot.pose);
+        robot.pushed = recovering;
+        if (trace != nullptr) trace->robots[i].planned = point.pose;
     }
     std::swap(state.objects, buffers.objects);
     for (std::size_t k = 0; k < buffers.task.bodies.size(); ++k) {
@@ -136,7 +159,7 @@ void commit(const Scenario& scenario, WorldState& state, StepBuffers::Content& b
         if (!outcome.moved) continue;
         const std::size_t body = buffers.task.bodies[k].body;
         if (body < robots) {
-            moveRobot(scenario, state, body, outcome);
+            moveRobot(state.robots[body], outcome);
             if (trace != nullptr) trace->robots[body].touched = true;
         } else {
             state.objects[body - robots].pose = outcome.pose;
@@ -153,10 +176,10 @@ void planFreeMotion(const Scenario& scenario, const WorldState& state, StepBuffe
     buffers.paths.resize(state.robots.size());
     buffers.swept.resize(state.robots.size() + state.objects.size());
     for (std::size_t i = 0; i < state.robots.size(); ++i) {
-        const RobotState& robot = state.robots[i];
-        buffers.paths[i] = at(robot.segment, shareOfPeriod(scenario, state, i), scenario.periodOf(i).seconds);
+        buffers.paths[i] = freeMotion(scenario, state, i);
+        const Pose& pose = state.robots[i].pose;
         const Shape& shape = *scene.typeOf(i).shape;
-        buffers.swept[i] = {&shape, robot.pose, travelOf(robot.pose, buffers.paths[i].pose, shape.reach)};
+        buffers.swept[i] = SweptBody::of(shape, pose, buffers.paths[i].point.pose);
     }
     buffers.objects.clear();
     for (std::size_t i = 0; i < state.objects.size(); ++i) {
@@ -172,8 +195,7 @@ void planFreeMotion(const Scenario& scenario, const WorldState& state, StepBuffe
                                       ? object
                                       : afterFloorMotion(object, type, scene.environment.floor,
                                                          1 + scene.randomFactor * u, toSeconds(scene.tickLength)));
-        buffers.swept[body] = {type.shape.get(), object.pose,
-                               travelOf(object.pose, buffers.objects[i].pose, type.shape->reach)};
+        buffers.swept[body] = SweptBody::of(*type.shape, object.pose, buffers.objects[i].pose);
     }
 }
 

@@ -12,11 +12,12 @@ struct StepBuffers::Content {
     Decision decision;
     std::vector<MotionInput> inputs;
     std::vector<MotionStep> predictions;
-    std::vector<PathPoint> paths;      ///< of the robots at the tick's end, without touch
+    std::vector<Recovery> paths;       ///< of the robots at the tick's end, without touch
     std::vector<ObjectState> objects;  ///< likewise
     std::vector<SweptBody> swept;
     TouchSearch search;
-    std::vector<std::uint32_t> cluster;
+    std::vector<std::uint32_t> cluster, touching;
+    std::vector<bool> meets;
     ContactTask task;
     std::vector<ContactOutcome> outcomes;
     std::vector<ContactImpulse> impulses;

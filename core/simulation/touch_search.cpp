@@ -10,25 +10,13 @@ namespace {
 // Up to here all pairs are tried, which is quicker than a grid.
 constexpr std::size_t fewBodies = 24;
 
-bool mayTouch(const SweptBody& a, const SweptBody& b, double limit) {
-    const Placement frameA(a.pose), frameB(b.pose);
-    for (const ConvexPiece& x : a.shape->pieces) {
-        const ConvexPiece placedX = placed(x, frameA);
-        for (const ConvexPiece& y : b.shape->pieces)
-            if (mayBeNearer(placedX, placed(y, frameB), limit)) return true;
-    }
-    return false;
+/// How far a turning body's points get off their chords.
+double sagOf(const SweptBody& body) {
+    const double turn = body.planned.heading - body.pose.heading;
+    return body.shape->reach * turn * turn / 8;
 }
 
-bool mayTouch(const SweptBody& body, const ConvexPiece& obstacle, double limit) {
-    const double reach = body.shape->reach + obstacle.reach + limit;
-    const Point between = obstacle.centre - position(body.pose);
-    if (dot(between, between) > reach * reach) return false;
-    if (!mayBeNearer(ConvexPiece::circle(position(body.pose), body.shape->reach), obstacle, limit)) return false;
-    const Placement frame(body.pose);
-    return std::any_of(body.shape->pieces.begin(), body.shape->pieces.end(),
-                       [&](const ConvexPiece& piece) { return mayBeNearer(placed(piece, frame), obstacle, limit); });
-}
+constexpr std::uint32_t notPlaced = 0xffffffff;
 
 std::size_t hashOf(std::int32_t column, std::int32_t row, std::size_t mask) {
     const auto mixed = static_cast<std::uint32_t>(column) * 0x9E3779B1U ^ static_cast<std::uint32_t>(row) * 0x85EBCA77U;
@@ -37,12 +25,59 @@ std::size_t hashOf(std::int32_t column, std::int32_t row, std::size_t mask) {
 
 }  // namespace
 
+SweptBody SweptBody::of(const Shape& shape, const Pose& pose, const Pose& planned) {
+    return {&shape, pose, planned,
+            distance(position(pose), position(planned)) + shape.reach * std::abs(planned.heading - pose.heading)};
+}
+
+std::span<const ConvexPiece> TouchSearch::placedPieces(const SweptBody& body, std::uint32_t index) {
+    if (placedFrom_[index] == notPlaced) {
+        placedFrom_[index] = static_cast<std::uint32_t>(placed_.size());
+        const Placement frame(body.pose);
+        for (const ConvexPiece& piece : body.shape->pieces) placed_.push_back(placed(piece, frame));
+        const Placement after(body.planned);
+        for (const ConvexPiece& piece : body.shape->pieces) placed_.push_back(placed(piece, after));
+    }
+    return {placed_.data() + placedFrom_[index], 2 * body.shape->pieces.size()};
+}
+
 void TouchSearch::consider(std::span<const SweptBody> bodies, std::uint32_t a, std::uint32_t b) {
     const SweptBody &first = bodies[a], &second = bodies[b];
     const double limit = first.travel + second.travel + margin;
     const double reach = first.shape->reach + second.shape->reach + limit;
     const double dx = second.pose.x - first.pose.x, dy = second.pose.y - first.pose.y;
-    if (dx * dx + dy * dy <= reach * reach && mayTouch(first, second, limit)) bodyPairs_.push_back({a, b});
+    if (dx * dx + dy * dy > reach * reach) return;
+    placedPieces(first, a);  // placing the second may move the first's pieces in memory
+    const std::span<const ConvexPiece> theirs = placedPieces(second, b), own = placedPieces(first, a);
+    const std::size_t x1 = own.size() / 2, y1 = theirs.size() / 2;
+    bool near = false, meet = false;
+    for (std::size_t x = 0; x < x1 && !meet; ++x)
+        for (std::size_t y = 0; y < y1 && !meet; ++y) {
+            if (!mayBeNearer(own[x], theirs[y], limit)) continue;
+            near = true;
+            meet = !stayApart(own[x], theirs[y], own[x1 + x], theirs[y1 + y], margin + sagOf(first) + sagOf(second));
+        }
+    if (near) bodyPairs_.push_back({a, b, meet});
+}
+
+void TouchSearch::considerObstacle(const SweptBody& body, std::uint32_t index, std::uint32_t piece,
+                                   const ConvexPiece& obstacle) {
+    const double limit = body.travel + margin;
+    const Point centre = position(body.pose);
+    // How far the middle is outside the obstacle's edges tells most bodies apart from it.
+    double outside = length(obstacle.centre - centre) - obstacle.reach;
+    for (std::size_t i = 0; i < obstacle.count && !obstacle.isCircle(); ++i)
+        outside = std::max(outside, dot(obstacle.normals[i], centre - obstacle.corners[i]));
+    if (outside > body.shape->reach + limit) return;
+    const std::span<const ConvexPiece> own = placedPieces(body, index);
+    const std::size_t after = own.size() / 2;
+    bool near = false, meet = false;
+    for (std::size_t x = 0; x < after && !meet; ++x) {
+        if (!mayBeNearer(own[x], obstacle, limit)) continue;
+        near = true;
+        meet = !stayApart(own[x], obstacle, own[after + x], obstacle, margin + sagOf(body));
+    }
+    if (near) obstaclePairs_.push_back({index, piece, meet});
 }
 
 void TouchSearch::findNear(std::span<const SweptBody> bodies) {
@@ -80,21 +115,22 @@ void TouchSearch::findNearInGrid(std::span<const SweptBody> bodies) {
             for (std::int32_t column = cells_[a].column - 1; column <= cells_[a].column + 1; ++column)
                 for (const std::uint32_t b : bucket(hashOf(column, row, mask)))
                     if (b > a && cells_[b] == Cell{column, row}) consider(bodies, a, b);
-    std::sort(bodyPairs_.begin(), bodyPairs_.end());
+    std::sort(bodyPairs_.begin(), bodyPairs_.end(),
+              [](const Pair& p, const Pair& q) { return p.a != q.a ? p.a < q.a : p.b < q.b; });
 }
 
 void TouchSearch::find(std::span<const SweptBody> bodies, const ObstacleIndex& obstacles) {
     bodyPairs_.clear();
     obstaclePairs_.clear();
+    placed_.clear();
+    placedFrom_.assign(bodies.size(), notPlaced);
     if (bodies.size() <= fewBodies)
         findNear(bodies);
     else
         findNearInGrid(bodies);
     for (std::uint32_t i = 0; i < bodies.size(); ++i) {
         const SweptBody& body = bodies[i];
-        const auto tryPiece = [&](std::uint32_t piece) {
-            if (mayTouch(body, obstacles.pieces()[piece], body.travel + margin)) obstaclePairs_.push_back({i, piece});
-        };
+        const auto tryPiece = [&](std::uint32_t piece) { considerObstacle(body, i, piece, obstacles.pieces()[piece]); };
         if (body.shape->reach + body.travel + margin <= obstacles.margin()) {
             for (const std::uint32_t piece : obstacles.near(position(body.pose))) tryPiece(piece);
         } else {

@@ -9,20 +9,24 @@
 
 namespace mrose {
 
-/// A body and how far any point of it may get within a tick.
+/// A body within a tick: where it is, where it goes if nothing touches it, and how far any point of it gets.
 struct SweptBody {
     const Shape* shape = nullptr;
-    Pose pose;
+    Pose pose, planned;
     double travel = 0;  ///< m
+
+    static SweptBody of(const Shape& shape, const Pose& pose, const Pose& planned);
 };
 
 /// Which bodies may touch within a tick: all of them that do, few that do not. Memory is kept from call to call; the
 /// result does not depend on it.
 class TouchSearch {
 public:
+    /// Two bodies, or a body and an obstacle's piece, that are nearer than what they may move.
     struct Pair {
         std::uint32_t a = 0, b = 0;
-        auto operator<=>(const Pair&) const = default;
+        bool meet = true;  ///< false: they stay apart, if nothing else turns them from where they are planned to go
+        bool operator==(const Pair&) const = default;
     };
 
     /// Pairs of bodies (a < b) and of a body and an obstacle's piece, both in ascending order.
@@ -37,8 +41,13 @@ private:
     void findNear(std::span<const SweptBody> bodies);
     void findNearInGrid(std::span<const SweptBody> bodies);
     void consider(std::span<const SweptBody> bodies, std::uint32_t a, std::uint32_t b);
+    void considerObstacle(const SweptBody& body, std::uint32_t index, std::uint32_t piece, const ConvexPiece& obstacle);
+    /// A body's pieces before and after the tick, one behind the other.
+    std::span<const ConvexPiece> placedPieces(const SweptBody& body, std::uint32_t index);
 
     std::vector<Pair> bodyPairs_, obstaclePairs_;
+    std::vector<ConvexPiece> placed_;        ///< of the bodies that came near something in this search
+    std::vector<std::uint32_t> placedFrom_;  ///< by body; notPlaced
     struct Cell {
         std::int32_t column, row;
         bool operator==(const Cell&) const = default;

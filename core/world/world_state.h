@@ -15,7 +15,7 @@ namespace mrose {
 /// predicted pose and the velocities at both ends.
 struct MotionSegment {
     std::int64_t startTick = 0;
-    Pose start;                   ///< in the world; contact moves it along with the robot
+    Pose start;                   ///< in the world; moved along with a pushed robot when it has recovered
     Pose increment;               ///< what the model predicted: start * increment is the pose at the period's end
     Twist logarithm;              ///< of the increment: p(1)
     Twist startRate, endRate;     ///< p'(0) and p'(1), per period
@@ -42,6 +42,7 @@ struct RobotState {
     Twist velocity_B;              ///< m/s, m/s, rad/s: the one that really occurs, of the reference point
     std::int64_t nextControl = 0;  ///< tick at which its controller decides next
     MotionSegment segment;
+    bool pushed = false;  ///< contact changed its velocity, and its wheels have not restored it yet
     std::uint32_t commandCount = 0;
     Command commandBefore;  ///< in force before the oldest command kept
     SensorMemory sensing;

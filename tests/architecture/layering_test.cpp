@@ -14,7 +14,7 @@ namespace {
 const std::map<std::string, std::set<std::string>> allowedLayers{
     {"io", {}},
     {"geometry", {}},
-    {"world", {}},
+    {"world", {"io", "geometry"}},
     {"learning", {}},
     {"logs", {"io", "geometry", "world"}},
     {"motion", {"io", "geometry", "world", "learning"}},
@@ -34,7 +34,7 @@ const std::map<std::string, std::set<std::string>> allowedLayers{
 const std::map<std::string, std::set<std::string>> librariesOfLayers{
     {"box2d/", {"physics"}},
     {"toml++/", {"io"}},
-    {"xxhash.h", {"io"}},
+    {"xxhash.h", {"io", "world"}},
     {"CLI/", {"app/cli"}},
     {"spdlog/", {"app/cli", "app/gui"}},
     {"nlohmann/", {"evaluation", "app/cli"}},

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "io/error.h"
+#include "world/world_state.h"
+
+namespace mrose {
+
+/// Appends a state as bytes, exact to the last bit: little-endian, a version and the sizes of all arrays, then tick,
+/// seed and the arrays field by field, without padding.
+void appendStateBytes(const WorldState& state, std::string& bytes);
+std::string stateBytes(const WorldState& state);
+
+/// The state that bytes hold. Whether it is one of a given scenario is not asked here. `name` is said in errors. Error:
+/// another version, sizes that do not add up to the bytes' number (told before anything is allocated), a flag that is
+/// neither 0 nor 1.
+Expected<WorldState> parseState(std::string_view bytes, const std::string& name);
+
+}  // namespace mrose

@@ -1,0 +1,175 @@
+// Speed of the world's step, as ratios to plain Box2D run beside it in the same minutes: absolute times do not hold
+// from machine to machine. Both run at their default step: 50 Hz here, 60 Hz there.
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include "bench/plain_box2d.h"
+#include "motion/learned_model.h"
+#include "simulation/step.h"
+#include "support/places.h"
+#include "support/scenes.h"
+
+namespace mrose::bench {
+namespace {
+
+double seconds(const std::function<void()>& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+}
+
+/// A run of ours that goes on from call to call.
+struct OurRun {
+    explicit OurRun(const FieldOptions& options) : scenario(fieldScenario(options)), state(scenario.initialState()) {}
+
+    void run(double simulated) {
+        const auto ticks = static_cast<std::int64_t>(simulated * 50 + 0.5);
+        for (std::int64_t i = 0; i < ticks; ++i) step(scenario, state, buffers);
+    }
+
+    Scenario scenario;
+    WorldState state;
+    StepBuffers buffers;
+};
+
+struct Line {
+    std::string name;
+    std::function<void(double)> run;  ///< simulates so many seconds
+    std::vector<double> rtf = {};
+};
+
+/// Round by round all of them; simulated seconds per second, and the ratio to the first.
+void compare(const std::string& title, std::vector<Line> lines, double simulated, std::uint32_t robots) {
+    constexpr int rounds = 7;
+    for (Line& line : lines) line.run(simulated / 4);
+    for (int round = 0; round < rounds; ++round)
+        for (Line& line : lines) line.rtf.push_back(simulated / seconds([&] { line.run(simulated); }));
+    std::printf("\n%s\n", title.c_str());
+    for (const Line& line : lines) {
+        std::vector<double> ratios;
+        for (int round = 0; round < rounds; ++round) ratios.push_back(line.rtf[round] / lines[0].rtf[round]);
+        const double rtf = median(line.rtf);
+        std::printf("  %-44s %10.0f x real time", line.name.c_str(), rtf);
+        if (&line != lines.data())
+            std::printf("  %6.2f of the peer  %7.1f ns per robot and tick", median(ratios), 1e9 / (rtf * 50 * robots));
+        std::printf("\n");
+    }
+}
+
+Line peer(std::uint32_t robots, bool heavy) {
+    auto world = std::make_shared<PlainBox2d>(robots, heavy, 1);
+    return {"plain Box2D 2.4.1, 60 Hz", [world](double simulated) {
+                for (int i = 0; i < static_cast<int>(simulated * 10 + 0.5); ++i) world->run();
+            }};
+}
+
+Line ours(const std::string& name, const FieldOptions& options) {
+    auto run = std::make_shared<OurRun>(options);
+    return {name, [run](double simulated) { run->run(simulated); }};
+}
+
+std::shared_ptr<const MotionModel> ourNetwork() {
+    const auto network = loadNetwork(sourceFolder() / "nets" / "create.net");
+    if (!network) return nullptr;
+    return std::make_shared<const LearnedModel>(std::make_shared<const LearnedMotion>(*network), "1");
+}
+
+void compareScene(const std::string& title, std::uint32_t robots, bool heavy, double simulated) {
+    FieldOptions options;
+    options.robots = robots;
+    options.heavy = heavy;
+    std::vector<Line> lines{peer(robots, heavy), ours("paper's network, dead time, motion noise", options)};
+    if (robots <= 8) {
+        FieldOptions seeing = options;
+        seeing.perception = true;
+        lines.push_back(ours("with perception", seeing));
+        FieldOptions learned = options;
+        if ((learned.model = ourNetwork())) lines.push_back(ours("with nets/create.net instead", learned));
+    }
+    compare(title, std::move(lines), simulated, robots);
+}
+
+double worldsPerSecond(int threads, int worlds, double simulated) {
+    FieldOptions options;
+    const Scenario scenario = fieldScenario(options);
+    tbb::task_arena arena(threads);
+    const auto ticks = static_cast<std::int64_t>(simulated * 50);
+    const double took = seconds([&] {
+        arena.execute([&] {
+            tbb::parallel_for(0, worlds, [&](int world) {
+                StepBuffers buffers;
+                WorldState state = scenario.initialState(static_cast<std::uint64_t>(world));
+                for (std::int64_t i = 0; i < ticks; ++i) step(scenario, state, buffers);
+            });
+        });
+    });
+    return worlds * static_cast<double>(ticks) / took;
+}
+
+void batch() {
+    std::vector<double> one, two, ratios;
+    for (int round = 0; round < 3; ++round) {
+        one.push_back(worldsPerSecond(1, 1000, 2));
+        two.push_back(worldsPerSecond(2, 1000, 2));
+        ratios.push_back(two.back() / one.back());
+    }
+    std::printf("\nBatch of 1000 worlds of S1 heavy\n  one thread %.0f, two threads %.0f world steps/s: %.2f times\n",
+                median(one), median(two), median(ratios));
+}
+
+void stateSize() {
+    const Scenario scenario = fieldScenario({});
+    WorldState state = scenario.initialState();
+    StepBuffers buffers;
+    for (int i = 0; i < 1000; ++i) step(scenario, state, buffers);
+    const std::size_t bytes =
+        sizeof state + state.robots.size() * sizeof state.robots[0] + state.objects.size() * sizeof state.objects[0] +
+        state.contacts.size() * sizeof state.contacts[0] + state.commands.size() * sizeof state.commands[0] +
+        state.memory.size() + state.past.size() * sizeof state.past[0];
+    constexpr int copies = 100'000;
+    WorldState copy;
+    const double took = seconds([&] {
+        for (int i = 0; i < copies; ++i) {
+            state.tick = i;
+            copy = state;
+        }
+    });
+    const double fresh = seconds([&] {
+        for (int i = 0; i < copies; ++i) {
+            const WorldState anew = state;
+            copy.tick += anew.tick;
+        }
+    });
+    std::printf("\nState of 8 robots: %zu bytes; copied in %.2f us over an old copy, %.2f us anew\n", bytes,
+                1e6 * took / copies, 1e6 * fresh / copies);
+}
+
+}  // namespace
+}  // namespace mrose::bench
+
+int main(int argc, char** argv) {
+    using namespace mrose::bench;
+    const std::string only = argc > 1 ? argv[1] : "";
+    const auto wanted = [&](const char* name) { return only.empty() || only == name; };
+    if (wanted("S1heavy")) compareScene("S1 heavy: 8 robots that collide", 8, true, 60);
+    if (wanted("S1light")) compareScene("S1 light: 8 robots that hardly touch", 8, false, 100);
+    if (wanted("S2light"))
+        for (const std::uint32_t robots : {100U, 1000U, 10000U})
+            compareScene("S2 light: " + std::to_string(robots) + " robots", robots, false, 2000.0 / robots);
+    if (wanted("batch")) batch();
+    if (wanted("state")) stateSize();
+    return 0;
+}
