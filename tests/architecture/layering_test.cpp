@@ -27,6 +27,7 @@ const std::map<std::string, std::set<std::string>> allowedLayers{
     {"scenario", {"io", "geometry", "world", "logs", "motion", "physics", "scene", "control"}},
     {"sensing", {"geometry", "world", "scene", "control", "scenario"}},
     {"simulation", {"geometry", "world", "motion", "physics", "scene", "control", "scenario", "sensing"}},
+    {"recording", {"io", "geometry", "world", "motion", "physics", "scene", "control", "scenario", "simulation"}},
 };
 
 /// Libraries that only some layers see: what an include begins with, and who may.
@@ -34,6 +35,7 @@ const std::map<std::string, std::set<std::string>> librariesOfLayers{
     {"box2d/", {"physics"}},
     {"toml++/", {"io"}},
     {"xxhash.h", {"io", "world"}},
+    {"zstd.h", {"recording"}},
     {"CLI/", {"app/cli"}},
     {"spdlog/", {"app/cli", "app/gui"}},
     {"nlohmann/", {"evaluation", "app/cli"}},
