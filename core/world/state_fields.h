@@ -129,7 +129,7 @@ struct Fields<SensorMemory> {
         visit("self", &SensorMemory::self);
         visit("selfMeasured", &SensorMemory::selfMeasured);
         visit("localised", &SensorMemory::localised);
-        visit("ballBias", &SensorMemory::ballBias);
+        visit("bearingBias", &SensorMemory::bearingBias);
     }
 };
 

@@ -31,7 +31,7 @@ struct SensorMemory {
     Pose self;                     ///< measured last
     Nanoseconds selfMeasured = 0;  ///< when
     bool localised = false;        ///< false until the first measurement
-    double ballBias = 0;           ///< of the bearing to other bodies, rad
+    double bearingBias = 0;        ///< of the bearing to other bodies, in standard deviations
 };
 
 constexpr std::size_t maxManipulators = 4;
