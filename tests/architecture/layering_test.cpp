@@ -25,6 +25,7 @@ const std::map<std::string, std::set<std::string>> allowedLayers{
     {"scene", {"geometry", "world", "motion"}},
     {"control", {"geometry", "world"}},
     {"scenario", {"io", "geometry", "world", "logs", "motion", "physics", "scene", "control"}},
+    {"drawing", {"io", "geometry", "evaluation", "scene"}},
     {"sensing", {"geometry", "world", "motion", "scene", "control", "scenario"}},
     {"simulation", {"geometry", "world", "motion", "physics", "scene", "control", "scenario", "sensing"}},
     {"recording", {"io", "geometry", "world", "motion", "physics", "scene", "control", "scenario", "simulation"}},
