@@ -15,14 +15,12 @@ double searchMargin(const Scene& scene) {
     return reach + fastest * toSeconds(scene.tickLength) + 0.05;
 }
 
-std::int64_t ticksOf(Nanoseconds duration, Nanoseconds tick) { return (duration + tick / 2) / tick; }
-
 std::int64_t longestLag(const Scene& scene) {
     Nanoseconds longest = 0;
     for (const RobotType& type : scene.robotTypes)
         longest = std::max(
             {longest, type.perception.self.latency, type.perception.objects.latency, type.perception.robots.latency});
-    return ticksOf(longest, scene.tickLength);
+    return scene.ticksOf(longest);
 }
 
 std::size_t roundUp(std::size_t bytes) { return (bytes + 15) / 16 * 16; }
@@ -82,6 +80,7 @@ WorldState Scenario::initialState(std::uint64_t seed) const {
     for (const SceneRobot& robot : scene.robots) {
         RobotState r;
         r.pose = r.segment.start = robot.start;
+        r.segment.direction = Placement(robot.start).rotate({1, 0});
         r.nextControl = robot.phase;
         state.robots.push_back(r);
     }

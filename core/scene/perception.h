@@ -25,7 +25,8 @@ struct BodySight {
     double bearingNoise = 0;     ///< rad, standard deviation
     double rangeNoise = 0;       ///< share of the range, standard deviation at range 0 ...
     double rangeNoiseSlope = 0;  ///< ... and what each metre adds to that share
-    double bearingBias = 0;      ///< rad, standard deviation of a bias that drifts with SelfLocalisation::biasTime
+    /// rad, standard deviation of a bias that drifts with SelfLocalisation::biasTime, of robots and objects together.
+    double bearingBias = 0;
     double fieldOfView = 2 * std::numbers::pi;  ///< rad, centred on the heading
     double range = 0;                           ///< m; 0: as far as there is
     Nanoseconds latency = 0;

@@ -59,6 +59,8 @@ struct Scene {
         return body < robots.size() ? *typeOf(body).shape : *typeOfObject(body - robots.size()).shape;
     }
     Nanoseconds timeOf(std::int64_t tick) const { return tick * tickLength; }
+    /// The nearest number of ticks.
+    std::int64_t ticksOf(Nanoseconds duration) const { return (duration + tickLength / 2) / tickLength; }
 };
 
 }  // namespace mrose

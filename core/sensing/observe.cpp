@@ -1,26 +1,37 @@
 #include "sensing/observe.h"
 
+#include "sensing/body_sight.h"
+#include "sensing/self_localisation.h"
+
 namespace mrose {
+namespace {
+
+Velocity odometry(const Observer& observer) {
+    const Twist& velocity_B = observer.state.robots[observer.robot].velocity_B;
+    const Perception& perception = observer.perception();
+    if (perception.velocityNoise == 0 && perception.rotationNoise == 0) return {velocity_B.x, velocity_B.rotation};
+    const NoisePair draw = normalPair(observer.key(NoiseChannel::velocity));
+    return {velocity_B.x + perception.velocityNoise * draw.first,
+            velocity_B.rotation + perception.rotationNoise * draw.second};
+}
+
+}  // namespace
 
 void observe(const Scenario& scenario, const WorldState& state, std::size_t robot, SensorMemory& memory,
              Observation& out) {
-    const RobotState& self = state.robots[robot];
-    memory.self = self.pose;
-    memory.selfMeasured = scenario.scene().timeOf(state.tick);
-    memory.localised = true;
-    out.robot = static_cast<std::uint32_t>(robot);
-    out.time = scenario.scene().timeOf(state.tick);
-    out.localised = true;
-    out.self = self.pose;
+    const Observer observer{scenario, state, static_cast<std::uint32_t>(robot)};
+    driftBiases(observer, memory);
+    localise(observer, memory);
+    out.robot = observer.robot;
+    out.manipulators = static_cast<std::uint32_t>(scenario.scene().typeOf(robot).manipulators.size());
+    out.time = observer.timeBefore(0);
+    out.noise = noiseBits(observer.key(NoiseChannel::controller));
+    out.localised = memory.localised;
+    out.self = memory.self;
     out.selfMeasured = memory.selfMeasured;
-    out.velocity = {self.velocity_B.x, self.velocity_B.rotation};
-    const Placement frame(self.pose);
-    out.robots.clear();
-    out.objects.clear();
-    for (std::uint32_t i = 0; i < state.robots.size(); ++i)
-        if (i != robot) out.robots.push_back({i, frame.placeBack(position(state.robots[i].pose)), out.time});
-    for (std::uint32_t i = 0; i < state.objects.size(); ++i)
-        out.objects.push_back({i, frame.placeBack(position(state.objects[i].pose)), out.time});
+    out.velocity = odometry(observer);
+    seeRobots(observer, memory.bearingBias, out.robots);
+    seeObjects(observer, memory.bearingBias, out.objects);
 }
 
 }  // namespace mrose

@@ -24,6 +24,8 @@ double openUnit(std::uint64_t word) { return (static_cast<double>(word >> 11) + 
 
 }  // namespace
 
+std::uint64_t noiseBits(const NoiseKey& key) { return words(key).first; }
+
 double uniformNoise(const NoiseKey& key) { return openUnit(words(key).first); }
 
 NoisePair uniformPair(const NoiseKey& key) {

@@ -13,7 +13,10 @@ struct NoiseKey {
     std::uint32_t channel = 0;
 };
 
-/// Uniform in the open interval (0, 1), from Philox 4x64-10 (Salmon et al. 2011).
+/// 64 random bits, from Philox 4x64-10 (Salmon et al. 2011).
+std::uint64_t noiseBits(const NoiseKey& key);
+
+/// Uniform in the open interval (0, 1), from the same bits.
 double uniformNoise(const NoiseKey& key);
 
 /// Two uniform and independent ones, at the price of one.

@@ -16,6 +16,7 @@ enum class NoiseChannel : std::uint32_t {
     sightOfObjects,
     controller,
     trial,
+    bearingBias,
 };
 
 constexpr std::uint32_t channelOf(NoiseChannel kind, std::uint32_t part = 0) {

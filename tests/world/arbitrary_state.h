@@ -26,9 +26,10 @@ inline WorldState arbitraryState(std::uint64_t seed, std::size_t robots = 3) {
         unsigned char bits[sizeof robot];
         for (unsigned char& byte : bits) byte = static_cast<unsigned char>(random());
         std::memcpy(static_cast<void*>(&robot), bits, sizeof robot);
-        const bool flags[] = {(random() & 1) != 0, (random() & 1) != 0};
+        const bool flags[] = {(random() & 1) != 0, (random() & 1) != 0, (random() & 1) != 0};
         std::memcpy(&robot.segment.hasUnperturbed, &flags[0], 1);
         std::memcpy(&robot.sensing.localised, &flags[1], 1);
+        std::memcpy(&robot.pushed, &flags[2], 1);
     }
     fillAll(state.objects, 2);
     fillAll(state.contacts, 5);

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <box2d/box2d.h>
+
+#include "physics/contact_physics.h"
+
+namespace mrose {
+
+/// Bodies that may touch one another, and the obstacles near them, as ranges of a task.
+struct ContactCluster {
+    std::size_t firstBody = 0, lastBody = 0;
+    std::size_t firstObstacle = 0, lastObstacle = 0;
+    double lightest = 0, heaviest = 0;  ///< kg
+    Point origin;                       ///< near the bodies, so that float coordinates are fine everywhere
+
+    std::size_t members() const { return lastBody - firstBody + (lastObstacle > firstObstacle ? 1 : 0); }
+};
+
+/// Orders impulses by whom they are between.
+bool keyLess(const ContactImpulse& a, const ContactImpulse& b);
+
+/// A Box2D world for one tick of some clusters.
+class ContactWorld final : b2ContactFilter, b2ContactListener {
+public:
+    ContactWorld(const ContactTask& task, std::span<const ContactImpulse> before,
+                 std::span<const ContactCluster> clusters);
+
+    /// outcomes[i] is of task.bodies[i], for the bodies of these clusters.
+    void solve(std::span<ContactOutcome> outcomes);
+
+    /// Appends what the touching pairs pressed on.
+    void collect(std::vector<ContactImpulse>& impulses, std::vector<ContactReport>* reports);
+
+private:
+    struct Body {
+        b2Body* body;
+        b2Vec2 velocity, planned;
+        float rotation, plannedAngle;
+        Point move;  ///< planned, of the centre of mass, m
+        bool fast;   ///< might pass through others within the tick
+        const ContactCluster* cluster;
+    };
+    /// An obstacle's piece, for all clusters of one origin.
+    struct Ground {
+        std::uint32_t piece;
+        Point origin;
+    };
+    /// What a fixture's user data says: an index of the task's bodies or, beyond, of `ground_`, and the piece.
+    struct Tag {
+        std::uint32_t index, piece;
+    };
+    static std::uintptr_t pack(Tag tag) { return static_cast<std::uintptr_t>(tag.index) << 32 | tag.piece; }
+    static Tag tagOf(b2Fixture* fixture);
+
+    static Body planOf(const ContactBody& body, const ContactCluster& cluster);
+    void chooseSteps();
+    bool mayTunnel() const;
+    bool tunnels(const ContactBody& body, const ContactCluster& cluster) const;
+    bool touchedBefore(std::uint32_t body, std::uint32_t piece) const;
+    bool squeezed(std::uint32_t body) const;
+    void addBody(std::size_t index);
+    void addObstacle(const ContactObstacle& obstacle, const Point& origin);
+    ContactOutcome outcomeOf(const Body& entry, const ContactBody& body) const;
+    void report(b2Contact& contact, std::vector<ContactReport>& reports) const;
+
+    std::uint32_t bodyOf(std::uint32_t index) const;
+    ContactImpulse keyOf(b2Contact& contact) const;
+    void vary(b2Contact& contact, const ContactImpulse& pair) const;
+
+    bool ShouldCollide(b2Fixture* a, b2Fixture* b) override;
+    void PreSolve(b2Contact* contact, const b2Manifold* old) override;
+
+    const ContactTask& task_;
+    std::span<const ContactImpulse> before_;
+    std::span<const ContactCluster> clusters_;
+    std::size_t first_;  ///< of the task's bodies
+    b2World world_;
+    std::vector<Body> bodies_;
+    std::vector<Ground> ground_;
+    b2Body* groundBody_ = nullptr;
+    int steps_ = 1, iterations_ = 0;
+    float stepLength_ = 0;
+    bool warm_ = true;  ///< in the first step only
+};
+
+}  // namespace mrose
