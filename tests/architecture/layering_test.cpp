@@ -24,7 +24,8 @@ const std::map<std::string, std::set<std::string>> allowedLayers{
     {"physics", {"geometry", "world"}},
     {"scene", {"geometry", "world", "motion"}},
     {"control", {"geometry", "world"}},
-    {"scenario", {"io", "geometry", "world", "logs", "motion", "physics", "scene", "control"}},
+    {"behaviour", {"geometry", "world", "control"}},
+    {"scenario", {"io", "geometry", "world", "logs", "motion", "physics", "scene", "control", "behaviour"}},
     {"sensing", {"geometry", "world", "motion", "scene", "control", "scenario"}},
     {"simulation", {"geometry", "world", "motion", "physics", "scene", "control", "scenario", "sensing"}},
 };
