@@ -28,6 +28,8 @@ const std::map<std::string, std::set<std::string>> allowedLayers{
     {"drawing", {"io", "geometry", "evaluation", "scene"}},
     {"sensing", {"geometry", "world", "motion", "scene", "control", "scenario"}},
     {"simulation", {"geometry", "world", "motion", "physics", "scene", "control", "scenario", "sensing"}},
+    {"experiment",
+     {"io", "geometry", "world", "motion", "physics", "scene", "control", "scenario", "simulation", "condition"}},
     {"recording", {"io", "geometry", "world", "motion", "physics", "scene", "control", "scenario", "simulation"}},
 };
 
