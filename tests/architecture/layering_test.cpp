@@ -27,6 +27,8 @@ const std::map<std::string, std::set<std::string>> allowedLayers{
     {"scenario", {"io", "geometry", "world", "logs", "motion", "physics", "scene", "control"}},
     {"sensing", {"geometry", "world", "scene", "control", "scenario"}},
     {"simulation", {"geometry", "world", "motion", "physics", "scene", "control", "scenario", "sensing"}},
+    {"script", {"io"}},
+    {"condition", {"io", "geometry", "world", "physics", "scene", "control", "scenario", "simulation", "script"}},
 };
 
 /// Libraries that only some layers see: what an include begins with, and who may.
@@ -39,6 +41,7 @@ const std::map<std::string, std::set<std::string>> librariesOfLayers{
     {"nlohmann/", {"evaluation", "app/cli"}},
     {"Eigen/", {"learning", "identification"}},
     {"immintrin.h", {"learning"}},
+    {"lua.hpp", {"script", "condition"}},
     {"Random123/", {"learning", "world"}},
 };
 
