@@ -31,6 +31,8 @@ const std::map<std::string, std::set<std::string>> allowedLayers{
     {"experiment",
      {"io", "geometry", "world", "motion", "physics", "scene", "control", "scenario", "simulation", "condition"}},
     {"recording", {"io", "geometry", "world", "motion", "physics", "scene", "control", "scenario", "simulation"}},
+    {"script", {"io"}},
+    {"condition", {"io", "geometry", "world", "physics", "scene", "control", "scenario", "simulation", "script"}},
 };
 
 /// Libraries that only some layers see: what an include begins with, and who may.
@@ -44,6 +46,7 @@ const std::map<std::string, std::set<std::string>> librariesOfLayers{
     {"nlohmann/", {"evaluation", "app/cli"}},
     {"Eigen/", {"learning", "identification"}},
     {"immintrin.h", {"learning"}},
+    {"lua.hpp", {"script", "condition"}},
     {"Random123/", {"learning", "world"}},
 };
 
