@@ -55,8 +55,8 @@ public:
     virtual std::size_t memorySize() const { return 0; }
     /// Fills the memory at a run's start. All zero before.
     virtual void start(std::span<std::byte> /*memory*/) const {}
-    /// How many commands it may issue in one control period.
-    virtual std::size_t commandsPerPeriod() const { return 1; }
+    /// How many commands it may issue in one control period of such a length.
+    virtual std::size_t commandsPerPeriod(Nanoseconds /*period*/) const { return 1; }
 
     /// Called once per control period; `decision` is empty.
     virtual void decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const = 0;

@@ -26,6 +26,8 @@ const std::map<std::string, std::set<std::string>> allowedLayers{
     {"control", {"geometry", "world"}},
     {"scenario", {"io", "geometry", "world", "logs", "motion", "physics", "scene", "control"}},
     {"drawing", {"io", "geometry", "evaluation", "scene"}},
+    {"behaviour", {"geometry", "world", "control"}},
+    {"scenario", {"io", "geometry", "world", "logs", "motion", "physics", "scene", "control", "behaviour"}},
     {"sensing", {"geometry", "world", "motion", "scene", "control", "scenario"}},
     {"simulation", {"geometry", "world", "motion", "physics", "scene", "control", "scenario", "sensing"}},
     {"experiment",

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "behaviour/motion_memory.h"
+
+namespace mrose {
+
+/// Notices that the robot hardly moves though it is told to, and then drives it the other way for about a second and
+/// turns it at random. Part of a controller's memory; all zero nothing was noticed.
+struct BackOff {
+    struct Options {
+        double speed, rotation;  ///< limits, m/s and rad/s
+        double deadTime;         ///< s: what the robot does now it was told then
+        double turn;             ///< rad: about how far it turns afterwards
+    };
+
+    double hardlyMoving;        ///< s, for how long
+    Nanoseconds turnAt, until;  ///< backwards first
+    double v, w;
+    std::int64_t times;  ///< how often it has backed off
+
+    /// What to do now to get off, or nothing. `motion` has observed already.
+    std::optional<Command> update(const Observation& observation, const MotionMemory& motion, const Options& options);
+
+private:
+    void begin(const Observation& observation, const Command& told, const Options& options);
+};
+static_assert(sizeof(BackOff) == 6 * 8, "without padding");
+
+}  // namespace mrose

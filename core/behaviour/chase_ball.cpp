@@ -1,0 +1,157 @@
+#include "behaviour/chase_ball.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "behaviour/back_off.h"
+#include "behaviour/ball_belief.h"
+#include "behaviour/dice.h"
+#include "behaviour/steering.h"
+#include "geometry/direction.h"
+
+namespace mrose {
+namespace {
+
+enum Phase : std::int64_t { searching, roaming, goingBehind, pushing, straightOn, backingOff };
+constexpr std::array phaseNames{"searching", "roaming",     "going behind the ball",
+                                "pushing",   "straight on", "backing off"};
+
+constexpr double wayRound = 0.25;                        // m, between robot and ball on the way behind it
+constexpr double stepRound = 1;                          // rad, how far round the ball it aims at most
+constexpr double lookAhead = 0.4;                        // m, along the line to the target
+constexpr double beginPushing = 0.93, endPushing = 0.7;  // cosine of the angle off that line
+constexpr double searchShare = 0.7;                      // of the rotation rate
+constexpr double turnAway = 0.6;                         // rad, after backing off
+constexpr double straightFor = 3;                        // s, after it got stuck with the ball
+constexpr double kickEvery = 1;                          // s
+constexpr double kickWidth = 0.09, kickReach = 0.05;     // m, beside and before its front
+constexpr double kickAngle = 0.5, kickMiss = 0.7;        // rad; m, beside the target
+
+Point unit(const Point& vector) { return (1 / std::max(1e-9, length(vector))) * vector; }
+
+}  // namespace
+
+struct ChaseBall::Memory {
+    MotionMemory motion;
+    OwnBelief self;
+    BackOff backOff;
+    BallBelief ball;
+    std::int64_t phase;
+    Nanoseconds phaseEnd;  ///< of searching, roaming and going straight on
+    Nanoseconds nextKick;
+    Point aim;  ///< in the world's frame
+};
+
+/// What counts for the way round the ball, when the command takes effect.
+struct ChaseBall::Situation {
+    Point robot, ball;
+    Point onwards;  ///< from the ball to the target, length 1
+};
+
+std::size_t ChaseBall::memorySize() const {
+    static_assert(
+        sizeof(Memory) == sizeof(MotionMemory) + sizeof(OwnBelief) + sizeof(BackOff) + sizeof(BallBelief) + 5 * 8,
+        "no padding");
+    return sizeof(Memory);
+}
+
+DriveLimits ChaseBall::limits() const { return {options_.speed, options_.rotation}; }
+
+/// Turns once round and a little more, then goes somewhere else to look.
+Command ChaseBall::search(const Observation& observation, Memory& memory) const {
+    const bool begins = memory.phase != searching && memory.phase != roaming;
+    if (begins || observation.time >= memory.phaseEnd) {
+        Dice dice(observation.noise);
+        memory.phase = begins || memory.phase == roaming ? searching : roaming;
+        const double wholeTurn = 2 * std::numbers::pi / (searchShare * std::max(0.05, options_.rotation));
+        const double lasts = memory.phase == searching ? dice.between(1.1, 1.5) * wholeTurn : dice.between(1.5, 3);
+        memory.phaseEnd = observation.time + fromSeconds(lasts);
+    }
+    if (memory.phase == searching) return {0, searchShare * options_.rotation};
+    return evading({options_.speed, 0}, evade(observation.robots, memory.motion, options_.deadTime), limits());
+}
+
+Point ChaseBall::aim(const Situation& now, Memory& memory) const {
+    const Point offset = now.robot - now.ball;
+    const double far = length(offset), along = dot(offset, now.onwards);
+    const double behind = -along / std::max(1e-9, far);
+    const double touch = options_.front + options_.ballRadius;
+    const bool pushes =
+        memory.phase == pushing ? behind > endPushing && far < touch + 0.8 : behind > beginPushing && far < touch + 0.6;
+    memory.phase = pushes ? pushing : goingBehind;
+    if (pushes) return now.ball + (along + lookAhead) * now.onwards;
+    const Point back{-dot(offset, now.onwards), cross(offset, -1 * now.onwards)};
+    const double round = std::clamp(direction(back), -stepRound, stepRound);
+    return now.ball + (touch + wayRound) * Placement({0, 0, round}).rotate(unit(offset));
+}
+
+Command ChaseBall::chase(const Observation& observation, Memory& memory, Decision& decision) const {
+    const bool straight = memory.phase == straightOn && observation.time < memory.phaseEnd;
+    const Pose ahead = memory.self.pose * memory.motion.motionDuring(options_.deadTime);
+    const Point ball = memory.ball.in(options_.deadTime);
+    if (straight)
+        memory.aim = ball;
+    else
+        memory.aim = aim({position(ahead), ball, unit(options_.target - ball)}, memory);
+    if (shouldKick(observation, memory)) {
+        decision.kicks.push_back({});
+        memory.nextKick = observation.time + fromSeconds(kickEvery);
+    }
+    const Command intended = driveTowards(Placement(ahead).placeBack(memory.aim), limits());
+    if (memory.phase != goingBehind) return intended;
+    const double reach = std::min(0.8, distance(position(ahead), ball));
+    return evading(intended, evade(observation.robots, memory.motion, options_.deadTime, reach), limits());
+}
+
+/// Where a sighting of now has the ball right before the front, and the target lies ahead.
+bool ChaseBall::shouldKick(const Observation& observation, const Memory& memory) const {
+    const bool sighted = !observation.objects.empty() && observation.objects.front().index == 0;
+    if (!options_.kicks || observation.manipulators == 0 || observation.time < memory.nextKick || !sighted)
+        return false;
+    const SeenBody& seen = observation.objects.front();
+    const Point ball_B = Placement(memory.motion.motionSince(seen.measured)).placeBack(seen.position_B);
+    const Point target_B = Placement(memory.self.pose).placeBack(options_.target);
+    return ball_B.x > 0 && ball_B.x < options_.front + options_.ballRadius + kickReach &&
+           std::abs(ball_B.y) < kickWidth && std::abs(direction(target_B)) < kickAngle &&
+           std::abs(target_B.y) < kickMiss;
+}
+
+void ChaseBall::annotate(const Memory& memory, Decision& decision) const {
+    decision.annotations.push_back(
+        {.kind = Annotation::Kind::text, .label = "state", .text = phaseNames[static_cast<std::size_t>(memory.phase)]});
+    if (memory.ball.known == 0) return;
+    const Point ball = memory.ball.position;
+    decision.annotations.push_back({.kind = Annotation::Kind::point, .label = "ball", .points = {ball}});
+    decision.annotations.push_back({.label = "ball speed", .value = length(memory.ball.velocity)});
+    decision.annotations.push_back({.kind = Annotation::Kind::point, .label = "aim", .points = {memory.aim}});
+    decision.annotations.push_back(
+        {.kind = Annotation::Kind::line, .label = "shot", .points = {ball, options_.target}});
+}
+
+void ChaseBall::decide(const Observation& observation, std::span<std::byte> bytes, Decision& decision) const {
+    Memory& memory = as<Memory>(bytes);
+    memory.motion.observe(observation);
+    memory.self.update(observation, memory.motion);
+    decision.command = Command{};
+    if (memory.self.known != 0) {
+        memory.ball.update(observation, memory.motion, memory.self);
+        if (const std::optional<Command> back = memory.backOff.update(
+                observation, memory.motion, {options_.speed, options_.rotation, options_.deadTime, turnAway})) {
+            decision.command = *back;
+            memory.phase = backingOff;
+            // Every other time it tries the ball from where it is: the place behind it may be out of reach.
+            memory.phaseEnd = observation.time + fromSeconds(straightFor);
+        } else if (memory.ball.known == 0) {
+            decision.command = search(observation, memory);
+        } else {
+            if (memory.phase == backingOff && memory.backOff.times % 2 == 1) memory.phase = straightOn;
+            decision.command = chase(observation, memory, decision);
+        }
+        annotate(memory, decision);
+    }
+    memory.motion.issue(*decision.command);
+}
+
+}  // namespace mrose

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "control/controller.h"
+#include "geometry/point.h"
+
+namespace mrose {
+
+struct DriveLimits;
+
+/// Goes behind the ball as seen from a target, then through it towards the target, and kicks where it has something to
+/// kick with. Remembers and predicts the ball; searches where it has lost it; gives way to other robots, mildly; backs
+/// off where it does not get on.
+class ChaseBall final : public Controller {
+public:
+    struct Options {
+        Point target;              ///< where the ball is to go, in the world's frame
+        double speed = 0.4;        ///< m/s
+        double rotation = 1;       ///< rad/s
+        bool kicks = true;         ///< with the first manipulator, where there is one
+        double ballRadius = 0.11;  ///< m
+        double front = 0.19;       ///< m, of the own front, from the reference point
+        double deadTime = 0.3;     ///< s, by which the robot answers late
+    };
+
+    explicit ChaseBall(Options options) : options_(options) {}
+
+    std::size_t memorySize() const override;
+    void decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const override;
+
+private:
+    struct Memory;
+    struct Situation;
+    DriveLimits limits() const;
+    Command chase(const Observation& observation, Memory& memory, Decision& decision) const;
+    Command search(const Observation& observation, Memory& memory) const;
+    Point aim(const Situation& now, Memory& memory) const;
+    bool shouldKick(const Observation& observation, const Memory& memory) const;
+    void annotate(const Memory& memory, Decision& decision) const;
+
+    Options options_;
+};
+
+}  // namespace mrose

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+#include "control/controller.h"
+
+namespace mrose {
+
+/// Drives from pose to pose and comes to rest at each, or at the last one. Gives way to robots that it sees, and backs
+/// off where it does not get on; it knows no map and plans nothing.
+class GoToPose final : public Controller {
+public:
+    struct Options {
+        std::vector<Pose> targets;      ///< in the world's frame; none: it stands
+        bool loop = false;              ///< after the last one to the first again
+        bool backwards = false;         ///< may drive tail first
+        double speed = 0.4;             ///< m/s
+        double rotation = 1;            ///< rad/s
+        double tolerance = 0.05;        ///< m
+        double headingTolerance = 0.1;  ///< rad
+        double deadTime = 0.3;          ///< s, by which the robot answers late
+    };
+
+    explicit GoToPose(Options options) : options_(std::move(options)) {}
+
+    std::size_t memorySize() const override;
+    void decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const override;
+
+private:
+    struct Memory;
+    Command drive(const Observation& observation, Memory& memory) const;
+    void updatePhase(Memory& memory, const Pose& ahead) const;
+    void annotate(const Memory& memory, Decision& decision) const;
+    const Pose& target(const Memory& memory) const;
+
+    Options options_;
+};
+
+}  // namespace mrose

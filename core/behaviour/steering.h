@@ -1,0 +1,33 @@
+#pragma once
+
+#include "behaviour/motion_memory.h"
+#include "control/observation.h"
+#include "geometry/point.h"
+
+namespace mrose {
+
+struct DriveLimits {
+    double speed = 0.4;   ///< m/s
+    double rotation = 1;  ///< rad/s
+};
+
+/// Towards a point in the own frame, at full speed once it lies ahead; turns on the spot where it lies far aside.
+Command driveTowards(const Point& target_B, const DriveLimits& limits);
+
+/// One step of a smooth way to a pose that slows down towards it: the law of Park and Kuipers (2011), which turns the
+/// robot exponentially to the heading that leads to the pose, made to head straight for poses farther than about a
+/// metre. `backwards`: tail first.
+Command driveToPose(const Pose& from, const Pose& goal, const DriveLimits& limits, bool backwards);
+
+/// How to give way to the nearest body that is seen ahead.
+struct Evasion {
+    double turn = 0;   ///< rad: how much farther left than intended
+    double share = 1;  ///< of the intended speed
+};
+/// For bodies within `reach` metres before the robot as it will be in `deadTime` seconds.
+Evasion evade(const std::vector<SeenBody>& bodies, const MotionMemory& motion, double deadTime, double reach = 1);
+
+/// A command with the evasion in it.
+Command evading(const Command& intended, const Evasion& evasion, const DriveLimits& limits);
+
+}  // namespace mrose

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "control/controller.h"
+
+namespace mrose {
+
+/// Strolls in smooth random curves, turns away from bodies that it sees ahead, and backs off where it does not get on.
+class Wander final : public Controller {
+public:
+    struct Options {
+        double speed = 0.3;      ///< m/s
+        double rotation = 1;     ///< rad/s
+        double changeEvery = 2;  ///< s, on average, until it takes another curve
+        double deadTime = 0.3;   ///< s, by which the robot answers late
+    };
+
+    explicit Wander(Options options) : options_(options) {}
+
+    std::size_t memorySize() const override;
+    void decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const override;
+
+private:
+    struct Memory;
+    Command stroll(const Observation& observation, Memory& memory) const;
+
+    Options options_;
+};
+
+}  // namespace mrose
