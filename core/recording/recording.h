@@ -45,7 +45,7 @@ class RecordedController final : public Controller {
 public:
     explicit RecordedController(const RecordingHeader::ControllerNeeds& needs) : needs_(needs) {}
     std::size_t memorySize() const override { return needs_.memorySize; }
-    std::size_t commandsPerPeriod() const override { return needs_.commandsPerPeriod; }
+    std::size_t commandsPerPeriod(Nanoseconds) const override { return needs_.commandsPerPeriod; }
     void decide(const Observation&, std::span<std::byte>, Decision&) const override {}
 
 private:

@@ -14,7 +14,8 @@ RecordingHeader headerOf(const Scenario& scenario, const WorldState& initial, co
     RecordingHeader header{
         descriptions, commandLine, origin, scenario.parts().name, initial.seed, scenario.scene().tickLength, {}};
     for (std::size_t i = 0; i < initial.robots.size(); ++i)
-        header.controllers.push_back({scenario.controller(i).memorySize(), scenario.controller(i).commandsPerPeriod()});
+        header.controllers.push_back({scenario.controller(i).memorySize(),
+                                      scenario.controller(i).commandsPerPeriod(scenario.scene().modelOf(i).period())});
     return header;
 }
 

@@ -59,6 +59,16 @@ void ScenarioReader::readRun() {
     parts_.seed = static_cast<std::uint64_t>(root_.integerOr("seed", 1, 0, std::numeric_limits<std::int64_t>::max()));
     parts_.duration = durationOr(root_, "duration_s", parts_.duration, {0.001, 1e6});
     parts_.kickOff = root_.booleanOr("kick_off", parts_.kickOff);
+    if (root_.has("variation")) {
+        TomlTable table = root_.table("variation");
+        Variation& variation = parts_.variation;
+        variation.robotPosition = table.numberOr("robot_position_m", 0, {0, 1000});
+        variation.robotHeading = angleOr(table, "robot_heading_deg", 0, {0, 180});
+        variation.objectPosition = table.numberOr("object_position_m", 0, {0, 1000});
+        variation.frictionShare = table.numberOr("friction_share", 0, {0, 0.99});
+        variation.massShare = table.numberOr("mass_share", 0, {0, 0.99});
+        table.rejectUnknown();
+    }
     scene_.tickLength = durationOr(root_, "tick_s", scene_.tickLength, {0.001, 0.1});
     scene_.randomFactor = root_.numberOr("random_factor", 0, {0, 1});
 }

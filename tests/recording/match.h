@@ -20,7 +20,7 @@ public:
     /// `variant` changes what it decides from `from` on.
     explicit Rover(int variant = 0, Nanoseconds from = 0) : variant_(variant), from_(from) {}
     std::size_t memorySize() const override { return sizeof(Memory); }
-    std::size_t commandsPerPeriod() const override { return 2; }
+    std::size_t commandsPerPeriod(Nanoseconds) const override { return 2; }
     void decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const override;
 
 private:
