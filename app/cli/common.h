@@ -37,6 +37,7 @@ Subcommand addTrain(CLI::App& app, CommonFlags& flags);
 Subcommand addEvaluate(CLI::App& app, CommonFlags& flags);
 Subcommand addPredict(CLI::App& app, CommonFlags& flags);
 Subcommand addGenerate(CLI::App& app, CommonFlags& flags);
+Subcommand addShapes(CLI::App& app, CommonFlags& flags);
 
 /// A subcommand with the common flags and, below its options, examples.
 CLI::App* addSubcommand(CLI::App& app, CommonFlags& flags, const std::string& name, const std::string& description,

@@ -27,8 +27,8 @@ int runProgram(int argc, char** argv) {
         return std::string("mrose: ") + error.what() + " (mrose --help, or mrose SUBCOMMAND --help, tells more)\n";
     });
     CommonFlags flags;
-    const Subcommand subcommands[] = {addInspect(app, flags), addTrain(app, flags), addEvaluate(app, flags),
-                                      addPredict(app, flags), addGenerate(app, flags)};
+    const Subcommand subcommands[] = {addInspect(app, flags), addTrain(app, flags),    addEvaluate(app, flags),
+                                      addPredict(app, flags), addGenerate(app, flags), addShapes(app, flags)};
     try {
         app.parse(argc, argv);
         if (app.get_subcommands().empty()) throw CLI::RequiredError("A subcommand");

@@ -122,10 +122,13 @@ bool mayBeNearer(const ConvexPiece& a, const ConvexPiece& b, double limit) {
     return separation(a, b) <= limit;
 }
 
-bool stayApart(const ConvexPiece& a0, const ConvexPiece& b0, const ConvexPiece& a1, const ConvexPiece& b1,
-               double slack) {
+bool stayApart(const ConvexPiece& a0, const ConvexPiece& b0, const ConvexPiece& a1, const ConvexPiece& b1, double slack,
+               double touch) {
     const auto divides = [&](const Point& axis) {
-        return gapAlong(axis, a0, b0) > slack && gapAlong(axis, a1, b1) > slack;
+        const double before = gapAlong(axis, a0, b0);
+        if (before <= touch) return false;
+        const double after = gapAlong(axis, a1, b1);
+        return after >= before || (before > slack && after > slack);
     };
     for (std::size_t i = 0; i < a0.count && !a0.isCircle(); ++i)
         if (divides(a0.normals[i])) return true;

@@ -40,10 +40,10 @@ double distance(const ConvexPiece& a, const ConvexPiece& b);
 /// Whether they may be nearer than `limit`, answered quickly: never wrongly no, and wrongly yes only corner to corner.
 bool mayBeNearer(const ConvexPiece& a, const ConvexPiece& b, double limit);
 
-/// Whether a line keeps two pieces more than `slack` apart both before (a0, b0) and after (a1, b1) they moved: then
-/// they stay apart on any straight way between, too.
-bool stayApart(const ConvexPiece& a0, const ConvexPiece& b0, const ConvexPiece& a1, const ConvexPiece& b1,
-               double slack);
+/// Whether two pieces that move on straight ways, from (a0, b0) to (a1, b1), stay apart: a line keeps more than `slack`
+/// between them all the time, or more than `touch` and they come no nearer along it.
+bool stayApart(const ConvexPiece& a0, const ConvexPiece& b0, const ConvexPiece& a1, const ConvexPiece& b1, double slack,
+               double touch);
 
 /// A polygon or a circle of one colour.
 struct ShapePart {

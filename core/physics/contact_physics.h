@@ -18,6 +18,7 @@ struct ContactBody {
     double mass = 1;     ///< kg
     double inertia = 1;  ///< kg m2, about the centre of mass
     Point centre;        ///< of mass, in the body's frame
+    double reach = 0;    ///< m, of its shape
     double friction = 0, restitution = 0;
     Pose pose, planned;
 };

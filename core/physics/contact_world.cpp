@@ -20,13 +20,14 @@ constexpr int velocityIterations = 8, positionIterations = 3;
 // A light body squeezed between heavy ones needs more: each iteration leaves heavy / (heavy + light) of the error.
 constexpr int squeezedIterations = 40;
 // A body of less than this share of another one's mass is light beside it.
-constexpr double light = 0.25;
+constexpr double light = 0.25, heldShare = 0.5;
 // Below this speed (units/s) bounces are dead: 5 cm/s.
 constexpr float bounceThreshold = 0.5F;
 // A path that differs by less than this (units) is the planned one, rounded to float.
 constexpr float onPlan = 3e-4F;
-// A body that moves farther than this (m) in a step needs continuous collision with other moving ones too.
-constexpr double farMove = 0.02;
+// A body that moves farther than this share of its reach in a tick needs continuous collision, with other moving ones
+// too.
+constexpr double farMove = 0.25;
 // Continuous collision takes a quarter of a step's time. Bodies that only lean on what they touched before do without,
 // and those that would come less deep (m) into something new, which the solver presses out again.
 constexpr double shallow = 0.002;
@@ -72,19 +73,23 @@ ContactWorld::ContactWorld(const ContactTask& task, std::span<const ContactImpul
     bodies_.reserve(clusters.back().lastBody - first_);
     for (const ContactCluster& cluster : clusters)
         for (std::size_t i = cluster.firstBody; i < cluster.lastBody; ++i)
-            bodies_.push_back({nullptr, {}, {}, 0, 0, plannedMove(task.bodies[i]), &cluster});
+            bodies_.push_back(planOf(task.bodies[i], cluster));
     chooseSteps();
     world_.SetContinuousPhysics(mayTunnel());
     // Box2D scales saved impulses by the ratio of this step's length to the last one's, which it must first know.
     world_.Step(stepLength_, 0, 0);
     for (std::size_t i = 0; i < bodies_.size(); ++i) addBody(first_ + i);
-    b2Body* ground = nullptr;
-    const b2BodyDef definition;
     for (const ContactCluster& cluster : clusters)
-        for (std::size_t i = cluster.firstObstacle; i < cluster.lastObstacle; ++i) {
-            if (ground == nullptr) ground = world_.CreateBody(&definition);
-            addObstacle(*ground, i, cluster.origin);
-        }
+        for (std::size_t i = cluster.firstObstacle; i < cluster.lastObstacle; ++i)
+            addObstacle(task.obstacles[i], cluster.origin);
+}
+
+ContactWorld::Body ContactWorld::planOf(const ContactBody& body, const ContactCluster& cluster) {
+    Body entry{};
+    entry.move = plannedMove(body);
+    entry.fast = length(entry.move) > farMove * body.reach;
+    entry.cluster = &cluster;
+    return entry;
 }
 
 void ContactWorld::chooseSteps() {
@@ -104,7 +109,7 @@ void ContactWorld::chooseSteps() {
 
 bool ContactWorld::mayTunnel() const {
     for (std::size_t i = 0; i < bodies_.size(); ++i)
-        if (length(bodies_[i].move) > farMove || tunnels(task_.bodies[first_ + i], *bodies_[i].cluster)) return true;
+        if (bodies_[i].fast || tunnels(task_.bodies[first_ + i], *bodies_[i].cluster)) return true;
     return false;
 }
 
@@ -157,15 +162,15 @@ void ContactWorld::addBody(std::size_t index) {
     definition.type = b2_dynamicBody;
     definition.position = units(position(b.pose) - cluster.origin);
     definition.angle = angle;
-    definition.bullet = length(entry.move) > farMove;
+    definition.bullet = entry.fast;
     entry.body = world_.CreateBody(&definition);
     const CollisionShape::Prepared& shape = b.shape->prepared();
     for (std::uint32_t piece = 0; piece < shape.shapes.size(); ++piece)
         addFixture(*entry.body, shape.shape(piece), pack({static_cast<std::uint32_t>(index), piece}), b.friction,
                    b.restitution);
     // The solver lets heavy bodies sink into a light one that they hold between them, unless it is less light.
-    const double least = light * cluster.heaviest;
-    const double factor = b.mass < least && squeezed(b.body) ? least / b.mass : 1;
+    const bool held = b.mass < light * cluster.heaviest && squeezed(b.body);
+    const double factor = held ? heldShare * cluster.heaviest / b.mass : 1;
     b2MassData mass;
     mass.mass = static_cast<float>(factor * b.mass);
     mass.center = units(b.centre);
@@ -177,16 +182,23 @@ void ContactWorld::addBody(std::size_t index) {
     entry.body->SetAngularVelocity(entry.rotation);
 }
 
-void ContactWorld::addObstacle(b2Body& ground, std::size_t index, const Point& origin) {
-    const ContactObstacle& obstacle = task_.obstacles[index];
+void ContactWorld::addObstacle(const ContactObstacle& obstacle, const Point& origin) {
+    const auto same = [&](const Ground& g) { return g.piece == obstacle.piece && g.origin == origin; };
+    if (std::any_of(ground_.begin(), ground_.end(), same)) return;
+    if (groundBody_ == nullptr) {
+        const b2BodyDef definition;
+        groundBody_ = world_.CreateBody(&definition);
+    }
     const CollisionShape::Prepared& all = task_.obstacleShape->prepared();
-    const std::uintptr_t tag = pack({static_cast<std::uint32_t>(task_.bodies.size() + index), obstacle.piece});
+    const std::uintptr_t tag = pack({static_cast<std::uint32_t>(task_.bodies.size() + ground_.size()), obstacle.piece});
+    ground_.push_back({obstacle.piece, origin});
     auto shape = all.shapes[obstacle.piece];
     if (auto* circle = std::get_if<b2CircleShape>(&shape))
         circle->m_p = units(all.pieces[obstacle.piece].centre - origin);
     else if (auto* polygon = std::get_if<b2PolygonShape>(&shape); polygon != nullptr && !(origin == Point{}))
         shift(*polygon, units(origin));
-    std::visit([&](const auto& s) { addFixture(ground, s, tag, obstacle.friction, obstacle.restitution); }, shape);
+    std::visit([&](const auto& s) { addFixture(*groundBody_, s, tag, obstacle.friction, obstacle.restitution); },
+               shape);
 }
 
 void ContactWorld::solve(std::span<ContactOutcome> outcomes) {
@@ -264,18 +276,17 @@ std::uint32_t ContactWorld::bodyOf(std::uint32_t index) const {
     return index < task_.bodies.size() ? task_.bodies[index].body : noBody;
 }
 
-std::uint32_t ContactWorld::clusterOf(std::uint32_t index) const {
-    return index < task_.bodies.size() ? task_.bodies[index].cluster
-                                       : task_.obstacles[index - task_.bodies.size()].cluster;
-}
-
 ContactImpulse ContactWorld::keyOf(b2Contact& contact) const {
     const Tag a = tagOf(contact.GetFixtureA()), b = tagOf(contact.GetFixtureB());
     return {bodyOf(a.index), a.piece, bodyOf(b.index), b.piece, 0, 0, 0};
 }
 
 bool ContactWorld::ShouldCollide(b2Fixture* a, b2Fixture* b) {
-    return clusterOf(tagOf(a).index) == clusterOf(tagOf(b).index);
+    std::size_t first = tagOf(a).index, second = tagOf(b).index;
+    if (first >= task_.bodies.size()) std::swap(first, second);
+    const ContactCluster& cluster = *bodies_[first - first_].cluster;
+    if (second < task_.bodies.size()) return bodies_[second - first_].cluster == &cluster;
+    return ground_[second - task_.bodies.size()].origin == cluster.origin;
 }
 
 void ContactWorld::PreSolve(b2Contact* contact, const b2Manifold* /*old*/) {

@@ -40,27 +40,33 @@ private:
         b2Vec2 velocity, planned;
         float rotation, plannedAngle;
         Point move;  ///< planned, of the centre of mass, m
+        bool fast;   ///< might pass through others within the tick
         const ContactCluster* cluster;
     };
-    /// What a fixture's user data says: an index of the task's bodies or, beyond, of its obstacles, and the piece.
+    /// An obstacle's piece, for all clusters of one origin.
+    struct Ground {
+        std::uint32_t piece;
+        Point origin;
+    };
+    /// What a fixture's user data says: an index of the task's bodies or, beyond, of `ground_`, and the piece.
     struct Tag {
         std::uint32_t index, piece;
     };
     static std::uintptr_t pack(Tag tag) { return static_cast<std::uintptr_t>(tag.index) << 32 | tag.piece; }
     static Tag tagOf(b2Fixture* fixture);
 
+    static Body planOf(const ContactBody& body, const ContactCluster& cluster);
     void chooseSteps();
     bool mayTunnel() const;
     bool tunnels(const ContactBody& body, const ContactCluster& cluster) const;
     bool touchedBefore(std::uint32_t body, std::uint32_t piece) const;
     bool squeezed(std::uint32_t body) const;
     void addBody(std::size_t index);
-    void addObstacle(b2Body& ground, std::size_t index, const Point& origin);
+    void addObstacle(const ContactObstacle& obstacle, const Point& origin);
     ContactOutcome outcomeOf(const Body& entry, const ContactBody& body) const;
     void report(b2Contact& contact, std::vector<ContactReport>& reports) const;
 
     std::uint32_t bodyOf(std::uint32_t index) const;
-    std::uint32_t clusterOf(std::uint32_t index) const;
     ContactImpulse keyOf(b2Contact& contact) const;
     void vary(b2Contact& contact, const ContactImpulse& pair) const;
 
@@ -73,6 +79,8 @@ private:
     std::size_t first_;  ///< of the task's bodies
     b2World world_;
     std::vector<Body> bodies_;
+    std::vector<Ground> ground_;
+    b2Body* groundBody_ = nullptr;
     int steps_ = 1, iterations_ = 0;
     float stepLength_ = 0;
     bool warm_ = true;  ///< in the first step only

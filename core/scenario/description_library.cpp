@@ -4,6 +4,13 @@
 #include "scenario/shape_file.h"
 
 namespace mrose {
+namespace {
+
+std::string shippedFolder(std::string_view folder) {
+    return std::string(shippedPrefix) + std::string(folder) + (folder.empty() ? "" : "/");
+}
+
+}  // namespace
 
 Expected<const DescriptionLibrary::File*> DescriptionLibrary::open(const std::string& name) {
     if (const auto found = files_.find(name); found != files_.end()) return &found->second;
@@ -15,7 +22,7 @@ Expected<const DescriptionLibrary::File*> DescriptionLibrary::open(const std::st
 }
 
 Expected<const DescriptionLibrary::File*> DescriptionLibrary::file(const std::string& name, std::string_view folder) {
-    const std::string shipped = std::string(shippedPrefix) + std::string(folder) + '/' + name;
+    const std::string shipped = joinedName(shippedFolder(folder), name);
     for (const std::string& candidate : {name, shipped}) {
         const auto found = open(candidate);
         if (!found || *found != nullptr) return found;
@@ -28,7 +35,7 @@ const DescriptionLibrary::File* DescriptionLibrary::file(TomlTable& table, std::
     const std::string reference = table.string(key);
     if (table.failed()) return nullptr;
     const std::string beside = joinedName(from, reference);
-    const std::string shipped = joinedName(std::string(shippedPrefix) + std::string(folder) + '/', reference);
+    const std::string shipped = joinedName(shippedFolder(folder), reference);
     for (const std::string& name : {beside, shipped}) {
         if (name == from) continue;  // a robot file and its shape file may be called the same
         const auto found = open(name);

@@ -118,6 +118,7 @@ Marking readMarking(TomlTable& table) {
 Floor readFloor(TomlTable table) {
     Floor floor;
     floor.slidingFriction = table.numberOr("sliding_friction", floor.slidingFriction, {0, 10});
+    floor.traction = table.numberOr("traction", floor.traction, {0, 10});
     floor.rollingDeceleration = table.numberOr("rolling_deceleration_mps2", floor.rollingDeceleration, {0, 100});
     floor.colour = colourOr(table, "colour", floor.colour);
     if (table.has("area_m")) floor.area = polygon(table, "area_m", metresFar);

@@ -65,8 +65,8 @@ void readLearned(TomlTable& root, RobotDescription& robot, const DescriptionLibr
         table.reject("robot", "is none of the network's robots: " + robotNames(*network));
     const Nanoseconds period = durationOr(root, "control_period_s", network->period, {0.001, 10});
     if (period != network->period)
-        root.reject("control_period_s", "is " + numberText(toSeconds(period)) + "; the network was learned for " +
-                                            numberText(toSeconds(network->period)));
+        root.reject("control_period_s",
+                    "is " + plainSeconds(period) + "; the network was learned for " + plainSeconds(network->period));
     const auto identified = identifiedDeadTimes(*network, robot.motionRobot);
     deadTimes = wanted.value_or(identified.value_or(DeadTimes{}));
     Nanoseconds laterV = 0, laterW = 0;

@@ -80,6 +80,7 @@ WorldState Scenario::initialState(std::uint64_t seed) const {
     for (const SceneRobot& robot : scene.robots) {
         RobotState r;
         r.pose = r.segment.start = robot.start;
+        r.segment.direction = Placement(robot.start).rotate({1, 0});
         r.nextControl = robot.phase;
         state.robots.push_back(r);
     }

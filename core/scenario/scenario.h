@@ -43,6 +43,9 @@ public:
     std::span<StampedCommand> commandSlots(WorldState& state, std::size_t robot) const {
         return std::span(state.commands).subspan(slots_[robot].commands, slots_[robot].commandCount);
     }
+    std::span<const StampedCommand> commandSlots(const WorldState& state, std::size_t robot) const {
+        return std::span(state.commands).subspan(slots_[robot].commands, slots_[robot].commandCount);
+    }
     CommandView commandsOf(const WorldState& state, std::size_t robot) const {
         const RobotState& r = state.robots[robot];
         return CommandView({state.commands.data() + slots_[robot].commands, r.commandCount}, r.commandBefore);

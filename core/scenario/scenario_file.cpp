@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <set>
 
-#include "io/number_text.h"
 #include "scenario/controller_file.h"
 #include "scenario/description_reader.h"
 #include "scenario/environment_file.h"
@@ -127,8 +126,8 @@ std::int64_t ScenarioReader::phase(TomlTable& table, const MotionModel& model) {
     if (table.has("phase_s")) {
         const Nanoseconds phase = duration(table, "phase_s", {0, 10});
         if (phase % tick != 0 || phase >= model.period())
-            table.reject("phase_s", "expected a multiple of tick_s below the control period of " +
-                                        numberText(toSeconds(model.period())));
+            table.reject("phase_s",
+                         "expected a multiple of tick_s below the control period of " + plainSeconds(model.period()));
         return phase / tick;
     }
     const double golden = static_cast<double>(scene_.robots.size()) * 0.618033988749895;
@@ -142,8 +141,8 @@ void ScenarioReader::readRobot(TomlTable& table, bool person) {
     const RobotDescription* robot = robotDescription(table);
     if (robot == nullptr) return;
     if (robot->controlPeriod() % scene_.tickLength != 0)
-        table.reject("type", "has a control period of " + numberText(toSeconds(robot->controlPeriod())) +
-                                 "; expected a multiple of tick_s = " + numberText(toSeconds(scene_.tickLength)));
+        table.reject("type", "has a control period of " + plainSeconds(robot->controlPeriod()) +
+                                 "; expected a multiple of tick_s = " + plainSeconds(scene_.tickLength));
     body.type = typeIndex(*robot, person);
     body.model = modelIndex(*robot, motionRobot(table, *robot));
     ControllerSetting setting{noController(), std::nullopt};
@@ -228,9 +227,9 @@ void ScenarioReader::checkStarts() {
     const std::string other = overlap->other
                                   ? bodyName(*overlap->other)
                                   : "the obstacle \"" + scene_.environment.obstacles[overlap->obstacle].name + '"';
-    const double millimetres = std::ceil(overlap->depth * 1000);
-    table.reject("start", bodyName(overlap->body) + " overlaps " + other + " by about " +
-                              std::to_string(static_cast<int>(millimetres)) + " mm; expected room between them");
+    const long millimetres = std::max(1l, std::lround(overlap->depth * 1000));
+    table.reject("start", bodyName(overlap->body) + " overlaps " + other + " by about " + std::to_string(millimetres) +
+                              " mm; expected room between them");
 }
 
 Expected<ScenarioParts> ScenarioReader::read() {

@@ -44,6 +44,7 @@ std::optional<StartOverlap> findStartOverlap(const Scene& scene, double toleranc
             const auto [first, second] = std::minmax(item.owner, other->owner);
             if (first == second || first >= bodies || !mayBeNearer(item.piece, other->piece, -tolerance)) continue;
             const double depth = -distance(item.piece, other->piece);
+            if (depth <= tolerance) continue;
             if (second < bodies) return StartOverlap{second, first, 0, depth};
             return StartOverlap{first, std::nullopt, second - bodies, depth};
         }

@@ -15,20 +15,38 @@ struct ArcTerms {
     double lag, bend;      ///< (r - sin(r))/r2, (1 - cos(r))/r2
 
     explicit ArcTerms(double r) {
-        if (std::abs(r) < 1e-3) {
-            along = 1 - r * r / 6;
-            lag = r / 6 * (1 - r * r / 20);
-            bend = 0.5 - r * r / 24;
+        const double u = r * r;
+        if (u < 0.25) {  // what a robot turns in a period: the series to rounding, without cancellation
+            const double third = series(u, 6);  // (r - sin(r)) / r3
+            bend = series(u, 2);
+            along = 1 - u * third;
+            lag = r * third;
         } else {
             const double s = std::sin(r / 2), c = std::cos(r / 2), sine = 2 * s * c;
             along = sine / r;
-            lag = (r - sine) / (r * r);
-            bend = 2 * s * s / (r * r);
+            lag = (r - sine) / u;
+            bend = 2 * s * s / u;
         }
         across = bend * r;
     }
 
+    /// 1/n! - u/(n+2)! + u2/(n+4)! ..., n = 2 or 3 told by n! = 2 or 6; u at most 1/4.
+    static double series(double u, double factorial) {
+        const double n = factorial == 2 ? 2 : 3;
+        double term = 1, sum = 1;
+        for (double k = n + 1; k < n + 13; k += 2) {
+            term *= -u / (k * (k + 1));
+            sum += term;
+        }
+        return sum / factorial;
+    }
+
     Point displacement(const Twist& p) const { return {along * p.x - across * p.y, across * p.x + along * p.y}; }
+    Twist logarithm(const Pose& pose) const {
+        const double squared = along * along + across * across;
+        return {(along * pose.x + across * pose.y) / squared, (along * pose.y - across * pose.x) / squared,
+                pose.heading};
+    }
 };
 
 /// The right Jacobian of SE(2) at p (Sola, Deray, Atchuthan 2018, eq. 163): body velocity = J p'.
@@ -66,17 +84,23 @@ LogPoint logAt(const MotionSegment& segment, double s) {
     return {s * (m0 + s * (b + s * c)), m0 + s * (2 * b + 3 * s * c)};
 }
 
+void beginAt(MotionSegment& segment, const Pose& pose) {
+    segment.start = pose;
+    segment.direction = {std::cos(pose.heading), std::sin(pose.heading)};
+}
+
 }  // namespace
 
 MotionSegment beginSegment(const Pose& pose, const Twist& velocity_B, const MotionStep& predicted, std::int64_t tick,
                            double period) {
     MotionSegment segment;
     segment.startTick = tick;
-    segment.start = pose;
+    beginAt(segment, pose);
     segment.increment = predicted.increment;
-    segment.logarithm = log(predicted.increment);
+    const ArcTerms terms(predicted.increment.heading);
+    segment.logarithm = terms.logarithm(predicted.increment);
     segment.startRate = {period * velocity_B.x, 0, period * velocity_B.rotation};
-    segment.endRate = RightJacobian(segment.logarithm, ArcTerms(segment.logarithm.rotation))
+    segment.endRate = RightJacobian(segment.logarithm, terms)
                           .solve({period * predicted.velocity.v, 0, period * predicted.velocity.w});
     segment.endVelocity = predicted.velocity;
     segment.unperturbed = predicted.unperturbed;
@@ -87,7 +111,7 @@ MotionSegment beginSegment(const Pose& pose, const Twist& velocity_B, const Moti
 MotionSegment restAt(const Pose& pose, std::int64_t tick) {
     MotionSegment segment;
     segment.startTick = tick;
-    segment.start = pose;
+    beginAt(segment, pose);
     return segment;
 }
 
@@ -101,7 +125,11 @@ PathPoint fromStart(const MotionSegment& segment, double share, double period) {
 
 PathPoint at(const MotionSegment& segment, double share, double period) {
     PathPoint point = fromStart(segment, share, period);
-    point.pose = segment.start * point.pose;
+    const Pose& start = segment.start;
+    const auto [c, s] = segment.direction;
+    const Pose& moved = point.pose;
+    point.pose = {start.x + c * moved.x - s * moved.y, start.y + s * moved.x + c * moved.y,
+                  start.heading + moved.heading};
     return point;
 }
 
@@ -124,7 +152,7 @@ Recovery recover(const PathPoint& now, const PathPoint& onWay, const PathPoint& 
 }
 
 void moveTo(MotionSegment& segment, double share, const Pose& pose) {
-    segment.start = pose * inverse(fromStart(segment, share, 1).pose);
+    beginAt(segment, pose * inverse(fromStart(segment, share, 1).pose));
 }
 
 }  // namespace mrose

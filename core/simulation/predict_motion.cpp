@@ -10,11 +10,11 @@ namespace {
 
 void addMotionNoise(const MotionNoise& noise, const NoiseKey& key, MotionStep& step) {
     if (noise.none()) return;
-    const double distance = std::hypot(step.increment.x, step.increment.y), rotation = step.increment.heading;
+    const double distance = length({step.increment.x, step.increment.y});
     const NoisePair draw = normalPair(key);
     step.increment.x += noise.distancePerDistance * distance * draw.first;
-    step.increment.heading +=
-        std::hypot(noise.rotationPerRotation * rotation, noise.rotationPerDistance * distance) * draw.second;
+    step.increment.heading += draw.second * length({noise.rotationPerRotation * step.increment.heading,
+                                                    noise.rotationPerDistance * distance});
 }
 
 bool finite(const MotionStep& step) {

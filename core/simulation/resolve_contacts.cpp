@@ -57,6 +57,7 @@ ContactBody contactBody(const Scenario& scenario, const StepBuffers::Content& bu
             type.mass,
             type.inertia,
             type.centre,
+            type.reach,
             type.surface.friction,
             type.surface.restitution,
             buffers.swept[body].pose,

@@ -42,11 +42,13 @@ std::span<const ConvexPiece> TouchSearch::placedPieces(const SweptBody& body, st
 }
 
 void TouchSearch::consider(std::span<const SweptBody> bodies, std::uint32_t a, std::uint32_t b) {
-    const SweptBody &first = bodies[a], &second = bodies[b];
+    const Reach &own = reaches_[a], &their = reaches_[b];
+    const double reach = own.radius + their.radius, dx = their.x - own.x, dy = their.y - own.y;
+    if (dx * dx + dy * dy <= reach * reach) considerNear(bodies[a], a, bodies[b], b);
+}
+
+void TouchSearch::considerNear(const SweptBody& first, std::uint32_t a, const SweptBody& second, std::uint32_t b) {
     const double limit = first.travel + second.travel + margin;
-    const double reach = first.shape->reach + second.shape->reach + limit;
-    const double dx = second.pose.x - first.pose.x, dy = second.pose.y - first.pose.y;
-    if (dx * dx + dy * dy > reach * reach) return;
     placedPieces(first, a);  // placing the second may move the first's pieces in memory
     const std::span<const ConvexPiece> theirs = placedPieces(second, b), own = placedPieces(first, a);
     const std::size_t x1 = own.size() / 2, y1 = theirs.size() / 2;
@@ -55,7 +57,8 @@ void TouchSearch::consider(std::span<const SweptBody> bodies, std::uint32_t a, s
         for (std::size_t y = 0; y < y1 && !meet; ++y) {
             if (!mayBeNearer(own[x], theirs[y], limit)) continue;
             near = true;
-            meet = !stayApart(own[x], theirs[y], own[x1 + x], theirs[y1 + y], margin + sagOf(first) + sagOf(second));
+            const double sag = sagOf(first) + sagOf(second);
+            meet = !stayApart(own[x], theirs[y], own[x1 + x], theirs[y1 + y], margin + sag, pressed + sag);
         }
     if (near) bodyPairs_.push_back({a, b, meet});
 }
@@ -75,7 +78,8 @@ void TouchSearch::considerObstacle(const SweptBody& body, std::uint32_t index, s
     for (std::size_t x = 0; x < after && !meet; ++x) {
         if (!mayBeNearer(own[x], obstacle, limit)) continue;
         near = true;
-        meet = !stayApart(own[x], obstacle, own[after + x], obstacle, margin + sagOf(body));
+        const double sag = sagOf(body);
+        meet = !stayApart(own[x], obstacle, own[after + x], obstacle, margin + sag, pressed + sag);
     }
     if (near) obstaclePairs_.push_back({index, piece, meet});
 }
@@ -124,6 +128,9 @@ void TouchSearch::find(std::span<const SweptBody> bodies, const ObstacleIndex& o
     obstaclePairs_.clear();
     placed_.clear();
     placedFrom_.assign(bodies.size(), notPlaced);
+    reaches_.clear();
+    for (const SweptBody& body : bodies)
+        reaches_.push_back({body.pose.x, body.pose.y, body.shape->reach + body.travel + margin / 2});
     if (bodies.size() <= fewBodies)
         findNear(bodies);
     else

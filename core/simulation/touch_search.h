@@ -34,18 +34,25 @@ public:
     const std::vector<Pair>& bodyPairs() const { return bodyPairs_; }
     const std::vector<Pair>& obstaclePairs() const { return obstaclePairs_; }
 
-    /// Distance at which the contact solver begins to see a touch, and some more: m.
-    static constexpr double margin = 0.004;
+    /// Distance at which the contact solver sees a touch, and a little more: m.
+    static constexpr double margin = 0.0022;
+    /// Nearer than this it presses bodies apart.
+    static constexpr double pressed = 0.0016;
 
 private:
     void findNear(std::span<const SweptBody> bodies);
     void findNearInGrid(std::span<const SweptBody> bodies);
     void consider(std::span<const SweptBody> bodies, std::uint32_t a, std::uint32_t b);
+    void considerNear(const SweptBody& first, std::uint32_t a, const SweptBody& second, std::uint32_t b);
     void considerObstacle(const SweptBody& body, std::uint32_t index, std::uint32_t piece, const ConvexPiece& obstacle);
     /// A body's pieces before and after the tick, one behind the other.
     std::span<const ConvexPiece> placedPieces(const SweptBody& body, std::uint32_t index);
 
     std::vector<Pair> bodyPairs_, obstaclePairs_;
+    struct Reach {
+        double x, y, radius;
+    };
+    std::vector<Reach> reaches_;             ///< circles that the bodies do not leave
     std::vector<ConvexPiece> placed_;        ///< of the bodies that came near something in this search
     std::vector<std::uint32_t> placedFrom_;  ///< by body; notPlaced
     struct Cell {

@@ -110,6 +110,7 @@ struct Fields<MotionSegment> {
     static constexpr void each(Visit&& visit) {
         visit("startTick", &MotionSegment::startTick);
         visit("start", &MotionSegment::start);
+        visit("direction", &MotionSegment::direction);
         visit("increment", &MotionSegment::increment);
         visit("logarithm", &MotionSegment::logarithm);
         visit("startRate", &MotionSegment::startRate);

@@ -16,6 +16,7 @@ namespace mrose {
 struct MotionSegment {
     std::int64_t startTick = 0;
     Pose start;                   ///< in the world; moved along with a pushed robot when it has recovered
+    Point direction{1, 0};        ///< cosine and sine of its heading
     Pose increment;               ///< what the model predicted: start * increment is the pose at the period's end
     Twist logarithm;              ///< of the increment: p(1)
     Twist startRate, endRate;     ///< p'(0) and p'(1), per period

@@ -26,8 +26,10 @@ const std::map<std::string, std::set<std::string>> allowedLayers{
     {"control", {"geometry", "world"}},
     {"behaviour", {"geometry", "world", "control"}},
     {"scenario", {"io", "geometry", "world", "logs", "motion", "physics", "scene", "control", "behaviour"}},
+    {"drawing", {"io", "geometry", "evaluation", "scene"}},
     {"sensing", {"geometry", "world", "motion", "scene", "control", "scenario"}},
     {"simulation", {"geometry", "world", "motion", "physics", "scene", "control", "scenario", "sensing"}},
+    {"recording", {"io", "geometry", "world", "motion", "physics", "scene", "control", "scenario", "simulation"}},
 };
 
 /// Libraries that only some layers see: what an include begins with, and who may.
@@ -35,6 +37,7 @@ const std::map<std::string, std::set<std::string>> librariesOfLayers{
     {"box2d/", {"physics"}},
     {"toml++/", {"io"}},
     {"xxhash.h", {"io", "world"}},
+    {"zstd.h", {"recording"}},
     {"CLI/", {"app/cli"}},
     {"spdlog/", {"app/cli", "app/gui"}},
     {"nlohmann/", {"evaluation", "app/cli"}},

@@ -95,6 +95,71 @@ TEST(TomlTable, ElementsOfTheWrongKindAreFoundWhereTheyStand) {
     EXPECT_EQ(errorOf("k = -1", [](TomlTable& t) { t.number("k", {0, 2}); }), "f:1:5: k: is -1.0; expected 0.0 to 2.0");
 }
 
+TEST(TomlTable, RowsAreAsManyAsThereAre) {
+    TomlTable table("k = [[1, 2], [3, 4.5], [-1, 0]]", "f");
+    EXPECT_EQ(table.rows("k", 2, 1, 3), (std::vector<double>{1, 2, 3, 4.5, -1, 0}));
+    EXPECT_FALSE(table.failed());
+    const auto refused = [](std::string_view text, NumberRange range = {}) {
+        return errorOf(text, [&](TomlTable& t) { EXPECT_TRUE(t.rows("k", 2, 2, 3, range).empty()); });
+    };
+    EXPECT_EQ(refused("k = [[1, 2]]"), "f:1:5: k: has 1 elements; expected 2 to 3 arrays of 2 numbers");
+    EXPECT_EQ(refused("k = 1"), "f:1:5: k: expected 2 to 3 arrays of 2 numbers");
+    EXPECT_EQ(refused("k = [[1, 2],\n [1]]"), "f:2:2: k: has 1 numbers; expected 2");
+    EXPECT_EQ(refused("k = [[1, 2],\n 1]"), "f:2:2: k: expected an array of numbers");
+    EXPECT_EQ(refused("k = [[1, 2], [3,\n 9]]", {0, 5}), "f:2:2: k: is 9.0; expected 0.0 to 5.0");
+    EXPECT_EQ(refused(""), "f:1:1: k: is missing");
+}
+
+TEST(TomlTable, KeysThatMayBeMissingHaveAValueAllTheSame) {
+    TomlTable table("i = 5\nb = true\ns = \"text\"\n[t]\nx = 1\n[[e]]\n", "f");
+    EXPECT_EQ(table.integerOr("i", 1, 0, 9), 5);
+    EXPECT_EQ(table.integerOr("none", 1, 0, 9), 1);
+    EXPECT_TRUE(table.booleanOr("b", false));
+    EXPECT_TRUE(table.booleanOr("none", true));
+    EXPECT_EQ(table.stringOr("s", "else"), "text");
+    EXPECT_EQ(table.stringOr("none", "else"), "else");
+    EXPECT_EQ(table.tableOrEmpty("t").number("x"), 1);
+    EXPECT_EQ(table.tableOrEmpty("none").numberOr("x", 3), 3);
+    EXPECT_EQ(table.tablesOrNone("e").size(), 1u);
+    EXPECT_TRUE(table.tablesOrNone("none").empty());
+    table.rejectUnknown();
+    EXPECT_FALSE(table.failed());
+    // What is there must fit all the same.
+    EXPECT_EQ(errorOf("k = 12", [](TomlTable& t) { t.integerOr("k", 0, 0, 9); }),
+              "f:1:5: k: expected a whole number from 0 to 9");
+    EXPECT_EQ(errorOf("k = 1", [](TomlTable& t) { t.booleanOr("k", true); }), "f:1:5: k: expected true or false");
+    EXPECT_EQ(errorOf("k = 1", [](TomlTable& t) { t.stringOr("k", ""); }), "f:1:5: k: expected a text in quotes");
+    EXPECT_EQ(errorOf("k = 1", [](TomlTable& t) { t.tableOrEmpty("k"); }), "f:1:5: k: expected a table");
+    EXPECT_EQ(errorOf("k = 1", [](TomlTable& t) { t.tablesOrNone("k"); }), "f:1:5: k: expected an array of tables");
+}
+
+TEST(TomlTable, ElementsAndOtherFilesCanBeRejected) {
+    EXPECT_EQ(errorOf("k = [1,\n 2]", [](TomlTable& t) { t.rejectElement("k", 1, "because"); }),
+              "f:2:2: k[1]: because");
+    EXPECT_EQ(errorOf("k = 1", [](TomlTable& t) { t.rejectElement("k", 1, "because"); }), "f:1:5: k[1]: because");
+    EXPECT_EQ(errorOf("k = 1",
+                      [](TomlTable& t) {
+                          t.adopt({"other", 3, 4, "key", "because"});
+                      }),
+              "other:3:4: key: because");
+    EXPECT_EQ(errorOf("k = 1",
+                      [](TomlTable& t) {
+                          t.reject("k", "first");
+                          t.adopt({"other", 3, 4, "key", "because"});
+                      }),
+              "f:1:5: k: first");
+}
+
+TEST(TomlTable, TextOfATableReadsBack) {
+    TomlTable table("[t]\nx = 1.5\nname = \"a \\\"b\\\"\"\ninner = { y = [1, 2] }\n", "f");
+    TomlTable again(table.table("t").text(), "g");
+    EXPECT_EQ(again.number("x"), 1.5);
+    EXPECT_EQ(again.string("name"), "a \"b\"");
+    EXPECT_EQ(again.table("inner").numbers("y", 2), (std::vector<double>{1, 2}));
+    EXPECT_FALSE(again.failed());
+    EXPECT_EQ(table.tableOrEmpty("none").text(), "");
+}
+
 TEST(TomlTable, RangesHoldForEveryElement) {
     EXPECT_EQ(errorOf("k = [1,\n 5]",
                       [](TomlTable& t) {

@@ -184,9 +184,9 @@ TEST(Contact, RobotsCannotBePushedThroughWallsOrOneAnother) {
         robots = std::max(robots, deepestOverlap(scenario, state, 12));
         all = std::max(all, deepestOverlap(scenario, state, 13));
     }
-    EXPECT_LT(robots, 0.008);
+    EXPECT_LT(robots, 0.01);
     // The ball, a fiftieth of a robot's mass, is pressed into the corner by all of them.
-    EXPECT_LT(all, 0.04);
+    EXPECT_LT(all, 0.05);
     for (const RobotState& robot : state.robots) EXPECT_TRUE(robot.pose.x > 0.1 && robot.pose.y > 0.1);
     EXPECT_TRUE(state.objects[0].pose.x > 0.05 && state.objects[0].pose.y > 0.05);
 }

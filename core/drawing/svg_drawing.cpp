@@ -1,0 +1,194 @@
+#include "drawing/svg_drawing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "evaluation/format.h"
+#include "evaluation/html.h"
+#include "io/number_text.h"
+
+namespace mrose {
+namespace {
+
+constexpr double margin = 28, titleHeight = 54, footHeight = 40;  // pixels
+constexpr std::string_view ink = "#222222", quiet = "#666666";
+
+std::string px(double value) { return fixed(value, 2); }
+
+std::string hexadecimal(const Colour& colour) {
+    constexpr std::string_view digits = "0123456789abcdef";
+    std::string text = "#";
+    for (const std::uint8_t channel : {colour.red, colour.green, colour.blue})
+        (text += digits[channel >> 4]) += digits[channel & 15];
+    return text;
+}
+
+std::string attribute(std::string_view key, std::string_view value) { return cat(" ", key, "=\"", value, "\""); }
+
+/// The largest of 1, 2 and 5 times a power of ten up to `most`.
+double roundLength(double most) {
+    const double power = std::pow(10, std::floor(std::log10(most)));
+    return most >= 5 * power ? 5 * power : most >= 2 * power ? 2 * power : power;
+}
+
+std::string textAt(double x, double y, double size, std::string_view fill, std::string_view more,
+                   std::string_view text) {
+    return cat("<text x=\"", px(x), "\" y=\"", px(y), "\" font-size=\"", px(size), "\" fill=\"", fill, "\"", more, ">",
+               escaped(text), "</text>\n");
+}
+
+}  // namespace
+
+/// Where metres lie on the page.
+class SvgDrawing::Page {
+public:
+    Page(const Point& least, const Point& most, const Frame& frame) : least_(least) {
+        const Point size = most - least;
+        scale_ = frame.longestSide / std::max({size.x, size.y, 1e-3});
+        // A narrow picture has room for its title all the same.
+        shownWidth_ = size.x * scale_;
+        width_ = std::max(shownWidth_, 360.0);
+        height_ = size.y * scale_;
+        left_ = margin + (width_ - shownWidth_) / 2;
+    }
+
+    double width() const { return width_ + 2 * margin; }
+    double height() const { return titleHeight + height_ + margin + footHeight; }
+    double bottom() const { return titleHeight + height_; }
+    double scale() const { return scale_; }
+    double left() const { return left_; }
+    double right() const { return left_ + shownWidth_; }
+    double x(const Point& p) const { return left_ + (p.x - least_.x) * scale_; }
+    double y(const Point& p) const { return bottom() - (p.y - least_.y) * scale_; }
+
+    std::string style(const Style& style) const {
+        std::string text = attribute("fill", style.fill ? hexadecimal(*style.fill) : "none");
+        if (style.stroke) {
+            text += attribute("stroke", hexadecimal(*style.stroke)) +
+                    attribute("stroke-width", px(style.strokeWidth * (style.strokeInMetres ? scale_ : 1)));
+            if (style.dashed) text += attribute("stroke-dasharray", "4 3");
+        }
+        if (style.opacity < 1) text += attribute("opacity", px(style.opacity));
+        return text;
+    }
+
+    std::string mark(const Mark& mark) const {
+        switch (mark.kind) {
+            case Mark::Kind::path:
+                return path(mark);
+            case Mark::Kind::circle:
+                return circle(mark.points[0], mark.size * scale_, mark.style);
+            case Mark::Kind::dot:
+                return circle(mark.points[0], mark.size, mark.style);
+            case Mark::Kind::arrow:
+                return arrow(mark);
+            case Mark::Kind::label:
+                break;
+        }
+        constexpr std::string_view halo =
+            " text-anchor=\"middle\" stroke=\"#ffffff\" stroke-width=\"3\" stroke-linejoin=\"round\" "
+            "paint-order=\"stroke\"";
+        return textAt(x(mark.points[0]), y(mark.points[0]) + mark.size, 12, ink, halo, mark.text);
+    }
+
+    std::string grid(double step) const {
+        std::string text;
+        const double right = least_.x + shownWidth_ / scale_, top = least_.y + height_ / scale_;
+        for (double i = std::ceil(least_.x / step); i * step <= right; ++i)
+            text += cat("M", px(x({i * step, 0})), " ", px(titleHeight), "V", px(bottom()));
+        for (double i = std::ceil(least_.y / step); i * step <= top; ++i)
+            text += cat("M", px(left()), " ", px(y({0, i * step})), "H", px(this->right()));
+        return cat("<path d=\"", text, "\" fill=\"none\" stroke=\"#e6e6e6\"/>\n");
+    }
+
+    std::string scaleBar(double length) const {
+        const double from = margin, to = margin + length * scale_, y = height() - 24;
+        std::string unit = length < 0.01 ? fixed(length * 1000, 0) + " mm"
+                           : length < 1  ? fixed(length * 100, 0) + " cm"
+                                         : fixed(length, 0) + " m";
+        return cat("<path d=\"M", px(from), " ", px(y - 4), "v8m0 -4H", px(to), "m0 -4v8\" fill=\"none\" stroke=\"",
+                   ink, "\" stroke-width=\"1.5\"/>\n") +
+               textAt(to + 8, y + 4, 12, ink, "", unit);
+    }
+
+private:
+    std::string path(const Mark& mark) const {
+        std::string d;
+        for (const Point& p : mark.points) d += cat(d.empty() ? "M" : "L", px(x(p)), " ", px(y(p)));
+        return cat("<path d=\"", d, mark.closed ? "Z" : "", "\"", style(mark.style), " stroke-linejoin=\"round\"/>\n");
+    }
+
+    std::string circle(const Point& centre, double radius, const Style& look) const {
+        return cat("<circle cx=\"", px(x(centre)), "\" cy=\"", px(y(centre)), "\" r=\"", px(radius), "\"", style(look),
+                   "/>\n");
+    }
+
+    std::string arrow(const Mark& mark) const {
+        const Point from{x(mark.points[0]), y(mark.points[0])}, to{x(mark.points[1]), y(mark.points[1])};
+        const double size = length(to - from);
+        if (size < 1) return {};
+        const Point along = (1 / size) * (to - from), aside{-along.y, along.x};
+        const double head = std::min(10.0, size / 2);
+        const Point neck = to - head * along, left = neck + head / 2.6 * aside, right = neck - head / 2.6 * aside;
+        const std::string shaft = cat("M", px(from.x), " ", px(from.y), "L", px(neck.x), " ", px(neck.y));
+        const std::string tip = cat("M", px(to.x), " ", px(to.y), "L", px(left.x), " ", px(left.y), "L", px(right.x),
+                                    " ", px(right.y), "Z");
+        const auto part = [](const std::string& d, const std::string& fill, const std::string& stroke, double wide) {
+            return cat("<path d=\"", d, "\" fill=\"", fill, "\" stroke=\"", stroke, "\" stroke-width=\"", px(wide),
+                       "\"/>");
+        };
+        const std::string colour = hexadecimal(*mark.style.stroke), halo = "#ffffff";
+        return part(shaft, "none", halo, 4.5) + part(tip, halo, halo, 3) + part(shaft, "none", colour, 2) +
+               part(tip, colour, "none", 0) + '\n';
+    }
+
+    Point least_;
+    double scale_ = 1, shownWidth_ = 0, width_ = 0, height_ = 0, left_ = 0;
+};
+
+void SvgDrawing::grow(const Point& point, double by) {
+    least_ = {std::min(least_.x, point.x - by), std::min(least_.y, point.y - by)};
+    most_ = {std::max(most_.x, point.x + by), std::max(most_.y, point.y + by)};
+}
+
+void SvgDrawing::outline(std::span<const Point> points, bool closed, const Style& style) {
+    for (const Point& point : points) grow(point, style.strokeInMetres ? style.strokeWidth / 2 : 0);
+    if (!points.empty()) marks_.push_back({Mark::Kind::path, {points.begin(), points.end()}, closed, 0, style, {}});
+}
+
+void SvgDrawing::circle(const Point& centre, double radius, const Style& style) {
+    grow(centre, radius + (style.strokeInMetres ? style.strokeWidth / 2 : 0));
+    marks_.push_back({Mark::Kind::circle, {centre}, true, radius, style, {}});
+}
+
+void SvgDrawing::dot(const Point& centre, double pixels, const Style& style) {
+    grow(centre, 0);
+    marks_.push_back({Mark::Kind::dot, {centre}, true, pixels, style, {}});
+}
+
+void SvgDrawing::arrow(const Point& from, const Point& to, const Colour& colour) {
+    grow(from, 0);
+    grow(to, 0);
+    marks_.push_back({Mark::Kind::arrow, {from, to}, false, 0, {.stroke = colour}, {}});
+}
+
+void SvgDrawing::label(const Point& at, double below, std::string_view text) {
+    marks_.push_back({Mark::Kind::label, {at}, false, below, {}, std::string(text)});
+}
+
+std::string SvgDrawing::text(const Frame& frame) const {
+    const bool empty = most_.x < least_.x;
+    const Page page(empty ? Point{} : least_, empty ? Point{1, 1} : most_, frame);
+    const double bar = roundLength(std::min(page.width() / 4, 220.0) / page.scale());
+    std::string text = cat("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"", px(page.width()), "\" height=\"",
+                           px(page.height()), "\" viewBox=\"0 0 ", px(page.width()), " ", px(page.height()),
+                           "\" font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\">\n<title>",
+                           escaped(frame.title), "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n");
+    text += textAt(margin, 26, 17, ink, " font-weight=\"bold\"", frame.title) +
+            textAt(margin, 44, 12, quiet, "", frame.subtitle);
+    if (frame.grid) text += page.grid(bar);
+    for (const Mark& mark : marks_) text += page.mark(mark);
+    return text + page.scaleBar(bar) + "</svg>\n";
+}
+
+}  // namespace mrose

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/polygon.h"
+#include "geometry/shape.h"
+
+namespace mrose {
+
+/// A picture of the plane, x to the right and y up, that needs nothing else to be seen: marks in metres, lines and
+/// letters in pixels unless said. It is as large as what it shows.
+class SvgDrawing {
+public:
+    struct Style {
+        std::optional<Colour> fill, stroke;
+        double strokeWidth = 1;       ///< pixels ...
+        bool strokeInMetres = false;  ///< ... or metres
+        double opacity = 1;
+        bool dashed = false;
+    };
+    struct Frame {
+        std::string title, subtitle;
+        double longestSide = 900;  ///< pixels, of what is shown
+        bool grid = false;         ///< faint lines as far apart as the scale bar is long
+    };
+
+    void polygon(std::span<const Point> corners, const Style& style) { outline(corners, true, style); }
+    void line(std::span<const Point> points, const Style& style) { outline(points, false, style); }
+    void circle(const Point& centre, double radius, const Style& style);
+    /// A pixel size however large the picture is.
+    void dot(const Point& centre, double pixels, const Style& style);
+    /// An arrow with a filled head, with a halo.
+    void arrow(const Point& from, const Point& to, const Colour& colour);
+    /// Text with a halo, its middle so many pixels below a point.
+    void label(const Point& at, double below, std::string_view text);
+
+    std::string text(const Frame& frame) const;
+
+private:
+    struct Mark {
+        enum class Kind { path, circle, dot, arrow, label } kind = Kind::path;
+        std::vector<Point> points;
+        bool closed = false;
+        double size = 0;
+        Style style;
+        std::string text;
+    };
+    class Page;
+
+    void outline(std::span<const Point> points, bool closed, const Style& style);
+    void grow(const Point& point, double by);
+
+    std::vector<Mark> marks_;
+    Point least_{1e9, 1e9}, most_{-1e9, -1e9};
+};
+
+}  // namespace mrose

@@ -1,0 +1,30 @@
+#include "recording/compression.h"
+
+#include <cassert>
+
+#include <zstd.h>
+
+namespace mrose {
+
+std::string compressed(std::string_view bytes) {
+    constexpr int level = 3;
+    std::string out(ZSTD_compressBound(bytes.size()), '\0');
+    const std::size_t size = ZSTD_compress(out.data(), out.size(), bytes.data(), bytes.size(), level);
+    assert(!ZSTD_isError(size));
+    out.resize(size);
+    return out;
+}
+
+std::optional<std::string> decompressed(std::string_view bytes, std::size_t most) {
+    const unsigned long long size = ZSTD_getFrameContentSize(bytes.data(), bytes.size());
+    if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN) return std::nullopt;
+    // A block, which takes 4 bytes at least, gives 128 KB at most.
+    constexpr std::size_t mostPerByte = 128 * 1024 / 4;
+    if (size > most || size / mostPerByte > bytes.size()) return std::nullopt;
+    std::string out(size, '\0');
+    const std::size_t got = ZSTD_decompress(out.data(), out.size(), bytes.data(), bytes.size());
+    if (ZSTD_isError(got) || got != size) return std::nullopt;
+    return out;
+}
+
+}  // namespace mrose

@@ -1,0 +1,76 @@
+#include "recording/difference_text.h"
+
+namespace mrose {
+namespace {
+
+using Part = StateDifference::Part;
+
+std::string named(const char* kind, std::size_t index, const std::string& name) {
+    return kind + (' ' + std::to_string(index + 1)) + (name.empty() ? "" : " (" + name + ')');
+}
+
+std::string bodyText(const Scenario& scenario, std::size_t body) {
+    const Scene& scene = scenario.scene();
+    if (body < scene.robots.size()) return robotText(scenario, body);
+    const std::size_t object = body - scene.robots.size();
+    return named("object", object, scene.objects[object].name);
+}
+
+/// "command 3 of robot 2", where there is one whose command it is.
+std::string commandText(const Scenario& scenario, const WorldState& state, std::size_t index) {
+    for (std::size_t i = 0; i < state.robots.size(); ++i) {
+        const std::span<const StampedCommand> slots = scenario.commandSlots(state, i);
+        const auto first = static_cast<std::size_t>(slots.data() - state.commands.data());
+        if (index >= first && index < first + slots.size())
+            return "command " + std::to_string(index - first + 1) + " of " + robotText(scenario, i);
+    }
+    return "command " + std::to_string(index + 1);
+}
+
+std::string memoryText(const Scenario& scenario, const WorldState& state, std::size_t index) {
+    for (std::size_t i = 0; i < state.robots.size(); ++i) {
+        const std::span<const std::byte> memory = scenario.memoryOf(state, i);
+        const auto first = static_cast<std::size_t>(memory.data() - state.memory.data());
+        if (index >= first && index < first + memory.size())
+            return "controller memory of " + robotText(scenario, i) + ", byte " + std::to_string(index - first);
+    }
+    return "controllers' memory, byte " + std::to_string(index);
+}
+
+std::string placeText(const Scenario& scenario, const WorldState& state, const StateDifference& difference) {
+    switch (difference.part) {
+        case Part::state:
+            return "";
+        case Part::robot:
+            return robotText(scenario, difference.index);
+        case Part::object:
+            return bodyText(scenario, state.robots.size() + difference.index);
+        case Part::contact:
+            return named("contact", difference.index, "");
+        case Part::kick:
+            return named("kick", difference.index, "");
+        case Part::goal:
+            return named("goal", difference.index, scenario.scene().environment.goals[difference.index].name);
+        case Part::command:
+            return commandText(scenario, state, difference.index);
+        case Part::memory:
+            return memoryText(scenario, state, difference.index);
+        case Part::past:
+            return "past pose of " + bodyText(scenario, difference.index % scenario.scene().bodyCount());
+    }
+    return "";
+}
+
+}  // namespace
+
+std::string robotText(const Scenario& scenario, std::size_t robot) {
+    return named("robot", robot, scenario.scene().robots[robot].name);
+}
+
+std::string differenceText(const Scenario& scenario, const WorldState& state, const StateDifference& difference) {
+    std::string text = placeText(scenario, state, difference);
+    if (!text.empty() && !difference.field.empty()) text += ' ';
+    return text + difference.field + ": recorded " + difference.first + ", now " + difference.second;
+}
+
+}  // namespace mrose

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "recording/timeline.h"
+
+namespace mrose {
+
+/// A course of events: the run itself, or what became of another one from some tick on when something was changed by
+/// hand. It begins with the changed state.
+struct Branch {
+    std::uint32_t parent = 0;  ///< index of the branch that it departs from; of itself for the run
+    std::int64_t tick = 0;     ///< at which it departs
+    std::string name;
+    Timeline timeline;
+};
+
+/// What a running simulation keeps in memory, so that any tick of any branch can be reached again (playback.h). Where
+/// the memory does not suffice, the earliest ticks are forgotten.
+class History {
+public:
+    struct Options {
+        std::size_t mostBytes = std::size_t{256} << 20;  ///< exceeded only by what must be kept: the latest block each
+        std::int64_t keyframeInterval = 0;               ///< see Timeline
+    };
+    explicit History(const WorldState& initial) : History(initial, Options{}) {}
+    History(const WorldState& initial, const Options& options);
+
+    /// A new branch that begins with `state`, at its tick; its index.
+    std::uint32_t beginBranch(std::uint32_t parent, const WorldState& state, std::string name);
+    /// One tick more at the end of a branch.
+    void add(const WorldState& after, const StepTrace& trace, std::uint32_t branch = 0);
+
+    const std::vector<Branch>& branches() const { return branches_; }
+    std::size_t size() const;  ///< bytes of memory, roughly
+
+private:
+    void forgetWhatIsTooMuch();
+
+    Options options_;
+    std::vector<Branch> branches_;
+};
+
+}  // namespace mrose

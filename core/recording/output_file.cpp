@@ -1,0 +1,85 @@
+#include "recording/output_file.h"
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "recording/crc32.h"
+
+namespace mrose {
+namespace {
+
+std::string systemCause(const char* what, int error) { return std::string(what) + ": " + std::strerror(error); }
+
+}  // namespace
+
+Expected<OutputFile> OutputFile::create(const std::filesystem::path& path, bool overwrite) {
+    const std::string name = path.string();
+    // A file that is there is emptied only after it has turned out to be one that may be.
+    const int exclusive = overwrite ? 0 : O_EXCL;
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NONBLOCK | exclusive, 0644);
+    if (descriptor < 0 && errno == EEXIST) return fail(name, "is there already, and is not overwritten unasked");
+    if (descriptor < 0) return fail(name, systemCause("cannot be written", errno));
+    OutputFile file(descriptor, name);
+    struct stat status {};
+    if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode))
+        return fail(name, "is no regular file; expected a name for one");
+    if (::ftruncate(descriptor, 0) != 0) return fail(name, systemCause("cannot be written", errno));
+    return file;
+}
+
+OutputFile::OutputFile(OutputFile&& other) noexcept
+    : descriptor_(std::exchange(other.descriptor_, -1)),
+      name_(std::move(other.name_)),
+      size_(other.size_),
+      crc_(other.crc_),
+      state_(std::move(other.state_)) {}
+
+OutputFile& OutputFile::operator=(OutputFile&& other) noexcept {
+    std::swap(descriptor_, other.descriptor_);
+    std::swap(name_, other.name_);
+    std::swap(size_, other.size_);
+    std::swap(crc_, other.crc_);
+    std::swap(state_, other.state_);
+    return *this;
+}
+
+OutputFile::~OutputFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+void OutputFile::failWith(const char* what) {
+    state_ = fail(name_, systemCause(what, errno));
+    // What cannot be cut off either is a record that readers find to be cut short.
+    if (::ftruncate(descriptor_, static_cast<off_t>(size_)) != 0) return;
+}
+
+void OutputFile::write(std::string_view bytes) {
+    if (!state_) return;
+    for (std::string_view rest = bytes; !rest.empty();) {
+        const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return failWith("cannot be written");
+        rest.remove_prefix(static_cast<std::size_t>(written));
+    }
+    size_ += bytes.size();
+    crc_ = crc32(bytes, crc_);
+}
+
+void OutputFile::sync() {
+    if (state_ && ::fdatasync(descriptor_) != 0) failWith("cannot be written");
+}
+
+Expected<void> OutputFile::close() {
+    if (descriptor_ < 0) return state_;
+    sync();
+    if (::close(std::exchange(descriptor_, -1)) != 0 && state_)
+        state_ = fail(name_, systemCause("cannot be written", errno));
+    return state_;
+}
+
+}  // namespace mrose

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "io/error.h"
+#include "recording/timeline.h"
+#include "scenario/scenario.h"
+#include "simulation/step.h"
+
+namespace mrose {
+
+/// What is wrong with a state as one of a scenario: sizes, indices, numbers that are not finite. Empty: nothing, and it
+/// can be stepped.
+std::string misfit(const Scenario& scenario, const WorldState& state);
+
+/// A state that was reached again, and whether it is the one that was: by its hashes.
+struct ReachedState {
+    WorldState state;
+    bool worldSame = true;  ///< false: this build or processor computes otherwise than the one that recorded
+    bool mindsSame = true;  ///< false: what sensors and controllers remember is of the keyframe before
+};
+
+/// Reaches ticks of a timeline: from the last keyframe before it steps again, first with the controllers, so that their
+/// memory comes along, and decisions from outside in their place. If that does not give the recorded hashes (a
+/// controller is missing, was changed, or hides memory), it steps with all decisions as recorded and asks nobody, and
+/// goes on so for as long as it lives.
+class Playback {
+public:
+    explicit Playback(const Scenario& scenario) : scenario_(scenario) {}
+
+    /// Error: the tick is not in the timeline, or a keyframe is none of this scenario.
+    Expected<ReachedState> reach(const Timeline& timeline, std::int64_t tick);
+
+private:
+    Expected<ReachedState> reachBy(bool asking, const TimelineBlock& block, const StateHash* expected,
+                                   std::int64_t tick);
+
+    const Scenario& scenario_;
+    StepBuffers buffers_;
+    bool askControllers_ = true;
+};
+
+}  // namespace mrose

@@ -1,0 +1,150 @@
+#include "recording/recording.h"
+
+#include <charconv>
+
+#include "io/file.h"
+#include "recording/block_bytes.h"
+#include "recording/mcap_reader.h"
+#include "recording/recording_format.h"
+
+namespace mrose {
+namespace {
+
+const mcap::Strings* metadataOf(const mcap::Content& content, std::string_view name) {
+    for (const auto& [key, strings] : content.metadata)
+        if (key == name) return &strings;
+    return nullptr;
+}
+
+std::string valueOf(const mcap::Strings& strings, const char* key) {
+    const auto found = strings.find(key);
+    return found == strings.end() ? "" : found->second;
+}
+
+template <class Integer>
+bool parseInteger(std::string_view text, Integer& value) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc{} && end == text.data() + text.size();
+}
+
+/// Of "memory size, commands per period" by the robots' numbers.
+bool readControllers(const mcap::Strings& strings, std::vector<RecordingHeader::ControllerNeeds>& controllers) {
+    for (std::size_t i = 0; i < strings.size(); ++i) {
+        const std::string text = valueOf(strings, std::to_string(i).c_str());
+        const std::size_t gap = text.find(' ');
+        RecordingHeader::ControllerNeeds needs;
+        if (gap == std::string::npos || !parseInteger(std::string_view(text).substr(0, gap), needs.memorySize) ||
+            !parseInteger(std::string_view(text).substr(gap + 1), needs.commandsPerPeriod))
+            return false;
+        controllers.push_back(needs);
+    }
+    return true;
+}
+
+class RecordingReader {
+public:
+    RecordingReader(const mcap::Content& content, std::string name) : content_(content), name_(std::move(name)) {}
+
+    Expected<Recording> read() {
+        recording_.damage = content_.damage;
+        if (const auto header = readHeader(); !header) return tl::unexpected(header.error());
+        for (const mcap::Attachment& attachment : content_.attachments)
+            if (!readAttachment(attachment)) {
+                recording_.damage.push_back("from tick " + std::to_string(lastTick()) +
+                                            " on it cannot be used: what lies at byte " +
+                                            std::to_string(attachment.offset) + " does not go on there");
+                break;
+            }
+        if (recording_.branches.empty()) return withoutBeginning();
+        return std::move(recording_);
+    }
+
+private:
+    tl::unexpected<Error> withoutBeginning() const {
+        return fail(name_, "is a recording without a beginning" + damageText());
+    }
+    std::string damageText() const {
+        return recording_.damage.empty() ? std::string() : ": " + recording_.damage.front();
+    }
+    std::int64_t lastTick() const {
+        return recording_.branches.empty() ? 0 : recording_.branches.back().timeline.last();
+    }
+
+    Expected<void> readHeader() {
+        const mcap::Strings* const run = metadataOf(content_, format::run);
+        if (run == nullptr) return fail(name_, "is no recording of mrose" + damageText());
+        if (const std::string found = valueOf(*run, format::formatKey); found != format::version)
+            return fail(name_, "is a recording of format " + found + "; expected " + format::version, 0,
+                        format::formatKey);
+        RecordingHeader& header = recording_.header;
+        header.origin = {valueOf(*run, format::versionKey),        valueOf(*run, format::commitKey),
+                         valueOf(*run, format::compilerKey),       valueOf(*run, format::buildTypeKey),
+                         valueOf(*run, format::cLibraryKey),       valueOf(*run, format::processorKey),
+                         valueOf(*run, format::instructionSetsKey)};
+        header.name = valueOf(*run, format::scenarioKey);
+        header.descriptions.scenario = valueOf(*run, format::scenarioFileKey);
+        header.commandLine = valueOf(*run, format::commandLineKey);
+        if (!parseInteger(valueOf(*run, format::seedKey), header.seed))
+            return fail(name_, "expected an integer", 0, format::seedKey);
+        if (!parseInteger(valueOf(*run, format::tickLengthKey), header.tickLength) || header.tickLength <= 0)
+            return fail(name_, "expected a positive integer", 0, format::tickLengthKey);
+        const mcap::Strings* const controllers = metadataOf(content_, format::controllers);
+        if (controllers == nullptr) return withoutBeginning();
+        if (!readControllers(*controllers, header.controllers))
+            return fail(name_, "expected two integers for each robot", 0, format::controllers);
+        return {};
+    }
+
+    /// Whether it could be used.
+    bool readAttachment(const mcap::Attachment& attachment) {
+        if (attachment.name.starts_with(format::descriptionPrefix)) {
+            const std::string_view name = attachment.name.substr(std::string_view(format::descriptionPrefix).size());
+            recording_.header.descriptions.texts.emplace(name, attachment.data);
+        } else if (attachment.name.starts_with(format::branchPrefix)) {
+            return addBranch(parseBranch(attachment.data));
+        } else if (attachment.name.starts_with(format::blockPrefix)) {
+            return addBlock(parseBlock(attachment.data));
+        }
+        return true;
+    }
+
+    bool addBranch(std::optional<BranchStart> start) {
+        std::vector<Branch>& branches = recording_.branches;
+        if (!start || start->branch != branches.size()) return false;
+        if (branches.empty() ? start->parent != 0 : !departs(*start)) return false;
+        const std::int64_t tick = start->block.first;
+        branches.push_back({start->parent, tick, std::move(start->name), Timeline(std::move(start->block))});
+        return true;
+    }
+
+    bool departs(const BranchStart& start) const {
+        if (start.parent >= recording_.branches.size()) return false;
+        const Timeline& parent = recording_.branches[start.parent].timeline;
+        return start.block.first >= parent.first() && start.block.first <= parent.last();
+    }
+
+    bool addBlock(std::optional<ReadBlock> read) {
+        return read && read->branch < recording_.branches.size() &&
+               recording_.branches[read->branch].timeline.append(std::move(read->block));
+    }
+
+    const mcap::Content& content_;
+    std::string name_;
+    Recording recording_;
+};
+
+}  // namespace
+
+Expected<Recording> parseRecording(std::string_view bytes, const std::string& name) {
+    const Expected<mcap::Content> content = mcap::parse(bytes, name);
+    if (!content) return tl::unexpected(content.error());
+    return RecordingReader(*content, name).read();
+}
+
+Expected<Recording> openRecording(const std::filesystem::path& path) {
+    const Expected<std::string> bytes = readFile(path);
+    if (!bytes) return tl::unexpected(bytes.error());
+    return parseRecording(*bytes, path.string());
+}
+
+}  // namespace mrose

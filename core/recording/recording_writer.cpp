@@ -1,0 +1,125 @@
+#include "recording/recording_writer.h"
+
+#include <cassert>
+
+#include "recording/block_bytes.h"
+#include "recording/recording_format.h"
+#include "world/state_bytes.h"
+
+namespace mrose {
+namespace {
+
+RecordingHeader headerOf(const Scenario& scenario, const WorldState& initial, const Descriptions& descriptions,
+                         const std::string& commandLine, const Origin& origin) {
+    RecordingHeader header{
+        descriptions, commandLine, origin, scenario.parts().name, initial.seed, scenario.scene().tickLength, {}};
+    for (std::size_t i = 0; i < initial.robots.size(); ++i)
+        header.controllers.push_back({scenario.controller(i).memorySize(),
+                                      scenario.controller(i).commandsPerPeriod(scenario.scene().modelOf(i).period())});
+    return header;
+}
+
+/// Messages beyond this many bytes are not kept back for a whole keyframe interval.
+constexpr std::size_t mostPending = std::size_t{1} << 20;
+
+}  // namespace
+
+Expected<RecordingWriter> RecordingWriter::create(const std::filesystem::path& path, const Scenario& scenario,
+                                                  const WorldState& initial, const Descriptions& descriptions,
+                                                  const std::string& commandLine, const Options& options) {
+    Expected<mcap::Writer> mcap = mcap::Writer::create(path, options.overwrite, "mrose " + options.origin.version);
+    if (!mcap) return tl::unexpected(mcap.error());
+    RecordingWriter writer(std::move(*mcap), scenario,
+                           options.keyframeInterval > 0 ? options.keyframeInterval : usualKeyframeInterval(initial));
+    writer.writeHeader(headerOf(scenario, initial, descriptions, commandLine, options.origin));
+    writer.startBranch(0, initial, "");
+    writer.flush();
+    if (!writer.state()) return tl::unexpected(writer.state().error());
+    return writer;
+}
+
+void RecordingWriter::writeHeader(const RecordingHeader& header) {
+    const Origin& origin = header.origin;
+    mcap_.addMetadata(format::run, {{format::formatKey, format::version},
+                                    {format::versionKey, origin.version},
+                                    {format::commitKey, origin.commit},
+                                    {format::compilerKey, origin.compiler},
+                                    {format::buildTypeKey, origin.buildType},
+                                    {format::cLibraryKey, origin.cLibrary},
+                                    {format::processorKey, origin.processor},
+                                    {format::instructionSetsKey, origin.instructionSets},
+                                    {format::scenarioKey, header.name},
+                                    {format::scenarioFileKey, header.descriptions.scenario},
+                                    {format::seedKey, std::to_string(header.seed)},
+                                    {format::tickLengthKey, std::to_string(header.tickLength)},
+                                    {format::commandLineKey, header.commandLine}});
+    mcap::Strings controllers;
+    for (std::size_t i = 0; i < header.controllers.size(); ++i)
+        controllers[std::to_string(i)] = std::to_string(header.controllers[i].memorySize) + ' ' +
+                                         std::to_string(header.controllers[i].commandsPerPeriod);
+    mcap_.addMetadata(format::controllers, controllers);
+    for (const auto& [name, text] : header.descriptions.texts)
+        mcap_.addAttachment(format::descriptionPrefix + name, "text/plain", 0, text);
+}
+
+void RecordingWriter::startBranch(std::uint32_t parent, const WorldState& state, const std::string& name) {
+    const auto branch = static_cast<std::uint32_t>(branches_.size());
+    const Nanoseconds time = scenario_->scene().timeOf(state.tick);
+    mcap_.addAttachment(format::branchPrefix + std::to_string(branch), format::blockType, time,
+                        branchBytes({branch, parent, name, {state.tick, stateBytes(state), {}, {}}}));
+    branches_.push_back({{state.tick, {}, {}, {}}, state.tick, SceneTopics(mcap_, schemas_, *scenario_, branch)});
+    branches_.back().topics.begin(mcap_, state);
+}
+
+std::uint32_t RecordingWriter::beginBranch(std::uint32_t parent, const WorldState& state, const std::string& name) {
+    assert(parent < branches_.size());
+    // What the branch departs from lies before it in the file.
+    flush();
+    startBranch(parent, state, name);
+    return static_cast<std::uint32_t>(branches_.size() - 1);
+}
+
+void RecordingWriter::add(const WorldState& after, const StepTrace& trace, std::uint32_t branch) {
+    if (!state()) return;
+    OpenBranch& open = branches_[branch];
+    assert(after.tick == open.block.last() + 1);
+    open.block.add(hashOf(after), trace);
+    open.topics.add(mcap_, after, trace);
+    const bool keyframe = after.tick - open.lastKeyframe >= keyframeInterval_;
+    if (!keyframe && mcap_.pendingBytes() < mostPending) return;
+    writeBlock(branch);
+    mcap_.endChunk();
+    if (!keyframe) return;
+    open.block.keyframe = stateBytes(after);
+    open.lastKeyframe = after.tick;
+}
+
+void RecordingWriter::keep(const WorldState& state, std::uint32_t branch) {
+    OpenBranch& open = branches_[branch];
+    assert(state.tick == open.block.last());
+    writeBlock(branch);
+    if (open.lastKeyframe == state.tick) return;
+    open.block.keyframe = stateBytes(state);
+    open.lastKeyframe = state.tick;
+}
+
+void RecordingWriter::writeBlock(std::uint32_t branch) {
+    TimelineBlock& block = branches_[branch].block;
+    if (block.hashes.empty() && block.keyframe.empty()) return;
+    mcap_.addAttachment(format::blockPrefix + std::to_string(branch) + '/' + std::to_string(block.first),
+                        format::blockType, scenario_->scene().timeOf(block.first), blockBytes(block, branch));
+    block = {block.last(), {}, {}, {}};
+}
+
+void RecordingWriter::flush() {
+    for (std::uint32_t i = 0; i < branches_.size(); ++i) writeBlock(i);
+    mcap_.endChunk();
+    mcap_.sync();
+}
+
+Expected<void> RecordingWriter::close() {
+    for (std::uint32_t i = 0; i < branches_.size(); ++i) writeBlock(i);
+    return mcap_.close();
+}
+
+}  // namespace mrose

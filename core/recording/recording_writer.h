@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "io/error.h"
+#include "recording/recording.h"
+#include "recording/scene_topics.h"
+#include "recording/timeline.h"
+
+namespace mrose {
+
+/// Writes a run to a file while it goes on, such that at every moment what was written so far can be opened, also after
+/// a kill. Where the disk is full, or anything else goes wrong, the file stays as it was after the last part written
+/// whole, `state()` says what happened, and everything further does nothing: the run may go on.
+///
+/// A part is written when ticks for one keyframe interval are together, and at flush(): a program whose run keeps pace
+/// with the clock calls it about once a second.
+class RecordingWriter {
+public:
+    struct Options {
+        bool overwrite = false;             ///< false: an Error where there is a file already
+        std::int64_t keyframeInterval = 0;  ///< see Timeline
+        Origin origin = thisOrigin();
+    };
+    /// The scenario must stay as long as the writer. Error: what the system says.
+    static Expected<RecordingWriter> create(const std::filesystem::path& path, const Scenario& scenario,
+                                            const WorldState& initial, const Descriptions& descriptions,
+                                            const std::string& commandLine, const Options& options);
+    static Expected<RecordingWriter> create(const std::filesystem::path& path, const Scenario& scenario,
+                                            const WorldState& initial, const Descriptions& descriptions = {},
+                                            const std::string& commandLine = {}) {
+        return create(path, scenario, initial, descriptions, commandLine, Options{});
+    }
+
+    /// One tick more at the end of a branch: the state after it and what step() told of it.
+    void add(const WorldState& after, const StepTrace& trace, std::uint32_t branch = 0);
+    /// A new branch that begins with `state`, at its tick; its index.
+    std::uint32_t beginBranch(std::uint32_t parent, const WorldState& state, const std::string& name);
+    /// Keeps the state added last, so that a replay which differs before it can say in what: for the end of a run.
+    void keep(const WorldState& state, std::uint32_t branch = 0);
+
+    /// Everything so far onto the disk.
+    void flush();
+    /// The same, and the summary by which other programs find their way. Error: the first thing that went wrong.
+    Expected<void> close();
+    const Expected<void>& state() const { return mcap_.state(); }
+
+private:
+    RecordingWriter(mcap::Writer mcap, const Scenario& scenario, std::int64_t keyframeInterval)
+        : mcap_(std::move(mcap)),
+          scenario_(&scenario),
+          schemas_(SceneTopics::addSchemas(mcap_, scenario)),
+          keyframeInterval_(keyframeInterval) {}
+    void writeHeader(const RecordingHeader& header);
+    void startBranch(std::uint32_t parent, const WorldState& state, const std::string& name);
+    void writeBlock(std::uint32_t branch);
+
+    struct OpenBranch {
+        TimelineBlock block;        ///< not yet written
+        std::int64_t lastKeyframe;  ///< its tick
+        SceneTopics topics;
+    };
+    mcap::Writer mcap_;
+    const Scenario* scenario_;
+    SceneTopics::Schemas schemas_;
+    std::int64_t keyframeInterval_;
+    std::vector<OpenBranch> branches_;
+};
+
+}  // namespace mrose

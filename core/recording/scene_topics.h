@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "recording/mcap_writer.h"
+#include "scenario/scenario.h"
+#include "simulation/step.h"
+
+namespace mrose {
+
+/// What other programs see of one branch: poses, velocities, commands and contacts ten times a second, what is of note
+/// when it happens, the scene once. Topics and frames of other branches than the run itself begin with "branch_N/".
+class SceneTopics {
+public:
+    /// Once in a file.
+    struct Schemas {
+        std::uint16_t transforms = 0, scene = 0, log = 0, robots = 0, objects = 0, contacts = 0;
+    };
+    static Schemas addSchemas(mcap::Writer& writer, const Scenario& scenario);
+
+    SceneTopics(mcap::Writer& writer, const Schemas& schemas, const Scenario& scenario, std::uint32_t branch);
+
+    /// The scene, and the bodies as they begin.
+    void begin(mcap::Writer& writer, const WorldState& state);
+    /// One tick.
+    void add(mcap::Writer& writer, const WorldState& after, const StepTrace& trace);
+
+private:
+    void writeSample(mcap::Writer& writer, const WorldState& state);
+    void writeContacts(mcap::Writer& writer, Nanoseconds time);
+
+    const Scenario& scenario_;
+    std::vector<std::string> names_, frames_;
+    std::uint16_t transforms_ = 0, scene_ = 0, log_ = 0, robots_ = 0, objects_ = 0, contacts_ = 0, contactMarks_ = 0;
+    std::int64_t sampleTicks_ = 1;
+    std::vector<ContactReport> pressed_;  ///< since the last sample
+    bool showsContacts_ = false;          ///< the last sample had some
+};
+
+}  // namespace mrose

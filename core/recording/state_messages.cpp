@@ -1,0 +1,195 @@
+#include "recording/state_messages.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "recording/json_text.h"
+
+namespace mrose {
+namespace {
+
+void appendField(std::string& json, const char* key, double value, int decimals = 4) {
+    json += key;
+    appendFixed(json, value, decimals);
+}
+
+void appendPose(std::string& json, const Pose& pose) {
+    appendField(json, "{\"x\":", pose.x);
+    appendField(json, ",\"y\":", pose.y);
+    appendField(json, ",\"heading\":", pose.heading);
+}
+
+void appendTransform(std::string& json, const Pose& pose, const std::string& frame, const std::string& stamp) {
+    json += R"({"timestamp":)";
+    json += stamp;
+    json += R"(,"parent_frame_id":"world","child_frame_id":)";
+    appendQuoted(json, frame);
+    appendField(json, R"(,"translation":{"x":)", pose.x);
+    appendField(json, ",\"y\":", pose.y);
+    // Half the heading, kept within half a turn so that the numbers stay small.
+    const double half = std::remainder(pose.heading, 4 * std::acos(-1.0)) / 2;
+    appendField(json, R"(,"z":0},"rotation":{"x":0,"y":0,"z":)", std::sin(half), 5);
+    appendField(json, ",\"w\":", std::cos(half), 5);
+    json += "}}";
+}
+
+std::string stampOf(Nanoseconds time) {
+    std::string stamp;
+    appendTime(stamp, time);
+    return stamp;
+}
+
+std::string nameOf(const Scenario& scenario, std::uint32_t body, std::uint32_t obstacle,
+                   std::span<const std::string> names) {
+    if (body < names.size()) return names[body];
+    const ObstacleIndex& index = scenario.obstacles();
+    if (obstacle >= index.pieces().size()) return "obstacle";
+    const std::string& name = scenario.scene().environment.obstacles[index.obstacleOf(obstacle)].name;
+    return name.empty() ? "obstacle" : name;
+}
+
+enum class Level { information = 2, warning = 3 };
+
+std::string logMessage(Level level, const std::string& text, const std::string& name, const std::string& stamp) {
+    std::string json =
+        "{\"timestamp\":" + stamp + ",\"level\":" + std::to_string(static_cast<int>(level)) + ",\"message\":";
+    appendQuoted(json, text);
+    json += ",\"name\":";
+    appendQuoted(json, name);
+    return json + R"(,"file":"","line":0})";
+}
+
+std::string kickText(const Scenario& scenario, const StepTrace::Kicked& kick, std::span<const std::string> names) {
+    const Manipulator& manipulator = scenario.scene().typeOf(kick.robot).manipulators[kick.manipulator];
+    std::string text = names[kick.robot] + " kicks";
+    if (!manipulator.name.empty()) text += " with " + manipulator.name;
+    if (!kick.hit) return text + " and hits nothing";
+    text += ": " + names[scenario.scene().robots.size() + kick.object] + " leaves with ";
+    appendFixed(text, length(kick.speed_W), 2);
+    return text + " m/s";
+}
+
+}  // namespace
+
+std::string transformsMessage(const WorldState& state, std::span<const std::string> frames, Nanoseconds time) {
+    const std::string stamp = stampOf(time);
+    std::string json = "{\"transforms\":[";
+    for (std::size_t body = 0; body < state.robots.size() + state.objects.size(); ++body) {
+        if (body > 0) json += ',';
+        appendTransform(json, Scenario::poseOf(state, body), frames[body], stamp);
+    }
+    return json + "]}";
+}
+
+std::string robotsMessage(const Scenario& scenario, const WorldState& state, std::span<const std::string> names) {
+    const Nanoseconds now = scenario.scene().timeOf(state.tick);
+    std::string json = "{";
+    for (std::size_t i = 0; i < state.robots.size(); ++i) {
+        const RobotState& robot = state.robots[i];
+        const Command command = scenario.commandsOf(state, i).at(now);
+        if (i > 0) json += ',';
+        appendQuoted(json, names[i]);
+        json += ':';
+        appendPose(json, robot.pose);
+        appendField(json, ",\"v\":", robot.velocity_B.x);
+        appendField(json, ",\"v_left\":", robot.velocity_B.y);
+        appendField(json, ",\"w\":", robot.velocity_B.rotation);
+        appendField(json, ",\"v_command\":", command.v);
+        appendField(json, ",\"w_command\":", command.w);
+        json += '}';
+    }
+    return json + '}';
+}
+
+std::string objectsMessage(const WorldState& state, std::span<const std::string> names) {
+    std::string json = "{";
+    for (std::size_t i = 0; i < state.objects.size(); ++i) {
+        const ObjectState& object = state.objects[i];
+        if (i > 0) json += ',';
+        appendQuoted(json, names[state.robots.size() + i]);
+        json += ':';
+        appendPose(json, object.pose);
+        appendField(json, ",\"vx\":", object.velocity_W.x);
+        appendField(json, ",\"vy\":", object.velocity_W.y);
+        appendField(json, ",\"w\":", object.velocity_W.rotation);
+        json += '}';
+    }
+    return json + '}';
+}
+
+std::vector<SummedContact> summedContacts(std::vector<ContactReport> reports) {
+    const auto key = [](const auto& c) { return std::tuple(c.bodyA, c.bodyB, c.obstacle); };
+    std::stable_sort(reports.begin(), reports.end(),
+                     [&](const ContactReport& a, const ContactReport& b) { return key(a) < key(b); });
+    std::vector<SummedContact> sums;
+    for (const ContactReport& report : reports) {
+        if (sums.empty() || key(sums.back()) != key(report))
+            sums.push_back({report.bodyA, report.bodyB, report.obstacle, report.position, 0, 0});
+        SummedContact& sum = sums.back();
+        sum.impulse += report.impulse;
+        if (report.impulse <= sum.hardest) continue;
+        sum.hardest = report.impulse;
+        sum.position = report.position;
+    }
+    return sums;
+}
+
+std::string contactsMessage(const Scenario& scenario, std::span<const SummedContact> contacts,
+                            std::span<const std::string> names) {
+    double impulse = 0;
+    std::string list;
+    for (const SummedContact& contact : contacts) {
+        impulse += contact.impulse;
+        list += list.empty() ? "{\"a\":" : ",{\"a\":";
+        appendQuoted(list, nameOf(scenario, contact.bodyA, contact.obstacle, names));
+        list += ",\"b\":";
+        appendQuoted(list, nameOf(scenario, contact.bodyB, contact.obstacle, names));
+        appendField(list, ",\"x\":", contact.position.x, 3);
+        appendField(list, ",\"y\":", contact.position.y, 3);
+        appendField(list, ",\"impulse\":", contact.impulse, 3);
+        list += '}';
+    }
+    std::string json = "{\"count\":" + std::to_string(contacts.size());
+    appendField(json, ",\"impulse\":", impulse, 3);
+    return json + ",\"contacts\":[" + list + "]}";
+}
+
+std::string contactMarksMessage(std::span<const SummedContact> contacts, Nanoseconds time) {
+    std::string json = R"({"deletions":[],"entities":[{"timestamp":)" + stampOf(time) +
+                       R"(,"frame_id":"world","id":"contacts","lifetime":{"sec":0,"nsec":0},"frame_locked":true,)"
+                       R"("metadata":[],"arrows":[],"cubes":[],"spheres":[)";
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        appendField(json, i > 0 ? R"(,{"pose":{"position":{"x":)" : R"({"pose":{"position":{"x":)",
+                    contacts[i].position.x, 3);
+        appendField(json, ",\"y\":", contacts[i].position.y, 3);
+        json += R"(,"z":0.2},"orientation":{"x":0,"y":0,"z":0,"w":1}},"size":)";
+        // From 4 cm at no impulse at all to 20 cm.
+        std::string size;
+        appendFixed(size, 0.04 + 0.16 * (1 - std::exp(-contacts[i].impulse / 5)), 2);
+        json += "{\"x\":" + size + ",\"y\":" + size + ",\"z\":" + size + "}";
+        json += R"(,"color":{"r":1,"g":0.25,"b":0.1,"a":0.8}})";
+    }
+    return json + R"(],"cylinders":[],"lines":[],"triangles":[],"texts":[],"models":[]}]})";
+}
+
+std::vector<std::string> logMessages(const Scenario& scenario, const StepTrace& trace,
+                                     std::span<const std::string> names, Nanoseconds time) {
+    std::vector<std::string> messages;
+    const std::string stamp = stampOf(time);
+    for (const StepTrace::Kicked& kick : trace.kicks)
+        messages.push_back(logMessage(Level::information, kickText(scenario, kick, names), names[kick.robot], stamp));
+    for (const std::uint32_t goal : trace.goals) {
+        const std::string& name = scenario.scene().environment.goals[goal].name;
+        messages.push_back(logMessage(Level::information, "goal in " + (name.empty() ? std::to_string(goal + 1) : name),
+                                      "world", stamp));
+    }
+    for (const StepTrace::Fault& fault : trace.faults)
+        messages.push_back(logMessage(Level::warning, fault.what, names[fault.robot], stamp));
+    for (std::size_t i = 0; i < trace.robots.size(); ++i)
+        if (trace.robots[i].decided && !trace.robots[i].decision.breakReason.empty())
+            messages.push_back(
+                logMessage(Level::information, "stops here: " + trace.robots[i].decision.breakReason, names[i], stamp));
+    return messages;
+}
+
+}  // namespace mrose

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "simulation/step.h"
+#include "world/state_hash.h"
+#include "world/world_state.h"
+
+namespace mrose {
+
+/// Some ticks in a row: what was decided in each, the hashes of the state after it, and the state that they begin with,
+/// if it is kept. Its size is about 130 bytes a control period and robot, and that of the state.
+struct TimelineBlock {
+    std::int64_t first = 0;         ///< tick of the state that it begins with
+    std::string keyframe;           ///< that state as bytes (state_bytes.h); may be empty
+    std::vector<StateHash> hashes;  ///< of the states at first + 1, first + 2 ...
+    std::string decisions;          ///< of the ticks that lead there (decision_bytes.h)
+
+    std::int64_t last() const { return first + static_cast<std::int64_t>(hashes.size()); }
+    void add(const StateHash& after, const StepTrace& trace);
+    std::size_t size() const { return keyframe.size() + hashes.size() * sizeof(StateHash) + decisions.size(); }
+};
+
+/// A run without a gap, so that each of its states can be reached again: every so often the state itself, and all
+/// decisions and hashes.
+class Timeline {
+public:
+    /// Begins with a state; 0: an interval by which any tick is reached within some 5 ms.
+    explicit Timeline(const WorldState& start, std::int64_t keyframeInterval = 0);
+    /// Begins with a block of a file, which must have a keyframe.
+    explicit Timeline(TimelineBlock first);
+
+    /// One tick more: the state after it and what step() told of it.
+    void add(const WorldState& after, const StepTrace& trace);
+    void add(const WorldState& after, const StepTrace& trace, const StateHash& hash);
+    /// Ticks of a file, which must go on where this ends: false otherwise.
+    bool append(TimelineBlock block);
+
+    std::int64_t first() const { return blocks_.front().first; }  ///< the earliest tick that can be reached
+    std::int64_t last() const { return blocks_.back().last(); }
+    /// Of the state at a tick, first() < tick <= last().
+    const StateHash& hashAt(std::int64_t tick) const;
+    /// The one whose keyframe is the latest not after `tick`.
+    const TimelineBlock& blockOf(std::int64_t tick) const;
+    const std::deque<TimelineBlock>& blocks() const { return blocks_; }
+
+    std::size_t size() const { return size_; }  ///< bytes of memory, roughly
+    /// Forgets the earliest ticks, as many as lie between two keyframes; false where no others would be left.
+    bool forgetEarliest();
+
+private:
+    std::deque<TimelineBlock> blocks_;
+    std::size_t size_ = 0;
+    std::int64_t interval_ = 0;
+};
+
+/// Ticks between keyframes: as many as take about 5 ms to step again, whose number shrinks with the bodies'.
+std::int64_t usualKeyframeInterval(const WorldState& state);
+
+}  // namespace mrose

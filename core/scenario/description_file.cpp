@@ -1,0 +1,38 @@
+#include "scenario/description_file.h"
+
+#include "scenario/description_reader.h"
+#include "scenario/environment_file.h"
+#include "scenario/shape_file.h"
+
+namespace mrose {
+namespace {
+
+template <class T>
+Expected<Description> described(Expected<T> value) {
+    if (!value) return tl::unexpected(value.error());
+    return Description(std::move(*value));
+}
+
+}  // namespace
+
+Expected<Description> loadDescription(const std::string& name, DescriptionSource& source,
+                                      const ScenarioLoading& loading) {
+    DescriptionLibrary library(source);
+    const auto file = library.file(name, "");
+    if (!file) return tl::unexpected(file.error());
+    const auto kind = descriptionKind((*file)->text, (*file)->shown);
+    if (!kind) return tl::unexpected(kind.error());
+    switch (*kind) {
+        case DescriptionKind::shape:
+            return described(parseShape((*file)->text, (*file)->shown));
+        case DescriptionKind::environment:
+            return described(parseEnvironment((*file)->text, (*file)->shown));
+        case DescriptionKind::robot:
+            return described(readRobot(**file, library));
+        case DescriptionKind::scenario:
+            break;
+    }
+    return described(loadScenario((*file)->name, source, loading));
+}
+
+}  // namespace mrose

@@ -1,0 +1,134 @@
+#include "scenario/environment_file.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "scenario/descriptions.h"
+
+namespace mrose {
+namespace {
+
+const std::string head = "format = \"mrose environment\"\nversion = 1\nname = \"e\"\n";
+
+Environment parsed(const std::string& body) {
+    const auto environment = parseEnvironment(head + body, "f");
+    EXPECT_TRUE(environment) << environment.error().message();
+    return environment.value_or(Environment{});
+}
+
+std::string refusalOf(const std::string& body) {
+    const auto environment = parseEnvironment(head + body, "f");
+    return environment ? "" : environment.error().message();
+}
+
+double areaOf(const Shape& shape) {
+    double area = 0;
+    for (const ShapePart& part : shape.parts) area += std::abs(signedArea(part.polygon));
+    return area;
+}
+
+/// Whether a point lies in one of the shape's pieces.
+bool holds(const Shape& shape, const Point& point) {
+    for (const ConvexPiece& piece : shape.pieces)
+        if (distance(ConvexPiece::circle(point, 1e-9), piece) <= 0) return true;
+    return false;
+}
+
+TEST(EnvironmentFile, GivesWhatTheFileHolds) {
+    const auto environment = parseEnvironment(smallWorld().at("e.toml"), "f");
+    ASSERT_TRUE(environment) << environment.error().message();
+    EXPECT_EQ(environment->name, "yard");
+    EXPECT_EQ(environment->floor.slidingFriction, 0.25);
+    EXPECT_EQ(environment->floor.traction, 0.7);
+    EXPECT_EQ(environment->floor.rollingDeceleration, 0.5);
+    EXPECT_EQ(environment->floor.colour, (Colour{16, 32, 48}));
+    EXPECT_EQ(environment->floor.area.size(), 4u);
+    ASSERT_EQ(environment->obstacles.size(), 2u);
+    EXPECT_EQ(environment->obstacles[0].name, "fence");
+    EXPECT_EQ(environment->obstacles[0].surface, (Surface{0.6, 0.3}));
+    EXPECT_EQ(environment->obstacles[1].name, "post");
+    EXPECT_EQ(environment->obstacles[1].surface, (Surface{0.6, 0.9})) << "what it leaves out is the environment's";
+    EXPECT_EQ(environment->obstacles[1].shape.parts[0].colour, (Colour{255, 0, 0}));
+    ASSERT_EQ(environment->goals.size(), 1u);
+    EXPECT_EQ(environment->goals[0].name, "east");
+    EXPECT_NEAR(signedArea(environment->goals[0].area), 1, 1e-12);
+    ASSERT_EQ(environment->markings.size(), 2u);
+    EXPECT_EQ(environment->markings[0].points, (std::vector<Point>{{0, -3}, {0, 3}}));
+    EXPECT_EQ(environment->markings[0].width, 0.05);
+    EXPECT_EQ(environment->markings[1].radius, 1);
+    EXPECT_EQ(environment->markings[1].width, 0.02);
+    EXPECT_EQ(environment->markings[1].colour, (Colour{0, 255, 0}));
+}
+
+TEST(EnvironmentFile, ClosedWallIsAFrameOfTheThicknessOnItsSide) {
+    const std::string points =
+        "[[wall]]\npoints_m = [[0, 0], [4, 0], [4, 3], [0, 3]]\nclosed = true\nthickness_m = 0.2\n";
+    // Frames between rectangles: outside, inside and astride of 4 x 3 m.
+    EXPECT_NEAR(areaOf(parsed(points + "side = \"right\"").obstacles[0].shape), 4.4 * 3.4 - 4 * 3, 1e-12);
+    EXPECT_NEAR(areaOf(parsed(points + "side = \"left\"").obstacles[0].shape), 4 * 3 - 3.6 * 2.6, 1e-12);
+    const Shape astride = parsed(points).obstacles[0].shape;
+    EXPECT_NEAR(areaOf(astride), 4.2 * 3.2 - 3.8 * 2.8, 1e-12);
+    for (const Point& corner : {Point{-0.09, -0.09}, Point{4.09, 3.09}, Point{0.09, 2.91}})
+        EXPECT_TRUE(holds(astride, corner));
+    for (const Point& free : {Point{0.11, 0.11}, Point{4.11, 3}, Point{2, 1.5}}) EXPECT_FALSE(holds(astride, free));
+}
+
+TEST(EnvironmentFile, OpenWallEndsWhereItsLineEnds) {
+    const Shape wall =
+        parsed("[[wall]]\npoints_m = [[0, 0], [2, 0], [3, 1]]\nthickness_m = 0.1\nside = \"left\"").obstacles[0].shape;
+    ASSERT_EQ(wall.parts.size(), 2u);
+    EXPECT_TRUE(holds(wall, {0.001, 0.05}) && holds(wall, {1, 0.099}) && holds(wall, {2.9, 0.95}));
+    EXPECT_FALSE(holds(wall, {-0.001, 0.05}) || holds(wall, {1, -0.001}) || holds(wall, {1, 0.101}) ||
+                 holds(wall, {3.05, 1.05}));
+    // The mitre at a bend by 45 degrees: no gap and no overlap.
+    const double bend = 0.1 * std::tan(22.5 * std::acos(-1) / 180);
+    EXPECT_NEAR(areaOf(wall), 0.1 * (2 - bend / 2) + 0.1 * (std::sqrt(2) - bend / 2), 1e-12);
+}
+
+TEST(EnvironmentFile, EveryMistakeNamesItsPlace) {
+    const std::pair<const char*, const char*> cases[] = {
+        {"[[wall]]\npoints_m = [[0, 0], [1, 0]]", "f:4:1: wall[0].thickness_m: is missing"},
+        {"[[wall]]\npoints_m = [[0, 0]]\nthickness_m = 0.1",
+         "f:5:12: wall[0].points_m: has 1 elements; expected 2 to 100 arrays of 2 numbers"},
+        {"[[wall]]\npoints_m = [[0, 0], [0, 0.0001]]\nthickness_m = 0.1",
+         "f:5:13: wall[0].points_m[0]: is nearer than 0.001 m to the next corner; edges need some length"},
+        {"[[wall]]\npoints_m = [[0, 0], [1, 0], [0, 0.2]]\nthickness_m = 0.1",
+         "f:5:21: wall[0].points_m[1]: turns by more than 120 degrees; expected two walls"},
+        {"[[wall]]\npoints_m = [[0, 0], [1, 0], [1, 0.1],\n [0, 0.1]]\nclosed = true\nthickness_m = 0.3",
+         "f:5:21: wall[0].points_m[1]: begins a segment that is too short for the wall's thickness"},
+        {"[[wall]]\npoints_m = [[0, 0], [1, 0]]\nthickness_m = 0",
+         "f:6:15: wall[0].thickness_m: is 0.0; expected 0.001 to 10.0"},
+        {"[[wall]]\npoints_m = [[0, 0], [1, 0]]\nthickness_m = 0.1\nside = \"top\"",
+         "f:7:8: wall[0].side: is \"top\"; expected one of \"both\", \"left\", \"right\""},
+        {"[[wall]]\npoints_m = [[0, 0], [1001, 0]]\nthickness_m = 0.1",
+         "f:5:22: wall[0].points_m: is 1001.0; expected -1000.0 to 1000.0"},
+        {"[[wall]]\npoints_m = [[0, 0], [1, 0]]\nthickness_m = 0.1\nclosed = 1",
+         "f:7:10: wall[0].closed: expected true or false"},
+        {"[[wall]]\npoints_m = [[0, 0], [1, 0]]\nthickness_m = 0.1\nheight_m = 1",
+         "f:7:12: wall[0].height_m: is not a known key"},
+        {"[[obstacle]]\nname = \"a\"",
+         "f:4:1: obstacle[0].polygon_m: expected either polygon_m = [[x, y], ...] or circle = { centre_m, radius_m }"},
+        {"[[obstacle]]\npolygon_m = [[0, 0], [1, 1], [1, 0], [0, 1]]",
+         "f:5:30: obstacle[0].polygon_m[2]: begins an edge that meets the edge from corner 0; expected a simple "
+         "polygon"},
+        {"[[goal]]\narea_m = [[0, 0], [1, 0], [0, 1]]", "f:4:1: goal[0].name: is missing"},
+        {"[[goal]]\nname = \"a\"\narea_m = [[0, 0], [1, 0], [0, 1]]\n[[goal]]\nname = \"a\"\narea_m = [[0, 0], [1, 0], "
+         "[0, 1]]",
+         "f:8:8: goal[1].name: \"a\" is the name of another goal too"},
+        {"[[marking]]\nwidth_m = 0.1",
+         "f:4:1: marking[0].points_m: expected either points_m = [[x, y], ...] or circle = { centre_m, radius_m }"},
+        {"[floor]\nsliding_friction = -1", "f:5:20: floor.sliding_friction: is -1.0; expected 0.0 to 10.0"},
+        {"[floor]\ntraction = -1", "f:5:12: floor.traction: is -1.0; expected 0.0 to 10.0"},
+        {"[floor]\nrolling_deceleration = 0.4", "f:5:24: floor.rolling_deceleration: is not a known key"},
+        {"surface = { friction = 0.1, bounce = 1 }", "f:4:38: surface.bounce: is not a known key"},
+        {"surface = { restitution = 1.5 }", "f:4:27: surface.restitution: is 1.5; expected 0.0 to 1.0"},
+        {"surface = 0.3", "f:4:11: surface: expected a table"},
+        {"wall = 1", "f:4:8: wall: expected an array of tables"},
+        {"[[walls]]", "f:4:1: walls: is not a known key"},
+    };
+    for (const auto& [body, message] : cases) EXPECT_EQ(refusalOf(body), message) << body;
+}
+
+}  // namespace
+}  // namespace mrose
