@@ -1,5 +1,9 @@
 #include "scenario/controller_file.h"
 
+#include "behaviour/chase_ball.h"
+#include "behaviour/command_player.h"
+#include "behaviour/go_to_pose.h"
+#include "behaviour/wander.h"
 #include "io/number_text.h"
 #include "scenario/controller_seam.h"
 #include "scenario/description_reader.h"
@@ -36,7 +40,8 @@ ControllerSetting velocityScript(const Context& context) {
         row.rejectUnknown();
         if (!commands.empty() && time <= commands.back().time)
             row.reject("t_s", "is not later than that of the command before");
-        commands.push_back({time, command});
+        else
+            commands.push_back({time, command});
     }
     return {std::make_shared<CommandPlayer>(std::move(commands)), std::nullopt};
 }
