@@ -24,7 +24,6 @@ const std::map<std::string, std::set<std::string>> allowedLayers{
     {"physics", {"geometry", "world"}},
     {"scene", {"geometry", "world", "motion"}},
     {"control", {"geometry", "world"}},
-    {"scenario", {"io", "geometry", "world", "logs", "motion", "physics", "scene", "control"}},
     {"drawing", {"io", "geometry", "evaluation", "scene"}},
     {"behaviour", {"geometry", "world", "control"}},
     {"scenario", {"io", "geometry", "world", "logs", "motion", "physics", "scene", "control", "behaviour"}},
