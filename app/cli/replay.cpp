@@ -1,3 +1,4 @@
+#include "recording/recording.h"
 #include "recording/replay.h"
 
 #include <cstdio>
