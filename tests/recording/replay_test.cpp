@@ -13,7 +13,7 @@ class Forgetful final : public Controller {
 public:
     explicit Forgetful(Nanoseconds from) : from_(from) {}
     std::size_t memorySize() const override { return rover_.memorySize() + 16; }
-    std::size_t commandsPerPeriod() const override { return rover_.commandsPerPeriod(); }
+    std::size_t commandsPerPeriod(Nanoseconds period) const override { return rover_.commandsPerPeriod(period); }
     void decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const override {
         rover_.decide(observation, memory.first(rover_.memorySize()), decision);
         if (observation.robot == 5 && observation.time >= from_) memory[rover_.memorySize() + 3] = std::byte{9};
@@ -28,7 +28,7 @@ private:
 class Faulty final : public Controller {
 public:
     std::size_t memorySize() const override { return rover_.memorySize(); }
-    std::size_t commandsPerPeriod() const override { return rover_.commandsPerPeriod(); }
+    std::size_t commandsPerPeriod(Nanoseconds period) const override { return rover_.commandsPerPeriod(period); }
     void decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const override {
         rover_.decide(observation, memory, decision);
         if (observation.robot == 1) decision.command = Command{std::nan("7"), 0};
