@@ -29,9 +29,8 @@ const std::map<std::string, LearningMethod> methods{{"irprop+", LearningMethod::
                                                     {"lm", LearningMethod::levenbergMarquardt}};
 
 std::string robotTypeOf(const Log& log) {
-    if (log.format == "mrclam") return "irobot-create";
-    if (log.format == "husky-windows") return "husky";
-    return log.synthetic ? "reference-robot" : "robot";
+    const std::string kind = robotKind(log);
+    return kind.empty() ? "robot" : kind;
 }
 
 /// Every robot's name once, in the order of the logs.
@@ -96,7 +95,7 @@ public:
     bool operator()(const TrainingProgress& p) {
         const double done = p.member + static_cast<double>(p.epoch) / p.epochs;
         const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin_;
-        const int tenth = static_cast<int>(10 * done);
+        const int tenth = static_cast<int>(10 * done / p.members);
         if (line_.terminal() || tenth != shownTenth_) {
             shownTenth_ = tenth;
             char text[200];
@@ -111,7 +110,7 @@ public:
 
 private:
     ProgressLine line_;
-    int shownTenth_ = -1;  ///< of a member's epochs
+    int shownTenth_ = -1;  ///< of all epochs
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
@@ -192,7 +191,7 @@ int train(TrainFlags flags, const CommonFlags& common) {
         blueprint.identified[i].tracker = trackers[i];
     blueprint.drive = opened->drive;
     blueprint.heldOut.groups = holdOut;
-    blueprint.synthetic = logs.front().synthetic;
+    blueprint.synthetic = std::any_of(logs.begin(), logs.end(), [](const Log& log) { return log.synthetic; });
     blueprint.training.command = commandLine();
     for (const Log& log : logs)
         for (const LogFile& file : log.files) blueprint.training.logs.push_back({file.path, file.hash});

@@ -126,7 +126,8 @@ Json windowsJson(const Evaluation& evaluation) {
                               {"heading_mean_rad", e.headingMean},
                               {"heading_final_rad", e.headingFinal}});
         }
-        list.push_back({{"robot", evaluation.robots[w.robot].name},
+        list.push_back({{"window", i + 1},
+                        {"robot", evaluation.robots[w.robot].name},
                         {"trajectory", evaluation.trajectories[i]},
                         {"t_start", secondsText(w.start)},
                         {"duration_s", w.steps() * toSeconds(evaluation.options.windows.step)},
@@ -150,13 +151,13 @@ Json logJson(const Evaluation& evaluation, bool synthetic) {
 
 std::string resultsCsv(const Evaluation& evaluation) {
     std::string text =
-        "model,dataset,robot,trajectory,t_start,manoeuvre,path_m,rotation_rad,position_mean_m,position_final_m,"
+        "model,window,dataset,robot,trajectory,t_start,manoeuvre,path_m,rotation_rad,position_mean_m,position_final_m,"
         "heading_mean_rad,heading_final_rad,final_along_m,final_left_m,final_heading_signed_rad\n";
     for (const ModelEvaluation& model : evaluation.models)
         for (std::size_t i = 0; i < evaluation.windows.size(); ++i) {
             const Window& w = evaluation.windows[i];
             const WindowErrors& e = model.errors[i];
-            text += cat(quoted(model.name), ",", std::to_string(evaluation.dataset), ",",
+            text += cat(quoted(model.name), ",", std::to_string(i + 1), ",", std::to_string(evaluation.dataset), ",",
                         quoted(evaluation.robots[w.robot].name), ",", quoted(evaluation.trajectories[i]), ",",
                         secondsText(w.start), ",", name(w.manoeuvre));
             for (const double value : {w.path, w.rotation, e.positionMean, e.positionFinal, e.headingMean,
@@ -174,6 +175,7 @@ std::string resultsJson(const Evaluation& evaluation, const ReportContext& conte
     const WindowOptions& windows = evaluation.options.windows;
     const Json all{{"program", context.program},
                    {"command_line", context.commandLine},
+                   {"notices", context.notices},
                    {"log", logJson(evaluation, context.synthetic)},
                    {"model_facts", std::move(facts)},
                    {"training_logs", json(context.trainingLogs)},
