@@ -124,6 +124,7 @@ private:
         }
         window.measuredPose = start->pose;
         window.measuredVelocity = start->velocity;
+        window.steady = trajectory.steady;
         windows.push_back(std::move(window));
     }
 

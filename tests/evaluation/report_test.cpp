@@ -199,6 +199,17 @@ TEST_F(Report, JsonAndCsvHoldWhatWasMeasured) {
     EXPECT_THAT(csv, HasSubstr("\n\"fast, too\",1,0,r<2>,a,3.5,"));
 }
 
+TEST_F(Report, ResultsTellSteadyWindowsAndBothPaths) {
+    evaluation_.windows[1].steady = true;
+    const std::string csv = resultsCsv(evaluation_);
+    const Window& w = evaluation_.windows[1];
+    EXPECT_THAT(csv, HasSubstr(",1," + fixed(w.path, 6) + "," + fixed(w.pathBySteps, 6) + ","));
+    const auto windows = nlohmann::json::parse(resultsJson(evaluation_, context_))["windows"];
+    EXPECT_EQ(windows[0]["steady"], false);
+    EXPECT_EQ(windows[1]["steady"], true);
+    EXPECT_EQ(windows[1]["path_by_steps_m"].get<double>(), w.pathBySteps);
+}
+
 TEST(Escaped, ReplacesMarkupControlsAndBrokenUtf8) {
     EXPECT_EQ(escaped("a<b>&\"'"), "a&lt;b&gt;&amp;&quot;&#39;");
     EXPECT_EQ(escaped("ü°–😀"), "ü°–😀");
