@@ -2,6 +2,7 @@
 
 #include "common.h"
 #include "evaluation/evaluate.h"
+#include "evaluation/format.h"
 #include "evaluation/prediction_files.h"
 #include "io/file.h"
 #include "models.h"
@@ -29,7 +30,14 @@ int predict(const PredictFlags& flags, const CommonFlags& common) {
             return std::find(flags.robots.begin(), flags.robots.end(), request.robot) == flags.robots.end();
         });
     const RolloutOptions options;
-    const int steps = static_cast<int>(std::lround(flags.horizon / toSeconds(options.step)));
+    const Nanoseconds horizon = fromSeconds(flags.horizon);
+    if (horizon % options.step != 0)
+        return report({{},
+                       0,
+                       0,
+                       "horizon",
+                       secondsText(horizon) + " s is no whole number of steps of " + secondsText(options.step) + " s"});
+    const int steps = static_cast<int>(horizon / options.step);
     const auto starts = requestedStarts(*log, *requests, steps, flags.windows);
     if (!starts) return report(starts.error());
     const RobotModels models = learnedModels(*motion, *log);

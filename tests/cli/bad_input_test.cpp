@@ -147,6 +147,15 @@ TEST_F(BadInput, NetworkForAnotherPeriodIsRefused) {
     EXPECT_FALSE(std::filesystem::exists(path("report")));
 }
 
+TEST_F(BadInput, HorizonBetweenTwoStepsIsRefused) {
+    const std::string net = network();
+    expectOneLine(runMrose({"evaluate", net, "--log", log(), "--horizon", "0.55"}), {"horizon: 0.55 s", "0.1 s"});
+    expectOneLine(
+        runMrose({"predict", net, "--log", log(), "--windows", windows(), "-o", path("p.csv"), "--horizon", "0.55"}),
+        {"horizon: 0.55 s", "0.1 s"});
+    EXPECT_FALSE(std::filesystem::exists(path("p.csv")));
+}
+
 TEST_F(BadInput, WindowsFileErrorsNameLineAndColumn) {
     const std::string net = network(), out = path("p.csv");
     write("p.csv", "earlier");
