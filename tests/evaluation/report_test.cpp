@@ -201,9 +201,15 @@ TEST_F(Report, JsonAndCsvHoldWhatWasMeasured) {
 
 TEST_F(Report, ResultsTellSteadyWindowsAndBothPaths) {
     evaluation_.windows[1].steady = true;
+    evaluation_.windows[1].pathBySteps += 0.5;
     const std::string csv = resultsCsv(evaluation_);
     const Window& w = evaluation_.windows[1];
-    EXPECT_THAT(csv, HasSubstr(",1," + fixed(w.path, 6) + "," + fixed(w.pathBySteps, 6) + ","));
+    const auto cells = [&](const Window& window, const std::string& steady) {
+        return ",r<2>,a," + secondsText(window.start) + "," + std::string(name(window.manoeuvre)) + "," + steady + "," +
+               fixed(window.path, 6) + "," + fixed(window.pathBySteps, 6) + ",";
+    };
+    EXPECT_THAT(csv, HasSubstr(cells(evaluation_.windows[0], "0")));
+    EXPECT_THAT(csv, HasSubstr(cells(w, "1")));
     const auto windows = nlohmann::json::parse(resultsJson(evaluation_, context_))["windows"];
     EXPECT_EQ(windows[0]["steady"], false);
     EXPECT_EQ(windows[1]["steady"], true);
