@@ -69,7 +69,8 @@ void rememberCommandLine(int argc, char** argv);
 void watchInterrupts();
 bool wasInterrupted();
 
-/// A line on standard error that is written over; nothing unless it is a terminal and `quiet` is off.
+/// Progress on standard error: one line that is written over where that is a terminal, else a line each; nothing when
+/// `quiet`.
 class ProgressLine {
 public:
     explicit ProgressLine(bool quiet);
@@ -78,8 +79,7 @@ public:
     ProgressLine& operator=(const ProgressLine&) = delete;
 
     void show(const std::string& text);
-    /// Where there is no terminal, a new line now and then instead.
-    bool terminal() const { return terminal_; }
+    bool terminal() const { return terminal_; }  ///< without one, few lines are wanted
 
 private:
     bool quiet_, terminal_;
