@@ -49,12 +49,14 @@ double* InputReader::Bins::means(const Pieces& pieces, const double* values, dou
     for (const Bin& bin : bins_) {
         while (pieces.ages[first + 1] <= bin.newest) ++first;
         std::array<double, Width> sums{};
-        for (std::size_t piece = first; pieces.ages[piece] < bin.oldest; ++piece) {
-            const double begin = std::max(pieces.ages[piece], bin.newest);
-            const double share = (std::min(pieces.ages[piece + 1], bin.oldest) - begin) * bin.perLength;
+        double begin = bin.newest;
+        for (std::size_t piece = first; begin < bin.oldest; ++piece) {
+            const double end = std::min(pieces.ages[piece + 1], bin.oldest);
+            const double share = (end - begin) * bin.perLength;
             for (std::size_t q = 0; q < Width; ++q) sums[q] += share * values[piece * Width + q];
+            begin = end;
         }
-        means = std::copy(sums.begin(), sums.end(), means);
+        for (std::size_t q = 0; q < Width; ++q) *means++ = sums[q];
     }
     return means;
 }
