@@ -21,11 +21,11 @@ double turnSense(const Command& command, double offset) {
 InputReader::Bins::Bins(const std::vector<NetworkInput>& inputs, Quantity first, Quantity last) {
     for (const NetworkInput& input : inputs) {
         if (input.quantity < first || input.quantity > last) continue;
-        bins_.push_back({input.newest, input.oldest, 1 / (input.oldest - input.newest)});
         oldest_ = std::max(oldest_, input.oldest);
+        if (indexOf(input) == bins_.size())
+            bins_.push_back({input.newest, input.oldest, 1 / (input.oldest - input.newest)});
     }
-    std::sort(bins_.begin(), bins_.end());
-    bins_.erase(std::unique(bins_.begin(), bins_.end()), bins_.end());
+    std::sort(bins_.begin(), bins_.end(), [](const Bin& a, const Bin& b) { return a.newest < b.newest; });
 }
 
 std::size_t InputReader::Bins::indexOf(const NetworkInput& input) const {

@@ -42,8 +42,8 @@ private:
         Bins(const std::vector<NetworkInput>& inputs, NetworkInput::Quantity first, NetworkInput::Quantity last);
 
         std::size_t size() const { return bins_.size(); }
-        double oldest() const { return oldest_; }  ///< s: nothing older is read
-        std::size_t indexOf(const NetworkInput& input) const;
+        double oldest() const { return oldest_; }              ///< s: nothing older is read
+        std::size_t indexOf(const NetworkInput& input) const;  ///< size() if it has no bin
 
         /// The first of the pieces that are read, and the one after the last.
         std::pair<std::size_t, std::size_t> reach(const Pieces& pieces) const;
@@ -56,7 +56,6 @@ private:
         struct Bin {
             double newest, oldest;  ///< s
             double perLength;       ///< 1/s
-            auto operator<=>(const Bin&) const = default;
         };
         std::vector<Bin> bins_;  ///< by `newest`
         double oldest_ = 0;

@@ -91,9 +91,8 @@ TEST(MlpInference, CarriesANonFiniteInputToTheOutputs) {
 
 TEST(AlignedFloats, BeginWithACacheLine) {
     for (const std::size_t count : {1, 5, 16, 1000, 100'000}) {
-        const AlignedFloats floats(count), copy = floats;
+        const AlignedFloats floats(count);
         EXPECT_EQ(reinterpret_cast<std::uintptr_t>(floats.data()) % 64, 0u) << count;
-        EXPECT_EQ(reinterpret_cast<std::uintptr_t>(copy.data()) % 64, 0u) << count;
     }
 }
 
