@@ -110,6 +110,8 @@ TEST(TomlTable, RowsAreAsManyAsThereAre) {
 
 TEST(TomlTable, KeysThatMayBeMissingHaveAValueAllTheSame) {
     TomlTable table("i = 5\nb = true\ns = \"text\"\n[t]\nx = 1\n[[e]]\n", "f");
+    EXPECT_EQ(table.numberOr("i", 1), 5);
+    EXPECT_EQ(table.numberOr("none", 1), 1);
     EXPECT_EQ(table.integerOr("i", 1, 0, 9), 5);
     EXPECT_EQ(table.integerOr("none", 1, 0, 9), 1);
     EXPECT_TRUE(table.booleanOr("b", false));
