@@ -28,7 +28,8 @@ int runProgram(int argc, char** argv) {
     });
     CommonFlags flags;
     const Subcommand subcommands[] = {addInspect(app, flags), addTrain(app, flags),    addEvaluate(app, flags),
-                                      addPredict(app, flags), addGenerate(app, flags), addShapes(app, flags)};
+                                      addPredict(app, flags), addGenerate(app, flags), addShapes(app, flags),
+                                      addRun(app, flags),     addReplay(app, flags),   addBatch(app, flags)};
     try {
         app.parse(argc, argv);
         if (app.get_subcommands().empty()) throw CLI::RequiredError("A subcommand");

@@ -63,10 +63,6 @@ double TomlTable::number(std::string_view key, NumberRange range) {
     return node ? numberIn(*node, key, range).value_or(0) : 0;
 }
 
-double TomlTable::numberOr(std::string_view key, double fallback, NumberRange range) {
-    return has(key) ? number(key, range) : fallback;
-}
-
 std::int64_t TomlTable::integer(std::string_view key, std::int64_t least, std::int64_t most) {
     const toml::node* node = find(key);
     if (!node) return least;

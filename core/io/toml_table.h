@@ -30,7 +30,6 @@ public:
 
     bool has(std::string_view key) const;
     double number(std::string_view key, NumberRange range = {});
-    double numberOr(std::string_view key, double fallback, NumberRange range = {});
     std::int64_t integer(std::string_view key, std::int64_t least, std::int64_t most);
     std::int64_t integerOr(std::string_view key, std::int64_t fallback, std::int64_t least, std::int64_t most);
     bool boolean(std::string_view key);

@@ -1,13 +1,15 @@
 #include "scenario/controller_file.h"
 
+#include <array>
+
 #include "behaviour/chase_ball.h"
 #include "behaviour/command_player.h"
 #include "behaviour/go_to_pose.h"
 #include "behaviour/wander.h"
-#include "io/number_text.h"
-#include "scenario/controller_seam.h"
+#include "scenario/ball_contact.h"
 #include "scenario/description_reader.h"
 #include "scenario/log_excerpt.h"
+#include "scenario/plugin_seam.h"
 
 namespace mrose {
 namespace {
@@ -17,6 +19,7 @@ using File = DescriptionLibrary::File;
 constexpr NumberRange speeds{0, 20};
 constexpr NumberRange rotations{0, 3600};
 constexpr NumberRange runTime{0, 1e6};
+constexpr NumberRange deadTimes{0, 2};
 constexpr std::size_t mostTargets = 1000;
 
 /// Stands in for a plug-in that is not to be loaded: it decides nothing.
@@ -27,6 +30,7 @@ public:
 
 struct Context {
     TomlTable& table;
+    const DrivenRobot& driven;
     const File& from;
     DescriptionLibrary& library;
     bool plugins;
@@ -40,8 +44,7 @@ ControllerSetting velocityScript(const Context& context) {
         row.rejectUnknown();
         if (!commands.empty() && time <= commands.back().time)
             row.reject("t_s", "is not later than that of the command before");
-        else
-            commands.push_back({time, command});
+        commands.push_back({time, command});
     }
     return {std::make_shared<CommandPlayer>(std::move(commands)), std::nullopt};
 }
@@ -76,10 +79,12 @@ ControllerSetting goToPose(const Context& context) {
     if (targets.empty() || targets.size() > mostTargets) table.reject("targets", "expected 1 to 1000 poses");
     for (const TomlTable& target : targets) options.targets.push_back(pose(target));
     options.loop = table.booleanOr("loop", options.loop);
+    options.backwards = table.booleanOr("backwards", options.backwards);
     options.speed = table.numberOr("speed_mps", options.speed, speeds);
     options.rotation = angleOr(table, "rotation_degps", options.rotation, rotations);
     options.tolerance = table.numberOr("tolerance_m", options.tolerance, {0.001, 10});
     options.headingTolerance = angleOr(table, "heading_tolerance_deg", options.headingTolerance, {0.1, 360});
+    options.deadTime = table.numberOr("dead_time_s", context.driven.robot.deadTime, deadTimes);
     return {std::make_shared<GoToPose>(std::move(options)), std::nullopt};
 }
 
@@ -90,7 +95,11 @@ ControllerSetting chaseBall(const Context& context) {
     options.speed = table.numberOr("speed_mps", options.speed, speeds);
     options.rotation = angleOr(table, "rotation_degps", options.rotation, rotations);
     options.kicks = table.booleanOr("kicks", options.kicks);
-    return {std::make_shared<ChaseBall>(std::move(options)), std::nullopt};
+    if (context.driven.ballRadius > 0) options.ballRadius = context.driven.ballRadius;
+    if (const double front = ballContact(*context.driven.robot.type.shape, options.ballRadius); front > 0)
+        options.front = front;
+    options.deadTime = table.numberOr("dead_time_s", context.driven.robot.deadTime, deadTimes);
+    return {std::make_shared<ChaseBall>(options), std::nullopt};
 }
 
 ControllerSetting wander(const Context& context) {
@@ -99,7 +108,8 @@ ControllerSetting wander(const Context& context) {
     options.speed = table.numberOr("speed_mps", options.speed, speeds);
     options.rotation = angleOr(table, "rotation_degps", options.rotation, rotations);
     options.changeEvery = table.numberOr("change_every_s", options.changeEvery, {0.01, 1e6});
-    return {std::make_shared<Wander>(std::move(options)), std::nullopt};
+    options.deadTime = table.numberOr("dead_time_s", context.driven.robot.deadTime, deadTimes);
+    return {std::make_shared<Wander>(options), std::nullopt};
 }
 
 ControllerSetting plugin(const Context& context) {
@@ -123,12 +133,13 @@ constexpr std::array kinds{
 
 }  // namespace
 
-ControllerSetting readController(TomlTable table, const File& from, DescriptionLibrary& library, bool plugins) {
+ControllerSetting readController(TomlTable table, const DrivenRobot& driven, const File& from,
+                                 DescriptionLibrary& library, bool plugins) {
     std::array<std::string_view, kinds.size()> names;
     for (std::size_t i = 0; i < kinds.size(); ++i) names[i] = kinds[i].name;
     const std::size_t kind = table.choice("kind", names);
     if (table.failed()) return {};
-    ControllerSetting setting = kinds[kind].read({table, from, library, plugins});
+    ControllerSetting setting = kinds[kind].read({table, driven, from, library, plugins});
     table.rejectUnknown();
     return setting;
 }

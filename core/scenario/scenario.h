@@ -15,6 +15,16 @@
 
 namespace mrose {
 
+/// How far trials of a scenario differ from it: uniform draws within +- these.
+struct Variation {
+    double robotPosition = 0;   ///< m, of starts, in x and in y; of people too
+    double robotHeading = 0;    ///< rad
+    double objectPosition = 0;  ///< m
+    double frictionShare = 0;   ///< of the floor's frictions
+    double massShare = 0;       ///< of the objects' masses
+    bool operator==(const Variation&) const = default;
+};
+
 /// What a scenario is made of.
 struct ScenarioParts {
     std::string name;
@@ -22,7 +32,8 @@ struct ScenarioParts {
     std::vector<std::shared_ptr<const Controller>> controllers;  ///< of each robot
     std::uint64_t seed = 1;
     Nanoseconds duration = 60 * nanosecondsPerSecond;  ///< of a run for which nobody asks another one
-    bool kickOff = true;                               ///< after a goal the ball lies at its start again
+    Variation variation;
+    bool kickOff = true;  ///< after a goal the ball lies at its start again
 };
 
 /// All that is constant in a run, with what is told from it once: where in the state each robot's commands and memory

@@ -24,12 +24,18 @@ const std::map<std::string, std::set<std::string>> allowedLayers{
     {"physics", {"geometry", "world"}},
     {"scene", {"geometry", "world", "motion"}},
     {"control", {"geometry", "world"}},
+    {"plugin", {"io", "geometry", "world", "control"}},
+    {"scenario", {"io", "geometry", "world", "logs", "motion", "physics", "scene", "control"}},
+    {"drawing", {"io", "geometry", "evaluation", "scene"}},
     {"behaviour", {"geometry", "world", "control"}},
     {"scenario", {"io", "geometry", "world", "logs", "motion", "physics", "scene", "control", "behaviour"}},
-    {"drawing", {"io", "geometry", "evaluation", "scene"}},
     {"sensing", {"geometry", "world", "motion", "scene", "control", "scenario"}},
-    {"simulation", {"geometry", "world", "motion", "physics", "scene", "control", "scenario", "sensing"}},
+    {"simulation", {"io", "geometry", "world", "motion", "physics", "scene", "control", "scenario", "sensing"}},
+    {"experiment",
+     {"io", "geometry", "world", "motion", "physics", "scene", "control", "scenario", "simulation", "condition"}},
     {"recording", {"io", "geometry", "world", "motion", "physics", "scene", "control", "scenario", "simulation"}},
+    {"script", {"io"}},
+    {"condition", {"io", "geometry", "world", "physics", "scene", "control", "scenario", "simulation", "script"}},
 };
 
 /// Libraries that only some layers see: what an include begins with, and who may.
@@ -43,6 +49,7 @@ const std::map<std::string, std::set<std::string>> librariesOfLayers{
     {"nlohmann/", {"evaluation", "app/cli"}},
     {"Eigen/", {"learning", "identification"}},
     {"immintrin.h", {"learning"}},
+    {"lua.hpp", {"script", "condition"}},
     {"Random123/", {"learning", "world"}},
 };
 

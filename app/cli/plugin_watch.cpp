@@ -1,0 +1,224 @@
+#include "plugin_watch.h"
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <memory>
+#include <mutex>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include <unistd.h>
+
+#include "common.h"
+#include "plugin/load_plugin.h"
+
+namespace mrose::cli {
+namespace {
+
+constexpr std::int64_t noTick = -1;
+
+/// What a thread is doing with a plug-in. Signal handlers read it, so that it holds nothing but lock-free numbers.
+struct Activity {
+    std::atomic<bool> taken{false};             ///< by a thread
+    std::atomic<const std::string*> who{nullptr};  ///< nothing: no plug-in runs
+    std::atomic<std::int64_t> tick{noTick};
+    std::atomic<std::uint64_t> count{0};  ///< changes with every begin
+
+    void begin(const std::string* name, std::int64_t now) {
+        tick.store(now, std::memory_order_relaxed);
+        count.fetch_add(1, std::memory_order_relaxed);
+        who.store(name, std::memory_order_release);
+    }
+    void end() { who.store(nullptr, std::memory_order_release); }
+};
+
+constexpr std::size_t mostThreads = 1024;
+std::array<Activity, mostThreads> activities;
+std::mutex actionMutex;
+std::function<void()> endAction;
+
+/// One line on standard error, by means that a signal handler may use.
+void say(const Activity& activity, std::string_view what, std::string_view more) {
+    std::array<char, 1024> line;
+    std::size_t size = 0;
+    const auto add = [&](std::string_view text) {
+        for (const char c : text)
+            if (size + 1 < line.size()) line[size++] = static_cast<unsigned char>(c) < 0x20 ? '?' : c;
+    };
+    add("mrose: ");
+    add(*activity.who.load());
+    add(what);
+    if (const std::int64_t tick = activity.tick.load(); tick != noTick) {
+        std::array<char, 24> digits;
+        std::size_t first = digits.size();
+        for (std::int64_t rest = tick; rest > 0 || first == digits.size(); rest /= 10)
+            digits[--first] = static_cast<char>('0' + rest % 10);
+        add(" at tick ");
+        add({digits.data() + first, digits.size() - first});
+    } else {
+        add(" while it was loaded");
+    }
+    add(more);
+    line[size++] = '\n';
+    for (std::size_t done = 0; done < size;) {
+        const ssize_t written = ::write(STDERR_FILENO, line.data() + done, size - done);
+        if (written <= 0) break;
+        done += static_cast<std::size_t>(written);
+    }
+}
+
+/// A thread's activity, and a stack on which it can tell that its own has overflown.
+class ThreadWatch {
+public:
+    ThreadWatch() {
+        for (Activity& activity : activities) {
+            bool free = false;
+            if (!activity.taken.compare_exchange_strong(free, true)) continue;
+            activity_ = &activity;
+            break;
+        }
+        stack_t present{};
+        if (::sigaltstack(nullptr, &present) != 0 || (present.ss_flags & SS_DISABLE) == 0) return;
+        stack_.resize(1 << 16);
+        stack_t own{};
+        own.ss_sp = stack_.data();
+        own.ss_size = stack_.size();
+        ::sigaltstack(&own, nullptr);
+    }
+    ThreadWatch(const ThreadWatch&) = delete;
+    ThreadWatch& operator=(const ThreadWatch&) = delete;
+    ~ThreadWatch() {
+        if (!stack_.empty()) {
+            stack_t none{};
+            none.ss_flags = SS_DISABLE;
+            ::sigaltstack(&none, nullptr);
+        }
+        if (activity_ != &spare_) activity_->taken = false;
+    }
+
+    Activity& activity() const { return *activity_; }
+
+private:
+    Activity spare_;  ///< of threads beyond mostThreads: crashes are told, and no more
+    Activity* activity_ = &spare_;
+    std::vector<char> stack_;
+};
+
+/// Of this thread, for handlers: it is there before any plug-in runs.
+thread_local Activity* current = nullptr;
+
+Activity& activityOfThisThread() {
+    thread_local ThreadWatch watch;
+    current = &watch.activity();
+    return *current;
+}
+
+bool inPlugin() { return current != nullptr && current->who.load() != nullptr; }
+
+struct FatalSignal {
+    int number;
+    std::string_view meaning;
+    struct sigaction before;
+};
+std::array<FatalSignal, 5> fatalSignals{{{SIGSEGV, " (segmentation fault)", {}},
+                                         {SIGBUS, " (bus error)", {}},
+                                         {SIGFPE, " (arithmetic exception)", {}},
+                                         {SIGILL, " (illegal instruction)", {}},
+                                         {SIGABRT, " (aborted)", {}}}};
+
+extern "C" void onFatalSignal(int number) {
+    for (const FatalSignal& fatal : fatalSignals) {
+        if (fatal.number != number) continue;
+        if (inPlugin()) {
+            say(*current, " crashed", fatal.meaning);
+            ::_exit(failure);
+        }
+        // Not a plug-in's: what would have happened happens now.
+        ::sigaction(number, &fatal.before, nullptr);
+    }
+}
+
+void onExit() {
+    if (!inPlugin()) return;
+    say(*current, " ended the program", "");
+    ::_exit(failure);
+}
+
+/// Counts its own rounds and not the time, so that a program that was stopped for a while is not taken for stuck.
+void watch(double limit) {
+    constexpr int rounds = 20;
+    struct Seen {
+        std::uint64_t count = 0;
+        int rounds = 0;
+    };
+    std::vector<Seen> seen(activities.size());
+    for (;;) {
+        std::this_thread::sleep_for(std::chrono::duration<double>(limit / rounds));
+        for (std::size_t i = 0; i < activities.size(); ++i) {
+            const Activity& activity = activities[i];
+            const bool same = activity.who.load() != nullptr && activity.count.load() == seen[i].count;
+            seen[i] = {activity.count.load(), same ? seen[i].rounds + 1 : 0};
+            if (seen[i].rounds <= rounds) continue;
+            say(activity, " does not return", "");
+            const std::lock_guard lock(actionMutex);
+            if (endAction) endAction();
+            ::_exit(failure);
+        }
+    }
+}
+
+class WatchedController final : public Controller {
+public:
+    WatchedController(std::shared_ptr<const Controller> watched, std::string who, Nanoseconds tickLength)
+        : watched_(std::move(watched)), who_(std::move(who)), tickLength_(tickLength) {}
+
+    std::size_t memorySize() const override { return watched_->memorySize(); }
+    void start(std::span<std::byte> memory) const override { watched_->start(memory); }
+    std::size_t commandsPerPeriod(Nanoseconds period) const override { return watched_->commandsPerPeriod(period); }
+    void decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const override {
+        Activity& activity = activityOfThisThread();
+        activity.begin(&who_, observation.time / tickLength_);
+        watched_->decide(observation, memory, decision);
+        activity.end();
+    }
+
+private:
+    std::shared_ptr<const Controller> watched_;
+    std::string who_;
+    Nanoseconds tickLength_;
+};
+
+}  // namespace
+
+void startPluginWatch(double limit) {
+    struct sigaction action {};
+    action.sa_handler = onFatalSignal;
+    action.sa_flags = SA_ONSTACK;
+    for (FatalSignal& fatal : fatalSignals) ::sigaction(fatal.number, &action, &fatal.before);
+    std::atexit(onExit);
+    std::thread(watch, limit).detach();
+}
+
+void beforePluginEndsProgram(std::function<void()> action) {
+    const std::lock_guard lock(actionMutex);
+    endAction = std::move(action);
+}
+
+PluginGuard::PluginGuard(const std::string& who) : who_(who) { activityOfThisThread().begin(&who_, noTick); }
+PluginGuard::~PluginGuard() { activityOfThisThread().end(); }
+
+void watchPlugins(ScenarioParts& parts) {
+    for (std::size_t i = 0; i < parts.controllers.size(); ++i) {
+        const auto* const plugin = dynamic_cast<const PluginController*>(parts.controllers[i].get());
+        if (plugin == nullptr) continue;
+        std::string who = "robot \"" + parts.scene.robots[i].name + "\": its plug-in " + plugin->path();
+        parts.controllers[i] = std::make_shared<const WatchedController>(parts.controllers[i], std::move(who),
+                                                                         parts.scene.tickLength);
+    }
+}
+
+}  // namespace mrose::cli

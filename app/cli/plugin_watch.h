@@ -1,0 +1,33 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "scenario/scenario.h"
+
+namespace mrose::cli {
+
+/// Watches over plug-ins that run in this program: one that crashes, ends the program or does not return within `limit`
+/// seconds ends it with one line that names it, and with ExitStatus::failure. Call once, before any is loaded.
+void startPluginWatch(double limit);
+
+/// What is done when a plug-in does not return, before the program ends: to save what is safe. It runs while the
+/// thread that the plug-in holds up stays where it is.
+void beforePluginEndsProgram(std::function<void()> action);
+
+/// Watches what is done with the plug-in called `who` while it lives.
+class PluginGuard {
+public:
+    explicit PluginGuard(const std::string& who);
+    PluginGuard(const PluginGuard&) = delete;
+    PluginGuard& operator=(const PluginGuard&) = delete;
+    ~PluginGuard();
+
+private:
+    std::string who_;
+};
+
+/// Puts a watch round every controller of a scenario that is a plug-in in this program.
+void watchPlugins(ScenarioParts& parts);
+
+}  // namespace mrose::cli

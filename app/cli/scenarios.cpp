@@ -1,0 +1,87 @@
+#include "scenarios.h"
+
+#include <cstdio>
+
+#include "experiment/variation.h"
+#include "io/file.h"
+#include "resources.h"
+
+namespace mrose::cli {
+
+Expected<OpenScenario> openScenario(const std::string& name, std::uint32_t trial, const std::string& log) {
+    DiskDescriptions source = openDescriptions(log);
+    auto loaded = loadScenario(name, source);
+    if (!loaded) return tl::unexpected(loaded.error());
+    auto parts = varied(loaded->parts, trial);
+    if (!parts) return tl::unexpected(parts.error());
+    auto scenario = std::make_shared<const Scenario>(std::move(*parts));
+    return OpenScenario{std::move(*loaded), std::move(scenario)};
+}
+
+void addRunFlags(CLI::App& sub, RunFlags& flags) {
+    sub.add_option("SCENARIO", flags.scenario, "Scenario file, or the name of one that ships: soccer.toml")->required();
+    sub.add_option("--duration", flags.duration, "How long to simulate, in s; otherwise what the scenario says")
+        ->check(numberRange(0.001, 1e7));
+    sub.add_option("--until", flags.until, "Ends a run when this Lua expression over the state holds");
+    sub.add_option("--log", flags.log, "Read this log instead of those that the scenario names");
+}
+
+Expected<std::optional<Condition>> openCondition(const std::string& text, const Scenario& scenario) {
+    if (text.empty()) return std::optional<Condition>{};
+    auto compiled = compileCondition(text, scenario, "--until");
+    if (!compiled) return tl::unexpected(compiled.error());
+    return std::optional<Condition>(std::move(*compiled));
+}
+
+std::string hashOf(const LoadedScenario& loaded) {
+    std::string all;
+    for (const auto& [name, text] : loaded.texts) all += contentHash(text);
+    return contentHash(all);
+}
+
+std::string statisticsText(const Scenario& scenario, const RunStatistics& statistics) {
+    const Scene& scene = scenario.scene();
+    std::string text;
+    char line[200];
+    for (std::size_t g = 0; g < statistics.goals.size(); ++g) {
+        std::snprintf(line, sizeof line, "goals in %s: %d\n", scene.environment.goals[g].name.c_str(),
+                      statistics.goals[g]);
+        text += line;
+    }
+    std::snprintf(line, sizeof line, "touches: %lld; kicks: %lld, of which %lld met a ball\n",
+                  static_cast<long long>(statistics.touches), static_cast<long long>(statistics.kicks),
+                  static_cast<long long>(statistics.hits));
+    text += line;
+    TextTable table({"", "driven m"});
+    for (std::size_t i = 0; i < statistics.driven.size(); ++i) {
+        std::snprintf(line, sizeof line, "%.2f", statistics.driven[i]);
+        table.add({bodyName(scene, i), line});
+    }
+    text += table.text();
+    if (statistics.faults > 0) {
+        std::snprintf(line, sizeof line, "faults: %lld, the first of ", static_cast<long long>(statistics.faults));
+        text += line + statistics.firstFault + '\n';
+    }
+    return text;
+}
+
+nlohmann::json statisticsJson(const Scenario& scenario, const RunStatistics& statistics) {
+    nlohmann::json json{{"touches", statistics.touches},
+                        {"kicks", statistics.kicks},
+                        {"hits", statistics.hits},
+                        {"faults", statistics.faults},
+                        {"first_fault", statistics.firstFault}};
+    for (std::size_t g = 0; g < statistics.goals.size(); ++g)
+        json["goals"][scenario.scene().environment.goals[g].name] = statistics.goals[g];
+    for (std::size_t i = 0; i < statistics.driven.size(); ++i)
+        json["driven_m"][scenario.scene().robots[i].name] = statistics.driven[i];
+    return json;
+}
+
+std::string hexadecimal(std::uint64_t value) {
+    char text[17];
+    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
+    return text;
+}
+
+}  // namespace mrose::cli

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "common.h"
+#include "condition/condition.h"
+#include "experiment/run_statistics.h"
+#include "scenario/scenario.h"
+#include "scenario/scenario_file.h"
+
+namespace mrose::cli {
+
+/// A scenario ready to run.
+struct OpenScenario {
+    LoadedScenario loaded;
+    std::shared_ptr<const Scenario> scenario;
+};
+
+/// Loads a scenario file, or the one of that name that ships, as its trial `trial` (0: as it is written).
+Expected<OpenScenario> openScenario(const std::string& name, std::uint32_t trial, const std::string& log);
+
+/// Flags that runs of scenarios share.
+struct RunFlags {
+    std::string scenario, log, until;
+    std::optional<double> duration;
+    std::optional<std::uint64_t> seed;
+    std::uint32_t trial = 0;
+};
+void addRunFlags(CLI::App& sub, RunFlags& flags);
+
+/// A condition of the command line; nothing where none was given.
+Expected<std::optional<Condition>> openCondition(const std::string& text, const Scenario& scenario);
+
+/// Which texts a scenario was made from, as one hash.
+std::string hashOf(const LoadedScenario& loaded);
+
+/// What happened, for people and for programs.
+std::string statisticsText(const Scenario& scenario, const RunStatistics& statistics);
+nlohmann::json statisticsJson(const Scenario& scenario, const RunStatistics& statistics);
+
+std::string hexadecimal(std::uint64_t value);
+
+}  // namespace mrose::cli

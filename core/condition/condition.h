@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "io/error.h"
+#include "scenario/scenario.h"
+#include "simulation/step.h"
+#include "world/world_state.h"
+
+namespace mrose {
+
+/// A question about the world, as a Lua expression: "robot[2].speed > 0.5 and distance(robot[2], ball) < 0.3".
+/// README.md lists the names. It is answered from a state and the step that led to it, and remembers nothing, so that a
+/// run and its replay agree. For one thread at a time; another thread compiles its own from the same text.
+class Condition {
+public:
+    Condition(Condition&&) noexcept;
+    Condition& operator=(Condition&&) noexcept;
+    ~Condition();
+
+    const std::string& text() const;
+
+    /// Whether it holds. `scenario` must have the bodies and goals of the one that it was compiled for, and `state`
+    /// must be of it; `trace` is of the step that led to it, and nothing at a run's start, where nothing touches.
+    /// Error: the text's source, the line and what is wrong; it needs too many instructions or bytes; it is neither
+    /// true nor false.
+    Expected<bool> holds(const Scenario& scenario, const WorldState& state, const StepTrace* trace);
+
+private:
+    friend Expected<Condition> compileCondition(std::string_view, const Scenario&, const std::string&);
+    struct Compiled;
+    explicit Condition(std::unique_ptr<Compiled> compiled);
+
+    std::unique_ptr<Compiled> compiled_;
+};
+
+/// Error: `source` in the file's place, line and column in the text, and what is wrong: no expression, a name or a body
+/// that the scenario does not have, or what holds() would say of the scenario's start. Functions defined in the text
+/// may have names of their own, so that unknown ones there may come to light only in holds().
+Expected<Condition> compileCondition(std::string_view text, const Scenario& scenario,
+                                     const std::string& source = "condition");
+
+}  // namespace mrose

@@ -1,0 +1,322 @@
+#include "condition/world_names.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <string>
+
+#include <lua.hpp>
+
+namespace mrose {
+namespace {
+
+/// All userdata of a condition: what a name stands for. It never changes; only what it reads does.
+struct Handle {
+    enum class Kind : std::uint32_t { robot, object, wall, collection };
+    Kind kind = Kind::collection;
+    std::uint32_t body = 0;  ///< number in the world, of robots and objects
+};
+
+const WorldView& viewOf(lua_State* lua) { return **static_cast<const WorldView**>(lua_getextraspace(lua)); }
+
+const RobotState& robot(const WorldView& view, std::uint32_t body) { return view.state->robots[body]; }
+const ObjectState& object(const WorldView& view, std::uint32_t body) {
+    return view.state->objects[body - view.state->robots.size()];
+}
+
+/// Whether any of what the last step reports fits; there was no last step at a run's start.
+template <class Report, class Fits>
+bool any(const WorldView& view, std::vector<Report> StepTrace::*reports, Fits fits) {
+    return view.trace != nullptr && std::any_of((view.trace->*reports).begin(), (view.trace->*reports).end(), fits);
+}
+
+bool meet(const WorldView& view, std::uint32_t a, std::uint32_t b) {
+    return any(view, &StepTrace::contacts, [&](const ContactReport& contact) {
+        return (contact.bodyA == a && contact.bodyB == b) || (contact.bodyA == b && contact.bodyB == a);
+    });
+}
+
+double touching(const WorldView& view, std::uint32_t body) {
+    return any(view, &StepTrace::contacts,
+               [&](const ContactReport& contact) { return contact.bodyA == body || contact.bodyB == body; });
+}
+
+double kicked(const WorldView& view, std::uint32_t body) {
+    return any(view, &StepTrace::kicks, [&](const StepTrace::Kicked& kick) { return kick.robot == body; });
+}
+
+Command commandOf(const WorldView& view, std::uint32_t body) {
+    return view.scenario->commandsOf(*view.state, body).at(view.scenario->scene().timeOf(view.state->tick));
+}
+
+struct Field {
+    const char* name;
+    double (*read)(const WorldView& view, std::uint32_t body);
+    bool flag = false;  ///< true or false, not a number
+};
+
+constexpr Field robotFields[] = {
+    {"x", [](const WorldView& view, std::uint32_t i) { return robot(view, i).pose.x; }},
+    {"y", [](const WorldView& view, std::uint32_t i) { return robot(view, i).pose.y; }},
+    {"heading", [](const WorldView& view, std::uint32_t i) { return wrapAngle(robot(view, i).pose.heading); }},
+    {"v", [](const WorldView& view, std::uint32_t i) { return robot(view, i).velocity_B.x; }},
+    {"w", [](const WorldView& view, std::uint32_t i) { return robot(view, i).velocity_B.rotation; }},
+    {"speed",
+     [](const WorldView& view, std::uint32_t i) {
+         return length({robot(view, i).velocity_B.x, robot(view, i).velocity_B.y});
+     }},
+    {"command_v", [](const WorldView& view, std::uint32_t i) { return commandOf(view, i).v; }},
+    {"command_w", [](const WorldView& view, std::uint32_t i) { return commandOf(view, i).w; }},
+    {"touching", touching, true},
+    {"kicked", kicked, true},
+};
+
+constexpr Field objectFields[] = {
+    {"x", [](const WorldView& view, std::uint32_t i) { return object(view, i).pose.x; }},
+    {"y", [](const WorldView& view, std::uint32_t i) { return object(view, i).pose.y; }},
+    {"heading", [](const WorldView& view, std::uint32_t i) { return wrapAngle(object(view, i).pose.heading); }},
+    {"vx", [](const WorldView& view, std::uint32_t i) { return object(view, i).velocity_W.x; }},
+    {"vy", [](const WorldView& view, std::uint32_t i) { return object(view, i).velocity_W.y; }},
+    {"w", [](const WorldView& view, std::uint32_t i) { return object(view, i).velocity_W.rotation; }},
+    {"speed",
+     [](const WorldView& view, std::uint32_t i) {
+         return length({object(view, i).velocity_W.x, object(view, i).velocity_W.y});
+     }},
+    {"touching", touching, true},
+};
+
+/// __index of bodies; upvalue 1 has their fields' indices by name, 2 is the array of Field, 3 what they are and have.
+int readField(lua_State* lua) {
+    const Handle& handle = *static_cast<const Handle*>(lua_touserdata(lua, 1));
+    lua_pushvalue(lua, 2);
+    if (lua_rawget(lua, lua_upvalueindex(1)) != LUA_TNUMBER)
+        return luaL_error(lua, "there is no '%s': %s", luaL_tolstring(lua, 2, nullptr),
+                          lua_tostring(lua, lua_upvalueindex(3)));
+    const auto* const fields = static_cast<const Field*>(lua_touserdata(lua, lua_upvalueindex(2)));
+    const Field& field = fields[lua_tointeger(lua, -1)];
+    const double value = field.read(viewOf(lua), handle.body);
+    if (field.flag)
+        lua_pushboolean(lua, value != 0);
+    else
+        lua_pushnumber(lua, value);
+    return 1;
+}
+
+/// __len of collections; upvalue 1 is the number.
+int countMembers(lua_State* lua) {
+    lua_pushvalue(lua, lua_upvalueindex(1));
+    return 1;
+}
+
+/// __index of collections; upvalue 1 has the members by number and name, 2 says what one is, 3 how many there are.
+int readMember(lua_State* lua) {
+    lua_pushvalue(lua, 2);
+    if (lua_rawget(lua, lua_upvalueindex(1)) != LUA_TNIL) return 1;
+    const char* const format = lua_type(lua, 2) == LUA_TSTRING ? "there is no %s '%s': %s" : "there is no %s %s: %s";
+    return luaL_error(lua, format, lua_tostring(lua, lua_upvalueindex(2)), luaL_tolstring(lua, 2, nullptr),
+                      lua_tostring(lua, lua_upvalueindex(3)));
+}
+
+/// The same of goals: members are their numbers from 0, and what is read is the balls in them.
+int readGoal(lua_State* lua) {
+    readMember(lua);
+    lua_pushinteger(lua, viewOf(lua).state->goals[static_cast<std::size_t>(lua_tointeger(lua, -1))]);
+    return 1;
+}
+
+/// The argument as a body.
+const Handle& bodyAt(lua_State* lua, int index, bool wallToo) {
+    const auto* const handle = static_cast<const Handle*>(lua_touserdata(lua, index));
+    if (handle == nullptr || handle->kind == Handle::Kind::collection ||
+        (handle->kind == Handle::Kind::wall && !wallToo)) {
+        luaL_argerror(
+            lua, index,
+            wallToo ? "expected a robot, a person, an object or wall" : "expected a robot, a person or an object");
+    }
+    return *handle;
+}
+
+const Pose& poseAt(lua_State* lua, int index) {
+    return Scenario::poseOf(*viewOf(lua).state, bodyAt(lua, index, false).body);
+}
+
+int distanceBetween(lua_State* lua) {
+    lua_pushnumber(lua, distance(position(poseAt(lua, 1)), position(poseAt(lua, 2))));
+    return 1;
+}
+
+int bearing(lua_State* lua) {
+    const Pose &from = poseAt(lua, 1), &to = poseAt(lua, 2);
+    lua_pushnumber(lua, wrapAngle(std::atan2(to.y - from.y, to.x - from.x) - from.heading));
+    return 1;
+}
+
+int wrap(lua_State* lua) {
+    lua_pushnumber(lua, wrapAngle(luaL_checknumber(lua, 1)));
+    return 1;
+}
+
+int touchingBodies(lua_State* lua) {
+    const Handle &a = bodyAt(lua, 1, true), &b = bodyAt(lua, 2, true);
+    lua_pushboolean(lua, static_cast<int>(meet(viewOf(lua), a.body, b.body)));
+    return 1;
+}
+
+int pushTime(lua_State* lua) {
+    const WorldView& view = viewOf(lua);
+    lua_pushnumber(lua, toSeconds(view.scenario->scene().timeOf(view.state->tick)));
+    return 1;
+}
+
+int pushTick(lua_State* lua) {
+    lua_pushinteger(lua, viewOf(lua).state->tick);
+    return 1;
+}
+
+int pushSeed(lua_State* lua) {
+    lua_pushinteger(lua, static_cast<lua_Integer>(viewOf(lua).state->seed));
+    return 1;
+}
+
+int noBall(lua_State* lua) { return luaL_error(lua, "there is no ball: no object rolls"); }
+
+void pushHandle(lua_State* lua, Handle::Kind kind, std::uint32_t body) {
+    new (lua_newuserdatauv(lua, sizeof(Handle), 0)) Handle{kind, body};
+}
+
+class NamesWriter {
+public:
+    NamesWriter(LuaSandbox& sandbox, const Scenario& scenario)
+        : sandbox_(sandbox), lua_(sandbox.state()), scene_(scenario.scene()) {}
+
+    void write() {
+        makeBodyMetatable("robot", "a robot", robotFields);
+        makeBodyMetatable("person", "a person", robotFields);
+        makeBodyMetatable("object", "an object", objectFields);
+        addRobots({"robot", "robot", "robots"}, false);
+        addRobots({"person", "person", "persons"}, true);
+        addObjects();
+        addGoals();
+        pushHandle(lua_, Handle::Kind::wall, noBody);
+        nameType("wall");
+        sandbox_.addName("wall");
+        for (const auto& [name, function] : {luaL_Reg{"distance", distanceBetween},
+                                             {"bearing", bearing},
+                                             {"wrap", wrap},
+                                             {"touching", touchingBodies}}) {
+            lua_pushcfunction(lua_, function);
+            sandbox_.addName(name);
+        }
+        sandbox_.addVariable("time", pushTime);
+        sandbox_.addVariable("tick", pushTick);
+        sandbox_.addVariable("seed", pushSeed);
+    }
+
+private:
+    template <std::size_t count>
+    void makeBodyMetatable(const char* type, const std::string& subject, const Field (&fields)[count]) {
+        luaL_newmetatable(lua_, type);
+        lua_newtable(lua_);
+        std::string have = subject + " has ";
+        for (std::size_t i = 0; i < count; ++i) {
+            lua_pushinteger(lua_, static_cast<lua_Integer>(i));
+            lua_setfield(lua_, -2, fields[i].name);
+            have += (i == 0 ? "" : ", ") + std::string(fields[i].name);
+        }
+        lua_pushlightuserdata(lua_, const_cast<Field*>(fields));
+        lua_pushstring(lua_, have.c_str());
+        lua_pushcclosure(lua_, readField, 3);
+        lua_setfield(lua_, -2, "__index");
+        lua_pop(lua_, 1);
+    }
+
+    /// Gives what is on top of the stack a metatable that holds its name, for messages, and nothing else.
+    void nameType(const char* name) {
+        luaL_newmetatable(lua_, name);
+        lua_setmetatable(lua_, -2);
+    }
+
+    /// Puts what is on top of the stack into the table below it, by number from 1 and by name; takes it.
+    void addMember(std::size_t number, const std::string& name) {
+        lua_pushvalue(lua_, -1);
+        lua_rawseti(lua_, -3, static_cast<lua_Integer>(number));
+        lua_pushlstring(lua_, name.data(), name.size());
+        lua_insert(lua_, -2);
+        lua_rawset(lua_, -3);
+    }
+
+    struct Words {
+        const char *name, *one, *many;
+    };
+
+    /// A name for the table of members on top of the stack, which it takes.
+    void addCollection(const Words& words, std::size_t count, lua_CFunction read) {
+        const std::string many = words.many, number = count == 0 ? "no" : std::to_string(count);
+        pushHandle(lua_, Handle::Kind::collection, 0);
+        luaL_newmetatable(lua_, ("list of " + many).c_str());
+        lua_pushvalue(lua_, -3);
+        lua_pushstring(lua_, words.one);
+        lua_pushstring(lua_, count == 1 ? (std::string("there is 1 ") + words.one).c_str()
+                                        : ("there are " + number + ' ' + many).c_str());
+        lua_pushcclosure(lua_, read, 3);
+        lua_setfield(lua_, -2, "__index");
+        lua_pushinteger(lua_, static_cast<lua_Integer>(count));
+        lua_pushcclosure(lua_, countMembers, 1);
+        lua_setfield(lua_, -2, "__len");
+        lua_setmetatable(lua_, -2);
+        sandbox_.addName(words.name);
+        lua_pop(lua_, 1);
+    }
+
+    void addRobots(const Words& words, bool persons) {
+        lua_newtable(lua_);
+        std::size_t count = 0;
+        for (std::uint32_t i = 0; i < scene_.robots.size(); ++i) {
+            if (scene_.typeOf(i).person != persons) continue;
+            pushHandle(lua_, Handle::Kind::robot, i);
+            luaL_setmetatable(lua_, words.name);
+            addMember(++count, scene_.robots[i].name);
+        }
+        addCollection(words, count, readMember);
+    }
+
+    void addObjects() {
+        lua_newtable(lua_);
+        bool ball = false;
+        for (std::uint32_t i = 0; i < scene_.objects.size(); ++i) {
+            pushHandle(lua_, Handle::Kind::object, static_cast<std::uint32_t>(scene_.robots.size()) + i);
+            luaL_setmetatable(lua_, "object");
+            if (!ball && scene_.typeOfObject(i).rolls) {
+                ball = true;
+                lua_pushvalue(lua_, -1);
+                sandbox_.addName("ball");
+            }
+            addMember(i + 1, scene_.objects[i].name);
+        }
+        if (!ball) sandbox_.addVariable("ball", noBall);
+        addCollection({"object", "object", "objects"}, scene_.objects.size(), readMember);
+    }
+
+    void addGoals() {
+        lua_newtable(lua_);
+        const std::vector<Goal>& goals = scene_.environment.goals;
+        for (std::size_t i = 0; i < goals.size(); ++i) {
+            lua_pushinteger(lua_, static_cast<lua_Integer>(i));
+            addMember(i + 1, goals[i].name);
+        }
+        addCollection({"goals", "goal", "goals"}, goals.size(), readGoal);
+    }
+
+    LuaSandbox& sandbox_;
+    lua_State* lua_;
+    const Scene& scene_;
+};
+
+}  // namespace
+
+void addWorldNames(LuaSandbox& sandbox, const Scenario& scenario, const WorldView& view) {
+    *static_cast<const WorldView**>(lua_getextraspace(sandbox.state())) = &view;
+    NamesWriter(sandbox, scenario).write();
+}
+
+}  // namespace mrose

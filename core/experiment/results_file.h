@@ -1,0 +1,50 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "io/error.h"
+
+namespace mrose {
+
+/// Which run of a batch.
+struct RunKey {
+    std::uint32_t trial = 0;
+    std::uint64_t seed = 0;
+    auto operator<=>(const RunKey&) const = default;
+};
+
+/// The rows of a batch on disk: each is kept as soon as it is there, in results.part.csv; all of them in order become
+/// results.csv. A file batch.txt says which batch the folder belongs to.
+class ResultsFile {
+public:
+    /// Opens a folder, made where it is missing, with the rows that an earlier call has left. A row cut off by a kill
+    /// is dropped. Error: what the system says; the folder belongs to another batch.
+    static Expected<ResultsFile> open(const std::filesystem::path& folder, const std::string& identity,
+                                      const std::string& header);
+    ~ResultsFile();
+    ResultsFile(ResultsFile&& other) noexcept;
+    ResultsFile& operator=(ResultsFile&&) = delete;
+
+    bool has(const RunKey& key) const { return rows_.contains(key); }
+    /// `row` begins with trial and seed; it is on the disk when this returns.
+    Expected<void> add(const RunKey& key, const std::string& row);
+    /// Writes results.csv and removes results.part.csv.
+    Expected<void> finish();
+
+private:
+    ResultsFile(std::filesystem::path folder, std::string header)
+        : folder_(std::move(folder)), header_(std::move(header)) {}
+    std::filesystem::path part() const { return folder_ / "results.part.csv"; }
+    Expected<void> readRows(const std::filesystem::path& path);
+
+    std::filesystem::path folder_;
+    std::string header_;
+    std::map<RunKey, std::string> rows_;
+    int descriptor_ = -1;
+};
+
+}  // namespace mrose

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "condition/condition.h"
+#include "experiment/run_statistics.h"
+#include "io/error.h"
+
+namespace mrose {
+
+enum class RunEnd { duration, condition, fault, stopped };
+const char* name(RunEnd end);
+
+struct RunOptions {
+    Nanoseconds duration = 60 * nanosecondsPerSecond;
+    Condition* until = nullptr;  ///< the run ends after the first tick at which it holds
+    bool endOnFault = false;
+    /// After every tick, with what it told; false stops the run. May be empty.
+    std::function<bool(const WorldState&, const StepTrace&)> each = {};
+};
+
+struct RunResult {
+    RunEnd end = RunEnd::duration;
+    WorldState state;  ///< at its end
+    RunStatistics statistics;
+};
+
+/// Runs a scenario from a state. Error: the condition cannot be answered.
+Expected<RunResult> run(const Scenario& scenario, WorldState state, const RunOptions& options);
+
+}  // namespace mrose

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstdint>
+
+#include "io/error.h"
+#include "scenario/scenario.h"
+
+namespace mrose {
+
+/// Another start of the same scenario: poses and parameters drawn uniformly round its own by Variation, the same for
+/// the same `trial` on every machine. Trial 0 is the scenario itself. Starts that overlap are drawn again. Error: a
+/// hundred draws have overlapped.
+Expected<ScenarioParts> varied(const ScenarioParts& parts, std::uint32_t trial);
+
+}  // namespace mrose

@@ -1,0 +1,110 @@
+#include "plugin/isolated_controller.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "plugin/controller_messages.h"
+#include "plugin/load_plugin.h"
+#include "plugin/plugin_process.h"
+#include "world/command_history.h"
+
+namespace mrose {
+namespace {
+
+std::string begin(PluginMessage kind) { return std::string(1, static_cast<char>(kind)); }
+
+constexpr const char* nonsense = "answered what cannot be read";
+
+}  // namespace
+
+IsolatedController::IsolatedController(std::string path, std::string options, IsolationOptions isolation)
+    : path_(std::move(path)), options_(std::move(options)), isolation_(std::move(isolation)) {}
+IsolatedController::~IsolatedController() = default;
+
+/// Starts the process and loads the plug-in in it; gives the memory at a start.
+Expected<std::string> IsolatedController::open() const {
+    auto process = PluginProcess::start(isolation_.words);
+    if (!process) return tl::unexpected(process.error());
+    std::string message = begin(PluginMessage::load);
+    appendText(path_, message);
+    appendText(options_, message);
+    const auto answer = (*process)->ask(message, isolation_.loadingLimit);
+    if (!answer) return fail(path_, "its process " + answer.error() + " while it was loaded");
+    ByteReader reader(*answer);
+    const auto kind = static_cast<PluginMessage>(reader.number<std::uint8_t>());
+    std::string key, cause;
+    if (kind == PluginMessage::refused && readText(reader, key) && readText(reader, cause) && reader.done())
+        return fail(path_, cause, 0, key);
+    if (kind != PluginMessage::loaded || reader.rest().size() < sizeof(PluginMemory))
+        return fail(path_, std::string("its process ") + nonsense);
+    process_ = std::move(*process);
+    return std::string(reader.rest());
+}
+
+tl::expected<std::string, std::string> IsolatedController::ask(const std::string& message) const {
+    if (!process_) {
+        const auto memory = open();
+        if (!memory) return tl::unexpected(memory.error().cause);
+        if (memory->size() != startMemory_.size()) return tl::unexpected(std::string("has another memory than before"));
+    }
+    auto answer = process_->ask(message, isolation_.limit);
+    if (!answer) process_.reset();
+    return answer;
+}
+
+void IsolatedController::start(std::span<std::byte> memory) const {
+    std::memcpy(memory.data(), startMemory_.data(), startMemory_.size());
+}
+
+std::size_t IsolatedController::commandsPerPeriod(Nanoseconds period) const {
+    const std::lock_guard lock(turn_);
+    std::string message = begin(PluginMessage::commands);
+    appendNumber(message, period);
+    const auto answer = ask(message);
+    if (!answer) return 1;
+    ByteReader reader(*answer);
+    const bool sound = static_cast<PluginMessage>(reader.number<std::uint8_t>()) == PluginMessage::count;
+    const auto count = reader.number<std::uint64_t>();
+    return sound ? std::clamp<std::size_t>(count, 1, CommandHistory::capacity) : 1;
+}
+
+tl::expected<void, std::string> IsolatedController::askDecision(const Observation& observation,
+                                                                std::span<std::byte> memory, Decision& decision) const {
+    std::string message = begin(PluginMessage::decide);
+    appendObservation(observation, message);
+    message.append(reinterpret_cast<const char*>(memory.data()), memory.size());
+    const auto answer = ask(message);
+    if (!answer) return tl::unexpected(answer.error());
+    ByteReader reader(*answer);
+    if (static_cast<PluginMessage>(reader.number<std::uint8_t>()) != PluginMessage::decided ||
+        !readDecision(reader, decision) || reader.rest().size() != memory.size()) {
+        process_.reset();
+        return tl::unexpected(std::string(nonsense));
+    }
+    std::memcpy(memory.data(), reader.rest().data(), memory.size());
+    return {};
+}
+
+void IsolatedController::decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const {
+    if (as<PluginMemory>(memory).ended != 0) {
+        decision.command = Command{};
+        return;
+    }
+    const std::lock_guard lock(turn_);
+    const auto asked = askDecision(observation, memory, decision);
+    if (asked) return;
+    as<PluginMemory>(memory).ended = 1;
+    decision.clear();
+    decision.fault = "its plug-in " + path_ + ' ' + asked.error();
+}
+
+Expected<std::shared_ptr<const IsolatedController>> isolatePlugin(const std::string& path, const std::string& options,
+                                                                  const IsolationOptions& isolation) {
+    const std::shared_ptr<IsolatedController> controller(new IsolatedController(path, options, isolation));
+    auto memory = controller->open();
+    if (!memory) return tl::unexpected(memory.error());
+    controller->startMemory_ = std::move(*memory);
+    return controller;
+}
+
+}  // namespace mrose

@@ -1,0 +1,161 @@
+#include "plugin/load_plugin.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+
+#include <dlfcn.h>
+
+#include "io/toml_table.h"
+#include "plugin/plugin.h"
+#include "world/command_history.h"
+
+namespace mrose {
+namespace {
+
+constexpr std::size_t mostMemory = 1 << 20;
+
+class TableOptions final : public PluginOptions {
+public:
+    explicit TableOptions(TomlTable& table) : table_(table) {}
+    double number(const char* key, double fallback) override { return table_.numberOr(key, fallback); }
+    bool flag(const char* key, bool fallback) override { return table_.booleanOr(key, fallback); }
+    std::string text(const char* key, const char* fallback) override { return table_.stringOr(key, fallback); }
+    void reject(const char* key, const char* cause) override { table_.reject(key, cause); }
+
+private:
+    TomlTable& table_;
+};
+
+/// Runs what a plug-in has; gives what it threw, and "" where it did not.
+template <class Function>
+std::string thrownBy(Function function) {
+    try {
+        function();
+        return "";
+    } catch (const std::exception& error) {
+        return std::string("threw: ") + error.what();
+    } catch (...) {
+        return "threw something that is no std::exception";
+    }
+}
+
+std::string sizeCause(const char* what, std::uint32_t theirs, std::uint32_t ours) {
+    return std::string("was built where ") + what + " has " + std::to_string(theirs) + " bytes and not " +
+           std::to_string(ours) + "; build it with the headers of this program";
+}
+
+/// Why a plug-in does not fit this program; "" where it does.
+std::string misfit(const PluginDescriptor& theirs) {
+    if (theirs.interface != pluginInterface)
+        return "was built for plug-in interface " + std::to_string(theirs.interface) + " and not " +
+               std::to_string(pluginInterface) + "; build it with the headers of this program";
+    if (std::strcmp(theirs.standardLibrary, MROSE_STANDARD_LIBRARY) != 0)
+        return "was built with " + std::string(theirs.standardLibrary) + " and not with " MROSE_STANDARD_LIBRARY;
+    const PluginLayout ours;
+    const struct {
+        const char* name;
+        std::uint32_t PluginLayout::*size;
+    } parts[] = {{"Observation", &PluginLayout::observation}, {"SeenBody", &PluginLayout::seenBody},
+                 {"Decision", &PluginLayout::decision},       {"Annotation", &PluginLayout::annotation},
+                 {"Kick", &PluginLayout::kick},               {"StampedCommand", &PluginLayout::stampedCommand}};
+    for (const auto& [name, size] : parts)
+        if (theirs.layout.*size != ours.*size) return sizeCause(name, theirs.layout.*size, ours.*size);
+    return "";
+}
+
+/// What dlerror says, without the path in front.
+std::string loadingCause(const std::string& path) {
+    std::string cause = ::dlerror();
+    if (cause.starts_with(path + ": ")) cause.erase(0, path.size() + 2);
+    return "cannot be loaded: " + cause;
+}
+
+bool finite(const Command& command) { return std::isfinite(command.v) && std::isfinite(command.w); }
+
+bool allFinite(const Decision& decision) {
+    return (!decision.command || finite(*decision.command)) &&
+           std::all_of(decision.earlier.begin(), decision.earlier.end(),
+                       [](const StampedCommand& earlier) { return finite(earlier.command); });
+}
+
+}  // namespace
+
+struct PluginController::Library {
+    void* handle = nullptr;
+    const PluginDescriptor* descriptor = nullptr;
+    Controller* controller = nullptr;
+
+    Library() = default;
+    Library(const Library&) = delete;
+    Library& operator=(const Library&) = delete;
+    ~Library() {
+        if (controller != nullptr) descriptor->destroy(controller);
+        if (handle != nullptr) ::dlclose(handle);
+    }
+};
+
+PluginController::PluginController(std::string path) : path_(std::move(path)), library_(std::make_unique<Library>()) {}
+PluginController::~PluginController() = default;
+
+Expected<void> PluginController::open(const std::string& options) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(path_, ignored)) return fail(path_, "there is no such file");
+    // A name without a folder would be searched for where the system's libraries are.
+    const std::string absolute = std::filesystem::absolute(path_, ignored).string();
+    library_->handle = ::dlopen(absolute.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (library_->handle == nullptr) return fail(path_, loadingCause(absolute));
+    library_->descriptor = static_cast<const PluginDescriptor*>(::dlsym(library_->handle, "mrosePlugin"));
+    if (library_->descriptor == nullptr) return fail(path_, "is no plug-in: it has no mrosePlugin (MROSE_PLUGIN)");
+    if (const std::string cause = misfit(*library_->descriptor); !cause.empty()) return fail(path_, cause);
+    TomlTable table(options, path_);
+    TableOptions reader(table);
+    std::string thrown = thrownBy([&] { library_->controller = library_->descriptor->create(reader); });
+    if (thrown.empty() || table.failed()) table.rejectUnknown();
+    if (table.failed()) return fail(path_, table.error().cause, 0, table.error().key);
+    if (!thrown.empty()) return fail(path_, "its construction " + thrown);
+    std::size_t size = 0;
+    thrown = thrownBy([&] { size = library_->controller->memorySize(); });
+    if (!thrown.empty()) return fail(path_, "its memorySize " + thrown);
+    if (size > mostMemory)
+        return fail(path_, "asks for " + std::to_string(size) + " bytes of memory; at most " +
+                               std::to_string(mostMemory) + " can be had");
+    startMemory_.assign(size, std::byte{});
+    thrown = thrownBy([&] { library_->controller->start(startMemory_); });
+    if (!thrown.empty()) return fail(path_, "its start " + thrown);
+    return {};
+}
+
+void PluginController::start(std::span<std::byte> memory) const {
+    as<PluginMemory>(memory) = {};
+    std::copy(startMemory_.begin(), startMemory_.end(), memory.begin() + sizeof(PluginMemory));
+}
+
+std::size_t PluginController::commandsPerPeriod(Nanoseconds period) const {
+    std::size_t count = 1;
+    thrownBy([&] { count = library_->controller->commandsPerPeriod(period); });
+    return std::clamp<std::size_t>(count, 1, CommandHistory::capacity);
+}
+
+void PluginController::decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const {
+    if (as<PluginMemory>(memory).ended != 0) {
+        decision.command = Command{};
+        return;
+    }
+    const std::span<std::byte> own = memory.subspan(sizeof(PluginMemory));
+    std::string cause = thrownBy([&] { library_->controller->decide(observation, own, decision); });
+    if (cause.empty() && !allFinite(decision)) cause = "gave a command that is not finite";
+    if (cause.empty()) return;
+    decision.clear();
+    decision.fault = "its plug-in " + path_ + ' ' + cause;
+}
+
+Expected<std::shared_ptr<const PluginController>> loadPlugin(const std::string& path, const std::string& options) {
+    const std::shared_ptr<PluginController> controller(new PluginController(path));
+    if (const auto opened = controller->open(options); !opened) return tl::unexpected(opened.error());
+    return controller;
+}
+
+}  // namespace mrose

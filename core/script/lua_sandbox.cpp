@@ -1,0 +1,276 @@
+#include "script/lua_sandbox.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <new>
+
+#include <lua.hpp>
+
+namespace mrose {
+namespace {
+
+/// What the allocator counts by.
+struct Budget {
+    LuaLimits limits;
+    std::size_t used = 0;
+    std::size_t most = 0;  ///< of `used`, while `capped`
+    bool capped = false;
+};
+
+void* allocate(void* data, void* block, std::size_t oldSize, std::size_t newSize) {
+    Budget& budget = *static_cast<Budget*>(data);
+    const std::size_t old = block != nullptr ? oldSize : 0;
+    if (newSize == 0) {
+        std::free(block);
+        budget.used -= old;
+        return nullptr;
+    }
+    if (budget.capped && newSize > old && (newSize > budget.limits.block || budget.used - old + newSize > budget.most))
+        return nullptr;
+    void* const fresh = std::realloc(block, newSize);
+    if (fresh != nullptr) budget.used += newSize - old;
+    return fresh;
+}
+
+Budget& budgetOf(lua_State* lua) {
+    void* data = nullptr;
+    lua_getallocf(lua, &data);
+    return *static_cast<Budget*>(data);
+}
+
+void onTooMany(lua_State* lua, lua_Debug* /*where*/) {
+    luaL_error(lua, "does not end within %d instructions", budgetOf(lua).limits.instructions);
+}
+
+int refuseAssignment(lua_State* lua) { return luaL_error(lua, "names cannot be assigned to"); }
+
+/// __index of the names: upvalue 1 has the functions of variables.
+int findVariable(lua_State* lua) {
+    lua_pushvalue(lua, 2);
+    if (lua_rawget(lua, lua_upvalueindex(1)) == LUA_TFUNCTION) {
+        lua_call(lua, 0, 1);
+        return 1;
+    }
+    return luaL_error(lua, "unknown name '%s'", lua_type(lua, 2) == LUA_TSTRING ? lua_tostring(lua, 2) : "?");
+}
+
+/// Memory is limited only while Lua catches its own errors.
+class Capped {
+public:
+    explicit Capped(Budget& budget) : budget_(budget) { budget_.capped = true; }
+    Capped(const Capped&) = delete;
+    Capped& operator=(const Capped&) = delete;
+    ~Capped() { budget_.capped = false; }
+
+private:
+    Budget& budget_;
+};
+
+/// Gives a text to Lua byte by byte, so that it is known how far Lua has read.
+struct Feed {
+    std::array<std::string_view, 3> parts;
+    std::size_t read = 0;
+};
+
+const char* nextByte(lua_State* /*lua*/, void* data, std::size_t* size) {
+    Feed& feed = *static_cast<Feed*>(data);
+    std::size_t at = feed.read++;
+    *size = 1;
+    for (const std::string_view part : feed.parts) {
+        if (at < part.size()) return part.data() + at;
+        at -= part.size();
+    }
+    *size = 0;
+    return nullptr;
+}
+
+/// The length of what stands at the end of "... near 'text'".
+std::size_t nearLength(std::string_view message) {
+    const auto near = message.rfind(" near '");
+    if (near == std::string_view::npos || !message.ends_with('\'')) return 0;
+    const std::string_view token = message.substr(near + 7, message.size() - near - 8);
+    return token.starts_with("<\\") ? 1 : token.size();
+}
+
+constexpr const char* chunkName = "=c";
+constexpr std::string_view messagePrefix = "c:";
+
+/// "c:12: cause" in parts; `line` stays as it is where the message names none.
+std::string withoutPosition(std::string_view message, int& line) {
+    if (!message.starts_with(messagePrefix)) return std::string(message);
+    const auto colon = message.find(": ", messagePrefix.size());
+    if (colon == std::string_view::npos) return std::string(message);
+    line = std::atoi(std::string(message.substr(messagePrefix.size(), colon)).c_str());
+    return std::string(message.substr(colon + 2));
+}
+
+std::string memoryCause(const LuaLimits& limits) {
+    return "needs more memory than the " + std::to_string(limits.memory / 1024) + " KB (" +
+           std::to_string(limits.block / 1024) + " KB in one piece) that it may use";
+}
+
+/// The error on top of the stack, which is taken.
+Error takeError(lua_State* lua, int status, const std::string& source) {
+    Error error{source, 0, 0, "", "failed"};
+    if (status == LUA_ERRMEM)
+        error.cause = memoryCause(budgetOf(lua).limits);
+    else if (lua_type(lua, -1) == LUA_TSTRING)
+        error.cause = withoutPosition(lua_tostring(lua, -1), error.line);
+    lua_pop(lua, 1);
+    return error;
+}
+
+/// The same of what lua_load could not read: where Lua stood tells the column. It reads one byte beyond a token.
+Error readingError(lua_State* lua, int status, const Feed& feed, const std::string& source) {
+    const std::size_t length = nearLength(lua_type(lua, -1) == LUA_TSTRING ? lua_tostring(lua, -1) : "");
+    Error error = takeError(lua, status, source);
+    if (status != LUA_ERRSYNTAX) return error;
+    const std::size_t before = feed.parts[0].size() + 1 + length;
+    const TextPosition where = positionIn(feed.parts[1], feed.read > before ? feed.read - before : 0);
+    error.line = where.line;
+    error.column = where.column;
+    if (const auto end = error.cause.find("<eof>"); end != std::string::npos) error.cause.replace(end, 5, "the end");
+    return error;
+}
+
+LuaValue valueAt(lua_State* lua, int index) {
+    switch (lua_type(lua, index)) {
+        case LUA_TBOOLEAN:
+            return lua_toboolean(lua, index) != 0;
+        case LUA_TNUMBER:
+            return static_cast<double>(lua_tonumber(lua, index));
+        case LUA_TSTRING: {
+            std::size_t size = 0;
+            const char* const text = lua_tolstring(lua, index, &size);
+            return std::string(text, size);
+        }
+        default:
+            break;
+    }
+    LuaOther other{luaL_typename(lua, index)};
+    if (luaL_getmetafield(lua, index, "__name") == LUA_TSTRING) {
+        other.type = lua_tostring(lua, -1);
+        lua_pop(lua, 1);
+    }
+    return other;
+}
+
+}  // namespace
+
+struct LuaSandbox::Interpreter {
+    Budget budget;
+    lua_State* lua = nullptr;
+    int names = 0, variables = 0, environment = 0;  ///< tables in the registry
+
+    explicit Interpreter(const LuaLimits& limits) : budget{limits}, lua(lua_newstate(allocate, &budget)) {
+        if (lua == nullptr) throw std::bad_alloc();
+        makeTables();
+    }
+    Interpreter(const Interpreter&) = delete;
+    Interpreter& operator=(const Interpreter&) = delete;
+    ~Interpreter() { lua_close(lua); }
+
+    /// Texts see an empty table that leads to the names and takes no assignment.
+    void makeTables() {
+        lua_newtable(lua);
+        variables = luaL_ref(lua, LUA_REGISTRYINDEX);
+        lua_newtable(lua);
+        lua_newtable(lua);
+        lua_rawgeti(lua, LUA_REGISTRYINDEX, variables);
+        lua_pushcclosure(lua, findVariable, 1);
+        lua_setfield(lua, -2, "__index");
+        lua_setmetatable(lua, -2);
+        names = luaL_ref(lua, LUA_REGISTRYINDEX);
+        lua_newtable(lua);
+        lua_newtable(lua);
+        lua_rawgeti(lua, LUA_REGISTRYINDEX, names);
+        lua_setfield(lua, -2, "__index");
+        lua_pushcfunction(lua, refuseAssignment);
+        lua_setfield(lua, -2, "__newindex");
+        lua_setmetatable(lua, -2);
+        environment = luaL_ref(lua, LUA_REGISTRYINDEX);
+    }
+
+    /// lua_load of text; leaves the function or the error.
+    int read(Feed& feed) {
+        if (budget.most == 0) budget.most = budget.used + budget.limits.memory;
+        const Capped capped(budget);
+        return lua_load(lua, nextByte, &feed, chunkName, "t");
+    }
+
+    int run() {
+        const Capped capped(budget);
+        return lua_pcall(lua, 0, 1, 0);
+    }
+};
+
+LuaSandbox::LuaSandbox(const LuaLimits& limits) : interpreter_(std::make_unique<Interpreter>(limits)) {}
+LuaSandbox::~LuaSandbox() = default;
+LuaSandbox::LuaSandbox(LuaSandbox&&) noexcept = default;
+LuaSandbox& LuaSandbox::operator=(LuaSandbox&&) noexcept = default;
+
+lua_State* LuaSandbox::state() const { return interpreter_->lua; }
+
+void LuaSandbox::addName(const char* name) {
+    lua_State* const lua = interpreter_->lua;
+    lua_rawgeti(lua, LUA_REGISTRYINDEX, interpreter_->names);
+    lua_pushstring(lua, name);
+    lua_pushvalue(lua, -3);
+    lua_rawset(lua, -3);
+    lua_pop(lua, 2);
+}
+
+void LuaSandbox::addVariable(const char* name, int (*function)(lua_State*)) {
+    lua_State* const lua = interpreter_->lua;
+    lua_rawgeti(lua, LUA_REGISTRYINDEX, interpreter_->variables);
+    lua_pushcfunction(lua, function);
+    lua_setfield(lua, -2, name);
+    lua_pop(lua, 1);
+}
+
+Expected<LuaSandbox::Expression> LuaSandbox::load(std::string_view text, const std::string& source) {
+    lua_State* const lua = interpreter_->lua;
+    if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
+        return fail(source, "is empty; expected an expression");
+    // What fits both frames is one expression: the first refuses what would close the brackets of the second, the
+    // second refuses statements, lists and comments that never end.
+    Feed plain{{"return ", text, ""}}, bracketed{{"return (", text, "\n)"}};
+    if (const int status = interpreter_->read(plain); status != LUA_OK)
+        return tl::unexpected(readingError(lua, status, plain, source));
+    if (const int status = interpreter_->read(bracketed); status != LUA_OK) {
+        Error error = readingError(lua, status, bracketed, source);
+        if (status == LUA_ERRSYNTAX) error.cause = "is more than one expression";
+        lua_pop(lua, 1);
+        return tl::unexpected(error);
+    }
+    lua_pop(lua, 1);
+    return Expression{luaL_ref(lua, LUA_REGISTRYINDEX)};
+}
+
+Expected<LuaValue> LuaSandbox::evaluate(Expression expression, const std::string& source) {
+    lua_State* const lua = interpreter_->lua;
+    lua_rawgeti(lua, LUA_REGISTRYINDEX, expression.reference);
+    // A function in the text may have put something else in the environment's place.
+    lua_rawgeti(lua, LUA_REGISTRYINDEX, interpreter_->environment);
+    lua_setupvalue(lua, -2, 1);
+    lua_sethook(lua, onTooMany, LUA_MASKCOUNT, interpreter_->budget.limits.instructions);
+    const int status = interpreter_->run();
+    if (status != LUA_OK) return tl::unexpected(takeError(lua, status, source));
+    LuaValue value = valueAt(lua, -1);
+    lua_pop(lua, 1);
+    return value;
+}
+
+void LuaSandbox::forget(Expression expression) {
+    luaL_unref(interpreter_->lua, LUA_REGISTRYINDEX, expression.reference);
+}
+
+TextPosition positionIn(std::string_view text, std::size_t offset) {
+    const std::string_view before = text.substr(0, std::min(offset, text.size()));
+    const auto lineStart = before.rfind('\n') + 1;  // npos + 1 is 0
+    return {1 + static_cast<int>(std::count(before.begin(), before.end(), '\n')),
+            1 + static_cast<int>(before.size() - lineStart)};
+}
+
+}  // namespace mrose

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "io/error.h"
+
+struct lua_State;
+
+namespace mrose {
+
+/// What a text may use up.
+struct LuaLimits {
+    std::size_t memory = 1 << 20;  ///< bytes, of reading and running it, beside what the names take
+    std::size_t block = 1 << 16;   ///< bytes, of one string or array: what one instruction can copy or compare
+    int instructions = 10'000;     ///< of one evaluation
+};
+
+/// A value that is neither true or false, a number nor a text.
+struct LuaOther {
+    const char* type;  ///< "nil", "function", "robot"; lives as long as the sandbox
+};
+using LuaValue = std::variant<bool, double, std::string, LuaOther>;
+
+/// A Lua 5.4 interpreter for texts that nobody has checked. They reach the names that were added and nothing else:
+/// there is no library, no metatable, no way to a file, to bytecode or to a coroutine. No evaluation leaves anything
+/// behind for the next. One thread at a time; each has its own.
+class LuaSandbox {
+public:
+    explicit LuaSandbox(const LuaLimits& limits = {});
+    ~LuaSandbox();
+    LuaSandbox(LuaSandbox&&) noexcept;
+    LuaSandbox& operator=(LuaSandbox&&) noexcept;
+
+    // Names are added before the first text is read, through Lua's own interface. Their functions may raise Lua's
+    // errors, and must own nothing then. All full userdata of the interpreter are theirs.
+
+    lua_State* state() const;
+    /// Takes the value on top of the stack.
+    void addName(const char* name);
+    /// A name whose value `function` (lua_State*) -> int pushes anew each time.
+    void addVariable(const char* name, int (*function)(lua_State*));
+
+    /// A compiled expression.
+    struct Expression {
+        int reference = 0;
+    };
+    /// Reads a text that must be one expression. Error: file `source`, with line and column in the text and what does
+    /// not fit there; the limits.
+    Expected<Expression> load(std::string_view text, const std::string& source);
+
+    /// Error: file `source`, the line and what is wrong; an unknown name; the limits.
+    Expected<LuaValue> evaluate(Expression expression, const std::string& source);
+
+    /// It will not be evaluated again.
+    void forget(Expression expression);
+
+private:
+    struct Interpreter;
+    std::unique_ptr<Interpreter> interpreter_;
+};
+
+/// abs, ceil, floor, sqrt, exp, log, sin, cos, tan, asin, acos, atan (of one or two arguments), deg, rad, min, max, pi,
+/// huge. Angles are radians.
+void addMath(LuaSandbox& sandbox);
+
+/// The line and column, both from 1, of a byte of a text.
+struct TextPosition {
+    int line = 1, column = 1;
+};
+TextPosition positionIn(std::string_view text, std::size_t offset);
+
+}  // namespace mrose

@@ -1,0 +1,66 @@
+#include "simulation/rewind_check.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+#include "io/number_text.h"
+#include "world/state_difference.h"
+
+namespace mrose {
+namespace {
+
+bool sameBits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
+
+bool sameBits(const Command& a, const Command& b) { return sameBits(a.v, b.v) && sameBits(a.w, b.w); }
+
+std::string text(const std::optional<Command>& command) {
+    return command ? "v " + numberText(command->v) + ", w " + numberText(command->w) : "no command";
+}
+
+/// How two decisions differ in what a robot is told; "" where they do not.
+std::string difference(const Decision& a, const Decision& b) {
+    const bool sameCommand =
+        a.command.has_value() == b.command.has_value() && (!a.command || sameBits(*a.command, *b.command));
+    if (!sameCommand) return text(a.command) + ", then " + text(b.command);
+    const auto sameEarlier = [](const StampedCommand& x, const StampedCommand& y) {
+        return x.time == y.time && sameBits(x.command, y.command);
+    };
+    if (!std::equal(a.earlier.begin(), a.earlier.end(), b.earlier.begin(), b.earlier.end(), sameEarlier))
+        return "other earlier commands";
+    const auto sameKick = [](const Kick& x, const Kick& y) {
+        return x.manipulator == y.manipulator && sameBits(x.power, y.power);
+    };
+    if (!std::equal(a.kicks.begin(), a.kicks.end(), b.kicks.begin(), b.kicks.end(), sameKick)) return "other kicks";
+    if (a.fault != b.fault)
+        return (a.fault.empty() ? "no fault" : a.fault) + ", then " + (b.fault.empty() ? "no fault" : b.fault);
+    return "";
+}
+
+bool sameMemory(const Scenario& scenario, const WorldState& a, const WorldState& b, std::size_t robot) {
+    const auto first = scenario.memoryOf(a, robot), second = scenario.memoryOf(b, robot);
+    return std::equal(first.begin(), first.end(), second.begin(), second.end());
+}
+
+}  // namespace
+
+std::vector<RewindDifference> stepTwice(const Scenario& scenario, WorldState& state, StepBuffers& buffers,
+                                        StepTrace& trace, const Overrides& overrides) {
+    WorldState again = state;
+    StepTrace second;
+    step(scenario, state, buffers, overrides, &trace);
+    step(scenario, again, buffers, overrides, &second);
+    std::vector<RewindDifference> differences;
+    for (std::uint32_t i = 0; i < state.robots.size(); ++i) {
+        const std::string decided = difference(trace.robots[i].decision, second.robots[i].decision);
+        if (!decided.empty())
+            differences.push_back({i, "its controller decided otherwise when it was asked again: " + decided});
+        else if (!sameMemory(scenario, state, again, i))
+            differences.push_back({i, "its controller remembered something else when it was asked again"});
+    }
+    if (!differences.empty()) return differences;
+    if (const auto other = firstDifference(state, again)) differences.push_back({std::nullopt, other->message()});
+    return differences;
+}
+
+}  // namespace mrose

@@ -1,0 +1,37 @@
+// Whatever the text is, it becomes a condition that answers, each time the same, or an error of one line.
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "condition/condition.h"
+#include "support/scenes.h"
+
+namespace mrose {
+namespace {
+
+void require(bool condition) {
+    if (!condition) std::abort();
+}
+
+void requireOneLine(const Error& error) {
+    require(!error.cause.empty() && error.message().find('\n') == std::string::npos);
+}
+
+void requireAnswers(std::string_view text) {
+    static const Scenario scenario = fieldScenario({.robots = 2});
+    static const WorldState start = scenario.initialState(), later = stepped(scenario, start);
+    auto condition = compileCondition(text, scenario);
+    if (!condition) return requireOneLine(condition.error());
+    const auto answer = condition->holds(scenario, later, nullptr), again = condition->holds(scenario, later, nullptr);
+    require(answer.has_value() == again.has_value());
+    if (!answer) return requireOneLine(answer.error());
+    require(*answer == *again);
+}
+
+}  // namespace
+}  // namespace mrose
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    mrose::requireAnswers({reinterpret_cast<const char*>(data), size});
+    return 0;
+}

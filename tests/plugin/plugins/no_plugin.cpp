@@ -1,0 +1,7 @@
+// A shared library that is no plug-in, and needs a function that nobody has where MISSING says so.
+#ifdef MISSING
+int missingFunction();
+int needsIt() { return missingFunction(); }
+#else
+int nothing() { return 0; }
+#endif

@@ -1,0 +1,53 @@
+// Does all that a plug-in may: reads options, remembers, annotates, kicks, breaks, uses what the headers declare.
+#include "control/controller.h"
+#include "plugin/plugin.h"
+
+namespace {
+
+class WellBehaved : public mrose::Controller {
+public:
+    explicit WellBehaved(mrose::PluginOptions& options)
+        : speed_(options.number("speed_mps", 0.5)),
+          kicks_(options.flag("kicks", false)),
+          label_(options.text("label", "count")) {
+        if (speed_ < 0) options.reject("speed_mps", "expected at least 0");
+    }
+
+    struct Memory {
+        std::int64_t count = 0;
+        double turned = 0;
+    };
+    std::size_t memorySize() const override { return sizeof(Memory); }
+    void start(std::span<std::byte> memory) const override { mrose::as<Memory>(memory).count = 100; }
+    std::size_t commandsPerPeriod(mrose::Nanoseconds period) const override {
+        return static_cast<std::size_t>(period / 50'000'000);
+    }
+
+    void decide(const mrose::Observation& observation, std::span<std::byte> memory,
+                mrose::Decision& decision) const override {
+        Memory& known = mrose::as<Memory>(memory);
+        ++known.count;
+        known.turned = mrose::wrapAngle(known.turned + observation.velocity.w);
+        const mrose::Pose ahead = observation.self * mrose::exp({1, 0, 0.1});
+        double nearest = 10;
+        for (const mrose::SeenBody& body : observation.robots)
+            nearest = std::min(nearest, mrose::length(body.position_B));
+        decision.clear();
+        decision.earlier.push_back({observation.time - 1, {speed_ / 2, 0}});
+        decision.command = mrose::Command{speed_, known.turned + 0.01 * nearest};
+        if (kicks_ && known.count % 3 == 0) decision.kicks.push_back({0, 0.5});
+        decision.annotations.push_back(
+            {mrose::Annotation::Kind::value, label_, static_cast<double>(known.count), "", {}});
+        decision.annotations.push_back({mrose::Annotation::Kind::line, "way", 0, "", {{}, mrose::position(ahead)}});
+        if (known.count == 105) decision.breakHere();
+    }
+
+private:
+    double speed_;
+    bool kicks_;
+    std::string label_;
+};
+
+}  // namespace
+
+MROSE_PLUGIN(WellBehaved)
