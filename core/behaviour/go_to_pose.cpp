@@ -66,8 +66,7 @@ Command GoToPose::drive(const Observation& observation, Memory& memory) const {
     const Pose ahead = memory.self.pose * memory.motion.motionDuring(options_.deadTime);
     updatePhase(memory, ahead);
     if (memory.phase == resting) {
-        const bool standing = memory.motion.motionDuring(options_.deadTime) == Pose{} &&
-                              std::abs(observation.velocity.v) < 0.05 && std::abs(observation.velocity.w) < 0.1;
+        const bool standing = std::abs(observation.velocity.v) < 0.05 && std::abs(observation.velocity.w) < 0.1;
         const auto count = static_cast<std::int64_t>(options_.targets.size());
         if (standing && (options_.loop || memory.target + 1 < count)) {
             memory.target = (memory.target + 1) % count;
@@ -79,7 +78,7 @@ Command GoToPose::drive(const Observation& observation, Memory& memory) const {
         const double turn = wrapAngle(target(memory).heading - ahead.heading);
         return {0, std::clamp(alignGain * turn, -options_.rotation, options_.rotation)};
     }
-    const double reach = std::min(1.0, distance(position(ahead), position(target(memory))));
+    const double reach = std::min(1.5, distance(position(ahead), position(target(memory))));
     const Command intended = driveToPose(ahead, target(memory), limits, memory.tailFirst != 0);
     return evading(intended, evade(observation.robots, memory.motion, options_.deadTime, reach), limits);
 }

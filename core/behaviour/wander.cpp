@@ -36,8 +36,7 @@ Command Wander::stroll(const Observation& observation, Memory& memory) const {
     memory.turning += share * (memory.curve - memory.turning);
     Evasion evasion = evade(observation.robots, memory.motion, options_.deadTime);
     const Evasion objects = evade(observation.objects, memory.motion, options_.deadTime);
-    evasion.turn += objects.turn;
-    evasion.share = std::min(evasion.share, objects.share);
+    if (objects.share < evasion.share || evasion.turn == 0) evasion = objects;
     return evading({options_.speed, memory.turning}, evasion, {options_.speed, options_.rotation});
 }
 
