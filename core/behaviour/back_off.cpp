@@ -8,9 +8,11 @@
 namespace mrose {
 namespace {
 
-constexpr double patience = 0.8;       // s
-constexpr double hardly = 0.25;        // share of what it is told
-constexpr double leastEffort = 0.05;   // m/s
+constexpr double patience = 0.8;      // s
+constexpr double hardly = 0.25;       // share of what it is told
+constexpr double leastEffort = 0.05;  // m/s
+constexpr Nanoseconds soon = 6 * nanosecondsPerSecond;
+constexpr std::int64_t mostFarther = 4;
 constexpr double turningRadius = 0.2;  // m, turns rotation rates into speeds
 
 double speedOf(double v, double w) { return std::abs(v) + turningRadius * std::abs(w); }
@@ -21,10 +23,11 @@ void BackOff::begin(const Observation& observation, const Command& told, const O
     Dice dice(observation.noise);
     hardlyMoving = 0;
     ++times;
+    inSuccession = times > 1 && observation.time - until < soon ? std::min(inSuccession + 1, mostFarther) : 0;
     const double rotation = std::max(1e-3, 0.7 * options.rotation);
     v = std::copysign(0.6 * options.speed, -told.v);
     w = dice.between(-1, 1) < 0 ? -rotation : rotation;
-    turnAt = observation.time + fromSeconds(dice.between(0.8, 1.6));
+    turnAt = observation.time + fromSeconds(dice.between(0.8, 1.6) * (1 + 0.5 * static_cast<double>(inSuccession)));
     until = turnAt + fromSeconds(dice.between(0.5, 1.5) * options.turn / rotation);
 }
 

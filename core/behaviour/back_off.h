@@ -19,7 +19,8 @@ struct BackOff {
     double hardlyMoving;        ///< s, for how long
     Nanoseconds turnAt, until;  ///< backwards first
     double v, w;
-    std::int64_t times;  ///< how often it has backed off
+    std::int64_t times;         ///< how often it has backed off
+    std::int64_t inSuccession;  ///< and how often again soon after: farther each time
 
     /// What to do now to get off, or nothing. `motion` has observed already.
     std::optional<Command> update(const Observation& observation, const MotionMemory& motion, const Options& options);
@@ -27,6 +28,6 @@ struct BackOff {
 private:
     void begin(const Observation& observation, const Command& told, const Options& options);
 };
-static_assert(sizeof(BackOff) == 6 * 8, "without padding");
+static_assert(sizeof(BackOff) == 7 * 8, "without padding");
 
 }  // namespace mrose

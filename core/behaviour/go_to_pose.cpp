@@ -66,7 +66,8 @@ Command GoToPose::drive(const Observation& observation, Memory& memory) const {
     const Pose ahead = memory.self.pose * memory.motion.motionDuring(options_.deadTime);
     updatePhase(memory, ahead);
     if (memory.phase == resting) {
-        const bool standing = std::abs(observation.velocity.v) < 0.05 && std::abs(observation.velocity.w) < 0.1;
+        const bool standing = memory.motion.motionDuring(options_.deadTime) == Pose{} &&
+                              std::abs(observation.velocity.v) < 0.05 && std::abs(observation.velocity.w) < 0.1;
         const auto count = static_cast<std::int64_t>(options_.targets.size());
         if (standing && (options_.loop || memory.target + 1 < count)) {
             memory.target = (memory.target + 1) % count;

@@ -29,7 +29,7 @@ std::string hexadecimal(std::uint64_t value) {
 }
 
 /// A cell that may hold commas and quotes, on one line.
-std::string quoted(const std::string& text) {
+std::string cell(const std::string& text) {
     std::string out = "\"";
     for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c < ' ' && c >= 0 ? ' ' : c);
     return out + '"';
@@ -43,7 +43,7 @@ std::string shellQuoted(const std::string& word) {
 
 std::string headerLine(const Scene& scene) {
     std::string line = "trial,seed,end,time_s,touches,kicks,hits,faults,driven_m";
-    for (const Goal& goal : scene.environment.goals) line += ',' + quoted("goals " + goal.name);
+    for (const Goal& goal : scene.environment.goals) line += ',' + cell("goals " + goal.name);
     return line + ",world_hash,command,first_fault";
 }
 
@@ -59,7 +59,7 @@ std::string rowOf(const BatchOptions& options, const RunKey& key, const RunResul
     std::string command = options.command + " --trial " + std::to_string(key.trial) + " --seed " +
                           std::to_string(key.seed) + " --duration " + numberText(toSeconds(options.duration));
     if (!options.until.empty()) command += " --until " + shellQuoted(options.until);
-    return line + ',' + hexadecimal(hashOf(result.state).world) + ',' + quoted(command) + ',' + quoted(s.firstFault);
+    return line + ',' + hexadecimal(hashOf(result.state).world) + ',' + cell(command) + ',' + cell(s.firstFault);
 }
 
 /// Runs of one batch, on any thread.

@@ -46,7 +46,8 @@ std::string blockBytes(const TimelineBlock& block, std::uint32_t branch) {
     for (const StateHash& hash : block.hashes) appendNumber(bytes, hash.world);
     for (const StateHash& hash : block.hashes) appendNumber(bytes, hash.minds);
     appendLong(bytes, block.decisions);
-    return compressed(bytes);
+    // Hashes and orders are what they are.
+    return compressed(bytes, Compression::quick);
 }
 
 std::optional<ReadBlock> parseBlock(std::string_view bytes) {
@@ -79,7 +80,7 @@ std::string branchBytes(const BranchStart& start) {
     appendNumber(bytes, start.block.first);
     appendLong(bytes, start.name);
     appendLong(bytes, start.block.keyframe);
-    return compressed(bytes);
+    return compressed(bytes, Compression::quick);
 }
 
 std::optional<BranchStart> parseBranch(std::string_view bytes) {

@@ -97,12 +97,12 @@ std::string entity() {
                            property("data", R"({"type":"string","contentEncoding":"base64"})")));
 }
 
-std::string groupsSchema(const std::string& title, std::span<const std::string> names, const std::string& numbers) {
-    std::string groups;
+/// A property of numbers for each of the names.
+std::string groups(const std::string& title, std::span<const std::string> names, const std::string& numbers) {
+    std::string all;
     for (const std::string& name : names)
-        groups +=
-            (groups.empty() ? "" : ",") + property(name, objectSchema(title + "Numbers", properties(numbers, number)));
-    return objectSchema(title, groups);
+        all += (all.empty() ? "" : ",") + property(name, objectSchema(title, properties(numbers, number)));
+    return all;
 }
 
 }  // namespace
@@ -134,19 +134,10 @@ std::string logSchema() {
                             ',' + properties("message,name,file", text) + ',' + property("line", count));
 }
 
-std::string robotsSchema(std::span<const std::string> names) {
-    return groupsSchema("mrose.Robots", names, "x,y,heading,v,v_left,w,v_command,w_command");
-}
-
-std::string objectsSchema(std::span<const std::string> names) {
-    return groupsSchema("mrose.Objects", names, "x,y,heading,vx,vy,w");
-}
-
-std::string contactsSchema() {
-    const std::string contact =
-        objectSchema("mrose.Contact", properties("a,b", text) + ',' + properties("x,y,impulse", number));
-    return objectSchema("mrose.Contacts",
-                        properties("count,impulse", number) + ',' + property("contacts", arraySchema(contact)));
+std::string bodiesSchema(std::span<const std::string> robots, std::span<const std::string> objects) {
+    std::string all = groups("mrose.Robot", robots, "x,y,heading,v,v_left,w,v_command,w_command,pressed");
+    if (!robots.empty() && !objects.empty()) all += ',';
+    return objectSchema("mrose.Bodies", all + groups("mrose.Object", objects, "x,y,heading,vx,vy,w,pressed"));
 }
 
 }  // namespace mrose

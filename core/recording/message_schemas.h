@@ -12,9 +12,7 @@ std::string frameTransformsSchema();  ///< foxglove.FrameTransforms
 std::string sceneUpdateSchema();      ///< foxglove.SceneUpdate
 std::string logSchema();              ///< foxglove.Log
 
-/// Objects of numbers, one for each of the names (body_names.h).
-std::string robotsSchema(std::span<const std::string> names);
-std::string objectsSchema(std::span<const std::string> names);
-std::string contactsSchema();
+/// An object of numbers for each body; `names` (body_names.h) of robots and of objects.
+std::string bodiesSchema(std::span<const std::string> robots, std::span<const std::string> objects);
 
 }  // namespace mrose

@@ -19,8 +19,9 @@ RecordingHeader headerOf(const Scenario& scenario, const WorldState& initial, co
     return header;
 }
 
-/// Messages beyond this many bytes are not kept back for a whole keyframe interval.
-constexpr std::size_t mostPending = std::size_t{1} << 20;
+/// Bytes of messages: with so many a flush ends the chunk (smaller ones are compressed badly), and with so many it is
+/// ended even before a keyframe is due.
+constexpr std::size_t worthAChunk = std::size_t{1} << 17, mostPending = std::size_t{1} << 20;
 
 }  // namespace
 
@@ -113,7 +114,7 @@ void RecordingWriter::writeBlock(std::uint32_t branch) {
 
 void RecordingWriter::flush() {
     for (std::uint32_t i = 0; i < branches_.size(); ++i) writeBlock(i);
-    mcap_.endChunk();
+    if (mcap_.pendingBytes() >= worthAChunk) mcap_.endChunk();
     mcap_.sync();
 }
 

@@ -42,7 +42,7 @@ public:
     /// Keeps the state added last, so that a replay which differs before it can say in what: for the end of a run.
     void keep(const WorldState& state, std::uint32_t branch = 0);
 
-    /// Everything so far onto the disk.
+    /// All ticks so far onto the disk; of what other programs see the last 128 KB may be kept back.
     void flush();
     /// The same, and the summary by which other programs find their way. Error: the first thing that went wrong.
     Expected<void> close();

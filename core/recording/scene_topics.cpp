@@ -21,12 +21,9 @@ SceneTopics::Schemas SceneTopics::addSchemas(mcap::Writer& writer, const Scenari
     const auto add = [&](const char* name, const std::string& text) {
         return writer.addSchema(name, "jsonschema", text);
     };
-    return {add("foxglove.FrameTransforms", frameTransformsSchema()),
-            add("foxglove.SceneUpdate", sceneUpdateSchema()),
+    return {add("foxglove.FrameTransforms", frameTransformsSchema()), add("foxglove.SceneUpdate", sceneUpdateSchema()),
             add("foxglove.Log", logSchema()),
-            add("mrose.Robots", robotsSchema(all.first(robots))),
-            add("mrose.Objects", objectsSchema(all.subspan(robots))),
-            add("mrose.Contacts", contactsSchema())};
+            add("mrose.Bodies", bodiesSchema(all.first(robots), all.subspan(robots)))};
 }
 
 SceneTopics::SceneTopics(mcap::Writer& writer, const Schemas& schemas, const Scenario& scenario, std::uint32_t branch)
@@ -38,10 +35,8 @@ SceneTopics::SceneTopics(mcap::Writer& writer, const Schemas& schemas, const Sce
     };
     transforms_ = add(schemas.transforms, "tf");
     scene_ = add(schemas.scene, "scene");
-    robots_ = add(schemas.robots, "robots");
-    objects_ = add(schemas.objects, "objects");
-    contacts_ = add(schemas.contacts, "contacts");
-    contactMarks_ = add(schemas.scene, "contact_marks");
+    bodies_ = add(schemas.bodies, "bodies");
+    contacts_ = add(schemas.scene, "contacts");
     log_ = add(schemas.log, "log");
     sampleTicks_ = std::max<std::int64_t>(samplePeriod / scenario.scene().tickLength, 1);
 }
@@ -64,20 +59,14 @@ void SceneTopics::add(mcap::Writer& writer, const WorldState& after, const StepT
 
 void SceneTopics::writeSample(mcap::Writer& writer, const WorldState& state) {
     const Nanoseconds time = scenario_.scene().timeOf(state.tick);
-    writer.addMessage(transforms_, time, transformsMessage(state, frames_, time));
-    writer.addMessage(robots_, time, robotsMessage(scenario_, state, names_));
-    if (!state.objects.empty()) writer.addMessage(objects_, time, objectsMessage(state, names_));
-    writeContacts(writer, time);
-}
-
-void SceneTopics::writeContacts(mcap::Writer& writer, Nanoseconds time) {
-    if (!pressed_.empty() || showsContacts_) {
-        const std::vector<SummedContact> contacts = summedContacts(pressed_);
-        writer.addMessage(contacts_, time, contactsMessage(scenario_, contacts, names_));
-        writer.addMessage(contactMarks_, time, contactMarksMessage(contacts, time));
-    }
-    showsContacts_ = !pressed_.empty();
+    const std::vector<SummedContact> contacts = summedContacts(std::move(pressed_));
     pressed_.clear();
+    writer.addMessage(transforms_, time, transformsMessage(state, frames_, time));
+    writer.addMessage(bodies_, time, bodiesMessage(scenario_, state, contacts, names_));
+    // The marks of contacts that are over are taken away once.
+    if (!contacts.empty() || showsContacts_)
+        writer.addMessage(contacts_, time, contactsMessage(scenario_, contacts, names_, time));
+    showsContacts_ = !contacts.empty();
 }
 
 }  // namespace mrose

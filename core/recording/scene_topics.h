@@ -18,7 +18,7 @@ class SceneTopics {
 public:
     /// Once in a file.
     struct Schemas {
-        std::uint16_t transforms = 0, scene = 0, log = 0, robots = 0, objects = 0, contacts = 0;
+        std::uint16_t transforms = 0, scene = 0, log = 0, bodies = 0;
     };
     static Schemas addSchemas(mcap::Writer& writer, const Scenario& scenario);
 
@@ -31,11 +31,10 @@ public:
 
 private:
     void writeSample(mcap::Writer& writer, const WorldState& state);
-    void writeContacts(mcap::Writer& writer, Nanoseconds time);
 
     const Scenario& scenario_;
     std::vector<std::string> names_, frames_;
-    std::uint16_t transforms_ = 0, scene_ = 0, log_ = 0, robots_ = 0, objects_ = 0, contacts_ = 0, contactMarks_ = 0;
+    std::uint16_t transforms_ = 0, scene_ = 0, log_ = 0, bodies_ = 0, contacts_ = 0;
     std::int64_t sampleTicks_ = 1;
     std::vector<ContactReport> pressed_;  ///< since the last sample
     bool showsContacts_ = false;          ///< the last sample had some

@@ -8,7 +8,7 @@
 namespace mrose {
 namespace {
 
-void appendField(std::string& json, const char* key, double value, int decimals = 4) {
+void appendField(std::string& json, const char* key, double value, int decimals = 3) {
     json += key;
     appendFixed(json, value, decimals);
 }
@@ -28,8 +28,8 @@ void appendTransform(std::string& json, const Pose& pose, const std::string& fra
     appendField(json, ",\"y\":", pose.y);
     // Half the heading, kept within half a turn so that the numbers stay small.
     const double half = std::remainder(pose.heading, 4 * std::acos(-1.0)) / 2;
-    appendField(json, R"(,"z":0},"rotation":{"x":0,"y":0,"z":)", std::sin(half), 5);
-    appendField(json, ",\"w\":", std::cos(half), 5);
+    appendField(json, R"(,"z":0},"rotation":{"x":0,"y":0,"z":)", std::sin(half), 4);
+    appendField(json, ",\"w\":", std::cos(half), 4);
     json += "}}";
 }
 
@@ -81,42 +81,6 @@ std::string transformsMessage(const WorldState& state, std::span<const std::stri
     return json + "]}";
 }
 
-std::string robotsMessage(const Scenario& scenario, const WorldState& state, std::span<const std::string> names) {
-    const Nanoseconds now = scenario.scene().timeOf(state.tick);
-    std::string json = "{";
-    for (std::size_t i = 0; i < state.robots.size(); ++i) {
-        const RobotState& robot = state.robots[i];
-        const Command command = scenario.commandsOf(state, i).at(now);
-        if (i > 0) json += ',';
-        appendQuoted(json, names[i]);
-        json += ':';
-        appendPose(json, robot.pose);
-        appendField(json, ",\"v\":", robot.velocity_B.x);
-        appendField(json, ",\"v_left\":", robot.velocity_B.y);
-        appendField(json, ",\"w\":", robot.velocity_B.rotation);
-        appendField(json, ",\"v_command\":", command.v);
-        appendField(json, ",\"w_command\":", command.w);
-        json += '}';
-    }
-    return json + '}';
-}
-
-std::string objectsMessage(const WorldState& state, std::span<const std::string> names) {
-    std::string json = "{";
-    for (std::size_t i = 0; i < state.objects.size(); ++i) {
-        const ObjectState& object = state.objects[i];
-        if (i > 0) json += ',';
-        appendQuoted(json, names[state.robots.size() + i]);
-        json += ':';
-        appendPose(json, object.pose);
-        appendField(json, ",\"vx\":", object.velocity_W.x);
-        appendField(json, ",\"vy\":", object.velocity_W.y);
-        appendField(json, ",\"w\":", object.velocity_W.rotation);
-        json += '}';
-    }
-    return json + '}';
-}
-
 std::vector<SummedContact> summedContacts(std::vector<ContactReport> reports) {
     const auto key = [](const auto& c) { return std::tuple(c.bodyA, c.bodyB, c.obstacle); };
     std::stable_sort(reports.begin(), reports.end(),
@@ -134,42 +98,69 @@ std::vector<SummedContact> summedContacts(std::vector<ContactReport> reports) {
     return sums;
 }
 
-std::string contactsMessage(const Scenario& scenario, std::span<const SummedContact> contacts,
-                            std::span<const std::string> names) {
-    double impulse = 0;
-    std::string list;
-    for (const SummedContact& contact : contacts) {
-        impulse += contact.impulse;
-        list += list.empty() ? "{\"a\":" : ",{\"a\":";
-        appendQuoted(list, nameOf(scenario, contact.bodyA, contact.obstacle, names));
-        list += ",\"b\":";
-        appendQuoted(list, nameOf(scenario, contact.bodyB, contact.obstacle, names));
-        appendField(list, ",\"x\":", contact.position.x, 3);
-        appendField(list, ",\"y\":", contact.position.y, 3);
-        appendField(list, ",\"impulse\":", contact.impulse, 3);
-        list += '}';
+std::string bodiesMessage(const Scenario& scenario, const WorldState& state, std::span<const SummedContact> contacts,
+                          std::span<const std::string> names) {
+    std::vector<double> pressed(names.size());
+    for (const SummedContact& contact : contacts)
+        for (const std::uint32_t body : {contact.bodyA, contact.bodyB})
+            if (body < pressed.size()) pressed[body] += contact.impulse;
+    const Nanoseconds now = scenario.scene().timeOf(state.tick);
+    std::string json;
+    const auto begin = [&](std::size_t body) {
+        json += body == 0 ? '{' : ',';
+        appendQuoted(json, names[body]);
+        json += ':';
+        appendPose(json, Scenario::poseOf(state, body));
+    };
+    for (std::size_t i = 0; i < state.robots.size(); ++i) {
+        const Twist& velocity = state.robots[i].velocity_B;
+        const Command command = scenario.commandsOf(state, i).at(now);
+        begin(i);
+        appendField(json, ",\"v\":", velocity.x);
+        appendField(json, ",\"v_left\":", velocity.y);
+        appendField(json, ",\"w\":", velocity.rotation);
+        appendField(json, ",\"v_command\":", command.v);
+        appendField(json, ",\"w_command\":", command.w);
+        appendField(json, ",\"pressed\":", pressed[i], 2);
+        json += '}';
     }
-    std::string json = "{\"count\":" + std::to_string(contacts.size());
-    appendField(json, ",\"impulse\":", impulse, 3);
-    return json + ",\"contacts\":[" + list + "]}";
+    for (std::size_t i = 0; i < state.objects.size(); ++i) {
+        const Twist& velocity = state.objects[i].velocity_W;
+        begin(state.robots.size() + i);
+        appendField(json, ",\"vx\":", velocity.x);
+        appendField(json, ",\"vy\":", velocity.y);
+        appendField(json, ",\"w\":", velocity.rotation);
+        appendField(json, ",\"pressed\":", pressed[state.robots.size() + i], 2);
+        json += '}';
+    }
+    return json.empty() ? "{}" : json + '}';
 }
 
-std::string contactMarksMessage(std::span<const SummedContact> contacts, Nanoseconds time) {
-    std::string json = R"({"deletions":[],"entities":[{"timestamp":)" + stampOf(time) +
-                       R"(,"frame_id":"world","id":"contacts","lifetime":{"sec":0,"nsec":0},"frame_locked":true,)"
-                       R"("metadata":[],"arrows":[],"cubes":[],"spheres":[)";
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-        appendField(json, i > 0 ? R"(,{"pose":{"position":{"x":)" : R"({"pose":{"position":{"x":)",
-                    contacts[i].position.x, 3);
-        appendField(json, ",\"y\":", contacts[i].position.y, 3);
-        json += R"(,"z":0.2},"orientation":{"x":0,"y":0,"z":0,"w":1}},"size":)";
+std::string contactsMessage(const Scenario& scenario, std::span<const SummedContact> contacts,
+                            std::span<const std::string> names, Nanoseconds time) {
+    std::string metadata, spheres;
+    for (const SummedContact& contact : contacts) {
+        const char* const comma = metadata.empty() ? "" : ",";
+        std::string impulse, size;
+        appendFixed(impulse, contact.impulse, 2);
+        metadata += comma;
+        metadata += "{\"key\":";
+        appendQuoted(metadata, nameOf(scenario, contact.bodyA, contact.obstacle, names) + " - " +
+                                   nameOf(scenario, contact.bodyB, contact.obstacle, names));
+        metadata += ",\"value\":\"" + impulse + "\"}";
+        spheres += comma;
+        appendField(spheres, R"({"pose":{"position":{"x":)", contact.position.x, 2);
+        appendField(spheres, ",\"y\":", contact.position.y, 2);
+        spheres += R"(,"z":0.2},"orientation":{"x":0,"y":0,"z":0,"w":1}},"size":)";
         // From 4 cm at no impulse at all to 20 cm.
-        std::string size;
-        appendFixed(size, 0.04 + 0.16 * (1 - std::exp(-contacts[i].impulse / 5)), 2);
-        json += "{\"x\":" + size + ",\"y\":" + size + ",\"z\":" + size + "}";
-        json += R"(,"color":{"r":1,"g":0.25,"b":0.1,"a":0.8}})";
+        appendFixed(size, 0.04 + 0.16 * (1 - std::exp(-contact.impulse / 5)), 2);
+        spheres += "{\"x\":" + size + ",\"y\":" + size + ",\"z\":" + size;
+        spheres += R"(},"color":{"r":1,"g":0.25,"b":0.1,"a":0.8}})";
     }
-    return json + R"(],"cylinders":[],"lines":[],"triangles":[],"texts":[],"models":[]}]})";
+    return R"({"deletions":[],"entities":[{"timestamp":)" + stampOf(time) +
+           R"(,"frame_id":"world","id":"contacts","lifetime":{"sec":0,"nsec":0},"frame_locked":true,"metadata":[)" +
+           metadata + R"(],"arrows":[],"cubes":[],"spheres":[)" + spheres +
+           R"(],"cylinders":[],"lines":[],"triangles":[],"texts":[],"models":[]}]})";
 }
 
 std::vector<std::string> logMessages(const Scenario& scenario, const StepTrace& trace,

@@ -15,7 +15,7 @@ void TimelineBlock::add(const StateHash& after, const StepTrace& trace) {
 
 std::int64_t usualKeyframeInterval(const WorldState& state) {
     // A tick takes about a microsecond a body; what is kept between keyframes must stay the larger part of the memory.
-    constexpr std::size_t bodyTicks = 5000;
+    constexpr std::size_t bodyTicks = 2000;
     const std::size_t bodies = std::max<std::size_t>(state.robots.size() + state.objects.size(), 1);
     return static_cast<std::int64_t>(std::clamp<std::size_t>(bodyTicks / bodies, 25, 500));
 }

@@ -1,7 +1,11 @@
 #include "scenario/controller_file.h"
 
-#include "io/number_text.h"
-#include "scenario/controller_seam.h"
+#include <algorithm>
+
+#include "behaviour/chase_ball.h"
+#include "behaviour/command_player.h"
+#include "behaviour/go_to_pose.h"
+#include "behaviour/wander.h"
 #include "scenario/description_reader.h"
 #include "scenario/log_excerpt.h"
 
@@ -13,6 +17,7 @@ using File = DescriptionLibrary::File;
 constexpr NumberRange speeds{0, 20};
 constexpr NumberRange rotations{0, 3600};
 constexpr NumberRange runTime{0, 1e6};
+constexpr NumberRange deadTimes{0, 2};
 constexpr std::size_t mostTargets = 1000;
 
 /// Stands in for a plug-in that is not to be loaded: it decides nothing.
@@ -23,9 +28,10 @@ public:
 
 struct Context {
     TomlTable& table;
+    const DrivenRobot& driven;
     const File& from;
     DescriptionLibrary& library;
-    bool plugins;
+    const PluginLoader& plugins;
 };
 
 ControllerSetting velocityScript(const Context& context) {
@@ -64,6 +70,18 @@ ControllerSetting logPlayer(const Context& context) {
     return {std::make_shared<CommandPlayer>(std::move(content->commands)), content->start};
 }
 
+/// The distance ahead of the reference point at which a ball on the robot's middle line meets it.
+double frontOf(const Shape& shape, double ballRadius) {
+    double touches = 0, clear = shape.reach + ballRadius + 0.001;
+    for (int i = 0; i < 40; ++i) {
+        const double middle = (touches + clear) / 2;
+        const ConvexPiece ball = ConvexPiece::circle({middle, 0}, ballRadius);
+        const auto meets = [&](const ConvexPiece& piece) { return distance(ball, piece) < 0; };
+        (std::any_of(shape.pieces.begin(), shape.pieces.end(), meets) ? touches : clear) = middle;
+    }
+    return clear - ballRadius;
+}
+
 ControllerSetting goToPose(const Context& context) {
     GoToPose::Options options;
     TomlTable& table = context.table;
@@ -71,10 +89,12 @@ ControllerSetting goToPose(const Context& context) {
     if (targets.empty() || targets.size() > mostTargets) table.reject("targets", "expected 1 to 1000 poses");
     for (const TomlTable& target : targets) options.targets.push_back(pose(target));
     options.loop = table.booleanOr("loop", options.loop);
+    options.backwards = table.booleanOr("backwards", options.backwards);
     options.speed = table.numberOr("speed_mps", options.speed, speeds);
     options.rotation = angleOr(table, "rotation_degps", options.rotation, rotations);
     options.tolerance = table.numberOr("tolerance_m", options.tolerance, {0.001, 10});
     options.headingTolerance = angleOr(table, "heading_tolerance_deg", options.headingTolerance, {0.1, 360});
+    options.deadTime = table.numberOr("dead_time_s", context.driven.robot.deadTime, deadTimes);
     return {std::make_shared<GoToPose>(std::move(options)), std::nullopt};
 }
 
@@ -85,7 +105,10 @@ ControllerSetting chaseBall(const Context& context) {
     options.speed = table.numberOr("speed_mps", options.speed, speeds);
     options.rotation = angleOr(table, "rotation_degps", options.rotation, rotations);
     options.kicks = table.booleanOr("kicks", options.kicks);
-    return {std::make_shared<ChaseBall>(std::move(options)), std::nullopt};
+    if (context.driven.ballRadius > 0) options.ballRadius = context.driven.ballRadius;
+    options.front = frontOf(*context.driven.robot.type.shape, options.ballRadius);
+    options.deadTime = table.numberOr("dead_time_s", context.driven.robot.deadTime, deadTimes);
+    return {std::make_shared<ChaseBall>(options), std::nullopt};
 }
 
 ControllerSetting wander(const Context& context) {
@@ -94,18 +117,24 @@ ControllerSetting wander(const Context& context) {
     options.speed = table.numberOr("speed_mps", options.speed, speeds);
     options.rotation = angleOr(table, "rotation_degps", options.rotation, rotations);
     options.changeEvery = table.numberOr("change_every_s", options.changeEvery, {0.01, 1e6});
-    return {std::make_shared<Wander>(std::move(options)), std::nullopt};
+    options.deadTime = table.numberOr("dead_time_s", context.driven.robot.deadTime, deadTimes);
+    return {std::make_shared<Wander>(options), std::nullopt};
 }
 
 ControllerSetting plugin(const Context& context) {
     TomlTable& table = context.table;
     const std::string library = table.string("library");
-    const std::string options = table.tableOrEmpty("options").text();
+    TomlTable options = table.tableOrEmpty("options");
     if (table.failed()) return {};
     if (!context.plugins) return {std::make_shared<AbsentController>(), std::nullopt};
-    auto loaded = loadPlugin(context.library.shown(joinedName(context.from.name, library)), options);
-    if (!loaded) return table.adopt(loaded.error()), ControllerSetting{};
-    return {std::move(*loaded), std::nullopt};
+    auto loaded = context.plugins(context.library.shown(joinedName(context.from.name, library)), options.text());
+    if (loaded) return {std::move(*loaded), std::nullopt};
+    const Error& error = loaded.error();
+    if (error.key.empty())
+        table.adopt(error);
+    else
+        options.reject(error.key, error.cause);
+    return {};
 }
 
 struct Kind {
@@ -118,12 +147,13 @@ constexpr std::array kinds{
 
 }  // namespace
 
-ControllerSetting readController(TomlTable table, const File& from, DescriptionLibrary& library, bool plugins) {
+ControllerSetting readController(TomlTable table, const DrivenRobot& driven, const File& from,
+                                 DescriptionLibrary& library, const PluginLoader& plugins) {
     std::array<std::string_view, kinds.size()> names;
     for (std::size_t i = 0; i < kinds.size(); ++i) names[i] = kinds[i].name;
     const std::size_t kind = table.choice("kind", names);
     if (table.failed()) return {};
-    ControllerSetting setting = kinds[kind].read({table, from, library, plugins});
+    ControllerSetting setting = kinds[kind].read({table, driven, from, library, plugins});
     table.rejectUnknown();
     return setting;
 }

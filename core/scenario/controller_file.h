@@ -7,6 +7,8 @@
 #include "geometry/pose.h"
 #include "io/toml_table.h"
 #include "scenario/description_library.h"
+#include "scenario/robot_file.h"
+#include "scenario/scenario_file.h"
 
 namespace mrose {
 
@@ -16,10 +18,16 @@ struct ControllerSetting {
     std::optional<Pose> logStart;                  ///< of a log player: where the real robot was
 };
 
+/// Whom it drives: options that the file leaves out are told from the robot.
+struct DrivenRobot {
+    const RobotDescription& robot;
+    double ballRadius = 0;  ///< m, of the scenario's ball; 0 where there is none
+};
+
 /// Reads `controller = { kind = ..., ... }` of the scenario `from`. resources/README.md lists the kinds and their
 /// options. Without `plugins` no shared library is loaded, and robots of plug-ins keep whatever they were told.
-ControllerSetting readController(TomlTable table, const DescriptionLibrary::File& from, DescriptionLibrary& library,
-                                 bool plugins);
+ControllerSetting readController(TomlTable table, const DrivenRobot& driven, const DescriptionLibrary::File& from,
+                                 DescriptionLibrary& library, const PluginLoader& plugins);
 
 /// Of a robot that nobody drives: it stands.
 std::shared_ptr<const Controller> noController();

@@ -171,6 +171,7 @@ Expected<RobotDescription> readRobot(const DescriptionLibrary::File& file, Descr
     type.mass = root.number("mass_kg", {0.001, 1e5});
     type.surface = surfaceOr(root, "surface", type.surface);
     if (!root.failed()) readMotion(root, robot, file, library, deadTimes);
+    robot.deadTime = (deadTimes.v + deadTimes.w) / 2;
     type.motionNoise = readMotionNoise(root.tableOrEmpty("motion_noise"));
     readManipulators(root, type, deadTimes);
     type.perception = readPerception(root.tableOrEmpty("perception"));

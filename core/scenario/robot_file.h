@@ -18,6 +18,8 @@ struct RobotDescription {
     std::string motionRobot;                           ///< which of the network's robots it is; "": the mean of them
     std::shared_ptr<const KinematicModel> kinematics;  ///< nothing where it is learned
 
+    double deadTime = 0;  ///< s, by which it answers: the mean of its speed's and its rotation's
+
     Nanoseconds controlPeriod() const { return motion ? motion->network().period : kinematics->period(); }
 };
 

@@ -44,7 +44,8 @@ void Scenario::layOut() {
         const auto periods = static_cast<std::size_t>(model.memory() / model.period()) + 2;
         Slots slots;
         slots.commands = commandSlots_;
-        slots.commandCount = std::min(periods * controller(i).commandsPerPeriod(model.period()), CommandHistory::capacity);
+        slots.commandCount =
+            std::min(periods * controller(i).commandsPerPeriod(model.period()), CommandHistory::capacity);
         slots.memory = memorySize_;
         slots.memorySize = controller(i).memorySize();
         commandSlots_ += slots.commandCount;

@@ -38,6 +38,7 @@ private:
     ObjectType objectType(TomlTable& table);
     std::uint32_t objectTypeIndex(ObjectType type);
     void ballsFirst();
+    double ballRadius() const;
     void checkStarts();
 
     const File& file_;
@@ -156,7 +157,8 @@ void ScenarioReader::readRobot(TomlTable& table, bool person) {
     body.type = typeIndex(*robot, person);
     body.model = modelIndex(*robot, motionRobot(table, *robot));
     ControllerSetting setting{noController(), std::nullopt};
-    if (table.has("controller")) setting = readController(table.table("controller"), file_, library_, loading_.plugins);
+    if (table.has("controller"))
+        setting = readController(table.table("controller"), {*robot, ballRadius()}, file_, library_, loading_.plugins);
     if (setting.logStart && !table.has("start"))
         body.start = *setting.logStart;
     else
@@ -226,6 +228,11 @@ void ScenarioReader::ballsFirst() {
     objectTables_ = std::move(tables);
 }
 
+double ScenarioReader::ballRadius() const {
+    const bool ball = !scene_.objects.empty() && scene_.typeOfObject(0).rolls;
+    return ball ? scene_.typeOfObject(0).shape->reach : 0;
+}
+
 void ScenarioReader::checkStarts() {
     const auto overlap = findStartOverlap(scene_);
     if (!overlap) return;
@@ -245,13 +252,13 @@ void ScenarioReader::checkStarts() {
 Expected<ScenarioParts> ScenarioReader::read() {
     readRun();
     readEnvironment();
+    for (TomlTable& table : root_.tablesOrNone("object"))
+        if (!root_.failed()) readObject(table);
+    if (!root_.failed()) ballsFirst();
     for (const auto& [key, person] : {std::pair("robot", false), std::pair("person", true)})
         for (TomlTable& table : root_.tablesOrNone(key))
             if (!root_.failed()) readRobot(table, person);
-    for (TomlTable& table : root_.tablesOrNone("object"))
-        if (!root_.failed()) readObject(table);
     root_.rejectUnknown();
-    if (!root_.failed()) ballsFirst();
     if (!root_.failed()) checkStarts();
     if (root_.failed()) return tl::unexpected(root_.error());
     return std::move(parts_);

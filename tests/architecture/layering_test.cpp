@@ -25,7 +25,6 @@ const std::map<std::string, std::set<std::string>> allowedLayers{
     {"scene", {"geometry", "world", "motion"}},
     {"control", {"geometry", "world"}},
     {"plugin", {"io", "geometry", "world", "control"}},
-    {"scenario", {"io", "geometry", "world", "logs", "motion", "physics", "scene", "control"}},
     {"drawing", {"io", "geometry", "evaluation", "scene"}},
     {"behaviour", {"geometry", "world", "control"}},
     {"scenario", {"io", "geometry", "world", "logs", "motion", "physics", "scene", "control", "behaviour"}},

@@ -33,6 +33,12 @@ inline Perception cameras() {
     return perception;
 }
 
+inline RobotType perceivingRobot(const Perception& perception) {
+    RobotType type = discRobot(0.2);
+    type.perception = perception;
+    return type;
+}
+
 /// The outline of a Pioneer 1 with its ball guide, in octagon and horns.
 inline RobotType guideRobot(const Perception& perception) {
     const auto part = [](Polygon polygon) {

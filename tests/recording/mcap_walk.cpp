@@ -58,4 +58,22 @@ std::vector<WalkedMessage> walkMessages(std::string_view file) {
     return messages;
 }
 
+std::map<std::string, nlohmann::json> walkSchemas(std::string_view file) {
+    std::map<std::uint16_t, nlohmann::json> schemas;
+    std::map<std::string, nlohmann::json> topics;
+    for (const WalkedRecord& record : walkRecords(file)) {
+        const std::string_view content = record.content;
+        const auto id = numberAt<std::uint16_t>(content, 0);
+        if (record.kind == 0x03) {
+            const std::size_t encoding = 6 + numberAt<std::uint32_t>(content, 2);
+            const std::size_t text = encoding + 4 + numberAt<std::uint32_t>(content, encoding);
+            schemas[id] = nlohmann::json::parse(content.substr(text + 4));
+        }
+        if (record.kind == 0x04)
+            topics[std::string(content.substr(8, numberAt<std::uint32_t>(content, 4)))] =
+                schemas[numberAt<std::uint16_t>(content, 2)];
+    }
+    return topics;
+}
+
 }  // namespace mrose

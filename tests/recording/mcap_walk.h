@@ -1,9 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <nlohmann/json.hpp>
 
 namespace mrose {
 
@@ -22,5 +25,8 @@ struct WalkedMessage {
 };
 /// All messages of all chunks.
 std::vector<WalkedMessage> walkMessages(std::string_view file);
+
+/// The schema of each topic.
+std::map<std::string, nlohmann::json> walkSchemas(std::string_view file);
 
 }  // namespace mrose

@@ -1,0 +1,85 @@
+#include "behaviour/ball_belief.h"
+
+#include <functional>
+
+#include <gtest/gtest.h>
+
+#include "behaviour/small_field.h"
+
+namespace mrose {
+namespace {
+
+/// A robot that stands at a pose, knows that, and is shown the ball every 100 ms.
+class Watcher {
+public:
+    explicit Watcher(const Pose& pose) : pose_(pose) {}
+
+    const BallBelief& see(std::optional<Point> ball, const Point& error = {}) {
+        Observation observation;
+        observation.time = observation.selfMeasured = instant_++ * 100'000'000LL;
+        observation.localised = true;
+        observation.self = pose_;
+        if (ball) observation.objects = {{0, Placement(pose_).placeBack(*ball) + error, observation.time}};
+        motion_.observe(observation);
+        self_.update(observation, motion_);
+        ball_.update(observation, motion_, self_);
+        return ball_;
+    }
+
+private:
+    Pose pose_;
+    std::int64_t instant_ = 0;
+    MotionMemory motion_{};
+    OwnBelief self_{};
+    BallBelief ball_{};
+};
+
+TEST(BallBelief, FollowsARollingBallAndForeseesItsWay) {
+    Watcher watcher({0, 0, 0.2});
+    const double v = 1.5, deceleration = 0.4;
+    const auto at = [&](double t) { return Point{0.5 + v * t - deceleration * t * t / 2, 0.3}; };
+    for (int i = 0; i < 10; ++i) watcher.see(at(0.1 * i));
+    const BallBelief ball = watcher.see(at(1));
+    EXPECT_LT(distance(ball.position, at(1)), 0.06);
+    EXPECT_NEAR(ball.velocity.x, v - deceleration, 0.2);
+    EXPECT_LT(distance(ball.in(0.5), at(1.5)), 0.15);
+    // It comes to rest after v / deceleration seconds.
+    EXPECT_EQ(ball.in(20), ball.in(30));
+}
+
+TEST(BallBelief, TrustsNearSightingsMore) {
+    double errors[2] = {};
+    for (const int near : {0, 1}) {
+        Watcher watcher({0, 0, 0});
+        const double range = near == 1 ? 0.5 : 4;
+        for (std::int64_t i = 0; i < 200; ++i) {
+            const double error = 0.05 * normalNoise({52, i, 0, 0});
+            const BallBelief& ball = watcher.see(Point{range, 0}, {error, 0});
+            if (i > 50) errors[near] += std::abs(ball.position.x - range);
+        }
+    }
+    EXPECT_LT(errors[0], 0.5 * errors[1]);
+}
+
+TEST(BallBelief, StaysForAWhileWhereItCannotBeSeen) {
+    Watcher watcher({0, 0, 0});
+    EXPECT_EQ(watcher.see(std::nullopt).known, 0);
+    const Point behind{-1, 0.2};
+    watcher.see(behind);
+    for (int i = 0; i < 50; ++i) EXPECT_EQ(watcher.see(std::nullopt).known, 1) << i;
+    EXPECT_LT(distance(watcher.see(std::nullopt).position, behind), 1e-9);
+    for (int i = 0; i < 20; ++i) watcher.see(std::nullopt);
+    EXPECT_EQ(watcher.see(std::nullopt).known, 0);
+}
+
+TEST(BallBelief, IsLostSoonWhereItShouldBeSeen) {
+    Watcher watcher({0, 0, 0});
+    watcher.see(Point{1, 0.1});
+    for (int i = 0; i < 5; ++i) EXPECT_EQ(watcher.see(std::nullopt).known, 1);
+    for (int i = 0; i < 5; ++i) watcher.see(std::nullopt);
+    EXPECT_EQ(watcher.see(std::nullopt).known, 0);
+    EXPECT_EQ(watcher.see(Point{2, 1}).position, (Point{2, 1}));
+}
+
+}  // namespace
+}  // namespace mrose

@@ -1,0 +1,134 @@
+#include "behaviour/chase_ball.h"
+
+#include <gtest/gtest.h>
+
+#include "behaviour/progress.h"
+#include "behaviour/small_field.h"
+
+namespace mrose {
+namespace {
+
+constexpr int second = 50;  // ticks
+const ChaseBall::Options toTheEast{.target = {9, 2.5}};
+
+RobotType kickingRobot() {
+    RobotType type = guideRobot(cameras());
+    type.manipulators.push_back({.name = "kicker", .position = {0.17, 0}, .width = 0.25});
+    return type;
+}
+
+/// Robot and ball somewhere, the ball in the western half, not on one another.
+SmallWorld chase(const RobotType& type, std::int64_t which, const ChaseBall::Options& options = toTheEast) {
+    SmallWorld world(walledField(9, 5));
+    const Pose start = somewhere(81, which, 9, 5);
+    Pose ball{draw(81, which, 7, 0.6, 4), draw(81, which, 8, 0.6, 4.4), 0};
+    if (distance(position(start), position(ball)) < 0.6) ball.y += ball.y > 2.5 ? -1 : 1;
+    world.robot(type, start, std::make_shared<const ChaseBall>(options), lateDrive(), which % 5);
+    world.object(ballType(), ball);
+    return world;
+}
+
+struct Outcome {
+    double arrived = -1;  ///< s, when the ball was well in the eastern half
+    double leastWay = 0;  ///< m, of the robot within 20 s
+};
+
+Outcome play(const Scenario& scenario, std::uint64_t seed, int seconds) {
+    WorldState state = scenario.initialState(seed);
+    StepBuffers buffers;
+    Outcome outcome;
+    Progress progress(20 * second / 5);
+    for (int tick = 0; tick < seconds * second; ++tick) {
+        step(scenario, state, buffers);
+        if (outcome.arrived < 0 && state.objects[0].pose.x > 6) outcome.arrived = tick / double(second);
+        if (tick % 5 == 0) progress.watch(state.robots[0].pose);
+    }
+    outcome.leastWay = progress.leastWay();
+    return outcome;
+}
+
+TEST(ChaseBall, BringsTheBallToTheTargetsHalf) {
+    for (const bool kicks : {false, true}) {
+        int arrived = 0;
+        for (std::int64_t i = 0; i < 30; ++i) {
+            const Scenario scenario = chase(kicks ? kickingRobot() : guideRobot(cameras()), i).scenario();
+            arrived += play(scenario, static_cast<std::uint64_t>(i), 60).arrived >= 0 ? 1 : 0;
+        }
+        EXPECT_GE(arrived, 27) << kicks;
+    }
+}
+
+/// Long after the ball has come to the wall at the target, or into a corner.
+TEST(ChaseBall, NeverGetsStuckForEver) {
+    for (std::int64_t i = 0; i < 15; ++i) {
+        const Outcome outcome = play(chase(kickingRobot(), i).scenario(), static_cast<std::uint64_t>(i), 240);
+        EXPECT_GT(outcome.leastWay, 0.15) << i;
+    }
+}
+
+TEST(ChaseBall, FindsABallThatLiesBehindIt) {
+    const Scenario scenario =
+        SmallWorld(walledField(9, 5))
+            .robot(guideRobot(cameras()), {5, 2.5, 0}, std::make_shared<const ChaseBall>(toTheEast), lateDrive())
+            .object(ballType(), {2, 2, 0})
+            .scenario();
+    EXPECT_GE(play(scenario, 4, 60).arrived, 0);
+}
+
+struct Kicked {
+    int hits = 0, misses = 0, faults = 0;
+    double fastest = 0;
+};
+
+Kicked kicksOf(const RobotType& type, const ChaseBall::Options& options) {
+    Kicked result;
+    for (std::int64_t i = 0; i < 5; ++i) {
+        const Scenario scenario = chase(type, i, options).scenario();
+        WorldState state = scenario.initialState(static_cast<std::uint64_t>(i));
+        StepBuffers buffers;
+        StepTrace trace;
+        for (int tick = 0; tick < 60 * second; ++tick) {
+            step(scenario, state, buffers, {}, &trace);
+            for (const StepTrace::Kicked& kick : trace.kicks) (kick.hit ? result.hits : result.misses) += 1;
+            result.faults += static_cast<int>(trace.faults.size());
+            result.fastest =
+                std::max(result.fastest, std::hypot(state.objects[0].velocity_W.x, state.objects[0].velocity_W.y));
+        }
+    }
+    return result;
+}
+
+TEST(ChaseBall, KicksWhereItHasSomethingToKickWithAndMay) {
+    const Kicked kicking = kicksOf(kickingRobot(), toTheEast);
+    EXPECT_GE(kicking.hits, 5);
+    EXPECT_GT(kicking.hits, 2 * kicking.misses);
+    EXPECT_GT(kicking.fastest, 2.5);
+    ChaseBall::Options gentle = toTheEast;
+    gentle.kicks = false;
+    for (const Kicked& without : {kicksOf(guideRobot(cameras()), toTheEast), kicksOf(kickingRobot(), gentle)}) {
+        EXPECT_EQ(without.hits + without.misses, 0);
+        EXPECT_EQ(without.faults, 0);
+        EXPECT_LT(without.fastest, 1.5);
+    }
+}
+
+TEST(ChaseBall, ShowsWhatItBelievesAndWants) {
+    const Scenario scenario = chase(guideRobot({}), 1).scenario();
+    WorldState state = scenario.initialState();
+    StepBuffers buffers;
+    StepTrace trace;
+    while (state.tick < 2 * second || !trace.robots[0].decided) step(scenario, state, buffers, {}, &trace);
+    std::vector<std::string> labels;
+    for (const Annotation& annotation : trace.robots[0].decision.annotations) {
+        labels.push_back(annotation.label);
+        if (annotation.label == "ball") {
+            EXPECT_LT(distance(annotation.points[0], position(state.objects[0].pose)), 0.05);
+        } else if (annotation.label == "shot") {
+            EXPECT_EQ(annotation.points[1], toTheEast.target);
+        }
+    }
+    EXPECT_EQ(labels, (std::vector<std::string>{"state", "ball", "ball speed", "aim", "shot"}));
+}
+
+}  // namespace
+}  // namespace mrose

@@ -1,0 +1,144 @@
+#include "behaviour/go_to_pose.h"
+
+#include <gtest/gtest.h>
+
+#include "behaviour/small_field.h"
+
+namespace mrose {
+namespace {
+
+constexpr int second = 50;  // ticks
+
+double off(const WorldState& state, const Pose& goal) {
+    return distance(position(state.robots[0].pose), position(goal));
+}
+double turned(const WorldState& state, const Pose& goal) {
+    return std::abs(wrapAngle(state.robots[0].pose.heading - goal.heading));
+}
+bool rests(const WorldState& state, double within = 1e-3) {
+    const Twist& velocity = state.robots[0].velocity_B;
+    return std::abs(velocity.x) < within && std::abs(velocity.rotation) < 2 * within;
+}
+
+Scenario alone(const RobotType& type, const Pose& start, const GoToPose::Options& options, std::int64_t phase = 0) {
+    return SmallWorld(walledField(9, 5))
+        .robot(type, start, std::make_shared<const GoToPose>(options), lateDrive(), phase)
+        .scenario();
+}
+
+RobotType exactRobot() {
+    RobotType type = guideRobot({});
+    type.motionNoise = {};
+    return type;
+}
+
+TEST(GoToPose, ArrivesWithinItsTolerancesFromEverywhereAndStays) {
+    for (const bool backwards : {false, true})
+        for (std::int64_t i = 0; i < 100; ++i) {
+            const Pose goal = somewhere(71, 1000 + i, 9, 5);
+            const Scenario scenario =
+                alone(exactRobot(), somewhere(71, i, 9, 5), {.targets = {goal}, .backwards = backwards}, i % 5);
+            WorldState state = scenario.initialState();
+            run(scenario, state, 40 * second);
+            EXPECT_LT(off(state, goal), 0.05) << i;
+            EXPECT_LT(turned(state, goal), 0.1) << i;
+            EXPECT_TRUE(rests(state)) << i;
+            const Pose arrived = state.robots[0].pose;
+            run(scenario, state, 20 * second);
+            EXPECT_EQ(state.robots[0].pose, arrived) << i;
+        }
+}
+
+/// Its camera is off by some centimetres, and so is it; most of the time it rests all the same.
+TEST(GoToPose, ArrivesByNoisyCamerasAsFarAsTheyTell) {
+    int resting = 0, far = 0;
+    for (std::int64_t i = 0; i < 100; ++i) {
+        const Pose goal = somewhere(72, 1000 + i, 9, 5);
+        const Scenario scenario = alone(guideRobot(cameras()), somewhere(72, i, 9, 5), {.targets = {goal}}, i % 5);
+        WorldState state = scenario.initialState(static_cast<std::uint64_t>(i));
+        run(scenario, state, 40 * second);
+        resting += rests(state) ? 1 : 0;
+        EXPECT_LT(off(state, goal), 0.25) << i;
+        far += off(state, goal) > 0.12 ? 1 : 0;
+        run(scenario, state, 20 * second);
+        EXPECT_LT(off(state, goal), 0.25) << i;
+    }
+    EXPECT_GE(resting, 85);
+    EXPECT_LE(far, 10);
+}
+
+TEST(GoToPose, VisitsItsTargetsInOrderAndAgainIfItLoops) {
+    const std::vector<Pose> targets{{2, 2, 0}, {4, 3, 1.5}, {6, 2, 3}};
+    for (const bool loop : {false, true}) {
+        const Scenario scenario = alone(exactRobot(), {1, 1, 0}, {.targets = targets, .loop = loop});
+        WorldState state = scenario.initialState();
+        StepBuffers buffers;
+        std::vector<std::size_t> visited;
+        for (int tick = 0; tick < 90 * second; ++tick) {
+            step(scenario, state, buffers);
+            for (std::size_t i = 0; i < targets.size(); ++i)
+                if (off(state, targets[i]) < 0.05 && turned(state, targets[i]) < 0.1 && rests(state, 0.05) &&
+                    (visited.empty() || visited.back() != i))
+                    visited.push_back(i);
+        }
+        ASSERT_GE(visited.size(), 3u);
+        for (std::size_t i = 0; i < visited.size(); ++i) EXPECT_EQ(visited[i], i % 3);
+        EXPECT_EQ(visited.size() > 3, loop);
+    }
+}
+
+TEST(GoToPose, GoesTailFirstWhereItMay) {
+    const Pose start{5, 2.5, 0}, goal{4, 2.5, 0};
+    double seconds[2] = {};
+    for (const bool backwards : {false, true}) {
+        const Scenario scenario = alone(exactRobot(), start, {.targets = {goal}, .backwards = backwards});
+        WorldState state = scenario.initialState();
+        while ((off(state, goal) > 0.05 || !rests(state) || turned(state, goal) > 0.1) && state.tick < 60 * second) {
+            run(scenario, state, 1);
+            EXPECT_TRUE(!backwards || turned(state, goal) < 0.2);
+        }
+        seconds[backwards ? 1 : 0] = toSeconds(scenario.scene().timeOf(state.tick));
+    }
+    EXPECT_LT(seconds[1], 0.6 * seconds[0]);
+}
+
+/// Two that want to change places meet head on.
+TEST(GoToPose, PassesARobotThatComesItsWay) {
+    const Pose west{1, 2.5, 0}, east{8, 2.5, 3.14};
+    RobotType type = guideRobot({});
+    const Scenario scenario =
+        SmallWorld(walledField(9, 5))
+            .robot(type, west, std::make_shared<const GoToPose>(GoToPose::Options{.targets = {east}}), lateDrive())
+            .robot(type, east, std::make_shared<const GoToPose>(GoToPose::Options{.targets = {west}}), lateDrive(), 2)
+            .scenario();
+    WorldState state = scenario.initialState();
+    run(scenario, state, 60 * second);
+    EXPECT_LT(distance(position(state.robots[0].pose), position(east)), 0.1);
+    EXPECT_LT(distance(position(state.robots[1].pose), position(west)), 0.1);
+}
+
+TEST(GoToPose, StandsUntilItKnowsWhereItIs) {
+    Perception perception;
+    perception.self.dropOut = 1;
+    const Scenario scenario = alone(guideRobot(perception), {2, 2, 0}, {.targets = {{4, 2, 0}}});
+    WorldState state = scenario.initialState();
+    run(scenario, state, 5 * second);
+    EXPECT_EQ(state.robots[0].pose, (Pose{2, 2, 0}));
+}
+
+TEST(GoToPose, ShowsGoalDistanceAndState) {
+    const Pose goal{4, 2, 0};
+    const Scenario scenario = alone(exactRobot(), {2, 2, 0}, {.targets = {goal}});
+    WorldState state = scenario.initialState();
+    StepBuffers buffers;
+    StepTrace trace;
+    step(scenario, state, buffers, {}, &trace);
+    const std::vector<Annotation>& shown = trace.robots[0].decision.annotations;
+    ASSERT_EQ(shown.size(), 3u);
+    EXPECT_EQ(shown[0].points, std::vector<Point>{position(goal)});
+    EXPECT_NEAR(shown[1].value, 2, 1e-12);
+    EXPECT_EQ(shown[2].text, "approaching");
+}
+
+}  // namespace
+}  // namespace mrose

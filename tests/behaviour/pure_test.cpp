@@ -1,0 +1,91 @@
+// Controllers remember in the state alone: whoever restores one gets the same decisions and the same memory.
+#include <cstring>
+
+#include <gtest/gtest.h>
+
+#include "behaviour/chase_ball.h"
+#include "behaviour/command_player.h"
+#include "behaviour/go_to_pose.h"
+#include "behaviour/small_field.h"
+#include "behaviour/wander.h"
+#include "sensing/observe.h"
+#include "world/state_bytes.h"
+
+namespace mrose {
+namespace {
+
+std::vector<std::shared_ptr<const Controller>> builtIn() {
+    std::vector<StampedCommand> script;
+    for (int i = 0; i < 300; ++i) script.push_back({i * 77'000'000LL - 400'000'000, {0.3, i % 7 * 0.2 - 0.6}});
+    return {std::make_shared<const CommandPlayer>(script),
+            std::make_shared<const GoToPose>(
+                GoToPose::Options{.targets = {{1, 1, 0}, {5, 3, 2}}, .loop = true, .backwards = true}),
+            std::make_shared<const ChaseBall>(ChaseBall::Options{.target = {6, 2}}),
+            std::make_shared<const ChaseBall>(ChaseBall::Options{.target = {0, 2}}),
+            std::make_shared<const Wander>(Wander::Options{})};
+}
+
+Scenario everybody() {
+    SmallWorld world(walledField(6, 4));
+    RobotType type = guideRobot(cameras());
+    type.manipulators.push_back({.name = "kicker", .position = {0.17, 0}, .width = 0.25});
+    const auto controllers = builtIn();
+    for (std::size_t i = 0; i < controllers.size(); ++i)
+        world.robot(type, {0.7 + 1.1 * static_cast<double>(i), i % 2 == 0 ? 1.0 : 3.0, 1.0 * static_cast<double>(i)},
+                    controllers[i], lateDrive(), static_cast<std::int64_t>(i));
+    world.object(ballType(), {3, 2, 0}, {0.4, 0.1, 0});
+    return world.scenario();
+}
+
+TEST(Pure, EveryTickSteppedTwiceFromOneStateGivesTheSameMemory) {
+    const Scenario scenario = everybody();
+    WorldState state = scenario.initialState();
+    StepBuffers buffers, others;
+    run(scenario, state, 500);
+    for (int tick = 0; tick < 1500; ++tick) {
+        WorldState again = state;
+        StepTrace first, second;
+        step(scenario, state, buffers, {}, &first);
+        step(scenario, again, others, {}, &second);
+        ASSERT_EQ(stateBytes(state), stateBytes(again)) << tick;
+        ASSERT_EQ(state.memory, again.memory) << tick;
+        for (std::size_t i = 0; i < state.robots.size(); ++i)
+            ASSERT_TRUE(first.robots[i].decision.sameOrders(second.robots[i].decision));
+    }
+}
+
+/// Another object of the same class, in another run, over the same state.
+TEST(Pure, ControllersThemselvesRememberNothing) {
+    const Scenario one = everybody(), two = everybody();
+    WorldState state = one.initialState();
+    run(one, state, 700);
+    WorldState other = state;
+    run(one, state, 500);
+    run(two, other, 500);
+    EXPECT_EQ(stateBytes(state), stateBytes(other));
+}
+
+/// No byte of the memory is left as it happened to be.
+TEST(Pure, MemoryHoldsNothingButWhatIsTold) {
+    const Scenario scenario = everybody();
+    WorldState state = scenario.initialState();
+    run(scenario, state, 700);
+    for (std::size_t i = 0; i < state.robots.size(); ++i) {
+        std::vector<std::byte> first(scenario.controller(i).memorySize()), second(first.size());
+        std::memcpy(first.data(), scenario.memoryOf(std::as_const(state), i).data(), first.size());
+        second = first;
+        Observation observation;
+        observe(scenario, state, i, state.robots[i].sensing, observation);
+        Decision decision, again;
+        scenario.controller(i).decide(observation, first, decision);
+        // What lies on the stack must not matter.
+        volatile double rubbish[512];
+        for (double i2 = 0; volatile double& r : rubbish) r = i2 += 1.7;
+        scenario.controller(i).decide(observation, second, again);
+        EXPECT_EQ(first, second) << i;
+        EXPECT_TRUE(decision.sameOrders(again)) << i;
+    }
+}
+
+}  // namespace
+}  // namespace mrose

@@ -1,0 +1,102 @@
+#include "behaviour/steering.h"
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "behaviour/small_field.h"
+
+namespace mrose {
+namespace {
+
+constexpr DriveLimits limits{0.4, 1};
+
+struct Drive {
+    Pose end;
+    double way = 0, time = 0;
+    bool inLimits = true;
+};
+
+/// Follows the law to within a centimetre as an ideal vehicle.
+Drive driveFrom(Pose pose, const Pose& goal, bool backwards) {
+    Drive drive;
+    constexpr double dt = 0.02;
+    for (; drive.time < 60 && distance(position(pose), position(goal)) > 0.01; drive.time += dt) {
+        const Command command = driveToPose(pose, goal, limits, backwards);
+        drive.inLimits = drive.inLimits && std::abs(command.v) <= 0.4 && std::abs(command.w) <= 1 &&
+                         (backwards ? command.v <= 0 : command.v >= 0);
+        pose = pose * exp({dt * command.v, 0, dt * command.w});
+        drive.way += dt * std::abs(command.v);
+    }
+    drive.end = pose;
+    return drive;
+}
+
+TEST(Steering, LeadsToThePoseFromEverywhere) {
+    for (std::int64_t i = 0; i < 300; ++i) {
+        const Pose from = somewhere(61, i, 9, 7), goal = somewhere(62, i, 9, 7);
+        const double straight = distance(position(from), position(goal));
+        // Where it has room to turn first, the heading's error shrinks as the distance does.
+        const double turned = straight > 1.5 ? 0.1 : std::numbers::pi;
+        for (const bool backwards : {false, true}) {
+            const Drive drive = driveFrom(from, goal, backwards);
+            EXPECT_LT(drive.time, 60) << i;
+            EXPECT_TRUE(drive.inLimits) << i;
+            EXPECT_NEAR(wrapAngle(drive.end.heading - goal.heading), 0, turned) << i;
+            EXPECT_LT(drive.way, 1.5 * straight + 1) << i;
+        }
+    }
+}
+
+TEST(Steering, MirroredProblemsHaveMirroredCommands) {
+    const Command left = driveToPose({0, 0, 0.3}, {2, 0.7, 1.2}, limits, false);
+    const Command right = driveToPose({0, 0, -0.3}, {2, -0.7, -1.2}, limits, false);
+    EXPECT_NEAR(left.v, right.v, 1e-15);
+    EXPECT_NEAR(left.w, -right.w, 1e-15);
+    const Command back = driveToPose({0, 0, 0.3}, {-2, -0.7, 0.9}, limits, true);
+    EXPECT_LT(back.v, 0);
+}
+
+TEST(Steering, TowardsAPointTurnsOnTheSpotWhereItLiesAside) {
+    const Command ahead = driveTowards({2, 0}, limits);
+    EXPECT_NEAR(ahead.v, limits.speed, 1e-15);
+    EXPECT_NEAR(ahead.w, 0, 1e-15);
+    EXPECT_EQ(driveTowards({-1, 0.5}, limits), (Command{0, limits.rotation}));
+    EXPECT_EQ(driveTowards({-1, -0.5}, limits), (Command{0, -limits.rotation}));
+    const Command aside = driveTowards({1, 0.2}, limits);
+    EXPECT_GT(aside.v, 0.5 * limits.speed);
+    EXPECT_GT(aside.w, 0);
+}
+
+TEST(Steering, GivesWayToTheNearestBodyAhead) {
+    MotionMemory still{};
+    const auto at = [](double x, double y) { return SeenBody{0, {x, y}, 0}; };
+    EXPECT_EQ(evade({at(-0.5, 0), at(0.6, 0.8), at(1.2, 0)}, still, 0.3).turn, 0);
+    EXPECT_LT(evade({at(0.7, 0.1), at(0.9, -0.1)}, still, 0.3).turn, 0);
+    EXPECT_GT(evade({at(0.9, 0.1), at(0.7, -0.1)}, still, 0.3).turn, 0);
+    EXPECT_LT(evade({at(0.6, 0)}, still, 0.3).share, 0.5);
+    EXPECT_EQ(evade({at(0.6, 0)}, still, 0.3, 0.5).share, 1);
+    const Command command = evading({0.4, 0}, evade({at(0.6, 0.1)}, still, 0.3), limits);
+    EXPECT_LT(command.v, 0.2);
+    EXPECT_LT(command.w, -0.3);
+}
+
+/// A body that was seen 0.2 s ago is nearer by the way since.
+TEST(Steering, TakesItsOwnMotionSinceTheSightingIntoAccount) {
+    MotionMemory motion{};
+    for (int i = 0; i < 4; ++i) {
+        Observation observation;
+        observation.time = i * 100'000'000LL;
+        observation.velocity = {0.5, 0};
+        motion.observe(observation);
+        motion.issue({0.5, 0});
+    }
+    const SeenBody body{0, {1.2, 0.1}, 100'000'000};
+    EXPECT_EQ(evade({body}, MotionMemory{}, 0).turn, 0);
+    // 0.1 m since, and 0.15 m until the command takes effect.
+    const double far = std::hypot(0.95, 0.1);
+    EXPECT_NEAR(evade({body}, motion, 0.3).turn, -(1 - far), 1e-12);
+}
+
+}  // namespace
+}  // namespace mrose

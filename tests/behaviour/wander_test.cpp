@@ -1,0 +1,100 @@
+#include "behaviour/wander.h"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "behaviour/progress.h"
+#include "behaviour/small_field.h"
+
+namespace mrose {
+namespace {
+
+constexpr int second = 50;  // ticks
+
+TEST(Wander, NeverStandsStillForLong) {
+    for (const int robots : {1, 5})
+        for (std::uint64_t seed = 0; seed < 10; ++seed) {
+            SmallWorld world(walledField(4, 4));
+            for (int i = 0; i < robots; ++i)
+                world.robot(guideRobot(cameras()), {0.8 + 1.1 * (i % 3), 0.8 + 1.2 * (i / 3), 1.3 * i},
+                            std::make_shared<const Wander>(Wander::Options{}), lateDrive(), i % 5);
+            const Scenario scenario = world.scenario();
+            WorldState state = scenario.initialState(seed);
+            StepBuffers buffers;
+            std::vector<Progress> shortly(static_cast<std::size_t>(robots), Progress(4 * second)),
+                lately(static_cast<std::size_t>(robots), Progress(30 * second / 5));
+            for (int tick = 0; tick < 90 * second; ++tick) {
+                step(scenario, state, buffers);
+                for (std::size_t i = 0; i < state.robots.size(); ++i) {
+                    shortly[i].watch(state.robots[i].pose);
+                    if (tick % 5 == 0) lately[i].watch(state.robots[i].pose);
+                }
+            }
+            for (std::size_t i = 0; i < state.robots.size(); ++i) {
+                EXPECT_GT(shortly[i].leastMotion(), 0.01) << robots << " robots, seed " << seed;
+                EXPECT_GT(lately[i].leastWay(), 0.25) << robots << " robots, seed " << seed;
+            }
+        }
+}
+
+TEST(Wander, GoesDifferentWaysBySeedAndSeesTheWholePlace) {
+    std::set<std::pair<int, int>> cells;
+    std::set<double> ends;
+    for (std::uint64_t seed = 0; seed < 5; ++seed) {
+        const Scenario scenario =
+            SmallWorld(walledField(4, 4))
+                .robot(guideRobot({}), {2, 2, 0}, std::make_shared<const Wander>(Wander::Options{}), lateDrive())
+                .scenario();
+        WorldState state = scenario.initialState(seed);
+        StepBuffers buffers;
+        for (int tick = 0; tick < 120 * second; ++tick) {
+            step(scenario, state, buffers);
+            cells.insert({static_cast<int>(state.robots[0].pose.x), static_cast<int>(state.robots[0].pose.y)});
+        }
+        ends.insert(state.robots[0].pose.x);
+    }
+    EXPECT_EQ(ends.size(), 5u);
+    EXPECT_GE(cells.size(), 14u);
+}
+
+TEST(Wander, TurnsSmoothly) {
+    const Scenario scenario =
+        SmallWorld()
+            .robot(guideRobot({}), {}, std::make_shared<const Wander>(Wander::Options{}), lateDrive())
+            .scenario();
+    WorldState state = scenario.initialState();
+    StepBuffers buffers;
+    StepTrace trace;
+    double last = 0, most = 0;
+    for (int tick = 0; tick < 120 * second; ++tick) {
+        step(scenario, state, buffers, {}, &trace);
+        if (!trace.robots[0].decided) continue;
+        const double w = trace.robots[0].decision.command->w;
+        EXPECT_LT(std::abs(w - last), 0.25);
+        most = std::max(most, std::abs(w));
+        last = w;
+    }
+    EXPECT_GT(most, 0.2);
+    EXPECT_LT(most, 0.55);
+}
+
+TEST(Wander, TurnsAwayFromABodyAhead) {
+    const Scenario scenario =
+        SmallWorld()
+            .robot(guideRobot({}), {}, std::make_shared<const Wander>(Wander::Options{}), lateDrive())
+            .object(boxType(0.4, 500), {2, 0.1, 0})
+            .scenario();
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+        WorldState state = scenario.initialState(seed);
+        StepBuffers buffers;
+        StepTrace trace;
+        for (int tick = 0; tick < 20 * second; ++tick) {
+            step(scenario, state, buffers, {}, &trace);
+            EXPECT_TRUE(trace.contacts.empty()) << seed;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace mrose
