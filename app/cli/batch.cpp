@@ -43,7 +43,7 @@ int runAll(const Flags& flags, const CommonFlags& common) {
         std::fprintf(stderr, "mrose: --seeds: %s; expected one seed or a range: 1..20\n", flags.seeds.c_str());
         return usage;
     }
-    const auto open = openScenario(flags.run.scenario, 0, flags.run.log);
+    const auto open = openScenario(flags.run.scenario, 0, flags.run.log, flags.run.plugins);
     if (!open) return report(open.error());
     const ScenarioParts& parts = open->scenario->parts();
     options.trials = flags.trials;
