@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "evaluation/format.h"
 #include "evaluation/html.h"
@@ -15,8 +14,6 @@
 
 namespace mrose {
 namespace {
-
-constexpr double degrees = 180 / std::numbers::pi;
 
 std::string paragraph(std::string_view content) { return element("p", "", content); }
 std::string heading(std::string_view content) { return element("h2", "", content); }

@@ -35,6 +35,8 @@ const std::map<std::string, std::set<std::string>> librariesOfLayers{
     {"Eigen/", {"learning", "identification"}},
     {"immintrin.h", {"learning"}},
     {"Random123/", {"learning", "world"}},
+    {"tbb/parallel", {"learning"}},
+    {"oneapi/", {}},
 };
 
 std::string where(const SourceFile& file, const Include& include) {
