@@ -13,4 +13,7 @@ target_compile_options(mrose_flags INTERFACE
 if(MROSE_SANITIZE)
   target_compile_options(mrose_flags INTERFACE -fsanitize=${MROSE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(mrose_flags INTERFACE -fsanitize=${MROSE_SANITIZE})
+  if(MROSE_SANITIZE MATCHES "thread")
+    target_compile_definitions(mrose_flags INTERFACE MROSE_THREAD_SANITIZER)
+  endif()
 endif()

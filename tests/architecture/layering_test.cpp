@@ -50,6 +50,8 @@ const std::map<std::string, std::set<std::string>> librariesOfLayers{
     {"immintrin.h", {"learning"}},
     {"lua.hpp", {"script", "condition"}},
     {"Random123/", {"learning", "world"}},
+    {"tbb/parallel", {"learning"}},
+    {"oneapi/", {}},
 };
 
 std::string where(const SourceFile& file, const Include& include) {

@@ -6,13 +6,12 @@
 #include <gtest/gtest.h>
 
 #include "motion/network_fixture.h"
+#include "support/units.h"
 
 namespace mrose {
 namespace {
 
 using Quantity = NetworkInput::Quantity;
-
-constexpr Nanoseconds ms = 1'000'000;
 
 constexpr Velocity velocity{0.3, -0.7};
 
