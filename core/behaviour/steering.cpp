@@ -9,12 +9,12 @@
 namespace mrose {
 namespace {
 
-constexpr double turnGain = 2;        // 1/s
-constexpr double approachGain = 0.8;  // 1/s
-constexpr double alignWithin = 1;     // m
-constexpr double clearance = 0.65;    // m, between reference points that pass each other
-constexpr double straightOn = 0.1;    // m: bodies up to so far on the right are passed on their left
-constexpr double touching = 0.45;     // m
+constexpr double turnGain = 2;          // 1/s
+constexpr double approachGain = 0.8;    // 1/s
+constexpr double alignWithin = 1;       // m
+constexpr double clearance = 0.65;      // m, between reference points that pass each other
+constexpr double nearlyStraight = 0.1;  // m: bodies up to so far on the right are passed on their left
+constexpr double touching = 0.45;       // m
 
 /// Slower where the limit of rotation would not let it turn as it must.
 Command limited(double v, double w, const DriveLimits& limits) {
@@ -56,7 +56,7 @@ Evasion evade(const std::vector<SeenBody>& bodies, const MotionMemory& motion, d
         nearest = far;
         const double bearing = direction(at);
         const double passing = direction({std::sqrt(std::max(0.0, far * far - clearance * clearance)), clearance});
-        evasion.turn = at.y > -straightOn ? bearing - passing : bearing + passing;
+        evasion.turn = at.y > -nearlyStraight ? bearing - passing : bearing + passing;
         evasion.share = std::clamp((far - touching) / touching, 0.2, 1.0);
     }
     return evasion;
