@@ -5,6 +5,7 @@
 
 #include "common.h"
 #include "learning/instruction_set.h"
+#include "plugins.h"
 #include "version.h"
 
 namespace {
@@ -29,7 +30,8 @@ int runProgram(int argc, char** argv) {
     CommonFlags flags;
     const Subcommand subcommands[] = {addInspect(app, flags), addTrain(app, flags),    addEvaluate(app, flags),
                                       addPredict(app, flags), addGenerate(app, flags), addShapes(app, flags),
-                                      addRun(app, flags),     addReplay(app, flags),   addBatch(app, flags)};
+                                      addRun(app, flags),     addReplay(app, flags),   addBatch(app, flags),
+                                      addPluginHost(app)};
     try {
         app.parse(argc, argv);
         if (app.get_subcommands().empty()) throw CLI::RequiredError("A subcommand");

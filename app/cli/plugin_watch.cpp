@@ -9,6 +9,7 @@
 #include <mutex>
 #include <string_view>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <unistd.h>
@@ -23,7 +24,7 @@ constexpr std::int64_t noTick = -1;
 
 /// What a thread is doing with a plug-in. Signal handlers read it, so that it holds nothing but lock-free numbers.
 struct Activity {
-    std::atomic<bool> taken{false};             ///< by a thread
+    std::atomic<bool> taken{false};                ///< by a thread
     std::atomic<const std::string*> who{nullptr};  ///< nothing: no plug-in runs
     std::atomic<std::int64_t> tick{noTick};
     std::atomic<std::uint64_t> count{0};  ///< changes with every begin
@@ -71,6 +72,8 @@ void say(const Activity& activity, std::string_view what, std::string_view more)
     }
 }
 
+thread_local Activity* current = nullptr;  ///< of this thread, for handlers: it is there before any plug-in runs
+
 /// A thread's activity, and a stack on which it can tell that its own has overflown.
 class ThreadWatch {
 public:
@@ -97,7 +100,10 @@ public:
             none.ss_flags = SS_DISABLE;
             ::sigaltstack(&none, nullptr);
         }
-        if (activity_ != &spare_) activity_->taken = false;
+        if (activity_ == &spare_)
+            current = nullptr;
+        else
+            activity_->taken = false;
     }
 
     Activity& activity() const { return *activity_; }
@@ -107,9 +113,6 @@ private:
     Activity* activity_ = &spare_;
     std::vector<char> stack_;
 };
-
-/// Of this thread, for handlers: it is there before any plug-in runs.
-thread_local Activity* current = nullptr;
 
 Activity& activityOfThisThread() {
     thread_local ThreadWatch watch;
@@ -195,6 +198,8 @@ private:
 }  // namespace
 
 void startPluginWatch(double limit) {
+    static bool started = false;
+    if (std::exchange(started, true)) return;
     struct sigaction action {};
     action.sa_handler = onFatalSignal;
     action.sa_flags = SA_ONSTACK;
@@ -216,8 +221,8 @@ void watchPlugins(ScenarioParts& parts) {
         const auto* const plugin = dynamic_cast<const PluginController*>(parts.controllers[i].get());
         if (plugin == nullptr) continue;
         std::string who = "robot \"" + parts.scene.robots[i].name + "\": its plug-in " + plugin->path();
-        parts.controllers[i] = std::make_shared<const WatchedController>(parts.controllers[i], std::move(who),
-                                                                         parts.scene.tickLength);
+        parts.controllers[i] =
+            std::make_shared<const WatchedController>(parts.controllers[i], std::move(who), parts.scene.tickLength);
     }
 }
 

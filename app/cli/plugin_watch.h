@@ -8,7 +8,8 @@
 namespace mrose::cli {
 
 /// Watches over plug-ins that run in this program: one that crashes, ends the program or does not return within `limit`
-/// seconds ends it with one line that names it, and with ExitStatus::failure. Call once, before any is loaded.
+/// seconds ends it with one line that names it, and with ExitStatus::failure. Call it before any is loaded; further
+/// calls do nothing.
 void startPluginWatch(double limit);
 
 /// What is done when a plug-in does not return, before the program ends: to save what is safe. It runs while the

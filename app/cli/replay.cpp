@@ -1,28 +1,31 @@
-#include "recording/recording.h"
 #include "recording/replay.h"
 
 #include <cstdio>
 
+#include "recording/recording.h"
 #include "scenario/scenario_file.h"
 #include "scenarios.h"
 
 namespace mrose::cli {
 namespace {
 
-struct Flags {
+struct ReplayCommandFlags {
     std::string recording;
     bool decide = false;
+    PluginFlags plugins;
 };
 
 /// The recorded scenario, from the texts in the recording. Without its controllers their stand-ins keep the states'
 /// layout.
-Expected<Scenario> recordedScenario(const Recording& recording, bool decide) {
+Expected<Scenario> recordedScenario(const Recording& recording, const ReplayCommandFlags& flags) {
     KeptDescriptions source(recording.header.descriptions.texts);
-    auto loaded = loadScenario(recording.header.descriptions.scenario, source, {decide});
+    auto loaded = loadScenario(recording.header.descriptions.scenario, source,
+                               {flags.decide ? pluginLoader(flags.plugins) : PluginLoader()});
     if (!loaded) return tl::unexpected(loaded.error());
-    if (!decide)
+    if (!flags.decide)
         for (std::size_t i = 0; i < loaded->parts.controllers.size() && i < recording.header.controllers.size(); ++i)
             loaded->parts.controllers[i] = std::make_shared<const RecordedController>(recording.header.controllers[i]);
+    watchPlugins(loaded->parts);
     return Scenario(std::move(loaded->parts));
 }
 
@@ -32,11 +35,11 @@ void sayNotes(const Recording& recording) {
         std::fprintf(stderr, "mrose: %s\n", sentence.c_str());
 }
 
-int replayRecording(const Flags& flags, const CommonFlags& common) {
+int replayRecording(const ReplayCommandFlags& flags, const CommonFlags& common) {
     const auto recording = openRecording(flags.recording);
     if (!recording) return report(recording.error(), flags.recording);
     sayNotes(*recording);
-    const auto scenario = recordedScenario(*recording, flags.decide);
+    const auto scenario = recordedScenario(*recording, flags);
     if (!scenario) return report(scenario.error(), flags.recording);
     watchInterrupts();
     ProgressLine line(common.quiet);
@@ -75,13 +78,14 @@ int replayRecording(const Flags& flags, const CommonFlags& common) {
 }  // namespace
 
 Subcommand addReplay(CLI::App& app, CommonFlags& common) {
-    auto flags = std::make_shared<Flags>();
+    auto flags = std::make_shared<ReplayCommandFlags>();
     CLI::App* sub = addSubcommand(app, common, "replay", "Run a recording again and compare every tick",
                                   "  mrose replay game.mcap\n"
                                   "  mrose replay game.mcap --decide\n"
                                   "The recording holds all that the run was made from but logs and plug-ins.");
     sub->add_option("RECORDING", flags->recording, "Recording (MCAP)")->required();
     sub->add_flag("--decide", flags->decide, "Let the controllers decide again, and compare what they remember too");
+    addPluginFlags(*sub, flags->plugins);
     return {sub, [flags, &common] { return replayRecording(*flags, common); }};
 }
 

@@ -13,17 +13,17 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-struct Flags {
+struct RunCommandFlags {
     RunFlags run;
     std::string record;
     double speed = 0;
-    bool overwrite = false, endOnFault = false;
+    bool overwrite = false, endOnFault = false, checkRewind = false;
 };
 
 /// Keeps a run at a speed, writes its recording and shows how far it is.
 class Conductor {
 public:
-    Conductor(const Flags& flags, const CommonFlags& common, const Scenario& scenario, std::int64_t ticks)
+    Conductor(const RunCommandFlags& flags, const CommonFlags& common, const Scenario& scenario, std::int64_t ticks)
         : flags_(flags), line_(common.quiet), tick_(toSeconds(scenario.scene().tickLength)), ticks_(ticks) {}
 
     Expected<void> record(const OpenScenario& open, const WorldState& initial) {
@@ -56,6 +56,9 @@ public:
         writer_->keep(last);
         return writer_->close();
     }
+    void flush() {
+        if (writer_) writer_->flush();
+    }
     double wallSeconds() const { return std::chrono::duration<double>(Clock::now() - began_).count(); }
 
 private:
@@ -68,7 +71,7 @@ private:
 
     void show(std::int64_t tick) {
         nextShown_ = Clock::now() + (line_.terminal() ? std::chrono::milliseconds(200) : std::chrono::seconds(10));
-        if (writer_) writer_->flush();
+        flush();
         const double simulated = static_cast<double>(tick) * tick_;
         char text[160];
         std::snprintf(text, sizeof text, "%.1f of %.1f s, %.0f x real time", simulated,
@@ -76,7 +79,7 @@ private:
         line_.show(text);
     }
 
-    const Flags& flags_;
+    const RunCommandFlags& flags_;
     ProgressLine line_;
     double tick_;
     std::int64_t ticks_;
@@ -85,7 +88,7 @@ private:
     Clock::time_point began_ = Clock::now(), nextShown_ = began_ + std::chrono::seconds(1);
 };
 
-void print(const Scenario& scenario, const Flags& flags, const CommonFlags& common, const RunResult& result,
+void print(const Scenario& scenario, const RunCommandFlags& flags, const CommonFlags& common, const RunResult& result,
            double wall) {
     const double simulated = toSeconds(result.state.tick * scenario.scene().tickLength);
     const std::string hash = hexadecimal(hashOf(result.state).world);
@@ -101,6 +104,7 @@ void print(const Scenario& scenario, const Flags& flags, const CommonFlags& comm
     }
     const char* const why = result.end == RunEnd::condition ? ", ended by the condition"
                             : result.end == RunEnd::fault   ? ", ended by a fault"
+                            : result.end == RunEnd::rewind  ? ", ended because it cannot be taken back"
                             : result.end == RunEnd::stopped ? ", interrupted"
                                                             : "";
     std::printf("%s, seed %llu: %.2f s%s; state %s\n", scenario.parts().name.c_str(),
@@ -110,8 +114,14 @@ void print(const Scenario& scenario, const Flags& flags, const CommonFlags& comm
     if (!flags.record.empty()) std::printf("recorded in %s\n", flags.record.c_str());
 }
 
-int runScenario(const Flags& flags, const CommonFlags& common) {
-    const auto open = openScenario(flags.run.scenario, flags.run.trial, flags.run.log);
+/// What --check-rewind found in the tick that led to `tick`.
+Error hiddenError(const Scenario& scenario, const RewindDifference& hidden, std::int64_t tick) {
+    const std::string who = hidden.robot ? "robot \"" + scenario.scene().robots[*hidden.robot].name + "\": " : "";
+    return {"", 0, 0, "", "tick " + std::to_string(tick - 1) + " cannot be taken back: " + who + hidden.what};
+}
+
+int runScenario(const RunCommandFlags& flags, const CommonFlags& common) {
+    const auto open = openScenario(flags.run.scenario, flags.run.trial, flags.run.log, flags.run.plugins);
     if (!open) return report(open.error());
     const Scenario& scenario = *open->scenario;
     auto until = openCondition(flags.run.until, scenario);
@@ -120,24 +130,29 @@ int runScenario(const Flags& flags, const CommonFlags& common) {
     options.duration = flags.run.duration ? fromSeconds(*flags.run.duration) : scenario.parts().duration;
     options.until = *until ? &**until : nullptr;
     options.endOnFault = flags.endOnFault;
+    options.checkRewind = flags.checkRewind;
     const WorldState initial = scenario.initialState(flags.run.seed.value_or(scenario.parts().seed));
     Conductor conductor(flags, common, scenario, options.duration / scenario.scene().tickLength);
     if (!flags.record.empty())
         if (const auto opened = conductor.record(*open, initial); !opened) return report(opened.error());
     watchInterrupts();
     options.each = [&](const WorldState& state, const StepTrace& trace) { return conductor.after(state, trace); };
+    beforePluginEndsProgram([&] { conductor.flush(); });
     const auto result = run(scenario, initial, options);
+    beforePluginEndsProgram({});
     if (!result) return report(result.error());
     const auto closed = conductor.close(result->state);
     print(scenario, flags, common, *result, conductor.wallSeconds());
     if (!closed) return report(closed.error());
-    return result->end == RunEnd::stopped ? interrupted : result->end == RunEnd::fault ? failure : success;
+    for (const RewindDifference& hidden : result->hidden) report(hiddenError(scenario, hidden, result->state.tick));
+    const bool failed = result->end == RunEnd::fault || result->end == RunEnd::rewind;
+    return result->end == RunEnd::stopped ? interrupted : failed ? failure : success;
 }
 
 }  // namespace
 
 Subcommand addRun(CLI::App& app, CommonFlags& common) {
-    auto flags = std::make_shared<Flags>();
+    auto flags = std::make_shared<RunCommandFlags>();
     CLI::App* sub = addSubcommand(app, common, "run", "Run a scenario without a window",
                                   "  mrose run soccer.toml\n"
                                   "  mrose run soccer.toml --seed 7 --duration 600 --record game.mcap\n"
@@ -152,6 +167,8 @@ Subcommand addRun(CLI::App& app, CommonFlags& common) {
     sub->add_option("--record", flags->record, "Write a recording (MCAP), which Foxglove opens, too");
     sub->add_flag("--overwrite", flags->overwrite, "Replace a recording that is there");
     sub->add_flag("--end-on-fault", flags->endOnFault, "End the run at the first fault of a controller or model");
+    sub->add_flag("--check-rewind", flags->checkRewind,
+                  "Take every tick twice, and end the run naming the controller that hides something from the state");
     sub->callback([sub, flags, &common] {
         if (sub->count("--seed") > 0) flags->run.seed = common.seed;
     });

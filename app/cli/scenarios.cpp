@@ -8,10 +8,12 @@
 
 namespace mrose::cli {
 
-Expected<OpenScenario> openScenario(const std::string& name, std::uint32_t trial, const std::string& log) {
+Expected<OpenScenario> openScenario(const std::string& name, std::uint32_t trial, const std::string& log,
+                                    const PluginFlags& plugins) {
     DiskDescriptions source = openDescriptions(log);
-    auto loaded = loadScenario(name, source);
+    auto loaded = loadScenario(name, source, {pluginLoader(plugins)});
     if (!loaded) return tl::unexpected(loaded.error());
+    watchPlugins(loaded->parts);
     auto parts = varied(loaded->parts, trial);
     if (!parts) return tl::unexpected(parts.error());
     auto scenario = std::make_shared<const Scenario>(std::move(*parts));
@@ -24,6 +26,7 @@ void addRunFlags(CLI::App& sub, RunFlags& flags) {
         ->check(numberRange(0.001, 1e7));
     sub.add_option("--until", flags.until, "Ends a run when this Lua expression over the state holds");
     sub.add_option("--log", flags.log, "Read this log instead of those that the scenario names");
+    addPluginFlags(sub, flags.plugins);
 }
 
 Expected<std::optional<Condition>> openCondition(const std::string& text, const Scenario& scenario) {

@@ -7,6 +7,7 @@
 #include "common.h"
 #include "condition/condition.h"
 #include "experiment/run_statistics.h"
+#include "plugins.h"
 #include "scenario/scenario.h"
 #include "scenario/scenario_file.h"
 
@@ -19,7 +20,8 @@ struct OpenScenario {
 };
 
 /// Loads a scenario file, or the one of that name that ships, as its trial `trial` (0: as it is written).
-Expected<OpenScenario> openScenario(const std::string& name, std::uint32_t trial, const std::string& log);
+Expected<OpenScenario> openScenario(const std::string& name, std::uint32_t trial, const std::string& log,
+                                    const PluginFlags& plugins);
 
 /// Flags that runs of scenarios share.
 struct RunFlags {
@@ -27,6 +29,7 @@ struct RunFlags {
     std::optional<double> duration;
     std::optional<std::uint64_t> seed;
     std::uint32_t trial = 0;
+    PluginFlags plugins;
 };
 void addRunFlags(CLI::App& sub, RunFlags& flags);
 

@@ -86,7 +86,7 @@ int shapes(const ShapesFlags& flags, const CommonFlags& common) {
     std::vector<Checked> checked;
     for (const std::string& file : flags.files) {
         // Checking a file must not run anybody's code.
-        const auto description = loadDescription(file, source, {.plugins = false});
+        const auto description = loadDescription(file, source);
         if (!description) return report(description.error());
         checked.push_back(std::visit([&](const auto& value) { return check(value, flags.drawing); }, *description));
         checked.back().file = file;

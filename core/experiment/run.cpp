@@ -8,6 +8,8 @@ const char* name(RunEnd end) {
             return "condition";
         case RunEnd::fault:
             return "fault";
+        case RunEnd::rewind:
+            return "rewind";
         case RunEnd::stopped:
             return "stopped";
         case RunEnd::duration:
@@ -25,10 +27,17 @@ Expected<RunResult> run(const Scenario& scenario, WorldState state, const RunOpt
     WorldState before = result.state;
     while (result.state.tick < last) {
         before = result.state;
-        step(scenario, result.state, buffers, {}, &trace);
+        if (options.checkRewind)
+            result.hidden = stepTwice(scenario, result.state, buffers, trace);
+        else
+            step(scenario, result.state, buffers, {}, &trace);
         result.statistics.add(before, result.state, trace);
         if (options.each && !options.each(result.state, trace)) {
             result.end = RunEnd::stopped;
+            return result;
+        }
+        if (!result.hidden.empty()) {
+            result.end = RunEnd::rewind;
             return result;
         }
         if (options.endOnFault && !trace.faults.empty()) {

@@ -3,20 +3,23 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "condition/condition.h"
 #include "experiment/run_statistics.h"
 #include "io/error.h"
+#include "simulation/rewind_check.h"
 
 namespace mrose {
 
-enum class RunEnd { duration, condition, fault, stopped };
+enum class RunEnd { duration, condition, fault, rewind, stopped };
 const char* name(RunEnd end);
 
 struct RunOptions {
     Nanoseconds duration = 60 * nanosecondsPerSecond;
     Condition* until = nullptr;  ///< the run ends after the first tick at which it holds
     bool endOnFault = false;
+    bool checkRewind = false;  ///< takes every tick twice; the run ends where that makes a difference
     /// After every tick, with what it told; false stops the run. May be empty.
     std::function<bool(const WorldState&, const StepTrace&)> each = {};
 };
@@ -25,6 +28,7 @@ struct RunResult {
     RunEnd end = RunEnd::duration;
     WorldState state;  ///< at its end
     RunStatistics statistics;
+    std::vector<RewindDifference> hidden;  ///< what ended it, of RunEnd::rewind
 };
 
 /// Runs a scenario from a state. Error: the condition cannot be answered.

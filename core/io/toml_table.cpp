@@ -208,8 +208,10 @@ std::vector<TomlTable> TomlTable::tablesOrNone(std::string_view key) {
 }
 
 std::string TomlTable::text() const {
+    toml::table root = *table_;
+    root.is_inline(false);  // what stood in braces stands in lines
     std::ostringstream text;
-    text << *table_;
+    text << root;
     return text.str();
 }
 

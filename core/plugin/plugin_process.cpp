@@ -8,8 +8,8 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
-#include <sys/pidfd.h>
 #include <sys/socket.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -36,8 +36,7 @@ struct SpawnSettings {
         ::posix_spawnattr_setsigmask(&attributes, &none);
         ::posix_spawnattr_setsigdefault(&attributes, &all);
         ::posix_spawnattr_setpgroup(&attributes, 0);
-        ::posix_spawnattr_setflags(&attributes,
-                                   POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
+        ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
     }
     SpawnSettings(const SpawnSettings&) = delete;
     SpawnSettings& operator=(const SpawnSettings&) = delete;
@@ -78,7 +77,8 @@ PluginProcess::~PluginProcess() {
 
 tl::expected<std::string, std::string> PluginProcess::ask(const std::string& message, double limit) {
     using Clock = std::chrono::steady_clock;
-    const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limit));
+    const auto deadline =
+        Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limit));
     std::string answer;
     MessageChannel::Outcome outcome = channel_.send(message, deadline);
     if (outcome == MessageChannel::Outcome::done) outcome = channel_.receive(answer, deadline);
@@ -97,7 +97,7 @@ std::string PluginProcess::failure(MessageChannel::Outcome outcome, double limit
 std::string PluginProcess::howItEnded() {
     // The socket closes a moment before the process is gone.
     constexpr int moment = 1000;  // ms
-    if (const int descriptor = ::pidfd_open(child_, 0); descriptor >= 0) {
+    if (const auto descriptor = static_cast<int>(::syscall(SYS_pidfd_open, child_, 0)); descriptor >= 0) {
         pollfd waiting{descriptor, POLLIN, 0};
         ::poll(&waiting, 1, moment);
         ::close(descriptor);

@@ -9,7 +9,6 @@
 #include "scenario/ball_contact.h"
 #include "scenario/description_reader.h"
 #include "scenario/log_excerpt.h"
-#include "scenario/plugin_seam.h"
 
 namespace mrose {
 namespace {
@@ -33,7 +32,7 @@ struct Context {
     const DrivenRobot& driven;
     const File& from;
     DescriptionLibrary& library;
-    bool plugins;
+    const PluginLoader& plugins;
 };
 
 ControllerSetting velocityScript(const Context& context) {
@@ -115,12 +114,17 @@ ControllerSetting wander(const Context& context) {
 ControllerSetting plugin(const Context& context) {
     TomlTable& table = context.table;
     const std::string library = table.string("library");
-    const std::string options = table.tableOrEmpty("options").text();
+    TomlTable options = table.tableOrEmpty("options");
     if (table.failed()) return {};
     if (!context.plugins) return {std::make_shared<AbsentController>(), std::nullopt};
-    auto loaded = loadPlugin(context.library.shown(joinedName(context.from.name, library)), options);
-    if (!loaded) return table.adopt(loaded.error()), ControllerSetting{};
-    return {std::move(*loaded), std::nullopt};
+    auto loaded = context.plugins(context.library.shown(joinedName(context.from.name, library)), options.text());
+    if (loaded) return {std::move(*loaded), std::nullopt};
+    const Error& error = loaded.error();
+    if (error.key.empty())
+        table.adopt(error);
+    else
+        options.reject(error.key, error.cause);
+    return {};
 }
 
 struct Kind {
@@ -134,7 +138,7 @@ constexpr std::array kinds{
 }  // namespace
 
 ControllerSetting readController(TomlTable table, const DrivenRobot& driven, const File& from,
-                                 DescriptionLibrary& library, bool plugins) {
+                                 DescriptionLibrary& library, const PluginLoader& plugins) {
     std::array<std::string_view, kinds.size()> names;
     for (std::size_t i = 0; i < kinds.size(); ++i) names[i] = kinds[i].name;
     const std::size_t kind = table.choice("kind", names);

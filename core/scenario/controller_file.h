@@ -8,6 +8,7 @@
 #include "io/toml_table.h"
 #include "scenario/description_library.h"
 #include "scenario/robot_file.h"
+#include "scenario/scenario_file.h"
 
 namespace mrose {
 
@@ -26,7 +27,7 @@ struct DrivenRobot {
 /// Reads `controller = { kind = ..., ... }` of the scenario `from`. resources/README.md lists the kinds and their
 /// options. Without `plugins` no shared library is loaded, and robots of plug-ins keep whatever they were told.
 ControllerSetting readController(TomlTable table, const DrivenRobot& driven, const DescriptionLibrary::File& from,
-                                 DescriptionLibrary& library, bool plugins);
+                                 DescriptionLibrary& library, const PluginLoader& plugins);
 
 /// Of a robot that nobody drives: it stands.
 std::shared_ptr<const Controller> noController();

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <map>
+#include <memory>
 #include <string>
 
 #include "io/error.h"
@@ -17,9 +19,14 @@ struct LoadedScenario {
     std::map<std::string, std::string> texts;
 };
 
+/// Makes the controller that a shared library holds, from its path and its options as TOML. Error: where an option is
+/// wrong, its key is the option's.
+using PluginLoader =
+    std::function<Expected<std::shared_ptr<const Controller>>(const std::string& path, const std::string& options)>;
+
 struct ScenarioLoading {
-    /// False: shared libraries are not loaded, and robots of plug-ins keep whatever command is in force: for replays.
-    bool plugins = true;
+    /// Empty: shared libraries are not loaded, and robots of plug-ins keep whatever command is in force: for replays.
+    PluginLoader plugins = {};
 };
 
 /// Loads the scenario file called `name` (resources/README.md explains the keys), or the one of that name that ships,

@@ -157,6 +157,11 @@ TEST(TomlTable, TextOfATableReadsBack) {
     EXPECT_EQ(again.string("name"), "a \"b\"");
     EXPECT_EQ(again.table("inner").numbers("y", 2), (std::vector<double>{1, 2}));
     EXPECT_FALSE(again.failed());
+    TomlTable braces("t = { x = 1.5, inner = { y = 2.5 } }\n", "f");
+    TomlTable lines(braces.table("t").text(), "g");
+    EXPECT_EQ(lines.number("x"), 1.5);
+    EXPECT_EQ(lines.table("inner").number("y"), 2.5);
+    EXPECT_FALSE(lines.failed());
     EXPECT_EQ(table.tableOrEmpty("none").text(), "");
 }
 

@@ -34,7 +34,7 @@ TEST(RewindCheck, NamesWhoHidesSomething) {
         std::string said;
     } cases[] = {{"hidden command", prefix + "v 0.3, w "},
                  {"hidden kick", prefix + "other kicks"},
-                 {"hidden fault", prefix + "no fault, then its plug-in "},
+                 {"hidden fault", prefix},
                  {"hidden memory", "its controller remembered something else when it was asked again"}};
     for (const auto& [what, said] : cases) {
         const auto hidden = firstHidden(
