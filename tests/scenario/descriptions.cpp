@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/network_fixture.h"
+#include "simulation/step.h"
 
 namespace mrose {
 namespace {
@@ -184,6 +185,14 @@ std::map<std::string, std::string> changedWorld(const std::string& file, const s
 Expected<LoadedScenario> loadFrom(std::map<std::string, std::string> texts, const std::string& name) {
     KeptDescriptions source(std::move(texts));
     return loadScenario(name, source);
+}
+
+WorldState stateAfter(const ScenarioParts& parts, int ticks) {
+    const Scenario scenario(parts);
+    WorldState state = scenario.initialState();
+    StepBuffers buffers;
+    for (int i = 0; i < ticks; ++i) step(scenario, state, buffers);
+    return state;
 }
 
 std::string refusal(const std::string& file, const std::string& from, const std::string& to) {

@@ -20,4 +20,7 @@ Expected<LoadedScenario> loadFrom(std::map<std::string, std::string> texts, cons
 /// The message with which the changed world is refused; "" where it loads.
 std::string refusal(const std::string& file, const std::string& from, const std::string& to);
 
+/// The scenario's state after so many ticks.
+WorldState stateAfter(const ScenarioParts& parts, int ticks);
+
 }  // namespace mrose
