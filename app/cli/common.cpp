@@ -46,6 +46,8 @@ CLI::App* addSubcommand(CLI::App& app, CommonFlags& flags, const std::string& na
     CLI::App* sub = app.add_subcommand(name, description);
     sub->footer("Examples:\n" + examples);
     sub->add_option("--seed", flags.seed, "Seed of everything random; the same seed gives the same result")
+        ->check(CLI::Validator(
+            [](std::string& text) { return text.starts_with('-') ? text + " is below 0" : std::string(); }, ""))
         ->capture_default_str();
     sub->add_option("--threads", flags.threads, "Threads to use; 0: all processors. Results do not depend on it")
         ->check(CLI::Range(0, 1024))
@@ -86,7 +88,9 @@ Expected<Log> openLog(const std::string& source, const std::vector<std::string>&
         const auto found = std::find_if(log->robots.begin(), log->robots.end(),
                                         [&](const RobotLog& robot) { return robot.robot == name; });
         if (found == log->robots.end()) return fail(source, "has no robot \"" + name + '"');
-        chosen.push_back(*found);
+        const bool again =
+            std::any_of(chosen.begin(), chosen.end(), [&](const RobotLog& r) { return r.robot == name; });
+        if (!again) chosen.push_back(*found);
     }
     log->robots = std::move(chosen);
     return log;
@@ -102,6 +106,12 @@ Expected<std::shared_ptr<const LearnedMotion>> openNetwork(const std::string& pa
                         numberText(toSeconds(step)) + " s, the step of predictions",
                     0, "period_s");
     return std::make_shared<const LearnedMotion>(std::move(*network));
+}
+
+std::string robotKind(const Log& log) {
+    if (log.format == "mrclam") return "irobot-create";
+    if (log.format == "husky-windows") return "husky";
+    return log.synthetic ? "reference-robot" : "";
 }
 
 std::string commandLine() { return givenCommandLine; }

@@ -62,6 +62,9 @@ Expected<Log> openLog(const std::string& source, const std::vector<std::string>&
 /// Loads a network and makes it ready for use. Error: a period that predictions of logs cannot be made with, too.
 Expected<std::shared_ptr<const LearnedMotion>> openNetwork(const std::string& path);
 
+/// The kind of robot that a log's format tells; "" where it tells none.
+std::string robotKind(const Log& log);
+
 /// The command line as it can be typed again.
 std::string commandLine();
 void rememberCommandLine(int argc, char** argv);
@@ -70,7 +73,8 @@ void rememberCommandLine(int argc, char** argv);
 void watchInterrupts();
 bool wasInterrupted();
 
-/// A line on standard error that is written over; nothing unless it is a terminal and `quiet` is off.
+/// Progress on standard error: one line that is written over where that is a terminal, else a line each; nothing when
+/// `quiet`.
 class ProgressLine {
 public:
     explicit ProgressLine(bool quiet);
@@ -79,8 +83,7 @@ public:
     ProgressLine& operator=(const ProgressLine&) = delete;
 
     void show(const std::string& text);
-    /// Where there is no terminal, a new line now and then instead.
-    bool terminal() const { return terminal_; }
+    bool terminal() const { return terminal_; }  ///< without one, few lines are wanted
 
 private:
     bool quiet_, terminal_;

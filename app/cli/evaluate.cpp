@@ -7,6 +7,7 @@
 #include "evaluation/report.h"
 #include "identification/held_out_groups.h"
 #include "models.h"
+#include "notices.h"
 
 namespace mrose::cli {
 namespace {
@@ -16,6 +17,7 @@ struct EvaluateFlags {
     std::vector<std::string> robots, against;
     double horizon = 10;
     bool noFloor = false, heldOut = false;
+    std::vector<std::size_t> shown;
 };
 
 std::string robotList(const Evaluation& evaluation) {
@@ -41,7 +43,7 @@ void printStates(const Evaluation& evaluation) {
                 table.text().c_str(), secondsText(evaluation.options.windows.step, 1).c_str());
 }
 
-void printTable(const Evaluation& evaluation) {
+void printTable(const Evaluation& evaluation, const std::vector<std::string>& notices) {
     int steps = 0;
     for (const Window& window : evaluation.windows) steps = std::max(steps, window.steps());
     std::printf("%s, robot %s: %zu windows of %s s, open loop\n\n", evaluation.source.c_str(),
@@ -64,6 +66,8 @@ void printTable(const Evaluation& evaluation) {
         "\nP: time-mean position error over path; Hd: time-mean heading error over rotation, summed over windows.\n"
         "median pos.: of the windows' P; final: median errors at the end of a window.");
     printStates(evaluation);
+    if (!notices.empty()) std::puts("");
+    for (const std::string& notice : notices) std::printf("Note: %s\n", notice.c_str());
 }
 
 /// The part of the log that the network has never seen.
@@ -76,7 +80,21 @@ Expected<Log> heldOutPart(Log log, const MotionNetwork& network, const std::stri
     return partOf(std::move(log), network.heldOut.groups, LogPart::heldOut);
 }
 
+/// Their indices.
+Expected<std::vector<std::size_t>> chosenWindows(const std::vector<std::size_t>& numbers, std::size_t count) {
+    std::vector<std::size_t> indices;
+    for (const std::size_t number : numbers) {
+        if (number < 1 || number > count)
+            return fail({}, "there is no window " + std::to_string(number) + " of " + std::to_string(count), 0,
+                        "--show");
+        indices.push_back(number - 1);
+    }
+    return indices;
+}
+
 int evaluateNetwork(const EvaluateFlags& flags, const CommonFlags& common) {
+    if (!flags.folder.empty())
+        if (const auto writable = checkReportFolder(flags.folder); !writable) return report(writable.error());
     const auto motion = openNetwork(flags.network);
     if (!motion) return report(motion.error());
     auto log = openLog(flags.log, flags.robots, (*motion)->network().drive);
@@ -100,11 +118,15 @@ int evaluateNetwork(const EvaluateFlags& flags, const CommonFlags& common) {
     options.withFloor = !flags.noFloor;
     const auto evaluation = evaluate(*log, views, options);
     if (!evaluation) return report(evaluation.error());
-    const ReportContext context = reportContext((*motion)->network(), flags.network, *log);
+    const auto chosen = chosenWindows(flags.shown, evaluation->windows.size());
+    if (!chosen) return report(chosen.error());
+    ReportContext context = reportContext((*motion)->network(), flags.network, *log);
+    context.notices = noticesOf((*motion)->network(), *log, flags.heldOut);
+    context.chosen = *chosen;
     if (common.json)
         std::puts(resultsJson(*evaluation, context).c_str());
     else
-        printTable(*evaluation);
+        printTable(*evaluation, context.notices);
     if (flags.folder.empty()) return success;
     if (const auto written = writeReport(*evaluation, context, flags.folder); !written) return report(written.error());
     if (!common.json)
@@ -120,6 +142,7 @@ Subcommand addEvaluate(CLI::App& app, CommonFlags& common) {
         addSubcommand(app, common, "evaluate", "Say how true a learned robot is: open-loop predictions against a log",
                       "  mrose evaluate create.net --log MRCLAM_Dataset7 --robots 1,2 --report report\n"
                       "  mrose evaluate create.net --log MRCLAM_Dataset7 --against create_paper.net --json\n"
+                      "  mrose evaluate create.net --log MRCLAM_Dataset7 --report report --show 12,40\n"
                       "  mrose evaluate husky.net --log husky_windows.csv --held-out\n"
                       "The log should be one that the network was not learned from, or the part of it held out.");
     sub->add_option("NET", flags->network, "Network file")->required();
@@ -129,7 +152,12 @@ Subcommand addEvaluate(CLI::App& app, CommonFlags& common) {
     sub->add_option("--horizon", flags->horizon, "Length of a window in s")
         ->check(numberRange(0.5, 3600.0))
         ->capture_default_str();
-    sub->add_option("--report", flags->folder, "Folder for report.html, results.csv and results.json");
+    CLI::Option* folder =
+        sub->add_option("--report", flags->folder,
+                        "Folder for report.html, results.csv, results.json and windows.csv (for mrose predict)");
+    sub->add_option("--show", flags->shown, "Windows whose paths the report shows too, by number: 12,40")
+        ->delimiter(',')
+        ->needs(folder);
     sub->add_flag("--held-out", flags->heldOut,
                   "Only the part of the log that mrose train --hold-out kept from learning");
     sub->add_flag("--no-floor", flags->noFloor, "Do not compare near-identical commands");

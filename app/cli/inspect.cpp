@@ -49,14 +49,18 @@ struct RobotFacts {
     double poseRate() const { return poseTime > 0 ? static_cast<double>(poses - trajectories) / poseTime : 0; }
 };
 
-const std::pair<const char*, std::int64_t LogDefects::*> counts[] = {
-    {"stamps out of order, sorted", &LogDefects::outOfOrder},
-    {"equal stamps, last kept", &LogDefects::duplicates},
-    {"blips (single zero commands), dropped", &LogDefects::blips},
-    {"pose outliers, dropped", &LogDefects::poseOutliers},
-    {"heading wraps, unwrapped", &LogDefects::headingWraps},
-    {"gaps in the commands", &LogDefects::commandGaps},
-    {"gaps in the poses", &LogDefects::poseGaps}};
+struct Count {
+    std::int64_t LogDefects::*member;
+    const char *key, *one, *many, *done;
+};
+const Count counts[] = {{&LogDefects::outOfOrder, "out_of_order", "stamp", "stamps", " out of order, sorted"},
+                        {&LogDefects::duplicates, "duplicates", "equal stamp", "equal stamps", ", last kept"},
+                        {&LogDefects::blips, "blips", "blip", "blips", " (single zero commands), dropped"},
+                        {&LogDefects::poseOutliers, "pose_outliers", "pose outlier", "pose outliers", ", dropped"},
+                        {&LogDefects::unpaired, "unpaired", "value", "values", " without a partner, dropped"},
+                        {&LogDefects::headingWraps, "heading_wraps", "heading wrap", "heading wraps", ", unwrapped"},
+                        {&LogDefects::commandGaps, "command_gaps", "gap", "gaps", " in the commands"},
+                        {&LogDefects::poseGaps, "pose_gaps", "gap", "gaps", " in the poses"}};
 
 std::string channelText(const ChannelDelay& c) {
     if (!c.identified) return "not identified: " + c.reason;
@@ -81,9 +85,9 @@ nlohmann::json channelJson(const ChannelDelay& c) {
 nlohmann::json robotJson(const RobotLog& robot, const DeadTimes& delays) {
     const RobotFacts f(robot);
     nlohmann::json defects;
-    for (const auto& [text, member] : counts) defects[text] = robot.defects.*member;
-    defects["longest command gap, s"] = robot.defects.longestCommandGap;
-    defects["longest pose gap, s"] = robot.defects.longestPoseGap;
+    for (const Count& count : counts) defects[count.key] = robot.defects.*count.member;
+    defects["longest_command_gap_s"] = robot.defects.longestCommandGap;
+    defects["longest_pose_gap_s"] = robot.defects.longestPoseGap;
     return {{"robot", robot.robot},
             {"trajectories", f.trajectories},
             {"commands",
@@ -114,13 +118,14 @@ void printRobot(const RobotLog& robot, const DeadTimes& delays) {
         std::printf("  poses     %zu in %s s (%s Hz), x %s m, y %s m\n", f.poses, fixed(f.poseTime, 1).c_str(),
                     fixed(f.poseRate(), 1).c_str(), f.x.text(2).c_str(), f.y.text(2).c_str());
     const LogDefects& d = robot.defects;
-    for (const auto& [text, member] : counts) {
-        if (d.*member == 0) continue;
-        const double longest = member == &LogDefects::commandGaps ? d.longestCommandGap
-                               : member == &LogDefects::poseGaps  ? d.longestPoseGap
-                                                                  : 0;
-        std::printf("  found     %lld %s%s\n", static_cast<long long>(d.*member), text,
-                    longest > 0 ? (", the longest " + fixed(longest, 2) + " s").c_str() : "");
+    for (const Count& count : counts) {
+        const std::int64_t found = d.*count.member;
+        if (found == 0) continue;
+        const double longest = count.member == &LogDefects::commandGaps ? d.longestCommandGap
+                               : count.member == &LogDefects::poseGaps  ? d.longestPoseGap
+                                                                        : 0;
+        std::printf("  found     %lld %s%s%s\n", static_cast<long long>(found), found == 1 ? count.one : count.many,
+                    count.done, longest > 0 ? (", the longest " + fixed(longest, 2) + " s").c_str() : "");
     }
     std::printf("  v         %s\n  w         %s\n", channelText(delays.v).c_str(), channelText(delays.w).c_str());
 }

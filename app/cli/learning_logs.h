@@ -23,7 +23,8 @@ struct LearningLogsRequest {
     GroupHoldOut holdOut;
 };
 
-/// Error: a log that cannot be read, or that has nothing to hold out or nothing else, though that was asked for.
+/// Error: a log that cannot be read, that is given twice, of another kind of robot, or that has nothing to hold out or
+/// nothing else, though that was asked for.
 Expected<LearningLogs> openLearningLogs(const LearningLogsRequest& request);
 
 /// Every n-th group, so that about `share` of them is held out; none for a share of 0.

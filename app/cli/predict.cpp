@@ -2,9 +2,11 @@
 
 #include "common.h"
 #include "evaluation/evaluate.h"
+#include "evaluation/format.h"
 #include "evaluation/prediction_files.h"
 #include "io/file.h"
 #include "models.h"
+#include "notices.h"
 
 namespace mrose::cli {
 namespace {
@@ -28,7 +30,14 @@ int predict(const PredictFlags& flags, const CommonFlags& common) {
             return std::find(flags.robots.begin(), flags.robots.end(), request.robot) == flags.robots.end();
         });
     const RolloutOptions options;
-    const int steps = static_cast<int>(std::lround(flags.horizon / toSeconds(options.step)));
+    const Nanoseconds horizon = fromSeconds(flags.horizon);
+    if (horizon % options.step != 0)
+        return report({{},
+                       0,
+                       0,
+                       "horizon",
+                       secondsText(horizon) + " s is no whole number of steps of " + secondsText(options.step) + " s"});
+    const int steps = static_cast<int>(horizon / options.step);
     const auto starts = requestedStarts(*log, *requests, steps, flags.windows);
     if (!starts) return report(starts.error());
     const RobotModels models = learnedModels(*motion, *log);
@@ -36,10 +45,15 @@ int predict(const PredictFlags& flags, const CommonFlags& common) {
     if (!predicted) return report(predicted.error());
     const std::string csv = predictionsCsv(*log, starts->starts, starts->robots, *predicted, options.step);
     if (const auto written = writeFileAtomically(flags.out, csv); !written) return report(written.error());
+    const std::vector<std::string> notices = noticesOf((*motion)->network(), *log);
     if (common.json)
-        std::puts(nlohmann::json{{"windows", predicted->size()}, {"predictions", flags.out}}.dump(2).c_str());
-    else if (!common.quiet)
+        std::puts(nlohmann::json{{"windows", predicted->size()}, {"predictions", flags.out}, {"notices", notices}}
+                      .dump(2)
+                      .c_str());
+    else if (!common.quiet) {
         std::printf("%s: %zu windows of %g s predicted\n", flags.out.c_str(), predicted->size(), flags.horizon);
+        for (const std::string& notice : notices) std::printf("Note: %s\n", notice.c_str());
+    }
     return success;
 }
 
@@ -50,7 +64,8 @@ Subcommand addPredict(CLI::App& app, CommonFlags& common) {
     CLI::App* sub = addSubcommand(
         app, common, "predict", "Predict windows of a log open loop, and write the poses",
         "  mrose predict create.net --log MRCLAM_Dataset7 --robots 1,2 --windows windows.csv -o predicted.csv\n"
-        "The windows file has the columns dataset,robot,t_start; the output dataset,robot,t_start,t,x,y,heading.\n"
+        "The windows file has the columns dataset,robot,t_start (mrose evaluate --report writes one); the output "
+        "dataset,robot,t_start,t,x,y,heading.\n"
         "A prediction uses the commands up to the predicted instant and the ground truth up to t_start, nothing "
         "later.");
     sub->add_option("NET", flags->network, "Network file")->required();

@@ -1,37 +1,19 @@
 #include <chrono>
-#include <cmath>
 #include <cstdio>
-#include <cstdlib>
 
 #include "common.h"
 #include "evaluation/format.h"
-#include "identification/network_trainer.h"
-#include "identification/recipes.h"
 #include "identification/robot_identification.h"
 #include "io/file.h"
 #include "learning_logs.h"
+#include "train_flags.h"
 
 namespace mrose::cli {
 namespace {
 
-struct TrainFlags {
-    std::vector<std::string> logs, robots;
-    std::string out, model, type, method = "irprop+", loss;
-    int hidden = 0, members = 0, epochs = 0, patience = 0, phases = 0, chain = 0, folds = 4, holdOutPart = 0;
-    double holdOut = 0;
-    std::optional<double> deadTimeV, deadTimeW, lagV, lagW;
-};
-
-const std::map<std::string, LearningMethod> methods{{"irprop+", LearningMethod::irpropPlus},
-                                                    {"irprop-", LearningMethod::irpropMinus},
-                                                    {"rprop+", LearningMethod::rpropPlus},
-                                                    {"rprop-", LearningMethod::rpropMinus},
-                                                    {"lm", LearningMethod::levenbergMarquardt}};
-
 std::string robotTypeOf(const Log& log) {
-    if (log.format == "mrclam") return "irobot-create";
-    if (log.format == "husky-windows") return "husky";
-    return log.synthetic ? "reference-robot" : "robot";
+    const std::string kind = robotKind(log);
+    return kind.empty() ? "robot" : kind;
 }
 
 /// Every robot's name once, in the order of the logs.
@@ -52,42 +34,6 @@ std::string modelFor(const std::vector<Log>& logs) {
     return "velocity";
 }
 
-/// What a kind of network reads, and what its training defaults to.
-struct Recipe {
-    MotionNetwork (*blueprint)(const RobotTraits&, std::vector<std::string>, const ResponseTimes&);
-    LearningLoss loss;
-    int hidden, members, epochs, patience;
-    int phases;  ///< of the period at which the logs are read
-    int chain;   ///< periods
-    double velocityWeight = RolloutLoss{}.velocityWeight;
-};
-const std::map<std::string, Recipe> recipes{
-    {"history", {historyBlueprint, LearningLoss::rollout, 32, 4, 1000, 300, 5, 20}},
-    {"state", {stateBlueprint, LearningLoss::rollout, 24, 1, 4000, 4000, 1, 20}},
-    {"velocity", {velocityBlueprint, LearningLoss::rollout, 32, 8, 1000, 300, 5, 10, 0.3}},
-    {"paper", {paperBlueprint, LearningLoss::oneStep, 40, 1, 2000, 300, 5, 20}}};
-
-LearningLoss lossOf(const TrainFlags& flags) {
-    if (flags.loss.empty()) return recipes.at(flags.model).loss;
-    return flags.loss == "rollout" ? LearningLoss::rollout : LearningLoss::oneStep;
-}
-
-TrainerOptions trainerOptions(const TrainFlags& flags, const CommonFlags& common) {
-    const Recipe& recipe = recipes.at(flags.model);
-    const auto given = [](int flag, int otherwise) { return flag > 0 ? flag : otherwise; };
-    TrainerOptions options;
-    options.method = methods.at(flags.method);
-    options.loss = lossOf(flags);
-    options.hidden = given(flags.hidden, recipe.hidden);
-    options.members = given(flags.members, recipe.members);
-    options.epochs = given(flags.epochs, recipe.epochs);
-    options.patience = given(flags.patience, recipe.patience);
-    options.rolloutLength = given(flags.chain, recipe.chain);
-    options.rolloutLoss.velocityWeight = recipe.velocityWeight;
-    options.seed = common.seed;
-    return options;
-}
-
 /// Shows how learning goes, and how long it still takes at most.
 class TrainingDisplay {
 public:
@@ -96,7 +42,7 @@ public:
     bool operator()(const TrainingProgress& p) {
         const double done = p.member + static_cast<double>(p.epoch) / p.epochs;
         const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin_;
-        const int tenth = static_cast<int>(10 * done);
+        const int tenth = static_cast<int>(10 * done / p.members);
         if (line_.terminal() || tenth != shownTenth_) {
             shownTenth_ = tenth;
             char text[200];
@@ -111,7 +57,7 @@ public:
 
 private:
     ProgressLine line_;
-    int shownTenth_ = -1;  ///< of a member's epochs
+    int shownTenth_ = -1;  ///< of all epochs
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
@@ -179,11 +125,11 @@ int train(TrainFlags flags, const CommonFlags& common) {
     if (!identified) return report(identified.error(), flags.logs.front());
     const RobotTraits traits = robotTraits(flags.type.empty() ? robotTypeOf(logs.front()) : flags.type);
     MotionNetwork blueprint =
-        recipes.at(flags.model).blueprint(traits, robotNames(logs), responseTimes(*identified, flags));
+        recipeOf(flags.model).blueprint(traits, robotNames(logs), responseTimes(*identified, flags));
     SampleOptions sampleOptions;
     sampleOptions.heldOut = holdOut;
     sampleOptions.folds = flags.folds;
-    sampleOptions.phases = flags.phases > 0 ? flags.phases : recipes.at(flags.model).phases;
+    sampleOptions.phases = flags.phases > 0 ? flags.phases : recipeOf(flags.model).phases;
     auto samples = motionSamples(logs, blueprint, sampleOptions);
     if (!samples) return report(samples.error(), flags.logs.front());
     blueprint.identified = *identified;
@@ -192,7 +138,7 @@ int train(TrainFlags flags, const CommonFlags& common) {
         blueprint.identified[i].tracker = trackers[i];
     blueprint.drive = opened->drive;
     blueprint.heldOut.groups = holdOut;
-    blueprint.synthetic = logs.front().synthetic;
+    blueprint.synthetic = std::any_of(logs.begin(), logs.end(), [](const Log& log) { return log.synthetic; });
     blueprint.training.command = commandLine();
     for (const Log& log : logs)
         for (const LogFile& file : log.files) blueprint.training.logs.push_back({file.path, file.hash});
@@ -210,75 +156,18 @@ int train(TrainFlags flags, const CommonFlags& common) {
 
 Subcommand addTrain(CLI::App& app, CommonFlags& common) {
     auto flags = std::make_shared<TrainFlags>();
-    CLI::App* sub =
-        addSubcommand(app, common, "train", "Learn a motion network from logs",
-                      "  mrose train MRCLAM_Dataset6 -o create.net\n"
-                      "  mrose train MRCLAM_Dataset6 --model paper --seed 3 -o create_paper.net\n"
-                      "  mrose train husky_windows.csv --hold-out 0.2 -o husky.net\n"
-                      "  mrose train monday.csv tuesday.csv --robots attacker -o attacker.net\n"
-                      "Ctrl-C ends learning and saves the best network so far; a second one ends the program at once.");
-    sub->add_option("LOG", flags->logs,
-                    "Logs to learn from: MRCLAM folders, Husky windows, CSV files or folders of them")
-        ->required();
-    sub->add_option("-o,--output", flags->out, "The network file to write")->required();
-    sub->add_option(
-           "--model", flags->model,
-           "history: commands of the last tenths of a second -> motion, learned on rollouts; "
-           "state: velocity and commands around the dead time -> motion and velocity, learned on rollouts, for "
-           "robots of limited acceleration; "
-           "velocity: velocity and commands in coarse bins, for robots that measure their velocity; "
-           "paper: (v, w, v_cmd, w_cmd) -> (dx, dy, dphi, v', w'), learned on single steps. "
-           "Default: velocity for robots that measure their own, history for others")
-        ->check(CLI::IsMember({"history", "state", "velocity", "paper"}));
-    sub->add_option("--robots", flags->robots, "Learn from these robots only, by name: 1,2")->delimiter(',');
-    sub->add_option("--robot-type", flags->type, "Kind of robot; default: what the log's format tells");
-    sub->add_option("--method", flags->method, "Learning method; lm fits single steps only")
-        ->check(CLI::IsMember({"irprop+", "irprop-", "rprop+", "rprop-", "lm"}))
-        ->capture_default_str();
-    sub->add_option("--loss", flags->loss, "What is minimised; default: one-step for paper, else rollout")
-        ->check(CLI::IsMember({"one-step", "rollout"}));
-    sub->add_option("--chain", flags->chain, "Periods of a rollout that is learned from; default 20, 10 for velocity")
-        ->check(CLI::Range(1, 1000));
-    sub->add_option("--hidden", flags->hidden, "Hidden units of each member; default: the model's")
-        ->check(CLI::Range(1, 1024));
-    sub->add_option(
-           "--members", flags->members,
-           "Networks, each learned with another part of the logs held out, whose mean is saved as one; default 4 "
-           "(velocity: 8, state and paper: 1)")
-        ->check(CLI::Range(1, 64));
-    sub->add_option("--folds", flags->folds, "Parts that the logs are divided into, held out in turn")
-        ->check(CLI::Range(2, 64))
-        ->capture_default_str();
-    sub->add_option("--hold-out", flags->holdOut,
-                    "Share of the groups of trajectories that nothing is learned from: mrose evaluate --held-out "
-                    "judges by them alone")
-        ->check(numberRange(0.001, 0.5));
-    sub->add_option("--hold-out-part", flags->holdOutPart, "Which share that is, for cross-validation: 0, 1, ...")
-        ->needs("--hold-out")
-        ->check(CLI::Range(0, 1000))
-        ->capture_default_str();
-    sub->add_option("--epochs", flags->epochs, "At most so many epochs; default: the model's")
-        ->check(CLI::Range(1, 10'000'000));
-    sub->add_option("--patience", flags->patience,
-                    "Stop after so many epochs without a better held-out error; default 300, but all for state")
-        ->check(CLI::Range(1, 10'000'000));
-    sub->add_option(
-           "--phases", flags->phases,
-           "Phases of the period at which the logs are read: more patterns from the same logs; default 5, 1 for "
-           "state")
-        ->check(CLI::Range(1, 20));
-    sub->add_option("--dead-time-v", flags->deadTimeV, "Dead time of v in s, instead of the one identified")
-        ->check(numberRange(0.0, 2.0));
-    sub->add_option("--dead-time-w", flags->deadTimeW, "Dead time of w in s, instead of the one identified")
-        ->check(numberRange(0.0, 2.0));
-    sub->add_option("--lag-v", flags->lagV, "Lag of v in s, instead of the one identified")
-        ->check(numberRange(0.0, 2.0));
-    sub->add_option("--lag-w", flags->lagW, "Lag of w in s, instead of the one identified")
-        ->check(numberRange(0.0, 2.0));
+    const std::string examples =
+        "  mrose train MRCLAM_Dataset6 -o create.net\n"
+        "  mrose train MRCLAM_Dataset6 --model paper --seed 3 -o create_paper.net\n"
+        "  mrose train husky_windows.csv --hold-out 0.2 -o husky.net\n"
+        "  mrose train monday.csv tuesday.csv --robots attacker -o attacker.net\n" +
+        std::string(modelsText) +
+        "Ctrl-C ends learning and saves the best network so far; a second one ends the program at once.";
+    CLI::App* sub = addSubcommand(app, common, "train", "Learn a motion network from logs", examples);
+    addTrainFlags(*sub, *flags);
     return {sub, [flags, &common] {
-                if (flags->method == "lm" &&
-                    (flags->loss == "rollout" || (flags->loss.empty() && flags->model != "paper"))) {
-                    report({"", 0, 0, "--method lm", "fits single steps only; it needs --loss one-step"});
+                if (const auto fits = checkTogether(*flags); !fits) {
+                    report(fits.error());
                     return static_cast<int>(usage);
                 }
                 return train(*flags, common);

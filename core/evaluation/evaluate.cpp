@@ -22,30 +22,26 @@ struct Part {
 };
 
 template <class Belongs>
-void addPart(std::vector<Part>& parts, const Log& log, std::span<const Window> windows, std::string kind,
-             std::string partName, Belongs belongs) {
+void addPart(std::vector<Part>& parts, std::span<const Window> windows, std::string kind, std::string partName,
+             Belongs belongs) {
     Part part{std::move(kind), std::move(partName), {}};
     for (std::size_t i = 0; i < windows.size(); ++i)
-        if (belongs(windows[i], log.robots[windows[i].robot].trajectories[windows[i].trajectory]))
-            part.windows.push_back(i);
+        if (belongs(windows[i])) part.windows.push_back(i);
     if (!part.windows.empty()) parts.push_back(std::move(part));
 }
 
 std::vector<Part> partsOf(const Log& log, std::span<const Window> windows) {
     std::vector<Part> parts;
     for (std::size_t r = 0; r < log.robots.size(); ++r)
-        addPart(parts, log, windows, "robot", log.robots[r].robot,
-                [r](const Window& w, const Trajectory&) { return w.robot == r; });
+        addPart(parts, windows, "robot", log.robots[r].robot, [r](const Window& w) { return w.robot == r; });
     for (int kind = 0; kind < manoeuvreCount; ++kind) {
         const auto manoeuvre = static_cast<Manoeuvre>(kind);
-        addPart(parts, log, windows, "manoeuvre", std::string(name(manoeuvre)),
-                [manoeuvre](const Window& w, const Trajectory&) { return w.manoeuvre == manoeuvre; });
+        addPart(parts, windows, "manoeuvre", std::string(name(manoeuvre)),
+                [manoeuvre](const Window& w) { return w.manoeuvre == manoeuvre; });
     }
-    const auto isSteady = [](const Window&, const Trajectory& t) { return t.steady; };
     std::vector<Part> states;
-    addPart(states, log, windows, "state", "steady", isSteady);
-    addPart(states, log, windows, "state", "transient",
-            [&](const Window& w, const Trajectory& t) { return !isSteady(w, t); });
+    addPart(states, windows, "state", "steady", [](const Window& w) { return w.steady; });
+    addPart(states, windows, "state", "transient", [](const Window& w) { return !w.steady; });
     if (states.size() == 2) parts.insert(parts.end(), states.begin(), states.end());
     return parts;
 }

@@ -68,7 +68,7 @@ struct Evaluation {
     std::vector<Robot> robots;              ///< indexed by Window::robot
     std::vector<std::string> trajectories;  ///< by window: Trajectory::name
     EvaluationOptions options;
-    std::vector<Window> windows;
+    std::vector<Window> windows;          ///< reports number them from 1
     std::vector<ModelEvaluation> models;  ///< in the order given
     std::optional<Floor> floor, turningFloor;
 };

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "evaluation/evaluate.h"
 #include "evaluation/rollout.h"
-#include "evaluation/windows.h"
 #include "io/error.h"
 
 namespace mrose {
@@ -26,9 +26,8 @@ struct WindowRequest {
 Expected<std::vector<WindowRequest>> readWindows(const std::filesystem::path& file);
 Expected<std::vector<WindowRequest>> parseWindows(std::string_view content, const std::string& fileName);
 
-/// dataset,robot,t_start,path_m,rotation_rad as the referee prints them; with a column `trajectory` at the end where a
-/// robot of the log has more than one.
-std::string windowsCsv(const Log& log, std::span<const Window> windows);
+/// dataset,robot,t_start,path_m,rotation_rad as the referee prints them, and the trajectory.
+std::string windowsCsv(const Evaluation& evaluation);
 
 /// The starts asked for, `robots[i]` the index into log.robots of the robot of `starts[i]`; they point into `log`.
 /// Error with the request's line in `fileName`: another data set, an unknown robot, no truth at the start or in more

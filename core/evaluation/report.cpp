@@ -6,6 +6,7 @@
 
 #include "evaluation/format.h"
 #include "evaluation/html.h"
+#include "evaluation/prediction_files.h"
 #include "evaluation/report_figures.h"
 #include "evaluation/report_prose.h"
 #include "evaluation/report_style.h"
@@ -17,6 +18,10 @@ namespace mrose {
 namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
+constexpr const char* reportFiles[] = {"results.csv", "results.json", "windows.csv", "report.html"};
+
+/// A line never breaks between the number and its unit.
+std::string percentText(double value) { return cat(fixed(value, 2), "\u00a0%"); }
 
 std::string paragraph(std::string_view content) { return element("p", "", content); }
 std::string heading(std::string_view content) { return element("h2", "", content); }
@@ -52,17 +57,18 @@ std::string header(const Evaluation& evaluation, const ReportContext& context) {
     if (context.synthetic)
         text += element("p", "notice",
                         "The log comes from a simulated robot. Nothing here says how true the model is of a real one.");
+    for (const std::string& notice : context.notices) text += element("p", "notice", escaped(notice));
     return text;
 }
 
 std::string typicalWindow(const Evaluation& evaluation, const Summary& s) {
     std::vector<double> paths;
     for (const Window& window : evaluation.windows) paths.push_back(window.path);
-    return cat("At the end of a typical window (median), after ", fixed(quantile(paths, 0.5), 2), " m of path, it is ",
-               fixed(100 * s.positionFinal.median, 1), " cm from where the robot really was and points ",
-               fixed(degrees * s.headingFinal.median, 1), "° off; one window in ten ends more than ",
-               fixed(100 * s.positionFinal.p90, 1), " cm or more than ", fixed(degrees * s.headingFinal.p90, 1),
-               "° off.");
+    return cat("At the end of a typical window (median), after ", fixed(quantile(paths, 0.5), 2),
+               "\u00a0m of path, it is ", fixed(100 * s.positionFinal.median, 1),
+               "\u00a0cm from where the robot really was and points ", fixed(degrees * s.headingFinal.median, 1),
+               "° off; one window in ten ends more than ", fixed(100 * s.positionFinal.p90, 1),
+               "\u00a0cm or more than ", fixed(degrees * s.headingFinal.p90, 1), "° off.");
 }
 
 std::string comparison(const Evaluation& evaluation) {
@@ -70,12 +76,13 @@ std::string comparison(const Evaluation& evaluation) {
     const auto baseline = std::min_element(evaluation.models.begin() + 1, evaluation.models.end(),
                                            [](const auto& a, const auto& b) { return a.all.p < b.all.p; });
     if (baseline != evaluation.models.end())
-        text += cat(" The best of the others by P, ", escaped(baseline->name), ", leaves ", fixed(baseline->all.p, 2),
-                    " % and ", fixed(baseline->all.hd, 2), " %.");
+        text += cat(" The best of the others by P, ", escaped(baseline->name), ", leaves ",
+                    percentText(baseline->all.p), " and ", percentText(baseline->all.hd), ".");
     if (evaluation.floor && !evaluation.floor->pairs.empty())
-        text +=
-            cat(" Two real runs under near-identical commands differ by a P of ", fixed(evaluation.floor->p, 2),
-                " % themselves (", std::to_string(evaluation.floor->pairs.size()), " <a href=\"#floor\">pairs</a>).");
+        text += cat(" Where it got near-identical commands twice (", std::to_string(evaluation.floor->pairs.size()),
+                    " <a href=\"#floor\">pairs</a>), the real robot’s own runs differ by a P of ",
+                    percentText(evaluation.floor->p), "; there the prediction is off by ",
+                    percentText(evaluation.models.front().onFloor.p), ".");
     return text;
 }
 
@@ -83,8 +90,8 @@ std::string headline(const Evaluation& evaluation) {
     const ModelEvaluation& model = evaluation.models.front();
     return element("p", "lead",
                    cat("Given a start and the commands alone, the prediction’s position is off by <b>",
-                       fixed(model.all.p, 2), " %</b> of the path driven (P) and its heading by <b>",
-                       fixed(model.all.hd, 2), " %</b> of the rotation turned (Hd), on average over time. ",
+                       percentText(model.all.p), "</b> of the path driven (P) and its heading by <b>",
+                       percentText(model.all.hd), "</b> of the rotation turned (Hd), on average over time. ",
                        typicalWindow(evaluation, model.all), comparison(evaluation)));
 }
 
@@ -95,7 +102,7 @@ std::string tile(std::string_view label, std::string_view value, std::string_vie
 }
 
 std::string intervalText(const Interval& interval) {
-    return cat("95 % interval ", fixed(interval.low, 2), "–", fixed(interval.high, 2), " %");
+    return cat("95\u00a0% interval ", fixed(interval.low, 2), "–", percentText(interval.high));
 }
 
 std::string percentilesText(const Distribution& d, double unit, std::string_view unitText) {
@@ -141,11 +148,14 @@ std::string barsSection(const Evaluation& evaluation) {
     std::string figures;
     const double top = highestBar(evaluation);
     for (std::size_t i = 0; i < evaluation.robots.size(); ++i)
-        if (evaluation.robots[i].windows > 0) figures += barsFigure(evaluation, i, top);
+        if (evaluation.robots[i].windows > 0)
+            figures += element("div", "bars",
+                               cat(element("h3", "", cat("Robot ", escaped(evaluation.robots[i].name))),
+                                   barsFigure(evaluation, i, top)));
     return cat(heading("Every window"),
                paragraph("The first model’s time-mean position error in each window, in the log’s order, coloured by "
-                         "what the commands ask for. "
-                         "A bar says which window it is when the pointer rests on it."),
+                         "what the commands ask for. A bar says which window it is when the pointer rests on it; "
+                         "<code>--show</code> with its number adds its paths to the pictures above."),
                manoeuvreLegend(), element("div", "card", figures));
 }
 
@@ -153,14 +163,18 @@ std::string pathCard(const Evaluation& evaluation, const ShownWindow& shown) {
     const Window& w = evaluation.windows[shown.window];
     std::string reason = shown.reason;
     if (reason[0] >= 'a' && reason[0] <= 'z') reason[0] = static_cast<char>(reason[0] - 'a' + 'A');
-    // Its name tells something only where a robot has several.
-    const bool several = std::any_of(evaluation.windows.begin(), evaluation.windows.end(), [&](const Window& other) {
-        return other.robot == w.robot && other.trajectory != w.trajectory;
-    });
-    const std::string trajectory = several ? cat(" · trajectory ", escaped(evaluation.trajectories[shown.window])) : "";
-    const std::string what = cat("robot\u00a0", escaped(evaluation.robots[w.robot].name), trajectory, " · from ",
-                                 secondsText(w.start), "\u00a0s · ", name(w.manoeuvre), " · path ", fixed(w.path, 2),
-                                 "\u00a0m · rotation ", fixed(w.rotation, 2), "\u00a0rad");
+    // Names tell something only where there are several.
+    const auto several = [&](auto differs) {
+        return std::any_of(evaluation.windows.begin(), evaluation.windows.end(), differs);
+    };
+    std::string which = cat("window\u00a0", std::to_string(shown.window + 1));
+    if (several([&](const Window& other) { return other.robot != w.robot; }))
+        which += cat(" · robot\u00a0", escaped(evaluation.robots[w.robot].name));
+    if (several([&](const Window& other) { return other.robot == w.robot && other.trajectory != w.trajectory; }))
+        which += cat(" · trajectory\u00a0", escaped(evaluation.trajectories[shown.window]));
+    const std::string what =
+        cat(which, " · from\u00a0", secondsText(w.start), "\u00a0s<br/>", name(w.manoeuvre), " · path\u00a0",
+            fixed(w.path, 2), "\u00a0m · rotation\u00a0", fixed(w.rotation, 2), "\u00a0rad");
     return card(escaped(reason), cat(element("p", "soft", what), pathFigure(evaluation, shown.window),
                                      windowTable(evaluation, shown.window)));
 }
@@ -238,7 +252,26 @@ std::string reportHtml(const Evaluation& evaluation, const ReportContext& contex
             heading("What the numbers mean"), definitions(evaluation), provenance(evaluation, context));
     return cat("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/>\n",
                "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>", title,
-               "</title>\n<style>", reportStyle(), "</style></head>\n<body><main>\n", body, "</main></body></html>\n");
+               "</title>\n<style>", reportStyle, "</style></head>\n<body><main>\n", body, "</main></body></html>\n");
+}
+
+Expected<void> checkReportFolder(const std::filesystem::path& folder) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(folder, ignored)) {
+        for (const char* name : reportFiles)
+            if (const auto writable = checkWritable(folder / name); !writable) return writable;
+        return {};
+    }
+    // It will be made within the nearest folder that is there.
+    std::filesystem::path within = std::filesystem::absolute(folder, ignored).lexically_normal(), inside;
+    while (within.has_relative_path() && !std::filesystem::exists(within, ignored)) {
+        inside = within;
+        within = within.parent_path();
+    }
+    if (!std::filesystem::is_directory(within, ignored))
+        return fail(folder.string(), cat("cannot be made: ", within.string(), " is no folder"));
+    if (const auto writable = checkWritable(inside); !writable) return fail(folder.string(), writable.error().cause);
+    return {};
 }
 
 Expected<void> writeReport(const Evaluation& evaluation, const ReportContext& context,
@@ -248,9 +281,10 @@ Expected<void> writeReport(const Evaluation& evaluation, const ReportContext& co
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error) return fail(folder.string(), cat("cannot be made: ", error.message()));
-    const NamedFile files[] = {{folder / "results.csv", resultsCsv(evaluation)},
-                               {folder / "results.json", resultsJson(evaluation, context)},
-                               {folder / "report.html", reportHtml(evaluation, context)}};
+    const std::string contents[] = {resultsCsv(evaluation), resultsJson(evaluation, context), windowsCsv(evaluation),
+                                    reportHtml(evaluation, context)};
+    std::vector<NamedFile> files;
+    for (std::size_t i = 0; i < std::size(contents); ++i) files.push_back({folder / reportFiles[i], contents[i]});
     return writeFilesAtomically(files);
 }
 

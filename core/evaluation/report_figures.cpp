@@ -205,19 +205,20 @@ double highestBar(const Evaluation& evaluation) {
 }
 
 std::string barsFigure(const Evaluation& evaluation, std::size_t robot, double top) {
-    const std::string& robotName = evaluation.robots[robot].name;
-    SvgPlot plot({.width = 1110, .height = 112, .left = 54, .right = 8, .top = 8, .bottom = 24},
-                 {0, static_cast<double>(evaluation.robots[robot].windows)}, {0, top},
-                 cat("Errors of robot ", robotName));
-    plot.axes("", cat("robot ", robotName, ", cm"));
-    double at = 0;
+    const auto isHis = [&](const Window& window) { return window.robot == robot; };
+    const auto first = std::find_if(evaluation.windows.begin(), evaluation.windows.end(), isHis);
+    const double before = static_cast<double>(first - evaluation.windows.begin()) + 0.5;
+    SvgPlot plot({.width = 1110, .height = 136, .left = 54, .right = 8, .top = 8, .bottom = 44},
+                 {before, before + static_cast<double>(evaluation.robots[robot].windows)}, {0, top},
+                 cat("Errors of robot ", evaluation.robots[robot].name));
+    plot.axes("window", "error (cm)");
     for (std::size_t i = 0; i < evaluation.windows.size(); ++i) {
         const Window& w = evaluation.windows[i];
-        if (w.robot != robot) continue;
+        if (!isHis(w)) continue;
         const double error = 100 * evaluation.models.front().errors[i].positionMean;
-        plot.bar(at + 0.1, 0.8, error, cat("k", std::to_string(static_cast<int>(w.manoeuvre))),
-                 cat("window ", secondsText(w.start), " s: ", fixed(error, 1), " cm, ", name(w.manoeuvre)));
-        ++at;
+        plot.bar(static_cast<double>(i) + 0.6, 0.8, error, cat("k", std::to_string(static_cast<int>(w.manoeuvre))),
+                 cat("window ", std::to_string(i + 1), ", from ", secondsText(w.start), " s: ", fixed(error, 1),
+                     " cm, ", name(w.manoeuvre)));
     }
     return plot.text();
 }

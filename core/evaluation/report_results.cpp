@@ -126,12 +126,15 @@ Json windowsJson(const Evaluation& evaluation) {
                               {"heading_mean_rad", e.headingMean},
                               {"heading_final_rad", e.headingFinal}});
         }
-        list.push_back({{"robot", evaluation.robots[w.robot].name},
+        list.push_back({{"window", i + 1},
+                        {"robot", evaluation.robots[w.robot].name},
                         {"trajectory", evaluation.trajectories[i]},
                         {"t_start", secondsText(w.start)},
                         {"duration_s", w.steps() * toSeconds(evaluation.options.windows.step)},
                         {"manoeuvre", name(w.manoeuvre)},
+                        {"steady", w.steady},
                         {"path_m", w.path},
+                        {"path_by_steps_m", w.pathBySteps},
                         {"rotation_rad", w.rotation},
                         {"errors_by_model", std::move(errors)}});
     }
@@ -150,17 +153,18 @@ Json logJson(const Evaluation& evaluation, bool synthetic) {
 
 std::string resultsCsv(const Evaluation& evaluation) {
     std::string text =
-        "model,dataset,robot,trajectory,t_start,manoeuvre,path_m,rotation_rad,position_mean_m,position_final_m,"
-        "heading_mean_rad,heading_final_rad,final_along_m,final_left_m,final_heading_signed_rad\n";
+        "model,window,dataset,robot,trajectory,t_start,manoeuvre,steady,path_m,path_by_steps_m,rotation_rad,"
+        "position_mean_m,position_final_m,heading_mean_rad,heading_final_rad,final_along_m,final_left_m,"
+        "final_heading_signed_rad\n";
     for (const ModelEvaluation& model : evaluation.models)
         for (std::size_t i = 0; i < evaluation.windows.size(); ++i) {
             const Window& w = evaluation.windows[i];
             const WindowErrors& e = model.errors[i];
-            text += cat(quoted(model.name), ",", std::to_string(evaluation.dataset), ",",
+            text += cat(quoted(model.name), ",", std::to_string(i + 1), ",", std::to_string(evaluation.dataset), ",",
                         quoted(evaluation.robots[w.robot].name), ",", quoted(evaluation.trajectories[i]), ",",
-                        secondsText(w.start), ",", name(w.manoeuvre));
-            for (const double value : {w.path, w.rotation, e.positionMean, e.positionFinal, e.headingMean,
-                                       e.headingFinal, e.along, e.left, e.headingFinalSigned})
+                        secondsText(w.start), ",", name(w.manoeuvre), w.steady ? ",1" : ",0");
+            for (const double value : {w.path, w.pathBySteps, w.rotation, e.positionMean, e.positionFinal,
+                                       e.headingMean, e.headingFinal, e.along, e.left, e.headingFinalSigned})
                 text += cat(",", fixed(value, 6));
             text += "\n";
         }
@@ -174,6 +178,7 @@ std::string resultsJson(const Evaluation& evaluation, const ReportContext& conte
     const WindowOptions& windows = evaluation.options.windows;
     const Json all{{"program", context.program},
                    {"command_line", context.commandLine},
+                   {"notices", context.notices},
                    {"log", logJson(evaluation, context.synthetic)},
                    {"model_facts", std::move(facts)},
                    {"training_logs", json(context.trainingLogs)},

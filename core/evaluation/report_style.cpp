@@ -2,8 +2,7 @@
 
 namespace mrose {
 
-std::string_view reportStyle() {
-    return R"css(
+const std::string_view reportStyle = R"css(
 :root {
   color-scheme: light dark;
   --page: #fbfbfa; --card: #ffffff; --ink: #1b1e23; --soft: #5b626d; --rule: #dcdfe4; --grid: #eceef1; --warn: #8a4b00; --warnpage: #fff3df;
@@ -38,6 +37,7 @@ p { margin: 6px 0 10px; max-width: 86ch; }
 .pair { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 460px), 1fr)); gap: 14px; }
 .paths { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 340px), 1fr)); gap: 14px; }
 .paths .soft { font-size: 12.5px; margin: 0 0 4px; line-height: 1.4; }
+.bars + .bars { margin-top: 14px; }
 .paths .plot { margin: 0 auto; }
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; font-size: 13.5px; font-variant-numeric: tabular-nums; width: 100%; }
@@ -74,7 +74,7 @@ line.grid { stroke: var(--grid); stroke-width: 1; }
 path.axis { stroke: var(--soft); stroke-width: 1.2; fill: none; }
 .line { fill: none; stroke: var(--c); stroke-width: 1.8; stroke-linejoin: round; stroke-linecap: round; }
 .s0 { --c: var(--c0); stroke-width: 2.4; } .s1 { --c: var(--c1); stroke-dasharray: 7 4; } .s2 { --c: var(--c2); stroke-dasharray: 2 4; }
-.s3 { --c: var(--c3); stroke-dasharray: 10 3 2 3; } .s4 { --c: var(--c4); stroke-dasharray: 4 2; } .s5 { --c: var(--c5); stroke-dasharray: 1 3; }
+.s3 { --c: var(--c3); stroke-dasharray: 10 3 2 3; } .s4 { --c: var(--c4); stroke-dasharray: 14 4; } .s5 { --c: var(--c5); stroke-dasharray: 1 3; }
 .real { --c: var(--ink); stroke-width: 2.2; }
 .thin { stroke-width: 1.4; opacity: .85; }
 .band { fill: var(--c0); stroke: none; opacity: .15; } .band.inner { opacity: .24; }
@@ -89,6 +89,5 @@ dt { font-weight: 600; } dd { margin: 0; }
 @media (max-width: 640px) { main { padding: 18px 14px 40px; } dl { grid-template-columns: 1fr; gap: 2px; } dd { margin-bottom: 8px; } }
 @media print { body { background: #fff; } .card, .tile { break-inside: avoid; } main { max-width: none; padding: 0; } }
 )css";
-}
 
 }  // namespace mrose

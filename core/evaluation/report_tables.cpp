@@ -21,7 +21,10 @@ void addThree(std::vector<std::string>& cells, const Distribution& d, double uni
     for (const double value : {d.median, d.mean, d.p90}) cells.push_back(fixed(unit * value, decimals));
 }
 
-std::string signedText(double value, int decimals) { return cat(value > 0 ? "+" : "", fixed(value, decimals)); }
+std::string signedText(double value, int decimals) {
+    const std::string text = fixed(std::abs(value), decimals);
+    return cat(value > 0 ? "+" : value < 0 ? "−" : "", text);
+}
 
 /// The values with the smallest one in bold, where there are several.
 std::vector<std::string> smallestBold(const std::vector<double>& values, int decimals) {

@@ -124,6 +124,7 @@ private:
         }
         window.measuredPose = start->pose;
         window.measuredVelocity = start->velocity;
+        window.steady = trajectory.steady;
         windows.push_back(std::move(window));
     }
 
@@ -190,8 +191,9 @@ std::vector<Window> denseStretches(const Log& log, std::size_t robot, const Wind
 Expected<std::vector<Window>> findWindows(const Log& log, const std::vector<std::string>& robots,
                                           const WindowOptions& options) {
     if (options.step <= 0 || options.horizon <= 0 || options.horizon % options.step != 0)
-        return fail({}, "a horizon of " + secondsText(options.horizon) + " s is no whole number of steps of " +
-                            secondsText(options.step) + " s");
+        return fail(
+            {}, secondsText(options.horizon) + " s is no whole number of steps of " + secondsText(options.step) + " s",
+            0, "horizon");
     for (const std::string& wanted : robots)
         if (std::none_of(log.robots.begin(), log.robots.end(), [&](const RobotLog& r) { return r.robot == wanted; }))
             return fail(log.source, "has no robot " + wanted);

@@ -30,6 +30,7 @@ struct Window {
     double path = 0, rotation = 0;  ///< m, rad; summed over 0.5 s steps, because a wobble inflates shorter ones
     double pathBySteps = 0;         ///< m; summed over the steps of `truth`, wobble and all
     Manoeuvre manoeuvre = Manoeuvre::straight;
+    bool steady = false;  ///< Trajectory::steady
 
     int steps() const { return static_cast<int>(truth.size()) - 1; }
 };

@@ -1,7 +1,6 @@
 #include "identification/drive_fit.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <set>
 
@@ -101,19 +100,6 @@ Expected<DriveFit> fitDrive(const std::vector<SteadyMotion>& motions, const std:
     fit.wheelRadiusError = std::sqrt((count - 1) / count * radius);
     fit.trackError = std::sqrt((count - 1) / count * track);
     return fit;
-}
-
-double medianEndError(const std::vector<SteadyMotion>& motions, const DifferentialDrive& drive) {
-    assert(!motions.empty());
-    std::vector<double> errors;
-    for (const SteadyMotion& motion : motions) {
-        const Command body = drive.toCommand(motion.wheels.left, motion.wheels.right);
-        const Pose end = exp({body.v * motion.duration, 0, body.w * motion.duration});
-        errors.push_back(std::hypot(end.x - motion.end.x, end.y - motion.end.y) / motion.path);
-    }
-    std::sort(errors.begin(), errors.end());
-    const std::size_t half = errors.size() / 2;
-    return errors.size() % 2 == 1 ? errors[half] : (errors[half - 1] + errors[half]) / 2;
 }
 
 }  // namespace mrose

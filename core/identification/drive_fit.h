@@ -38,7 +38,4 @@ struct DriveFit {
 /// distance of its wheels, because they scrub. Error: fewer than 3 motions, or none that turns or none that drives.
 Expected<DriveFit> fitDrive(const std::vector<SteadyMotion>& motions, const std::string& source = "log");
 
-/// Median over motions of the position error at the end over the path, when the drive's arc is followed from the start.
-double medianEndError(const std::vector<SteadyMotion>& motions, const DifferentialDrive& drive);
-
 }  // namespace mrose

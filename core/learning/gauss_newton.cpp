@@ -22,7 +22,7 @@ struct FeatureLayout {
 };
 
 /// A sum over blocks, kept in float: its upper triangle.
-using FloatGram = std::vector<float>;
+using FloatGram = AlignedFloats;
 
 class GramSum {
 public:
@@ -32,9 +32,9 @@ public:
 
     FloatGram over(const std::vector<std::size_t>& blocks, std::size_t begin, std::size_t end) const {
         FloatGram gram(layout_.size * layout_.stride);
-        std::vector<float> h(static_cast<std::size_t>(shape_.hidden) * kBlock);
-        std::vector<float> y(static_cast<std::size_t>(shape_.outputs) * kBlock);
-        std::vector<float> features(kRowsAtOnce * layout_.stride);
+        AlignedFloats h(static_cast<std::size_t>(shape_.hidden) * kBlock);
+        AlignedFloats y(static_cast<std::size_t>(shape_.outputs) * kBlock);
+        AlignedFloats features(kRowsAtOnce * layout_.stride);
         for (std::size_t i = begin; i < end; ++i) {
             const int patterns = static_cast<int>(inputs_.patternsOfBlock(blocks[i]));
             for (int first = 0; first < patterns; first += kRowsAtOnce) {

@@ -29,6 +29,7 @@ template <int N, int Blocks>
 template <int N>
 void hiddenLayerAlone(const PackedMlp& net, const float* x, float* h) {
     int first = 0;
+    for (; first + 7 * N < net.hidden; first += 8 * N) hiddenBlocks<N, 8>(net, x, first, h);
     for (; first + 3 * N < net.hidden; first += 4 * N) hiddenBlocks<N, 4>(net, x, first, h);
     switch ((net.hidden - first + N - 1) / N) {
         case 3:
@@ -111,6 +112,7 @@ template <int N, int Count>
 template <int N, int OutputUnits>
 void predictLanes(const PackedMlp& net, const float* x, float* h, float* y) {
     int j = 0;
+    for (; j + 8 <= net.hidden; j += 8) hiddenUnits<N, 8>(net, x, j, h);
     for (; j + 4 <= net.hidden; j += 4) hiddenUnits<N, 4>(net, x, j, h);
     for (; j < net.hidden; ++j) hiddenUnits<N, 1>(net, x, j, h);
     int k = 0;
@@ -144,7 +146,8 @@ void predictBatch(const PackedMlp& net, const float* rows, float* out, size_t n,
     float* x = scratch;
     float* h = x + inputs * kRows;
     float* y = h + net.hidden * N;
-    for (int i = 0; i < inputs * kRows; ++i) x[i] = 0;
+    const int padded = (atMost(n, kRows) + N - 1) / N * N;
+    for (int i = 0; i < inputs * padded; ++i) x[i] = 0;
     for (size_t first = 0; first < n; first += kRows) {
         const int here = atMost(n - first, kRows);
         for (int row = 0; row < here; row += N)

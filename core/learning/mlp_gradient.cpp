@@ -54,7 +54,7 @@ struct MlpGradient::Worker {
         return y.data();
     }
 
-    std::vector<float> h, y, lanes;
+    AlignedFloats h, y, lanes;
     std::vector<double> partial;  ///< sums of all ranges of a call that this thread made
     double loss = 0;
 };

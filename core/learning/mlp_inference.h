@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "learning/aligned_floats.h"
 #include "learning/inference_kernel.h"
 #include "learning/instruction_set.h"
 #include "learning/mlp.h"
@@ -30,7 +31,7 @@ private:
 
     MlpShape shape_;
     const InferenceKernel* kernel_;
-    std::vector<float> storage_;
+    AlignedFloats storage_;
 };
 
 }  // namespace mrose

@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "learning/aligned_floats.h"
+
 namespace mrose {
 
 /// A matrix of floats, patterns x features, in the layout of the training kernels: blocks of 256 patterns, within a
@@ -56,7 +58,7 @@ private:
 
     std::size_t patterns_ = 0;
     int features_ = 0;
-    std::vector<float> values_;
+    AlignedFloats values_;
 };
 
 }  // namespace mrose

@@ -9,6 +9,13 @@
 namespace mrose {
 namespace {
 
+/// Sizes of the tiles of sums: as many as the registers hold.
+template <int N>
+struct TileSize {
+    static constexpr int rows = N == 4 ? 3 : 6, vectors = N == 8 ? 2 : 4;
+    static constexpr int dotRows = N == 16 ? 4 : 3, dotColumns = N == 16 ? 5 : 3;
+};
+
 /// One operand of a product by the broadcast of its elements: a(m, k) = data[m * row + k * column].
 struct Broadcast {
     const float* data;
@@ -50,7 +57,7 @@ template <int N, int Rows, int Vectors, class F>
 template <int N, int Rows, class F>
 void multiplyRows(Broadcast a, const float* start, const float* b, size_t bStride, int depth, float* out,
                   size_t outStride, int columns, F f) {
-    constexpr int kVectors = N == 16 ? 4 : 2;
+    constexpr int kVectors = TileSize<N>::vectors;
     int p = 0;
     for (; p + kVectors * N <= columns; p += kVectors * N)
         multiplyTile<N, Rows, kVectors>(a, start, b + p, bStride, depth, out + p, outStride, f);
@@ -58,29 +65,16 @@ void multiplyRows(Broadcast a, const float* start, const float* b, size_t bStrid
 }
 
 /// out[rows][columns] = f(start + a b), b [depth][columns].
-template <int N, class F>
+template <int N, int Rows, class F>
 void multiply(Broadcast a, const float* start, const float* b, size_t bStride, int depth, float* out, size_t outStride,
               int rows, int columns, F f) {
-    constexpr int kRows = 6;
     int m = 0;
     const auto at = [start](int row) { return start ? start + row : start; };
-    for (; m + kRows <= rows; m += kRows)
-        multiplyRows<N, kRows>(a.from(m), at(m), b, bStride, depth, out + m * outStride, outStride, columns, f);
-    float* rest = out + m * outStride;
-    switch (rows - m) {
-        case 5:
-            return multiplyRows<N, 5>(a.from(m), at(m), b, bStride, depth, rest, outStride, columns, f);
-        case 4:
-            return multiplyRows<N, 4>(a.from(m), at(m), b, bStride, depth, rest, outStride, columns, f);
-        case 3:
-            return multiplyRows<N, 3>(a.from(m), at(m), b, bStride, depth, rest, outStride, columns, f);
-        case 2:
-            return multiplyRows<N, 2>(a.from(m), at(m), b, bStride, depth, rest, outStride, columns, f);
-        case 1:
-            return multiplyRows<N, 1>(a.from(m), at(m), b, bStride, depth, rest, outStride, columns, f);
-        default:
-            return;
-    }
+    for (; m + Rows <= rows; m += Rows)
+        multiplyRows<N, Rows>(a.from(m), at(m), b, bStride, depth, out + m * outStride, outStride, columns, f);
+    if constexpr (Rows > 1)
+        multiply<N, Rows - 1>(a.from(m), at(m), b, bStride, depth, out + m * outStride, outStride, rows - m, columns,
+                              f);
 }
 
 /// lanes[m][k] += sums over patterns, lane by lane, of a[m] * b[k]; lane sums of row m start at lanes + m * laneStride.
@@ -102,27 +96,28 @@ template <int N, int Rows, int Columns>
         for (int k = 0; k < Columns; ++k) store<N>(lanes + m * laneStride + k * 16, sum[m][k]);
 }
 
-template <int N, int Rows>
+template <int N, int Rows, int Columns>
 void dotRows(const float* a, size_t aStride, const float* b, size_t bStride, int columns, float* lanes,
              size_t laneStride, int count) {
-    constexpr int kColumns = N == 16 ? 5 : 3;
     int k = 0;
-    for (; k + kColumns <= count; k += kColumns)
-        dotTile<N, Rows, kColumns>(a, aStride, b + k * bStride, bStride, columns, lanes + k * 16, laneStride);
-    for (; k < count; ++k)
-        dotTile<N, Rows, 1>(a, aStride, b + k * bStride, bStride, columns, lanes + k * 16, laneStride);
+    for (; k + Columns <= count; k += Columns)
+        dotTile<N, Rows, Columns>(a, aStride, b + k * bStride, bStride, columns, lanes + k * 16, laneStride);
+    if constexpr (Columns > 1)
+        dotRows<N, Rows, Columns - 1>(a, aStride, b + k * bStride, bStride, columns, lanes + k * 16, laneStride,
+                                      count - k);
 }
 
 /// a [rows][columns], b [count][columns]: lane sums [rows][count] += a b'.
-template <int N>
+template <int N, int Rows>
 void dots(const float* a, size_t aStride, int rows, const float* b, size_t bStride, int count, int columns,
           float* lanes, size_t laneStride) {
-    constexpr int kRows = N == 16 ? 4 : 3;
     int m = 0;
-    for (; m + kRows <= rows; m += kRows)
-        dotRows<N, kRows>(a + m * aStride, aStride, b, bStride, columns, lanes + m * laneStride, laneStride, count);
-    for (; m < rows; ++m)
-        dotRows<N, 1>(a + m * aStride, aStride, b, bStride, columns, lanes + m * laneStride, laneStride, count);
+    for (; m + Rows <= rows; m += Rows)
+        dotRows<N, Rows, TileSize<N>::dotColumns>(a + m * aStride, aStride, b, bStride, columns, lanes + m * laneStride,
+                                                  laneStride, count);
+    if constexpr (Rows > 1)
+        dots<N, Rows - 1>(a + m * aStride, aStride, rows - m, b, bStride, count, columns, lanes + m * laneStride,
+                          laneStride);
 }
 
 template <int N>
@@ -145,12 +140,25 @@ struct Parts {
 };
 
 template <int N>
+void tanhRow(float* row, int columns) {
+    for (int p = 0; p < columns; p += N) store<N>(row + p, rationalTanh(load<N>(row + p)));
+}
+
+template <int N>
 void forward(const KernelTile& t, float* h, float* y) {
     const Parts net(t);
-    multiply<N>({net.w, size_t(t.inputs), 1}, net.b, t.x, t.stride, t.inputs, h, t.hiddenStride, t.hidden, t.columns,
-                Tanh{});
-    multiply<N>({net.v, size_t(t.hidden), 1}, net.c, h, t.hiddenStride, t.hidden, y, t.stride, t.outputs, t.columns,
-                Identity{});
+    const auto hiddenLayer = [&](auto f) {
+        multiply<N, TileSize<N>::rows>({net.w, size_t(t.inputs), 1}, net.b, t.x, t.stride, t.inputs, h, t.hiddenStride,
+                                       t.hidden, t.columns, f);
+    };
+    if constexpr (N < 16) {  // too few registers for a tile of sums and the constants of tanh
+        hiddenLayer(Identity{});
+        for (int j = 0; j < t.hidden; ++j) tanhRow<N>(h + j * t.hiddenStride, t.columns);
+    } else {
+        hiddenLayer(Tanh{});
+    }
+    multiply<N, TileSize<N>::rows>({net.v, size_t(t.hidden), 1}, net.c, h, t.hiddenStride, t.hidden, y, t.stride,
+                                   t.outputs, t.columns, Identity{});
 }
 
 /// The derivative at a hidden unit's sum: that at its output times 1 - h^2, h being as far from the output as `offset`.
@@ -169,15 +177,17 @@ void backward(const KernelTile& t, const float* h, const float* error, float* d,
     float* laneB = lanes + 16 * (net.b - net.w);
     float* laneV = lanes + 16 * (net.v - net.w);
     float* laneC = lanes + 16 * (net.c - net.w);
-    dots<N>(error, t.stride, t.outputs, h, t.hiddenStride, t.hidden, t.columns, laneV, size_t(t.hidden) * 16);
+    dots<N, TileSize<N>::dotRows>(error, t.stride, t.outputs, h, t.hiddenStride, t.hidden, t.columns, laneV,
+                                  size_t(t.hidden) * 16);
     rowSums<N>(error, t.stride, t.outputs, t.columns, laneC);
-    multiply<N>({net.v, 1, size_t(t.hidden)}, nullptr, error, t.stride, t.outputs, d, t.hiddenStride, t.hidden,
-                t.columns, TimesTanhSlope{h - d});
-    dots<N>(d, t.hiddenStride, t.hidden, t.x, t.stride, t.inputs, t.columns, lanes, size_t(t.inputs) * 16);
+    multiply<N, TileSize<N>::rows>({net.v, 1, size_t(t.hidden)}, nullptr, error, t.stride, t.outputs, d, t.hiddenStride,
+                                   t.hidden, t.columns, TimesTanhSlope{h - d});
+    dots<N, TileSize<N>::dotRows>(d, t.hiddenStride, t.hidden, t.x, t.stride, t.inputs, t.columns, lanes,
+                                  size_t(t.inputs) * 16);
     rowSums<N>(d, t.hiddenStride, t.hidden, t.columns, laneB);
     if (dx)
-        multiply<N>({net.w, 1, size_t(t.inputs)}, nullptr, d, t.hiddenStride, t.hidden, dx, t.stride, t.inputs,
-                    t.columns, Identity{});
+        multiply<N, TileSize<N>::rows>({net.w, 1, size_t(t.inputs)}, nullptr, d, t.hiddenStride, t.hidden, dx, t.stride,
+                                       t.inputs, t.columns, Identity{});
 }
 
 template <int N>

@@ -10,10 +10,6 @@ namespace {
 
 using Quantity = NetworkInput::Quantity;
 
-std::size_t commandQuantity(Quantity q) {
-    return static_cast<std::size_t>(q) - static_cast<std::size_t>(Quantity::commandV);
-}
-
 double turnSense(const Command& command, double offset) {
     const bool straight = command.w == 0 && !std::signbit(command.w);
     if (command.v <= 0 || straight) return 0;
@@ -22,25 +18,71 @@ double turnSense(const Command& command, double offset) {
 
 }  // namespace
 
+InputReader::Bins::Bins(const std::vector<NetworkInput>& inputs, Quantity first, Quantity last) {
+    for (const NetworkInput& input : inputs) {
+        if (input.quantity < first || input.quantity > last) continue;
+        oldest_ = std::max(oldest_, input.oldest);
+        if (indexOf(input) == bins_.size())
+            bins_.push_back({input.newest, input.oldest, 1 / (input.oldest - input.newest)});
+    }
+    std::sort(bins_.begin(), bins_.end(), [](const Bin& a, const Bin& b) { return a.newest < b.newest; });
+}
+
+std::size_t InputReader::Bins::indexOf(const NetworkInput& input) const {
+    const auto found = std::find_if(bins_.begin(), bins_.end(), [&](const Bin& bin) {
+        return bin.newest == input.newest && bin.oldest == input.oldest;
+    });
+    return static_cast<std::size_t>(found - bins_.begin());
+}
+
+std::pair<std::size_t, std::size_t> InputReader::Bins::reach(const Pieces& pieces) const {
+    std::size_t first = 0;
+    while (pieces.ages[first + 1] <= bins_.front().newest) ++first;
+    std::size_t last = first + 1;
+    while (pieces.ages[last] < oldest_) ++last;
+    return {first, last};
+}
+
+template <std::size_t Width>
+double* InputReader::Bins::means(const Pieces& pieces, const double* values, double* means) const {
+    std::size_t first = 0;
+    for (const Bin& bin : bins_) {
+        while (pieces.ages[first + 1] <= bin.newest) ++first;
+        std::array<double, Width> sums{};
+        double begin = bin.newest;
+        for (std::size_t piece = first; begin < bin.oldest; ++piece) {
+            const double end = std::min(pieces.ages[piece + 1], bin.oldest);
+            const double share = (end - begin) * bin.perLength;
+            for (std::size_t q = 0; q < Width; ++q) sums[q] += share * values[piece * Width + q];
+            begin = end;
+        }
+        for (std::size_t q = 0; q < Width; ++q) *means++ = sums[q];
+    }
+    return means;
+}
+
 InputReader::InputReader(const MotionNetwork& network)
     : inputs_(network.inputs),
       robots_(network.robots),
-      wheelPhase_(network.wheelPhase),
-      turnOffset_(network.turnOffset),
-      oldestAge_(0) {
-    for (std::size_t i = 0; i < inputs_.size(); ++i) {
-        const NetworkInput& input = inputs_[i];
-        inverseScales_.push_back(1 / input.scale);
-        if (!input.fromCommands()) {
-            others_.push_back(i);
-            continue;
+      commands_(inputs_, Quantity::commandV, Quantity::turnSense),
+      wheels_(inputs_, Quantity::leftSine, Quantity::forwardCosine),
+      halfTrack_(network.wheelPhase.halfTrack),
+      perQuantum_(1 / network.wheelPhase.quantum),
+      turnOffset_(network.turnOffset) {
+    const std::size_t wheels = commandWidth * commands_.size();
+    std::size_t others = wheels + wheelWidth * wheels_.size();
+    for (const NetworkInput& input : inputs_) {
+        const auto after = [&](Quantity first) { return std::size_t(input.quantity) - std::size_t(first); };
+        if (input.fromWheels()) {
+            places_.push_back(wheels + wheelWidth * wheels_.indexOf(input) + after(Quantity::leftSine));
+        } else if (input.fromCommands()) {
+            places_.push_back(commandWidth * commands_.indexOf(input) + after(Quantity::commandV));
+        } else {
+            places_.push_back(others++);
+            others_.push_back(input);
         }
-        auto bin = std::find_if(bins_.begin(), bins_.end(),
-                                [&](const Bin& b) { return b.newest == input.newest && b.oldest == input.oldest; });
-        if (bin == bins_.end()) bin = bins_.insert(bin, {input.newest, input.oldest, {}});
-        bin->members.push_back({i, commandQuantity(input.quantity)});
-        oldestAge_ = std::max(oldestAge_, input.oldest);
-        readsWheels_ = readsWheels_ || input.fromWheels();
+        means_.push_back(input.mean);
+        inverseScales_.push_back(1 / input.scale);
     }
 }
 
@@ -51,68 +93,65 @@ int InputReader::robotIndex(const std::string& name) const {
 
 void InputReader::collect(const MotionInput& input, Pieces& pieces) const {
     const CommandView& history = input.commands;
+    const double oldest = std::max(commands_.oldest(), wheels_.oldest());
     std::size_t index = history.size();
     while (index > 0 && history.issueTime(index - 1) > input.start) --index;
-    pieces.count = 0;
-    pieces.ages[0] = 0;
-    for (double age = 0; age < oldestAge_; --index) {
+    double* values = pieces.commands.data();
+    double* end = pieces.ages.data();
+    *end = 0;
+    for (double age = 0; age < oldest; --index, values += commandWidth) {
         const Command command = index == 0 ? history.beforeFirst() : history.command(index - 1);
-        age = index == 0 ? oldestAge_ : toSeconds(input.start - history.issueTime(index - 1));
-        pieces.values[commandQuantity(Quantity::commandV)][pieces.count] = command.v;
-        pieces.values[commandQuantity(Quantity::commandW)][pieces.count] = command.w;
-        pieces.values[commandQuantity(Quantity::turnSense)][pieces.count] = turnSense(command, turnOffset_);
-        pieces.ages[++pieces.count] = age;
+        age = index == 0 ? oldest : toSeconds(input.start - history.issueTime(index - 1));
+        values[0] = command.v;
+        values[1] = command.w;
+        values[2] = turnSense(command, turnOffset_);
+        *++end = age;
     }
-    if (readsWheels_) addWheelPhases(pieces);
 }
 
-void InputReader::addWheelPhases(Pieces& pieces) const {
-    const double* v = pieces.values[commandQuantity(Quantity::commandV)].data();
-    const double* w = pieces.values[commandQuantity(Quantity::commandW)].data();
-    const auto add = [&](Quantity sine, double arm, double perQuantum) {
-        double* sines = pieces.values[commandQuantity(sine)].data();
-        double* cosines = pieces.values[commandQuantity(sine) + 1].data();
-        for (std::size_t i = 0; i < pieces.count; ++i) {
-            const double turns = (v[i] + arm * w[i]) * perQuantum;
-            sines[i] = sinTurns(turns);
-            cosines[i] = cosTurns(turns);
+double* InputReader::wheelMeans(const Pieces& pieces, double* means) const {
+    if (wheels_.size() == 0) return means;
+    const auto [first, last] = wheels_.reach(pieces);
+    std::array<double, maxPieces * wheelWidth> phases;
+    double* const begin = &phases[first * wheelWidth];
+    double* end = begin;
+    for (std::size_t i = first; i < last; ++i) {
+        const double v = pieces.commands[i * commandWidth], across = halfTrack_ * pieces.commands[i * commandWidth + 1];
+        for (const double turns : {(v - across) * perQuantum_, (v + across) * perQuantum_, v * (perQuantum_ / 2)}) {
+            *end++ = turns;
+            *end++ = turns + 0.25;
         }
-    };
-    const double perQuantum = 1 / wheelPhase_.quantum;
-    add(Quantity::leftSine, -wheelPhase_.halfTrack, perQuantum);
-    add(Quantity::rightSine, wheelPhase_.halfTrack, perQuantum);
-    add(Quantity::forwardSine, 0, perQuantum / 2);
+    }
+    // One loop over all of them, so that the compiler computes several sines at once.
+    std::transform(begin, end, begin, sinTurns);
+    return wheels_.means<wheelWidth>(pieces, phases.data(), means);
 }
 
-void InputReader::readBin(const Bin& bin, const Pieces& pieces, double* row) {
-    for (const auto& [input, quantity] : bin.members) row[input] = 0;
-    std::size_t piece = 0;
-    while (piece + 1 < pieces.count && pieces.ages[piece + 1] <= bin.newest) ++piece;
-    const double perLength = 1 / (bin.oldest - bin.newest);
-    for (; piece < pieces.count && pieces.ages[piece] < bin.oldest; ++piece) {
-        const double begin = std::max(pieces.ages[piece], bin.newest);
-        const double share = (std::min(pieces.ages[piece + 1], bin.oldest) - begin) * perLength;
-        for (const auto& [input, quantity] : bin.members) row[input] += share * pieces.values[quantity][piece];
+void InputReader::compute(const MotionInput& input, int robot, Values& values) const {
+    Pieces pieces;
+    collect(input, pieces);
+    double* value = commands_.means<commandWidth>(pieces, pieces.commands.data(), values.data());
+    value = wheelMeans(pieces, value);
+    for (const NetworkInput& other : others_) {
+        if (other.quantity == Quantity::velocityV) *value = input.velocity.v;
+        if (other.quantity == Quantity::velocityW) *value = input.velocity.w;
+        if (other.quantity == Quantity::robot)
+            *value = robot < 0 ? other.mean : robots_[std::size_t(robot)] == other.robot;
+        ++value;
     }
 }
 
 void InputReader::readRaw(const MotionInput& input, int robot, double* row) const {
-    Pieces pieces;
-    collect(input, pieces);
-    for (const Bin& bin : bins_) readBin(bin, pieces, row);
-    for (const std::size_t i : others_) {
-        if (inputs_[i].quantity == Quantity::velocityV) row[i] = input.velocity.v;
-        if (inputs_[i].quantity == Quantity::velocityW) row[i] = input.velocity.w;
-        if (inputs_[i].quantity == Quantity::robot)
-            row[i] = robot < 0 ? inputs_[i].mean : robots_[std::size_t(robot)] == inputs_[i].robot;
-    }
+    Values values;
+    compute(input, robot, values);
+    for (std::size_t i = 0; i < places_.size(); ++i) row[i] = values[places_[i]];
 }
 
 void InputReader::read(const MotionInput& input, int robot, float* row) const {
-    std::array<double, MotionNetwork::maxInputs> raw;
-    readRaw(input, robot, raw.data());
-    for (std::size_t i = 0; i < inputs_.size(); ++i)
-        row[i] = static_cast<float>((raw[i] - inputs_[i].mean) * inverseScales_[i]);
+    Values values;
+    compute(input, robot, values);
+    for (std::size_t i = 0; i < places_.size(); ++i)
+        row[i] = static_cast<float>((values[places_[i]] - means_[i]) * inverseScales_[i]);
 }
 
 }  // namespace mrose

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "motion/motion_model.h"
@@ -18,7 +20,7 @@ public:
     std::size_t width() const { return inputs_.size(); }
 
     /// How far before a period's start it reads commands.
-    Nanoseconds memory() const { return fromSeconds(oldestAge_); }
+    Nanoseconds memory() const { return fromSeconds(std::max(commands_.oldest(), wheels_.oldest())); }
 
     /// Index of a robot by its name, -1 for one that the network was not learned from.
     int robotIndex(const std::string& name) const;
@@ -30,36 +32,53 @@ public:
     void readRaw(const MotionInput& input, int robot, double* row) const;
 
 private:
-    static constexpr std::size_t quantities = 9;  ///< those made from commands: commandV ... forwardCosine
+    static constexpr std::size_t commandWidth = 3, wheelWidth = 6;  ///< quantities: commandV ..., leftSine ...
     static constexpr std::size_t maxPieces = CommandHistory::capacity + 1;
 
     /// The history as pieces of constant command, newest first: piece i covers ages [ages[i], ages[i + 1]) seconds.
     struct Pieces {
-        std::size_t count = 0;
         std::array<double, maxPieces + 1> ages;
-        std::array<std::array<double, maxPieces>, quantities> values;
+        std::array<double, maxPieces * commandWidth> commands;  ///< [piece][quantity]
     };
-    /// A part of the history, and the inputs that are means over it.
-    struct Bin {
-        double newest, oldest;  ///< s
-        struct Member {
-            std::size_t input, quantity;
-        };
-        std::vector<Member> members;
-    };
+    /// The parts of the history that inputs are means over, for quantities that are computed together.
+    class Bins {
+    public:
+        Bins(const std::vector<NetworkInput>& inputs, NetworkInput::Quantity first, NetworkInput::Quantity last);
 
+        std::size_t size() const { return bins_.size(); }
+        double oldest() const { return oldest_; }              ///< s: nothing older is read
+        std::size_t indexOf(const NetworkInput& input) const;  ///< size() if it has no bin
+
+        /// The first of the pieces that are read, and the one after the last.
+        std::pair<std::size_t, std::size_t> reach(const Pieces& pieces) const;
+
+        /// Writes means [bin][quantity] of values [piece][quantity]; returns their end.
+        template <std::size_t Width>
+        double* means(const Pieces& pieces, const double* values, double* means) const;
+
+    private:
+        struct Bin {
+            double newest, oldest;  ///< s
+            double perLength;       ///< 1/s
+        };
+        std::vector<Bin> bins_;  ///< by `newest`
+        double oldest_ = 0;
+    };
+    /// What the inputs are picked from: the means of both kinds of bins, then the inputs not made from commands.
+    using Values = std::array<double, wheelWidth * MotionNetwork::maxInputs>;
+
+    void compute(const MotionInput& input, int robot, Values& values) const;
     void collect(const MotionInput& input, Pieces& pieces) const;
-    void addWheelPhases(Pieces& pieces) const;
-    static void readBin(const Bin& bin, const Pieces& pieces, double* row);
-    std::vector<NetworkInput> inputs_;
+    double* wheelMeans(const Pieces& pieces, double* means) const;
+
+    std::vector<NetworkInput> inputs_, others_;  ///< the others are not made from commands
     std::vector<std::string> robots_;
-    std::vector<Bin> bins_;
-    std::vector<std::size_t> others_;  ///< inputs that are not made from commands
-    std::vector<double> inverseScales_;
-    MotionNetwork::WheelPhase wheelPhase_;
+    Bins commands_, wheels_;
+    std::vector<std::size_t> places_;  ///< of the inputs among the values
+    std::vector<double> means_, inverseScales_;
+    double halfTrack_;   ///< m
+    double perQuantum_;  ///< s/m, of the wheels' speeds
     double turnOffset_;
-    double oldestAge_;  ///< s: nothing older is read
-    bool readsWheels_ = false;
 };
 
 }  // namespace mrose

@@ -138,7 +138,6 @@ struct MotionNetwork {
     };
     HeldOut heldOut;
 
-    int outputCount() const { return form == Form::state ? 5 : 7; }
     bool operator==(const MotionNetwork&) const = default;
 };
 

@@ -15,7 +15,7 @@ class PluginProcess;
 struct IsolationOptions {
     /// The program and the arguments that serve a plug-in (plugin_host.h); the number of its socket is added.
     std::vector<std::string> words;
-    double limit = 1;         ///< s, for each decision
+    double limit = 1;          ///< s, for each decision
     double loadingLimit = 10;  ///< s
 };
 
@@ -35,7 +35,7 @@ public:
 
 private:
     friend Expected<std::shared_ptr<const IsolatedController>> isolatePlugin(const std::string&, const std::string&,
-                                                                            const IsolationOptions&);
+                                                                             const IsolationOptions&);
     using Failure = std::string;
     IsolatedController(std::string path, std::string options, IsolationOptions isolation);
     Expected<std::string> open() const;

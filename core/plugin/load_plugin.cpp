@@ -58,9 +58,12 @@ std::string misfit(const PluginDescriptor& theirs) {
     const struct {
         const char* name;
         std::uint32_t PluginLayout::*size;
-    } parts[] = {{"Observation", &PluginLayout::observation}, {"SeenBody", &PluginLayout::seenBody},
-                 {"Decision", &PluginLayout::decision},       {"Annotation", &PluginLayout::annotation},
-                 {"Kick", &PluginLayout::kick},               {"StampedCommand", &PluginLayout::stampedCommand}};
+    } parts[] = {{"Observation", &PluginLayout::observation},
+                 {"SeenBody", &PluginLayout::seenBody},
+                 {"Decision", &PluginLayout::decision},
+                 {"Annotation", &PluginLayout::annotation},
+                 {"Kick", &PluginLayout::kick},
+                 {"StampedCommand", &PluginLayout::stampedCommand}};
     for (const auto& [name, size] : parts)
         if (theirs.layout.*size != ours.*size) return sizeCause(name, theirs.layout.*size, ours.*size);
     return "";

@@ -39,8 +39,8 @@ private:
     std::vector<std::byte> startMemory_;  ///< of the plug-in itself
 };
 
-/// Loads the plug-in at `path` and makes one controller of it, with the TOML text `options`. Error: file `path` and what
-/// is wrong: there is none, it is no plug-in, it was built for another interface or standard library, or its
+/// Loads the plug-in at `path` and makes one controller of it, with the TOML text `options`. Error: file `path` and
+/// what is wrong: there is none, it is no plug-in, it was built for another interface or standard library, or its
 /// controller's construction threw. Where it is an option, the error's key is the option's name.
 Expected<std::shared_ptr<const PluginController>> loadPlugin(const std::string& path, const std::string& options);
 

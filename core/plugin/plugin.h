@@ -74,8 +74,8 @@ constexpr PluginDescriptor describePlugin() {
 }  // namespace mrose
 
 /// Stands once in a plug-in, outside all namespaces.
-#define MROSE_PLUGIN(Type)                                                                      \
-    extern "C" {                                                                                \
-    extern const mrose::PluginDescriptor mrosePlugin __attribute__((visibility("default")));    \
-    constinit const mrose::PluginDescriptor mrosePlugin = mrose::describePlugin<Type>();        \
+#define MROSE_PLUGIN(Type)                                                                   \
+    extern "C" {                                                                             \
+    extern const mrose::PluginDescriptor mrosePlugin __attribute__((visibility("default"))); \
+    constinit const mrose::PluginDescriptor mrosePlugin = mrose::describePlugin<Type>();     \
     }

@@ -1,11 +1,12 @@
 #include "scenario/controller_file.h"
 
-#include <algorithm>
+#include <array>
 
 #include "behaviour/chase_ball.h"
 #include "behaviour/command_player.h"
 #include "behaviour/go_to_pose.h"
 #include "behaviour/wander.h"
+#include "scenario/ball_contact.h"
 #include "scenario/description_reader.h"
 #include "scenario/log_excerpt.h"
 
@@ -70,18 +71,6 @@ ControllerSetting logPlayer(const Context& context) {
     return {std::make_shared<CommandPlayer>(std::move(content->commands)), content->start};
 }
 
-/// The distance ahead of the reference point at which a ball on the robot's middle line meets it.
-double frontOf(const Shape& shape, double ballRadius) {
-    double touches = 0, clear = shape.reach + ballRadius + 0.001;
-    for (int i = 0; i < 40; ++i) {
-        const double middle = (touches + clear) / 2;
-        const ConvexPiece ball = ConvexPiece::circle({middle, 0}, ballRadius);
-        const auto meets = [&](const ConvexPiece& piece) { return distance(ball, piece) < 0; };
-        (std::any_of(shape.pieces.begin(), shape.pieces.end(), meets) ? touches : clear) = middle;
-    }
-    return clear - ballRadius;
-}
-
 ControllerSetting goToPose(const Context& context) {
     GoToPose::Options options;
     TomlTable& table = context.table;
@@ -106,7 +95,8 @@ ControllerSetting chaseBall(const Context& context) {
     options.rotation = angleOr(table, "rotation_degps", options.rotation, rotations);
     options.kicks = table.booleanOr("kicks", options.kicks);
     if (context.driven.ballRadius > 0) options.ballRadius = context.driven.ballRadius;
-    options.front = frontOf(*context.driven.robot.type.shape, options.ballRadius);
+    if (const double front = ballContact(*context.driven.robot.type.shape, options.ballRadius); front > 0)
+        options.front = front;
     options.deadTime = table.numberOr("dead_time_s", context.driven.robot.deadTime, deadTimes);
     return {std::make_shared<ChaseBall>(options), std::nullopt};
 }

@@ -33,7 +33,7 @@ struct ScenarioParts {
     std::uint64_t seed = 1;
     Nanoseconds duration = 60 * nanosecondsPerSecond;  ///< of a run for which nobody asks another one
     Variation variation;
-    bool kickOff = true;                               ///< after a goal the ball lies at its start again
+    bool kickOff = true;  ///< after a goal the ball lies at its start again
 };
 
 /// All that is constant in a run, with what is told from it once: where in the state each robot's commands and memory

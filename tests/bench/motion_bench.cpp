@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::size_t robots = 1024;
 
-/// Robots that are sent a new command every 100 ms, as a control program does, not in step with each other.
+/// Robots that are sent a new command every 100 ms, as a control program does, but not in step with each other: at the
+/// instant of the prediction the newest commands are 0 to 100 ms old.
 struct Traffic {
     std::vector<CommandHistory> histories{robots};
     std::vector<MotionInput> inputs;
@@ -23,7 +24,7 @@ struct Traffic {
             for (int i = 0; i < 30; ++i)
                 histories[r].issue(phase + i * 100'000'000LL,
                                    {0.1 * uniformNoise({1, i, r, 0}), 0.4 * normalNoise({1, i, r, 1})});
-            inputs.push_back({&histories[r], phase + 2'950'000'000LL, {0.05, 0.1}, Velocity{0.05, 0.1}});
+            inputs.push_back({&histories[r], 3'000'000'000LL, {0.05, 0.1}, Velocity{0.05, 0.1}});
         }
     }
 };

@@ -75,6 +75,24 @@ TEST_F(BadInput, LogTooShortForAWindowIsRefused) {
     EXPECT_FALSE(std::filesystem::exists(path("b.net")));
 }
 
+TEST_F(BadInput, LogGivenTwiceIsNotLearnedFromAndHeldOutAtOnce) {
+    const std::string copy = write("copy.csv", plantedCsv());
+    auto words = trainWords(path("b.net"));
+    words.push_back(copy);
+    expectOneLine(runMrose(words), {copy + ": ", "twice", log()});
+    EXPECT_FALSE(std::filesystem::exists(path("b.net")));
+}
+
+TEST_F(BadInput, LogsOfDifferentKindsOfRobotMakeNoNetwork) {
+    write("real/Robot1_Odometry.dat", "# command\n0.0 0.1 0.0\n0.1 0.1 0.0\n");
+    write("real/Robot1_Groundtruth.dat", "# truth\n0.0 0 0 0\n0.1 0.01 0 0\n");
+    const std::string synthetic = write("synthetic.csv", "# synthetic\n" + plantedCsv());
+    auto words = trainWords(synthetic, path("b.net"));
+    words.push_back(path("real"));
+    expectOneLine(runMrose(words), {path("real") + ": ", "another kind of robot", synthetic});
+    EXPECT_FALSE(std::filesystem::exists(path("b.net")));
+}
+
 TEST_F(BadInput, UnknownRobotIsNamed) {
     const std::string net = network();
     for (const std::vector<std::string>& words :
@@ -127,6 +145,15 @@ TEST_F(BadInput, NetworkForAnotherPeriodIsRefused) {
                   {"b.net: ", "0.07"});
     EXPECT_EQ(read("p.csv"), "earlier");
     EXPECT_FALSE(std::filesystem::exists(path("report")));
+}
+
+TEST_F(BadInput, HorizonBetweenTwoStepsIsRefused) {
+    const std::string net = network();
+    expectOneLine(runMrose({"evaluate", net, "--log", log(), "--horizon", "0.55"}), {"horizon: 0.55 s", "0.1 s"});
+    expectOneLine(
+        runMrose({"predict", net, "--log", log(), "--windows", windows(), "-o", path("p.csv"), "--horizon", "0.55"}),
+        {"horizon: 0.55 s", "0.1 s"});
+    EXPECT_FALSE(std::filesystem::exists(path("p.csv")));
 }
 
 TEST_F(BadInput, WindowsFileErrorsNameLineAndColumn) {

@@ -37,8 +37,11 @@ TEST_F(Output, PlacesThatCannotBeWrittenAreNamedBeforeAnyWork) {
         expectOneLine(runMrose({"predict", net, "--log", log(), "--windows", windows(), "-o", out}),
                       {out + ": ", cause});
     }
-    expectOneLine(runMrose({"evaluate", net, "--log", log(), "--quiet", "--report", path("log.csv")}),
-                  {path("log.csv") + ": "});
+    for (const std::string folder : {"log.csv", "log.csv/report"})
+        expectOneLine(runMrose({"evaluate", path("none"), "--log", path("none"), "--report", path(folder)}),
+                      {path(folder) + ": ", "log.csv is no folder"});
+    expectOneLine(runMrose({"evaluate", path("none"), "--log", path("none"), "--report", "/proc/report"}),
+                  {"/proc/report: cannot be written: "});
     EXPECT_EQ(listing(), before);
     EXPECT_TRUE(std::filesystem::is_fifo(path("pipe"))) << "neither it nor a device is ever replaced";
 }

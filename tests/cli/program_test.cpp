@@ -46,7 +46,27 @@ TEST_F(Program, WrongUsageIsOneLineAndStatusTwo) {
     expectOneLine(runMrose({"train", log()}), {"--output", "required"}, 2);
     expectOneLine(runMrose({"inspect", log(), "--threads", "many"}), {"--threads", "many"}, 2);
     expectOneLine(runMrose({"inspect", log(), "--colour"}), {"--colour"}, 2);
+    expectOneLine(runMrose({"inspect", log(), "--seed", "-1"}), {"--seed", "-1"}, 2);
     expectOneLine(runMrose({"train", log(), "-o", path("x"), "--method", "lm"}), {"--method lm", "one-step"}, 2);
+    EXPECT_EQ(listing(), std::vector<std::string>{"log.csv"});
+}
+
+TEST_F(Program, NoNumberIsNoValueOfAnyFlag) {
+    auto training = trainWords(path("x.net")), evaluation = std::vector<std::string>{"evaluate", "a", "--log", "b"},
+         prediction = std::vector<std::string>{"predict", "a", "--log", "b", "--windows", "c", "-o", path("x")},
+         generation = std::vector<std::string>{"generate", "--course", "random", "-o", path("x")};
+    for (const auto& [words, flags] :
+         {std::pair{training,
+                    std::vector<std::string>{"--hold-out", "--dead-time-v", "--dead-time-w", "--lag-v", "--lag-w"}},
+          std::pair{evaluation, std::vector<std::string>{"--horizon"}},
+          std::pair{prediction, std::vector<std::string>{"--horizon"}},
+          std::pair{generation, std::vector<std::string>{"--duration"}}})
+        for (const std::string& flag : flags)
+            for (const char* value : {"nan", "-nan", "inf"}) {
+                auto all = words;
+                all.insert(all.end(), {flag + '=' + value});
+                expectOneLine(runMrose(all), {flag, value}, 2);
+            }
     EXPECT_EQ(listing(), std::vector<std::string>{"log.csv"});
 }
 
@@ -87,10 +107,77 @@ TEST_F(Program, TrainedNetworkIsEvaluatedAndReported) {
     EXPECT_GT(linesOf(read("reports/first/results.csv")).size(), 5u);
     const std::vector<std::string> names = listing();
     EXPECT_EQ(std::count_if(names.begin(), names.end(), [](const auto& name) { return name.starts_with("reports"); }),
-              5)
-        << "the folders reports and reports/first with three files";
+              6)
+        << "the folders reports and reports/first with four files";
     const ProgramResult text = runMrose({"evaluate", net, "--log", log()});
     EXPECT_NE(text.out.find("velocity = command"), std::string::npos) << text.out;
+}
+
+TEST_F(Program, NetworkJudgedByItsOwnLogSaysSo) {
+    const std::string sentence = "learned from this log";
+    const std::string other = write("other.csv", plantedCsv() + "# other bytes\n");
+    const ProgramResult own = runMrose({"evaluate", network(), "--log", log(), "--report", path("own")});
+    EXPECT_NE(own.out.find("Note: The network was " + sentence), std::string::npos) << own.out;
+    EXPECT_NE(read("own/report.html").find(sentence), std::string::npos);
+    const ProgramResult foreign = runMrose({"evaluate", network(), "--log", other, "--report", path("foreign")});
+    EXPECT_EQ(foreign.status, 0);
+    EXPECT_EQ(foreign.out.find("Note:"), std::string::npos) << foreign.out;
+    EXPECT_EQ(read("foreign/report.html").find(sentence), std::string::npos);
+}
+
+TEST_F(Program, RobotsThatTheNetworkDoesNotKnowAreNamed) {
+    std::string text = plantedCsv();
+    for (std::size_t at = 0; (at = text.find("planted,", at)) != std::string::npos;) text.replace(at, 8, "newcomer,");
+    const std::string other = write("other.csv", text);
+    const ProgramResult shown = runMrose({"evaluate", network(), "--log", other, "--json", "--no-floor"});
+    ASSERT_EQ(shown.status, 0) << shown.err;
+    const Json notices = Json::parse(shown.out, nullptr, false)["notices"];
+    ASSERT_EQ(notices.size(), 1u);
+    EXPECT_NE(notices[0].get<std::string>().find("newcomer"), std::string::npos) << notices;
+    write("create.net", replaced(read("a.net"), "robot_type = \"robot\"", "robot_type = \"husky\""));
+    write("synthetic.csv", "# synthetic\n" + plantedCsv());
+    const ProgramResult kind = runMrose({"evaluate", path("create.net"), "--log", path("synthetic.csv"), "--no-floor"});
+    EXPECT_NE(kind.out.find("another kind of robot (husky)"), std::string::npos) << kind.out;
+}
+
+TEST_F(Program, ChosenWindowsAreShown) {
+    const std::string net = network();
+    ASSERT_EQ(runMrose({"evaluate", net, "--log", log(), "--report", path("r"), "--show", "2,4"}).status, 0);
+    const std::string html = read("r/report.html");
+    for (const char* number : {"window\u00a02 ", "window\u00a04 "})
+        EXPECT_NE(html.find(number), std::string::npos) << number;
+    EXPECT_NE(html.find("hosen"), std::string::npos);
+    expectOneLine(runMrose({"evaluate", net, "--log", log(), "--report", path("s"), "--show", "1,999"}),
+                  {"--show: ", "999"});
+    EXPECT_FALSE(std::filesystem::exists(path("s")));
+    expectOneLine(runMrose({"evaluate", net, "--log", log(), "--show", "1"}), {"--show", "--report"}, 2);
+}
+
+TEST_F(Program, WindowsOfAReportCanBePredicted) {
+    const std::string net = network();
+    const ProgramResult evaluated = runMrose({"evaluate", net, "--log", log(), "--report", path("r"), "--json"});
+    const std::size_t count = Json::parse(evaluated.out, nullptr, false)["windows"].size();
+    const ProgramResult predicted =
+        runMrose({"predict", net, "--log", log(), "--windows", path("r/windows.csv"), "-o", path("p.csv")});
+    ASSERT_EQ(predicted.status, 0) << predicted.err;
+    EXPECT_GT(count, 0u);
+    EXPECT_EQ(linesOf(read("p.csv")).size(), 1 + 100 * count);
+}
+
+TEST_F(Program, RobotNamedTwiceIsOneRobot) {
+    const std::vector<std::string> words{"evaluate", network(), "--log", log(), "--no-floor", "--robots"};
+    auto once = words, twice = words;
+    once.push_back("planted");
+    twice.push_back("planted,planted");
+    EXPECT_EQ(runMrose(once).out, runMrose(twice).out);
+}
+
+TEST_F(Program, InspectReportsWhatItDropped) {
+    const std::string lone = write("lone.csv", plantedCsv() + "planted,run3,1700000900,,,5,,\n");
+    const ProgramResult text = runMrose({"inspect", lone});
+    EXPECT_NE(text.out.find("found     1 value without a partner, dropped"), std::string::npos) << text.out;
+    const Json json = Json::parse(runMrose({"inspect", lone, "--json"}).out, nullptr, false);
+    EXPECT_EQ(json["robots"][0]["defects"]["unpaired"], 1);
 }
 
 TEST_F(Program, PredictWritesARowForEachWindowAndStep) {
@@ -146,6 +233,11 @@ TEST_F(Program, ProgressGoesToStandardErrorUnlessQuiet) {
     EXPECT_NE(loud.err.find("epoch 10: loss "), std::string::npos) << loud.err;
     EXPECT_NE(loud.err.find("left"), std::string::npos) << loud.err;
     EXPECT_EQ(loud.out.find("epoch 10"), std::string::npos);
+    std::vector<std::string> longer = trainWords(path("b.net"));
+    for (const auto& [flag, value] :
+         {std::pair{"--members", "4"}, std::pair{"--folds", "4"}, std::pair{"--epochs", "200"}})
+        *(std::find(longer.begin(), longer.end(), flag) + 1) = value;
+    EXPECT_LE(linesOf(runMrose(longer).err).size(), 11u) << "no terminal: a line for each tenth";
     std::vector<std::string> words = trainWords(path("b.net"));
     words.push_back("--quiet");
     const ProgramResult quiet = runMrose(words);

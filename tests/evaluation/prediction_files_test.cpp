@@ -38,15 +38,19 @@ TEST(WindowFile, IsRefusedWithFileLineAndCause) {
 
 TEST(WindowFile, WhatIsWrittenIsReadBack) {
     const Log log = logOf({obedientTrajectory(0, 60 * second, [](double) { return Command{0.1, 0.01}; })});
-    const auto windows = findWindows(log);
-    ASSERT_TRUE(windows);
-    const std::string text = windowsCsv(log, *windows);
-    EXPECT_EQ(text.substr(0, text.find('\n', 42)), "dataset,robot,t_start,path_m,rotation_rad\n0,r,3.5,1.0000,0.1000");
+    const HeldCommandModel model{second / 10};
+    const NamedModel named = NamedModel::same("model", model);
+    const auto evaluation = evaluate(log, {&named, 1}, {.withFloor = false});
+    ASSERT_TRUE(evaluation);
+    const std::string text = windowsCsv(*evaluation);
+    EXPECT_TRUE(text.starts_with(
+        "dataset,robot,t_start,path_m,rotation_rad,trajectory\n0,r,3.5,1.0000,0.1000,a\n0,r,13.5,1.0000,0.1000,a\n"))
+        << text;
     const auto back = parseWindows(text, "w");
     ASSERT_TRUE(back);
     const auto requested = requestedStarts(log, *back, 100, "w");
     ASSERT_TRUE(requested);
-    const auto direct = rolloutStarts(log, *windows);
+    const auto direct = rolloutStarts(log, evaluation->windows);
     ASSERT_EQ(requested->starts.size(), direct.size());
     for (std::size_t i = 0; i < direct.size(); ++i) {
         EXPECT_EQ(requested->starts[i].time, direct[i].time);

@@ -80,11 +80,13 @@ private:
 };
 
 TEST_P(Referee, HasTheSameWindows) {
-    const auto windows = findWindows(log_, robots_);
-    ASSERT_TRUE(windows) << windows.error().message();
+    const HeldCommandModel model{100'000'000};
+    const NamedModel named = NamedModel::same("any", model);
+    const auto evaluation = evaluate(log_, {&named, 1}, {.robots = robots_, .withFloor = false});
+    ASSERT_TRUE(evaluation) << evaluation.error().message();
     const auto theirs = ask("windows");
     ASSERT_TRUE(theirs);
-    const auto requests = parseWindows(*theirs, "referee"), ours = parseWindows(windowsCsv(log_, *windows), "ours");
+    const auto requests = parseWindows(*theirs, "referee"), ours = parseWindows(windowsCsv(*evaluation), "ours");
     ASSERT_TRUE(requests && ours);
     ASSERT_EQ(requests->size(), ours->size());
     for (std::size_t i = 0; i < ours->size(); ++i) {

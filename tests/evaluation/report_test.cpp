@@ -86,7 +86,7 @@ TEST_F(Report, IsWellFormedAndEscapesAllText) {
 TEST_F(Report, HoldsTheNumbersAndNothingUndefined) {
     const std::string html = reportHtml(evaluation_, context_);
     const Summary& all = evaluation_.models[0].all;
-    EXPECT_THAT(html, HasSubstr("<b>" + fixed(all.p, 2) + " %</b> of the path driven (P)"));
+    EXPECT_THAT(html, HasSubstr("<b>" + fixed(all.p, 2) + "\u00a0%</b> of the path driven (P)"));
     EXPECT_THAT(html, HasSubstr(fixed(evaluation_.models[1].all.p, 2)));
     EXPECT_THAT(html, HasSubstr("4711"));
     for (const char* undefined : {"nan", "NaN", "inf<", "-0.00<", "–,", "\"–\""}) {
@@ -112,6 +112,37 @@ TEST_F(Report, SaysSyntheticWhereverTheLogIs) {
     EXPECT_THAT(html, HasSubstr("synthetic data</span>"));
     EXPECT_THAT(html, HasSubstr("(synthetic)</title>"));
     EXPECT_THAT(html, HasSubstr("The log comes from a simulated robot"));
+}
+
+TEST_F(Report, NoticesComeBeforeTheNumbers) {
+    context_.notices = {"Learned from <this> log."};
+    const std::string html = reportHtml(evaluation_, context_);
+    const std::size_t notice = html.find("Learned from &lt;this&gt; log.");
+    ASSERT_NE(notice, std::string::npos);
+    EXPECT_LT(notice, html.find("class=\"lead\""));
+    EXPECT_EQ(nlohmann::json::parse(resultsJson(evaluation_, context_))["notices"][0], context_.notices[0]);
+}
+
+TEST_F(Report, NumbersWindowsAlikeEverywhere) {
+    context_.chosen = {1};
+    const std::string html = reportHtml(evaluation_, context_), start = secondsText(evaluation_.windows[1].start);
+    EXPECT_THAT(html, HasSubstr("window\u00a02 · from\u00a0" + start));
+    EXPECT_THAT(html, HasSubstr("<title>window 2, from " + start));
+    EXPECT_THAT(resultsCsv(evaluation_), HasSubstr(",2,0,r<2>,a," + start));
+    const auto json = nlohmann::json::parse(resultsJson(evaluation_, context_));
+    EXPECT_EQ(json["windows"][1]["window"], 2);
+    EXPECT_EQ(json["windows"][1]["t_start"], start);
+}
+
+TEST_F(Report, FolderIsCheckedWithoutMakingIt) {
+    const auto folder = std::filesystem::temp_directory_path() / ("mrose_check_" + std::to_string(getpid()));
+    EXPECT_TRUE(checkReportFolder(folder / "deep" / ""));
+    EXPECT_FALSE(std::filesystem::exists(folder));
+    std::filesystem::create_directories(folder / "results.csv");
+    const auto taken = checkReportFolder(folder);
+    ASSERT_FALSE(taken);
+    EXPECT_THAT(taken.error().message(), HasSubstr("results.csv: is a folder"));
+    std::filesystem::remove_all(folder);
 }
 
 TEST_F(Report, ShowsChosenWindowsOnceAndLeavesOutUnknownOnes) {
@@ -165,7 +196,24 @@ TEST_F(Report, JsonAndCsvHoldWhatWasMeasured) {
 
     const std::string csv = resultsCsv(evaluation_);
     EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), 1 + 2 * evaluation_.windows.size());
-    EXPECT_THAT(csv, HasSubstr("\n\"fast, too\",0,r<2>,a,3.5,"));
+    EXPECT_THAT(csv, HasSubstr("\n\"fast, too\",1,0,r<2>,a,3.5,"));
+}
+
+TEST_F(Report, ResultsTellSteadyWindowsAndBothPaths) {
+    evaluation_.windows[1].steady = true;
+    evaluation_.windows[1].pathBySteps += 0.5;
+    const std::string csv = resultsCsv(evaluation_);
+    const Window& w = evaluation_.windows[1];
+    const auto cells = [&](const Window& window, const std::string& steady) {
+        return ",r<2>,a," + secondsText(window.start) + "," + std::string(name(window.manoeuvre)) + "," + steady + "," +
+               fixed(window.path, 6) + "," + fixed(window.pathBySteps, 6) + ",";
+    };
+    EXPECT_THAT(csv, HasSubstr(cells(evaluation_.windows[0], "0")));
+    EXPECT_THAT(csv, HasSubstr(cells(w, "1")));
+    const auto windows = nlohmann::json::parse(resultsJson(evaluation_, context_))["windows"];
+    EXPECT_EQ(windows[0]["steady"], false);
+    EXPECT_EQ(windows[1]["steady"], true);
+    EXPECT_EQ(windows[1]["path_by_steps_m"].get<double>(), w.pathBySteps);
 }
 
 TEST(Escaped, ReplacesMarkupControlsAndBrokenUtf8) {

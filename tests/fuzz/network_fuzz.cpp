@@ -61,7 +61,6 @@ void requireStrictReads(std::string_view text) {
     TomlTable table(text, "toml");
     for (const char* key : {"a", "hidden", "inputs", "layers", "training"}) {
         table.number(key, {-1, 1});
-        table.numberOr(key, 1);
         table.integer(key, 0, 9);
         table.boolean(key);
         table.choice(key, {"x", "y"});

@@ -1,5 +1,8 @@
 #include "identification/drive_fit.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "logs/log_reader.h"
@@ -30,6 +33,19 @@ Log arcs(const DifferentialDrive& real, const DifferentialDrive& readWith, doubl
         log.robots[0].trajectories.push_back(window);
     }
     return log;
+}
+
+/// Median over motions of the position error at the end over the path, when the drive's arc is followed from the start.
+double medianEndError(const std::vector<SteadyMotion>& motions, const DifferentialDrive& drive) {
+    std::vector<double> errors;
+    for (const SteadyMotion& motion : motions) {
+        const Command body = drive.toCommand(motion.wheels.left, motion.wheels.right);
+        const Pose end = exp({body.v * motion.duration, 0, body.w * motion.duration});
+        errors.push_back(std::hypot(end.x - motion.end.x, end.y - motion.end.y) / motion.path);
+    }
+    std::sort(errors.begin(), errors.end());
+    const std::size_t half = errors.size() / 2;
+    return errors.size() % 2 == 1 ? errors[half] : (errors[half - 1] + errors[half]) / 2;
 }
 
 TEST(DriveFit, FindsThePlantedGeometryWhateverTheLogWasReadWith) {

@@ -36,8 +36,6 @@ x = 2
                     "f");
     EXPECT_EQ(table.number("n"), 1.5);
     EXPECT_EQ(table.number("whole", {3, 3}), 3);
-    EXPECT_EQ(table.numberOr("n", 9), 1.5);
-    EXPECT_EQ(table.numberOr("absent", 9), 9);
     EXPECT_EQ(table.integer("i", -7, -7), -7);
     EXPECT_TRUE(table.boolean("b"));
     EXPECT_EQ(table.string("s"), "text");

@@ -1,6 +1,7 @@
 #include "learning/mlp_inference.h"
 
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <string>
@@ -85,6 +86,13 @@ TEST(MlpInference, CarriesANonFiniteInputToTheOutputs) {
         float y[5];
         MlpInference(net, set).one(x, y);
         for (const float value : y) EXPECT_TRUE(std::isnan(value)) << name(set);
+    }
+}
+
+TEST(AlignedFloats, BeginWithACacheLine) {
+    for (const std::size_t count : {1, 5, 16, 1000, 100'000}) {
+        const AlignedFloats floats(count);
+        EXPECT_EQ(reinterpret_cast<std::uintptr_t>(floats.data()) % 64, 0u) << count;
     }
 }
 

@@ -14,20 +14,32 @@ using Quantity = NetworkInput::Quantity;
 
 constexpr Nanoseconds ms = 1'000'000;
 
-/// One input alone, not standardised.
-double readOne(Quantity quantity, double newest, double oldest, const CommandHistory& history, Nanoseconds start,
-               double turnOffset = 0) {
+constexpr Velocity velocity{0.3, -0.7};
+
+MotionNetwork readingNothing(double turnOffset = 0) {
     MotionNetwork network;
     network.robots = {"1"};
     network.wheelPhase = {0.13, 0.0084};
     network.turnOffset = turnOffset;
+    return network;
+}
+
+NetworkInput inputOf(Quantity quantity, double newest, double oldest) {
     NetworkInput input;
     input.quantity = quantity;
     input.newest = newest;
     input.oldest = oldest;
-    network.inputs = {input};
+    input.robot = "1";
+    return input;
+}
+
+/// One input alone, not standardised.
+double readOne(Quantity quantity, double newest, double oldest, const CommandHistory& history, Nanoseconds start,
+               double turnOffset = 0) {
+    MotionNetwork network = readingNothing(turnOffset);
+    network.inputs = {inputOf(quantity, newest, oldest)};
     double value = NAN;
-    InputReader(network).readRaw({&history, start, {}}, 0, &value);
+    InputReader(network).readRaw({&history, start, velocity}, 0, &value);
     return value;
 }
 
@@ -92,6 +104,36 @@ TEST(InputReader, WheelPhasesAreThoseOfTheCommandedWheelSpeeds) {
     EXPECT_NEAR(read(Quantity::rightCosine), std::cos(turn * (command.v + 0.13 * command.w)), 1e-12);
     EXPECT_NEAR(read(Quantity::forwardSine), std::sin(turn / 2 * command.v), 1e-12);
     EXPECT_NEAR(read(Quantity::forwardCosine), std::cos(turn / 2 * command.v), 1e-12);
+}
+
+TEST(InputReader, OldestCommandHoldsForeverOnceTheHistoryIsFull) {
+    CommandHistory history;
+    const int last = int(CommandHistory::capacity) + 3;
+    for (int i = 0; i <= last; ++i) history.issue(i * ms, {0.001 * i, 0});
+    const double oldest = 0.001 * 4;  // 0 to 3 are forgotten
+    EXPECT_NEAR(readOne(Quantity::commandV, 0.2, 0.3, history, last * ms), oldest, 1e-15);
+    const Command mean = history.mean((last - 200) * ms, last * ms);
+    EXPECT_NEAR(readOne(Quantity::commandV, 0, 0.2, history, last * ms), mean.v, 1e-14);
+}
+
+TEST(InputReader, ManyInputsInAnyOrderReadLikeEachAlone) {
+    constexpr std::pair<double, double> bins[] = {{0.1, 0.125}, {0, 0.05}, {0.02, 0.4}, {0.1, 0.3}, {0.05, 0.1}};
+    CommandHistory history;
+    for (int i = 0; i < 9; ++i)
+        history.issue(i * 47 * ms, {0.1 * uniformNoise({1, i, 0, 0}), normalNoise({1, i, 0, 1})});
+    MotionNetwork network = readingNothing();
+    for (int k = 0; k < 60; ++k) {
+        const auto [newest, oldest] = bins[3 * k % 5];
+        network.inputs.push_back(inputOf(static_cast<Quantity>(7 * k % 12), newest, oldest));
+    }
+    for (const Nanoseconds start : {150 * ms, 376 * ms, 400 * ms, 1000 * ms}) {
+        std::vector<double> row(network.inputs.size());
+        InputReader(network).readRaw({&history, start, velocity}, 0, row.data());
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            const NetworkInput& input = network.inputs[i];
+            EXPECT_EQ(row[i], readOne(input.quantity, input.newest, input.oldest, history, start)) << i;
+        }
+    }
 }
 
 TEST(InputReader, UnknownRobotCountsAsTheMeanOfTheKnown) {

@@ -34,7 +34,7 @@ inline MotionNetwork arbitraryNetwork(MotionNetwork::Form form) {
         add(q, 0, 0.04);
         add(q, 0.1, 0.225);
     }
-    const int outputs = n.outputCount();
+    const int outputs = n.form == MotionNetwork::Form::state ? 5 : 7;
     for (int k = 0; k < outputs; ++k) n.outputs.push_back({1e-3 * k, 0.01 * (k + 1)});
     n.mlp.shape = {int(n.inputs.size()), 13, outputs};
     for (std::size_t i = 0; i < n.mlp.shape.parameterCount(); ++i)

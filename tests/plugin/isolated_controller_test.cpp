@@ -2,9 +2,8 @@
 
 #include <cerrno>
 
-#include <sys/wait.h>
-
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 
 #include "plugin/load_plugin.h"
 #include "plugin/test_plugins.h"
@@ -41,8 +40,8 @@ TEST_F(Isolation, DecidesAsInTheProgram) {
     const std::string fast = "speed_mps = 0.9\nkicks = true\n", slow = "speed_mps = 0.2\n";
     const Scenario apart = drivenBy(
         {isolated("well_behaved", fast), isolated("well_behaved", slow), isolated("misbehaving", how("throw", 0.7))});
-    const Scenario together =
-        drivenBy({loaded("well_behaved", fast), loaded("well_behaved", slow), loaded("misbehaving", how("throw", 0.7))});
+    const Scenario together = drivenBy(
+        {loaded("well_behaved", fast), loaded("well_behaved", slow), loaded("misbehaving", how("throw", 0.7))});
     WorldState a = apart.initialState(), b = together.initialState();
     StepTrace traceA, traceB;
     StepBuffers buffers;
@@ -70,8 +69,7 @@ TEST_F(Isolation, WhatCannotBeLoadedIsSaid) {
     hasty.loadingLimit = 0.3;
     EXPECT_EQ(refusal(path, how("loop while loading"), hasty),
               path + ": its process took longer than 0.3 s while it was loaded");
-    EXPECT_EQ(refusal(path, "", {{"/none/mrose"}, 1, 1}),
-              "/none/mrose: cannot be started: No such file or directory");
+    EXPECT_EQ(refusal(path, "", {{"/none/mrose"}, 1, 1}), "/none/mrose: cannot be started: No such file or directory");
     EXPECT_EQ(refusal(path, "", {{"/bin/true"}, 1, 10}),
               path + ": its process ended with status 0 while it was loaded");
     EXPECT_EQ(refusal(path, "", {{"/bin/sh", "-c", "printf '\\003\\000\\000\\000abc' >&3", "sh"}, 1, 10}),
@@ -94,8 +92,9 @@ TEST_F(Isolation, OnlyTheRobotOfADeadPluginStops) {
                  {"loop", 0.3, "took longer than 0.3 s"},
                  {"huge answer", 60, "ended with status 0"}};
     for (const auto& [what, limit, cause] : cases) {
-        const Scenario scenario = drivenBy({isolated("well_behaved", ""), isolated("misbehaving", how(what, 0.5), limit),
-                                            isolated("well_behaved", "speed_mps = 0.1\n")});
+        const Scenario scenario =
+            drivenBy({isolated("well_behaved", ""), isolated("misbehaving", how(what, 0.5), limit),
+                      isolated("well_behaved", "speed_mps = 0.1\n")});
         WorldState state = scenario.initialState();
         const auto faults = faultsOfRun(scenario, state, 100);
         ASSERT_EQ(faults.size(), 1u) << what;

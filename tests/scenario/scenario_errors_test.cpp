@@ -24,7 +24,7 @@ TEST(ScenarioErrors, EveryMistakeNamesItsPlace) {
         {"name = \"two\"", "name = \"one\"",
          "s.toml:17:8: robot[1].name: \"one\" is the name of another robot, person or object too"},
         {"name = \"ball\"", "name = \"three\"",
-         "s.toml:35:8: object[1].name: \"three\" is the name of another robot, person or object too"},
+         "s.toml:24:8: person[0].name: \"three\" is the name of another robot, person or object too"},
         {"name = \"two\"", "name = \"\"",
          "s.toml:17:8: robot[1].name: expected a name of 1 to 64 printable characters"},
         {"y_m = 0.5, heading_deg = 90", "heading_deg = 90", "s.toml:13:9: robot[0].start.y_m: is missing"},

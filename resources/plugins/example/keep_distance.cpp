@@ -14,8 +14,8 @@ public:
         if (speed_ <= 0) options.reject("speed_mps", "expected more than 0");
     }
 
-    // All that it remembers is here, never in members or static variables: mrose saves it with the world and puts it back
-    // when somebody goes back in time.
+    // All that it remembers is here, never in members or static variables: mrose saves it with the world and puts it
+    // back when somebody goes back in time.
     struct Memory {
         mrose::Point ball;      // where the ball was seen last, in the world
         std::int64_t seen = 0;  // how often

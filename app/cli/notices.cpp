@@ -1,0 +1,53 @@
+#include "notices.h"
+
+#include <algorithm>
+
+#include "common.h"
+
+namespace mrose::cli {
+namespace {
+
+std::string listOf(const std::vector<std::string>& names) {
+    std::string text = names.size() == 1 ? "robot " : "robots ";
+    for (std::size_t i = 0; i < names.size(); ++i) text += (i == 0 ? "" : ", ") + names[i];
+    return text;
+}
+
+std::string ofOtherKind(const MotionNetwork& network, const Log& log) {
+    const std::string kind = robotKind(log);
+    if (kind.empty() || network.robotType == "robot" || kind == network.robotType) return {};
+    return "The network is of another kind of robot (" + network.robotType + ") than the log (" + kind +
+           "): its predictions mean little.";
+}
+
+std::string ofUnknownRobots(const MotionNetwork& network, const Log& log) {
+    std::vector<std::string> unknown;
+    for (const RobotLog& robot : log.robots)
+        if (std::find(network.robots.begin(), network.robots.end(), robot.robot) == network.robots.end())
+            unknown.push_back(robot.robot);
+    if (unknown.empty() || network.robots.empty()) return {};
+    return "The network was not learned from " + listOf(unknown) +
+           (network.robots.size() == 1 ? ", which it takes for " : ", which it takes for the mean of ") +
+           listOf(network.robots) + '.';
+}
+
+std::string ofKnownLog(const MotionNetwork& network, const Log& log) {
+    const auto& known = network.training.logs;
+    const auto isKnown = [&](const LogFile& file) {
+        return std::any_of(known.begin(), known.end(), [&](const auto& source) { return source.hash == file.hash; });
+    };
+    if (std::none_of(log.files.begin(), log.files.end(), isKnown)) return {};
+    return std::string("The network was learned from this log: on another one its errors are larger.") +
+           (network.heldOut.groups.holdsAny() ? " --held-out judges it by what was kept from learning." : "");
+}
+
+}  // namespace
+
+std::vector<std::string> noticesOf(const MotionNetwork& network, const Log& log, bool heldOutOnly) {
+    std::vector<std::string> notices{ofOtherKind(network, log), ofUnknownRobots(network, log)};
+    if (!heldOutOnly) notices.push_back(ofKnownLog(network, log));
+    std::erase(notices, std::string());
+    return notices;
+}
+
+}  // namespace mrose::cli

@@ -1,0 +1,120 @@
+// Recordings whose writing does not go as it should: a full disk, a kill.
+#include <csignal>
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "io/file.h"
+#include "recording/playback.h"
+#include "recording/recording_fixture.h"
+#include "world/state_difference.h"
+
+namespace mrose {
+namespace {
+
+/// As long as it lives no file grows beyond `bytes`.
+class FullDisk {
+public:
+    explicit FullDisk(rlim_t bytes) {
+        ::getrlimit(RLIMIT_FSIZE, &before_);
+        handler_ = ::signal(SIGXFSZ, SIG_IGN);
+        const rlimit limit{bytes, before_.rlim_max};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    FullDisk(const FullDisk&) = delete;
+    FullDisk& operator=(const FullDisk&) = delete;
+    ~FullDisk() {
+        ::setrlimit(RLIMIT_FSIZE, &before_);
+        ::signal(SIGXFSZ, handler_);
+    }
+
+private:
+    rlimit before_{};
+    sighandler_t handler_ = SIG_DFL;
+};
+
+TEST_F(RecordingFile, FullDiskLeavesWhatWasWrittenWhole) {
+    const std::uintmax_t whole = std::filesystem::file_size(record());
+    std::int64_t last = -1;
+    for (std::uintmax_t room = 0; room < whole; room += whole / 37) {
+        const std::filesystem::path path = folder.path() / ("full_" + std::to_string(room));
+        Expected<void> closed;
+        {
+            const FullDisk full(room);
+            auto writer = RecordingWriter::create(path, scenario, run.states.front(), descriptions, "", {true, 40});
+            if (!writer) {
+                EXPECT_EQ(last, -1) << "there was room when there was less";
+                EXPECT_NE(writer.error().message().find(path.string() + ": cannot be written"), std::string::npos);
+                continue;
+            }
+            for (std::size_t i = 0; i < run.traces.size(); ++i) writer->add(run.states[i + 1], run.traces[i]);
+            closed = writer->close();
+            EXPECT_EQ(writer->state().has_value(), closed.has_value());
+        }
+        if (closed) break;  // without the branch there is room for all
+        EXPECT_NE(closed.error().message().find("cannot be written"), std::string::npos);
+        EXPECT_LE(std::filesystem::file_size(path), room);
+        const auto recording = openRecording(path);
+        ASSERT_TRUE(recording) << recording.error().message();
+        ASSERT_EQ(recording->damage.size(), 1u);
+        // Cut back to whole records: it ends where the next record would begin.
+        EXPECT_EQ(recording->damage[0], "it is cut off at byte " + std::to_string(std::filesystem::file_size(path)) +
+                                            " of " + std::to_string(std::filesystem::file_size(path)));
+        const Timeline& timeline = recording->branches[0].timeline;
+        EXPECT_GE(timeline.last(), last);
+        last = timeline.last();
+        EXPECT_FALSE(firstDifference(run.states[static_cast<std::size_t>(last)],
+                                     Playback(scenario).reach(timeline, last)->state));
+    }
+    EXPECT_EQ(last, ticks);
+}
+
+TEST_F(RecordingFile, KilledProgramLeavesWhatItFlushed) {
+    const std::filesystem::path path = folder.path() / "killed.mcap";
+    const pid_t child = ::fork();
+    if (child == 0) {
+        auto writer = RecordingWriter::create(path, scenario, run.states.front(), descriptions);
+        for (std::size_t i = 0; i < 150; ++i) {
+            writer->add(run.states[i + 1], run.traces[i]);
+            if (i % 50 == 40) writer->flush();
+        }
+        ::kill(::getpid(), SIGKILL);
+        ::_exit(0);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFSIGNALED(status));
+    const auto recording = openRecording(path);
+    ASSERT_TRUE(recording) << recording.error().message();
+    EXPECT_EQ(recording->damage.size(), 1u);
+    EXPECT_EQ(recording->header.descriptions, descriptions);
+    EXPECT_EQ(recording->branches[0].timeline.last(), 141);
+    expectStates(recording->branches[0].timeline, run);
+}
+
+TEST_F(RecordingFile, RecordingDoesNotChangeTheRun) {
+    auto writer = RecordingWriter::create(folder.path() / "a.mcap", scenario, run.states.front());
+    ASSERT_TRUE(writer);
+    WorldState state = scenario.initialState();
+    StepBuffers buffers;
+    StepTrace trace;
+    for (std::int64_t i = 0; i < ticks; ++i) {
+        step(scenario, state, buffers, {}, &trace);
+        writer->add(state, trace);
+    }
+    WorldState without = scenario.initialState();
+    for (std::int64_t i = 0; i < ticks; ++i) step(scenario, without, buffers);
+    EXPECT_FALSE(firstDifference(state, without));
+    EXPECT_FALSE(firstDifference(state, run.states.back()));
+    // The same run gives the same file.
+    ASSERT_TRUE(writer->close());
+    auto again = RecordingWriter::create(folder.path() / "b.mcap", scenario, run.states.front());
+    for (std::size_t i = 0; i < run.traces.size(); ++i) again->add(run.states[i + 1], run.traces[i]);
+    ASSERT_TRUE(again->close());
+    EXPECT_EQ(*readFile(folder.path() / "a.mcap"), *readFile(folder.path() / "b.mcap"));
+}
+
+}  // namespace
+}  // namespace mrose
