@@ -10,7 +10,15 @@ target_compile_options(mrose_flags INTERFACE
   # A fused multiply-add rounds once where two instructions round twice: what feeds the state must not depend on it.
   -ffp-contract=off)
 
+# In a unit of many files a local name may hide another file's; the release build, file by file, tells real shadows.
+if(CMAKE_UNITY_BUILD)
+  target_compile_options(mrose_flags INTERFACE -Wno-shadow)
+endif()
+
 if(MROSE_SANITIZE)
   target_compile_options(mrose_flags INTERFACE -fsanitize=${MROSE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(mrose_flags INTERFACE -fsanitize=${MROSE_SANITIZE})
+  if(MROSE_SANITIZE MATCHES "thread")
+    target_compile_definitions(mrose_flags INTERFACE MROSE_THREAD_SANITIZER)
+  endif()
 endif()

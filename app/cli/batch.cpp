@@ -9,7 +9,7 @@
 namespace mrose::cli {
 namespace {
 
-struct Flags {
+struct BatchCommandFlags {
     RunFlags run;
     std::uint32_t trials = 100;
     std::string seeds, out;
@@ -37,7 +37,7 @@ std::string progressText(std::int64_t done, std::int64_t all, double seconds, st
            durationText(each * static_cast<double>(all - done)) + " left";
 }
 
-int runAll(const Flags& flags, const CommonFlags& common) {
+int runAll(const BatchCommandFlags& flags, const CommonFlags& common) {
     BatchOptions options;
     if (!parseSeeds(flags.seeds, options)) {
         std::fprintf(stderr, "mrose: --seeds: %s; expected one seed or a range: 1..20\n", flags.seeds.c_str());
@@ -89,7 +89,7 @@ int runAll(const Flags& flags, const CommonFlags& common) {
 }  // namespace
 
 Subcommand addBatch(CLI::App& app, CommonFlags& common) {
-    auto flags = std::make_shared<Flags>();
+    auto flags = std::make_shared<BatchCommandFlags>();
     CLI::App* sub = addSubcommand(
         app, common, "batch", "Run many trials of a scenario, one row of results each",
         "  mrose batch soccer.toml --trials 1000 -o games\n"

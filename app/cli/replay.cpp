@@ -9,7 +9,7 @@
 namespace mrose::cli {
 namespace {
 
-struct Flags {
+struct ReplayCommandFlags {
     std::string recording;
     bool decide = false;
     PluginFlags plugins;
@@ -17,7 +17,7 @@ struct Flags {
 
 /// The recorded scenario, from the texts in the recording. Without its controllers their stand-ins keep the states'
 /// layout.
-Expected<Scenario> recordedScenario(const Recording& recording, const Flags& flags) {
+Expected<Scenario> recordedScenario(const Recording& recording, const ReplayCommandFlags& flags) {
     KeptDescriptions source(recording.header.descriptions.texts);
     auto loaded = loadScenario(recording.header.descriptions.scenario, source,
                                {flags.decide ? pluginLoader(flags.plugins) : PluginLoader()});
@@ -35,7 +35,7 @@ void sayNotes(const Recording& recording) {
         std::fprintf(stderr, "mrose: %s\n", sentence.c_str());
 }
 
-int replayRecording(const Flags& flags, const CommonFlags& common) {
+int replayRecording(const ReplayCommandFlags& flags, const CommonFlags& common) {
     const auto recording = openRecording(flags.recording);
     if (!recording) return report(recording.error(), flags.recording);
     sayNotes(*recording);
@@ -78,7 +78,7 @@ int replayRecording(const Flags& flags, const CommonFlags& common) {
 }  // namespace
 
 Subcommand addReplay(CLI::App& app, CommonFlags& common) {
-    auto flags = std::make_shared<Flags>();
+    auto flags = std::make_shared<ReplayCommandFlags>();
     CLI::App* sub = addSubcommand(app, common, "replay", "Run a recording again and compare every tick",
                                   "  mrose replay game.mcap\n"
                                   "  mrose replay game.mcap --decide\n"

@@ -13,7 +13,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-struct Flags {
+struct RunCommandFlags {
     RunFlags run;
     std::string record;
     double speed = 0;
@@ -23,7 +23,7 @@ struct Flags {
 /// Keeps a run at a speed, writes its recording and shows how far it is.
 class Conductor {
 public:
-    Conductor(const Flags& flags, const CommonFlags& common, const Scenario& scenario, std::int64_t ticks)
+    Conductor(const RunCommandFlags& flags, const CommonFlags& common, const Scenario& scenario, std::int64_t ticks)
         : flags_(flags), line_(common.quiet), tick_(toSeconds(scenario.scene().tickLength)), ticks_(ticks) {}
 
     Expected<void> record(const OpenScenario& open, const WorldState& initial) {
@@ -79,7 +79,7 @@ private:
         line_.show(text);
     }
 
-    const Flags& flags_;
+    const RunCommandFlags& flags_;
     ProgressLine line_;
     double tick_;
     std::int64_t ticks_;
@@ -88,7 +88,7 @@ private:
     Clock::time_point began_ = Clock::now(), nextShown_ = began_ + std::chrono::seconds(1);
 };
 
-void print(const Scenario& scenario, const Flags& flags, const CommonFlags& common, const RunResult& result,
+void print(const Scenario& scenario, const RunCommandFlags& flags, const CommonFlags& common, const RunResult& result,
            double wall) {
     const double simulated = toSeconds(result.state.tick * scenario.scene().tickLength);
     const std::string hash = hexadecimal(hashOf(result.state).world);
@@ -120,7 +120,7 @@ Error hiddenError(const Scenario& scenario, const RewindDifference& hidden, std:
     return {"", 0, 0, "", "tick " + std::to_string(tick - 1) + " cannot be taken back: " + who + hidden.what};
 }
 
-int runScenario(const Flags& flags, const CommonFlags& common) {
+int runScenario(const RunCommandFlags& flags, const CommonFlags& common) {
     const auto open = openScenario(flags.run.scenario, flags.run.trial, flags.run.log, flags.run.plugins);
     if (!open) return report(open.error());
     const Scenario& scenario = *open->scenario;
@@ -152,7 +152,7 @@ int runScenario(const Flags& flags, const CommonFlags& common) {
 }  // namespace
 
 Subcommand addRun(CLI::App& app, CommonFlags& common) {
-    auto flags = std::make_shared<Flags>();
+    auto flags = std::make_shared<RunCommandFlags>();
     CLI::App* sub = addSubcommand(app, common, "run", "Run a scenario without a window",
                                   "  mrose run soccer.toml\n"
                                   "  mrose run soccer.toml --seed 7 --duration 600 --record game.mcap\n"

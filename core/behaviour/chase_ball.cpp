@@ -101,7 +101,7 @@ Command ChaseBall::chase(const Observation& observation, Memory& memory, Decisio
     }
     const Command intended = driveTowards(Placement(ahead).placeBack(memory.aim), limits());
     if (memory.phase != goingBehind) return intended;
-    const double reach = std::min(0.8, distance(position(ahead), ball));
+    const double reach = std::min(1.2, distance(position(ahead), ball));
     return evading(intended, evade(observation.robots, memory.motion, options_.deadTime, reach), limits());
 }
 

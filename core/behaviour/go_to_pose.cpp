@@ -11,12 +11,14 @@
 namespace mrose {
 namespace {
 
-enum Phase : std::int64_t { approaching, aligning, resting, backingOff };
-constexpr std::array phaseNames{"approaching", "aligning", "resting", "backing off"};
+struct Going {
+    enum Phase : std::int64_t { approaching, aligning, resting, backingOff };
+    static constexpr std::array names{"approaching", "aligning", "resting", "backing off"};
+};
 
-constexpr double alignGain = 2;   // 1/s
-constexpr double turnAway = 0.6;  // rad, after backing off
-constexpr double unsure = 4;      // standard deviations of its belief, before it leaves where it has arrived
+constexpr double alignGain = 2;           // 1/s
+constexpr double turnAwayFromGoal = 0.6;  // rad, after backing off
+constexpr double unsure = 4;              // standard deviations of its belief, before it leaves where it has arrived
 
 }  // namespace
 
@@ -44,42 +46,44 @@ void GoToPose::updatePhase(Memory& memory, const Pose& ahead) const {
     const double off = length(line), turn = std::abs(wrapAngle(target(memory).heading - ahead.heading));
     const Placement frame(ahead);
     const double onwards = frame.rotateBack(line).x * (memory.tailFirst != 0 ? -1 : 1);
-    if (memory.phase == backingOff) memory.phase = approaching;
-    if (memory.phase != approaching && off > options_.tolerance + unsure * std::sqrt(memory.self.positionVariance))
-        memory.phase = approaching;
-    if (memory.phase == approaching && (off < options_.tolerance / 2 || (off < options_.tolerance && onwards < 0)))
-        memory.phase = aligning;
-    if (memory.phase == aligning && turn < options_.headingTolerance / 2) memory.phase = resting;
-    if (memory.phase == resting && turn > options_.headingTolerance + unsure * std::sqrt(memory.self.headingVariance))
-        memory.phase = aligning;
+    if (memory.phase == Going::backingOff) memory.phase = Going::approaching;
+    if (memory.phase != Going::approaching &&
+        off > options_.tolerance + unsure * std::sqrt(memory.self.positionVariance))
+        memory.phase = Going::approaching;
+    if (memory.phase == Going::approaching &&
+        (off < options_.tolerance / 2 || (off < options_.tolerance && onwards < 0)))
+        memory.phase = Going::aligning;
+    if (memory.phase == Going::aligning && turn < options_.headingTolerance / 2) memory.phase = Going::resting;
+    if (memory.phase == Going::resting &&
+        turn > options_.headingTolerance + unsure * std::sqrt(memory.self.headingVariance))
+        memory.phase = Going::aligning;
     // Once it goes tail first, it stays so until the target is clearly ahead, and the other way round.
-    if (memory.phase == approaching && options_.backwards && onwards < -0.2 * off) memory.tailFirst ^= 1;
+    if (memory.phase == Going::approaching && options_.backwards && onwards < -0.2 * off) memory.tailFirst ^= 1;
 }
 
 Command GoToPose::drive(const Observation& observation, Memory& memory) const {
     const DriveLimits limits{options_.speed, options_.rotation};
     if (const std::optional<Command> back = memory.backOff.update(
-            observation, memory.motion, {options_.speed, options_.rotation, options_.deadTime, turnAway})) {
-        memory.phase = backingOff;
+            observation, memory.motion, {options_.speed, options_.rotation, options_.deadTime, turnAwayFromGoal})) {
+        memory.phase = Going::backingOff;
         return *back;
     }
     const Pose ahead = memory.self.pose * memory.motion.motionDuring(options_.deadTime);
     updatePhase(memory, ahead);
-    if (memory.phase == resting) {
-        const bool standing = memory.motion.motionDuring(options_.deadTime) == Pose{} &&
-                              std::abs(observation.velocity.v) < 0.05 && std::abs(observation.velocity.w) < 0.1;
+    if (memory.phase == Going::resting) {
+        const bool standing = std::abs(observation.velocity.v) < 0.05 && std::abs(observation.velocity.w) < 0.1;
         const auto count = static_cast<std::int64_t>(options_.targets.size());
         if (standing && (options_.loop || memory.target + 1 < count)) {
             memory.target = (memory.target + 1) % count;
-            memory.phase = approaching;
+            memory.phase = Going::approaching;
         }
         return {};
     }
-    if (memory.phase == aligning) {
+    if (memory.phase == Going::aligning) {
         const double turn = wrapAngle(target(memory).heading - ahead.heading);
         return {0, std::clamp(alignGain * turn, -options_.rotation, options_.rotation)};
     }
-    const double reach = std::min(1.0, distance(position(ahead), position(target(memory))));
+    const double reach = std::min(1.5, distance(position(ahead), position(target(memory))));
     const Command intended = driveToPose(ahead, target(memory), limits, memory.tailFirst != 0);
     return evading(intended, evade(observation.robots, memory.motion, options_.deadTime, reach), limits);
 }
@@ -88,8 +92,9 @@ void GoToPose::annotate(const Memory& memory, Decision& decision) const {
     const Point goal = position(target(memory));
     decision.annotations.push_back({.kind = Annotation::Kind::point, .label = "goal", .points = {goal}});
     decision.annotations.push_back({.label = "distance", .value = distance(position(memory.self.pose), goal)});
-    decision.annotations.push_back(
-        {.kind = Annotation::Kind::text, .label = "state", .text = phaseNames[static_cast<std::size_t>(memory.phase)]});
+    decision.annotations.push_back({.kind = Annotation::Kind::text,
+                                    .label = "state",
+                                    .text = Going::names[static_cast<std::size_t>(memory.phase)]});
 }
 
 void GoToPose::decide(const Observation& observation, std::span<std::byte> bytes, Decision& decision) const {

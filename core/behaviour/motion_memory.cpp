@@ -31,9 +31,8 @@ Pose MotionMemory::motionSince(Nanoseconds time) const {
 Pose MotionMemory::motionDuring(double deadTime) const {
     Pose motion;
     const Nanoseconds begin = now() - fromSeconds(deadTime);
-    // What is told now comes after.
     Nanoseconds end = now();
-    for (std::int64_t i = 1; i < count && end > begin; ++i) {
+    for (std::int64_t i = 0; i < count && end > begin; ++i) {
         const double duration = toSeconds(end - std::max(instants[i].time, begin));
         motion = exp({duration * instants[i].command.v, 0, duration * instants[i].command.w}) * motion;
         end = instants[i].time;

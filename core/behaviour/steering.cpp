@@ -9,11 +9,12 @@
 namespace mrose {
 namespace {
 
-constexpr double turnGain = 2;        // 1/s
-constexpr double approachGain = 0.8;  // 1/s
-constexpr double alignWithin = 1;     // m
-constexpr double bodyWidth = 0.5;     // m: half the way that a body needs free, with some room
-constexpr double touching = 0.45;     // m
+constexpr double turnGain = 2;          // 1/s
+constexpr double approachGain = 0.8;    // 1/s
+constexpr double alignWithin = 1;       // m
+constexpr double clearance = 0.65;      // m, between reference points that pass each other
+constexpr double nearlyStraight = 0.1;  // m: bodies up to so far on the right are passed on their left
+constexpr double touching = 0.45;       // m
 
 /// Slower where the limit of rotation would not let it turn as it must.
 Command limited(double v, double w, const DriveLimits& limits) {
@@ -51,18 +52,21 @@ Evasion evade(const std::vector<SeenBody>& bodies, const MotionMemory& motion, d
         const Placement frame(motion.motionSince(body.measured) * motion.motionDuring(deadTime));
         const Point at = frame.placeBack(body.position_B);
         const double far = length(at);
-        if (at.x <= 0 || std::abs(at.y) > bodyWidth || far >= nearest) continue;
+        if (at.x <= 0 || std::abs(at.y) > clearance || far >= nearest) continue;
         nearest = far;
-        evasion.turn = std::copysign(1 - far / reach, -at.y);
+        const double bearing = direction(at);
+        const double passing = direction({std::sqrt(std::max(0.0, far * far - clearance * clearance)), clearance});
+        evasion.turn = at.y > -nearlyStraight ? bearing - passing : bearing + passing;
         evasion.share = std::clamp((far - touching) / touching, 0.2, 1.0);
     }
     return evasion;
 }
 
 Command evading(const Command& intended, const Evasion& evasion, const DriveLimits& limits) {
-    if (intended.v <= 0) return intended;
-    return {intended.v * evasion.share,
-            std::clamp(intended.w + turnGain * evasion.turn, -limits.rotation, limits.rotation)};
+    if (intended.v <= 0 || evasion.turn == 0) return intended;
+    const double turn = turnGain * evasion.turn;
+    const double w = turn > 0 ? std::max(turn, intended.w) : std::min(turn, intended.w);
+    return {intended.v * evasion.share, std::clamp(w, -limits.rotation, limits.rotation)};
 }
 
 }  // namespace mrose

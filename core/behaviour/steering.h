@@ -21,11 +21,12 @@ Command driveToPose(const Pose& from, const Pose& goal, const DriveLimits& limit
 
 /// How to give way to the nearest body that is seen ahead.
 struct Evasion {
-    double turn = 0;   ///< rad: how much farther left than intended
+    double turn = 0;   ///< rad, to the left: what it takes to pass it at some distance; 0: nobody is in the way
     double share = 1;  ///< of the intended speed
 };
-/// For bodies within `reach` metres before the robot as it will be in `deadTime` seconds.
-Evasion evade(const std::vector<SeenBody>& bodies, const MotionMemory& motion, double deadTime, double reach = 1);
+/// For bodies within `reach` metres before the robot as it will be in `deadTime` seconds. Who meets head on keeps to
+/// the right.
+Evasion evade(const std::vector<SeenBody>& bodies, const MotionMemory& motion, double deadTime, double reach = 1.5);
 
 /// A command with the evasion in it.
 Command evading(const Command& intended, const Evasion& evasion, const DriveLimits& limits);

@@ -9,8 +9,8 @@
 namespace mrose {
 namespace {
 
-constexpr double smoothing = 0.5;  // s, to take another curve
-constexpr double turnAway = 1.5;   // rad
+constexpr double smoothing = 0.5;   // s, to take another curve
+constexpr double strollAway = 1.5;  // rad
 
 }  // namespace
 
@@ -36,8 +36,7 @@ Command Wander::stroll(const Observation& observation, Memory& memory) const {
     memory.turning += share * (memory.curve - memory.turning);
     Evasion evasion = evade(observation.robots, memory.motion, options_.deadTime);
     const Evasion objects = evade(observation.objects, memory.motion, options_.deadTime);
-    evasion.turn += objects.turn;
-    evasion.share = std::min(evasion.share, objects.share);
+    if (objects.share < evasion.share || evasion.turn == 0) evasion = objects;
     return evading({options_.speed, memory.turning}, evasion, {options_.speed, options_.rotation});
 }
 
@@ -45,7 +44,7 @@ void Wander::decide(const Observation& observation, std::span<std::byte> bytes, 
     Memory& memory = as<Memory>(bytes);
     memory.motion.observe(observation);
     const std::optional<Command> back = memory.backOff.update(
-        observation, memory.motion, {options_.speed, options_.rotation, options_.deadTime, turnAway});
+        observation, memory.motion, {options_.speed, options_.rotation, options_.deadTime, strollAway});
     decision.command = back ? *back : stroll(observation, memory);
     memory.motion.issue(*decision.command);
     decision.annotations.push_back(

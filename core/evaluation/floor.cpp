@@ -12,7 +12,7 @@
 namespace mrose {
 namespace {
 
-constexpr Nanoseconds sampling = 100'000'000;  // of the command integrals
+constexpr Nanoseconds integralStep = 100'000'000;  // between samples of the command integrals
 
 /// Integrals of v (m) and w (rad), sampled from the lead's begin to the stretch's end.
 struct Integral {
@@ -34,7 +34,7 @@ Integrals commandIntegrals(const Trajectory& trajectory, Nanoseconds from, Nanos
         sum.rotation += toSeconds(until - since) * inForce.w;
     };
     Nanoseconds now = from;
-    for (Nanoseconds sample = from + sampling; sample <= to; sample += sampling) {
+    for (Nanoseconds sample = from + integralStep; sample <= to; sample += integralStep) {
         for (; next < commands.size() && commands[next].time <= sample; ++next) {
             advance(now, commands[next].time);
             now = commands[next].time;

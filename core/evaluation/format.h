@@ -1,10 +1,14 @@
 #pragma once
 
+#include <numbers>
 #include <string>
 
 #include "world/time.h"
 
 namespace mrose {
+
+/// In a radian.
+constexpr double degrees = 180 / std::numbers::pi;
 
 /// `value` with a fixed number of decimals and a point, whatever the locale; "–" when it is not finite.
 std::string fixed(double value, int decimals);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "evaluation/format.h"
 #include "evaluation/html.h"
@@ -17,7 +16,6 @@
 namespace mrose {
 namespace {
 
-constexpr double degrees = 180 / std::numbers::pi;
 constexpr const char* reportFiles[] = {"results.csv", "results.json", "windows.csv", "report.html"};
 
 /// A line never breaks between the number and its unit.

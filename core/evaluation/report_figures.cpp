@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "evaluation/format.h"
 #include "evaluation/html.h"
@@ -12,7 +11,6 @@
 namespace mrose {
 namespace {
 
-constexpr double degrees = 180 / std::numbers::pi;
 constexpr std::size_t mostDrawnModels = 3;
 
 using Points = std::vector<PlotPoint>;

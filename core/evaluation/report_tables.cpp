@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "evaluation/format.h"
 #include "evaluation/html.h"
@@ -10,8 +9,6 @@
 
 namespace mrose {
 namespace {
-
-constexpr double degrees = 180 / std::numbers::pi;
 
 std::string withInterval(double value, const Interval& interval) {
     return cat(fixed(value, 2), "<small>", fixed(interval.low, 2), "–", fixed(interval.high, 2), "</small>");

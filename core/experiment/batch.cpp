@@ -1,15 +1,10 @@
 #include "experiment/batch.h"
 
-#include <algorithm>
 #include <atomic>
-#include <fstream>
-#include <map>
+#include <cstdio>
 #include <mutex>
 #include <optional>
-#include <tuple>
-
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
+#include <vector>
 
 #include "condition/condition.h"
 #include "experiment/results_file.h"
@@ -17,6 +12,7 @@
 #include "experiment/variation.h"
 #include "io/file.h"
 #include "io/number_text.h"
+#include "learning/parallel_for.h"
 #include "world/state_hash.h"
 
 namespace mrose {
@@ -77,7 +73,7 @@ public:
         summary_.runs = options_.trials * seeds;
         summary_.resumed = summary_.runs - static_cast<std::int64_t>(missing.size());
         done_ = summary_.resumed;
-        tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t i) {
+        parallelFor(missing.size(), [&](std::size_t i) {
             if (!stop_) runOne(missing[i]);
         });
         if (error_) return tl::unexpected(*error_);

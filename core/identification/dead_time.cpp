@@ -1,13 +1,12 @@
 #include "identification/dead_time.h"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include "identification/response_fit.h"
+#include "learning/parallel_for.h"
 
 namespace mrose {
 namespace {
 
-constexpr std::int64_t fewestSwitches = 5, fewestWindows = 100;
+constexpr std::int64_t fewestSwitches = 5;
 constexpr double largestError = 0.1;  // s
 constexpr double leastExplained = 0.05;
 
@@ -63,7 +62,7 @@ DeadTimes identifyDeadTimes(std::span<const RobotLog> robots) {
 
 std::vector<DeadTimes> identifyEachDeadTime(const Log& log) {
     std::vector<DeadTimes> result(log.robots.size());
-    tbb::parallel_for(std::size_t{0}, 2 * result.size(), [&](std::size_t task) {
+    parallelFor(2 * result.size(), [&](std::size_t task) {
         const std::span<const RobotLog> robot(&log.robots[task / 2], 1);
         if (task % 2 == 0)
             result[task / 2].v = identify(robot, Channel::v);

@@ -5,8 +5,6 @@
 namespace mrose {
 namespace {
 
-constexpr Eigen::Index fewestWindows = 100;
-
 KinematicParameters::Channel toChannel(const ResponseFit& fit) {
     KinematicParameters::Channel channel{.deadTime = fit.kernel.deadTime, .lag = fit.kernel.lag};
     channel.gain = fit.coefficients[0];

@@ -28,4 +28,7 @@ struct ResponseFit {
 /// least 20 windows.
 ResponseFit fitResponse(DelayedResponse response, const ResponseFitOptions& options = {});
 
+/// With fewer a fit says little about a robot.
+constexpr Eigen::Index fewestWindows = 100;
+
 }  // namespace mrose

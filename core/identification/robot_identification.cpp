@@ -2,10 +2,9 @@
 
 #include <algorithm>
 
-#include <tbb/parallel_for.h>
-
 #include "identification/dead_time.h"
 #include "identification/kinematic_fit.h"
+#include "learning/parallel_for.h"
 
 namespace mrose {
 namespace {
@@ -47,7 +46,7 @@ Expected<MotionNetwork::Identified> identify(const Pooled& pool) {
 Expected<std::vector<MotionNetwork::Identified>> identifyRobots(std::span<const Log> logs) {
     const std::vector<Pooled> pools = poolByName(logs);
     std::vector<Expected<MotionNetwork::Identified>> results(pools.size());
-    tbb::parallel_for(std::size_t{0}, pools.size(), [&](std::size_t i) { results[i] = identify(pools[i]); });
+    parallelFor(pools.size(), [&](std::size_t i) { results[i] = identify(pools[i]); });
     std::vector<MotionNetwork::Identified> identified;
     for (auto& result : results) {
         if (!result) return tl::unexpected(result.error());

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include <tbb/parallel_for.h>
+#include "learning/parallel_for.h"
 
 namespace mrose {
 namespace {
@@ -36,7 +36,7 @@ RolloutBatch::RolloutBatch(const MotionSamples& samples, const MotionNetwork& ne
     inputs_.assign(length_, PatternMatrix(starts_.size(), int(samples.width)));
     if (recurrent_) velocities_.assign(length_, PatternMatrix(starts_.size(), 2));
     truth_.resize(starts_.size() * length_);
-    tbb::parallel_for(std::size_t{0}, starts_.size(), [&](std::size_t chain) {
+    parallelFor(starts_.size(), [&](std::size_t chain) {
         for (std::size_t k = 0; k < length_; ++k) {
             const std::size_t sample = starts_[chain] + k;
             truth_[chain * length_ + k] = samples.samples[sample].increment;
@@ -85,7 +85,7 @@ RolloutBatch::Pass RolloutBatch::forward(const MlpGradient& engine, std::span<co
                        keepHidden ? &pass.hidden[k] : nullptr);
     }
     const auto& o = network_.outputs;
-    tbb::parallel_for(std::size_t{0}, chains(), [&](std::size_t chain) {
+    parallelFor(chains(), [&](std::size_t chain) {
         for (std::size_t k = 0; k < length_; ++k) {
             const PatternMatrix& y = pass.outputs[k];
             pass.increments[chain * length_ + k] = {o[0].mean + o[0].scale * y(chain, 0),
@@ -121,7 +121,7 @@ double RolloutBatch::lossAndGradient(const MlpGradient& engine, std::span<const 
     std::vector<PatternMatrix> byOutput(length_, PatternMatrix(chains(), outputs));
     std::vector<double> losses(chains());
     const double share = 1 / static_cast<double>(chains());
-    tbb::parallel_for(std::size_t{0}, chains(), [&](std::size_t chain) {
+    parallelFor(chains(), [&](std::size_t chain) {
         std::vector<Pose> byIncrement(length_);
         losses[chain] = loss({&pass.increments[chain * length_], length_}, truth(chain), byIncrement);
         for (std::size_t k = 0; k < length_; ++k) {

@@ -119,10 +119,10 @@ Expected<void> writeFilesAtomically(std::span<const NamedFile> files) {
     std::deque<PendingFile> pending;
     for (const NamedFile& file : files) {
         pending.emplace_back(file.path);
-        if (const auto written = pending.back().write(file.content); !written) return written;
+        if (auto written = pending.back().write(file.content); !written) return written;
     }
     for (PendingFile& file : pending)
-        if (const auto replaced = file.replace(); !replaced) return replaced;
+        if (auto replaced = file.replace(); !replaced) return replaced;
     return {};
 }
 

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
-#include <tbb/parallel_for.h>
-
 #include "learning/kernel_choice.h"
+#include "learning/parallel_for.h"
 
 namespace mrose {
 
@@ -90,6 +89,7 @@ private:
 
     /// The parameter that belongs to slope feature q = input * hidden + unit; the input after the last is the bias.
     std::size_t hiddenParameter(int q) const {
+        assert(shape_.hidden > 0);
         const int i = q / shape_.hidden, j = q % shape_.hidden;
         return i < shape_.inputs ? static_cast<std::size_t>(j) * shape_.inputs + i
                                  : static_cast<std::size_t>(shape_.hidden) * shape_.inputs + j;
@@ -142,7 +142,7 @@ std::vector<double> gaussNewtonMatrix(const MlpShape& shape, std::span<const flo
     const std::size_t ranges = std::min<std::size_t>(blocks.size(), FeatureLayout(shape).size < 1024 ? 8 : 2);
     std::vector<FloatGram> partial(ranges);
     const GramSum sum(shape, parameters, inputs, trainingKernelFor(set));
-    tbb::parallel_for(std::size_t{0}, ranges, [&](std::size_t range) {
+    parallelFor(ranges, [&](std::size_t range) {
         partial[range] = sum.over(blocks, blocks.size() * range / ranges, blocks.size() * (range + 1) / ranges);
     });
     std::vector<double> gram(partial[0].size());

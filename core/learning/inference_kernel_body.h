@@ -56,16 +56,19 @@ template <int N>
     return load<N>(net.outputBiases + first) + ((sum[0] + sum[1]) + (sum[2] + sum[3]));
 }
 
+template <int Narrow, int Wide>
+void hiddenLayerAlone(const PackedMlp& net, const float* x, float* h) {
+    if constexpr (Narrow < Wide)
+        if (net.hidden <= 2 * Wide) return hiddenLayerAlone<Narrow>(net, x, h);
+    hiddenLayerAlone<Wide>(net, x, h);
+}
+
 /// Lanes of the hidden layer: `Wide` where it has many units, else `Narrow`, which wastes fewer; `Out` of the output
 /// layer.
 template <int Narrow, int Wide, int Out>
 void predictOne(const PackedMlp& net, const float* x, float* y, float* scratch) {
     float* h = scratch;
-    if (net.hidden > 2 * Wide) {
-        hiddenLayerAlone<Wide>(net, x, h);
-    } else {
-        hiddenLayerAlone<Narrow>(net, x, h);
-    }
+    hiddenLayerAlone<Narrow, Wide>(net, x, h);
     for (int first = 0; first < net.outputs; first += Out) {
         const Lanes<Out> values = outputBlock<Out>(net, h, first);
         storeFirst<Out>(y + first, values, net.outputs - first < Out ? net.outputs - first : Out);

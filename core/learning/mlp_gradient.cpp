@@ -4,16 +4,15 @@
 #include <cassert>
 
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include "learning/kernel_choice.h"
+#include "learning/parallel_for.h"
 
 namespace mrose {
 
 namespace {
 
-constexpr int kBlock = static_cast<int>(PatternMatrix::kBlock);
 constexpr int kLanes = 16;
 
 /// Blocks whose gradients are summed in float lanes before they are added in double. A function of the batch alone.
@@ -30,7 +29,7 @@ KernelTile tileOf(const MlpShape& shape, std::span<const float> parameters, cons
     tile.columns = (tile.valid + kLanes - 1) / kLanes * kLanes;
     tile.parameters = parameters.data();
     tile.x = inputs.block(block);
-    tile.stride = tile.hiddenStride = kBlock;
+    tile.stride = tile.hiddenStride = PatternMatrix::kBlock;
     return tile;
 }
 
@@ -39,16 +38,16 @@ KernelTile tileOf(const MlpShape& shape, std::span<const float> parameters, cons
 /// What one thread works with.
 struct MlpGradient::Worker {
     explicit Worker(const MlpShape& shape)
-        : h(static_cast<std::size_t>(shape.hidden) * kBlock),
-          y(static_cast<std::size_t>(shape.outputs) * kBlock),
+        : h(static_cast<std::size_t>(shape.hidden) * PatternMatrix::kBlock),
+          y(static_cast<std::size_t>(shape.outputs) * PatternMatrix::kBlock),
           lanes(shape.parameterCount() * kLanes) {}
 
     /// The error with zeros in its padding.
     const float* padded(const KernelTile& tile, const float* error) {
         if (tile.valid == tile.columns) return error;
         for (int k = 0; k < tile.outputs; ++k) {
-            float* row = y.data() + static_cast<std::size_t>(k) * kBlock;
-            std::copy_n(error + static_cast<std::size_t>(k) * kBlock, tile.valid, row);
+            float* row = y.data() + static_cast<std::size_t>(k) * PatternMatrix::kBlock;
+            std::copy_n(error + static_cast<std::size_t>(k) * PatternMatrix::kBlock, tile.valid, row);
             std::fill(row + tile.valid, row + tile.columns, 0.0f);
         }
         return y.data();
@@ -71,7 +70,7 @@ MlpGradient::MlpGradient(MlpGradient&&) noexcept = default;
 MlpGradient& MlpGradient::operator=(MlpGradient&&) noexcept = default;
 
 void MlpGradient::forBlocks(std::size_t blocks, const BlockWork& work) const {
-    tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) { work(workspace_->workers.local(), block); });
+    parallelFor(blocks, [&](std::size_t block) { work(workspace_->workers.local(), block); });
 }
 
 double MlpGradient::sumOverBlocks(std::size_t blocks, std::span<double> gradient, const BlockWork& work) const {
@@ -89,7 +88,7 @@ double MlpGradient::sumOverBlocks(std::size_t blocks, std::span<double> gradient
         if (count > 0) kernel_->reduce(worker.lanes.data(), count, sums);
     };
     // isolated: while it waits, this thread must not begin another task that uses its partial sums
-    tbb::this_task_arena::isolate([&] { tbb::parallel_for(std::size_t{0}, ranges, sumRange); });
+    tbb::this_task_arena::isolate([&] { parallelFor(ranges, sumRange); });
     double loss = 0;
     for (std::size_t range = 0; range < ranges; ++range) {
         const double* sums = partial.data() + range * (count + 1);

@@ -5,31 +5,12 @@
 
 #include "logs/decimal.h"
 #include "logs/row_check.h"
+#include "logs/text_lines.h"
 
 namespace mrose {
 namespace {
 
 constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
-
-const char* skipBlanks(const char* at, const char* end) {
-    while (at < end && (*at == ' ' || *at == '\t' || *at == '\r')) ++at;
-    return at;
-}
-
-const char* lineEnd(const char* at, const char* end) {
-    const void* newline = at == end ? nullptr : std::memchr(at, '\n', static_cast<std::size_t>(end - at));
-    return newline == nullptr ? end : static_cast<const char*>(newline);
-}
-
-/// The first line at or after `at` that holds more than blanks or a comment.
-const char* nextLine(const char* at, const char* end) {
-    for (;;) {
-        at = skipBlanks(at, end);
-        if (at == end || (*at != '#' && *at != '\n')) return at;
-        at = lineEnd(at, end);
-        if (at < end) ++at;
-    }
-}
 
 std::string_view trimmed(const char* begin, const char* end) {
     begin = skipBlanks(begin, end);

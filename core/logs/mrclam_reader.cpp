@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cstring>
 #include <map>
 
 #include "io/file.h"
 #include "logs/conditioning.h"
 #include "logs/decimal.h"
 #include "logs/row_check.h"
+#include "logs/text_lines.h"
 
 namespace mrose {
 namespace {
@@ -22,25 +22,6 @@ constexpr std::string_view blanks = " \t\r\n";
 void store(StampedCommand& sample, const double* values) { sample.command = {values[0], values[1]}; }
 void store(StampedPose& sample, const double* values) { sample.pose = {values[0], values[1], values[2]}; }
 
-const char* skipBlanks(const char* at, const char* end) {
-    while (at < end && (*at == ' ' || *at == '\t' || *at == '\r')) ++at;
-    return at;
-}
-
-const char* skipLine(const char* at, const char* end) {
-    const void* newline = std::memchr(at, '\n', static_cast<std::size_t>(end - at));
-    return newline == nullptr ? end : static_cast<const char*>(newline) + 1;
-}
-
-/// The first line at or after `at` that holds more than blanks or a comment.
-const char* nextRow(const char* at, const char* end) {
-    for (;;) {
-        at = skipBlanks(at, end);
-        if (at == end || (*at != '#' && *at != '\n')) return at;
-        at = skipLine(at, end);
-    }
-}
-
 /// One file of rows of numbers while it is read.
 template <class Sample, std::size_t columns>
 class RowParser {
@@ -51,7 +32,7 @@ public:
     Expected<std::vector<Sample>> parse() {
         std::vector<Sample> samples;
         samples.reserve(content_.size() / (12 * columns));
-        for (const char* at = nextRow(content_.data(), end_); at != end_; at = nextRow(at, end_)) {
+        for (const char* at = nextLine(content_.data(), end_); at != end_; at = nextLine(at, end_)) {
             at = parseRow(at, samples.emplace_back());
             if (at == nullptr) return *error_;
         }
@@ -89,8 +70,8 @@ private:
     }
 
     int lineOf(std::size_t row) const {
-        const char* at = nextRow(content_.data(), end_);
-        for (std::size_t i = 0; i < row; ++i) at = nextRow(skipLine(at, end_), end_);
+        const char* at = nextLine(content_.data(), end_);
+        for (std::size_t i = 0; i < row; ++i) at = nextLine(lineEnd(at, end_), end_);
         return positionOf(content_, at).line;
     }
 

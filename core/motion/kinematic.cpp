@@ -76,11 +76,13 @@ Pose integrate(Course v, Course w, double lateralPerRotation, double t) {
     constexpr double longest = 0.1;
     double piece = std::min({longest, v.transient != 0 ? v.lag : longest, w.transient != 0 ? w.lag : longest});
     Pose pose;
-    for (; t > 0; t -= piece, piece = std::min(2 * piece, longest)) {
+    while (t > 0) {
         piece = std::min(piece, t);
         pose = pose * quadrature(v, w, lateralPerRotation, piece);
         v = later(v, piece);
         w = later(w, piece);
+        t -= piece;
+        piece = std::min(2 * piece, longest);
     }
     return pose;
 }

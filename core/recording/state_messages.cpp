@@ -28,8 +28,8 @@ void appendTransform(std::string& json, const Pose& pose, const std::string& fra
     appendField(json, ",\"y\":", pose.y);
     // Half the heading, kept within half a turn so that the numbers stay small.
     const double half = std::remainder(pose.heading, 4 * std::acos(-1.0)) / 2;
-    appendField(json, R"(,"z":0},"rotation":{"x":0,"y":0,"z":)", std::sin(half), 4);
-    appendField(json, ",\"w\":", std::cos(half), 4);
+    appendField(json, R"(,"z":0},"rotation":{"x":0,"y":0,"z":)", std::sin(half));
+    appendField(json, ",\"w\":", std::cos(half));
     json += "}}";
 }
 
@@ -46,6 +46,14 @@ std::string nameOf(const Scenario& scenario, std::uint32_t body, std::uint32_t o
     if (obstacle >= index.pieces().size()) return "obstacle";
     const std::string& name = scenario.scene().environment.obstacles[index.obstacleOf(obstacle)].name;
     return name.empty() ? "obstacle" : name;
+}
+
+/// The rest of a contact's mark, in one of three sizes: what repeats takes no room in a file.
+std::string markEnd(double impulse) {
+    constexpr double hard = 5, firm = 1;  // N s
+    const std::string size = impulse >= hard ? "0.18" : impulse >= firm ? "0.11" : "0.06";
+    return R"(,"z":0.2},"orientation":{"x":0,"y":0,"z":0,"w":1}},"size":{"x":)" + size + ",\"y\":" + size +
+           ",\"z\":" + size + R"(},"color":{"r":1,"g":0.25,"b":0.1,"a":0.8}})";
 }
 
 enum class Level { information = 2, warning = 3 };
@@ -121,7 +129,7 @@ std::string bodiesMessage(const Scenario& scenario, const WorldState& state, std
         appendField(json, ",\"w\":", velocity.rotation);
         appendField(json, ",\"v_command\":", command.v);
         appendField(json, ",\"w_command\":", command.w);
-        appendField(json, ",\"pressed\":", pressed[i], 2);
+        appendField(json, ",\"pressed\":", pressed[i], 1);
         json += '}';
     }
     for (std::size_t i = 0; i < state.objects.size(); ++i) {
@@ -130,7 +138,7 @@ std::string bodiesMessage(const Scenario& scenario, const WorldState& state, std
         appendField(json, ",\"vx\":", velocity.x);
         appendField(json, ",\"vy\":", velocity.y);
         appendField(json, ",\"w\":", velocity.rotation);
-        appendField(json, ",\"pressed\":", pressed[state.robots.size() + i], 2);
+        appendField(json, ",\"pressed\":", pressed[state.robots.size() + i], 1);
         json += '}';
     }
     return json.empty() ? "{}" : json + '}';
@@ -141,8 +149,8 @@ std::string contactsMessage(const Scenario& scenario, std::span<const SummedCont
     std::string metadata, spheres;
     for (const SummedContact& contact : contacts) {
         const char* const comma = metadata.empty() ? "" : ",";
-        std::string impulse, size;
-        appendFixed(impulse, contact.impulse, 2);
+        std::string impulse;
+        appendFixed(impulse, contact.impulse, 1);
         metadata += comma;
         metadata += "{\"key\":";
         appendQuoted(metadata, nameOf(scenario, contact.bodyA, contact.obstacle, names) + " - " +
@@ -151,11 +159,7 @@ std::string contactsMessage(const Scenario& scenario, std::span<const SummedCont
         spheres += comma;
         appendField(spheres, R"({"pose":{"position":{"x":)", contact.position.x, 2);
         appendField(spheres, ",\"y\":", contact.position.y, 2);
-        spheres += R"(,"z":0.2},"orientation":{"x":0,"y":0,"z":0,"w":1}},"size":)";
-        // From 4 cm at no impulse at all to 20 cm.
-        appendFixed(size, 0.04 + 0.16 * (1 - std::exp(-contact.impulse / 5)), 2);
-        spheres += "{\"x\":" + size + ",\"y\":" + size + ",\"z\":" + size;
-        spheres += R"(},"color":{"r":1,"g":0.25,"b":0.1,"a":0.8}})";
+        spheres += markEnd(contact.impulse);
     }
     return R"({"deletions":[],"entities":[{"timestamp":)" + stampOf(time) +
            R"(,"frame_id":"world","id":"contacts","lifetime":{"sec":0,"nsec":0},"frame_locked":true,"metadata":[)" +

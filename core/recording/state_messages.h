@@ -11,9 +11,8 @@
 namespace mrose {
 
 // A state as messages for people's tools, as JSON. Numbers are rounded, since what is exact lies in the blocks
-// (block_bytes.h): positions to 1 mm, headings to 0.001 rad (0.0002 in a quaternion), velocities to 1 mm/s and
-// 0.001 rad/s. `names` are those
-// of all bodies, robots first.
+// (block_bytes.h): positions to 1 mm, headings to about 0.001 rad, velocities to 1 mm/s and 0.001 rad/s. `names` are
+// those of all bodies, robots first.
 
 /// foxglove.FrameTransforms: where all bodies are in the frame "world".
 std::string transformsMessage(const WorldState& state, std::span<const std::string> frames, Nanoseconds time);
@@ -34,7 +33,7 @@ std::vector<SummedContact> summedContacts(std::vector<ContactReport> reports);
 std::string bodiesMessage(const Scenario& scenario, const WorldState& state, std::span<const SummedContact> contacts,
                           std::span<const std::string> names);
 
-/// foxglove.SceneUpdate: a sphere at each contact, the larger the harder, with the bodies' names and the impulse as
+/// foxglove.SceneUpdate: a sphere at each contact, larger at a harder one, with the bodies' names and the impulse as
 /// metadata.
 std::string contactsMessage(const Scenario& scenario, std::span<const SummedContact> contacts,
                             std::span<const std::string> names, Nanoseconds time);

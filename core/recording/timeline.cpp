@@ -15,7 +15,7 @@ void TimelineBlock::add(const StateHash& after, const StepTrace& trace) {
 
 std::int64_t usualKeyframeInterval(const WorldState& state) {
     // A tick takes about a microsecond a body; what is kept between keyframes must stay the larger part of the memory.
-    constexpr std::size_t bodyTicks = 2000;
+    constexpr std::size_t bodyTicks = 3500;
     const std::size_t bodies = std::max<std::size_t>(state.robots.size() + state.objects.size(), 1);
     return static_cast<std::int64_t>(std::clamp<std::size_t>(bodyTicks / bodies, 25, 500));
 }
@@ -35,10 +35,13 @@ void Timeline::add(const WorldState& after, const StepTrace& trace) { add(after,
 
 void Timeline::add(const WorldState& after, const StepTrace& trace, const StateHash& hash) {
     assert(after.tick == last() + 1);
-    size_ -= blocks_.back().size();
-    blocks_.back().add(hash, trace);
-    size_ += blocks_.back().size();
-    if (after.tick - blocks_.back().first < interval_) return;
+    TimelineBlock& open = blocks_.back();
+    size_ -= open.size();
+    open.add(hash, trace);
+    size_ += open.size();
+    if (after.tick - open.first < interval_) return;
+    open.hashes.shrink_to_fit();
+    open.decisions.shrink_to_fit();
     blocks_.push_back({after.tick, stateBytes(after), {}, {}});
     size_ += blocks_.back().size();
 }

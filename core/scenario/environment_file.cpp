@@ -115,8 +115,8 @@ Marking readMarking(TomlTable& table) {
     return marking;
 }
 
-Floor readFloor(TomlTable table) {
-    Floor floor;
+FloorSurface readFloor(TomlTable table) {
+    FloorSurface floor;
     floor.slidingFriction = table.numberOr("sliding_friction", floor.slidingFriction, {0, 10});
     floor.traction = table.numberOr("traction", floor.traction, {0, 10});
     floor.rollingDeceleration = table.numberOr("rolling_deceleration_mps2", floor.rollingDeceleration, {0, 100});

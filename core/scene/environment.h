@@ -37,7 +37,7 @@ struct Goal {
     Polygon area;
 };
 
-struct Floor {
+struct FloorSurface {
     double slidingFriction = 0.3;      ///< coefficient, of balls and boxes
     double traction = 0.6;             ///< coefficient, of driven wheels: how hard robots can push
     double rollingDeceleration = 0.4;  ///< m/s2
@@ -51,7 +51,7 @@ struct Environment {
     std::vector<Obstacle> obstacles;
     std::vector<Marking> markings;
     std::vector<Goal> goals;
-    Floor floor;
+    FloorSurface floor;
 };
 
 }  // namespace mrose

@@ -6,8 +6,6 @@
 namespace mrose {
 namespace {
 
-constexpr double gravity = 9.81;  // m/s2
-
 void move(Pose& pose, const Point& by) {
     pose.x += by.x;
     pose.y += by.y;
@@ -33,7 +31,7 @@ double slowDownTurn(double& rotation, double deceleration, double duration) {
 
 }  // namespace
 
-ObjectState afterFloorMotion(const ObjectState& state, const ObjectType& type, const Floor& floor,
+ObjectState afterFloorMotion(const ObjectState& state, const ObjectType& type, const FloorSurface& floor,
                              double frictionFactor, double duration) {
     ObjectState after = state;
     Point velocity{state.velocity_W.x, state.velocity_W.y};

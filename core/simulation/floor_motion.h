@@ -5,10 +5,12 @@
 
 namespace mrose {
 
+constexpr double gravity = 9.81;  // m/s2
+
 /// Where a free body on the floor is after `duration` seconds without touch. A ball slides, its slip shrinking by
 /// friction (Coulomb), until it rolls; then it slows down evenly until it rests: in closed form, so that no step's
 /// length matters. Other bodies slide and turn until friction has stopped them. `frictionFactor` scales both frictions.
-ObjectState afterFloorMotion(const ObjectState& state, const ObjectType& type, const Floor& floor,
+ObjectState afterFloorMotion(const ObjectState& state, const ObjectType& type, const FloorSurface& floor,
                              double frictionFactor, double duration);
 
 }  // namespace mrose

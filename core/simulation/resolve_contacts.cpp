@@ -10,8 +10,6 @@
 namespace mrose {
 namespace {
 
-constexpr double gravity = 9.81;  // m/s2
-
 double shareOfPeriod(const Scenario& scenario, const RobotState& robot, std::size_t index, std::int64_t tick) {
     return static_cast<double>(tick - robot.segment.startTick) / static_cast<double>(scenario.periodOf(index).ticks);
 }

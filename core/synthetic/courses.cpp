@@ -90,7 +90,11 @@ private:
 std::vector<Stretch> randomStretches(double duration, Draws& draws) {
     RandomDriver driver(draws);
     std::vector<Stretch> stretches;
-    for (double time = 0; time < duration; time += stretches.back().duration) stretches.push_back(driver.next());
+    double time = 0;
+    while (time < duration) {
+        stretches.push_back(driver.next());
+        time += stretches.back().duration;
+    }
     return stretches;
 }
 
@@ -205,9 +209,11 @@ bool onCurve(Course course) { return course == Course::ellipse || course == Cour
 /// the robot.
 std::vector<Nanoseconds> sendTimes(double duration, Draws& draws) {
     std::vector<Nanoseconds> times;
-    for (double time = commandPeriod * draws.uniform(1, 2); time < duration; time += commandPeriod) {
+    double time = commandPeriod * draws.uniform(1, 2);
+    while (time < duration) {
         const auto steps = std::llround((time + draws.uniform(-0.006, 0.006)) / toSeconds(ReferenceRobot::step));
         times.push_back(steps * ReferenceRobot::step);
+        time += commandPeriod;
     }
     return times;
 }

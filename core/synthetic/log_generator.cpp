@@ -9,7 +9,7 @@
 namespace mrose {
 namespace {
 
-enum Channel : std::uint32_t { trackedX = 200, trackedY, trackedHeading, startX, startY, startHeading, runSeed };
+enum TrackerChannel : std::uint32_t { trackedX = 200, trackedY, trackedHeading, startX, startY, startHeading, runSeed };
 
 constexpr double pause = 5;  // s between trajectories
 constexpr double fieldLength = 9, fieldWidth = 5;

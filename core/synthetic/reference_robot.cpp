@@ -9,7 +9,7 @@
 namespace mrose {
 namespace {
 
-enum Channel : std::uint32_t {
+enum RobotChannel : std::uint32_t {
     linkJitter,
     samplePhase,
     sampleJitter,
@@ -103,7 +103,7 @@ void ReferenceRobot::wander(ReferenceRobotState& state) const {
     const ReferenceRobotParameters& p = parameters_;
     const std::int64_t period = state.time / fromSeconds(p.servoPeriod);
     const double kept = std::exp(-p.servoPeriod / p.gripTime), fresh = std::sqrt(1 - kept * kept);
-    const auto go = [&](double& value, double deviation, Channel channel) {
+    const auto go = [&](double& value, double deviation, RobotChannel channel) {
         value = kept * value + fresh * deviation * normal(period, channel);
     };
     go(state.wheels[0].grip, p.wheelNoise, leftGrip);

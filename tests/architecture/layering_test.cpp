@@ -27,11 +27,12 @@ const std::map<std::string, std::set<std::string>> allowedLayers{
     {"plugin", {"io", "geometry", "world", "control"}},
     {"drawing", {"io", "geometry", "evaluation", "scene"}},
     {"behaviour", {"geometry", "world", "control"}},
-    {"scenario", {"io", "geometry", "world", "logs", "motion", "physics", "scene", "control", "behaviour"}},
+    {"scenario", {"io", "geometry", "world", "logs", "motion", "physics", "scene", "control", "behaviour", "plugin"}},
     {"sensing", {"geometry", "world", "motion", "scene", "control", "scenario"}},
     {"simulation", {"io", "geometry", "world", "motion", "physics", "scene", "control", "scenario", "sensing"}},
     {"experiment",
-     {"io", "geometry", "world", "motion", "physics", "scene", "control", "scenario", "simulation", "condition"}},
+     {"io", "geometry", "world", "learning", "motion", "physics", "scene", "control", "scenario", "simulation",
+      "condition"}},
     {"recording", {"io", "geometry", "world", "motion", "physics", "scene", "control", "scenario", "simulation"}},
     {"script", {"io"}},
     {"condition", {"io", "geometry", "world", "physics", "scene", "control", "scenario", "simulation", "script"}},
@@ -50,6 +51,8 @@ const std::map<std::string, std::set<std::string>> librariesOfLayers{
     {"immintrin.h", {"learning"}},
     {"lua.hpp", {"script", "condition"}},
     {"Random123/", {"learning", "world"}},
+    {"tbb/parallel", {"learning"}},
+    {"oneapi/", {}},
 };
 
 std::string where(const SourceFile& file, const Include& include) {

@@ -47,6 +47,28 @@ TEST(BallBelief, FollowsARollingBallAndForeseesItsWay) {
     EXPECT_EQ(ball.in(20), ball.in(30));
 }
 
+/// The robot turns while its camera's images arrive 0.2 s late.
+TEST(BallBelief, PlacesLateSightingsByThePoseOfThen) {
+    const Point ball{2, 1};
+    const double w = 0.8;
+    MotionMemory motion{};
+    OwnBelief self{};
+    BallBelief belief{};
+    for (int i = 0; i < 15; ++i) {
+        Observation observation;
+        observation.time = observation.selfMeasured = i * 100'000'000LL;
+        observation.localised = true;
+        observation.self = {0, 0, 0.1 * i * w};
+        observation.velocity = {0, w};
+        const Placement then({0, 0, (0.1 * i - 0.2) * w});
+        if (i >= 2) observation.objects = {{0, then.placeBack(ball), observation.time - 200'000'000}};
+        motion.observe(observation);
+        self.update(observation, motion);
+        belief.update(observation, motion, self);
+        EXPECT_TRUE(i < 2 || distance(belief.position, ball) < 1e-9) << i;
+    }
+}
+
 TEST(BallBelief, TrustsNearSightingsMore) {
     double errors[2] = {};
     for (const int near : {0, 1}) {

@@ -30,14 +30,14 @@ SmallWorld chase(const RobotType& type, std::int64_t which, const ChaseBall::Opt
 
 struct Outcome {
     double arrived = -1;  ///< s, when the ball was well in the eastern half
-    double leastWay = 0;  ///< m, of the robot within 20 s
+    double leastWay = 0;  ///< m, of the robot within 40 s
 };
 
 Outcome play(const Scenario& scenario, std::uint64_t seed, int seconds) {
     WorldState state = scenario.initialState(seed);
     StepBuffers buffers;
     Outcome outcome;
-    Progress progress(20 * second / 5);
+    Progress progress(40 * second / 5);
     for (int tick = 0; tick < seconds * second; ++tick) {
         step(scenario, state, buffers);
         if (outcome.arrived < 0 && state.objects[0].pose.x > 6) outcome.arrived = tick / double(second);
@@ -109,6 +109,49 @@ TEST(ChaseBall, KicksWhereItHasSomethingToKickWithAndMay) {
         EXPECT_EQ(without.hits + without.misses, 0);
         EXPECT_EQ(without.faults, 0);
         EXPECT_LT(without.fastest, 1.5);
+    }
+}
+
+/// Shows a robot at the origin a ball, every 100 ms, and gives what it aims at.
+class Aiming {
+public:
+    explicit Aiming(double speed) : controller_({.target = {1000, 0}, .speed = speed, .rotation = speed}) {}
+
+    Point at(const Point& ball) {
+        Observation observation;
+        observation.time = observation.selfMeasured = instant_++ * 100'000'000LL;
+        observation.localised = true;
+        observation.objects = {{0, ball, observation.time}};
+        Decision decision;
+        controller_.decide(observation, memory_, decision);
+        for (const Annotation& annotation : decision.annotations)
+            if (annotation.label == "aim") return annotation.points[0];
+        return {};
+    }
+
+private:
+    std::int64_t instant_ = 0;
+    ChaseBall controller_;
+    std::vector<std::byte> memory_ = std::vector<std::byte>(controller_.memorySize());
+};
+
+/// It aims at the line from the ball to the target, 0.4 m ahead of itself.
+TEST(ChaseBall, AimsByWhereTheBallWillBeWhenTheCommandTakesEffect) {
+    Aiming aiming(0);
+    const auto rolled = [](double t) { return 0.8 * t - 0.4 * t * t / 2 - 0.6; };
+    Point aim;
+    for (int i = 0; i <= 10; ++i) aim = aiming.at({0.7, rolled(0.1 * i)});
+    EXPECT_NEAR(rolled(1), 0, 1e-12);
+    EXPECT_NEAR(aim.y, rolled(1.3), 0.03);
+}
+
+TEST(ChaseBall, AimsFromWhereItWillBeWhenTheCommandTakesEffect) {
+    Aiming aiming(0.4);
+    // It is told 0.4 m/s, and does not move yet.
+    for (const double ahead : {0.0, 0.04, 0.08, 0.12, 0.12}) {
+        const Point aim = aiming.at({0.7, 0});
+        EXPECT_NEAR(aim.x, ahead + 0.4, 1e-3);
+        EXPECT_NEAR(aim.y, 0, 1e-3);
     }
 }
 

@@ -65,10 +65,14 @@ TEST(MotionMemory, RemembersTheLatestCommands) {
         observeAt(memory, i * 100 * ms, {});
         memory.issue({1.0 * i, 0});
     }
+    observeAt(memory, 4000 * ms, {});
+    EXPECT_EQ(memory.commandAt(4000 * ms).v, 39);  // still in force
+    memory.issue({40, 0});
+    EXPECT_EQ(memory.commandAt(4000 * ms).v, 40);
     EXPECT_EQ(memory.commandAt(3900 * ms).v, 39);
     EXPECT_EQ(memory.commandAt(3899 * ms).v, 38);
-    EXPECT_EQ(memory.commandAt(2850 * ms).v, 28);
-    EXPECT_EQ(memory.commandAt(0).v, 28);
+    EXPECT_EQ(memory.commandAt(2950 * ms).v, 29);
+    EXPECT_EQ(memory.commandAt(0).v, 29);
 }
 
 }  // namespace

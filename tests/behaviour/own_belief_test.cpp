@@ -55,6 +55,12 @@ Errors errorsWith(const Perception& perception) {
 
 TEST(OwnBelief, FollowsExactSensors) { EXPECT_LT(errorsWith({}).worst, 2e-3); }
 
+TEST(OwnBelief, CarriesLateMeasurementsOnToNow) {
+    Perception perception;
+    perception.self.latency = 240'000'000;
+    EXPECT_LT(errorsWith(perception).worst, 2e-3);
+}
+
 TEST(OwnBelief, IsNearerThanTheMeasurements) {
     const Errors errors = errorsWith(cameras());
     EXPECT_LT(errors.believed, 0.6 * errors.measured);

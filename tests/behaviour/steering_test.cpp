@@ -68,20 +68,41 @@ TEST(Steering, TowardsAPointTurnsOnTheSpotWhereItLiesAside) {
     EXPECT_GT(aside.w, 0);
 }
 
+SeenBody bodyAt(double x, double y) { return {0, {x, y}, 0}; }
+
 TEST(Steering, GivesWayToTheNearestBodyAhead) {
-    MotionMemory still{};
-    const auto at = [](double x, double y) { return SeenBody{0, {x, y}, 0}; };
-    EXPECT_EQ(evade({at(-0.5, 0), at(0.6, 0.8), at(1.2, 0)}, still, 0.3).turn, 0);
-    EXPECT_LT(evade({at(0.7, 0.1), at(0.9, -0.1)}, still, 0.3).turn, 0);
-    EXPECT_GT(evade({at(0.9, 0.1), at(0.7, -0.1)}, still, 0.3).turn, 0);
-    EXPECT_LT(evade({at(0.6, 0)}, still, 0.3).share, 0.5);
-    EXPECT_EQ(evade({at(0.6, 0)}, still, 0.3, 0.5).share, 1);
-    const Command command = evading({0.4, 0}, evade({at(0.6, 0.1)}, still, 0.3), limits);
-    EXPECT_LT(command.v, 0.2);
-    EXPECT_LT(command.w, -0.3);
+    const MotionMemory still{};
+    EXPECT_EQ(evade({bodyAt(-0.5, 0), bodyAt(0.6, 0.8), bodyAt(1.8, 0)}, still, 0.3).turn, 0);
+    EXPECT_LT(evade({bodyAt(0.9, 0.2), bodyAt(1.2, -0.2)}, still, 0.3).turn, 0);
+    EXPECT_GT(evade({bodyAt(1.2, 0.2), bodyAt(0.9, -0.2)}, still, 0.3).turn, 0);
+    EXPECT_LT(evade({bodyAt(0.9, 0)}, still, 0.3).turn, 0);
+    EXPECT_LT(evade({bodyAt(0.6, 0)}, still, 0.3).share, 0.5);
+    EXPECT_EQ(evade({bodyAt(0.6, 0)}, still, 0.3, 0.5).share, 1);
 }
 
-/// A body that was seen 0.2 s ago is nearer by the way since.
+TEST(Steering, TurnsAsFarAsItTakesToPass) {
+    for (const double y : {-0.5, -0.3, 0.0, 0.4}) {
+        const Point body{1.1, y};
+        const double turn = evade({bodyAt(body.x, body.y)}, MotionMemory{}, 0).turn;
+        const Point after = Placement({0, 0, turn}).rotateBack(body);
+        EXPECT_NEAR(std::abs(after.y), 0.65, 1e-12);
+        EXPECT_GT(after.x, 0);
+    }
+}
+
+TEST(Steering, TurnsFartherIfItIntendsTo) {
+    const Evasion evasion = evade({bodyAt(1.1, 0.3)}, MotionMemory{}, 0);
+    ASSERT_LT(evasion.turn, 0);
+    const DriveLimits quick{0.4, 10};
+    EXPECT_EQ(evading({0.4, -5}, evasion, quick).w, -5);
+    const Command turned = evading({0.4, 5}, evasion, quick);
+    EXPECT_LT(turned.w, 0);
+    EXPECT_LE(turned.v, 0.4);
+    EXPECT_EQ(evading({-0.4, 5}, evasion, quick), (Command{-0.4, 5}));
+    EXPECT_EQ(evading({0.4, 5}, {}, quick), (Command{0.4, 5}));
+}
+
+/// A body that was seen 0.2 s ago is nearer by the way since, and by the way until the command takes effect.
 TEST(Steering, TakesItsOwnMotionSinceTheSightingIntoAccount) {
     MotionMemory motion{};
     for (int i = 0; i < 4; ++i) {
@@ -91,11 +112,9 @@ TEST(Steering, TakesItsOwnMotionSinceTheSightingIntoAccount) {
         motion.observe(observation);
         motion.issue({0.5, 0});
     }
-    const SeenBody body{0, {1.2, 0.1}, 100'000'000};
-    EXPECT_EQ(evade({body}, MotionMemory{}, 0).turn, 0);
-    // 0.1 m since, and 0.15 m until the command takes effect.
-    const double far = std::hypot(0.95, 0.1);
-    EXPECT_NEAR(evade({body}, motion, 0.3).turn, -(1 - far), 1e-12);
+    const SeenBody seen{0, {1.4, 0.1}, 100'000'000};
+    EXPECT_NEAR(evade({seen}, motion, 0.3).turn, evade({bodyAt(1.4 - 0.5 * (0.2 + 0.3), 0.1)}, MotionMemory{}, 0).turn,
+                1e-12);
 }
 
 }  // namespace

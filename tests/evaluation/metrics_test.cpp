@@ -9,7 +9,6 @@
 namespace mrose {
 namespace {
 
-Command straightOn(double) { return {0.1, 0}; }
 Command turning(double) { return {0.1, 0.2}; }
 
 Evaluation evaluated(const Log& log, const MotionModel& model) {

@@ -5,6 +5,7 @@
 
 #include "evaluation/evaluate.h"
 #include "motion/motion_model.h"
+#include "support/units.h"
 
 namespace mrose {
 
@@ -31,7 +32,7 @@ private:
     double gain_;
 };
 
-constexpr Nanoseconds second = nanosecondsPerSecond;
+inline Command straightOn(double) { return {0.1, 0}; }
 
 /// A robot that does at once what it is told: at `rate` poses and 10 commands a second, from `from` on for `duration`.
 template <class CommandAt>

@@ -7,8 +7,6 @@
 namespace mrose {
 namespace {
 
-Command straightOn(double) { return {0.1, 0}; }
-
 TEST(Windows, LieEndToEndFromTwoSecondsAfterTheGridsBegin) {
     const Log log = logOf({obedientTrajectory(0, 60 * second, straightOn)});
     const auto windows = findWindows(log);

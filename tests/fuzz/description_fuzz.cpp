@@ -131,7 +131,7 @@ void runTicks(const LoadedScenario& loaded, int ticks) {
 
 void requireSound(const LoadedScenario& loaded) {
     KeptDescriptions kept(loaded.texts);
-    const auto again = loadScenario(loaded.name, kept, {.plugins = false});
+    const auto again = loadScenario(loaded.name, kept);
     require(again && again->texts == loaded.texts);
     drawScene(loaded.parts.scene, loaded.parts.name);
     // Each state holds the poses of a second of all bodies, and a kinematic robot may have many commands a period.
@@ -158,7 +158,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         drawRobot(robot->type);
     else
         requireOneLine(robot.error());
-    if (const auto scenario = loadScenario("f", source, {.plugins = false}))
+    if (const auto scenario = loadScenario("f", source))
         requireSound(*scenario);
     else
         requireOneLine(scenario.error());

@@ -8,11 +8,10 @@
 #include "identification/motion_samples.h"
 #include "identification/recipes.h"
 #include "logs/pose_grid.h"
+#include "support/units.h"
 
 namespace mrose {
 namespace {
-
-constexpr Nanoseconds ms = 1'000'000;
 
 /// Windows of 2 s with the commands of 3 s before, on one clock; the robot drives with v = 0.1 (group + 1) m/s.
 Log shortWindows(int groups) {

@@ -11,12 +11,11 @@
 #include "learning/initial_weights.h"
 #include "motion/kinematic.h"
 #include "motion/learned_model.h"
+#include "support/units.h"
 #include "world/noise.h"
 
 namespace mrose {
 namespace {
-
-constexpr Nanoseconds ms = 1'000'000;
 
 /// A robot that follows `model` exactly, driven by random commands; poses every 20 ms.
 Log drivenLog(const MotionModel& model, int trajectories, double seconds, std::uint64_t seed) {
@@ -188,15 +187,15 @@ TEST(TrainNetwork, PapersNetworkLearnsALaggedRobotByEveryMethod) {
 }
 
 TEST(TrainNetwork, SameSeedGivesTheSameFileWhateverTheThreads) {
-    for (const auto& [planted, loss] :
-         {std::pair{&plantedHistory(), LearningLoss::rollout}, {&plantedPaper(), LearningLoss::oneStep}}) {
+    for (const LearningLoss loss : {LearningLoss::rollout, LearningLoss::oneStep}) {
+        const auto& planted = loss == LearningLoss::rollout ? plantedHistory() : plantedPaper();
         std::string texts[3];
         int i = 0;
         for (const int threads : {1, 2, 8}) {
             const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
             tbb::task_arena arena(threads);
             arena.execute([&] {
-                texts[i++] = networkText(trainNetwork(planted->blueprint, planted->samples, quick(loss))->network);
+                texts[i++] = networkText(trainNetwork(planted.blueprint, planted.samples, quick(loss))->network);
             });
         }
         EXPECT_EQ(texts[0], texts[1]);

@@ -6,16 +6,15 @@
 
 #include <gtest/gtest.h>
 
+#include "support/units.h"
+
 namespace mrose {
 namespace {
-
-constexpr Nanoseconds millisecond = 1'000'000;
 
 /// A sample every 15 ms, with a moving command.
 std::vector<StampedCommand> drive(std::size_t count) {
     std::vector<StampedCommand> commands;
-    for (std::size_t i = 0; i < count; ++i)
-        commands.push_back({static_cast<Nanoseconds>(i) * 15 * millisecond, {0.08, 0.4}});
+    for (std::size_t i = 0; i < count; ++i) commands.push_back({static_cast<Nanoseconds>(i) * 15 * ms, {0.08, 0.4}});
     return commands;
 }
 
@@ -23,7 +22,7 @@ std::vector<StampedCommand> drive(std::size_t count) {
 std::vector<StampedPose> track(std::size_t count) {
     std::vector<StampedPose> poses;
     for (std::size_t i = 0; i < count; ++i)
-        poses.push_back({static_cast<Nanoseconds>(i) * 15 * millisecond, {0.0015 * static_cast<double>(i), 1, 0.5}});
+        poses.push_back({static_cast<Nanoseconds>(i) * 15 * ms, {0.0015 * static_cast<double>(i), 1, 0.5}});
     return poses;
 }
 
@@ -93,7 +92,7 @@ TEST(Conditioning, KeepsRealStops) {
     for (std::size_t i = 50; i < 100; ++i) commands[i].command.v = 0.02;
     commands[50].command = {};  // between different commands
     commands[70].command = {};  // held for long
-    for (std::size_t i = 71; i < 100; ++i) commands[i].time += 100 * millisecond;
+    for (std::size_t i = 71; i < 100; ++i) commands[i].time += 100 * ms;
     commands[99].command = {};  // the last
     conditionCommands(commands, {}, found);
     EXPECT_EQ(found.blips, 0);
@@ -113,11 +112,11 @@ TEST(Conditioning, CountsGapsBeyondTheLimitAndTheLongest) {
     LogDefects found;
     auto commands = drive(100);
     auto poses = track(100);
-    for (std::size_t i = 20; i < 100; ++i) commands[i].time += 600 * millisecond;
-    for (std::size_t i = 60; i < 100; ++i) commands[i].time += 900 * millisecond;
-    for (std::size_t i = 80; i < 100; ++i) commands[i].time += 400 * millisecond;
-    for (std::size_t i = 50; i < 100; ++i) poses[i].time += 300 * millisecond;
-    for (std::size_t i = 70; i < 100; ++i) poses[i].time += 150 * millisecond;
+    for (std::size_t i = 20; i < 100; ++i) commands[i].time += 600 * ms;
+    for (std::size_t i = 60; i < 100; ++i) commands[i].time += 900 * ms;
+    for (std::size_t i = 80; i < 100; ++i) commands[i].time += 400 * ms;
+    for (std::size_t i = 50; i < 100; ++i) poses[i].time += 300 * ms;
+    for (std::size_t i = 70; i < 100; ++i) poses[i].time += 150 * ms;
     conditionCommands(commands, {}, found);
     conditionPoses(poses, {}, found);
     EXPECT_EQ(found.commandGaps, 2);
@@ -175,7 +174,7 @@ std::vector<Nanoseconds> seconds(std::initializer_list<double> stamps) {
 
 std::vector<Nanoseconds> regular(int count) {
     std::vector<Nanoseconds> times;
-    for (int i = 0; i < count; ++i) times.push_back(i * 100 * millisecond);
+    for (int i = 0; i < count; ++i) times.push_back(i * 100 * ms);
     return times;
 }
 
@@ -195,7 +194,7 @@ TEST(ClockReset, IsFoundWhereTheStampsNeverRecover) {
     ASSERT_TRUE(reset);
     EXPECT_EQ(reset->row, 600u);
     EXPECT_EQ(reset->latestBefore, 599u);
-    EXPECT_EQ(reset->behind, 59'900 * millisecond);
+    EXPECT_EQ(reset->behind, 59'900 * ms);
 }
 
 TEST(ClockReset, IsFoundWhereTheClockRepeatsALargeShareAndRecovers) {

@@ -27,7 +27,7 @@ constexpr const char* truthText =
     "1248444175.103 \t 1.41277290 \t -3.89107760 \t 3.14 \n"
     "1248444175.115 \t 1.41278500 \t -3.89107880 \t -3.14 \n";
 
-std::string messageOf(const std::string& text) {
+std::string odometryMessage(const std::string& text) {
     const auto rows = parseMrclamOdometry(text, "o.dat");
     return rows ? "no error" : rows.error().message();
 }
@@ -46,32 +46,32 @@ TEST(MrclamReader, ReadsRowsAsTheyStand) {
 }
 
 TEST(MrclamReader, EachWrongRowIsToldByFileLineAndKey) {
-    EXPECT_EQ(messageOf("1 2 3\n2 x 3\n"), "o.dat:2:3: v: expected a number within +-1e9, found 'x'");
-    EXPECT_EQ(messageOf("# c\n1 2 nan\n2 2 3\n"), "o.dat:2:5: w: expected a number within +-1e9, found 'nan'");
-    EXPECT_EQ(messageOf("1 2 inf\n2 2 3\n"), "o.dat:1:5: w: expected a number within +-1e9, found 'inf'");
-    EXPECT_EQ(messageOf("1 2 3\n2 2 1e300\n"), "o.dat:2:5: w: expected a number within +-1e9, found '1e300'");
-    EXPECT_EQ(messageOf("1 2 3\n2 2 3.4.5\n"), "o.dat:2:5: w: expected a number within +-1e9, found '3.4.5'");
-    EXPECT_EQ(messageOf("1 2 3\n12;3 2 1\n"), "o.dat:2:1: time: expected seconds within +-4e9, found '12;3'");
-    EXPECT_EQ(messageOf("1 2 3\n2 2\n3 2 1\n"), "o.dat:2:4: w: missing: 2 of 3 columns");
-    EXPECT_EQ(messageOf("1 2 3\n2 2 3 4\n3 2 1\n"), "o.dat:2:7: more than 3 columns");
+    EXPECT_EQ(odometryMessage("1 2 3\n2 x 3\n"), "o.dat:2:3: v: expected a number within +-1e9, found 'x'");
+    EXPECT_EQ(odometryMessage("# c\n1 2 nan\n2 2 3\n"), "o.dat:2:5: w: expected a number within +-1e9, found 'nan'");
+    EXPECT_EQ(odometryMessage("1 2 inf\n2 2 3\n"), "o.dat:1:5: w: expected a number within +-1e9, found 'inf'");
+    EXPECT_EQ(odometryMessage("1 2 3\n2 2 1e300\n"), "o.dat:2:5: w: expected a number within +-1e9, found '1e300'");
+    EXPECT_EQ(odometryMessage("1 2 3\n2 2 3.4.5\n"), "o.dat:2:5: w: expected a number within +-1e9, found '3.4.5'");
+    EXPECT_EQ(odometryMessage("1 2 3\n12;3 2 1\n"), "o.dat:2:1: time: expected seconds within +-4e9, found '12;3'");
+    EXPECT_EQ(odometryMessage("1 2 3\n2 2\n3 2 1\n"), "o.dat:2:4: w: missing: 2 of 3 columns");
+    EXPECT_EQ(odometryMessage("1 2 3\n2 2 3 4\n3 2 1\n"), "o.dat:2:7: more than 3 columns");
 }
 
 TEST(MrclamReader, ALastLineThatIsCutOffIsAnError) {
-    EXPECT_EQ(messageOf("1 2 3\n2 2 3\n3 2"), "o.dat:3:4: w: the last line is cut off: 2 of 3 columns");
-    EXPECT_EQ(messageOf("1 2 3\n2 2 3\n3 -"), "o.dat:3:3: v: the last line is cut off: 1 of 3 columns");
-    EXPECT_EQ(messageOf("1 2 3\n2 2 3\n3 2 -0.3"),
+    EXPECT_EQ(odometryMessage("1 2 3\n2 2 3\n3 2"), "o.dat:3:4: w: the last line is cut off: 2 of 3 columns");
+    EXPECT_EQ(odometryMessage("1 2 3\n2 2 3\n3 -"), "o.dat:3:3: v: the last line is cut off: 1 of 3 columns");
+    EXPECT_EQ(odometryMessage("1 2 3\n2 2 3\n3 2 -0.3"),
               "o.dat:3:9: w: the last line is cut off: it ends without a line break");
 }
 
 TEST(MrclamReader, AFileTooShortIsAnError) {
-    EXPECT_EQ(messageOf(""), "o.dat: too short: 0 rows; expected at least 2");
-    EXPECT_EQ(messageOf("# only\n1 2 3\n"), "o.dat: too short: 1 row; expected at least 2");
+    EXPECT_EQ(odometryMessage(""), "o.dat: too short: 0 rows; expected at least 2");
+    EXPECT_EQ(odometryMessage("# only\n1 2 3\n"), "o.dat: too short: 1 row; expected at least 2");
 }
 
 TEST(MrclamReader, TimeRunningBackwardsForGoodIsAnError) {
     std::string text = "# comment\n";
     for (int i = 0; i < 40; ++i) text += std::to_string(i < 20 ? 1000 + i : i) + " 0.1 0\n";
-    EXPECT_EQ(messageOf(text), "o.dat:22: time runs backwards for good: 999.000 s before line 21");
+    EXPECT_EQ(odometryMessage(text), "o.dat:22: time runs backwards for good: 999.000 s before line 21");
 }
 
 TEST(MrclamReader, AFolderGivesOneRobotForEachOdometryFileInTheOrderOfTheirNumbers) {

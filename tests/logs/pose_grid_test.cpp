@@ -8,27 +8,25 @@
 
 #include "logs/log_reader.h"
 #include "support/test_data.h"
+#include "support/units.h"
 
 namespace mrose {
 namespace {
-
-constexpr Nanoseconds millisecond = 1'000'000;
 
 /// 30 s of commands and noisy poses at irregular milliseconds, with pauses of 0.15 and 0.35 s in the poses.
 Trajectory irregular(std::uint64_t seed) {
     std::mt19937_64 random(seed);
     std::normal_distribution<double> noise(0, 1e-3);
     Trajectory trajectory;
-    const Nanoseconds origin = 1'248'444'187'003 * millisecond;
+    const Nanoseconds origin = 1'248'444'187'003 * ms;
     for (Nanoseconds t = 437; t < 30'000; t += 10 + static_cast<Nanoseconds>(random() % 12))
-        trajectory.commands.push_back({origin + t * millisecond, {0.1, 0.2}});
+        trajectory.commands.push_back({origin + t * ms, {0.1, 0.2}});
     for (Nanoseconds t = 0; t < 31'000; t += 11 + static_cast<Nanoseconds>(random() % 15)) {
         if (t > 9'000 && t < 9'140) t += 150;
         if (t > 17'000 && t < 17'300) t += 350;
         const double s = static_cast<double>(t) * 1e-3;
         trajectory.poses.push_back(
-            {origin + t * millisecond,
-             {std::cos(s) + noise(random), std::sin(s) + noise(random), 0.7 * s + noise(random)}});
+            {origin + t * ms, {std::cos(s) + noise(random), std::sin(s) + noise(random), 0.7 * s + noise(random)}});
     }
     return trajectory;
 }
@@ -42,7 +40,7 @@ PlainLine plainFit(const std::vector<StampedPose>& poses, Nanoseconds time) {
     double n = 0, st = 0, stt = 0;
     Pose s, stp;
     for (const auto& [stamp, pose] : poses) {
-        if (stamp < time - 60 * millisecond || stamp >= time + 60 * millisecond) continue;
+        if (stamp < time - 60 * ms || stamp >= time + 60 * ms) continue;
         const double t = static_cast<double>(stamp - time) / 1e9;
         n += 1, st += t, stt += t * t;
         s = {s.x + pose.x, s.y + pose.y, s.heading + pose.heading};
@@ -85,7 +83,7 @@ TEST(PoseGrid, IsNotOkWithinAGapOfTheTruth) {
         bool expected = true;
         for (std::size_t k = 1; k < trajectory.poses.size(); ++k)
             if (trajectory.poses[k - 1].time < grid.time(i) && trajectory.poses[k].time >= grid.time(i))
-                expected = trajectory.poses[k].time - trajectory.poses[k - 1].time < 200 * millisecond;
+                expected = trajectory.poses[k].time - trajectory.poses[k - 1].time < 200 * ms;
         EXPECT_EQ(grid.ok[i], expected) << i;
         bad += !grid.ok[i];
     }
@@ -94,8 +92,8 @@ TEST(PoseGrid, IsNotOkWithinAGapOfTheTruth) {
 
 TEST(PoseGrid, LiesOnWholeStepsFromAfterTheStartToBeforeTheEnd) {
     const Trajectory trajectory = irregular(3);
-    for (const Nanoseconds step : {100 * millisecond, 20 * millisecond})
-        for (const GridMargins margins : {GridMargins{}, GridMargins{0, 0}, GridMargins{2000 * millisecond, 0}}) {
+    for (const Nanoseconds step : {100 * ms, 20 * ms})
+        for (const GridMargins margins : {GridMargins{}, GridMargins{0, 0}, GridMargins{2000 * ms, 0}}) {
             const Nanoseconds begin = trajectory.commands.front().time + margins.begin;
             const Nanoseconds end = trajectory.commands.back().time - margins.end;
             const PoseGrid grid = poseGrid(trajectory, step, margins);
@@ -110,8 +108,8 @@ TEST(PoseGrid, LiesOnWholeStepsFromAfterTheStartToBeforeTheEnd) {
 }
 
 TEST(PoseGrid, DefaultMarginsAreThoseOfTheReferee) {
-    EXPECT_EQ(GridMargins{}.begin, 1500 * millisecond);
-    EXPECT_EQ(GridMargins{}.end, 1000 * millisecond);
+    EXPECT_EQ(GridMargins{}.begin, 1500 * ms);
+    EXPECT_EQ(GridMargins{}.end, 1000 * ms);
 }
 
 TEST(PoseGrid, IsEmptyWithoutCommandsOrTruthOrTime) {
@@ -125,14 +123,14 @@ TEST(PoseGrid, IsEmptyWithoutCommandsOrTruthOrTime) {
 
 Trajectory arc(double v, double w, Nanoseconds period) {
     Trajectory trajectory;
-    for (Nanoseconds t = 0; t <= 2000 * millisecond; t += period)
+    for (Nanoseconds t = 0; t <= 2000 * ms; t += period)
         trajectory.poses.push_back({t, exp({v * toSeconds(t), 0, w * toSeconds(t)})});
     return trajectory;
 }
 
 TEST(MeasuredStart, FindsPoseAndVelocityOfASteadyRobotAlsoBetweenSamples) {
-    const Trajectory trajectory = arc(0.3, 0.5, 15 * millisecond);
-    for (const Nanoseconds time : {1000 * millisecond, 1007 * millisecond, 1999 * millisecond}) {
+    const Trajectory trajectory = arc(0.3, 0.5, 15 * ms);
+    for (const Nanoseconds time : {1000 * ms, 1007 * ms, 1999 * ms}) {
         const MeasuredStart start = measuredStart(trajectory, time);
         ASSERT_TRUE(start.valid);
         const Pose expected = exp({0.3 * toSeconds(time), 0, 0.5 * toSeconds(time)});
@@ -149,7 +147,7 @@ TEST(MeasuredStart, ReadsNothingLater) {
     for (const std::size_t last : {100u, 400u, 800u}) {
         Trajectory cut = whole;
         cut.poses.resize(last + 1);
-        for (const Nanoseconds later : {Nanoseconds{0}, 3 * millisecond}) {
+        for (const Nanoseconds later : {Nanoseconds{0}, 3 * ms}) {
             const Nanoseconds time = whole.poses[last].time + later;
             const MeasuredStart a = measuredStart(whole, time), b = measuredStart(cut, time);
             ASSERT_TRUE(a.valid);
@@ -160,20 +158,19 @@ TEST(MeasuredStart, ReadsNothingLater) {
 }
 
 TEST(MeasuredStart, IsNotValidWhereTheTruthIsOldOrMissing) {
-    const Trajectory trajectory = arc(0.3, 0.5, 15 * millisecond);
+    const Trajectory trajectory = arc(0.3, 0.5, 15 * ms);
     const Nanoseconds last = trajectory.poses.back().time;
-    EXPECT_TRUE(measuredStart(trajectory, last + 200 * millisecond).valid);
-    EXPECT_FALSE(measuredStart(trajectory, last + 201 * millisecond).valid);
+    EXPECT_TRUE(measuredStart(trajectory, last + 200 * ms).valid);
+    EXPECT_FALSE(measuredStart(trajectory, last + 201 * ms).valid);
     EXPECT_FALSE(measuredStart(trajectory, -1).valid);
     EXPECT_FALSE(measuredStart(Trajectory{}, 0).valid);
 }
 
 TEST(MeasuredStart, FewSamplesAfterAGapReachBehindIt) {
-    Trajectory trajectory = arc(0.3, 0.5, 15 * millisecond);
-    std::erase_if(trajectory.poses, [](const StampedPose& sample) {
-        return sample.time > 700 * millisecond && sample.time < 990 * millisecond;
-    });
-    const MeasuredStart start = measuredStart(trajectory, 1010 * millisecond);  // two samples after the gap
+    Trajectory trajectory = arc(0.3, 0.5, 15 * ms);
+    std::erase_if(trajectory.poses,
+                  [](const StampedPose& sample) { return sample.time > 700 * ms && sample.time < 990 * ms; });
+    const MeasuredStart start = measuredStart(trajectory, 1010 * ms);  // two samples after the gap
     ASSERT_TRUE(start.valid);
     EXPECT_NEAR(start.velocity.w, 0.5, 1e-9);
 }

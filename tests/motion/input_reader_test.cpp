@@ -6,13 +6,12 @@
 #include <gtest/gtest.h>
 
 #include "motion/network_fixture.h"
+#include "support/units.h"
 
 namespace mrose {
 namespace {
 
 using Quantity = NetworkInput::Quantity;
-
-constexpr Nanoseconds ms = 1'000'000;
 
 constexpr Velocity velocity{0.3, -0.7};
 
@@ -106,12 +105,12 @@ TEST(InputReader, WheelPhasesAreThoseOfTheCommandedWheelSpeeds) {
     EXPECT_NEAR(read(Quantity::forwardCosine), std::cos(turn / 2 * command.v), 1e-12);
 }
 
-TEST(InputReader, OldestCommandHoldsForeverOnceTheHistoryIsFull) {
+TEST(InputReader, CommandPushedOutLastHoldsForeverOnceTheHistoryIsFull) {
     CommandHistory history;
     const int last = int(CommandHistory::capacity) + 3;
     for (int i = 0; i <= last; ++i) history.issue(i * ms, {0.001 * i, 0});
-    const double oldest = 0.001 * 4;  // 0 to 3 are forgotten
-    EXPECT_NEAR(readOne(Quantity::commandV, 0.2, 0.3, history, last * ms), oldest, 1e-15);
+    const double before = 0.001 * 3;  // the last one for which there was no room
+    EXPECT_NEAR(readOne(Quantity::commandV, 0.2, 0.3, history, last * ms), before, 1e-15);
     const Command mean = history.mean((last - 200) * ms, last * ms);
     EXPECT_NEAR(readOne(Quantity::commandV, 0, 0.2, history, last * ms), mean.v, 1e-14);
 }

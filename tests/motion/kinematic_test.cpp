@@ -6,12 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include "support/units.h"
 #include "world/noise.h"
 
 namespace mrose {
 namespace {
 
-constexpr Nanoseconds ms = 1'000'000;
 constexpr double period = 0.1;
 
 CommandHistory constant(const Command& command) {

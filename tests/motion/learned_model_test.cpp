@@ -6,11 +6,10 @@
 #include <gtest/gtest.h>
 
 #include "motion/network_fixture.h"
+#include "support/units.h"
 
 namespace mrose {
 namespace {
-
-constexpr Nanoseconds ms = 1'000'000;
 
 CommandHistory someHistory(int variant) {
     CommandHistory history;

@@ -60,7 +60,7 @@ protected:
             EXPECT_NEAR(pose[2], expected.x, 5.1e-4);
             EXPECT_NEAR(pose[3], expected.y, 5.1e-4);
             const double heading = 2 * std::atan2(pose[4].get<double>(), pose[5].get<double>());
-            EXPECT_NEAR(std::remainder(heading - expected.heading, 2 * std::acos(-1.0)), 0, 3e-4);
+            EXPECT_NEAR(std::remainder(heading - expected.heading, 2 * std::acos(-1.0)), 0, 1.42e-3);
             last = std::max(last, tick);
         }
         EXPECT_EQ(last, lastTick);

@@ -8,6 +8,7 @@
 #include "recording/mcap_walk.h"
 #include "recording/playback.h"
 #include "recording/recording_fixture.h"
+#include "world/noise.h"
 #include "world/state_difference.h"
 
 namespace mrose {
@@ -134,6 +135,49 @@ TEST_F(RecordingFile, NothingIsOverwrittenUnasked) {
     EXPECT_FALSE(RecordingWriter::create(folder.path(), scenario, run.states.front(), {}, "", {true}));
     EXPECT_FALSE(RecordingWriter::create(folder.path() / "no" / "run.mcap", scenario, run.states.front()));
     EXPECT_FALSE(RecordingWriter::create("/dev/null", scenario, run.states.front(), {}, "", {true}));
+}
+
+TEST_F(RecordingFile, TellsWhatRecordedIt) {
+    Origin other = thisOrigin();
+    other.compiler = "Clang 99";
+    other.processor = "Z80";
+    const auto recording = openRecording(record({true, 40, other}));
+    ASSERT_TRUE(recording);
+    EXPECT_EQ(recording->header.origin, other);
+    EXPECT_EQ(differences(recording->header.origin, thisOrigin()).size(), 2u);
+}
+
+/// Commands drawn anew at every instant, as in the benchmarks' scene: what compresses worst.
+class RandomDrive final : public Controller {
+public:
+    void decide(const Observation& observation, std::span<std::byte>, Decision& decision) const override {
+        const NoisePair u = uniformPair({1, observation.time, observation.robot, 0});
+        decision.command = Command{u.first, 4 * (2 * u.second - 1)};
+    }
+};
+
+TEST_F(RecordingFile, AnHourOfEightRobotsTakesAtMost30Megabytes) {
+    MatchOptions options;
+    options.controller = std::make_shared<const RandomDrive>();
+    const Scenario drive(matchParts(options));
+    WorldState state = drive.initialState();
+    StepBuffers buffers;
+    StepTrace trace;
+    const std::filesystem::path path = folder.path() / "minutes.mcap";
+    auto writer = RecordingWriter::create(path, drive, state);
+    ASSERT_TRUE(writer);
+    constexpr std::int64_t second = 50, minutes = 4;
+    for (std::int64_t i = 1; i <= minutes * 60 * second; ++i) {
+        step(drive, state, buffers, {}, &trace);
+        writer->add(state, trace);
+        if (i % second == 0) writer->flush();  // as a run does that keeps pace with the clock
+    }
+    ASSERT_TRUE(writer->close());
+    EXPECT_LE(std::filesystem::file_size(path) * 60 / minutes, 30'000'000u);
+    // Keyframes lie so near to each other that 350 ticks lead anywhere.
+    const auto recording = openRecording(path);
+    ASSERT_TRUE(recording);
+    for (const TimelineBlock& block : recording->branches[0].timeline.blocks()) EXPECT_LE(block.hashes.size(), 350u);
 }
 
 TEST(Origin, DifferencesAreSentences) {

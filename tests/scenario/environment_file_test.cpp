@@ -93,7 +93,7 @@ TEST(EnvironmentFile, EveryMistakeNamesItsPlace) {
          "f:5:12: wall[0].points_m: has 1 elements; expected 2 to 100 arrays of 2 numbers"},
         {"[[wall]]\npoints_m = [[0, 0], [0, 0.0001]]\nthickness_m = 0.1",
          "f:5:13: wall[0].points_m[0]: is nearer than 0.001 m to the next corner; edges need some length"},
-        {"[[wall]]\npoints_m = [[0, 0], [1, 0], [0, 0.2]]\nthickness_m = 0.1",
+        {"[[wall]]\npoints_m = [[0, 0], [1, 0], [0.4, 0.9]]\nthickness_m = 0.1",
          "f:5:21: wall[0].points_m[1]: turns by more than 120 degrees; expected two walls"},
         {"[[wall]]\npoints_m = [[0, 0], [1, 0], [1, 0.1],\n [0, 0.1]]\nclosed = true\nthickness_m = 0.3",
          "f:5:21: wall[0].points_m[1]: begins a segment that is too short for the wall's thickness"},

@@ -9,13 +9,12 @@
 namespace mrose {
 namespace {
 
-constexpr double gravity = 9.81;
-const Floor carpet{0.3, 0.6, 0.4, {}, {}};
+const FloorSurface carpet{0.3, 0.6, 0.4, {}, {}};
 
 ObjectState rolling(double vx, double vy) { return {{}, {vx, vy, 0}, {vx, vy}}; }
 
 ObjectState after(ObjectState state, double seconds, double tick, const ObjectType& type = ballType(),
-                  const Floor& floor = carpet) {
+                  const FloorSurface& floor = carpet) {
     for (double t = 0; t < seconds - tick / 2; t += tick) state = afterFloorMotion(state, type, floor, 1, tick);
     return state;
 }

@@ -131,7 +131,8 @@ TEST(LogGenerator, TheShippedLogsAreTheExampleSet) {
         ASSERT_TRUE(shipped) << shipped.error().message();
         EXPECT_TRUE(shipped->synthetic);
         bytes += std::filesystem::file_size(file);
-        const auto& made = generated(part, 1).robots.at(0).trajectories;
+        const Log example = generated(part, 1);
+        const auto& made = example.robots.at(0).trajectories;
         ASSERT_EQ(shipped->robots.at(0).trajectories.size(), made.size());
         for (std::size_t i = 0; i < made.size(); ++i) {
             const Trajectory& trajectory = shipped->robots[0].trajectories[i];

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "support/units.h"
+
 namespace mrose {
 namespace {
-
-constexpr Nanoseconds ms = 1'000'000;
 
 TEST(CommandHistory, StandsBeforeTheFirstCommand) {
     CommandHistory history;

@@ -42,7 +42,8 @@ void expectMinds(WorldState& state, Value& value) {
 TEST(StateHash, EveryByteOfARobotCountsOnceAndPaddingNever) {
     WorldState state = arbitraryState(1);
     // Three numbers and more, one count, one flag; by the declarations' own sizes.
-    const std::size_t segment = sizeof(std::int64_t) + 5 * sizeof(Pose) + sizeof(Point) + 2 * sizeof(Velocity) + sizeof(bool);
+    const std::size_t segment =
+        sizeof(std::int64_t) + 5 * sizeof(Pose) + sizeof(Point) + 2 * sizeof(Velocity) + sizeof(bool);
     const std::size_t world = sizeof(Pose) + sizeof(Twist) + sizeof(std::int64_t) + segment + sizeof(bool) +
                               sizeof(std::uint32_t) + sizeof(Command) + maxManipulators * sizeof(Nanoseconds);
     const std::size_t minds = 2 * sizeof(Pose) + sizeof(Nanoseconds) + sizeof(bool) + sizeof(double);
