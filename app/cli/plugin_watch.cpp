@@ -43,7 +43,7 @@ std::mutex actionMutex;
 std::function<void()> endAction;
 
 /// One line on standard error, by means that a signal handler may use.
-void say(const Activity& activity, std::string_view what, std::string_view more) {
+void say(const std::string& who, std::int64_t tick, std::string_view what, std::string_view more) {
     std::array<char, 1024> line;
     std::size_t size = 0;
     const auto add = [&](std::string_view text) {
@@ -51,9 +51,9 @@ void say(const Activity& activity, std::string_view what, std::string_view more)
             if (size + 1 < line.size()) line[size++] = static_cast<unsigned char>(c) < 0x20 ? '?' : c;
     };
     add("mrose: ");
-    add(*activity.who.load());
+    add(who);
     add(what);
-    if (const std::int64_t tick = activity.tick.load(); tick != noTick) {
+    if (tick != noTick) {
         std::array<char, 24> digits;
         std::size_t first = digits.size();
         for (std::int64_t rest = tick; rest > 0 || first == digits.size(); rest /= 10)
@@ -120,7 +120,13 @@ Activity& activityOfThisThread() {
     return *current;
 }
 
-bool inPlugin() { return current != nullptr && current->who.load() != nullptr; }
+/// Ends the program, where this thread runs a plug-in, by naming it.
+void endIfInPlugin(std::string_view what, std::string_view more) {
+    const std::string* const who = current != nullptr ? current->who.load() : nullptr;
+    if (who == nullptr) return;
+    say(*who, current->tick.load(), what, more);
+    ::_exit(failure);
+}
 
 struct FatalSignal {
     int number;
@@ -136,20 +142,13 @@ std::array<FatalSignal, 5> fatalSignals{{{SIGSEGV, " (segmentation fault)", {}},
 extern "C" void onFatalSignal(int number) {
     for (const FatalSignal& fatal : fatalSignals) {
         if (fatal.number != number) continue;
-        if (inPlugin()) {
-            say(*current, " crashed", fatal.meaning);
-            ::_exit(failure);
-        }
+        endIfInPlugin(" crashed", fatal.meaning);
         // Not a plug-in's: what would have happened happens now.
         ::sigaction(number, &fatal.before, nullptr);
     }
 }
 
-void onExit() {
-    if (!inPlugin()) return;
-    say(*current, " ended the program", "");
-    ::_exit(failure);
-}
+void onExit() { endIfInPlugin(" ended the program", ""); }
 
 /// Counts its own rounds and not the time, so that a program that was stopped for a while is not taken for stuck.
 void watch(double limit) {
@@ -162,11 +161,11 @@ void watch(double limit) {
     for (;;) {
         std::this_thread::sleep_for(std::chrono::duration<double>(limit / rounds));
         for (std::size_t i = 0; i < activities.size(); ++i) {
-            const Activity& activity = activities[i];
-            const bool same = activity.who.load() != nullptr && activity.count.load() == seen[i].count;
-            seen[i] = {activity.count.load(), same ? seen[i].rounds + 1 : 0};
+            const std::string* const who = activities[i].who.load();
+            const std::uint64_t count = activities[i].count.load();
+            seen[i] = {count, who != nullptr && count == seen[i].count ? seen[i].rounds + 1 : 0};
             if (seen[i].rounds <= rounds) continue;
-            say(activity, " does not return", "");
+            say(*who, activities[i].tick.load(), " does not return", "");
             const std::lock_guard lock(actionMutex);
             if (endAction) endAction();
             ::_exit(failure);
@@ -181,7 +180,10 @@ public:
 
     std::size_t memorySize() const override { return watched_->memorySize(); }
     void start(std::span<std::byte> memory) const override { watched_->start(memory); }
-    std::size_t commandsPerPeriod(Nanoseconds period) const override { return watched_->commandsPerPeriod(period); }
+    std::size_t commandsPerPeriod(Nanoseconds period) const override {
+        const PluginGuard guard(who_);
+        return watched_->commandsPerPeriod(period);
+    }
     void decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const override {
         Activity& activity = activityOfThisThread();
         activity.begin(&who_, observation.time / tickLength_);

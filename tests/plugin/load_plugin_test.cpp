@@ -72,8 +72,9 @@ TEST(PluginLoading, WhatWasBuiltOtherwiseIsSaid) {
     EXPECT_EQ(refusal(testPlugin("other_interface")),
               testPlugin("other_interface") +
                   ": was built for plug-in interface 0 and not 1; build it with the headers of this program");
-    EXPECT_EQ(refusal(testPlugin("other_library")),
-              testPlugin("other_library") + ": was built with libc++ and not with libstdc++");
+    EXPECT_EQ(
+        refusal(testPlugin("other_library")),
+        testPlugin("other_library") + ": was built with libstdc++ with debugging containers and not with libstdc++");
     EXPECT_EQ(refusal(testPlugin("other_layout")),
               testPlugin("other_layout") + ": was built where Decision has " + std::to_string(sizeof(Decision) + 8) +
                   " bytes and not " + std::to_string(sizeof(Decision)) + "; build it with the headers of this program");

@@ -1,7 +1,11 @@
-// What the program does with plug-ins that misbehave.
+// What the program does with plug-ins, and with those that misbehave.
+#include <algorithm>
+#include <array>
+
 #include <gtest/gtest.h>
 
 #include "cli/workshop.h"
+#include "io/file.h"
 #include "plugin/test_plugins.h"
 #include "recording/recording.h"
 #include "support/run_program.h"
@@ -99,7 +103,21 @@ TEST_F(PluginProgram, TroubleWhileLoadingIsNamed) {
     EXPECT_EQ(loop.err, who + " does not return while it was loaded\n");
 }
 
-/// A fault that is nobody's plug-in's stays what it is.
+TEST_F(PluginProgram, BatchIsTheSameIsolated) {
+    std::array<std::string, 2> results;
+    for (const bool isolate : {false, true}) {
+        const std::string out = (folder_.path() / (isolate ? "apart" : "together")).string();
+        std::vector<std::string> words{
+            "batch", scenario("how = \"\""), "--trials", "6", "--threads", "4", "--quiet", "-o", out};
+        if (isolate) words.push_back("--isolate");
+        const ProgramResult result = runMrose(words);
+        EXPECT_EQ(result.status, 0) << result.err;
+        results[isolate] = readFile(out + "/results.csv").value_or("");
+    }
+    EXPECT_EQ(std::count(results[0].begin(), results[0].end(), '\n'), 7) << results[0];
+    EXPECT_EQ(results[0], results[1]);
+}
+
 TEST_F(PluginProgram, BatchIsWatchedOnEveryThread) {
     const ProgramResult result = runMrose({"batch", scenario(how("crash", 3)), "--trials", "8", "--threads", "4",
                                            "--quiet", "-o", (folder_.path() / "out").string()});
