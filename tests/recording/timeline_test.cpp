@@ -84,24 +84,12 @@ TEST(Timeline, OtherControllersDoNotMatter) {
     }
 }
 
-/// Drives straight on and counts how often it is asked.
-class Counting final : public Controller {
-public:
-    explicit Counting(int& asked) : asked_(asked) {}
-    std::size_t memorySize() const override { return sizeof(Rover::Memory); }
-    std::size_t commandsPerPeriod() const override { return 2; }
-    void decide(const Observation&, std::span<std::byte>, Decision&) const override { ++asked_; }
-
-private:
-    int& asked_;
-};
-
 TEST(Timeline, ControllersThatDifferAreAskedOnce) {
     const Scenario scenario(matchParts());
     const Timeline timeline = timelineOf(runMatch(scenario, scenario.initialState(), 100), 50);
     int asked = 0;
     MatchOptions other;
-    other.controller = std::make_shared<const Counting>(asked);
+    other.controller = std::make_shared<const Rover>(1, 0, &asked);
     const Scenario changed(matchParts(other));
     Playback playback(changed);
     EXPECT_TRUE(playback.reach(timeline, 20)->worldSame);
