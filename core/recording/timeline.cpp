@@ -48,11 +48,9 @@ void Timeline::add(const WorldState& after, const StepTrace& trace, const StateH
 
 bool Timeline::append(TimelineBlock block) {
     if (block.first != last()) return false;
-    TimelineBlock& open = blocks_.back();
-    // Of two states kept of one tick the first stays.
-    if (open.first == block.first) block.keyframe.clear();
     size_ += block.size();
     if (block.keyframe.empty()) {
+        TimelineBlock& open = blocks_.back();
         open.hashes.insert(open.hashes.end(), block.hashes.begin(), block.hashes.end());
         open.decisions += block.decisions;
     } else {

@@ -78,6 +78,7 @@ std::shared_ptr<const MotionModel> motionModel(bool lively) {
 void Rover::decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const {
     auto& own = as<Memory>(memory);
     ++own.decisions;
+    if (asked_ != nullptr) ++*asked_;
     const NoisePair u = uniformPair({5, own.decisions, observation.robot, 0});
     double turn = 0.5 * own.lastTurn + 3 * (2 * u.second - 1);
     for (const SeenBody& seen : observation.objects)

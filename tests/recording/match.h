@@ -17,8 +17,9 @@ public:
         std::int64_t decisions = 0;
         double lastTurn = 0;
     };
-    /// `variant` changes what it decides from `from` on.
-    explicit Rover(int variant = 0, Nanoseconds from = 0) : variant_(variant), from_(from) {}
+    /// `variant` changes what it decides from `from` on; `asked` counts how often it was.
+    explicit Rover(int variant = 0, Nanoseconds from = 0, int* asked = nullptr)
+        : variant_(variant), from_(from), asked_(asked) {}
     std::size_t memorySize() const override { return sizeof(Memory); }
     std::size_t commandsPerPeriod(Nanoseconds) const override { return 2; }
     void decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const override;
@@ -26,6 +27,7 @@ public:
 private:
     int variant_;
     Nanoseconds from_;
+    int* asked_;
 };
 
 struct MatchOptions {

@@ -1,6 +1,9 @@
 // What other programs see of a recording.
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
+#include <tuple>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -136,6 +139,25 @@ TEST_F(RecordingFile, OtherProgramsSeeCommandsContactsAndScene) {
     EXPECT_NEAR(onRobotsTold, onRobots, 5.1e-2 * 8 * ticks / 5);
     EXPECT_EQ(kicksTold, kicks);
     EXPECT_EQ(scenes, 1u);
+}
+
+/// Told are samples with contacts, and the one after them, so that their marks go.
+TEST_F(RecordingFile, MarksOfContactsGoWhenTheyAreOver) {
+    std::map<std::int64_t, std::size_t> expected{{0, 0}};
+    bool before = false;
+    for (std::size_t sample = 1; sample <= ticks / 5; ++sample) {
+        std::set<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> pairs;
+        for (std::size_t i = 5 * (sample - 1); i < 5 * sample; ++i)
+            for (const ContactReport& c : run.traces[i].contacts) pairs.emplace(c.bodyA, c.bodyB, c.obstacle);
+        if (!pairs.empty() || before) expected[static_cast<std::int64_t>(sample) * 100'000'000] = pairs.size();
+        before = !pairs.empty();
+    }
+    std::map<std::int64_t, std::size_t> told;
+    for (const WalkedMessage& message : walkMessages(*readFile(record())))
+        if (message.topic == "/contacts")
+            told[message.time] = Json::parse(message.json)["entities"].at(0)["spheres"].size();
+    EXPECT_EQ(told, expected);
+    EXPECT_GT(std::count_if(told.begin(), told.end(), [](const auto& t) { return t.second == 0; }), 1);
 }
 
 TEST(JsonText, NumbersAreRoundedAndShort) {

@@ -5,10 +5,12 @@
 #include <gtest/gtest.h>
 
 #include "io/file.h"
+#include "recording/block_bytes.h"
 #include "recording/mcap_walk.h"
 #include "recording/playback.h"
 #include "recording/recording_fixture.h"
 #include "world/noise.h"
+#include "world/state_bytes.h"
 #include "world/state_difference.h"
 
 namespace mrose {
@@ -106,6 +108,31 @@ TEST_F(RecordingFile, DamageSaysWhatAndWhere) {
     EXPECT_NE(damageAfter(0x0c, 0, 30).find("do not fit"), std::string::npos);
     EXPECT_NE(damageAfter(0x0b, 0, 12).find("summary"), std::string::npos);
     EXPECT_NE(damageAfter(9, 2, 100).find("is a recording without a beginning: the attachment"), std::string::npos);
+}
+
+TEST_F(RecordingFile, KeyframesOfOtherTicksAreRefused) {
+    TimelineBlock block{3, stateBytes(run.states[3]), {}, {}};
+    ASSERT_TRUE(parseBlock(blockBytes(block, 0)));
+    ASSERT_TRUE(parseBranch(branchBytes({0, 0, "", block})));
+    block.first = 4;
+    EXPECT_FALSE(parseBlock(blockBytes(block, 0)));
+    EXPECT_FALSE(parseBranch(branchBytes({0, 0, "", block})));
+    block.first = -1;
+    block.keyframe.clear();
+    EXPECT_FALSE(parseBlock(blockBytes(block, 0)));
+}
+
+TEST_F(RecordingFile, MissingTicksEndIt) {
+    std::string file = *readFile(record());
+    for (const WalkedRecord& part : walkRecords(file))
+        if (part.kind == 9 && part.content.find("mrose/block/0/101") != std::string_view::npos) {
+            file.erase(part.offset, part.end - part.offset);
+            break;
+        }
+    const auto recording = parseRecording(file, "run.mcap");
+    ASSERT_TRUE(recording);
+    EXPECT_EQ(recording->branches[0].timeline.last(), 101);
+    EXPECT_NE(recording->damage.back().find("from tick 101 on it cannot be used"), std::string::npos);
 }
 
 TEST_F(RecordingFile, OtherFilesAreNamed) {

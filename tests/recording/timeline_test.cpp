@@ -84,6 +84,21 @@ TEST(Timeline, OtherControllersDoNotMatter) {
     }
 }
 
+TEST(Timeline, ControllersThatDifferAreAskedOnce) {
+    const Scenario scenario(matchParts());
+    const Timeline timeline = timelineOf(runMatch(scenario, scenario.initialState(), 100), 50);
+    int asked = 0;
+    MatchOptions other;
+    other.controller = std::make_shared<const Rover>(1, 0, &asked);
+    const Scenario changed(matchParts(other));
+    Playback playback(changed);
+    EXPECT_TRUE(playback.reach(timeline, 20)->worldSame);
+    const int first = asked;
+    EXPECT_GT(first, 0);
+    EXPECT_TRUE(playback.reach(timeline, 80)->worldSame);
+    EXPECT_EQ(asked, first);
+}
+
 TEST(Timeline, OtherPhysicsIsNoticed) {
     const Scenario scenario(matchParts());
     const StraightRun run = runMatch(scenario, scenario.initialState(), 100);
@@ -153,6 +168,22 @@ TEST(History, ForgetsTheEarliestWhereMemoryIsShort) {
     for (std::int64_t tick = timeline.first(); tick <= 600; tick += 7)
         expectSame(run.states[static_cast<std::size_t>(tick)], playback.reach(timeline, tick)->state);
     EXPECT_FALSE(playback.reach(timeline, timeline.first() - 1));
+}
+
+TEST(History, ForgetsOfTheBranchThatHasMoreThanItsLastBlock) {
+    const Scenario scenario(matchParts());
+    const StraightRun run = runMatch(scenario, scenario.initialState(), 20);
+    const StraightRun longer = runMatch(scenario, run.states[10], 300);
+    History::Options options;
+    options.keyframeInterval = 25;
+    options.mostBytes = timelineOf(longer, 25).size() / 2;
+    History history(run.states.front(), options);
+    for (std::size_t i = 0; i < run.traces.size(); ++i) history.add(run.states[i + 1], run.traces[i]);
+    const std::uint32_t branch = history.beginBranch(0, longer.states.front(), "");
+    for (std::size_t i = 0; i < longer.traces.size(); ++i) history.add(longer.states[i + 1], longer.traces[i], branch);
+    EXPECT_LE(history.size(), options.mostBytes * 11 / 10);
+    EXPECT_EQ(history.branches()[0].timeline.first(), 0);
+    EXPECT_GT(history.branches()[1].timeline.first(), 100);
 }
 
 TEST(History, BranchesHaveTheirOwnCourse) {

@@ -41,7 +41,10 @@ TEST(StateBytes, OtherLengthsAreErrors) {
 TEST(StateBytes, SizesThatNoMemoryHoldsAreErrorsBeforeAllocation) {
     const std::string bytes = stateBytes(arbitraryState(7));
     for (std::size_t array = 0; array < 8; ++array)
-        for (const std::uint64_t size : {~std::uint64_t{0}, std::uint64_t{1} << 61, std::uint64_t{0}}) {
+        for (std::uint64_t size : {~std::uint64_t{0}, std::uint64_t{1} << 61, std::uint64_t{0}, std::uint64_t{7}}) {
+            // One more by 2^61 takes as many bytes, in 64 bits.
+            if (size == 7)
+                std::memcpy(&size, bytes.data() + 4 + 8 * array, sizeof size), size += std::uint64_t{1} << 61;
             std::string wrong = bytes;
             std::memcpy(wrong.data() + 4 + 8 * array, &size, sizeof size);
             const auto state = parseState(wrong, "state");
