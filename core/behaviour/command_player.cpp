@@ -12,7 +12,7 @@ struct Memory {
 
 }  // namespace
 
-CommandPlayer::CommandPlayer(std::vector<StampedCommand> commands) {
+CommandPlayer::CommandPlayer(const std::vector<StampedCommand>& commands) {
     for (const StampedCommand& command : commands) {
         assert(commands_.empty() || command.time > commands_.back().time);
         if (commands_.empty() || !identical(commands_.back().command, command.command)) commands_.push_back(command);

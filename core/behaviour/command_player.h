@@ -12,7 +12,7 @@ namespace mrose {
 class CommandPlayer final : public Controller {
 public:
     /// In strictly ascending order of time. Those that repeat the one in force are left out.
-    explicit CommandPlayer(std::vector<StampedCommand> commands);
+    explicit CommandPlayer(const std::vector<StampedCommand>& commands);
 
     std::size_t memorySize() const override;
     std::size_t commandsPerPeriod(Nanoseconds period) const override;

@@ -5,7 +5,7 @@
 namespace mrose {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(Direction, IsTheArcTangentAllRound) {
     for (int i = 0; i < 200000; ++i) {

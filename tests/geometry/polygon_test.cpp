@@ -11,7 +11,7 @@
 namespace mrose {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double draw(std::int64_t tick, std::uint32_t channel) { return uniformNoise({11, tick, 0, channel}); }
 

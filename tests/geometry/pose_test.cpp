@@ -8,7 +8,7 @@
 namespace mrose {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 void expectNear(const Pose& a, const Pose& b, double tolerance) {
     EXPECT_NEAR(a.x, b.x, tolerance);
