@@ -257,7 +257,7 @@ Expected<void> checkReportFolder(const std::filesystem::path& folder) {
     std::error_code ignored;
     if (std::filesystem::is_directory(folder, ignored)) {
         for (const char* name : reportFiles)
-            if (const auto writable = checkWritable(folder / name); !writable) return writable;
+            if (auto writable = checkWritable(folder / name); !writable) return writable;
         return {};
     }
     // It will be made within the nearest folder that is there.

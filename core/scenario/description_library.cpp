@@ -24,7 +24,7 @@ Expected<const DescriptionLibrary::File*> DescriptionLibrary::open(const std::st
 Expected<const DescriptionLibrary::File*> DescriptionLibrary::file(const std::string& name, std::string_view folder) {
     const std::string shipped = joinedName(shippedFolder(folder), name);
     for (const std::string& candidate : {name, shipped}) {
-        const auto found = open(candidate);
+        auto found = open(candidate);
         if (!found || *found != nullptr) return found;
     }
     return fail(source_.shown(name), "does not exist, nor does " + source_.shown(shipped));

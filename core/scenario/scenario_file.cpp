@@ -108,7 +108,7 @@ std::uint32_t ScenarioReader::typeIndex(const RobotDescription& robot, bool pers
 }
 
 std::string ScenarioReader::motionRobot(TomlTable& table, const RobotDescription& robot) {
-    const std::string chosen = nameOr(table, "motion_robot", robot.motionRobot);
+    std::string chosen = nameOr(table, "motion_robot", robot.motionRobot);
     if (!table.has("motion_robot") || table.failed()) return chosen;
     if (!robot.motion)
         table.reject("motion_robot", "its robot file has no network to choose a robot of");

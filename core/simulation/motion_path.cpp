@@ -31,10 +31,10 @@ struct ArcTerms {
     }
 
     /// 1/n! - u/(n+2)! + u2/(n+4)! ..., n = 2 or 3 told by n! = 2 or 6; u at most 1/4.
-    static double series(double u, double factorial) {
-        const double n = factorial == 2 ? 2 : 3;
+    static double series(double u, int factorial) {
+        const int n = factorial == 2 ? 2 : 3;
         double term = 1, sum = 1;
-        for (double k = n + 1; k < n + 13; k += 2) {
+        for (int k = n + 1; k < n + 13; k += 2) {
             term *= -u / (k * (k + 1));
             sum += term;
         }
