@@ -45,7 +45,8 @@ ControllerSetting velocityScript(const Context& context) {
             row.reject("t_s", "is not later than that of the command before");
         commands.push_back({time, command});
     }
-    return {std::make_shared<CommandPlayer>(std::move(commands)), std::nullopt};
+    if (context.table.failed()) return {};
+    return {std::make_shared<CommandPlayer>(commands), std::nullopt};
 }
 
 ControllerSetting logPlayer(const Context& context) {
@@ -68,7 +69,7 @@ ControllerSetting logPlayer(const Context& context) {
     }
     auto content = parseExcerpt((*file)->text, (*file)->shown);
     if (!content) return table.adopt(content.error()), ControllerSetting{};
-    return {std::make_shared<CommandPlayer>(std::move(content->commands)), content->start};
+    return {std::make_shared<CommandPlayer>(content->commands), content->start};
 }
 
 ControllerSetting goToPose(const Context& context) {
