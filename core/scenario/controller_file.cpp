@@ -32,7 +32,7 @@ struct Context {
     const DrivenRobot& driven;
     const File& from;
     DescriptionLibrary& library;
-    const PluginLoader& plugins;
+    const ScenarioLoading& loading;
 };
 
 ControllerSetting velocityScript(const Context& context) {
@@ -46,7 +46,7 @@ ControllerSetting velocityScript(const Context& context) {
         commands.push_back({time, command});
     }
     if (context.table.failed()) return {};
-    return {std::make_shared<CommandPlayer>(commands), std::nullopt};
+    return {std::make_shared<CommandPlayer>(commands)};
 }
 
 ControllerSetting logPlayer(const Context& context) {
@@ -58,6 +58,7 @@ ControllerSetting logPlayer(const Context& context) {
     excerpt.trajectory = nameOr(table, "trajectory", "");
     excerpt.start = table.numberOr("start_s", 0, runTime);
     if (table.failed()) return {};
+    if (!context.loading.playLogs) return {noController(), Pose{}, excerpt};
     const auto file = context.library.excerpt(excerpt);
     if (!file) return table.adopt(file.error()), ControllerSetting{};
     if (*file == nullptr) {
@@ -85,7 +86,7 @@ ControllerSetting goToPose(const Context& context) {
     options.tolerance = table.numberOr("tolerance_m", options.tolerance, {0.001, 10});
     options.headingTolerance = angleOr(table, "heading_tolerance_deg", options.headingTolerance, {0.1, 360});
     options.deadTime = table.numberOr("dead_time_s", context.driven.robot.deadTime, deadTimes);
-    return {std::make_shared<GoToPose>(std::move(options)), std::nullopt};
+    return {std::make_shared<GoToPose>(std::move(options))};
 }
 
 ControllerSetting chaseBall(const Context& context) {
@@ -99,7 +100,7 @@ ControllerSetting chaseBall(const Context& context) {
     if (const double front = ballContact(*context.driven.robot.type.shape, options.ballRadius); front > 0)
         options.front = front;
     options.deadTime = table.numberOr("dead_time_s", context.driven.robot.deadTime, deadTimes);
-    return {std::make_shared<ChaseBall>(options), std::nullopt};
+    return {std::make_shared<ChaseBall>(options)};
 }
 
 ControllerSetting wander(const Context& context) {
@@ -109,7 +110,7 @@ ControllerSetting wander(const Context& context) {
     options.rotation = angleOr(table, "rotation_degps", options.rotation, rotations);
     options.changeEvery = table.numberOr("change_every_s", options.changeEvery, {0.01, 1e6});
     options.deadTime = table.numberOr("dead_time_s", context.driven.robot.deadTime, deadTimes);
-    return {std::make_shared<Wander>(options), std::nullopt};
+    return {std::make_shared<Wander>(options)};
 }
 
 ControllerSetting plugin(const Context& context) {
@@ -117,9 +118,10 @@ ControllerSetting plugin(const Context& context) {
     const std::string library = table.string("library");
     TomlTable options = table.tableOrEmpty("options");
     if (table.failed()) return {};
-    if (!context.plugins) return {std::make_shared<AbsentController>(), std::nullopt};
-    auto loaded = context.plugins(context.library.shown(joinedName(context.from.name, library)), options.text());
-    if (loaded) return {std::move(*loaded), std::nullopt};
+    if (!context.loading.plugins) return {std::make_shared<AbsentController>()};
+    auto loaded =
+        context.loading.plugins(context.library.shown(joinedName(context.from.name, library)), options.text());
+    if (loaded) return {std::move(*loaded)};
     const Error& error = loaded.error();
     if (error.key.empty())
         table.adopt(error);
@@ -139,12 +141,12 @@ constexpr std::array kinds{
 }  // namespace
 
 ControllerSetting readController(TomlTable table, const DrivenRobot& driven, const File& from,
-                                 DescriptionLibrary& library, const PluginLoader& plugins) {
+                                 DescriptionLibrary& library, const ScenarioLoading& loading) {
     std::array<std::string_view, kinds.size()> names;
     for (std::size_t i = 0; i < kinds.size(); ++i) names[i] = kinds[i].name;
     const std::size_t kind = table.choice("kind", names);
     if (table.failed()) return {};
-    ControllerSetting setting = kinds[kind].read({table, driven, from, library, plugins});
+    ControllerSetting setting = kinds[kind].read({table, driven, from, library, loading});
     table.rejectUnknown();
     return setting;
 }

@@ -82,6 +82,7 @@ WorldState Scenario::initialState(std::uint64_t seed) const {
         RobotState r;
         r.pose = r.segment.start = robot.start;
         r.segment.direction = Placement(robot.start).rotate({1, 0});
+        r.velocity_B = {robot.velocity.v, 0, robot.velocity.w};
         r.nextControl = robot.phase;
         state.robots.push_back(r);
     }
