@@ -43,6 +43,8 @@ std::vector<std::string> noticesAbout(const LogWorld& world) {
                             [&](const ComparedRobot& r) { return r.realName == robot.robot; });
     });
     std::vector<std::string> notices;
+    if (compared.synthetic)
+        notices.push_back("The log comes from a simulated robot: nothing here tells of a real one.");
     for (const MotionNetwork* network : networksOf(world.parts()))
         for (std::string& notice : noticesOf(*network, compared))
             if (std::find(notices.begin(), notices.end(), notice) == notices.end())

@@ -43,8 +43,6 @@ std::string page(const Comparison& comparison, const ReportContext& context) {
                     cat(counted(comparison.requests.size(), "course", "courses"), " of ", lengthText(comparison), ", ",
                         counted(comparison.robots.size(), "robot", "robots"), ", log <code>",
                         escaped(comparison.evaluation.source), "</code> · ", escaped(context.program)));
-    if (context.synthetic)
-        text += element("p", "notice", "The log comes from a simulated robot. Nothing here tells of a real one.");
     for (const std::string& notice : context.notices) text += element("p", "notice", escaped(notice));
     return text;
 }
