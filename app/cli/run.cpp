@@ -38,15 +38,12 @@ public:
 
     /// False: the run ends here.
     bool after(const WorldState& state, const StepTrace& trace) {
-        if (writer_) {
-            writer_->add(state, trace);
-            if (!writer_->state() && !warned_) {
-                warned_ = true;
-                report(writer_->state().error());
-                std::fputs("mrose: the run goes on without its recording\n", stderr);
-            }
-        }
+        if (writer_) record(state, trace);
         keepPace(state.tick);
+        if (const auto now = Clock::now(); now >= nextFlush_) {
+            nextFlush_ = now + std::chrono::seconds(1);
+            flush();
+        }
         if (Clock::now() >= nextShown_) show(state.tick);
         return !wasInterrupted();
     }
@@ -61,7 +58,19 @@ public:
     }
     double wallSeconds() const { return std::chrono::duration<double>(Clock::now() - began_).count(); }
 
+    /// False: what is recorded ends before the run does, as was said when that happened.
+    bool recording() const { return !lost_; }
+
 private:
+    void record(const WorldState& state, const StepTrace& trace) {
+        writer_->add(state, trace);
+        if (writer_->state() || lost_) return;
+        lost_ = true;
+        Error why = writer_->state().error();
+        why.cause += "; the run goes on, and its recording ends here";
+        report(why);
+    }
+
     void keepPace(std::int64_t tick) {
         if (flags_.speed <= 0) return;
         const double due = static_cast<double>(tick) * tick_ / flags_.speed;
@@ -71,7 +80,6 @@ private:
 
     void show(std::int64_t tick) {
         nextShown_ = Clock::now() + (line_.terminal() ? std::chrono::milliseconds(200) : std::chrono::seconds(10));
-        flush();
         const double simulated = static_cast<double>(tick) * tick_;
         char text[160];
         std::snprintf(text, sizeof text, "%.1f of %.1f s, %.0f x real time", simulated,
@@ -84,8 +92,8 @@ private:
     double tick_;
     std::int64_t ticks_;
     std::optional<RecordingWriter> writer_;
-    bool warned_ = false;
-    Clock::time_point began_ = Clock::now(), nextShown_ = began_ + std::chrono::seconds(1);
+    bool lost_ = false;
+    Clock::time_point began_ = Clock::now(), nextShown_ = began_ + std::chrono::seconds(1), nextFlush_ = nextShown_;
 };
 
 void print(const Scenario& scenario, const RunCommandFlags& flags, const CommonFlags& common, const RunResult& result,
@@ -143,7 +151,7 @@ int runScenario(const RunCommandFlags& flags, const CommonFlags& common) {
     if (!result) return report(result.error());
     const auto closed = conductor.close(result->state);
     print(scenario, flags, common, *result, conductor.wallSeconds());
-    if (!closed) return report(closed.error());
+    if (!closed) return conductor.recording() ? report(closed.error()) : failure;
     for (const RewindDifference& hidden : result->hidden) report(hiddenError(scenario, hidden, result->state.tick));
     const bool failed = result->end == RunEnd::fault || result->end == RunEnd::rewind;
     return result->end == RunEnd::stopped ? interrupted : failed ? failure : success;

@@ -8,23 +8,31 @@
 #include "behaviour/back_off.h"
 #include "behaviour/ball_belief.h"
 #include "behaviour/dice.h"
+#include "behaviour/pushing_way.h"
 #include "behaviour/steering.h"
 #include "geometry/direction.h"
 
 namespace mrose {
 namespace {
 
-enum Phase : std::int64_t { searching, roaming, goingBehind, pushing, straightOn, backingOff };
-constexpr std::array phaseNames{"searching", "roaming",     "going behind the ball",
-                                "pushing",   "straight on", "backing off"};
+enum Phase : std::int64_t { searching, roaming, goingBehind, pushing, straightOn, backingOff, sweeping, waiting };
+constexpr std::array phaseNames{"searching",   "roaming",     "going behind the ball",    "pushing",
+                                "straight on", "backing off", "sweeping out of a corner", "waiting"};
 
 constexpr double wayRound = 0.25;                        // m, between robot and ball on the way behind it
 constexpr double stepRound = 1;                          // rad, how far round the ball it aims at most
 constexpr double lookAhead = 0.4;                        // m, along the line to the target
 constexpr double beginPushing = 0.93, endPushing = 0.7;  // cosine of the angle off that line
+constexpr double wallsWithin = 1;                        // m, of the ball: those that count
+constexpr double place = 0.05, spare = 0.02;             // m, behind the ball and beside the robot
 constexpr double searchShare = 0.7;                      // of the rotation rate
 constexpr double turnAway = 0.6;                         // rad, after backing off
 constexpr double straightFor = 3;                        // s, after it got stuck with the ball
+constexpr double sweepFor = 1.5, sweepShare = 0.5;       // s; of the speed
+constexpr double sweepReach = 0.06;                      // m, between front and ball
+constexpr double crowd = 0.7;                            // m, from the ball: of robots that are at it
+constexpr double waitAt = 1.6, waitWithin = 0.3;         // m, from the ball, and how exactly
+constexpr double waitAside = 0.7, turnGain = 2;          // of 1; 1/s
 constexpr double kickEvery = 1;                          // s
 constexpr double kickWidth = 0.09, kickReach = 0.05;     // m, beside and before its front
 constexpr double kickAngle = 0.5, kickMiss = 0.7;        // rad; m, beside the target
@@ -39,20 +47,23 @@ struct ChaseBall::Memory {
     BackOff backOff;
     BallBelief ball;
     std::int64_t phase;
-    Nanoseconds phaseEnd;  ///< of searching, roaming and going straight on
+    Nanoseconds phaseEnd;  ///< of searching, roaming, going straight on and sweeping
     Nanoseconds nextKick;
-    Point aim;  ///< in the world's frame
+    Point aim;    ///< in the world's frame
+    double turn;  ///< 1 or -1, to the left or right, of searching and sweeping
 };
 
 /// What counts for the way round the ball, when the command takes effect.
 struct ChaseBall::Situation {
-    Point robot, ball;
-    Point onwards;  ///< from the ball to the target, length 1
+    Pose robot;
+    Point ball;
+    std::vector<FloorPlan::Wall> walls;  ///< near the ball
+    PushingWay way;
 };
 
 std::size_t ChaseBall::memorySize() const {
     static_assert(
-        sizeof(Memory) == sizeof(MotionMemory) + sizeof(OwnBelief) + sizeof(BackOff) + sizeof(BallBelief) + 5 * 8,
+        sizeof(Memory) == sizeof(MotionMemory) + sizeof(OwnBelief) + sizeof(BackOff) + sizeof(BallBelief) + 6 * 8,
         "no padding");
     return sizeof(Memory);
 }
@@ -68,40 +79,51 @@ Command ChaseBall::search(const Observation& observation, Memory& memory) const 
         const double wholeTurn = 2 * std::numbers::pi / (searchShare * std::max(0.05, options_.rotation));
         const double lasts = memory.phase == searching ? dice.between(1.1, 1.5) * wholeTurn : dice.between(1.5, 3);
         memory.phaseEnd = observation.time + fromSeconds(lasts);
+        memory.turn = Placement(memory.self.pose).placeBack(memory.ball.position).y < 0 ? -1 : 1;
     }
-    if (memory.phase == searching) return {0, searchShare * options_.rotation};
+    if (memory.phase == searching) return {0, memory.turn * searchShare * options_.rotation};
     return evading({options_.speed, 0}, evade(observation.robots, memory.motion, options_.deadTime), limits());
 }
 
+ChaseBall::Situation ChaseBall::situation(const Memory& memory) const {
+    Situation now;
+    now.robot = memory.self.pose * memory.motion.motionDuring(options_.deadTime);
+    now.ball = memory.ball.in(options_.deadTime);
+    now.walls = options_.walls->wallsNear(now.ball, wallsWithin);
+    now.way =
+        pushingWay(now.ball, unit(options_.target - now.ball), now.walls,
+                   {options_.front + options_.ballRadius + place, options_.halfWidth + spare, options_.ballRadius});
+    return now;
+}
+
 Point ChaseBall::aim(const Situation& now, Memory& memory) const {
-    const Point offset = now.robot - now.ball;
-    const double far = length(offset), along = dot(offset, now.onwards);
+    const Point& onwards = now.way.direction;
+    const Point offset = position(now.robot) - now.ball;
+    const double far = length(offset), along = dot(offset, onwards);
     const double behind = -along / std::max(1e-9, far);
     const double touch = options_.front + options_.ballRadius;
     const bool pushes =
         memory.phase == pushing ? behind > endPushing && far < touch + 0.8 : behind > beginPushing && far < touch + 0.6;
     memory.phase = pushes ? pushing : goingBehind;
-    if (pushes) return now.ball + (along + lookAhead) * now.onwards;
-    const Point back{-dot(offset, now.onwards), cross(offset, -1 * now.onwards)};
+    if (pushes) return now.ball + (along + lookAhead) * onwards;
+    const Point back{-dot(offset, onwards), cross(offset, -1 * onwards)};
     const double round = std::clamp(direction(back), -stepRound, stepRound);
     return now.ball + (touch + wayRound) * Placement({0, 0, round}).rotate(unit(offset));
 }
 
 Command ChaseBall::chase(const Observation& observation, Memory& memory, Decision& decision) const {
+    const Situation now = situation(memory);
+    if (mustWait(now, observation, memory)) return wait(now, observation, memory);
+    if (beginsSweeping(now, observation, memory)) return sweep(memory);
     const bool straight = memory.phase == straightOn && observation.time < memory.phaseEnd;
-    const Pose ahead = memory.self.pose * memory.motion.motionDuring(options_.deadTime);
-    const Point ball = memory.ball.in(options_.deadTime);
-    if (straight)
-        memory.aim = ball;
-    else
-        memory.aim = aim({position(ahead), ball, unit(options_.target - ball)}, memory);
+    memory.aim = clearOf(now.walls, straight ? now.ball : aim(now, memory), options_.halfWidth + spare);
     if (shouldKick(observation, memory)) {
         decision.kicks.push_back({});
         memory.nextKick = observation.time + fromSeconds(kickEvery);
     }
-    const Command intended = driveTowards(Placement(ahead).placeBack(memory.aim), limits());
+    const Command intended = driveTowards(Placement(now.robot).placeBack(memory.aim), limits());
     if (memory.phase != goingBehind) return intended;
-    const double reach = std::min(1.2, distance(position(ahead), ball));
+    const double reach = std::min(1.2, distance(position(now.robot), now.ball));
     return evading(intended, evade(observation.robots, memory.motion, options_.deadTime, reach), limits());
 }
 
@@ -116,6 +138,52 @@ bool ChaseBall::shouldKick(const Observation& observation, const Memory& memory)
     return ball_B.x > 0 && ball_B.x < options_.front + options_.ballRadius + kickReach &&
            std::abs(ball_B.y) < kickWidth && std::abs(direction(target_B)) < kickAngle &&
            std::abs(target_B.y) < kickMiss;
+}
+
+/// In a corner a push leads nowhere; between the horns of a guide the ball comes along when the robot turns.
+bool ChaseBall::beginsSweeping(const Situation& now, const Observation& observation, Memory& memory) const {
+    const Placement frame(memory.self.pose);
+    const Point ball_B = frame.placeBack(memory.ball.position);
+    if (!now.way.cornered || memory.phase == sweeping || ball_B.x < 0 ||
+        length(ball_B) > options_.front + options_.ballRadius + sweepReach)
+        return false;
+    const Point free = now.way.out + 0.5 * unit(options_.target - now.ball);
+    memory.turn = frame.rotateBack(free).y < 0 ? -1 : 1;
+    memory.phase = sweeping;
+    memory.phaseEnd = observation.time + fromSeconds(sweepFor);
+    return true;
+}
+
+Command ChaseBall::sweep(const Memory& memory) const {
+    return {sweepShare * options_.speed, memory.turn * options_.rotation};
+}
+
+/// At a wall there is no room for two robots, and no use in pushing the ball into a corner.
+bool ChaseBall::mustWait(const Situation& now, const Observation& observation, const Memory& memory) const {
+    if (now.way.cornered && !options_.guide) return true;
+    if (now.way.out == Point{} || distance(position(now.robot), now.ball) < crowd) return false;
+    return std::any_of(observation.robots.begin(), observation.robots.end(), [&](const SeenBody& seen) {
+        const Placement then(memory.self.at(seen.measured, memory.motion));
+        return distance(then.place(seen.position_B), now.ball) < crowd;
+    });
+}
+
+/// Some way off, on the side that the target is not on, and looks at the ball.
+Command ChaseBall::wait(const Situation& now, const Observation& observation, Memory& memory) const {
+    memory.phase = waiting;
+    memory.aim = now.ball + waitAt * unit(now.way.out - waitAside * unit(options_.target - now.ball));
+    const Placement frame(now.robot);
+    const Point aim_B = frame.placeBack(memory.aim);
+    if (length(aim_B) < waitWithin) {
+        const double turn = turnGain * direction(frame.placeBack(now.ball));
+        return {0, std::clamp(turn, -options_.rotation, options_.rotation)};
+    }
+    if (aim_B.x < 0) {  // tail first, out of where others want to go
+        const Command forward = driveTowards(-1 * aim_B, limits());
+        return {-forward.v, forward.w};
+    }
+    return evading(driveTowards(aim_B, limits()), evade(observation.robots, memory.motion, options_.deadTime),
+                   limits());
 }
 
 void ChaseBall::annotate(const Memory& memory, Decision& decision) const {
@@ -137,12 +205,15 @@ void ChaseBall::decide(const Observation& observation, std::span<std::byte> byte
     decision.command = Command{};
     if (memory.self.known != 0) {
         memory.ball.update(observation, memory.motion, memory.self);
-        if (const std::optional<Command> back = memory.backOff.update(
-                observation, memory.motion, {options_.speed, options_.rotation, options_.deadTime, turnAway})) {
+        const std::optional<Command> back = memory.backOff.update(
+            observation, memory.motion, {options_.speed, options_.rotation, options_.deadTime, turnAway});
+        if (back) {
             decision.command = *back;
             memory.phase = backingOff;
             // Every other time it tries the ball from where it is: the place behind it may be out of reach.
             memory.phaseEnd = observation.time + fromSeconds(straightFor);
+        } else if (memory.phase == sweeping && observation.time < memory.phaseEnd) {
+            decision.command = sweep(memory);
         } else if (memory.ball.known == 0) {
             decision.command = search(observation, memory);
         } else {

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <memory>
+#include <utility>
+
+#include "behaviour/floor_plan.h"
 #include "control/controller.h"
 #include "geometry/point.h"
 
@@ -8,8 +12,9 @@ namespace mrose {
 struct DriveLimits;
 
 /// Goes behind the ball as seen from a target, then through it towards the target, and kicks where it has something to
-/// kick with. Remembers and predicts the ball; searches where it has lost it; gives way to other robots, mildly; backs
-/// off where it does not get on.
+/// kick with. Along walls it pushes the ball as they let it; it turns it out of corners if it has a ball guide, and
+/// leaves it to others if not. Remembers and predicts the ball; searches where it has lost it; gives way to other
+/// robots, mildly; backs off where it does not get on.
 class ChaseBall final : public Controller {
 public:
     struct Options {
@@ -19,10 +24,14 @@ public:
         bool kicks = true;         ///< with the first manipulator, where there is one
         double ballRadius = 0.11;  ///< m
         double front = 0.19;       ///< m, of the own front, from the reference point
+        double halfWidth = 0.2;    ///< m, of the robot
+        bool guide = false;        ///< it has horns beside its front, between which a ball comes along when it turns
         double deadTime = 0.3;     ///< s, by which the robot answers late
+        /// Without them it takes no heed of walls.
+        std::shared_ptr<const FloorPlan> walls = std::make_shared<const FloorPlan>();
     };
 
-    explicit ChaseBall(Options options) : options_(options) {}
+    explicit ChaseBall(Options options) : options_(std::move(options)) {}
 
     std::size_t memorySize() const override;
     void decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const override;
@@ -31,9 +40,14 @@ private:
     struct Memory;
     struct Situation;
     DriveLimits limits() const;
+    Situation situation(const Memory& memory) const;
     Command chase(const Observation& observation, Memory& memory, Decision& decision) const;
     Command search(const Observation& observation, Memory& memory) const;
+    Command sweep(const Memory& memory) const;
+    Command wait(const Situation& now, const Observation& observation, Memory& memory) const;
     Point aim(const Situation& now, Memory& memory) const;
+    bool mustWait(const Situation& now, const Observation& observation, const Memory& memory) const;
+    bool beginsSweeping(const Situation& now, const Observation& observation, Memory& memory) const;
     bool shouldKick(const Observation& observation, const Memory& memory) const;
     void annotate(const Memory& memory, Decision& decision) const;
 

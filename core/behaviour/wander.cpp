@@ -4,6 +4,7 @@
 
 #include "behaviour/back_off.h"
 #include "behaviour/dice.h"
+#include "behaviour/own_belief.h"
 #include "behaviour/steering.h"
 
 namespace mrose {
@@ -11,19 +12,46 @@ namespace {
 
 constexpr double smoothing = 0.5;   // s, to take another curve
 constexpr double strollAway = 1.5;  // rad
+constexpr double spareRoom = 0.05;  // m, to walls
+constexpr double sideways = 1;      // rad, to either side: where it looks for a way on
+constexpr double leastLook = 0.3;   // m, ahead, and the more the wider its curves are
 
 }  // namespace
 
 struct Wander::Memory {
     MotionMemory motion;
+    OwnBelief self;
     BackOff backOff;
     Nanoseconds change;     ///< when it takes another curve
     double curve, turning;  ///< rad/s: wanted, and told
+    double side;            ///< 1 or -1, where it turns before a wall; 0: there is none ahead
 };
 
 std::size_t Wander::memorySize() const {
-    static_assert(sizeof(Memory) == sizeof(MotionMemory) + sizeof(BackOff) + 3 * 8, "no padding");
+    static_assert(sizeof(Memory) == sizeof(MotionMemory) + sizeof(OwnBelief) + sizeof(BackOff) + 4 * 8, "no padding");
     return sizeof(Memory);
+}
+
+/// Turns to the freer side where a wall is ahead, on the spot if it is near.
+Command Wander::alongWalls(const Command& intended, Memory& memory) const {
+    if (memory.self.known == 0) return intended;
+    const Pose ahead = memory.self.pose * memory.motion.motionDuring(options_.deadTime);
+    const double look = leastLook + 2 * options_.speed / std::max(0.05, options_.rotation);
+    const auto way = [&](double turn) {
+        const Point direction = Placement({0, 0, ahead.heading + turn}).rotate({1, 0});
+        return options_.walls->freeWay(position(ahead), direction, options_.radius + spareRoom, look);
+    };
+    const double free = way(0);
+    if (free >= look) {
+        memory.side = 0;
+        return intended;
+    }
+    if (memory.side == 0) {
+        const double left = way(sideways), right = way(-sideways);
+        memory.side = (left == right ? intended.w >= 0 : left > right) ? 1 : -1;
+    }
+    memory.turning = memory.side * options_.rotation;
+    return {intended.v * std::min(1.0, 2 * free / look), memory.turning};
 }
 
 Command Wander::stroll(const Observation& observation, Memory& memory) const {
@@ -37,12 +65,13 @@ Command Wander::stroll(const Observation& observation, Memory& memory) const {
     Evasion evasion = evade(observation.robots, memory.motion, options_.deadTime);
     const Evasion objects = evade(observation.objects, memory.motion, options_.deadTime);
     if (objects.share < evasion.share || evasion.turn == 0) evasion = objects;
-    return evading({options_.speed, memory.turning}, evasion, {options_.speed, options_.rotation});
+    return evading(alongWalls({options_.speed, memory.turning}, memory), evasion, {options_.speed, options_.rotation});
 }
 
 void Wander::decide(const Observation& observation, std::span<std::byte> bytes, Decision& decision) const {
     Memory& memory = as<Memory>(bytes);
     memory.motion.observe(observation);
+    memory.self.update(observation, memory.motion);
     const std::optional<Command> back = memory.backOff.update(
         observation, memory.motion, {options_.speed, options_.rotation, options_.deadTime, strollAway});
     decision.command = back ? *back : stroll(observation, memory);

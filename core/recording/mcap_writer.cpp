@@ -100,7 +100,7 @@ std::string Writer::writeMessageIndices(std::map<std::uint16_t, std::uint64_t>& 
 
 void Writer::endChunk() {
     if (chunk_.empty()) return;
-    const std::string records = compressed(chunk_, Compression::thorough);
+    const std::string records = compressed(chunk_);
     std::string content;
     appendNumber(content, chunkStart_);
     appendNumber(content, chunkEnd_);

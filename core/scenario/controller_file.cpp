@@ -1,6 +1,8 @@
 #include "scenario/controller_file.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "behaviour/chase_ball.h"
 #include "behaviour/command_player.h"
@@ -20,6 +22,7 @@ constexpr NumberRange rotations{0, 3600};
 constexpr NumberRange runTime{0, 1e6};
 constexpr NumberRange deadTimes{0, 2};
 constexpr std::size_t mostTargets = 1000;
+constexpr double leastHorn = 0.03;  // m, before the front
 
 /// Stands in for a plug-in that is not to be loaded: it decides nothing.
 class AbsentController final : public Controller {
@@ -89,6 +92,16 @@ ControllerSetting goToPose(const Context& context) {
     return {std::make_shared<GoToPose>(std::move(options))};
 }
 
+/// What a shape's points have of something at most.
+template <class Measure>
+double most(const Shape& shape, Measure measure) {
+    double result = 0;
+    for (const ConvexPiece& piece : shape.pieces)
+        for (std::size_t i = 0; i < piece.count; ++i)
+            result = std::max(result, measure(piece.corners[i]) + piece.radius);
+    return result;
+}
+
 ControllerSetting chaseBall(const Context& context) {
     ChaseBall::Options options;
     TomlTable& table = context.table;
@@ -99,6 +112,10 @@ ControllerSetting chaseBall(const Context& context) {
     if (context.driven.ballRadius > 0) options.ballRadius = context.driven.ballRadius;
     if (const double front = ballContact(*context.driven.robot.type.shape, options.ballRadius); front > 0)
         options.front = front;
+    const Shape& shape = *context.driven.robot.type.shape;
+    options.halfWidth = most(shape, [](const Point& p) { return std::abs(p.y); });
+    options.guide = most(shape, [](const Point& p) { return p.x; }) > options.front + leastHorn;
+    options.walls = context.driven.walls;
     options.deadTime = table.numberOr("dead_time_s", context.driven.robot.deadTime, deadTimes);
     return {std::make_shared<ChaseBall>(options)};
 }
@@ -109,6 +126,8 @@ ControllerSetting wander(const Context& context) {
     options.speed = table.numberOr("speed_mps", options.speed, speeds);
     options.rotation = angleOr(table, "rotation_degps", options.rotation, rotations);
     options.changeEvery = table.numberOr("change_every_s", options.changeEvery, {0.01, 1e6});
+    options.radius = context.driven.robot.type.shape->reach;
+    options.walls = context.driven.walls;
     options.deadTime = table.numberOr("dead_time_s", context.driven.robot.deadTime, deadTimes);
     return {std::make_shared<Wander>(options)};
 }

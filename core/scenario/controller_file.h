@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "behaviour/floor_plan.h"
 #include "control/controller.h"
 #include "geometry/pose.h"
 #include "io/toml_table.h"
@@ -23,6 +24,7 @@ struct ControllerSetting {
 struct DrivenRobot {
     const RobotDescription& robot;
     double ballRadius = 0;  ///< m, of the scenario's ball; 0 where there is none
+    std::shared_ptr<const FloorPlan> walls;
 };
 
 /// Reads `controller = { kind = ..., ... }` of the scenario `from`. resources/README.md lists the kinds and their

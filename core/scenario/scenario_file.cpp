@@ -49,6 +49,7 @@ private:
     Scene& scene_ = parts_.scene;
     std::vector<TomlTable> robotTables_, objectTables_;  ///< of the scene's bodies
     std::set<std::string> names_;
+    std::shared_ptr<const FloorPlan> walls_;
     std::map<std::string, RobotDescription> descriptions_;
     std::map<std::pair<const RobotDescription*, bool>, std::uint32_t> types_;
     std::map<std::pair<const void*, std::string>, std::uint32_t> models_;
@@ -79,6 +80,10 @@ void ScenarioReader::readEnvironment() {
     auto environment = parseEnvironment(file->text, file->shown);
     if (!environment) return root_.adopt(environment.error());
     scene_.environment = std::move(*environment);
+    std::vector<ConvexPiece> pieces;
+    for (const Obstacle& obstacle : scene_.environment.obstacles)
+        pieces.insert(pieces.end(), obstacle.shape.pieces.begin(), obstacle.shape.pieces.end());
+    walls_ = std::make_shared<const FloorPlan>(std::move(pieces));
 }
 
 std::string ScenarioReader::bodyName(TomlTable& table) {
@@ -158,7 +163,7 @@ void ScenarioReader::readRobot(TomlTable& table, bool person) {
     body.model = modelIndex(*robot, motionRobot(table, *robot));
     ControllerSetting setting{noController()};
     if (table.has("controller"))
-        setting = readController(table.table("controller"), {*robot, ballRadius()}, file_, library_, loading_);
+        setting = readController(table.table("controller"), {*robot, ballRadius(), walls_}, file_, library_, loading_);
     if (setting.logStart && !table.has("start"))
         body.start = *setting.logStart;
     else

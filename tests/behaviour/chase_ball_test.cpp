@@ -66,6 +66,71 @@ TEST(ChaseBall, NeverGetsStuckForEver) {
     }
 }
 
+/// How long it takes, from when the robot has come to a ball that lies at a wall, until the ball is elsewhere.
+double secondsToFree(const RobotType& type, const ChaseBall::Options& options, const Point& ball, std::int64_t which) {
+    const Pose start{ball.x + (ball.x < 4.5 ? 1 : -1) * draw(91, which, 0, 0.5, 1.5),
+                     ball.y + (ball.y < 2.5 ? 1 : -1) * draw(91, which, 1, 0.5, 1.5), draw(91, which, 2, -3.1, 3.1)};
+    const Scenario scenario =
+        SmallWorld(walledField(9, 5))
+            .robot(type, start, std::make_shared<const ChaseBall>(options), lateDrive(), which % 5)
+            .object(ballType(), {ball.x, ball.y, 0})
+            .scenario();
+    WorldState state = scenario.initialState(static_cast<std::uint64_t>(which));
+    StepBuffers buffers;
+    std::int64_t came = -1;
+    while (state.tick < 120 * second) {
+        step(scenario, state, buffers);
+        const Point now = position(state.objects[0].pose);
+        if (came < 0 && distance(now, position(state.robots[0].pose)) < 0.5) came = state.tick;
+        if (distance(now, ball) > 0.7)
+            return static_cast<double>(state.tick - std::max<std::int64_t>(0, came)) / second;
+    }
+    return 120;
+}
+
+const std::vector<Point> corners{{0.12, 0.12}, {0.12, 4.88}, {8.88, 4.88}, {8.88, 0.12}};
+const std::vector<Point> alongWalls{{3, 0.12}, {5, 4.88}, {0.12, 1.7}, {8.88, 4}};
+
+ChaseBall::Options knowingTheWalls(bool guide) {
+    ChaseBall::Options options = toTheEast;
+    options.front = guide ? 0.17 : 0.2;
+    options.halfWidth = guide ? 0.19 : 0.2;
+    options.guide = guide;
+    options.walls = floorPlanOf(walledField(9, 5));
+    return options;
+}
+
+/// In most cases within some seconds; a robot without a guide along walls only.
+TEST(ChaseBall, FreesABallFromWallsAndCorners) {
+    RobotType disc = discRobot(0.2);
+    disc.perception = cameras();
+    for (const bool guide : {true, false}) {
+        std::vector<Point> places = alongWalls;
+        if (guide) places.insert(places.end(), corners.begin(), corners.end());
+        int soon = 0, tries = 0;
+        for (const Point& ball : places)
+            for (std::int64_t i = 0; i < 10; ++i, ++tries)
+                soon += secondsToFree(guide ? guideRobot(cameras()) : disc, knowingTheWalls(guide), ball, i) < 10;
+        EXPECT_GE(soon, 9 * tries / 10) << (guide ? "with" : "without") << " a guide, of " << tries;
+    }
+}
+
+/// A disc cannot get a ball out of a corner, and does not stand in the way of those that can.
+TEST(ChaseBall, WithoutAGuideItWaitsAsideOfACorner) {
+    for (const Point& ball : corners) {
+        RobotType disc = discRobot(0.2);
+        const Scenario scenario =
+            SmallWorld(walledField(9, 5))
+                .robot(disc, {4.5, 2.5, 0}, std::make_shared<const ChaseBall>(knowingTheWalls(false)), lateDrive())
+                .object(ballType(), {ball.x, ball.y, 0})
+                .scenario();
+        WorldState state = scenario.initialState();
+        run(scenario, state, 60 * second);
+        const double far = distance(position(state.robots[0].pose), ball);
+        EXPECT_TRUE(far > 1.2 && far < 2) << far;
+    }
+}
+
 TEST(ChaseBall, FindsABallThatLiesBehindIt) {
     const Scenario scenario =
         SmallWorld(walledField(9, 5))

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "behaviour/floor_plan.h"
 #include "simulation/small_world.h"
 #include "world/noise.h"
 #include "world/noise_channel.h"
@@ -62,6 +63,14 @@ inline RobotType guideRobot(const Perception& perception) {
     type.motionNoise = {0.03, 0.03, 0.02};
     type.perception = perception;
     return type;
+}
+
+/// A place's obstacles, for robots that know them.
+inline std::shared_ptr<const FloorPlan> floorPlanOf(const Environment& environment) {
+    std::vector<ConvexPiece> pieces;
+    for (const Obstacle& obstacle : environment.obstacles)
+        pieces.insert(pieces.end(), obstacle.shape.pieces.begin(), obstacle.shape.pieces.end());
+    return std::make_shared<const FloorPlan>(std::move(pieces));
 }
 
 inline double draw(std::uint64_t seed, std::int64_t which, std::uint32_t part, double least, double most) {

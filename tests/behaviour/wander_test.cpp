@@ -58,6 +58,37 @@ TEST(Wander, GoesDifferentWaysBySeedAndSeesTheWholePlace) {
     EXPECT_GE(cells.size(), 14u);
 }
 
+/// Of its own accord it touches no wall; without knowing them it does.
+TEST(Wander, TurnsAwayFromWallsThatItKnows) {
+    for (const bool knows : {true, false}) {
+        int touching = 0;
+        for (std::uint64_t seed = 0; seed < 10; ++seed) {
+            const Environment field = walledField(5, 3);
+            Wander::Options options;
+            options.radius = 0.31;
+            if (knows) options.walls = floorPlanOf(field);
+            const Scenario scenario = SmallWorld(field)
+                                          .robot(guideRobot(cameras()), {2.5, 1.5, 0.7 * static_cast<double>(seed)},
+                                                 std::make_shared<const Wander>(options), lateDrive())
+                                          .scenario();
+            WorldState state = scenario.initialState(seed);
+            StepBuffers buffers;
+            StepTrace trace;
+            Progress progress(40 * second / 5);
+            for (int tick = 0; tick < 120 * second; ++tick) {
+                step(scenario, state, buffers, {}, &trace);
+                touching += trace.contacts.empty() ? 0 : 1;
+                if (tick % 5 == 0) progress.watch(state.robots[0].pose);
+            }
+            EXPECT_GT(progress.leastWay(), 0.3) << seed;
+        }
+        if (knows)
+            EXPECT_LT(touching, 10 * 120 * second / 200);
+        else
+            EXPECT_GT(touching, 10 * 120 * second / 50);
+    }
+}
+
 TEST(Wander, TurnsSmoothly) {
     const Scenario scenario =
         SmallWorld()

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "geometry/shape.h"
+
+namespace mrose {
+
+/// What stands still around a robot, as far as it was told: convex pieces in the world's frame. Robots, balls and boxes
+/// are not in it.
+class FloorPlan {
+public:
+    /// The point of a piece that is nearest to some place.
+    struct Wall {
+        Point nearest;
+        Point away;           ///< from there to the place, length 1
+        double distance = 0;  ///< m; negative inside
+    };
+
+    explicit FloorPlan(std::vector<ConvexPiece> pieces = {}) : pieces_(std::move(pieces)) {}
+
+    /// Of each piece nearer than `within`.
+    std::vector<Wall> wallsNear(const Point& place, double within) const;
+    /// How far a disc of `radius` gets from `place` in `direction` (length 1) until it touches a wall that it comes
+    /// nearer to; at most `most`, m.
+    double freeWay(const Point& place, const Point& direction, double radius, double most) const;
+
+private:
+    std::vector<ConvexPiece> pieces_;
+};
+
+}  // namespace mrose
