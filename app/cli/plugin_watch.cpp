@@ -143,8 +143,9 @@ extern "C" void onFatalSignal(int number) {
     for (const FatalSignal& fatal : fatalSignals) {
         if (fatal.number != number) continue;
         endIfInPlugin(" crashed", fatal.meaning);
-        // Not a plug-in's: what would have happened happens now.
+        // Not a plug-in's: what would have happened happens when this returns.
         ::sigaction(number, &fatal.before, nullptr);
+        ::raise(number);
     }
 }
 
