@@ -52,7 +52,7 @@ std::vector<std::string> noticesAbout(const LogWorld& world) {
     return notices;
 }
 
-Expected<std::vector<CourseRequest>> courses(const CompareFlags& flags, const LogWorld& world) {
+Expected<std::vector<CourseRequest>> coursesAsked(const CompareFlags& flags, const LogWorld& world) {
     constexpr double windowLength = 10;
     if (flags.windows.empty()) {
         StretchOptions options;
@@ -71,7 +71,7 @@ Expected<std::vector<CourseRequest>> courses(const CompareFlags& flags, const Lo
     return requestedCourses(world, std::move(*windows), flags.robots, static_cast<int>(length / step), flags.windows);
 }
 
-void printTable(const Comparison& comparison, const std::vector<std::string>& notices) {
+void printComparison(const Comparison& comparison, const std::vector<std::string>& notices) {
     const Nanoseconds step = comparison.evaluation.options.windows.step;
     std::printf("%s beside %s, seed %llu: %zu course%s, the first of %s s from %s s on\n\n",
                 comparison.scenario.c_str(), comparison.evaluation.source.c_str(),
@@ -98,7 +98,7 @@ void printTable(const Comparison& comparison, const std::vector<std::string>& no
     for (const std::string& note : notes) std::printf("Note: %s\n", note.c_str());
 }
 
-int print(const Comparison& comparison, const LogWorld& world, const CompareFlags& flags, const CommonFlags& common) {
+int deliver(const Comparison& comparison, const LogWorld& world, const CompareFlags& flags, const CommonFlags& common) {
     ReportContext context;
     context.program = "mrose " MROSE_VERSION;
     context.commandLine = commandLine();
@@ -107,7 +107,7 @@ int print(const Comparison& comparison, const LogWorld& world, const CompareFlag
     if (common.json)
         std::fputs(comparisonJson(comparison, context.notices).c_str(), stdout);
     else
-        printTable(comparison, context.notices);
+        printComparison(comparison, context.notices);
     if (flags.folder.empty()) return success;
     if (const auto written = writeComparison(comparison, world.parts().scene, context, flags.folder); !written)
         return report(written.error());
@@ -130,11 +130,11 @@ int compareScenario(const CompareFlags& flags, const CommonFlags& common) {
     options.seed = flags.seed.value_or(loaded->parts.seed);
     const auto world = LogWorld::create(std::move(loaded->parts), *log, flags.robots);
     if (!world) return report(world.error(), source.shown(loaded->name));
-    const auto requests = courses(flags, *world);
+    const auto requests = coursesAsked(flags, *world);
     if (!requests) return report(requests.error());
     const auto comparison = compare(*world, *requests, options);
     if (!comparison) return report(comparison.error(), source.shown(loaded->name));
-    return print(*comparison, *world, flags, common);
+    return deliver(*comparison, *world, flags, common);
 }
 
 }  // namespace
