@@ -153,6 +153,7 @@ void addPath(SvgDrawing& drawing, const DrawnPath& path) {
         const auto to = std::find_if_not(from, end, isFinite);
         Polygon points;
         std::transform(from, to, std::back_inserter(points), [](const Pose& pose) { return Point{pose.x, pose.y}; });
+        drawing.line(points, {.stroke = white, .strokeWidth = 4.5, .opacity = 0.6});
         drawing.line(points, {.stroke = path.colour, .strokeWidth = 2, .dashed = path.dashed});
         const auto next = std::find_if(to, end, isFinite);
         if (from == std::find_if(path.poses.begin(), end, isFinite))
