@@ -35,7 +35,9 @@ std::vector<const MotionNetwork*> networksOf(const ScenarioParts& parts) {
     return networks;
 }
 
-std::vector<std::string> noticesAbout(const LogWorld& world) {
+/// What must be known before the figures are believed. `asked`: how long a course was to be.
+std::vector<std::string> noticesAbout(const LogWorld& world, const Comparison& comparison,
+                                      std::optional<Nanoseconds> asked) {
     // Only the robots that are compared need to be known.
     Log compared = world.log();
     std::erase_if(compared.robots, [&](const RobotLog& robot) {
@@ -45,6 +47,10 @@ std::vector<std::string> noticesAbout(const LogWorld& world) {
     std::vector<std::string> notices;
     if (compared.synthetic)
         notices.push_back("The log comes from a simulated robot: nothing here tells of a real one.");
+    const Nanoseconds length = comparison.requests.front().steps * comparison.evaluation.options.windows.step;
+    if (asked && length < *asked)
+        notices.push_back("The ground truth ends " + secondsText(length) +
+                          " s after the start: compared up to there, not " + secondsText(*asked, 0) + " s.");
     for (const MotionNetwork* network : networksOf(world.parts()))
         for (std::string& notice : noticesOf(*network, compared))
             if (std::find(notices.begin(), notices.end(), notice) == notices.end())
@@ -59,7 +65,8 @@ Expected<std::vector<CourseRequest>> coursesAsked(const CompareFlags& flags, con
         options.start = fromSeconds(flags.start);
         if (flags.duration) options.duration = fromSeconds(*flags.duration);
         if (flags.every) options.every = fromSeconds(*flags.every);
-        if (!flags.duration && !flags.every) options.duration = world.parts().duration;
+        if (!flags.duration && !flags.every)
+            options.duration = std::max(options.step, world.parts().duration / options.step * options.step);
         return coursesOf(world, options);
     }
     auto windows = readWindows(flags.windows);
@@ -73,11 +80,13 @@ Expected<std::vector<CourseRequest>> coursesAsked(const CompareFlags& flags, con
 
 void printComparison(const Comparison& comparison, const std::vector<std::string>& notices) {
     const Nanoseconds step = comparison.evaluation.options.windows.step;
-    std::printf("%s beside %s, seed %llu: %zu course%s, the first of %s s from %s s on\n\n",
-                comparison.scenario.c_str(), comparison.evaluation.source.c_str(),
-                static_cast<unsigned long long>(comparison.seed), comparison.requests.size(),
-                comparison.requests.size() == 1 ? "" : "s", secondsText(comparison.requests[0].steps * step, 0).c_str(),
-                secondsText(comparison.requests[0].start, 0).c_str());
+    const CourseRequest& first = comparison.requests.front();
+    const bool one = comparison.requests.size() == 1;
+    std::printf("%s beside %s, seed %llu: %s of %s s, %sfrom %s s on\n\n", comparison.scenario.c_str(),
+                comparison.evaluation.source.c_str(), static_cast<unsigned long long>(comparison.seed),
+                one ? "a course" : (std::to_string(comparison.requests.size()) + " courses").c_str(),
+                secondsText(first.steps * step, 0).c_str(), one ? "" : "the first ",
+                secondsText(first.start, 0).c_str());
     TextTable table({"", "courses", "windows", "P %", "Hd %", "final cm", "final deg", "touches"});
     const auto add = [&](const std::string& name, const ComparedSummary& s) {
         table.add({name, std::to_string(s.courses()), std::to_string(s.of(CourseUse::counted)), fixed(s.counted.p, 2),
@@ -99,11 +108,15 @@ void printComparison(const Comparison& comparison, const std::vector<std::string
 }
 
 int deliver(const Comparison& comparison, const LogWorld& world, const CompareFlags& flags, const CommonFlags& common) {
+    const Nanoseconds step = comparison.evaluation.options.windows.step;
+    std::optional<Nanoseconds> asked;
     ReportContext context;
     context.program = "mrose " MROSE_VERSION;
     context.commandLine = commandLine();
     context.synthetic = world.log().synthetic;
-    context.notices = noticesAbout(world);
+    if (flags.windows.empty() && !flags.every)
+        asked = flags.duration ? fromSeconds(*flags.duration) : world.parts().duration / step * step;
+    context.notices = noticesAbout(world, comparison, asked);
     if (common.json)
         std::fputs(comparisonJson(comparison, context.notices).c_str(), stdout);
     else

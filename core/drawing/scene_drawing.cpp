@@ -130,6 +130,22 @@ void addBody(SvgDrawing& drawing, const Shape& shape, const Pose& pose, bool hea
 
 bool isFinite(const Pose& pose) { return std::isfinite(pose.x) && std::isfinite(pose.y); }
 
+/// With half a metre to spare, 3 m wide and high at least; nothing where there are no paths.
+std::optional<SvgDrawing::Area> areaRound(std::span<const DrawnPath> paths) {
+    constexpr double margin = 0.5, least = 3;
+    Point low{1e9, 1e9}, high{-1e9, -1e9};
+    for (const DrawnPath& path : paths)
+        for (const Pose& pose : path.poses) {
+            if (!isFinite(pose)) continue;
+            low = {std::min(low.x, pose.x), std::min(low.y, pose.y)};
+            high = {std::max(high.x, pose.x), std::max(high.y, pose.y)};
+        }
+    if (high.x < low.x) return std::nullopt;
+    const Point middle = 0.5 * (low + high), size = high - low;
+    const Point half{std::max(least / 2, size.x / 2 + margin), std::max(least / 2, size.y / 2 + margin)};
+    return SvgDrawing::Area{middle - half, middle + half};
+}
+
 void addPath(SvgDrawing& drawing, const DrawnPath& path) {
     constexpr double arrow = 0.25;  // m
     const auto end = path.poses.end();
@@ -137,6 +153,7 @@ void addPath(SvgDrawing& drawing, const DrawnPath& path) {
         const auto to = std::find_if_not(from, end, isFinite);
         Polygon points;
         std::transform(from, to, std::back_inserter(points), [](const Pose& pose) { return Point{pose.x, pose.y}; });
+        drawing.line(points, {.stroke = white, .strokeWidth = 4.5, .opacity = 0.6});
         drawing.line(points, {.stroke = path.colour, .strokeWidth = 2, .dashed = path.dashed});
         const auto next = std::find_if(to, end, isFinite);
         if (from == std::find_if(path.poses.begin(), end, isFinite))
@@ -191,7 +208,7 @@ std::string drawPaths(const Environment& environment, const std::string& title, 
         const auto first = std::find_if(path.poses.begin(), path.poses.end(), isFinite);
         if (first != path.poses.end() && !path.name.empty()) drawing.label({first->x, first->y}, 20, path.name);
     }
-    return drawing.text({.title = title, .subtitle = subtitle});
+    return drawing.text({.title = title, .subtitle = subtitle, .shown = areaRound(paths)});
 }
 
 std::string drawScene(const Scene& scene, const std::string& title, const DrawingOptions& options) {

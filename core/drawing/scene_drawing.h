@@ -21,7 +21,8 @@ std::string drawShape(const Shape& shape, const DrawingOptions& options = {});
 /// Its shape, its manipulators with their reach, and how wide it sees.
 std::string drawRobot(const RobotType& robot, const DrawingOptions& options = {});
 std::string drawEnvironment(const Environment& environment, const DrawingOptions& options = {});
-/// A path through an environment, interrupted where a pose is not finite, with an arrow at its end.
+/// A path through an environment, interrupted where a pose is not finite, with an arrow at its end. Pictures of paths
+/// show what lies round them.
 struct DrawnPath {
     std::vector<Pose> poses;
     Colour colour;

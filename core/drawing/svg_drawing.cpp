@@ -91,6 +91,13 @@ public:
         return textAt(x(mark.points[0]), y(mark.points[0]) + mark.size, 12, ink, halo, mark.text);
     }
 
+    /// What follows is seen within the picture only.
+    std::string beginClip() const {
+        const std::string x = px(left()), y = px(titleHeight), width = px(shownWidth_), height = px(height_);
+        return cat("<svg x=\"", x, "\" y=\"", y, "\" width=\"", width, "\" height=\"", height, "\" viewBox=\"", x, " ",
+                   y, " ", width, " ", height, "\">\n");
+    }
+
     std::string grid(double step) const {
         std::string text;
         const double right = least_.x + shownWidth_ / scale_, top = least_.y + height_ / scale_;
@@ -178,7 +185,8 @@ void SvgDrawing::label(const Point& at, double below, std::string_view text) {
 
 std::string SvgDrawing::text(const Frame& frame) const {
     const bool empty = most_.x < least_.x;
-    const Page page(empty ? Point{} : least_, empty ? Point{1, 1} : most_, frame);
+    const Area area = frame.shown.value_or(empty ? Area{{}, {1, 1}} : Area{least_, most_});
+    const Page page(area.least, area.most, frame);
     const double bar = roundLength(std::min(page.width() / 4, 220.0) / page.scale());
     std::string text = cat("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"", px(page.width()), "\" height=\"",
                            px(page.height()), "\" viewBox=\"0 0 ", px(page.width()), " ", px(page.height()),
@@ -187,7 +195,9 @@ std::string SvgDrawing::text(const Frame& frame) const {
     text += textAt(margin, 26, 17, ink, " font-weight=\"bold\"", frame.title) +
             textAt(margin, 44, 12, quiet, "", frame.subtitle);
     if (frame.grid) text += page.grid(bar);
+    if (frame.shown) text += page.beginClip();
     for (const Mark& mark : marks_) text += page.mark(mark);
+    if (frame.shown) text += "</svg>\n";
     return text + page.scaleBar(bar) + "</svg>\n";
 }
 

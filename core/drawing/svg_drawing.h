@@ -12,7 +12,7 @@
 namespace mrose {
 
 /// A picture of the plane, x to the right and y up, that needs nothing else to be seen: marks in metres, lines and
-/// letters in pixels unless said. It is as large as what it shows.
+/// letters in pixels unless said. It is as large as what it shows, all or a part.
 class SvgDrawing {
 public:
     struct Style {
@@ -22,10 +22,14 @@ public:
         double opacity = 1;
         bool dashed = false;
     };
+    struct Area {
+        Point least, most;
+    };
     struct Frame {
         std::string title, subtitle;
-        double longestSide = 900;  ///< pixels, of what is shown
-        bool grid = false;         ///< faint lines as far apart as the scale bar is long
+        double longestSide = 900;                  ///< pixels, of what is shown
+        bool grid = false;                         ///< faint lines as far apart as the scale bar is long
+        std::optional<Area> shown = std::nullopt;  ///< only what lies in it; nothing: all
     };
 
     void polygon(std::span<const Point> corners, const Style& style) { outline(corners, true, style); }

@@ -117,6 +117,10 @@ TEST_F(CompareProgram, TheRefereeFindsTheSameErrorsInRealLogs) {
 TEST_F(CompareProgram, OneCourseAsTheScenarioRunsOrManyThatRestart) {
     const Json one = result({"compare", scenario(), "--log", shippedLog()});
     EXPECT_EQ(one["all"]["courses"], 1);
+    EXPECT_EQ(one["notices"].size(), 1u) << "synthetic: " << one["notices"];
+    const ProgramResult shortened =
+        runMrose({"compare", scenario(), "--log", shippedLog(), "--start", "10", "--duration", "1000"});
+    EXPECT_NE(shortened.out.find("Note: The ground truth ends "), std::string::npos) << shortened.out;
     const Json many = result({"compare", scenario(), "--log", shippedLog(), "--start", "3", "--duration", "40",
                               "--every", "8", "--report", path("report")});
     const auto courses = rowsOf(read("report/courses.csv"));

@@ -90,6 +90,29 @@ TEST(Compare, SaysWhatIsLeftOutAndWhy) {
     EXPECT_EQ(comparison.summaries[1].positionFinal.count, 8u);
 }
 
+/// A single start of one robot that drives straight on and has no poses from `from` to `to`.
+CourseUse useWithGap(double from, double to, double start) {
+    Log log = logOf({obedientTrajectory(0, 30 * second, straightOn)});
+    std::erase_if(log.robots[0].trajectories[0].poses, [&](const StampedPose& pose) {
+        return pose.time > fromSeconds(from) && pose.time < fromSeconds(to);
+    });
+    const auto world = LogWorld::create(playersOf(log, heldCommands()), log);
+    EXPECT_TRUE(world) << world.error().message();
+    const auto comparison = compare(*world, std::vector<CourseRequest>{{0, fromSeconds(start), 100}});
+    EXPECT_TRUE(comparison) << comparison.error().message();
+    return comparison->courses.front().use;
+}
+
+TEST(Compare, GapsAreFoundWhereverTheyLie) {
+    EXPECT_EQ(useWithGap(0, 0, 5), CourseUse::counted);
+    EXPECT_EQ(useWithGap(7.1, 7.25, 5), CourseUse::counted) << "shorter than 0.2 s";
+    // Between the instants over which paths are summed.
+    EXPECT_EQ(useWithGap(7.11, 7.39, 5), CourseUse::gap);
+    // Just before the start, as the referee's windows are.
+    EXPECT_EQ(useWithGap(4.6, 4.85, 5), CourseUse::gap);
+    EXPECT_EQ(useWithGap(4.4, 4.75, 5), CourseUse::counted);
+}
+
 TEST(Compare, ErrorsAreThoseOfAGainThatIsWrong) {
     // A robot that drives straight on at 0.1 m/s, simulated at 1.1 times that: after t seconds 0.01 t m ahead.
     const Log log = logOf({obedientTrajectory(0, 30 * second, straightOn)});

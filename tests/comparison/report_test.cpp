@@ -1,0 +1,102 @@
+#include <regex>
+
+#include <gtest/gtest.h>
+
+#include "comparison/comparison_files.h"
+#include "comparison/comparison_report.h"
+#include "comparison/played_scenarios.h"
+#include "evaluation/test_models.h"
+#include "io/file.h"
+#include "support/temporary_folder.h"
+
+namespace mrose {
+namespace {
+
+/// A robot with a name that must be escaped, with a gap in its ground truth, and its scene.
+struct Compared {
+    Log log;
+    Comparison comparison;
+    Scene scene;
+
+    explicit Compared(std::optional<Nanoseconds> every) {
+        log = logOf({obedientTrajectory(0, 40 * second, [](double t) { return Command{0.2, 0.2 * std::sin(t)}; })});
+        std::erase_if(log.robots[0].trajectories[0].poses,
+                      [](const StampedPose& pose) { return pose.time > 12 * second && pose.time < 15 * second; });
+        ScenarioParts parts = playersOf(log, std::make_shared<const HeldCommandModel>(100'000'000, 1.2));
+        parts.scene.robots[0].name = "a <b> & \"c\", d";
+        scene = parts.scene;
+        const auto world = LogWorld::create(std::move(parts), log);
+        const auto requests = coursesOf(*world, {second, std::nullopt, every});
+        comparison = *compare(*world, *requests);
+    }
+    std::string html() const { return comparisonHtml(comparison, scene, {.program = "p", .commandLine = "c"}); }
+};
+
+std::size_t countOf(const std::string& text, const std::string& what) {
+    std::size_t count = 0;
+    for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++count;
+    return count;
+}
+
+/// Elements that were opened and not closed, or a sign of what is no markup.
+std::vector<std::string> stillOpen(const std::string& html) {
+    std::vector<std::string> open;
+    const std::regex tag("<(/?)([a-z0-9]+)((?: [a-zA-Z-]+=\"[^\"<>]*\")*)(/?)>");
+    const std::string body = html.substr(html.find("<body>"));
+    for (std::sregex_iterator it(body.begin(), body.end(), tag), end; it != end; ++it) {
+        const std::smatch& match = *it;
+        if (match[1].length() == 0 && match[4].length() == 0) open.push_back(match[2]);
+        if (match[1].length() > 0 && (open.empty() || open.back() != match[2])) return {"closed " + match[2].str()};
+        if (match[1].length() > 0) open.pop_back();
+    }
+    return open;
+}
+
+TEST(ComparisonReport, NeedsNothingElseAndShowsEveryCourseThatIsAsked) {
+    for (const std::optional<Nanoseconds> every : {std::optional<Nanoseconds>{}, std::optional(3 * second)}) {
+        const Compared compared(every);
+        const std::string html = compared.html();
+        // </html> closes what stands before <body>.
+        EXPECT_EQ(stillOpen(html), std::vector<std::string>{"closed html"});
+        EXPECT_EQ(html.find("src="), std::string::npos);
+        EXPECT_EQ(html.find("http"), html.find("http://www.w3.org/2000/svg")) << "a name, no address";
+        EXPECT_EQ(html.find("<b> & "), std::string::npos);
+        EXPECT_NE(html.find("a &lt;b&gt; &amp; &quot;c&quot;"), std::string::npos);
+        for (const char* undefined : {"nan", "inf<"}) EXPECT_EQ(html.find(undefined), std::string::npos) << undefined;
+        EXPECT_EQ(countOf(html, "aria-label=\"Real and predicted path\""), every ? 5u : 1u);
+        EXPECT_EQ(countOf(html, "The worst courses"), every ? 1u : 0u);
+        EXPECT_NE(html.find("with a gap in the ground truth, "), std::string::npos);
+    }
+}
+
+TEST(ComparisonReport, PathsAreInterruptedWhereTheTruthIsNotKnown) {
+    const std::string html = Compared(std::nullopt).html();
+    const auto real = html.find("class=\"line real\"", html.find("Real and predicted path"));
+    const auto path = html.substr(real, html.find("/>", real) - real);
+    EXPECT_EQ(countOf(path, "M"), 2u);
+    const auto simulated = html.find("class=\"line s0\"", real);
+    EXPECT_EQ(countOf(html.substr(simulated, html.find("/>", simulated) - simulated), "M"), 1u);
+}
+
+TEST(ComparisonReport, CsvQuotesNamesAndLeavesUnknownCellsEmpty) {
+    const Compared compared(std::nullopt);
+    const std::string csv = errorsCsv(compared.comparison);
+    EXPECT_NE(csv.find("\n0,r,1.0,0.1,"), std::string::npos);
+    EXPECT_NE(csv.find(",\"a <b> & \"\"c\"\", d\"\n"), std::string::npos);
+    // From 12 s to 15 s of the log, which are 11 to 14 s of the course; the ends' instants lie in no gap or end it.
+    EXPECT_EQ(countOf(csv, ",,,,,,\""), 30u);
+}
+
+TEST(ComparisonReport, FilesAreWrittenTogether) {
+    const Compared compared(3 * second);
+    const TemporaryFolder folder;
+    const auto to = folder.path() / "new" / "report";
+    ASSERT_TRUE(checkComparisonFolder(to));
+    ASSERT_TRUE(writeComparison(compared.comparison, compared.scene, {}, to));
+    for (const char* file : {"report.html", "errors.csv", "courses.csv", "results.json"})
+        EXPECT_TRUE(readFile(to / file)) << file;
+    EXPECT_FALSE(checkComparisonFolder(folder.write("taken", "x")));
+}
+
+}  // namespace
+}  // namespace mrose
