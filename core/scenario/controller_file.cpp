@@ -121,7 +121,7 @@ ControllerSetting plugin(const Context& context) {
     if (loaded) return {std::move(*loaded), std::nullopt};
     const Error& error = loaded.error();
     if (error.key.empty())
-        table.adopt(error);
+        table.reject("library", error.message());
     else
         options.reject(error.key, error.cause);
     return {};
