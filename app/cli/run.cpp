@@ -50,7 +50,12 @@ public:
             if (!writer_->state()) giveUpRecording(state.tick);
         }
         keepPace(state.tick);
-        if (Clock::now() >= nextShown_) show(state.tick);
+        const Clock::time_point now = Clock::now();
+        if (now >= nextFlushed_) {
+            nextFlushed_ = now + std::chrono::seconds(1);
+            flush();
+        }
+        if (now >= nextShown_) show(state.tick);
         return !wasInterrupted();
     }
 
@@ -95,7 +100,6 @@ private:
 
     void show(std::int64_t tick) {
         nextShown_ = Clock::now() + (line_.terminal() ? std::chrono::milliseconds(200) : std::chrono::seconds(10));
-        flush();
         const double simulated = static_cast<double>(tick) * tick_;
         char text[160];
         std::snprintf(text, sizeof text, "%.1f of %.1f s, %s x real time", simulated,
@@ -109,7 +113,7 @@ private:
     std::int64_t ticks_;
     std::optional<RecordingWriter> writer_;
     bool lost_ = false;  ///< the recording
-    Clock::time_point began_ = Clock::now(), nextShown_ = began_ + std::chrono::seconds(1);
+    Clock::time_point began_ = Clock::now(), nextShown_ = began_ + std::chrono::seconds(1), nextFlushed_ = nextShown_;
 };
 
 void printJson(const Scenario& scenario, const RunCommandFlags& flags, const RunResult& result, bool recorded) {
