@@ -41,6 +41,7 @@ Subcommand addShapes(CLI::App& app, CommonFlags& flags);
 Subcommand addRun(CLI::App& app, CommonFlags& flags);
 Subcommand addReplay(CLI::App& app, CommonFlags& flags);
 Subcommand addBatch(CLI::App& app, CommonFlags& flags);
+Subcommand addCompare(CLI::App& app, CommonFlags& flags);
 
 /// A subcommand with the common flags and, below its options, examples.
 CLI::App* addSubcommand(CLI::App& app, CommonFlags& flags, const std::string& name, const std::string& description,

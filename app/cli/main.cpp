@@ -31,7 +31,7 @@ int runProgram(int argc, char** argv) {
     const Subcommand subcommands[] = {addInspect(app, flags), addTrain(app, flags),    addEvaluate(app, flags),
                                       addPredict(app, flags), addGenerate(app, flags), addShapes(app, flags),
                                       addRun(app, flags),     addReplay(app, flags),   addBatch(app, flags),
-                                      addPluginHost(app)};
+                                      addCompare(app, flags), addPluginHost(app)};
     try {
         app.parse(argc, argv);
         if (app.get_subcommands().empty()) throw CLI::RequiredError("A subcommand");

@@ -164,7 +164,7 @@ void watch(double limit) {
             const std::string* const who = activities[i].who.load();
             const std::uint64_t count = activities[i].count.load();
             seen[i] = {count, who != nullptr && count == seen[i].count ? seen[i].rounds + 1 : 0};
-            if (seen[i].rounds <= rounds) continue;
+            if (who == nullptr || seen[i].rounds <= rounds) continue;
             say(*who, activities[i].tick.load(), " does not return", "");
             const std::lock_guard lock(actionMutex);
             if (endAction) endAction();

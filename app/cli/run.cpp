@@ -47,7 +47,7 @@ public:
     bool after(const WorldState& state, const StepTrace& trace) {
         if (writer_) {
             writer_->add(state, trace);
-            if (!writer_->state()) giveUpRecording(state.tick);
+            if (!writer_->state()) giveUpRecording();
         }
         keepPace(state.tick);
         const Clock::time_point now = Clock::now();
@@ -76,12 +76,9 @@ public:
     double wallSeconds() const { return std::chrono::duration<double>(Clock::now() - began_).count(); }
 
 private:
-    void giveUpRecording(std::int64_t tick) {
+    void giveUpRecording() {
         line_.clear();
-        char more[80];
-        std::snprintf(more, sizeof more, "; the run goes on without its recording from %.2f s on",
-                      static_cast<double>(tick) * tick_);
-        sayLost(writer_->state().error(), more);
+        sayLost(writer_->state().error(), "; the run goes on, and its recording ends here");
         writer_.reset();
     }
 

@@ -125,13 +125,14 @@ int readGoal(lua_State* lua) {
 }
 
 /// The argument as a body.
-const Handle& bodyAt(lua_State* lua, int index, bool wallToo) {
+Handle bodyAt(lua_State* lua, int index, bool wallToo) {
     const auto* const handle = static_cast<const Handle*>(lua_touserdata(lua, index));
     if (handle == nullptr || handle->kind == Handle::Kind::collection ||
         (handle->kind == Handle::Kind::wall && !wallToo)) {
         luaL_argerror(
             lua, index,
             wallToo ? "expected a robot, a person, an object or wall" : "expected a robot, a person or an object");
+        return {};  // not reached
     }
     return *handle;
 }
@@ -157,7 +158,7 @@ int wrap(lua_State* lua) {
 }
 
 int touchingBodies(lua_State* lua) {
-    const Handle &a = bodyAt(lua, 1, true), &b = bodyAt(lua, 2, true);
+    const Handle a = bodyAt(lua, 1, true), b = bodyAt(lua, 2, true);
     lua_pushboolean(lua, static_cast<int>(meet(viewOf(lua), a.body, b.body)));
     return 1;
 }

@@ -16,6 +16,9 @@ struct Kick {
     double power = 1;               ///< 0 ... 1
     bool operator==(const Kick&) const = default;
 };
+inline bool identical(const Kick& a, const Kick& b) {
+    return a.manipulator == b.manipulator && identical(a.power, b.power);
+}
 
 /// Something that a controller wants the inspector or the field view to show. Never part of the state.
 struct Annotation {
@@ -39,10 +42,8 @@ struct Decision {
     /// Asks the debugger to stop here.
     void breakHere(std::string reason = "breakHere()") { breakReason = std::move(reason); }
     void clear();
-    /// The same orders, whatever is annotated.
-    bool sameOrders(const Decision& other) const {
-        return command == other.command && earlier == other.earlier && kicks == other.kicks;
-    }
+    /// The same orders to the last bit, whatever is annotated.
+    bool sameOrders(const Decision& other) const;
 };
 
 /// Control software of one robot: a pure function of what it sees and of its memory, which belongs to the world's state

@@ -128,6 +128,24 @@ void addBody(SvgDrawing& drawing, const Shape& shape, const Pose& pose, bool hea
     drawing.dot(at.place({}), 3, {.fill = black, .stroke = white});
 }
 
+bool isFinite(const Pose& pose) { return std::isfinite(pose.x) && std::isfinite(pose.y); }
+
+void addPath(SvgDrawing& drawing, const DrawnPath& path) {
+    constexpr double arrow = 0.25;  // m
+    const auto end = path.poses.end();
+    for (auto from = std::find_if(path.poses.begin(), end, isFinite); from != end;) {
+        const auto to = std::find_if_not(from, end, isFinite);
+        Polygon points;
+        std::transform(from, to, std::back_inserter(points), [](const Pose& pose) { return Point{pose.x, pose.y}; });
+        drawing.line(points, {.stroke = path.colour, .strokeWidth = 2, .dashed = path.dashed});
+        const auto next = std::find_if(to, end, isFinite);
+        if (from == std::find_if(path.poses.begin(), end, isFinite))
+            drawing.dot(points.front(), 4, {.fill = white, .stroke = path.colour, .strokeWidth = 2});
+        if (next == end) drawing.arrow(points.back(), Placement(*(to - 1)).place({arrow, 0}), path.colour);
+        from = next;
+    }
+}
+
 }  // namespace
 
 std::string drawShape(const Shape& shape, const DrawingOptions& options) {
@@ -162,6 +180,18 @@ std::string drawEnvironment(const Environment& environment, const DrawingOptions
     return drawing.text({.title = environment.name,
                          .subtitle = counted(environment.obstacles.size(), "obstacle", "obstacles") + ", " +
                                      counted(environment.goals.size(), "goal", "goals")});
+}
+
+std::string drawPaths(const Environment& environment, const std::string& title, const std::string& subtitle,
+                      std::span<const DrawnPath> paths) {
+    SvgDrawing drawing;
+    addEnvironment(drawing, environment, {});
+    for (const DrawnPath& path : paths) addPath(drawing, path);
+    for (const DrawnPath& path : paths) {
+        const auto first = std::find_if(path.poses.begin(), path.poses.end(), isFinite);
+        if (first != path.poses.end() && !path.name.empty()) drawing.label({first->x, first->y}, 20, path.name);
+    }
+    return drawing.text({.title = title, .subtitle = subtitle});
 }
 
 std::string drawScene(const Scene& scene, const std::string& title, const DrawingOptions& options) {

@@ -158,6 +158,16 @@ Expected<std::vector<std::vector<Pose>>> rollOut(const NamedModel& named, const 
     return result;
 }
 
+Evaluation evaluated(const Log& log, std::vector<Window> windows, std::string model,
+                     std::vector<std::vector<Pose>> predicted, const EvaluationOptions& options) {
+    Evaluation evaluation = describe(log, std::move(windows), options);
+    ModelEvaluation& only = evaluation.models.emplace_back();
+    only.name = std::move(model);
+    only.predicted = std::move(predicted);
+    compare(evaluation, partsOf(log, evaluation.windows), only);
+    return evaluation;
+}
+
 Expected<Evaluation> evaluate(const Log& log, std::span<const NamedModel> models, const EvaluationOptions& options) {
     auto windows = findWindows(log, options.robots, options.windows);
     if (!windows) return tl::unexpected(windows.error());

@@ -79,6 +79,10 @@ struct Evaluation {
 Expected<Evaluation> evaluate(const Log& log, std::span<const NamedModel> models,
                               const EvaluationOptions& options = {});
 
+/// The same of one model whose poses are known already: predicted[i] of windows[i].
+Evaluation evaluated(const Log& log, std::vector<Window> windows, std::string model,
+                     std::vector<std::vector<Pose>> predicted, const EvaluationOptions& options = {});
+
 /// Rollouts of one named model, each start with the model of its robot; `robots` are indices into log.robots. Error as
 /// for evaluate.
 Expected<std::vector<std::vector<Pose>>> rollOut(const NamedModel& model, const Log& log,

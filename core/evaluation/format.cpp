@@ -22,6 +22,13 @@ std::string exact(double value) {
     return {text.data(), end.ptr};
 }
 
+std::string csvCell(const std::string& text) {
+    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    std::string result = "\"";
+    for (const char c : text) result.append(c == '"' ? 2 : 1, c);
+    return result + "\"";
+}
+
 std::string secondsText(Nanoseconds time, int leastDecimals) {
     const bool negative = time < 0;
     // Unsigned, so that the smallest number has an absolute value too.

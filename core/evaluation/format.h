@@ -16,6 +16,9 @@ std::string fixed(double value, int decimals);
 /// The shortest text that reads back as the same double; "null" when it is not finite (JSON has no other word).
 std::string exact(double value);
 
+/// Text as a cell of a CSV file: quoted where it needs it.
+std::string csvCell(const std::string& text);
+
 /// Seconds without rounding, with as many decimals as it takes but at least `leastDecimals`.
 std::string secondsText(Nanoseconds time, int leastDecimals = 1);
 

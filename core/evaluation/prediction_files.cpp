@@ -51,11 +51,6 @@ bool severalTrajectories(const Log& log) {
                        [](const RobotLog& robot) { return robot.trajectories.size() > 1; });
 }
 
-/// "6,1,1248446702.5", the key of a window in both files.
-std::string keyOf(int dataset, const std::string& robot, Nanoseconds start) {
-    return std::to_string(dataset) + "," + robot + "," + secondsText(start);
-}
-
 Expected<std::size_t> robotIndex(const Log& log, const WindowRequest& request, const std::string& fileName) {
     for (std::size_t i = 0; i < log.robots.size(); ++i)
         if (log.robots[i].robot == request.robot) return i;
@@ -114,11 +109,15 @@ Expected<std::vector<WindowRequest>> readWindows(const std::filesystem::path& fi
     return parseWindows(*content, file.string());
 }
 
+std::string windowKey(int dataset, const std::string& robot, Nanoseconds start) {
+    return std::to_string(dataset) + "," + robot + "," + secondsText(start);
+}
+
 std::string windowsCsv(const Evaluation& evaluation) {
     std::string text = "dataset,robot,t_start,path_m,rotation_rad,trajectory\n";
     for (std::size_t i = 0; i < evaluation.windows.size(); ++i) {
         const Window& w = evaluation.windows[i];
-        text += keyOf(evaluation.dataset, evaluation.robots[w.robot].name, w.start) + "," + fixed(w.path, 4) + "," +
+        text += windowKey(evaluation.dataset, evaluation.robots[w.robot].name, w.start) + "," + fixed(w.path, 4) + "," +
                 fixed(w.rotation, 4) + "," + evaluation.trajectories[i] + "\n";
     }
     return text;
@@ -149,7 +148,7 @@ std::string predictionsCsv(const Log& log, std::span<const RolloutStart> starts,
     std::string text = "dataset,robot,t_start,t,x,y,heading";
     text += named ? ",trajectory\n" : "\n";
     for (std::size_t i = 0; i < starts.size(); ++i) {
-        const std::string key = keyOf(log.dataset, log.robots[robots[i]].robot, starts[i].time) + ",";
+        const std::string key = windowKey(log.dataset, log.robots[robots[i]].robot, starts[i].time) + ",";
         const std::string end = named ? "," + starts[i].trajectory->name + "\n" : "\n";
         for (std::size_t k = 0; k < predicted[i].size(); ++k) {
             const Pose& pose = predicted[i][k];

@@ -26,6 +26,9 @@ struct WindowRequest {
 Expected<std::vector<WindowRequest>> readWindows(const std::filesystem::path& file);
 Expected<std::vector<WindowRequest>> parseWindows(std::string_view content, const std::string& fileName);
 
+/// "6,1,1248446702.5": what the rows of a window begin with in these files.
+std::string windowKey(int dataset, const std::string& robot, Nanoseconds start);
+
 /// dataset,robot,t_start,path_m,rotation_rad as the referee prints them, and the trajectory.
 std::string windowsCsv(const Evaluation& evaluation);
 

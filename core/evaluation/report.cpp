@@ -7,22 +7,15 @@
 #include "evaluation/html.h"
 #include "evaluation/prediction_files.h"
 #include "evaluation/report_figures.h"
+#include "evaluation/report_page.h"
 #include "evaluation/report_prose.h"
-#include "evaluation/report_style.h"
 #include "evaluation/report_tables.h"
 #include "evaluation/shown_windows.h"
-#include "io/file.h"
 
 namespace mrose {
 namespace {
 
 constexpr const char* reportFiles[] = {"results.csv", "results.json", "windows.csv", "report.html"};
-
-/// A line never breaks between the number and its unit.
-std::string percentText(double value) { return cat(fixed(value, 2), "\u00a0%"); }
-
-std::string paragraph(std::string_view content) { return element("p", "", content); }
-std::string heading(std::string_view content) { return element("h2", "", content); }
 
 std::string robotsText(const Evaluation& evaluation) {
     std::vector<std::string> names;
@@ -92,37 +85,6 @@ std::string headline(const Evaluation& evaluation) {
                        percentText(model.all.hd), "</b> of the rotation turned (Hd), on average over time. ",
                        typicalWindow(evaluation, model.all), comparison(evaluation)));
 }
-
-std::string tile(std::string_view label, std::string_view value, std::string_view unit, std::string_view more) {
-    return element("div", "tile",
-                   cat("<div class=\"name\">", label, "</div><div class=\"value\">", value, " <small>", unit,
-                       "</small></div><div class=\"more\">", more, "</div>"));
-}
-
-std::string intervalText(const Interval& interval) {
-    return cat("95\u00a0% interval ", fixed(interval.low, 2), "–", percentText(interval.high));
-}
-
-std::string percentilesText(const Distribution& d, double unit, std::string_view unitText) {
-    return cat("mean ", fixed(unit * d.mean, 1), ", 90th percentile ", fixed(unit * d.p90, 1), unitText);
-}
-
-std::string tiles(const Evaluation& evaluation) {
-    const Summary& s = evaluation.models.front().all;
-    return element("div", "tiles",
-                   cat(tile("P: position error over path", fixed(s.p, 2), "%", intervalText(s.p95)),
-                       tile("Hd: heading error over rotation", fixed(s.hd, 2), "%", intervalText(s.hd95)),
-                       tile("position at the end, median", fixed(100 * s.positionFinal.median, 1), "cm",
-                            percentilesText(s.positionFinal, 100, " cm")),
-                       tile("heading at the end, median", cat(fixed(degrees * s.headingFinal.median, 1), "°"), "",
-                            percentilesText(s.headingFinal, degrees, "°"))));
-}
-
-std::string card(std::string_view title, std::string_view content) {
-    return element("div", "card", cat(element("h3", "", title), content));
-}
-
-std::string tableCard(std::string_view content) { return element("div", "card", content); }
 
 std::string errorSection(const Evaluation& evaluation) {
     return cat(
@@ -243,47 +205,25 @@ std::string provenance(const Evaluation& evaluation, const ReportContext& contex
 std::string reportHtml(const Evaluation& evaluation, const ReportContext& context) {
     const std::string title = cat(escaped(evaluation.models.front().name), " on ", escaped(evaluation.source),
                                   context.synthetic ? " (synthetic)" : "");
-    const std::string body =
-        cat(header(evaluation, context), headline(evaluation), tiles(evaluation), heading("Models side by side"),
-            tableCard(modelTable(evaluation)), errorSection(evaluation), pathSection(evaluation, context),
-            tablesSection(evaluation), barsSection(evaluation), floorSection(evaluation),
-            heading("What the numbers mean"), definitions(evaluation), provenance(evaluation, context));
-    return cat("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/>\n",
-               "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>", title,
-               "</title>\n<style>", reportStyle, "</style></head>\n<body><main>\n", body, "</main></body></html>\n");
+    const std::string body = cat(
+        header(evaluation, context), headline(evaluation), tiles(evaluation.models.front().all),
+        heading("Models side by side"), tableCard(modelTable(evaluation)), errorSection(evaluation),
+        pathSection(evaluation, context), tablesSection(evaluation), barsSection(evaluation), floorSection(evaluation),
+        heading("What the numbers mean"), definitions(evaluation), provenance(evaluation, context));
+    return reportPage(title, body);
 }
 
-Expected<void> checkReportFolder(const std::filesystem::path& folder) {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(folder, ignored)) {
-        for (const char* name : reportFiles)
-            if (const auto writable = checkWritable(folder / name); !writable) return writable;
-        return {};
-    }
-    // It will be made within the nearest folder that is there.
-    std::filesystem::path within = std::filesystem::absolute(folder, ignored).lexically_normal(), inside;
-    while (within.has_relative_path() && !std::filesystem::exists(within, ignored)) {
-        inside = within;
-        within = within.parent_path();
-    }
-    if (!std::filesystem::is_directory(within, ignored))
-        return fail(folder.string(), cat("cannot be made: ", within.string(), " is no folder"));
-    if (const auto writable = checkWritable(inside); !writable) return fail(folder.string(), writable.error().cause);
-    return {};
-}
+Expected<void> checkReportFolder(const std::filesystem::path& folder) { return checkReportFolder(folder, reportFiles); }
 
 Expected<void> writeReport(const Evaluation& evaluation, const ReportContext& context,
                            const std::filesystem::path& folder) {
     if (evaluation.models.empty() || evaluation.windows.empty())
         return fail(folder.string(), "nothing was evaluated that a report could show");
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error) return fail(folder.string(), cat("cannot be made: ", error.message()));
     const std::string contents[] = {resultsCsv(evaluation), resultsJson(evaluation, context), windowsCsv(evaluation),
                                     reportHtml(evaluation, context)};
     std::vector<NamedFile> files;
-    for (std::size_t i = 0; i < std::size(contents); ++i) files.push_back({folder / reportFiles[i], contents[i]});
-    return writeFilesAtomically(files);
+    for (std::size_t i = 0; i < std::size(contents); ++i) files.push_back({reportFiles[i], contents[i]});
+    return writeReportFiles(folder, std::move(files));
 }
 
 }  // namespace mrose

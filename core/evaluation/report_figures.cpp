@@ -19,11 +19,6 @@ std::string swatch(std::string_view marks) {
     return cat("<svg width=\"34\" height=\"12\" viewBox=\"0 0 34 12\" aria-hidden=\"true\">", marks, "</svg>");
 }
 
-std::string lineEntry(std::string_view cssClass, std::string_view label) {
-    return cat("<span>", swatch(cat("<path class=\"line ", cssClass, "\" d=\"M1 6H33\"/>")), escaped(label),
-               "</span>\n");
-}
-
 std::string boxEntry(std::string_view cssClass, std::string_view label) {
     return cat("<span>", swatch(cat("<rect class=\"", cssClass, "\" x=\"1\" y=\"0\" width=\"32\" height=\"12\"/>")),
                escaped(label), "</span>\n");
@@ -63,15 +58,15 @@ std::vector<double> perWindow(const Evaluation& evaluation, const ModelEvaluatio
     return values;
 }
 
-Points positions(const std::vector<Pose>& poses) {
+Points positions(std::span<const Pose> poses) {
     Points points;
     for (const Pose& pose : poses) points.push_back({pose.x, pose.y});
     return points;
 }
 
-/// The window's start and the prediction's poses, so that a path has its begin.
-std::vector<Pose> withStart(const Window& window, const std::vector<Pose>& predicted) {
-    std::vector<Pose> poses{window.measuredPose};
+/// The start and the prediction's poses, so that a path has its begin.
+std::vector<Pose> withStart(const Pose& start, std::span<const Pose> predicted) {
+    std::vector<Pose> poses{start};
     poses.insert(poses.end(), predicted.begin(), predicted.end());
     return poses;
 }
@@ -79,8 +74,9 @@ std::vector<Pose> withStart(const Window& window, const std::vector<Pose>& predi
 struct Extent {
     PlotRange x, y;
 
-    void include(const std::vector<Pose>& poses) {
+    void include(std::span<const Pose> poses) {
         for (const Pose& pose : poses) {
+            if (!std::isfinite(pose.x)) continue;
             x = {std::min(x.low, pose.x), std::max(x.high, pose.x)};
             y = {std::min(y.low, pose.y), std::max(y.high, pose.y)};
         }
@@ -108,10 +104,13 @@ Nanoseconds arrowInterval(const Evaluation& evaluation) {
     return longest >= 5 * nanosecondsPerSecond ? nanosecondsPerSecond : nanosecondsPerSecond / 5;
 }
 
-void drawArrows(SvgPlot& plot, const Evaluation& evaluation, const std::vector<Pose>& poses, std::string_view css) {
+std::size_t arrowStride(const Evaluation& evaluation) {
     const Nanoseconds every = arrowInterval(evaluation) / evaluation.options.windows.step;
-    const auto stride = static_cast<std::size_t>(std::max<Nanoseconds>(1, every));
-    for (std::size_t i = 0; i < poses.size(); i += stride)
+    return static_cast<std::size_t>(std::max<Nanoseconds>(1, every));
+}
+
+void drawArrows(SvgPlot& plot, std::size_t every, std::span<const Pose> poses, std::string_view css) {
+    for (std::size_t i = 0; i < poses.size(); i += every)
         plot.arrow({poses[i].x, poses[i].y}, poses[i].heading, 15, css);
 }
 
@@ -119,6 +118,17 @@ void drawArrows(SvgPlot& plot, const Evaluation& evaluation, const std::vector<P
 
 std::string seriesClass(std::size_t model) {
     return cat("s", std::to_string(model < seriesStyles ? model : 1 + (model - 1) % (seriesStyles - 1)));
+}
+
+std::string lineEntry(std::string_view cssClass, std::string_view label) {
+    return cat("<span>", swatch(cat("<path class=\"line ", cssClass, "\" d=\"M1 6H33\"/>")), escaped(label),
+               "</span>\n");
+}
+
+std::string pathMarkEntries(std::string_view interval) {
+    return cat("<span>", swatch("<circle class=\"start\" cx=\"17\" cy=\"6\" r=\"4.5\"/>"), "start</span>\n", "<span>",
+               swatch("<path class=\"arrow real\" d=\"M6 6H22M22 3L28 6L22 9Z\"/>"), "heading, every ", interval,
+               "</span>\n", "<span>", swatch("<path class=\"line miss\" d=\"M1 6H33\"/>"), "error at the end</span>\n");
 }
 
 std::size_t drawnModels(const Evaluation& evaluation) { return std::min(evaluation.models.size(), mostDrawnModels); }
@@ -141,10 +151,7 @@ std::string pathLegend(const Evaluation& evaluation) {
     std::string entries = lineEntry("real", "real path");
     for (std::size_t i = 0; i < drawnModels(evaluation); ++i)
         entries += lineEntry(i == 0 ? seriesClass(i) : cat(seriesClass(i), " thin"), evaluation.models[i].name);
-    entries += cat("<span>", swatch("<circle class=\"start\" cx=\"17\" cy=\"6\" r=\"4.5\"/>"), "start</span>\n");
-    entries += cat("<span>", swatch("<path class=\"arrow real\" d=\"M6 6H22M22 3L28 6L22 9Z\"/>"), "heading, every ",
-                   interval, "</span>\n");
-    entries += cat("<span>", swatch("<path class=\"line miss\" d=\"M1 6H33\"/>"), "error at the end</span>\n");
+    entries += pathMarkEntries(interval);
     return element("div", "legend", entries);
 }
 
@@ -221,28 +228,35 @@ std::string barsFigure(const Evaluation& evaluation, std::size_t robot, double t
     return plot.text();
 }
 
-std::string pathFigure(const Evaluation& evaluation, std::size_t index) {
-    const Window& window = evaluation.windows[index];
-    Extent extent{{window.truth[0].x, window.truth[0].x}, {window.truth[0].y, window.truth[0].y}};
-    extent.include(window.truth);
-    for (std::size_t i = 0; i < drawnModels(evaluation); ++i) extent.include(evaluation.models[i].predicted[index]);
+std::string pathFigure(const PathFigure& figure) {
+    Extent extent{{figure.start.x, figure.start.x}, {figure.start.y, figure.start.y}};
+    extent.include(figure.real);
+    for (const auto& predicted : figure.predicted) extent.include(predicted);
     extent.widen();
     SvgPlot plot = SvgPlot::equalScale({.width = 340, .height = 290, .left = 0, .right = 0, .top = 0, .bottom = 28},
                                        extent.x, extent.y, "Real and predicted path");
     const double bar = niceTicks({0, 340 * plot.unitsPerPixel()}, 5).step;
     plot.grid(bar);
-    for (std::size_t i = drawnModels(evaluation); i-- > 1;)
-        plot.line(positions(withStart(window, evaluation.models[i].predicted[index])), cat(seriesClass(i), " thin"));
-    const auto& predicted = evaluation.models.front().predicted[index];
-    const PlotPoint ends[] = {{window.truth.back().x, window.truth.back().y}, {predicted.back().x, predicted.back().y}};
-    plot.line(positions(window.truth), "real");
-    plot.line(positions(withStart(window, predicted)), seriesClass(0));
+    for (std::size_t i = figure.predicted.size(); i-- > 1;)
+        plot.line(positions(withStart(figure.start, figure.predicted[i])), cat(seriesClass(i), " thin"));
+    const auto& predicted = figure.predicted.front();
+    const PlotPoint ends[] = {{figure.real.back().x, figure.real.back().y}, {predicted.back().x, predicted.back().y}};
+    plot.line(positions(figure.real), "real");
+    plot.line(positions(withStart(figure.start, predicted)), seriesClass(0));
     plot.line(ends, "miss");
-    drawArrows(plot, evaluation, window.truth, "arrow real");
-    drawArrows(plot, evaluation, withStart(window, predicted), "arrow s0");
-    plot.circle({window.truth[0].x, window.truth[0].y}, 4.5, "start");
+    drawArrows(plot, figure.arrowEvery, figure.real, "arrow real");
+    drawArrows(plot, figure.arrowEvery, withStart(figure.start, predicted), "arrow s0");
+    plot.circle({figure.real[0].x, figure.real[0].y}, 4.5, "start");
     plot.scaleBar(bar, lengthText(bar));
     return plot.text();
+}
+
+std::string pathFigure(const Evaluation& evaluation, std::size_t index) {
+    const Window& window = evaluation.windows[index];
+    PathFigure figure{window.truth, window.measuredPose, {}, arrowStride(evaluation)};
+    for (std::size_t i = 0; i < drawnModels(evaluation); ++i)
+        figure.predicted.push_back(evaluation.models[i].predicted[index]);
+    return pathFigure(figure);
 }
 
 }  // namespace mrose

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "evaluation/evaluate.h"
 
@@ -27,6 +30,21 @@ std::string cumulativeFigure(const Evaluation& evaluation, Channel channel);
 /// One bar per window of one robot in the log's order: the first model's time-mean position error in cm.
 std::string barsFigure(const Evaluation& evaluation, std::size_t robot, double highest);
 double highestBar(const Evaluation& evaluation);  ///< cm, the same scale for all robots
+
+/// Entries of a legend: a sample of a line, of a class, and what it is.
+std::string lineEntry(std::string_view cssClass, std::string_view label);
+/// A legend's entries of what pathFigure draws beside lines; `interval` as "second", "0.2 s".
+std::string pathMarkEntries(std::string_view interval);
+
+/// Real and predicted paths on equal axes, with heading arrows every so many poses and the first prediction's error at
+/// the end; paths are interrupted where a pose is not finite.
+struct PathFigure {
+    std::span<const Pose> real;
+    Pose start;                                         ///< of the predictions
+    std::vector<std::span<const Pose>> predicted = {};  ///< the first is the one that matters
+    std::size_t arrowEvery = 10;
+};
+std::string pathFigure(const PathFigure& figure);
 
 /// Real and predicted path of one window on equal axes, heading arrows every second.
 std::string pathFigure(const Evaluation& evaluation, std::size_t window);

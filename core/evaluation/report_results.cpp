@@ -1,20 +1,11 @@
-#include <nlohmann/json.hpp>
-
 #include "evaluation/format.h"
 #include "evaluation/html.h"
 #include "evaluation/report.h"
+#include "evaluation/results_json.h"
 
 namespace mrose {
-namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string quoted(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string result = "\"";
-    for (const char c : text) result.append(c == '"' ? 2 : 1, c);
-    return result + "\"";
-}
 
 Json json(const Distribution& d) {
     return {{"count", d.count}, {"mean", d.mean},     {"rms", d.rms}, {"p10", d.p10},
@@ -40,6 +31,8 @@ Json json(const Summary& s) {
             {"final_left_m", json(s.left)},
             {"final_heading_signed_rad", json(s.headingSigned)}};
 }
+
+namespace {
 
 Json json(const PercentErrors& e) { return {{"P_percent", e.p}, {"Hd_percent", e.hd}}; }
 
@@ -160,8 +153,8 @@ std::string resultsCsv(const Evaluation& evaluation) {
         for (std::size_t i = 0; i < evaluation.windows.size(); ++i) {
             const Window& w = evaluation.windows[i];
             const WindowErrors& e = model.errors[i];
-            text += cat(quoted(model.name), ",", std::to_string(i + 1), ",", std::to_string(evaluation.dataset), ",",
-                        quoted(evaluation.robots[w.robot].name), ",", quoted(evaluation.trajectories[i]), ",",
+            text += cat(csvCell(model.name), ",", std::to_string(i + 1), ",", std::to_string(evaluation.dataset), ",",
+                        csvCell(evaluation.robots[w.robot].name), ",", csvCell(evaluation.trajectories[i]), ",",
                         secondsText(w.start), ",", name(w.manoeuvre), w.steady ? ",1" : ",0");
             for (const double value : {w.path, w.pathBySteps, w.rotation, e.positionMean, e.positionFinal,
                                        e.headingMean, e.headingFinal, e.along, e.left, e.headingFinalSigned})

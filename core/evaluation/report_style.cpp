@@ -66,6 +66,7 @@ code { font: 12.5px/1.45 ui-monospace, "DejaVu Sans Mono", monospace; overflow-w
 .legend span { display: inline-flex; align-items: center; gap: 7px; }
 .legend svg { flex: none; }
 svg.plot { display: block; width: 100%; height: auto; overflow: visible; }
+.scene { overflow-x: auto; } .scene > svg { display: block; max-width: 100%; height: auto; margin: 0 auto; border-radius: 4px; }
 svg text { font-family: system-ui, "Segoe UI", "DejaVu Sans", sans-serif; fill: var(--ink); }
 text.tick { font-size: 11.5px; fill: var(--soft); font-variant-numeric: tabular-nums; }
 text.title { font-size: 12.5px; fill: var(--ink); }

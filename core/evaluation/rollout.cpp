@@ -27,18 +27,27 @@ void issueUntil(Runner& runner, Nanoseconds time) {
         runner.history.issue(commands[runner.next].time, commands[runner.next].command);
 }
 
-/// The history as it is at `time`: the command in force `lead` before, and all since.
+/// Where the commands begin that are known at `time`: with the one in force `lead` before.
+struct Beginning {
+    std::size_t first = 0;
+    std::optional<StampedCommand> before;  ///< of a steady trajectory, which has none so early
+};
+Beginning beginningOf(const Trajectory& trajectory, Nanoseconds time, Nanoseconds lead) {
+    const auto& commands = trajectory.commands;
+    const auto later = std::upper_bound(commands.begin(), commands.end(), time - lead,
+                                        [](Nanoseconds t, const StampedCommand& c) { return t < c.time; });
+    if (later != commands.begin()) return {static_cast<std::size_t>(later - commands.begin()) - 1, std::nullopt};
+    if (!trajectory.steady || commands.empty()) return {};
+    return {0, StampedCommand{std::min(commands.front().time, time - lead), commands.front().command}};
+}
+
+/// The history as it is at `time`.
 Runner prepare(const RolloutStart& start, Nanoseconds time, Nanoseconds lead) {
     Runner runner;
     runner.start = &start;
-    const auto& commands = start.trajectory->commands;
-    const auto later = std::upper_bound(commands.begin(), commands.end(), time - lead,
-                                        [](Nanoseconds t, const StampedCommand& c) { return t < c.time; });
-    runner.next = static_cast<std::size_t>(later - commands.begin());
-    if (runner.next > 0)
-        --runner.next;
-    else if (start.trajectory->steady && !commands.empty())
-        runner.history.issue(std::min(commands.front().time, time - lead), commands.front().command);
+    const Beginning beginning = beginningOf(*start.trajectory, time, lead);
+    if (beginning.before) runner.history.issue(beginning.before->time, beginning.before->command);
+    runner.next = beginning.first;
     issueUntil(runner, time);
     return runner;
 }
@@ -59,24 +68,6 @@ void advance(const MotionModel& model, std::span<Runner> runners, Nanoseconds el
         runners[i].velocity = steps[i].velocity;
         runners[i].unperturbed = steps[i].unperturbed;
     }
-}
-
-/// Fills in the velocities that are not known: what the model reaches from standstill over the lead.
-void warmUp(const MotionModel& model, std::span<RolloutStart> starts, const RolloutOptions& options) {
-    const Nanoseconds periods = (options.lead + model.period() - 1) / model.period();
-    const Nanoseconds begin = -periods * model.period();
-    std::vector<Runner> runners;
-    std::vector<RolloutStart*> unknown;
-    for (RolloutStart& start : starts) {
-        if (start.velocity) continue;
-        unknown.push_back(&start);
-        runners.push_back(prepare(start, start.time + begin, options.lead));
-    }
-    if (runners.empty()) return;
-    std::vector<MotionInput> inputs;
-    std::vector<MotionStep> steps;
-    for (Nanoseconds i = 0; i < periods; ++i) advance(model, runners, begin + i * model.period(), inputs, steps);
-    for (std::size_t i = 0; i < unknown.size(); ++i) unknown[i]->velocity = runners[i].velocity;
 }
 
 /// Advances the starts with these indices, longest first, so that those still under way are always the first ones.
@@ -106,6 +97,33 @@ void rollOutBatch(const MotionModel& model, std::span<const RolloutStart> starts
 
 }  // namespace
 
+std::vector<StampedCommand> commandsRead(const RolloutStart& start, Nanoseconds until, const RolloutOptions& options) {
+    const auto& commands = start.trajectory->commands;
+    const Beginning beginning = beginningOf(*start.trajectory, start.time, options.lead);
+    std::vector<StampedCommand> read;
+    if (beginning.before && beginning.before->time < commands.front().time) read.push_back(*beginning.before);
+    for (std::size_t i = beginning.first; i < commands.size() && commands[i].time <= until; ++i)
+        read.push_back(commands[i]);
+    return read;
+}
+
+void fillVelocities(const MotionModel& model, std::span<RolloutStart> starts, const RolloutOptions& options) {
+    const Nanoseconds periods = (options.lead + model.period() - 1) / model.period();
+    const Nanoseconds begin = -periods * model.period();
+    std::vector<Runner> runners;
+    std::vector<RolloutStart*> unknown;
+    for (RolloutStart& start : starts) {
+        if (start.velocity) continue;
+        unknown.push_back(&start);
+        runners.push_back(prepare(start, start.time + begin, options.lead));
+    }
+    if (runners.empty()) return;
+    std::vector<MotionInput> inputs;
+    std::vector<MotionStep> steps;
+    for (Nanoseconds i = 0; i < periods; ++i) advance(model, runners, begin + i * model.period(), inputs, steps);
+    for (std::size_t i = 0; i < unknown.size(); ++i) unknown[i]->velocity = runners[i].velocity;
+}
+
 Expected<std::vector<std::vector<Pose>>> rollOut(const MotionModel& model, std::span<const RolloutStart> starts,
                                                  const RolloutOptions& options) {
     const Nanoseconds period = model.period();
@@ -113,7 +131,7 @@ Expected<std::vector<std::vector<Pose>>> rollOut(const MotionModel& model, std::
         return fail({}, "the model's period of " + secondsText(period) + " s does not divide the output's step of " +
                             secondsText(options.step) + " s");
     std::vector<RolloutStart> known(starts.begin(), starts.end());
-    warmUp(model, known, options);
+    fillVelocities(model, known, options);
     std::vector<std::size_t> order(known.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(),

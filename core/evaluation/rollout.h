@@ -25,6 +25,14 @@ struct RolloutOptions {
     Nanoseconds lead = 3'000'000'000LL;  ///< commands known to the model before the start
 };
 
+/// The commands that a rollout reads up to `until`: the one in force a lead before its start, and all since. A
+/// trajectory marked steady is taken to have had its first command before it began.
+std::vector<StampedCommand> commandsRead(const RolloutStart& start, Nanoseconds until,
+                                         const RolloutOptions& options = {});
+
+/// Fills in the velocities that are not known: what the model reaches from standstill over the lead.
+void fillVelocities(const MotionModel& model, std::span<RolloutStart> starts, const RolloutOptions& options = {});
+
 /// Predicted poses, one list per start, `steps` long, in the frame of the start's pose. Starts advance together,
 /// in large batches. At each period the command history holds exactly the commands stamped at or before its start:
 /// nothing later can be read. A trajectory marked steady is taken to have had its first command before it began; any

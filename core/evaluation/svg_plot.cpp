@@ -95,13 +95,14 @@ void SvgPlot::grid(double step) {
 
 std::string SvgPlot::path(std::span<const PlotPoint> points, bool staircase) const {
     std::string d;
+    bool lifted = true;
     for (const PlotPoint& point : points) {
-        if (!isFinite(point)) continue;
-        const std::string x = px(pixelX(point.x)), y = px(pixelY(point.y));
-        if (d.empty())
-            d = cat("M", x, " ", y);
-        else
-            d += staircase ? cat("H", x, "V", y) : cat("L", x, " ", y);
+        const bool draws = isFinite(point);
+        if (draws) {
+            const std::string x = px(pixelX(point.x)), y = px(pixelY(point.y));
+            d += lifted ? cat("M", x, " ", y) : staircase ? cat("H", x, "V", y) : cat("L", x, " ", y);
+        }
+        lifted = !draws;
     }
     return d;
 }

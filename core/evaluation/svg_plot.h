@@ -24,7 +24,8 @@ struct Ticks {
 Ticks niceTicks(PlotRange range, int wanted);
 
 /// One diagram as an <svg> element. Colours, widths and dashes come from the page's style sheet: each mark has the CSS
-/// classes that it is given. Points that are not finite are left out; what lies outside the frame is clipped.
+/// classes that it is given. Lines are interrupted at points that are not finite; what lies outside the frame is
+/// clipped.
 class SvgPlot {
 public:
     struct Layout {

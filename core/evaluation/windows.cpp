@@ -105,15 +105,7 @@ private:
     }
 
     void take(const Trajectory& trajectory, Window window) {
-        const Nanoseconds length = window.steps() * options_.step;
-        const Travel travel = travelled(window.truth, options_.step);
-        window.path = travel.path;
-        for (std::size_t i = 1; i < window.truth.size(); ++i)
-            window.pathBySteps +=
-                std::hypot(window.truth[i].x - window.truth[i - 1].x, window.truth[i].y - window.truth[i - 1].y);
-        window.rotation = travel.rotation;
-        const double part = toSeconds(length) / 10;
-        if (window.path < options_.leastPath * part && window.rotation < options_.leastRotation * part) {
+        if (!measureTravel(window, options_)) {
             ++refusals.still;
             return;
         }
@@ -133,14 +125,6 @@ private:
     Nanoseconds spacing_;
 };
 
-void classifyAll(const Log& log, std::vector<Window>& windows, Nanoseconds step) {
-    std::vector<CommandScale> scales;
-    for (const RobotLog& robot : log.robots) scales.push_back(commandScale(robot));
-    for (Window& w : windows)
-        w.manoeuvre = classify(log.robots[w.robot].trajectories[w.trajectory], w.start, w.start + w.steps() * step,
-                               scales[w.robot]);
-}
-
 }  // namespace
 
 Travel travelled(std::span<const Pose> poses, Nanoseconds step) {
@@ -152,6 +136,26 @@ Travel travelled(std::span<const Pose> poses, Nanoseconds step) {
         travel.rotation += std::abs(b.heading - a.heading);
     }
     return travel;
+}
+
+bool measureTravel(Window& window, const WindowOptions& options) {
+    const Travel travel = travelled(window.truth, options.step);
+    window.path = travel.path;
+    window.rotation = travel.rotation;
+    window.pathBySteps = 0;
+    for (std::size_t i = 1; i < window.truth.size(); ++i)
+        window.pathBySteps +=
+            std::hypot(window.truth[i].x - window.truth[i - 1].x, window.truth[i].y - window.truth[i - 1].y);
+    const double part = toSeconds(window.steps() * options.step) / 10;
+    return window.path >= options.leastPath * part || window.rotation >= options.leastRotation * part;
+}
+
+void classifyManoeuvres(const Log& log, std::span<Window> windows, Nanoseconds step) {
+    std::vector<CommandScale> scales;
+    for (const RobotLog& robot : log.robots) scales.push_back(commandScale(robot));
+    for (Window& w : windows)
+        w.manoeuvre = classify(log.robots[w.robot].trajectories[w.trajectory], w.start, w.start + w.steps() * step,
+                               scales[w.robot]);
 }
 
 Expected<RolloutStart> measureStart(const Trajectory& trajectory, Nanoseconds time, int steps) {
@@ -204,7 +208,7 @@ Expected<std::vector<Window>> findWindows(const Log& log, const std::vector<std:
     if (finder.windows.empty())
         return fail(log.source,
                     "has no window of " + secondsText(options.horizon, 0) + " s to predict: " + finder.refusals.text());
-    classifyAll(log, finder.windows, options.step);
+    classifyManoeuvres(log, finder.windows, options.step);
     return std::move(finder.windows);
 }
 

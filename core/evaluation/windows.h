@@ -43,6 +43,12 @@ struct Window {
 Expected<std::vector<Window>> findWindows(const Log& log, const std::vector<std::string>& robots = {},
                                           const WindowOptions& options = {});
 
+/// Fills in what the truth of a stretch says: path, rotation, pathBySteps. False: the robot hardly moves in it.
+bool measureTravel(Window& window, const WindowOptions& options);
+
+/// Fills in the manoeuvres, which the commands of the log tell.
+void classifyManoeuvres(const Log& log, std::span<Window> windows, Nanoseconds step);
+
 /// Stretches like windows, of one robot, with a start every `spacing` (a whole multiple of the step) in trajectories
 /// that are long enough for the referee's rule, so that they overlap when it is shorter than the horizon.
 std::vector<Window> denseStretches(const Log& log, std::size_t robot, const WindowOptions& options,

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
+#include <tuple>
 
 #include "io/error.h"
 
@@ -14,7 +14,9 @@ namespace mrose {
 struct RunKey {
     std::uint32_t trial = 0;
     std::uint64_t seed = 0;
-    auto operator<=>(const RunKey&) const = default;
+    friend bool operator<(const RunKey& a, const RunKey& b) {
+        return std::tie(a.trial, a.seed) < std::tie(b.trial, b.seed);
+    }
 };
 
 /// The rows of a batch on disk: each is kept as soon as it is there, in results.part.csv; all of them in order become

@@ -1,7 +1,5 @@
 #include "experiment/run_statistics.h"
 
-#include <algorithm>
-
 namespace mrose {
 
 RunStatistics::RunStatistics(const Scenario& scenario)
@@ -19,15 +17,7 @@ void RunStatistics::add(const WorldState& before, const WorldState& after, const
     faults += static_cast<std::int64_t>(trace.faults.size());
     if (firstFault.empty() && !trace.faults.empty())
         firstFault = bodyName(scenario_->scene(), trace.faults[0].robot) + ": " + trace.faults[0].what;
-    touching_.clear();
-    for (const ContactReport& contact : trace.contacts)
-        touching_.push_back(static_cast<std::uint64_t>(std::min(contact.bodyA, contact.bodyB)) << 32 |
-                            std::max(contact.bodyA, contact.bodyB));
-    std::sort(touching_.begin(), touching_.end());
-    touching_.erase(std::unique(touching_.begin(), touching_.end()), touching_.end());
-    for (const std::uint64_t pair : touching_)
-        touches += std::binary_search(touchingBefore_.begin(), touchingBefore_.end(), pair) ? 0 : 1;
-    std::swap(touching_, touchingBefore_);
+    touches += static_cast<std::int64_t>(touchCounter_.add(trace).size());
 }
 
 std::string bodyName(const Scene& scene, std::size_t body) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "experiment/touch_counter.h"
 #include "scenario/scenario.h"
 #include "simulation/step.h"
 
@@ -25,7 +26,7 @@ struct RunStatistics {
 
 private:
     const Scenario* scenario_;
-    std::vector<std::uint64_t> touching_, touchingBefore_;
+    TouchCounter touchCounter_;
 };
 
 /// "robot 2 (keeper)": counted from 1, people after the robots under a word of their own.

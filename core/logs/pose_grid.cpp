@@ -14,7 +14,13 @@ constexpr std::size_t fewest = 4;  // samples of a fit
 
 using Poses = std::span<const StampedPose>;
 
-/// Index of the first pose at or after `time`, not before `from`.
+/// Index of the first pose at or after `time`.
+std::size_t firstNotBefore(Poses poses, Nanoseconds time) {
+    const auto earlier = [](const StampedPose& pose, Nanoseconds t) { return pose.time < t; };
+    return static_cast<std::size_t>(std::lower_bound(poses.begin(), poses.end(), time, earlier) - poses.begin());
+}
+
+/// The same for instants that ascend: searched from `from` on.
 std::size_t firstNotBefore(Poses poses, Nanoseconds time, std::size_t from) {
     while (from < poses.size() && poses[from].time < time) ++from;
     return from;
@@ -123,14 +129,17 @@ PoseGrid poseGrid(const Trajectory& trajectory, Nanoseconds step, const GridMarg
 Pose truthAt(std::span<const StampedPose> poses, Nanoseconds time) {
     if (time <= poses.front().time) return poses.front().pose;
     if (time >= poses.back().time) return poses.back().pose;
-    const auto firstAt = [&](Nanoseconds instant) {
-        const auto earlier = [](const StampedPose& pose, Nanoseconds t) { return pose.time < t; };
-        return static_cast<std::size_t>(std::lower_bound(poses.begin(), poses.end(), instant, earlier) - poses.begin());
-    };
+    const auto firstAt = [&](Nanoseconds instant) { return firstNotBefore(poses, instant); };
     const std::size_t low = firstAt(time - halfWidth), high = firstAt(time + halfWidth), next = firstAt(time);
     const bool bothSides = poses.front().time <= time - halfWidth && poses.back().time >= time + halfWidth;
     return bothSides && high - low >= fewest ? fitLine(poses.subspan(low, high - low), time).value
                                              : chord(poses[next - 1], poses[next], time).value;
+}
+
+bool truthIsKnown(Poses poses, Nanoseconds time) {
+    if (poses.size() < 2 || time < poses.front().time || time > poses.back().time) return false;
+    const std::size_t after = std::max<std::size_t>(firstNotBefore(poses, time), 1);
+    return poses[after].time - poses[after - 1].time < gapLimit;
 }
 
 MeasuredStart measuredStart(const Trajectory& trajectory, Nanoseconds time) {

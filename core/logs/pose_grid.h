@@ -33,6 +33,9 @@ PoseGrid poseGrid(const Trajectory& trajectory, Nanoseconds step = 100'000'000, 
 /// least one pose.
 Pose truthAt(std::span<const StampedPose> poses, Nanoseconds time);
 
+/// Whether there is truth at `time`: it lies within the poses, and not in a gap of 0.2 s or more (PoseGrid::ok).
+bool truthIsKnown(std::span<const StampedPose> poses, Nanoseconds time);
+
 /// Pose and velocity at `time` from the truth at or before it alone, never later: what a prediction that starts there
 /// may know. The velocity is the slope of a straight line through the last 0.2 s; the pose is the last one, carried on
 /// by that slope. Where the truth has fewer than 4 samples so far (the start of a short window), the pose is the last

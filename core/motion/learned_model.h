@@ -43,7 +43,8 @@ public:
     LearnedModel(std::shared_ptr<const LearnedMotion> motion, const std::string& robot)
         : motion_(std::move(motion)), robot_(motion_->inputs().robotIndex(robot)) {}
 
-    Nanoseconds period() const override { return motion_->network().period; }
+    const MotionNetwork& network() const { return motion_->network(); }
+    Nanoseconds period() const override { return network().period; }
     Nanoseconds memory() const override { return motion_->inputs().memory(); }
     void predict(std::span<const MotionInput> inputs, std::span<MotionStep> steps) const override;
 

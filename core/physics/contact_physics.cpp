@@ -16,8 +16,8 @@ Point originNear(const Pose& pose) {
     return {std::round(pose.x / grid) * grid, std::round(pose.y / grid) * grid};
 }
 
-std::vector<ContactCluster> clustersOf(const ContactTask& task) {
-    std::vector<ContactCluster> clusters;
+void findClusters(const ContactTask& task, std::vector<ContactCluster>& clusters) {
+    clusters.clear();
     std::size_t obstacle = 0;
     for (std::size_t i = 0; i < task.bodies.size();) {
         const std::uint32_t name = task.bodies[i].cluster;
@@ -35,22 +35,23 @@ std::vector<ContactCluster> clustersOf(const ContactTask& task) {
         cluster.lastObstacle = obstacle;
         clusters.push_back(cluster);
     }
-    return clusters;
 }
 
 }  // namespace
 
-void solveContacts(const ContactTask& task, std::span<const ContactImpulse> before, std::vector<ContactImpulse>& after,
-                   std::vector<ContactOutcome>& outcomes, std::vector<ContactReport>* reports) {
+ContactSolver::ContactSolver() : world_(std::make_unique<ContactWorld>()) {}
+ContactSolver::~ContactSolver() = default;
+
+void ContactSolver::solve(const ContactTask& task, std::span<const ContactImpulse> before,
+                          std::vector<ContactImpulse>& after, std::vector<ContactOutcome>& outcomes,
+                          std::vector<ContactReport>* reports) {
     after.clear();
     outcomes.resize(task.bodies.size());
-    const std::vector<ContactCluster> clusters = clustersOf(task);
-    for (std::size_t first = 0, last = 0; first < clusters.size(); first = last) {
-        const std::size_t end = clusters[first].firstBody + bodiesPerWorld;
-        for (last = first + 1; last < clusters.size() && clusters[last].lastBody <= end;) ++last;
-        ContactWorld world(task, before, std::span(clusters).subspan(first, last - first));
-        world.solve(outcomes);
-        world.collect(after, reports);
+    findClusters(task, clusters_);
+    for (std::size_t first = 0, last = 0; first < clusters_.size(); first = last) {
+        const std::size_t end = clusters_[first].firstBody + bodiesPerWorld;
+        for (last = first + 1; last < clusters_.size() && clusters_[last].lastBody <= end;) ++last;
+        world_->solve(task, before, std::span(clusters_).subspan(first, last - first), outcomes, after, reports);
     }
     std::sort(after.begin(), after.end(), keyLess);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -56,9 +57,26 @@ struct ContactReport {
     double impulse = 0;                  ///< N s, along the normal
 };
 
-/// One tick of contacts by Box2D, in worlds that live for this call only: all that they know of the tick before is the
-/// impulses `before`, in order of their keys, as `after` has them for the next. outcomes[i] is of task.bodies[i].
-void solveContacts(const ContactTask& task, std::span<const ContactImpulse> before, std::vector<ContactImpulse>& after,
-                   std::vector<ContactOutcome>& outcomes, std::vector<ContactReport>* reports = nullptr);
+class ContactWorld;
+struct ContactCluster;
+
+/// One tick of contacts by Box2D. All that it knows of the tick before is told to solve(): what is kept from call to
+/// call is memory, and never matters to the result.
+class ContactSolver {
+public:
+    ContactSolver();
+    ~ContactSolver();
+    ContactSolver(const ContactSolver&) = delete;
+    ContactSolver& operator=(const ContactSolver&) = delete;
+
+    /// `before` are the impulses of the tick before, in order of their keys, as `after` has them for the next.
+    /// outcomes[i] is of task.bodies[i].
+    void solve(const ContactTask& task, std::span<const ContactImpulse> before, std::vector<ContactImpulse>& after,
+               std::vector<ContactOutcome>& outcomes, std::vector<ContactReport>* reports = nullptr);
+
+private:
+    std::unique_ptr<ContactWorld> world_;
+    std::vector<ContactCluster> clusters_;
+};
 
 }  // namespace mrose

@@ -64,24 +64,49 @@ void shift(b2PolygonShape& polygon, const b2Vec2& by) {
 
 bool keyLess(const ContactImpulse& a, const ContactImpulse& b) { return tied(a) < tied(b); }
 
-ContactWorld::ContactWorld(const ContactTask& task, std::span<const ContactImpulse> before,
-                           std::span<const ContactCluster> clusters)
-    : task_(task), before_(before), clusters_(clusters), first_(clusters.front().firstBody), world_(b2Vec2(0, 0)) {
+ContactWorld::ContactWorld() : world_(b2Vec2(0, 0)) {
     world_.SetAllowSleeping(false);
     world_.SetContactFilter(this);
     world_.SetContactListener(this);
-    bodies_.reserve(clusters.back().lastBody - first_);
-    for (const ContactCluster& cluster : clusters)
+}
+
+void ContactWorld::solve(const ContactTask& task, std::span<const ContactImpulse> before,
+                         std::span<const ContactCluster> clusters, std::span<ContactOutcome> outcomes,
+                         std::vector<ContactImpulse>& impulses, std::vector<ContactReport>* reports) {
+    task_ = &task;
+    before_ = before;
+    clusters_ = clusters;
+    first_ = clusters.front().firstBody;
+    fill();
+    run();
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+        outcomes[first_ + i] = outcomeOf(bodies_[i], task.bodies[first_ + i]);
+    collect(impulses, reports);
+    empty();
+}
+
+void ContactWorld::fill() {
+    for (const ContactCluster& cluster : clusters_)
         for (std::size_t i = cluster.firstBody; i < cluster.lastBody; ++i)
-            bodies_.push_back(planOf(task.bodies[i], cluster));
+            bodies_.push_back(planOf(task_->bodies[i], cluster));
     chooseSteps();
-    world_.SetContinuousPhysics(mayTunnel());
     // Box2D scales saved impulses by the ratio of this step's length to the last one's, which it must first know.
-    world_.Step(stepLength_, 0, 0);
+    world_.SetContinuousPhysics(false);
+    if (stepLength_ != lastStep_) world_.Step(stepLength_, 0, 0);
+    lastStep_ = stepLength_;
+    world_.SetContinuousPhysics(mayTunnel());
     for (std::size_t i = 0; i < bodies_.size(); ++i) addBody(first_ + i);
-    for (const ContactCluster& cluster : clusters)
+    for (const ContactCluster& cluster : clusters_)
         for (std::size_t i = cluster.firstObstacle; i < cluster.lastObstacle; ++i)
-            addObstacle(task.obstacles[i], cluster.origin);
+            addObstacle(task_->obstacles[i], cluster.origin);
+}
+
+void ContactWorld::empty() {
+    if (groundBody_ != nullptr) world_.DestroyBody(groundBody_);
+    groundBody_ = nullptr;
+    for (auto entry = bodies_.rbegin(); entry != bodies_.rend(); ++entry) world_.DestroyBody(entry->body);
+    bodies_.clear();
+    ground_.clear();
 }
 
 ContactWorld::Body ContactWorld::planOf(const ContactBody& body, const ContactCluster& cluster) {
@@ -95,12 +120,12 @@ ContactWorld::Body ContactWorld::planOf(const ContactBody& body, const ContactCl
 void ContactWorld::chooseSteps() {
     double steps = 1;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        const ContactBody& b = task_.bodies[first_ + i];
+        const ContactBody& b = task_->bodies[first_ + i];
         const double turn = std::abs(b.planned.heading - b.pose.heading);
         steps = std::max({steps, length(bodies_[i].move) * unitsPerMetre / longestMove, turn / largestTurn});
     }
     steps_ = static_cast<int>(std::ceil(std::min(steps, 1000.0)));
-    stepLength_ = static_cast<float>(task_.duration / steps_);
+    stepLength_ = static_cast<float>(task_->duration / steps_);
     const bool squeeze = std::any_of(clusters_.begin(), clusters_.end(), [](const ContactCluster& c) {
         return c.members() >= 3 && c.lightest < light * c.heaviest;
     });
@@ -109,16 +134,16 @@ void ContactWorld::chooseSteps() {
 
 bool ContactWorld::mayTunnel() const {
     for (std::size_t i = 0; i < bodies_.size(); ++i)
-        if (bodies_[i].fast || tunnels(task_.bodies[first_ + i], *bodies_[i].cluster)) return true;
+        if (bodies_[i].fast || tunnels(task_->bodies[first_ + i], *bodies_[i].cluster)) return true;
     return false;
 }
 
 bool ContactWorld::tunnels(const ContactBody& body, const ContactCluster& cluster) const {
     const std::vector<ConvexPiece>& pieces = body.shape->prepared().pieces;
     for (std::size_t k = cluster.firstObstacle; k < cluster.lastObstacle; ++k) {
-        const std::uint32_t piece = task_.obstacles[k].piece;
+        const std::uint32_t piece = task_->obstacles[k].piece;
         if (touchedBefore(body.body, piece)) continue;
-        const ConvexPiece& obstacle = task_.obstacleShape->prepared().pieces[piece];
+        const ConvexPiece& obstacle = task_->obstacleShape->prepared().pieces[piece];
         const Placement planned(body.planned);
         for (const ConvexPiece& own : pieces)
             if (mayBeNearer(placed(own, planned), obstacle, -shallow)) return true;
@@ -149,10 +174,10 @@ bool ContactWorld::squeezed(std::uint32_t body) const {
 }
 
 void ContactWorld::addBody(std::size_t index) {
-    const ContactBody& b = task_.bodies[index];
+    const ContactBody& b = task_->bodies[index];
     Body& entry = bodies_[index - first_];
     const ContactCluster& cluster = *entry.cluster;
-    const auto duration = static_cast<float>(task_.duration), angle = static_cast<float>(wrapAngle(b.pose.heading));
+    const auto duration = static_cast<float>(task_->duration), angle = static_cast<float>(wrapAngle(b.pose.heading));
     const auto turn = static_cast<float>(b.planned.heading - b.pose.heading);
     entry.velocity = (1 / duration) * units(entry.move);
     entry.rotation = turn / duration;
@@ -186,11 +211,14 @@ void ContactWorld::addObstacle(const ContactObstacle& obstacle, const Point& ori
     const auto same = [&](const Ground& g) { return g.piece == obstacle.piece && g.origin == origin; };
     if (std::any_of(ground_.begin(), ground_.end(), same)) return;
     if (groundBody_ == nullptr) {
-        const b2BodyDef definition;
+        // Of this type, though it stands still, it makes one island of all that lean on it: each has a cost of its own.
+        b2BodyDef definition;
+        definition.type = b2_kinematicBody;
         groundBody_ = world_.CreateBody(&definition);
     }
-    const CollisionShape::Prepared& all = task_.obstacleShape->prepared();
-    const std::uintptr_t tag = pack({static_cast<std::uint32_t>(task_.bodies.size() + ground_.size()), obstacle.piece});
+    const CollisionShape::Prepared& all = task_->obstacleShape->prepared();
+    const std::uintptr_t tag =
+        pack({static_cast<std::uint32_t>(task_->bodies.size() + ground_.size()), obstacle.piece});
     ground_.push_back({obstacle.piece, origin});
     auto shape = all.shapes[obstacle.piece];
     if (auto* circle = std::get_if<b2CircleShape>(&shape))
@@ -201,13 +229,12 @@ void ContactWorld::addObstacle(const ContactObstacle& obstacle, const Point& ori
                shape);
 }
 
-void ContactWorld::solve(std::span<ContactOutcome> outcomes) {
+void ContactWorld::run() {
+    warm_ = true;
     for (int i = 0; i < steps_; ++i) {
         world_.Step(stepLength_, iterations_, positionIterations);
         warm_ = false;
     }
-    for (std::size_t i = 0; i < bodies_.size(); ++i)
-        outcomes[first_ + i] = outcomeOf(bodies_[i], task_.bodies[first_ + i]);
 }
 
 ContactOutcome ContactWorld::outcomeOf(const Body& entry, const ContactBody& body) const {
@@ -249,7 +276,7 @@ void ContactWorld::report(b2Contact& contact, std::vector<ContactReport>& report
     b2WorldManifold where;
     contact.GetWorldManifold(&where);
     double sense = 1;
-    if (a.index >= task_.bodies.size()) {
+    if (a.index >= task_->bodies.size()) {
         std::swap(a, b);
         sense = -1;
     }
@@ -273,7 +300,7 @@ ContactWorld::Tag ContactWorld::tagOf(b2Fixture* fixture) {
 }
 
 std::uint32_t ContactWorld::bodyOf(std::uint32_t index) const {
-    return index < task_.bodies.size() ? task_.bodies[index].body : noBody;
+    return index < task_->bodies.size() ? task_->bodies[index].body : noBody;
 }
 
 ContactImpulse ContactWorld::keyOf(b2Contact& contact) const {
@@ -283,10 +310,10 @@ ContactImpulse ContactWorld::keyOf(b2Contact& contact) const {
 
 bool ContactWorld::ShouldCollide(b2Fixture* a, b2Fixture* b) {
     std::size_t first = tagOf(a).index, second = tagOf(b).index;
-    if (first >= task_.bodies.size()) std::swap(first, second);
+    if (first >= task_->bodies.size()) std::swap(first, second);
     const ContactCluster& cluster = *bodies_[first - first_].cluster;
-    if (second < task_.bodies.size()) return bodies_[second - first_].cluster == &cluster;
-    return ground_[second - task_.bodies.size()].origin == cluster.origin;
+    if (second < task_->bodies.size()) return bodies_[second - first_].cluster == &cluster;
+    return ground_[second - task_->bodies.size()].origin == cluster.origin;
 }
 
 void ContactWorld::PreSolve(b2Contact* contact, const b2Manifold* /*old*/) {
@@ -307,12 +334,12 @@ void ContactWorld::PreSolve(b2Contact* contact, const b2Manifold* /*old*/) {
 
 /// The paper's random factor.
 void ContactWorld::vary(b2Contact& contact, const ContactImpulse& pair) const {
-    if (task_.randomFactor == 0) return;
+    if (task_->randomFactor == 0) return;
     const std::uint32_t body = std::min(pair.bodyA, pair.bodyB), other = std::max(pair.bodyA, pair.bodyB);
     const auto factor = [&](NoiseChannel what) {
         const std::uint32_t channel = channelOf(what, other == noBody ? 0 : other + 1);
-        const double u = uniformNoise({task_.seed, task_.tick, body, channel});
-        return static_cast<float>(1 + task_.randomFactor * (2 * u - 1));
+        const double u = uniformNoise({task_->seed, task_->tick, body, channel});
+        return static_cast<float>(1 + task_->randomFactor * (2 * u - 1));
     };
     contact.SetRestitution(std::min(1.0F, contact.GetRestitution() * factor(NoiseChannel::restitution)));
     contact.SetFriction(contact.GetFriction() * factor(NoiseChannel::contactFriction));

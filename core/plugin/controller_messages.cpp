@@ -72,50 +72,79 @@ void visitVelocity(Visit& visit, V& velocity) {
     visit(velocity.w);
 }
 
+// What is taken apart by all of its members does not compile with one that is missing here.
+
 template <class Visit, class Bodies>
 void visitSeen(Visit& visit, Bodies& bodies) {
     each(visit, bodies, [&](auto& body) {
-        visit(body.index);
-        visit(body.position_B.x);
-        visit(body.position_B.y);
-        visit(body.measured);
+        auto& [index, position_B, measured] = body;
+        visit(index);
+        visit(position_B.x);
+        visit(position_B.y);
+        visit(measured);
     });
 }
 
 template <class Visit, class O>
 void visitObservation(Visit& visit, O& observation) {
-    visit(observation.robot);
-    visit(observation.time);
-    visit(observation.localised);
-    visitPose(visit, observation.self);
-    visit(observation.selfMeasured);
-    visitVelocity(visit, observation.velocity);
-    visitSeen(visit, observation.robots);
-    visitSeen(visit, observation.objects);
+    auto& [robot, manipulators, time, noise, localised, self, selfMeasured, velocity, robots, objects] = observation;
+    visit(robot);
+    visit(manipulators);
+    visit(time);
+    visit(noise);
+    visit(localised);
+    visitPose(visit, self);
+    visit(selfMeasured);
+    visitVelocity(visit, velocity);
+    visitSeen(visit, robots);
+    visitSeen(visit, objects);
 }
 
-template <class Visit, class D>
-void visitOrders(Visit& visit, D& decision) {
-    each(visit, decision.earlier, [&](auto& earlier) {
-        visit(earlier.time);
-        visitVelocity(visit, earlier.command);
-    });
-    each(visit, decision.kicks, [&](auto& kick) {
-        visit(kick.manipulator);
-        visit(kick.power);
-    });
-    each(visit, decision.annotations, [&](auto& annotation) {
-        visit(annotation.kind);
-        visit(annotation.label);
-        visit(annotation.value);
-        visit(annotation.text);
-        each(visit, annotation.points, [&](auto& point) {
+template <class Visit, class Annotations>
+void visitAnnotations(Visit& visit, Annotations& annotations) {
+    each(visit, annotations, [&](auto& annotation) {
+        auto& [kind, label, value, text, points] = annotation;
+        visit(kind);
+        visit(label);
+        visit(value);
+        visit(text);
+        each(visit, points, [&](auto& point) {
             visit(point.x);
             visit(point.y);
         });
     });
-    visit(decision.breakReason);
-    visit(decision.fault);
+}
+
+template <class Visit>
+void visitCommand(Visit& visit, const std::optional<Command>& command) {
+    visit(command.has_value());
+    if (command) visitVelocity(visit, *command);
+}
+template <class Visit>
+void visitCommand(Visit& visit, std::optional<Command>& command) {
+    bool commanded = false;
+    visit(commanded);
+    command.reset();
+    if (commanded) visitVelocity(visit, command.emplace());
+}
+
+template <class Visit, class D>
+void visitDecision(Visit& visit, D& decision) {
+    auto& [command, earlier, kicks, annotations, breakReason, fault] = decision;
+    visitCommand(visit, command);
+    each(visit, earlier, [&](auto& issued) {
+        auto& [time, velocities] = issued;
+        visit(time);
+        visitVelocity(visit, velocities);
+    });
+    each(visit, kicks, [&](auto& kick) {
+        auto& [manipulator, power] = kick;
+        visit(manipulator);
+        visit(power);
+    });
+    visitAnnotations(visit, annotations);
+    visit(breakReason);
+    visit(fault);
 }
 
 }  // namespace
@@ -143,18 +172,12 @@ bool readObservation(ByteReader& reader, Observation& observation) {
 
 void appendDecision(const Decision& decision, std::string& bytes) {
     Writer writer{bytes};
-    writer(decision.command.has_value());
-    if (decision.command) visitVelocity(writer, *decision.command);
-    visitOrders(writer, decision);
+    visitDecision(writer, decision);
 }
 
 bool readDecision(ByteReader& reader, Decision& decision) {
     Reader fields{reader};
-    bool commanded = false;
-    fields(commanded);
-    decision.command.reset();
-    if (commanded) visitVelocity(fields, decision.command.emplace());
-    visitOrders(fields, decision);
+    visitDecision(fields, decision);
     return !fields.failed();
 }
 

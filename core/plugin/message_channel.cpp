@@ -51,12 +51,10 @@ MessageChannel::Outcome MessageChannel::receiveAll(char* bytes, std::size_t size
         if (got > 0) {
             bytes += got;
             size -= static_cast<std::size_t>(got);
-        } else if (got == 0) {
+        } else if (got == 0 || (errno != EAGAIN && errno != EINTR)) {
             return Outcome::closed;
         } else if (errno == EAGAIN) {
             if (const Outcome outcome = wait(POLLIN, deadline); outcome != Outcome::done) return outcome;
-        } else if (errno != EINTR) {
-            return Outcome::closed;
         }
     }
     return Outcome::done;

@@ -46,8 +46,7 @@ std::string blockBytes(const TimelineBlock& block, std::uint32_t branch) {
     for (const StateHash& hash : block.hashes) appendNumber(bytes, hash.world);
     for (const StateHash& hash : block.hashes) appendNumber(bytes, hash.minds);
     appendLong(bytes, block.decisions);
-    // Hashes and orders are what they are.
-    return compressed(bytes, Compression::quick);
+    return compressed(bytes);
 }
 
 std::optional<ReadBlock> parseBlock(std::string_view bytes) {
@@ -80,7 +79,7 @@ std::string branchBytes(const BranchStart& start) {
     appendNumber(bytes, start.block.first);
     appendLong(bytes, start.name);
     appendLong(bytes, start.block.keyframe);
-    return compressed(bytes, Compression::quick);
+    return compressed(bytes);
 }
 
 std::optional<BranchStart> parseBranch(std::string_view bytes) {

@@ -6,9 +6,10 @@
 
 namespace mrose {
 
-std::string compressed(std::string_view bytes, Compression level) {
+std::string compressed(std::string_view bytes) {
+    constexpr int level = 1;
     std::string out(ZSTD_compressBound(bytes.size()), '\0');
-    const std::size_t size = ZSTD_compress(out.data(), out.size(), bytes.data(), bytes.size(), static_cast<int>(level));
+    const std::size_t size = ZSTD_compress(out.data(), out.size(), bytes.data(), bytes.size(), level);
     assert(!ZSTD_isError(size));
     out.resize(size);
     return out;

@@ -39,9 +39,8 @@ void appendFixed(std::string& json, double value, int decimals) {
         json.append(text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr);
         return;
     }
-    std::int64_t rest = std::llround(std::fabs(scaled));
+    const std::int64_t rest = std::llround(std::fabs(scaled));
     if (value < 0 && rest != 0) json += '-';
-    for (; decimals > 0 && rest % 10 == 0; --decimals) rest /= 10;
     std::array<char, 24> digits;
     const char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), rest).ptr;
     const auto count = static_cast<int>(end - digits.data());

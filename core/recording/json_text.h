@@ -8,7 +8,8 @@
 
 namespace mrose {
 
-/// Appends a number with at most this many decimals (0 ... 6); null where it is not finite.
+/// Appends a number with so many decimals (0 ... 6), zeros too: messages whose numbers keep their width repeat at a
+/// constant distance, by which they are compressed best. null where it is not finite.
 void appendFixed(std::string& json, double value, int decimals);
 
 /// Appends a text in quotes; bytes that are no UTF-8 as question marks.

@@ -29,7 +29,6 @@ Expected<Writer> Writer::create(const std::filesystem::path& path, bool overwrit
     appendText(header, "");
     appendText(header, library);
     file->write(std::string(magic) + record(Kind::header, header));
-    if (!file->state()) return tl::unexpected(file->state().error());
     return Writer(std::move(*file));
 }
 
@@ -100,7 +99,7 @@ std::string Writer::writeMessageIndices(std::map<std::uint16_t, std::uint64_t>& 
 
 void Writer::endChunk() {
     if (chunk_.empty()) return;
-    const std::string records = compressed(chunk_, Compression::thorough);
+    const std::string records = compressed(chunk_);
     std::string content;
     appendNumber(content, chunkStart_);
     appendNumber(content, chunkEnd_);

@@ -35,7 +35,7 @@ struct Context {
     const DrivenRobot& driven;
     const File& from;
     DescriptionLibrary& library;
-    const PluginLoader& plugins;
+    const ScenarioLoading& loading;
 };
 
 ControllerSetting velocityScript(const Context& context) {
@@ -48,7 +48,8 @@ ControllerSetting velocityScript(const Context& context) {
             row.reject("t_s", "is not later than that of the command before");
         commands.push_back({time, command});
     }
-    return {std::make_shared<CommandPlayer>(std::move(commands)), std::nullopt};
+    if (context.table.failed()) return {};
+    return {std::make_shared<CommandPlayer>(commands)};
 }
 
 ControllerSetting logPlayer(const Context& context) {
@@ -60,6 +61,7 @@ ControllerSetting logPlayer(const Context& context) {
     excerpt.trajectory = nameOr(table, "trajectory", "");
     excerpt.start = table.numberOr("start_s", 0, runTime);
     if (table.failed()) return {};
+    if (!context.loading.playLogs) return {noController(), Pose{}, excerpt};
     const auto file = context.library.excerpt(excerpt);
     if (!file) return table.adopt(file.error()), ControllerSetting{};
     if (*file == nullptr) {
@@ -71,7 +73,7 @@ ControllerSetting logPlayer(const Context& context) {
     }
     auto content = parseExcerpt((*file)->text, (*file)->shown);
     if (!content) return table.adopt(content.error()), ControllerSetting{};
-    return {std::make_shared<CommandPlayer>(std::move(content->commands)), content->start};
+    return {std::make_shared<CommandPlayer>(content->commands), content->start};
 }
 
 ControllerSetting goToPose(const Context& context) {
@@ -87,7 +89,7 @@ ControllerSetting goToPose(const Context& context) {
     options.tolerance = table.numberOr("tolerance_m", options.tolerance, {0.001, 10});
     options.headingTolerance = angleOr(table, "heading_tolerance_deg", options.headingTolerance, {0.1, 360});
     options.deadTime = table.numberOr("dead_time_s", context.driven.robot.deadTime, deadTimes);
-    return {std::make_shared<GoToPose>(std::move(options)), std::nullopt};
+    return {std::make_shared<GoToPose>(std::move(options))};
 }
 
 /// What a shape's points have of something at most.
@@ -115,7 +117,7 @@ ControllerSetting chaseBall(const Context& context) {
     options.guide = most(shape, [](const Point& p) { return p.x; }) > options.front + leastHorn;
     options.walls = context.driven.walls;
     options.deadTime = table.numberOr("dead_time_s", context.driven.robot.deadTime, deadTimes);
-    return {std::make_shared<ChaseBall>(options), std::nullopt};
+    return {std::make_shared<ChaseBall>(options)};
 }
 
 ControllerSetting wander(const Context& context) {
@@ -127,7 +129,7 @@ ControllerSetting wander(const Context& context) {
     options.radius = context.driven.robot.type.shape->reach;
     options.walls = context.driven.walls;
     options.deadTime = table.numberOr("dead_time_s", context.driven.robot.deadTime, deadTimes);
-    return {std::make_shared<Wander>(options), std::nullopt};
+    return {std::make_shared<Wander>(options)};
 }
 
 ControllerSetting plugin(const Context& context) {
@@ -135,9 +137,10 @@ ControllerSetting plugin(const Context& context) {
     const std::string library = table.string("library");
     TomlTable options = table.tableOrEmpty("options");
     if (table.failed()) return {};
-    if (!context.plugins) return {std::make_shared<AbsentController>(), std::nullopt};
-    auto loaded = context.plugins(context.library.shown(joinedName(context.from.name, library)), options.text());
-    if (loaded) return {std::move(*loaded), std::nullopt};
+    if (!context.loading.plugins) return {std::make_shared<AbsentController>()};
+    auto loaded =
+        context.loading.plugins(context.library.shown(joinedName(context.from.name, library)), options.text());
+    if (loaded) return {std::move(*loaded)};
     const Error& error = loaded.error();
     if (error.key.empty())
         table.adopt(error);
@@ -157,12 +160,12 @@ constexpr std::array kinds{
 }  // namespace
 
 ControllerSetting readController(TomlTable table, const DrivenRobot& driven, const File& from,
-                                 DescriptionLibrary& library, const PluginLoader& plugins) {
+                                 DescriptionLibrary& library, const ScenarioLoading& loading) {
     std::array<std::string_view, kinds.size()> names;
     for (std::size_t i = 0; i < kinds.size(); ++i) names[i] = kinds[i].name;
     const std::size_t kind = table.choice("kind", names);
     if (table.failed()) return {};
-    ControllerSetting setting = kinds[kind].read({table, driven, from, library, plugins});
+    ControllerSetting setting = kinds[kind].read({table, driven, from, library, loading});
     table.rejectUnknown();
     return setting;
 }

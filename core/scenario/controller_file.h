@@ -16,7 +16,8 @@ namespace mrose {
 /// What a scenario file says about who drives a robot. For .cpp files of loaders: it shows TomlTable.
 struct ControllerSetting {
     std::shared_ptr<const Controller> controller;  ///< nothing after an error, which the table remembers
-    std::optional<Pose> logStart;                  ///< of a log player: where the real robot was
+    std::optional<Pose> logStart = {};             ///< of a log player: where the real robot was
+    std::optional<LogExcerpt> played = {};         ///< of a log player
 };
 
 /// Whom it drives: options that the file leaves out are told from the robot.
@@ -27,9 +28,9 @@ struct DrivenRobot {
 };
 
 /// Reads `controller = { kind = ..., ... }` of the scenario `from`. resources/README.md lists the kinds and their
-/// options. Without `plugins` no shared library is loaded, and robots of plug-ins keep whatever they were told.
+/// options. A plug-in that is not to be loaded tells its robot nothing.
 ControllerSetting readController(TomlTable table, const DrivenRobot& driven, const DescriptionLibrary::File& from,
-                                 DescriptionLibrary& library, const PluginLoader& plugins);
+                                 DescriptionLibrary& library, const ScenarioLoading& loading);
 
 /// Of a robot that nobody drives: it stands.
 std::shared_ptr<const Controller> noController();

@@ -24,10 +24,11 @@ Expected<const DescriptionLibrary::File*> DescriptionLibrary::open(const std::st
 Expected<const DescriptionLibrary::File*> DescriptionLibrary::file(const std::string& name, std::string_view folder) {
     const std::string shipped = joinedName(shippedFolder(folder), name);
     for (const std::string& candidate : {name, shipped}) {
-        const auto found = open(candidate);
+        auto found = open(candidate);
         if (!found || *found != nullptr) return found;
     }
-    return fail(source_.shown(name), "does not exist, nor does " + source_.shown(shipped));
+    return fail(source_.shown(name),
+                "does not exist" + (shipped == name ? "" : ", nor does " + source_.shown(shipped)));
 }
 
 const DescriptionLibrary::File* DescriptionLibrary::file(TomlTable& table, std::string_view key,

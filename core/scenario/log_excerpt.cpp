@@ -15,12 +15,6 @@ constexpr Nanoseconds before = 3 * nanosecondsPerSecond;
 /// A robot whose log has ended is told to stand, as soon as its last command could have been followed by another.
 constexpr Nanoseconds after = nanosecondsPerSecond / 2;
 
-Nanoseconds beginning(const Trajectory& trajectory) {
-    if (trajectory.commands.empty()) return 0;
-    const Nanoseconds commanded = trajectory.commands.front().time;
-    return trajectory.poses.empty() ? commanded : std::max(commanded, trajectory.poses.front().time);
-}
-
 Expected<const Trajectory*> find(const Log& log, const LogExcerpt& excerpt) {
     const auto robot =
         std::find_if(log.robots.begin(), log.robots.end(), [&](const RobotLog& r) { return r.robot == excerpt.robot; });
@@ -53,6 +47,12 @@ std::vector<StampedCommand> changes(const std::vector<StampedCommand>& commands,
 }
 
 }  // namespace
+
+Nanoseconds beginning(const Trajectory& trajectory) {
+    if (trajectory.commands.empty()) return 0;
+    const Nanoseconds commanded = trajectory.commands.front().time;
+    return trajectory.poses.empty() ? commanded : std::max(commanded, trajectory.poses.front().time);
+}
 
 Expected<std::string> excerptText(const Log& log, const LogExcerpt& excerpt) {
     const auto found = find(log, excerpt);

@@ -12,6 +12,9 @@
 
 namespace mrose {
 
+/// When a trajectory has both begun: to be commanded and, where it has ground truth at all, to be tracked.
+Nanoseconds beginning(const Trajectory& trajectory);
+
 /// The text of an excerpt, as DescriptionSource::excerpt gives it. The log's start is the first instant at which each
 /// of its robots has been commanded and tracked, so that excerpts of several robots belong together; with a trajectory
 /// named it is that one's. Commands that repeat the one in force are left out. Error: no such robot or trajectory; it

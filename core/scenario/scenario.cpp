@@ -6,13 +6,14 @@
 namespace mrose {
 namespace {
 
-/// How far round a body obstacles are looked for: its reach and what the fastest one moves in a tick, generously.
+/// How far round a body obstacles are looked for: its reach and what one moves in a tick that is as fast as robots and
+/// kicked balls usually are. What is faster is compared with all obstacles.
 double searchMargin(const Scene& scene) {
-    constexpr double fastest = 12;  // m/s
+    constexpr double usual = 12;  // m/s
     double reach = 0;
     for (const RobotType& type : scene.robotTypes) reach = std::max(reach, type.shape->reach);
     for (const ObjectType& type : scene.objectTypes) reach = std::max(reach, type.shape->reach);
-    return reach + fastest * toSeconds(scene.tickLength) + 0.05;
+    return reach + usual * toSeconds(scene.tickLength) + 0.05;
 }
 
 std::int64_t longestLag(const Scene& scene) {
@@ -82,6 +83,7 @@ WorldState Scenario::initialState(std::uint64_t seed) const {
         RobotState r;
         r.pose = r.segment.start = robot.start;
         r.segment.direction = Placement(robot.start).rotate({1, 0});
+        r.velocity_B = {robot.velocity.v, 0, robot.velocity.w};
         r.nextControl = robot.phase;
         state.robots.push_back(r);
     }

@@ -9,6 +9,7 @@
 
 #include "control/controller.h"
 #include "physics/collision_shape.h"
+#include "scenario/description_source.h"
 #include "scene/obstacle_index.h"
 #include "scene/scene.h"
 #include "world/world_state.h"
@@ -25,11 +26,18 @@ struct Variation {
     bool operator==(const Variation&) const = default;
 };
 
+/// A robot that is given the commands of a real one.
+struct LogPlayer {
+    std::uint32_t robot = 0;  ///< in the scene
+    LogExcerpt excerpt;
+};
+
 /// What a scenario is made of.
 struct ScenarioParts {
     std::string name;
     Scene scene;
     std::vector<std::shared_ptr<const Controller>> controllers;  ///< of each robot
+    std::vector<LogPlayer> players = {};                         ///< those of them that play a log
     std::uint64_t seed = 1;
     Nanoseconds duration = 60 * nanosecondsPerSecond;  ///< of a run for which nobody asks another one
     Variation variation;

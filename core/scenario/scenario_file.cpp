@@ -113,7 +113,7 @@ std::uint32_t ScenarioReader::typeIndex(const RobotDescription& robot, bool pers
 }
 
 std::string ScenarioReader::motionRobot(TomlTable& table, const RobotDescription& robot) {
-    const std::string chosen = nameOr(table, "motion_robot", robot.motionRobot);
+    std::string chosen = nameOr(table, "motion_robot", robot.motionRobot);
     if (!table.has("motion_robot") || table.failed()) return chosen;
     if (!robot.motion)
         table.reject("motion_robot", "its robot file has no network to choose a robot of");
@@ -161,16 +161,17 @@ void ScenarioReader::readRobot(TomlTable& table, bool person) {
                                  "; expected a multiple of tick_s = " + plainSeconds(scene_.tickLength));
     body.type = typeIndex(*robot, person);
     body.model = modelIndex(*robot, motionRobot(table, *robot));
-    ControllerSetting setting{noController(), std::nullopt};
+    ControllerSetting setting{noController()};
     if (table.has("controller"))
-        setting = readController(table.table("controller"), {*robot, ballRadius(), walls_}, file_, library_,
-                                 loading_.plugins);
+        setting = readController(table.table("controller"), {*robot, ballRadius(), walls_}, file_, library_, loading_);
     if (setting.logStart && !table.has("start"))
         body.start = *setting.logStart;
     else
         body.start = pose(table.table("start"));
     body.phase = phase(table, *scene_.models[body.model]);
     table.rejectUnknown();
+    if (setting.played)
+        parts_.players.push_back({static_cast<std::uint32_t>(scene_.robots.size()), std::move(*setting.played)});
     scene_.robots.push_back(std::move(body));
     parts_.controllers.push_back(std::move(setting.controller));
     robotTables_.push_back(table);
@@ -240,6 +241,7 @@ double ScenarioReader::ballRadius() const {
 }
 
 void ScenarioReader::checkStarts() {
+    if (!loading_.playLogs && !parts_.players.empty()) return;  // nobody knows yet where they start
     const auto overlap = findStartOverlap(scene_);
     if (!overlap) return;
     const std::size_t robots = scene_.robots.size();

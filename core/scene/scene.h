@@ -28,6 +28,7 @@ struct SceneRobot {
     std::uint32_t model = 0;  ///< in Scene::models
     std::int64_t phase = 0;   ///< tick of its first control instant
     Pose start;
+    Velocity velocity = {};  ///< at the start, as its model reads it
 };
 
 struct SceneObject {

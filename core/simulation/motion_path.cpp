@@ -1,6 +1,7 @@
 #include "simulation/motion_path.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace mrose {
@@ -17,8 +18,8 @@ struct ArcTerms {
     explicit ArcTerms(double r) {
         const double u = r * r;
         if (u < 0.25) {  // what a robot turns in a period: the series to rounding, without cancellation
-            const double third = series(u, 6);  // (r - sin(r)) / r3
-            bend = series(u, 2);
+            const double third = series<3>(u);  // (r - sin(r)) / r3
+            bend = series<2>(u);
             along = 1 - u * third;
             lag = r * third;
         } else {
@@ -30,15 +31,18 @@ struct ArcTerms {
         across = bend * r;
     }
 
-    /// 1/n! - u/(n+2)! + u2/(n+4)! ..., n = 2 or 3 told by n! = 2 or 6; u at most 1/4.
-    static double series(double u, double factorial) {
-        const double n = factorial == 2 ? 2 : 3;
-        double term = 1, sum = 1;
-        for (double k = n + 1; k < n + 13; k += 2) {
-            term *= -u / (k * (k + 1));
-            sum += term;
-        }
-        return sum / factorial;
+    /// 1/n! - u/(n+2)! + u2/(n+4)! ..., by Horner's rule; u at most 1/4, where what is left out is below rounding.
+    template <int n>
+    static double series(double u) {
+        constexpr int terms = 7;
+        constexpr std::array<double, terms> coefficients = [] {
+            std::array<double, terms> list{n == 2 ? 1.0 / 2 : 1.0 / 6};
+            for (int i = 1; i < terms; ++i) list[i] = -list[i - 1] / ((n + 2 * i - 1) * (n + 2 * i));
+            return list;
+        }();
+        double sum = coefficients.back();
+        for (int i = terms - 1; i-- > 0;) sum = sum * u + coefficients[i];
+        return sum;
     }
 
     Point displacement(const Twist& p) const { return {along * p.x - across * p.y, across * p.x + along * p.y}; }

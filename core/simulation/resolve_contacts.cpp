@@ -90,8 +90,9 @@ void makeTask(const Scenario& scenario, const WorldState& state, StepBuffers::Co
     std::erase_if(bodies, [&](std::uint32_t body) { return !meets[rootOf(buffers.cluster, body)]; });
     for (const std::uint32_t body : bodies)
         task.bodies.push_back(contactBody(scenario, buffers, body, rootOf(buffers.cluster, body)));
-    std::stable_sort(task.bodies.begin(), task.bodies.end(),
-                     [](const ContactBody& a, const ContactBody& b) { return a.cluster < b.cluster; });
+    std::sort(task.bodies.begin(), task.bodies.end(), [](const ContactBody& a, const ContactBody& b) {
+        return a.cluster != b.cluster ? a.cluster < b.cluster : a.body < b.body;
+    });
     for (const auto& [body, piece, meet] : buffers.search.obstaclePairs()) {
         if (!meets[rootOf(buffers.cluster, body)]) continue;
         const Surface& surface = scenario.obstacles().surfaceOf(piece);
@@ -124,8 +125,8 @@ void solve(const Scenario& scenario, const WorldState& state, StepBuffers::Conte
         makeTask(scenario, state, buffers);
         if (trace != nullptr) trace->contacts.clear();
         if (buffers.task.bodies.empty()) return;
-        solveContacts(buffers.task, state.contacts, buffers.impulses, buffers.outcomes,
-                      trace != nullptr ? &trace->contacts : nullptr);
+        buffers.solver.solve(buffers.task, state.contacts, buffers.impulses, buffers.outcomes,
+                             trace != nullptr ? &trace->contacts : nullptr);
         if (!outranged(buffers)) return;
         const std::size_t pairs = buffers.search.bodyPairs().size(), walls = buffers.search.obstaclePairs().size();
         buffers.search.find(buffers.swept, scenario.obstacles());

@@ -19,6 +19,7 @@ struct StepBuffers::Content {
     std::vector<std::uint32_t> cluster, touching;
     std::vector<bool> meets;
     ContactTask task;
+    ContactSolver solver;
     std::vector<ContactOutcome> outcomes;
     std::vector<ContactImpulse> impulses;
 };

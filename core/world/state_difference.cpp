@@ -1,6 +1,7 @@
 #include "world/state_difference.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdio>
@@ -34,7 +35,8 @@ std::string textOf(const Number& value) {
 template <class F = void, class T>
 bool differs(const T& a, const T& b, const std::string& path, StateDifference& out) {
     if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>) {
-        if (std::memcmp(&a, &b, sizeof a) == 0) return false;
+        using Bytes = std::array<std::byte, sizeof(T)>;
+        if (std::bit_cast<Bytes>(a) == std::bit_cast<Bytes>(b)) return false;
         out.field = path;
         out.first = textOf(a);
         out.second = textOf(b);

@@ -34,6 +34,9 @@ const std::map<std::string, std::set<std::string>> allowedLayers{
      {"io", "geometry", "world", "learning", "motion", "physics", "scene", "control", "scenario", "simulation",
       "condition"}},
     {"recording", {"io", "geometry", "world", "motion", "physics", "scene", "control", "scenario", "simulation"}},
+    {"comparison",
+     {"io", "geometry", "world", "learning", "logs", "motion", "physics", "scene", "control", "behaviour", "scenario",
+      "simulation", "experiment", "evaluation", "drawing"}},
     {"script", {"io"}},
     {"condition", {"io", "geometry", "world", "physics", "scene", "control", "scenario", "simulation", "script"}},
 };
@@ -46,7 +49,7 @@ const std::map<std::string, std::set<std::string>> librariesOfLayers{
     {"zstd.h", {"recording"}},
     {"CLI/", {"app/cli"}},
     {"spdlog/", {"app/cli", "app/gui"}},
-    {"nlohmann/", {"evaluation", "app/cli"}},
+    {"nlohmann/", {"evaluation", "comparison", "app/cli"}},
     {"Eigen/", {"learning", "identification"}},
     {"immintrin.h", {"learning"}},
     {"lua.hpp", {"script", "condition"}},

@@ -62,7 +62,7 @@ void compare(const std::string& title, std::vector<Line> lines, double simulated
         std::vector<double> ratios;
         for (int round = 0; round < rounds; ++round) ratios.push_back(line.rtf[round] / lines[0].rtf[round]);
         const double rtf = median(line.rtf);
-        std::printf("  %-44s %10.0f x real time", line.name.c_str(), rtf);
+        std::printf("  %-46s %10.0f x real time", line.name.c_str(), rtf);
         if (&line != lines.data())
             std::printf("  %6.2f of the peer  %7.1f ns per robot and tick", median(ratios), 1e9 / (rtf * 50 * robots));
         std::printf("\n");
@@ -97,7 +97,9 @@ void compareScene(const std::string& title, std::uint32_t robots, bool heavy, do
         seeing.perception = true;
         lines.push_back(ours("with perception", seeing));
         FieldOptions learned = options;
-        if ((learned.model = ourNetwork())) lines.push_back(ours("with nets/create.net instead", learned));
+        learned.share = 0.1;  // a network is asked what its robot can do
+        if ((learned.model = ourNetwork()))
+            lines.push_back(ours("with nets/create.net, at a tenth of the speeds", learned));
     }
     compare(title, std::move(lines), simulated, robots);
 }
@@ -122,8 +124,8 @@ double worldsPerSecond(int threads, int worlds, double simulated) {
 void batch() {
     std::vector<double> one, two, ratios;
     for (int round = 0; round < 3; ++round) {
-        one.push_back(worldsPerSecond(1, 1000, 2));
-        two.push_back(worldsPerSecond(2, 1000, 2));
+        one.push_back(worldsPerSecond(1, 1000, 6));
+        two.push_back(worldsPerSecond(2, 1000, 6));
         ratios.push_back(two.back() / one.back());
     }
     std::printf("\nBatch of 1000 worlds of S1 heavy\n  one thread %.0f, two threads %.0f world steps/s: %.2f times\n",

@@ -30,7 +30,7 @@ TEST_F(Program, TellsItsVersion) {
 TEST_F(Program, HelpOfEverySubcommandHasExamplesAndTheCommonFlags) {
     const ProgramResult all = runMrose({"--help"});
     EXPECT_EQ(all.status, 0);
-    for (const std::string name : {"inspect", "train", "evaluate", "predict", "generate"}) {
+    for (const std::string name : {"inspect", "train", "evaluate", "predict", "generate", "compare"}) {
         EXPECT_NE(all.out.find("\n  " + name), std::string::npos) << name;
         const ProgramResult help = runMrose({name, "--help"});
         EXPECT_EQ(help.status, 0);

@@ -68,7 +68,7 @@ TEST_F(RunProgram, WrongConditionsAreOneLineAndNothingIsWritten) {
     game();
     const auto before = listing();
     for (const auto& [condition, part] : {std::pair{"robot[2].speed >", "--until:1:"},
-                                          std::pair{"robot[3].x > 0", "robot[3]"}, std::pair{"ball.sped > 1", "sped"},
+                                          std::pair{"robot[3].x > 0", "there is no robot 3"}, std::pair{"ball.sped > 1", "sped"},
                                           std::pair{"ball.x", "--until"}, std::pair{"time > 1; os.exit()", "--until"},
                                           std::pair{"(function() while true do end end)()", "instructions"}}) {
         const std::string recording = path("game.mcap");
@@ -80,7 +80,7 @@ TEST_F(RunProgram, WrongConditionsAreOneLineAndNothingIsWritten) {
 /// It can be answered at the start, but not later; what was recorded until then is there.
 TEST_F(RunProgram, ConditionThatLoopsForEverLaterEndsItAndKeepsTheRecording) {
     const std::string endless = "(function() while time > 2 do end return false end)()";
-    expectOneLine(play("run", {"--until", endless, "--record", path("game.mcap")}), {"--until:1: ", "instructions"});
+    expectOneLine(play("run", {"--until", endless, "--record", path("game.mcap")}), {"--until: ", "instructions"});
     const auto recording = openRecording(path("game.mcap"));
     ASSERT_TRUE(recording) << recording.error().message();
     EXPECT_TRUE(recording->damage.empty());
@@ -106,7 +106,7 @@ TEST_F(RunProgram, WrongFlagsAreOneLine) {
                                                                       {{"more"}, "more"}};
     for (const auto& [words, part] : cases) expectOneLine(play("run", words), {part}, 2);
     expectOneLine(runMrose({"run"}), {"SCENARIO", "required"}, 2);
-    expectOneLine(runMrose({"run", path("none.toml")}), {"none.toml", "not found"});
+    expectOneLine(runMrose({"run", path("none.toml")}), {"none.toml: does not exist"});
     expectOneLine(runMrose({"run", game(), "--log", path("none"), "--until", "x"}), {"--until"});
     expectOneLine(play("run", {"--record", path("no/such/game.mcap")}), {"no/such/game.mcap: ", "No such file"});
     EXPECT_EQ(listing(), before);
@@ -114,7 +114,7 @@ TEST_F(RunProgram, WrongFlagsAreOneLine) {
 
 TEST_F(RunProgram, RecordingsAreNotReplacedUnlessTold) {
     write("game.mcap", "earlier");
-    expectOneLine(play("run", {"--record", path("game.mcap")}), {"game.mcap: ", "exists"});
+    expectOneLine(play("run", {"--record", path("game.mcap")}), {"game.mcap: is there already"});
     EXPECT_EQ(read("game.mcap"), "earlier");
     const Json json = told(play("run", {"--record", path("game.mcap"), "--overwrite", "--json"}));
     EXPECT_EQ(json["recording"], path("game.mcap"));
@@ -142,10 +142,10 @@ TEST_F(RunProgram, FullDiskIsOneLineAndTheRunGoesOn) {
         ASSERT_TRUE(recording) << recording.error().message();
         EXPECT_EQ(recording->damage.size(), 1u);
     }
-    // Long before the end: it says from when on there is no recording.
+    // Long before the end: it says so at once.
     const ProgramResult early =
         play("run", {"--record", file, "--overwrite", "--duration", "60"}, {.fullDisk = true, .room = whole});
-    expectOneLine(early, {"game.mcap: cannot be written: File too large; the run goes on without its recording from "});
+    expectOneLine(early, {"game.mcap: cannot be written: File too large; the run goes on, and its recording ends here"});
     EXPECT_NE(early.out.find(": 60.00 s"), std::string::npos) << early.out;
 }
 

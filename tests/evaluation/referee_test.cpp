@@ -1,7 +1,6 @@
-#include <cstdio>
-#include <cstdlib>
+#include "support/referee.h"
+
 #include <filesystem>
-#include <regex>
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -11,38 +10,10 @@
 #include "evaluation/test_models.h"
 #include "io/file.h"
 #include "logs/log_reader.h"
-#include "support/places.h"
 #include "support/test_data.h"
 
 namespace mrose {
 namespace {
-
-/// What a command prints, errors too; nothing when it fails.
-std::optional<std::string> outputOf(const std::string& command) {
-    FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-    if (pipe == nullptr) return std::nullopt;
-    std::string output;
-    char part[4096];
-    while (const std::size_t got = std::fread(part, 1, sizeof part, pipe)) output.append(part, got);
-    if (pclose(pipe) != 0) return std::nullopt;
-    return output;
-}
-
-/// The command that runs the referee: a program independent of this one, which needs Python with numpy.
-std::optional<std::string> referee() {
-    const char* const named = std::getenv("MROSE_REFEREE");
-    const std::filesystem::path script =
-        named != nullptr ? named : sourceFolder().parent_path() / "shared/tools/score_rollouts.py";
-    if (!std::filesystem::exists(script)) return std::nullopt;
-    for (const std::string python : {"python3", "/usr/bin/python3"})
-        if (outputOf(python + " -c 'import numpy'")) return python + " '" + script.string() + "'";
-    return std::nullopt;
-}
-
-double numberAfter(const std::string& text, const std::string& label) {
-    const std::size_t at = text.find(label);
-    return at == std::string::npos ? std::nan("") : std::strtod(text.c_str() + at + label.size(), nullptr);
-}
 
 struct Case {
     int dataset;

@@ -51,12 +51,12 @@ void requireState(std::string_view bytes) {
 }
 
 void requireBlock(std::string_view bytes) {
-    const auto read = parseBlock(compressed(bytes, Compression::quick));
+    const auto read = parseBlock(compressed(bytes));
     if (read) require(decompressed(blockBytes(read->block, read->branch)) == bytes);
 }
 
 void requireBranch(std::string_view bytes) {
-    const auto start = parseBranch(compressed(bytes, Compression::quick));
+    const auto start = parseBranch(compressed(bytes));
     if (start) require(decompressed(branchBytes(*start)) == bytes);
 }
 
@@ -86,8 +86,7 @@ std::string recordingOf(std::string_view bytes) {
     while (!reader.rest().empty() && !reader.failed()) {
         const auto head = reader.number<std::uint16_t>();
         const std::string_view piece = reader.take(head >> 1);
-        appendAttachment(file, (head & 1) != 0 ? "mrose/branch/0" : "mrose/block/0/0",
-                         compressed(piece, Compression::quick));
+        appendAttachment(file, (head & 1) != 0 ? "mrose/branch/0" : "mrose/block/0/0", compressed(piece));
     }
     return file;
 }

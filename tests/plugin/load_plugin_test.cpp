@@ -38,6 +38,7 @@ TEST(PluginLoading, ControllerDecidesAndRemembers) {
     controller.start(memory);
     Observation observation;
     observation.velocity.w = 0.25;
+    observation.manipulators = 1;
     for (int i = 1; i <= 5; ++i) {
         Decision decision;
         controller.decide(observation, memory, decision);

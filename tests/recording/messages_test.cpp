@@ -160,19 +160,19 @@ TEST_F(RecordingFile, MarksOfContactsGoWhenTheyAreOver) {
     EXPECT_GT(std::count_if(told.begin(), told.end(), [](const auto& t) { return t.second == 0; }), 1);
 }
 
-TEST(JsonText, NumbersAreRoundedAndShort) {
+TEST(JsonText, NumbersAreRoundedAndKeepTheirWidth) {
     const auto fixed = [](double value, int decimals) {
         std::string json;
         appendFixed(json, value, decimals);
         return json;
     };
-    EXPECT_EQ(fixed(0, 4), "0");
-    EXPECT_EQ(fixed(-0.00004, 4), "0");
+    EXPECT_EQ(fixed(0, 4), "0.0000");
+    EXPECT_EQ(fixed(-0.00004, 4), "0.0000");
     EXPECT_EQ(fixed(-0.00006, 4), "-0.0001");
     EXPECT_EQ(fixed(12.3456, 2), "12.35");
-    EXPECT_EQ(fixed(-12.5, 3), "-12.5");
-    EXPECT_EQ(fixed(100, 3), "100");
-    EXPECT_EQ(fixed(0.05, 3), "0.05");
+    EXPECT_EQ(fixed(-12.5, 3), "-12.500");
+    EXPECT_EQ(fixed(100, 3), "100.000");
+    EXPECT_EQ(fixed(0.05, 3), "0.050");
     EXPECT_EQ(fixed(7.9, 0), "8");
     EXPECT_EQ(fixed(std::nan(""), 3), "null");
     EXPECT_EQ(fixed(-INFINITY, 3), "null");

@@ -40,6 +40,19 @@ private:
     Rover rover_;
 };
 
+/// Stands, and turns at a rate of zero with such a sign.
+class Standing final : public Controller {
+public:
+    explicit Standing(double zero) : zero_(zero) {}
+    void decide(const Observation& /*observation*/, std::span<std::byte> /*memory*/,
+                Decision& decision) const override {
+        decision.command = Command{0, zero_};
+    }
+
+private:
+    double zero_;
+};
+
 std::vector<Branch> recorded(const StraightRun& run, std::int64_t keyframeInterval) {
     History::Options options;
     options.keyframeInterval = keyframeInterval;
@@ -157,6 +170,24 @@ TEST(ReplayOfMinds, OtherDecisionsAreNamed) {
     EXPECT_NE(deciding->difference->what.find("at tick 100, where the next state was kept, robot 1 (rover 1) pose.x"),
               std::string::npos)
         << deciding->difference->what;
+}
+
+TEST(ReplayOfMinds, SignOfAZeroIsAnotherDecision) {
+    const auto scenarioWith = [](double zero) {
+        MatchOptions options;
+        options.robots = 1;
+        options.controller = std::make_shared<const Standing>(zero);
+        return Scenario(matchParts(options));
+    };
+    const Scenario scenario = scenarioWith(0.0), changed = scenarioWith(-0.0);
+    const auto report = replay(recorded(runMatch(scenario, scenario.initialState(), 10), 5), changed, {true, {}});
+    ASSERT_TRUE(report && report->difference);
+    EXPECT_EQ(report->difference->tick, 1);
+    EXPECT_EQ(
+        report->difference->what.find("the controller of robot 1 (rover 1) had ordered v 0.0 w 0.0 and now orders "
+                                      "v 0.0 w -0.0; "),
+        0u)
+        << report->difference->what;
 }
 
 TEST(ReplayOfMinds, HiddenMemoryIsNamed) {

@@ -82,10 +82,29 @@ TEST(Rewind, RestoredStateStepsToSameBitsFromEveryTick) {
         auto restored = parseState(saved, "saved");
         ASSERT_TRUE(restored) << restored.error().message();
         const WorldState again = stepped(scenario, std::move(*restored));
-        ASSERT_EQ(stateBytes(again), stateBytes(state)) << "tick " << k << ": " << difference(again, state);
+        ASSERT_TRUE(stateBytes(again) == stateBytes(state)) << "tick " << k << ": " << difference(again, state);
         touching += state.contacts.size();
     }
     EXPECT_GT(touching, 3000u);
+}
+
+TEST(Rewind, BuffersThatServedAnotherWorldChangeNothing) {
+    // The other world's ball is so fast that its ticks are solved in several steps.
+    SmallWorld thrown(walledField(2, 2));
+    thrown.object(ballType(), {1, 1, 0}, {18, 3, 0}).object(boxType(), {1.5, 1.1, 0});
+    const Scenario other = thrown.scenario(), scenario = crowd();
+    WorldState state = scenario.initialState(), beside = scenario.initialState();
+    StepBuffers shared, own;
+    std::size_t bounced = 0;
+    for (int k = 0; k < 500; ++k) {
+        WorldState fast = other.initialState();
+        for (int i = 0; i < 3; ++i) step(other, fast, shared);
+        bounced += fast.objects[0].velocity_W.x < 0 ? 1 : 0;
+        step(scenario, state, shared);
+        step(scenario, beside, own);
+        ASSERT_EQ(difference(state, beside), "none") << "tick " << k;
+    }
+    EXPECT_EQ(bounced, 500u);
 }
 
 std::vector<StateHash> hashesOfRun(const Scenario& scenario, WorldState state, int ticks, bool traced = false) {

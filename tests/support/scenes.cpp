@@ -134,8 +134,8 @@ Scenario fieldScenario(const FieldOptions& options) {
     scene.objects = {{"ball", 0, {width / 2, height / 2, 0}, {}}};
     const auto columns = static_cast<std::uint32_t>(std::ceil(std::sqrt(2.0 * options.robots)));
     const std::uint32_t rows = (options.robots + columns - 1) / columns;
-    const auto commands = options.heavy ? std::make_shared<const RandomCommands>(0, 1, 4)
-                                        : std::make_shared<const RandomCommands>(-1, 1, 2);
+    const auto commands = std::make_shared<const RandomCommands>(options.heavy ? 0 : -options.share, options.share,
+                                                                 (options.heavy ? 4 : 2) * options.share);
     const std::int64_t period = options.model->period() / scene.tickLength;
     for (std::uint32_t i = 0; i < options.robots; ++i) {
         SceneRobot robot;

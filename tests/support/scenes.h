@@ -34,6 +34,7 @@ ObjectType boxType(double side = 0.3, double mass = 2);
 struct FieldOptions {
     std::uint32_t robots = 8;
     bool heavy = true;
+    double share = 1;  ///< of those speeds, for slower robots
     bool motionNoise = true;
     bool perception = false;
     std::shared_ptr<const MotionModel> model = paperFormModel();

@@ -34,8 +34,9 @@ public:
             nearest = std::min(nearest, mrose::length(body.position_B));
         decision.clear();
         decision.earlier.push_back({observation.time - 1, {speed_ / 2, 0}});
-        decision.command = mrose::Command{speed_, known.turned + 0.01 * nearest};
-        if (kicks_ && known.count % 3 == 0) decision.kicks.push_back({0, 0.5});
+        const double dice = 0x1p-70 * static_cast<double>(observation.noise);
+        decision.command = mrose::Command{speed_, known.turned + 0.01 * nearest + dice};
+        if (kicks_ && observation.manipulators > 0 && known.count % 3 == 0) decision.kicks.push_back({0, 0.5});
         decision.annotations.push_back(
             {mrose::Annotation::Kind::value, label_, static_cast<double>(known.count), "", {}});
         decision.annotations.push_back({mrose::Annotation::Kind::line, "way", 0, "", {{}, mrose::position(ahead)}});

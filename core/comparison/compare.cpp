@@ -1,0 +1,222 @@
+#include "comparison/compare.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "evaluation/format.h"
+#include "experiment/run_statistics.h"
+#include "experiment/touch_counter.h"
+#include "learning/parallel_for.h"
+#include "logs/pose_grid.h"
+
+namespace mrose {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr int stepsBefore = 2;  // as the referee's windows, a start needs truth without a gap so long before
+
+/// One course of all robots.
+struct Driven {
+    std::vector<ComparedCourse> robots;
+    std::int64_t touches = 0, faults = 0;
+    std::string firstFault;
+};
+
+Pose knownTruth(const Trajectory& trajectory, Nanoseconds time) {
+    return truthIsKnown(trajectory.poses, time) ? truthAt(trajectory.poses, time) : Pose{nan, nan, nan};
+}
+
+bool gapBefore(const Trajectory& trajectory, Nanoseconds start, Nanoseconds step) {
+    for (int k = 1; k <= stepsBefore; ++k) {
+        const Nanoseconds time = start - k * step;
+        if (time >= trajectory.poses.front().time && !truthIsKnown(trajectory.poses, time)) return true;
+    }
+    return false;
+}
+
+/// What the real robot did.
+ComparedCourse realCourse(const LogWorld& world, const CourseRequest& request, std::size_t robot,
+                          const std::optional<RolloutStart>& start, const WindowOptions& options) {
+    const Take::Part& part = world.takes()[request.take].parts[robot];
+    const Trajectory& trajectory = world.trajectory(request.take, robot);
+    ComparedCourse course;
+    course.robot = robot;
+    Window& real = course.real;
+    real.robot = world.robots()[robot].real;
+    real.trajectory = part.trajectory;
+    real.start = part.origin + request.start;
+    real.steady = trajectory.steady;
+    for (int k = 0; k <= request.steps; ++k)
+        real.truth.push_back(knownTruth(trajectory, real.start + k * options.step));
+    if (start) {
+        real.measuredPose = start->pose;
+        real.measuredVelocity = start->velocity;
+    }
+    const bool moves = measureTravel(real, options);
+    const bool gap = std::isnan(real.pathBySteps) || gapBefore(trajectory, real.start, options.step);
+    course.use = !start ? CourseUse::absent : gap ? CourseUse::gap : moves ? CourseUse::counted : CourseUse::still;
+    return course;
+}
+
+/// Steps the opened world through the course.
+void simulate(LogWorld::Opened& opened, const CourseRequest& request, Nanoseconds step, Driven& driven) {
+    const Scenario& scenario = *opened.scenario;
+    const Nanoseconds tick = scenario.scene().tickLength;
+    StepBuffers buffers;
+    StepTrace trace;
+    TouchCounter counter;
+    for (int k = 0; k < request.steps; ++k) {
+        for (Nanoseconds passed = 0; passed < step; passed += tick) {
+            mrose::step(scenario, opened.state, buffers, {}, &trace);
+            const auto begun = counter.add(trace);
+            driven.touches += static_cast<std::int64_t>(begun.size());
+            driven.faults += static_cast<std::int64_t>(trace.faults.size());
+            if (driven.firstFault.empty() && !trace.faults.empty())
+                driven.firstFault = bodyName(scenario.scene(), trace.faults[0].robot) + ": " + trace.faults[0].what;
+            for (ComparedCourse& course : driven.robots) {
+                if (course.use == CourseUse::absent) continue;
+                const std::size_t body = opened.bodies[course.robot];
+                course.touches += std::count_if(begun.begin(), begun.end(), [&](const TouchCounter::Pair& pair) {
+                    return pair.first == body || pair.second == body;
+                });
+                if (trace.robots[body].touched && !course.touched)
+                    course.touched = scenario.scene().timeOf(opened.state.tick);
+            }
+        }
+        for (ComparedCourse& course : driven.robots)
+            if (course.use != CourseUse::absent)
+                course.simulated.push_back(opened.state.robots[opened.bodies[course.robot]].pose);
+    }
+}
+
+Driven drive(const LogWorld& world, const CourseRequest& request, const ComparisonOptions& options) {
+    const Nanoseconds step = options.windows.step;
+    LogWorld::Opened opened = world.openAt(request.take, request.start, request.steps * step, options.seed);
+    Driven driven;
+    for (std::size_t robot = 0; robot < world.robots().size(); ++robot)
+        if (!request.robot || *request.robot == robot)
+            driven.robots.push_back(realCourse(world, request, robot, opened.starts[robot], options.windows));
+    simulate(opened, request, step, driven);
+    for (ComparedCourse& course : driven.robots) course.errors = windowErrors(course.real.truth, course.simulated);
+    return driven;
+}
+
+template <class Belongs>
+ComparedSummary summarised(const Comparison& comparison, Belongs belongs) {
+    ComparedSummary summary;
+    std::vector<double> position, heading;
+    for (const ComparedCourse& course : comparison.courses) {
+        if (!belongs(course)) continue;
+        ++summary.uses[static_cast<std::size_t>(course.use)];
+        summary.touches += course.touches;
+        summary.touched += course.touched ? 1 : 0;
+        if (course.simulated.empty() || std::isnan(course.errors.positionFinal)) continue;
+        position.push_back(course.errors.positionFinal);
+        heading.push_back(course.errors.headingFinal);
+    }
+    summary.positionFinal = distribution(std::move(position));
+    summary.headingFinal = distribution(std::move(heading));
+    std::vector<std::size_t> chosen;
+    for (std::size_t i = 0; i < comparison.counted.size(); ++i)
+        if (belongs(comparison.courses[comparison.counted[i]])) chosen.push_back(i);
+    summary.counted = summarise(comparison.evaluation.windows, comparison.evaluation.models[0].errors, chosen,
+                                comparison.evaluation.options.windows);
+    return summary;
+}
+
+void summariseAll(const LogWorld& world, const WindowOptions& options, Comparison& comparison) {
+    std::vector<Window> windows;
+    std::vector<std::vector<Pose>> simulated;
+    for (std::size_t i = 0; i < comparison.courses.size(); ++i) {
+        const ComparedCourse& course = comparison.courses[i];
+        if (course.use != CourseUse::counted) continue;
+        comparison.counted.push_back(i);
+        windows.push_back(course.real);
+        simulated.push_back(course.simulated);
+    }
+    classifyManoeuvres(world.log(), windows, options.step);
+    EvaluationOptions evaluationOptions;
+    evaluationOptions.windows = options;
+    comparison.evaluation =
+        evaluated(world.log(), std::move(windows), "simulation", std::move(simulated), evaluationOptions);
+    for (std::size_t robot = 0; robot < comparison.robots.size(); ++robot)
+        comparison.summaries.push_back(
+            summarised(comparison, [&](const ComparedCourse& course) { return course.robot == robot; }));
+    comparison.all = summarised(comparison, [](const ComparedCourse&) { return true; });
+}
+
+/// The mean of what is known; below zero where nothing is.
+double knownMean(const std::vector<double>& errors) {
+    double sum = 0;
+    int count = 0;
+    for (const double error : errors) {
+        if (std::isnan(error)) continue;
+        sum += error;
+        ++count;
+    }
+    return count == 0 ? -1 : sum / count;
+}
+
+}  // namespace
+
+const char* name(CourseUse use) {
+    switch (use) {
+        case CourseUse::still:
+            return "still";
+        case CourseUse::gap:
+            return "gap";
+        case CourseUse::absent:
+            return "absent";
+        case CourseUse::counted:
+            break;
+    }
+    return "counted";
+}
+
+Expected<Comparison> compare(const LogWorld& world, std::span<const CourseRequest> requests,
+                             const ComparisonOptions& options) {
+    const Nanoseconds tick = world.parts().scene.tickLength, step = options.windows.step;
+    if (step % tick != 0)
+        return fail({},
+                    "is " + secondsText(tick) + "; expected one that divides " + secondsText(step) +
+                        " s, the step of the comparison",
+                    0, "tick_s");
+    std::vector<Driven> driven(requests.size());
+    parallelFor(requests.size(), [&](std::size_t i) { driven[i] = drive(world, requests[i], options); });
+    Comparison comparison;
+    comparison.scenario = world.parts().name;
+    comparison.seed = options.seed;
+    comparison.robots = world.robots();
+    for (const Take& take : world.takes()) comparison.takes.push_back(take.name);
+    comparison.requests.assign(requests.begin(), requests.end());
+    for (std::size_t i = 0; i < driven.size(); ++i) {
+        comparison.touches += driven[i].touches;
+        comparison.faults += driven[i].faults;
+        if (comparison.firstFault.empty()) comparison.firstFault = driven[i].firstFault;
+        for (ComparedCourse& course : driven[i].robots) {
+            course.request = i;
+            comparison.courses.push_back(std::move(course));
+        }
+    }
+    if (std::all_of(comparison.courses.begin(), comparison.courses.end(),
+                    [](const ComparedCourse& course) { return course.use == CourseUse::absent; }))
+        return fail(world.log().source,
+                    "has no ground truth of any compared robot where a course starts; expected "
+                    "another --start");
+    summariseAll(world, options.windows, comparison);
+    return comparison;
+}
+
+std::vector<std::size_t> worstFirst(const Comparison& comparison) {
+    std::vector<std::size_t> order;
+    std::vector<double> errors;
+    for (std::size_t i = 0; i < comparison.courses.size(); ++i) {
+        errors.push_back(knownMean(comparison.courses[i].errors.position));
+        if (comparison.courses[i].use != CourseUse::absent) order.push_back(i);
+    }
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return errors[a] > errors[b]; });
+    return order;
+}
+
+}  // namespace mrose

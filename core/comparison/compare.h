@@ -1,0 +1,81 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "comparison/course_requests.h"
+#include "comparison/log_world.h"
+#include "evaluation/evaluate.h"
+
+namespace mrose {
+
+/// What becomes of a course in the figures.
+enum class CourseUse {
+    counted,  ///< a window as the referee has them: its errors are in P and Hd
+    still,    ///< the robot hardly moves: too little to divide an error by
+    gap,      ///< the ground truth has a gap in it: errors are known at the other instants only
+    absent    ///< no ground truth at the start: the robot is not in the world
+};
+constexpr int courseUses = 4;
+const char* name(CourseUse use);
+
+/// One robot in one course, real and simulated on the same clock.
+struct ComparedCourse {
+    std::size_t request = 0;  ///< which course: in Comparison::requests
+    std::size_t robot = 0;    ///< in Comparison::robots
+    CourseUse use = CourseUse::counted;
+    /// Truth at the steps() + 1 instants, not a number where it is not known; what was measured at the start.
+    Window real;
+    std::vector<Pose> simulated;                        ///< after each step: steps() poses; none of an absent robot
+    WindowErrors errors;                                ///< not a number where the truth is not known
+    std::int64_t touches = 0;                           ///< how often it began to touch something in the simulation
+    std::optional<Nanoseconds> touched = std::nullopt;  ///< since the start, when contact first took it off its way
+};
+
+/// The courses of one robot, or of all.
+struct ComparedSummary {
+    Summary counted;                             ///< P, Hd and errors of the courses that count
+    std::array<std::size_t, courseUses> uses{};  ///< courses by CourseUse
+    Distribution positionFinal, headingFinal;    ///< m, rad: of all courses whose end is known
+    std::int64_t touches = 0;
+    std::size_t touched = 0;  ///< courses in which contact took the robot off its way
+
+    std::size_t of(CourseUse use) const { return uses[static_cast<std::size_t>(use)]; }
+    std::size_t courses() const { return uses[0] + uses[1] + uses[2] + uses[3]; }
+};
+
+struct ComparisonOptions {
+    std::uint64_t seed = 1;
+    WindowOptions windows{};  ///< `step` and what is too little motion; courses have their own lengths
+};
+
+/// A simulated world beside the log that it repeats. It holds no reference to either.
+struct Comparison {
+    std::string scenario;
+    std::uint64_t seed = 0;
+    std::vector<ComparedRobot> robots;
+    std::vector<std::string> takes;  ///< their names
+    std::vector<CourseRequest> requests;
+    std::vector<ComparedCourse> courses;     ///< by request, then by robot
+    std::vector<ComparedSummary> summaries;  ///< by robot
+    ComparedSummary all;
+    Evaluation evaluation;             ///< the courses that count, as of a model called "simulation"
+    std::vector<std::size_t> counted;  ///< evaluation.windows[i] is of courses[counted[i]]
+    std::int64_t touches = 0;          ///< pairs of bodies that began to touch, those that are not compared too
+    std::int64_t faults = 0;           ///< of controllers and models
+    std::string firstFault;
+};
+
+/// Drives every course in a world of its own and compares. The result is the same for any number of threads. Error:
+/// the scenario's ticks do not divide the step; no course has any ground truth at its start.
+Expected<Comparison> compare(const LogWorld& world, std::span<const CourseRequest> requests,
+                             const ComparisonOptions& options = {});
+
+/// Indices of the courses that were simulated, by descending mean position error over the instants that are known.
+std::vector<std::size_t> worstFirst(const Comparison& comparison);
+
+}  // namespace mrose

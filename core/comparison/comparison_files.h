@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "comparison/compare.h"
+
+namespace mrose {
+
+/// One row per robot, course and step, where the robot was simulated: dataset,robot,t_start,t,x,y,heading as
+/// predictions of logs have them, then where the real robot was, the errors (m, rad) and the simulated robot's name.
+/// Cells about the real robot are empty where there is no ground truth.
+std::string errorsCsv(const Comparison& comparison);
+
+/// One row per robot and course: where it starts (on the log's clock and on the take's), what becomes of it, what is
+/// known of its errors, touches.
+std::string coursesCsv(const Comparison& comparison);
+
+/// All figures, by robot and together, with sentences that a reader must know. What is not defined is null.
+std::string comparisonJson(const Comparison& comparison, const std::vector<std::string>& notices);
+
+}  // namespace mrose

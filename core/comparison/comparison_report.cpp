@@ -1,0 +1,274 @@
+#include "comparison/comparison_report.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "comparison/comparison_files.h"
+#include "comparison/course_figures.h"
+#include "evaluation/format.h"
+#include "evaluation/html.h"
+#include "evaluation/report_page.h"
+#include "evaluation/report_tables.h"
+
+namespace mrose {
+namespace {
+
+constexpr const char* comparisonFiles[] = {"errors.csv", "courses.csv", "results.json", "report.html"};
+constexpr std::size_t listedCourses = 12, shownRobots = 8;
+
+std::string counted(std::size_t count, const std::string& one, const std::string& many) {
+    return std::to_string(count) + ' ' + (count == 1 ? one : many);
+}
+
+/// "10 s", or "8 to 10 s".
+std::string lengthText(const Comparison& comparison) {
+    const auto [least, most] =
+        std::minmax_element(comparison.requests.begin(), comparison.requests.end(),
+                            [](const CourseRequest& a, const CourseRequest& b) { return a.steps < b.steps; });
+    const Nanoseconds step = comparison.evaluation.options.windows.step;
+    const std::string longest = secondsText(most->steps * step, 0);
+    return (least->steps == most->steps ? longest : secondsText(least->steps * step, 0) + " to " + longest) + " s";
+}
+
+std::string startText(const Comparison& comparison, const ComparedCourse& course) {
+    const CourseRequest& request = comparison.requests[course.request];
+    const std::string& take = comparison.takes[request.take];
+    return secondsText(request.start) + " s" + (take.empty() ? "" : " of " + take);
+}
+
+std::string page(const Comparison& comparison, const ReportContext& context) {
+    const std::string badge = context.synthetic ? "<span class=\"badge\">synthetic data</span>" : "";
+    std::string text = element("h1", "", cat(escaped(comparison.scenario), " beside the log", badge));
+    text += element("p", "sub",
+                    cat(counted(comparison.requests.size(), "course", "courses"), " of ", lengthText(comparison), ", ",
+                        counted(comparison.robots.size(), "robot", "robots"), ", log <code>",
+                        escaped(comparison.evaluation.source), "</code> · ", escaped(context.program)));
+    for (const std::string& notice : context.notices) text += element("p", "notice", escaped(notice));
+    return text;
+}
+
+std::string lead(const Comparison& comparison) {
+    const ComparedSummary& all = comparison.all;
+    std::string text =
+        "Each simulated robot starts where the real one was and as fast, and is told what the real one was told, when "
+        "it "
+        "was told. ";
+    if (all.of(CourseUse::counted) > 0)
+        text += cat("Its position is then off by <b>", percentText(all.counted.p),
+                    "</b> of the path driven (P) and its heading by <b>", percentText(all.counted.hd),
+                    "</b> of the rotation turned (Hd), on average over time. ");
+    if (all.positionFinal.count > 0)
+        text += cat("At the end of a typical course (median) it is ", fixed(100 * all.positionFinal.median, 1),
+                    "\u00a0cm off and points ", fixed(degrees * all.headingFinal.median, 1), "° off.");
+    return element("p", "lead", text);
+}
+
+std::vector<std::string> summaryRow(const std::string& name, const ComparedSummary& s) {
+    const auto number = [&](CourseUse use) { return std::to_string(s.of(use)); };
+    return {name,
+            std::to_string(s.courses()),
+            number(CourseUse::counted),
+            number(CourseUse::still),
+            number(CourseUse::gap),
+            number(CourseUse::absent),
+            fixed(s.counted.p, 2),
+            fixed(s.counted.hd, 2),
+            fixed(100 * s.positionFinal.median, 1),
+            fixed(100 * s.positionFinal.p90, 1),
+            fixed(degrees * s.headingFinal.median, 1),
+            fixed(degrees * s.headingFinal.p90, 1),
+            std::to_string(s.touches),
+            std::to_string(s.touched)};
+}
+
+std::string robotTable(const Comparison& comparison) {
+    HtmlTable table({"", "all", "counted", "still", "gap", "absent", "P %", "Hd %", "median", "p90", "median", "p90",
+                     "begun", "courses"},
+                    "dense");
+    table.group("", 1);
+    table.group("courses", 5);
+    table.group("of the counted", 2);
+    table.group("cm at the end", 2);
+    table.group("° at the end", 2);
+    table.group("touches", 2);
+    for (std::size_t i = 0; i < comparison.robots.size(); ++i)
+        table.row(summaryRow(escaped(comparison.robots[i].name), comparison.summaries[i]));
+    if (comparison.robots.size() > 1) table.row(summaryRow("all", comparison.all));
+    return table.text();
+}
+
+std::string worstTable(const Comparison& comparison, const std::vector<std::size_t>& worst) {
+    HtmlTable table({"", "course", "from", "path m", "mean cm", "mean % path", "end cm", "end °", "touches", ""},
+                    "dense");
+    for (std::size_t i = 0; i < std::min(worst.size(), listedCourses); ++i) {
+        const ComparedCourse& course = comparison.courses[worst[i]];
+        const WindowErrors& errors = course.errors;
+        const bool whole = course.use == CourseUse::counted;
+        table.row(
+            {escaped(comparison.robots[course.robot].name), std::to_string(course.request + 1),
+             escaped(startText(comparison, course)), fixed(course.real.path, 2), fixed(100 * errors.positionMean, 1),
+             whole ? fixed(100 * errors.positionMean / course.real.path, 1) : "–", fixed(100 * errors.positionFinal, 1),
+             fixed(degrees * errors.headingFinal, 1), std::to_string(course.touches), whole ? "" : name(course.use)});
+    }
+    return table.text();
+}
+
+/// Courses whose pictures tell most: all robots of a single one; the worst, the 90th percentile and the median of many.
+std::vector<std::size_t> shownCourses(const Comparison& comparison, const std::vector<std::size_t>& worst) {
+    if (worst.size() <= shownRobots) return worst;
+    std::vector<std::size_t> shown;
+    for (const double q : {0.0, 0.02, 0.1, 0.25, 0.5, 0.75}) {
+        const std::size_t course = worst[static_cast<std::size_t>(q * static_cast<double>(worst.size()))];
+        if (std::find(shown.begin(), shown.end(), course) == shown.end()) shown.push_back(course);
+    }
+    std::sort(shown.begin(), shown.end(), [&](std::size_t a, std::size_t b) {
+        return comparison.courses[a].errors.positionMean > comparison.courses[b].errors.positionMean;
+    });
+    return shown;
+}
+
+std::string robotCard(const Comparison& comparison, const ComparedCourse& course) {
+    const WindowErrors& errors = course.errors;
+    std::string what =
+        cat("course\u00a0", std::to_string(course.request + 1), " · from\u00a0", escaped(startText(comparison, course)),
+            " · path\u00a0", fixed(course.real.path, 2), "\u00a0m<br/>mean ", fixed(100 * errors.positionMean, 1),
+            "\u00a0cm · at the end ", fixed(100 * errors.positionFinal, 1), "\u00a0cm, ",
+            fixed(degrees * errors.headingFinal, 1), "°");
+    if (course.use == CourseUse::gap) what += " · ground truth with a gap";
+    if (course.touched) what += cat(" · touched after ", secondsText(*course.touched), "\u00a0s");
+    return card(escaped(comparison.robots[course.robot].name),
+                cat(element("p", "soft", what), robotFigure(comparison, course)));
+}
+
+std::string pictures(const Comparison& comparison, const Environment& environment) {
+    const std::vector<std::size_t> worst = worstFirst(comparison);
+    const std::vector<std::size_t> shown = shownCourses(comparison, worst);
+    std::string cards;
+    for (const std::size_t i : shown) cards += robotCard(comparison, comparison.courses[i]);
+    const std::size_t request = comparison.courses[worst.front()].request;
+    std::string text =
+        cat(heading("Where they drove"),
+            paragraph(comparison.requests.size() == 1 ? "All robots from start to end."
+                                                      : "All robots in the course with the largest mean error."),
+            element("div", "card", element("div", "scene", courseFigure(comparison, request, environment))),
+            heading("Real beside simulated paths"),
+            paragraph(cat("Both axes have the same scale; the bar below each picture, which is also the grid’s "
+                          "spacing, says which. ",
+                          shown.size() == worst.size() ? ""
+                                                       : "From the worst course to the 75th percentile of the "
+                                                         "better ones, by the mean position error.")),
+            robotFigureLegend(comparison), element("div", "paths", cards));
+    if (worst.size() > shown.size())
+        text += cat(heading("The worst courses"),
+                    paragraph("By their mean position error. <code>--start</code> and <code>--duration</code> show one "
+                              "alone; courses.csv has them all."),
+                    tableCard(worstTable(comparison, worst)));
+    return text;
+}
+
+std::string definition(std::string_view term, std::string_view meaning) {
+    return cat(element("dt", "", term), element("dd", "", meaning));
+}
+
+std::string definitions(const Comparison& comparison) {
+    const WindowOptions& options = comparison.evaluation.options.windows;
+    std::string list;
+    list +=
+        definition("course",
+                   "A drive in a world of its own. It begins with pose and velocity of the real robots, measured from "
+                   "the ground truth up to the start, and with the commands before it; nothing is aligned later.");
+    list +=
+        definition("counted", cat("Ground truth throughout, and at least ", fixed(options.leastPath, 2), " m or ",
+                                  fixed(options.leastRotation, 2),
+                                  " rad in 10 s (in proportion to the length): a window as mrose evaluate has them. "
+                                  "P and Hd are of these alone."));
+    list += definition("still", "The robot hardly moves: its errors are too little to be divided by its path.");
+    list += definition("gap", "The ground truth has a gap of 0.2 s or more; the errors at other instants are known.");
+    list += definition("absent", "No ground truth at the start: the robot is not in the world in this course.");
+    list += definition("P", cat("Sum over the courses of the position error’s time-mean (every ",
+                                secondsText(options.step), " s), divided by the sum of the path lengths."));
+    list += definition("Hd",
+                       "Sum over the courses of the absolute heading error’s time-mean, divided by the sum of the "
+                       "absolute rotations.");
+    list += definition("touches",
+                       "How often a robot began to touch another body or a wall in the simulation, and in how many "
+                       "courses that took it off its way. From then on its motion is no longer its model’s alone.");
+    return element("dl", "", list);
+}
+
+std::string provenance(const Comparison& comparison, const ReportContext& context) {
+    HtmlTable facts({"", ""}, "words");
+    facts.row({"scenario", escaped(comparison.scenario)});
+    facts.row({"log", cat(escaped(comparison.evaluation.source), " (", escaped(comparison.evaluation.format), ")")});
+    facts.row({"seed", std::to_string(comparison.seed)});
+    for (const auto& [key, value] : context.modelFacts) facts.row({escaped(key), escaped(value)});
+    facts.row({"made by", cat("<code>", escaped(context.commandLine), "</code>")});
+    std::string text = cat(heading("Where this comes from"), tableCard(facts.text()));
+    if (!comparison.counted.empty())
+        text += cat(heading("What was wrong with the log"), tableCard(defectTable(comparison.evaluation)));
+    text += cat("<details><summary>", counted(comparison.evaluation.files.size(), "file", "files"),
+                " with hashes</summary>\n", fileTable(comparison.evaluation.files), "</details>\n");
+    return text;
+}
+
+}  // namespace
+
+std::vector<std::string> remarksOn(const Comparison& comparison) {
+    std::vector<std::string> remarks;
+    for (std::size_t i = 0; i < comparison.robots.size(); ++i) {
+        const ComparedSummary& s = comparison.summaries[i];
+        std::string text;
+        const auto add = [&](CourseUse use, const std::string& what) {
+            if (s.of(use) > 0) text += (text.empty() ? "" : ", ") + std::to_string(s.of(use)) + ' ' + what;
+        };
+        add(CourseUse::gap, "with a gap in the ground truth");
+        add(CourseUse::absent, "without ground truth at the start");
+        add(CourseUse::still, "in which it hardly moves");
+        if (!text.empty())
+            remarks.push_back(comparison.robots[i].name + ": of " + counted(s.courses(), "course", "courses") + ' ' +
+                              text + ", left out of P and Hd.");
+    }
+    if (comparison.all.of(CourseUse::counted) == 0)
+        remarks.push_back("No course counts for P and Hd; expected another --start, or --every for shorter ones.");
+    if (comparison.all.touched > 0)
+        remarks.push_back(
+            "In " + counted(comparison.all.touched, "course", "courses") +
+            " contact took a robot off its way: from there on it is the collision that is compared, too.");
+    if (comparison.faults > 0)
+        remarks.push_back(counted(static_cast<std::size_t>(comparison.faults), "fault", "faults") + ", the first of " +
+                          comparison.firstFault + '.');
+    return remarks;
+}
+
+std::string comparisonHtml(const Comparison& comparison, const Scene& scene, const ReportContext& context) {
+    std::string remarks;
+    for (const std::string& remark : remarksOn(comparison)) remarks += element("li", "", escaped(remark));
+    const std::string body = cat(
+        page(comparison, context), lead(comparison), comparison.counted.empty() ? "" : tiles(comparison.all.counted),
+        heading("By robot"), tableCard(robotTable(comparison)), remarks.empty() ? "" : element("ul", "soft", remarks),
+        heading("Error against time"),
+        paragraph("One line for each robot: the median of its courses at that time, where ground truth is known."),
+        errorLinesLegend(comparison),
+        element("div", "pair",
+                cat(card("Position", errorLinesFigure(comparison, ErrorKind::position)),
+                    card("Heading", errorLinesFigure(comparison, ErrorKind::heading)))),
+        pictures(comparison, scene.environment), heading("What the words mean"), definitions(comparison),
+        provenance(comparison, context));
+    return reportPage(cat(escaped(comparison.scenario), " beside ", escaped(comparison.evaluation.source)), body);
+}
+
+Expected<void> checkComparisonFolder(const std::filesystem::path& folder) {
+    return checkReportFolder(folder, comparisonFiles);
+}
+
+Expected<void> writeComparison(const Comparison& comparison, const Scene& scene, const ReportContext& context,
+                               const std::filesystem::path& folder) {
+    const std::string contents[] = {errorsCsv(comparison), coursesCsv(comparison),
+                                    comparisonJson(comparison, context.notices),
+                                    comparisonHtml(comparison, scene, context)};
+    std::vector<NamedFile> files;
+    for (std::size_t i = 0; i < std::size(contents); ++i) files.push_back({comparisonFiles[i], contents[i]});
+    return writeReportFiles(folder, std::move(files));
+}
+
+}  // namespace mrose

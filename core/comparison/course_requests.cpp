@@ -1,0 +1,79 @@
+#include "comparison/course_requests.h"
+
+#include <algorithm>
+
+#include "evaluation/format.h"
+
+namespace mrose {
+namespace {
+
+/// The take and compared robot of each robot that plays this trajectory from this instant.
+void addCourses(const LogWorld& world, const RolloutStart& start, std::vector<CourseRequest>& courses) {
+    std::vector<bool> found(world.robots().size());
+    for (std::size_t take = 0; take < world.takes().size(); ++take)
+        for (std::size_t robot = 0; robot < world.robots().size(); ++robot) {
+            if (found[robot] || &world.trajectory(take, robot) != start.trajectory) continue;
+            found[robot] = true;
+            courses.push_back({take, start.time - world.takes()[take].parts[robot].origin, start.steps, robot});
+        }
+}
+
+Expected<void> checkWhole(Nanoseconds duration, Nanoseconds step, const char* key) {
+    if (duration > 0 && duration % step == 0) return {};
+    return fail({}, secondsText(duration) + " s is no whole number of steps of " + secondsText(step) + " s", 0, key);
+}
+
+}  // namespace
+
+Expected<std::vector<CourseRequest>> coursesOf(const LogWorld& world, const StretchOptions& options) {
+    if (options.every)
+        if (const auto whole = checkWhole(*options.every, options.step, "--every"); !whole)
+            return tl::unexpected(whole.error());
+    if (options.duration)
+        if (const auto whole = checkWhole(*options.duration, options.step, "--duration"); !whole)
+            return tl::unexpected(whole.error());
+    std::vector<CourseRequest> courses;
+    Nanoseconds longest = 0;
+    for (std::size_t take = 0; take < (options.every ? world.takes().size() : 1); ++take) {
+        const Nanoseconds length = world.takes()[take].length;
+        longest = std::max(longest, length);
+        const Nanoseconds end = options.duration ? std::min(length, options.start + *options.duration) : length;
+        const Nanoseconds left = (end - options.start) / options.step * options.step;
+        const Nanoseconds course = options.every.value_or(left);
+        if (course <= 0) continue;
+        for (Nanoseconds at = options.start; at + course <= end; at += course)
+            courses.push_back({take, at, static_cast<int>(course / options.step)});
+    }
+    if (!courses.empty()) return courses;
+    const std::string end = "the ground truth ends " + secondsText(longest) + " s after the log's start";
+    if (options.start + options.step > longest)
+        return fail(world.log().source,
+                    end + "; expected an earlier --start than " + secondsText(options.start) + " s");
+    return fail(world.log().source, end + "; expected a shorter --every than " +
+                                        secondsText(options.every.value_or(0)) + " s, no longer than --duration");
+}
+
+Expected<std::vector<CourseRequest>> requestedCourses(const LogWorld& world, std::vector<WindowRequest> windows,
+                                                      const std::vector<std::string>& robots, int steps,
+                                                      const std::string& fileName) {
+    if (!robots.empty())
+        std::erase_if(windows, [&](const WindowRequest& window) {
+            return std::find(robots.begin(), robots.end(), window.robot) == robots.end();
+        });
+    if (windows.empty()) return fail(fileName, "has no window of the robots that --robots names");
+    const auto requested = requestedStarts(world.log(), windows, steps, fileName);
+    if (!requested) return tl::unexpected(requested.error());
+    std::vector<CourseRequest> courses;
+    for (std::size_t i = 0; i < windows.size(); ++i) {
+        const std::size_t before = courses.size();
+        addCourses(world, requested->starts[i], courses);
+        if (courses.size() == before)
+            return fail(fileName,
+                        "the scenario plays no robot " + windows[i].robot +
+                            " there; expected windows of its robots, or --robots with those that it plays",
+                        windows[i].line, "robot");
+    }
+    return courses;
+}
+
+}  // namespace mrose

@@ -1,0 +1,191 @@
+#include "comparison/log_world.h"
+
+#include <algorithm>
+
+#include "behaviour/command_player.h"
+#include "evaluation/windows.h"
+#include "scenario/log_excerpt.h"
+
+namespace mrose {
+namespace {
+
+using Names = std::vector<std::string>;
+
+bool holds(const Names& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// What stays where the robots marked are taken out; the indices of those that are left.
+std::vector<std::size_t> removeRobots(ScenarioParts& parts, const std::vector<bool>& removed) {
+    std::vector<std::size_t> newIndex(removed.size());
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < removed.size(); ++i) {
+        newIndex[i] = kept;
+        if (removed[i]) continue;
+        parts.scene.robots[kept] = parts.scene.robots[i];
+        parts.controllers[kept++] = parts.controllers[i];
+    }
+    parts.scene.robots.resize(kept);
+    parts.controllers.resize(kept);
+    std::erase_if(parts.players, [&](const LogPlayer& player) { return removed[player.robot]; });
+    for (LogPlayer& player : parts.players) player.robot = static_cast<std::uint32_t>(newIndex[player.robot]);
+    return newIndex;
+}
+
+std::size_t indexOf(const Log& log, const std::string& robot) {
+    const auto found =
+        std::find_if(log.robots.begin(), log.robots.end(), [&](const RobotLog& r) { return r.robot == robot; });
+    return static_cast<std::size_t>(found - log.robots.begin());
+}
+
+/// "1,2": those of the log that are played, for a hint.
+std::string playedNames(const Log& log, const ScenarioParts& parts) {
+    Names names;
+    for (const LogPlayer& player : parts.players)
+        if (indexOf(log, player.excerpt.robot) < log.robots.size() && !holds(names, player.excerpt.robot))
+            names.push_back(player.excerpt.robot);
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : ",") + name;
+    return text;
+}
+
+std::optional<std::size_t> trajectoryNamed(const RobotLog& robot, const std::string& name) {
+    for (std::size_t i = 0; i < robot.trajectories.size(); ++i)
+        if (robot.trajectories[i].name == name) return i;
+    return std::nullopt;
+}
+
+/// What a robot is told, on a clock that begins at the start.
+std::shared_ptr<const Controller> playerFrom(const RolloutStart& start, Nanoseconds duration) {
+    std::vector<StampedCommand> commands = commandsRead(start, start.time + duration);
+    for (StampedCommand& command : commands) command.time -= start.time;
+    return std::make_shared<const CommandPlayer>(commands);
+}
+
+}  // namespace
+
+Expected<LogWorld> LogWorld::create(ScenarioParts parts, const Log& log, const Names& robots) {
+    LogWorld world(std::move(parts), log);
+    if (const auto found = world.findRobots(robots); !found) return tl::unexpected(found.error());
+    if (const auto found = world.findTakes(); !found) return tl::unexpected(found.error());
+    return world;
+}
+
+Expected<void> LogWorld::findRobots(const Names& chosen) {
+    if (parts_.players.empty())
+        return fail({}, "plays no log; expected a robot with controller = { kind = \"log_player\", ... }");
+    for (const std::string& name : chosen) {
+        if (indexOf(*log_, name) == log_->robots.size()) return fail(log_->source, "has no robot \"" + name + '"');
+        if (std::none_of(parts_.players.begin(), parts_.players.end(),
+                         [&](const LogPlayer& player) { return player.excerpt.robot == name; }))
+            return fail({}, "has no robot that plays robot \"" + name + "\" of a log", 0, "--robots");
+    }
+    std::vector<bool> removed(parts_.scene.robots.size());
+    if (!chosen.empty())
+        for (const LogPlayer& player : parts_.players) removed[player.robot] = !holds(chosen, player.excerpt.robot);
+    removeRobots(parts_, removed);
+    for (const LogPlayer& player : parts_.players) {
+        const std::string& name = parts_.scene.robots[player.robot].name;
+        const std::size_t real = indexOf(*log_, player.excerpt.robot);
+        if (real == log_->robots.size()) {
+            const std::string present = playedNames(*log_, parts_);
+            return fail(log_->source, "has no robot \"" + player.excerpt.robot + "\", which \"" + name + "\" plays" +
+                                          (present.empty() ? "; expected a log of the scenario's robots"
+                                                           : "; --robots " + present + " compares those that it has"));
+        }
+        robots_.push_back({player.robot, name, real, player.excerpt.robot});
+        excerpts_.push_back(player.excerpt);
+    }
+    return {};
+}
+
+/// Where no trajectory is named, a robot's only one, or those of one name of all the robots that have several.
+Expected<void> LogWorld::findTakes() {
+    std::vector<std::size_t> trajectories(robots_.size()), open;
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+        const RobotLog& real = log_->robots[robots_[i].real];
+        const std::string& named = excerpts_[i].trajectory;
+        if (named.empty()) {
+            if (real.trajectories.size() > 1) open.push_back(i);
+        } else if (const auto found = trajectoryNamed(real, named)) {
+            trajectories[i] = *found;
+        } else {
+            return fail(log_->source, "has no trajectory \"" + named + "\" of robot \"" + real.robot + '"');
+        }
+    }
+    const std::size_t count = open.empty() ? 1 : log_->robots[robots_[open.front()].real].trajectories.size();
+    for (std::size_t k = 0; k < count; ++k) {
+        std::string name;
+        bool complete = true;
+        for (const std::size_t i : open) {
+            if (name.empty()) name = log_->robots[robots_[i].real].trajectories[k].name;
+            const auto found = trajectoryNamed(log_->robots[robots_[i].real], name);
+            complete = complete && found;
+            trajectories[i] = found.value_or(0);
+        }
+        if (!complete) continue;
+        auto take = takeOf(trajectories, k == 0);
+        if (!take) return tl::unexpected(take.error());
+        take->name = std::move(name);
+        takes_.push_back(std::move(*take));
+    }
+    if (takes_.empty())
+        return fail(log_->source,
+                    "has no trajectory that all robots of the scenario have; expected one to be named beside each log");
+    return {};
+}
+
+Expected<Take> LogWorld::takeOf(const std::vector<std::size_t>& trajectories, bool first) const {
+    Take take;
+    Nanoseconds common = std::numeric_limits<Nanoseconds>::min();
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+        const RobotLog& real = log_->robots[robots_[i].real];
+        if (real.trajectories.empty() || real.trajectories[trajectories[i]].commands.empty())
+            return fail(log_->source, "has no commands of robot \"" + real.robot +
+                                          "\"; expected the commands that it was sent and the poses that it reached");
+        const Trajectory& trajectory = real.trajectories[trajectories[i]];
+        if (trajectory.poses.empty())
+            return fail(log_->source, "has no ground truth of robot \"" + real.robot +
+                                          "\": nothing to compare with; expected its poses (x, y, heading) beside its "
+                                          "commands");
+        common = std::max(common, beginning(trajectory));
+    }
+    // As an excerpt begins: when all robots of the log are there, whether they are compared or not.
+    if (first)
+        for (const RobotLog& robot : log_->robots)
+            if (!robot.trajectories.empty()) common = std::max(common, beginning(robot.trajectories.front()));
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+        const Trajectory& trajectory = log_->robots[robots_[i].real].trajectories[trajectories[i]];
+        const LogExcerpt& excerpt = excerpts_[i];
+        const Nanoseconds begin = excerpt.trajectory.empty() ? common : beginning(trajectory);
+        take.parts.push_back({trajectories[i], begin + fromSeconds(excerpt.start)});
+        take.length = std::max(take.length, trajectory.poses.back().time - take.parts.back().origin);
+    }
+    return take;
+}
+
+LogWorld::Opened LogWorld::openAt(std::size_t take, Nanoseconds start, Nanoseconds duration, std::uint64_t seed) const {
+    Opened opened;
+    ScenarioParts parts = parts_;
+    std::vector<bool> removed(parts.scene.robots.size());
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+        const std::size_t body = robots_[i].body;
+        auto measured = measureStart(trajectory(take, i), takes_[take].parts[i].origin + start, 0);
+        removed[body] = !measured;
+        opened.starts.push_back(measured ? std::optional(*measured) : std::nullopt);
+        if (!measured) continue;
+        fillVelocities(parts.scene.modelOf(body), {&*measured, 1});
+        SceneRobot& robot = parts.scene.robots[body];
+        robot.start = measured->pose;
+        robot.velocity = *measured->velocity;
+        robot.phase = 0;
+        parts.controllers[body] = playerFrom(*measured, duration);
+    }
+    const std::vector<std::size_t> bodies = removeRobots(parts, removed);
+    for (const ComparedRobot& robot : robots_) opened.bodies.push_back(bodies[robot.body]);
+    opened.scenario = std::make_shared<const Scenario>(std::move(parts));
+    opened.state = opened.scenario->initialState(seed);
+    return opened;
+}
+
+}  // namespace mrose

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "evaluation/rollout.h"
+#include "io/error.h"
+#include "logs/robot_log.h"
+#include "scenario/scenario.h"
+
+namespace mrose {
+
+/// A robot of a scenario and the real one whose commands it is given.
+struct ComparedRobot {
+    std::size_t body = 0;  ///< in LogWorld::parts().scene.robots
+    std::string name;      ///< there
+    std::size_t real = 0;  ///< in Log::robots
+    std::string realName;  ///< there
+};
+
+/// Trajectories of a log on one clock, one of each compared robot: what was driven at the same time.
+struct Take {
+    struct Part {
+        std::size_t trajectory = 0;  ///< in RobotLog::trajectories
+        Nanoseconds origin = 0;      ///< the instant of the log at which the take's clock is 0
+    };
+    std::string name;         ///< of the trajectories; "" where no robot has several
+    std::vector<Part> parts;  ///< by compared robot
+    Nanoseconds length = 0;   ///< on the take's clock: where the last ground truth ends
+};
+
+/// A scenario whose robots play a log, and that log. The world can be opened at any instant of it: the simulated robots
+/// are then where the real ones were, as fast, and told the same.
+class LogWorld {
+public:
+    /// `parts` as loaded without ScenarioLoading::playLogs; `log` must outlive it. Of the robots that play the log
+    /// those stay whose real one is named in `robots`; empty: all. A take's clock is 0 where mrose run would begin.
+    /// Error: no robot plays a log; the log lacks one of the robots, or the trajectory, commands or ground truth of
+    /// one.
+    static Expected<LogWorld> create(ScenarioParts parts, const Log& log, const std::vector<std::string>& robots = {});
+
+    const ScenarioParts& parts() const { return parts_; }
+    const Log& log() const { return *log_; }
+    const std::vector<ComparedRobot>& robots() const { return robots_; }
+    const std::vector<Take>& takes() const { return takes_; }
+    const Trajectory& trajectory(std::size_t take, std::size_t robot) const {
+        return log_->robots[robots_[robot].real].trajectories[takes_[take].parts[robot].trajectory];
+    }
+
+    /// The world at one instant.
+    struct Opened {
+        std::shared_ptr<const Scenario> scenario;
+        WorldState state;
+        /// By compared robot: what was measured at the start; nothing where there is no ground truth. Such a robot is
+        /// not in the world.
+        std::vector<std::optional<RolloutStart>> starts;
+        std::vector<std::size_t> bodies;  ///< by compared robot: in the scenario
+    };
+    /// At `start` on the take's clock, with commands for `duration`. Every compared robot has its control instant then;
+    /// the other bodies begin as the scenario says.
+    Opened openAt(std::size_t take, Nanoseconds start, Nanoseconds duration, std::uint64_t seed) const;
+
+private:
+    LogWorld(ScenarioParts parts, const Log& log) : parts_(std::move(parts)), log_(&log) {}
+    Expected<void> findRobots(const std::vector<std::string>& chosen);
+    Expected<void> findTakes();
+    Expected<Take> takeOf(const std::vector<std::size_t>& trajectories, bool first) const;
+
+    ScenarioParts parts_;
+    const Log* log_;
+    std::vector<ComparedRobot> robots_;
+    std::vector<LogExcerpt> excerpts_;  ///< by compared robot
+    std::vector<Take> takes_;
+};
+
+}  // namespace mrose

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "evaluation/metrics.h"
+#include "io/error.h"
+#include "io/file.h"
+
+namespace mrose {
+
+// What reports are put together from; all contents are markup.
+
+/// A whole page that needs nothing else, with its style sheet.
+std::string reportPage(std::string_view title, std::string_view body);
+
+std::string heading(std::string_view content);
+std::string paragraph(std::string_view content);
+std::string card(std::string_view title, std::string_view content);
+std::string tableCard(std::string_view content);
+
+/// "2.65 %", never broken between the number and its unit.
+std::string percentText(double value);
+
+/// P, Hd and the errors at the end, large.
+std::string tiles(const Summary& summary);
+
+/// Error unless files of these names could be written into `folder`, which need not be there. Nothing is made.
+Expected<void> checkReportFolder(const std::filesystem::path& folder, std::span<const char* const> names);
+
+/// Writes files, whose paths are seen from `folder`, which is made where it is missing: all of them or none.
+Expected<void> writeReportFiles(const std::filesystem::path& folder, std::vector<NamedFile> files);
+
+}  // namespace mrose

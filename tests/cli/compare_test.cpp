@@ -1,0 +1,225 @@
+// `mrose compare` as its users run it.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/workshop.h"
+#include "support/places.h"
+#include "support/referee.h"
+#include "support/test_data.h"
+
+namespace mrose {
+namespace {
+
+using Json = nlohmann::json;
+using Words = std::vector<std::string>;
+
+/// A scenario of one robot that plays the log that ships, by the network that ships, without noise.
+class CompareProgram : public Workshop {
+protected:
+    std::string scenario(const std::string& controller = R"({ kind = "log_player", log = "x", robot = "reference" })",
+                         const std::string& start = "") const {
+        write("r.toml",
+              "format = \"mrose robot\"\nversion = 1\nname = \"r\"\nshape = \"pioneer1.toml\"\nmass_kg = 7\n"
+              "[motion]\nnetwork = \"pioneer.net\"\nrobot = \"reference\"\n");
+        write("e.toml",
+              "format = \"mrose environment\"\nversion = 1\nname = \"plane\"\n[floor]\n"
+              "area_m = [[-50, -50], [50, -50], [50, 50], [-50, 50]]\n");
+        return write("s.toml",
+                     "format = \"mrose scenario\"\nversion = 1\nname = \"replay\"\nenvironment = \"e.toml\"\n"
+                     "duration_s = 20\n[[robot]]\nname = \"twin\"\ntype = \"r.toml\"\n" +
+                         start + "controller = " + controller + "\n");
+    }
+    static std::string shippedLog() { return (sourceFolder() / "resources/logs/pioneer").string(); }
+    static std::string shippedNetwork() { return (sourceFolder() / "nets/pioneer.net").string(); }
+
+    /// compare with `more`; its result as JSON.
+    Json result(Words words) {
+        words.push_back("--json");
+        const ProgramResult ran = runMrose(words);
+        EXPECT_EQ(ran.status, 0) << ran.err;
+        EXPECT_EQ(ran.err, "");
+        return Json::parse(ran.out, nullptr, false);
+    }
+};
+
+/// Rows of a CSV file by their column names.
+std::vector<std::map<std::string, std::string>> rowsOf(const std::string& csv) {
+    const auto cellsOf = [](const std::string& line) {
+        Words cells;
+        std::istringstream stream(line);
+        for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+        if (line.ends_with(',')) cells.emplace_back();
+        return cells;
+    };
+    std::istringstream stream(csv);
+    std::string line;
+    std::getline(stream, line);
+    const Words header = cellsOf(line);
+    std::vector<std::map<std::string, std::string>> rows;
+    while (std::getline(stream, line)) {
+        const Words cells = cellsOf(line);
+        EXPECT_EQ(cells.size(), header.size()) << line;
+        for (std::size_t i = 0; i < std::min(cells.size(), header.size()); ++i)
+            (i == 0 ? rows.emplace_back() : rows.back())[header[i]] = cells[i];
+    }
+    return rows;
+}
+
+TEST_F(CompareProgram, AgreesWithEvaluateAndPredictForTheSameWindows) {
+    ASSERT_EQ(
+        runMrose({"evaluate", shippedNetwork(), "--log", shippedLog(), "--no-floor", "--report", path("ev")}).status,
+        0);
+    const std::string windows = path("ev/windows.csv");
+    ASSERT_EQ(runMrose({"predict", shippedNetwork(), "--log", shippedLog(), "--windows", windows, "-o", path("p.csv")})
+                  .status,
+              0);
+    const Json ours =
+        result({"compare", scenario(), "--log", shippedLog(), "--windows", windows, "--report", path("report")});
+    const Json theirs = Json::parse(read("ev/results.json"), nullptr, false)["models"][0]["all"];
+    const Json& summary = ours["all"]["summary"];
+    EXPECT_GT(theirs["windows"], 20);
+    for (const char* figure : {"windows", "path_m", "rotation_rad", "P_percent", "Hd_percent", "P_interval95_percent",
+                               "position_final_m", "heading_final_rad", "final_left_m"})
+        EXPECT_EQ(summary[figure], theirs[figure]) << figure;
+    EXPECT_EQ(ours["touches"], 0);
+
+    const auto simulated = rowsOf(read("report/errors.csv")), predicted = rowsOf(read("p.csv"));
+    ASSERT_EQ(simulated.size(), predicted.size());
+    for (std::size_t i = 0; i < simulated.size(); ++i)
+        for (const auto& [column, value] : predicted[i]) EXPECT_EQ(simulated[i].at(column), value) << i << column;
+    for (const char* file : {"report/report.html", "report/courses.csv", "report/results.json"})
+        EXPECT_NE(read(file), "") << file;
+}
+
+TEST_F(CompareProgram, TheRefereeFindsTheSameErrorsInRealLogs) {
+    const auto data = realData();
+    const auto command = referee();
+    if (!data || !command) GTEST_SKIP() << "no real logs or no referee: set MROSE_DATA and MROSE_REFEREE";
+    const std::string mrclam = (*data / "mrclam").string();
+    const auto windows = outputOf(*command + " windows '" + mrclam + "' --dataset 7 --robots 1,2");
+    ASSERT_TRUE(windows);
+    const Json ours = result({"compare", "mrclam_replay.toml", "--log", mrclam + "/MRCLAM_Dataset7", "--robots", "1,2",
+                              "--windows", write("w.csv", *windows), "--report", path("report")});
+    const auto verdict =
+        outputOf(*command + " score '" + mrclam + "' --dataset 7 --robots 1,2 '" + path("report/errors.csv") + "'");
+    ASSERT_TRUE(verdict);
+    const Json& summary = ours["all"]["summary"];
+    // Its figures are rounded to 0.01.
+    EXPECT_EQ(numberAfter(*verdict, "windows "), summary["windows"].get<double>()) << *verdict;
+    EXPECT_NEAR(numberAfter(*verdict, "P "), summary["P_percent"].get<double>(), 0.01);
+    EXPECT_NEAR(numberAfter(*verdict, "Hd "), summary["Hd_percent"].get<double>(), 0.01);
+}
+
+TEST_F(CompareProgram, OneCourseAsTheScenarioRunsOrManyThatRestart) {
+    const Json one = result({"compare", scenario(), "--log", shippedLog()});
+    EXPECT_EQ(one["all"]["courses"], 1);
+    const Json many = result({"compare", scenario(), "--log", shippedLog(), "--start", "3", "--duration", "40",
+                              "--every", "8", "--report", path("report")});
+    const auto courses = rowsOf(read("report/courses.csv"));
+    EXPECT_EQ(many["all"]["courses"], courses.size());
+    std::map<std::string, Words> starts;
+    for (const auto& row : courses) {
+        starts[row.at("trajectory")].push_back(row.at("start_s"));
+        EXPECT_EQ(row.at("duration_s"), "8.0");
+        EXPECT_EQ(row.at("simulated"), "twin");
+    }
+    EXPECT_EQ(starts.at("random2"), (Words{"3.0", "11.0", "19.0", "27.0", "35.0"}));
+
+    // Errors are told by the poses beside them.
+    const auto rows = rowsOf(read("report/errors.csv"));
+    EXPECT_EQ(rows.size(), 80 * courses.size());
+    for (const auto& row : rows) {
+        const auto number = [&](const char* column) { return std::stod(row.at(column)); };
+        EXPECT_NEAR(std::hypot(number("x") - number("real_x"), number("y") - number("real_y")),
+                    number("position_error_m"), 1e-6);
+    }
+}
+
+TEST_F(CompareProgram, SaysWhatItComparesAndNeverForPeopleAndProgramsAtOnce) {
+    const ProgramResult ran = runMrose({"compare", scenario(), "--log", shippedLog(), "--every", "10"});
+    EXPECT_EQ(ran.status, 0);
+    EXPECT_EQ(ran.err, "");
+    for (const char* part : {"replay beside ", "twin", "windows", "P %", "Hd %", "final cm", "final deg", "touches",
+                             "Note: The log comes from a simulated robot"})
+        EXPECT_NE(ran.out.find(part), std::string::npos) << part << '\n' << ran.out;
+}
+
+TEST_F(CompareProgram, TheSameWhateverTheNumberOfThreads) {
+    const auto report = [&](const std::string& threads) {
+        EXPECT_EQ(runMrose({"compare", scenario(), "--log", shippedLog(), "--every", "2", "--threads", threads,
+                            "--report", path("r" + threads)})
+                      .status,
+                  0);
+        return read("r" + threads + "/errors.csv") + read("r" + threads + "/courses.csv") +
+               read("r" + threads + "/results.json");
+    };
+    EXPECT_EQ(report("1"), report("8"));
+}
+
+TEST_F(CompareProgram, SeedIsThatOfTheWorld) {
+    const std::string file = scenario();
+    write("r.toml", read("r.toml") + "[motion_noise]\ndistance_per_distance = 0.1\n");
+    const auto mean = [&](const std::string& seed) {
+        return result({"compare", file, "--log", shippedLog(), "--seed", seed})["all"]["summary"]["P_percent"];
+    };
+    EXPECT_EQ(mean("5"), mean("5"));
+    EXPECT_NE(mean("5"), mean("6"));
+}
+
+TEST_F(CompareProgram, ErrorsAreOneLineThatSaysWhatToDo) {
+    const std::string file = scenario(), log = shippedLog();
+    expectOneLine(runMrose({"compare", file, "--log", log, "--start", "5000"}),
+                  {log + ": the ground truth ends ", "expected an earlier --start than 5000.0 s"});
+    expectOneLine(runMrose({"compare", file, "--log", log, "--every", "500"}), {log + ": ", "a shorter --every"});
+    expectOneLine(runMrose({"compare", file, "--log", log, "--every", "0.25"}), {"--every: 0.25 s", "0.1 s"});
+    expectOneLine(runMrose({"compare", file, "--log", path("none")}), {path("none") + ": "});
+    expectOneLine(runMrose({"compare", file, "--log", write("text.txt", "once upon a time\n")}), {"text.txt"});
+    expectOneLine(runMrose({"compare", path("none.toml"), "--log", log}), {path("none.toml") + ": does not exist"});
+    expectOneLine(runMrose({"compare", file, "--log", log, "--robots", "2"}), {log + ": has no robot \"2\""});
+    expectOneLine(runMrose({"compare", "mrclam_replay.toml", "--log", log}),
+                  {log + ": has no robot \"1\", which \"create 1\" plays", "expected a log of the scenario's robots"});
+
+    const std::string blind = write("blind.csv", "robot,t,v_cmd,w_cmd\nreference,1,0.1,0\nreference,9,0.2,0\n");
+    expectOneLine(runMrose({"compare", file, "--log", blind}),
+                  {blind + ": has no ground truth of robot \"reference\"", "expected its poses"});
+    const std::string silent = write("silent.csv", "robot,t,x,y,heading\nreference,1,0,0,0\nreference,9,1,0,0\n");
+    expectOneLine(runMrose({"compare", file, "--log", silent}), {silent + ": has no commands of robot \"reference\""});
+    std::string rows = "robot,t,v_cmd,w_cmd,x,y,heading\n";
+    for (int i = 0; i < 300; ++i)
+        if (i < 100 || i > 150) rows += "reference," + std::to_string(10 + 0.1 * i) + ",0.1,0,1,1,0\n";
+    const std::string gap = write("gap.csv", rows);
+    expectOneLine(runMrose({"compare", file, "--log", gap, "--start", "12", "--duration", "2"}),
+                  {gap + ": has no ground truth of any compared robot where a course starts", "another --start"});
+    const ProgramResult across = runMrose({"compare", file, "--log", gap, "--start", "5", "--duration", "15"});
+    EXPECT_EQ(across.status, 0) << across.err;
+    EXPECT_NE(across.out.find("Note: twin: of 1 course 1 with a gap in the ground truth, left out of P and Hd."),
+              std::string::npos)
+        << across.out;
+
+    const std::string wanderer = scenario("{ kind = \"wander\" }", "start = { x_m = 0, y_m = 0 }\n");
+    expectOneLine(runMrose({"compare", wanderer, "--log", log}), {wanderer + ": plays no log", "log_player"});
+    EXPECT_FALSE(std::filesystem::exists(path("report")));
+}
+
+TEST_F(CompareProgram, WindowsFilesAndReportFoldersThatDoNotFit) {
+    const std::string file = scenario(), log = shippedLog();
+    const std::string other = write("w.csv", "dataset,robot,t_start\n3,reference,10\n");
+    expectOneLine(runMrose({"compare", file, "--log", log, "--windows", other}), {"w.csv:2: dataset: is 3"});
+    expectOneLine(runMrose({"compare", file, "--log", log, "--windows", other, "--every", "10"}),
+                  {"--every", "--windows"}, 2);
+    expectOneLine(runMrose({"compare", file, "--log", log, "--windows", other, "--duration", "1.05"}),
+                  {"--duration: 1.05 s", "0.1 s"});
+    write("taken", "a file");
+    expectOneLine(runMrose({"compare", file, "--log", log, "--report", path("taken")}), {path("taken"), "no folder"});
+    EXPECT_EQ(read("taken"), "a file");
+    expectOneLine(runMrose({"compare", file}), {"--log", "required"}, 2);
+    for (const char* flag : {"--start", "--duration", "--every"})
+        expectOneLine(runMrose({"compare", file, "--log", log, std::string(flag) + "=nan"}), {flag, "nan"}, 2);
+}
+
+}  // namespace
+}  // namespace mrose

@@ -1,0 +1,231 @@
+#include "comparison/compare.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include "comparison/comparison_files.h"
+#include "comparison/played_scenarios.h"
+#include "evaluation/prediction_files.h"
+#include "evaluation/report.h"
+#include "evaluation/test_models.h"
+#include "logs/log_reader.h"
+#include "support/test_data.h"
+
+namespace mrose {
+namespace {
+
+Command weaveAlong(double t) { return {0.15 + 0.05 * std::sin(t), 0.3 * std::cos(2 * t)}; }
+
+/// Three robots beside one another that do what they are told, all on one clock from 5 s on; the second has no poses
+/// between 20 and 21 s, the third ends at 30 s, and stands from 10 s on.
+Log threeRobots() {
+    Log log;
+    log.source = "made-up";
+    log.format = "csv";
+    for (const std::string name : {"a", "b", "c"}) {
+        Trajectory t = obedientTrajectory(5 * second, (name == "c" ? 25 : 40) * second, [&](double time) {
+            return name == "c" && time >= 5 ? Command{} : weaveAlong(time);
+        });
+        for (StampedPose& pose : t.poses) pose.pose.y += name == "a" ? 0 : name == "b" ? 5 : 10;
+        if (name == "b")
+            std::erase_if(t.poses, [](const StampedPose& p) { return p.time > 20 * second && p.time < 21 * second; });
+        log.robots.push_back({name, {std::move(t)}, {}});
+    }
+    return log;
+}
+
+std::shared_ptr<const MotionModel> heldCommands(double gain = 1) {
+    return std::make_shared<const HeldCommandModel>(100'000'000, gain);
+}
+
+Comparison comparedEvery(const Log& log, ScenarioParts parts, Nanoseconds every, Nanoseconds start = 0) {
+    const auto world = LogWorld::create(std::move(parts), log);
+    EXPECT_TRUE(world) << world.error().message();
+    const auto requests = coursesOf(*world, {start, std::nullopt, every});
+    EXPECT_TRUE(requests) << requests.error().message();
+    const auto comparison = compare(*world, *requests);
+    EXPECT_TRUE(comparison) << comparison.error().message();
+    return *comparison;
+}
+
+TEST(Compare, RobotThatObeysIsWhereTheRealOneIs) {
+    const Log log = threeRobots();
+    const Comparison comparison = comparedEvery(log, playersOf(log, heldCommands()), 5 * second);
+    ASSERT_EQ(comparison.requests.size(), 8u);
+    ASSERT_EQ(comparison.courses.size(), 24u);
+    for (const ComparedCourse& course : comparison.courses) {
+        if (course.simulated.empty()) continue;
+        const RobotLog& real = log.robots[course.real.robot];
+        EXPECT_EQ(course.real.start, 5 * second + comparison.requests[course.request].start);
+        EXPECT_EQ(course.simulated.size(), 50u);
+        // The truth is a fit over 0.12 s, which cuts corners by less than that.
+        for (std::size_t k = 0; k < 50; ++k)
+            EXPECT_FALSE(course.errors.position[k] >= 3e-3) << real.robot << k;  // unknown ones are below
+    }
+}
+
+TEST(Compare, SaysWhatIsLeftOutAndWhy) {
+    const Log log = threeRobots();
+    const Comparison comparison = comparedEvery(log, playersOf(log, heldCommands()), 5 * second);
+    const auto uses = [&](std::size_t robot) { return comparison.summaries[robot].uses; };
+    using Uses = std::array<std::size_t, courseUses>;  // counted, still, gap, absent
+    EXPECT_EQ(uses(0), (Uses{8, 0, 0, 0}));
+    EXPECT_EQ(uses(1), (Uses{7, 0, 1, 0})) << "without poses from 15 to 16 s of the clock";
+    // It ends at 25 s: a course that starts there is measured from its last pose, but has no truth.
+    EXPECT_EQ(uses(2), (Uses{1, 4, 1, 2})) << "it stands from 5 s on";
+    EXPECT_EQ(comparison.all.courses(), 24u);
+    EXPECT_EQ(comparison.all.of(CourseUse::counted), 16u);
+    EXPECT_EQ(comparison.counted.size(), 16u);
+    EXPECT_EQ(comparison.evaluation.windows.size(), 16u);
+    for (const ComparedCourse& course : comparison.courses) {
+        EXPECT_EQ(course.simulated.empty(), course.use == CourseUse::absent);
+        if (course.robot != 1 || course.use != CourseUse::gap) continue;
+        for (std::size_t k = 0; k < 50; ++k)  // after k + 1 steps
+            EXPECT_EQ(std::isnan(course.errors.position[k]), k < 10) << k << ": the pose that ends it is in it";
+        EXPECT_TRUE(std::isnan(course.errors.positionMean));
+        EXPECT_FALSE(std::isnan(course.errors.positionFinal)) << "known again at the end";
+    }
+    EXPECT_EQ(comparison.summaries[1].positionFinal.count, 8u);
+}
+
+TEST(Compare, ErrorsAreThoseOfAGainThatIsWrong) {
+    // A robot that drives straight on at 0.1 m/s, simulated at 1.1 times that: after t seconds 0.01 t m ahead.
+    const Log log = logOf({obedientTrajectory(0, 30 * second, straightOn)});
+    const Comparison comparison = comparedEvery(log, playersOf(log, heldCommands(1.1)), 10 * second, 2 * second);
+    ASSERT_EQ(comparison.courses.size(), 2u);
+    for (const ComparedCourse& course : comparison.courses) {
+        EXPECT_NEAR(course.errors.positionFinal, 0.1, 1e-6);
+        EXPECT_NEAR(course.errors.positionMean, 0.01 * (0.1 + 10) / 2, 1e-6);
+        EXPECT_NEAR(course.errors.headingFinal, 0, 1e-9);
+        EXPECT_NEAR(course.real.path, 1, 1e-6);
+        EXPECT_FALSE(course.touched);
+    }
+    EXPECT_NEAR(comparison.all.counted.p, 5.05, 1e-4);
+    EXPECT_EQ(comparison.summaries[0].counted.p, comparison.all.counted.p);
+}
+
+TEST(Compare, WorstCourseIsFirst) {
+    const Log log = threeRobots();
+    auto models = std::vector{heldCommands(1), heldCommands(1.5), heldCommands(1)};
+    const Comparison comparison = comparedEvery(log, playersOf(log, models), 10 * second);
+    const auto worst = worstFirst(comparison);
+    EXPECT_EQ(worst.size(), comparison.courses.size() - comparison.all.of(CourseUse::absent));
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(comparison.courses[worst[i]].robot, 1u);
+}
+
+/// P, Hd and all other figures of the same windows.
+void expectTheSameFigures(const Log& log, const std::vector<std::shared_ptr<const MotionModel>>& models) {
+    const NamedModel named{"simulation", [&](const std::string& robot) -> const MotionModel* {
+                               for (std::size_t i = 0; i < log.robots.size(); ++i)
+                                   if (log.robots[i].robot == robot) return models[i].get();
+                               return nullptr;
+                           }};
+    const auto evaluation = evaluate(log, {&named, 1}, {.relativeHorizons = {}, .withFloor = false});
+    ASSERT_TRUE(evaluation) << evaluation.error().message();
+    const auto world = LogWorld::create(playersOf(log, models), log);
+    ASSERT_TRUE(world) << world.error().message();
+    const auto comparison = compare(*world, coursesOfWindows(*world, evaluation->windows));
+    ASSERT_TRUE(comparison) << comparison.error().message();
+    ASSERT_EQ(comparison->touches, 0);
+    EXPECT_EQ(comparison->all.of(CourseUse::counted), evaluation->windows.size());
+    const Evaluation& ours = comparison->evaluation;
+    EXPECT_EQ(resultsCsv(ours), resultsCsv(*evaluation));
+    EXPECT_EQ(windowsCsv(ours), windowsCsv(*evaluation));
+    EXPECT_EQ(comparison->all.counted.p, evaluation->models[0].all.p);
+    EXPECT_EQ(comparison->all.counted.hd, evaluation->models[0].all.hd);
+    EXPECT_EQ(comparison->all.positionFinal.median, evaluation->models[0].all.positionFinal.median);
+    for (const GroupSummary& group : evaluation->models[0].groups)
+        for (std::size_t i = 0; i < comparison->robots.size(); ++i) {
+            if (group.kind != "robot" || group.name != comparison->robots[i].realName) continue;
+            EXPECT_EQ(comparison->summaries[i].counted.p, group.summary.p) << group.name;
+        }
+}
+
+TEST(Compare, FiguresAreThoseOfTheEvaluation) {
+    const Log log = shippedLog();
+    expectTheSameFigures(log, learnedModels(log, "pioneer.net"));
+}
+
+TEST(Compare, FiguresOfRealLogsAreThoseOfTheEvaluation) {
+    const auto data = realData();
+    if (!data) GTEST_SKIP() << "no real logs: set MROSE_DATA";
+    const auto log = readLog(*data / "mrclam" / "MRCLAM_Dataset7");
+    ASSERT_TRUE(log) << log.error().message();
+    expectTheSameFigures(*log, learnedModels(*log, "create.net"));
+}
+
+/// Two robots that really drove through one another; simulated they cannot.
+Log crossing() {
+    Log log;
+    log.source = "made-up";
+    for (const double direction : {1.0, -1.0}) {
+        Trajectory t = obedientTrajectory(0, 20 * second, [](double) { return Command{0.2, 0}; });
+        const Pose before{-2 * direction, 0, direction > 0 ? 0 : std::acos(-1.0)};
+        for (StampedPose& pose : t.poses) pose.pose = before * Pose{0.2 * toSeconds(pose.time), 0, 0};
+        log.robots.push_back({direction > 0 ? "east" : "west", {std::move(t)}, {}});
+    }
+    return log;
+}
+
+TEST(Compare, ContactsOfTheSimulationAreCounted) {
+    const Log log = crossing();
+    const Comparison comparison = comparedEvery(log, playersOf(log, heldCommands()), 15 * second);
+    ASSERT_EQ(comparison.courses.size(), 2u);
+    EXPECT_GE(comparison.touches, 1);
+    for (const ComparedCourse& course : comparison.courses) {
+        EXPECT_EQ(course.touches, comparison.touches) << "each touched the other, and nothing else";
+        // They begin 4 m apart and touch where their discs of 0.17 m meet, at 0.2 m/s each.
+        ASSERT_TRUE(course.touched);
+        EXPECT_NEAR(toSeconds(*course.touched), (4 - 2 * 0.17) / 0.4, 0.05);
+        EXPECT_GT(course.errors.positionFinal, 0.5) << "the real ones drove on";
+        const auto before = static_cast<std::size_t>(*course.touched / 100'000'000) - 1;
+        EXPECT_LT(course.errors.position[before - 1], 1e-9);
+    }
+    EXPECT_EQ(comparison.all.touched, 2u);
+}
+
+TEST(Compare, RobotWithoutGroundTruthAtTheStartIsNotInTheWorld) {
+    Log log = crossing();
+    // Where "west" is is known only for the first 3 s: a course from 4 s on leaves it out, so that nobody is met.
+    std::erase_if(log.robots[1].trajectories[0].poses, [](const StampedPose& pose) { return pose.time > 3 * second; });
+    const Comparison comparison = comparedEvery(log, playersOf(log, heldCommands()), 15 * second, 4 * second);
+    ASSERT_EQ(comparison.courses.size(), 2u);
+    EXPECT_EQ(comparison.courses[0].use, CourseUse::counted);
+    EXPECT_EQ(comparison.courses[1].use, CourseUse::absent);
+    EXPECT_EQ(comparison.touches, 0);
+    EXPECT_LT(comparison.courses[0].errors.positionFinal, 1e-9);
+}
+
+TEST(Compare, ThreadsDoNotMatter) {
+    const Log log = threeRobots();
+    const auto text = [&](std::size_t threads) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        const Comparison comparison = comparedEvery(log, playersOf(log, wearyModel()), 2 * second);
+        return errorsCsv(comparison) + coursesCsv(comparison) + comparisonJson(comparison, {});
+    };
+    EXPECT_EQ(text(1), text(8));
+}
+
+TEST(Compare, TicksThatDoNotDivideTheStepAreRefused) {
+    const Log log = threeRobots();
+    ScenarioParts parts = playersOf(log, std::make_shared<const HeldCommandModel>(90'000'000));
+    parts.scene.tickLength = 30'000'000;
+    const auto world = LogWorld::create(std::move(parts), log);
+    ASSERT_TRUE(world);
+    const auto comparison = compare(*world, std::vector<CourseRequest>{{0, 0, 10}});
+    ASSERT_FALSE(comparison);
+    EXPECT_EQ(comparison.error().message(),
+              "tick_s: is 0.03; expected one that divides 0.1 s, the step of the comparison");
+}
+
+TEST(Compare, PeriodLongerThanTheStepIsComparedWithinItToo) {
+    const Log log = logOf({obedientTrajectory(0, 30 * second, straightOn)});
+    const auto slow = std::make_shared<const HeldCommandModel>(300'000'000, 1);
+    const Comparison comparison = comparedEvery(log, playersOf(log, slow), 10 * second, 3 * second);
+    for (const double error : comparison.courses.front().errors.position) EXPECT_LT(error, 1e-9);
+}
+
+}  // namespace
+}  // namespace mrose
