@@ -154,7 +154,10 @@ TEST_F(PluginProgram, BatchIsTheSameIsolated) {
         if (isolate) words.push_back("--isolate");
         const ProgramResult result = runMrose(words);
         EXPECT_EQ(result.status, 0) << result.err;
-        results[isolate] = readFile(out + "/results.csv").value_or("");
+        std::string& rows = results[isolate] = readFile(out + "/results.csv").value_or("");
+        // But for the commands, which say how the plug-ins were run.
+        for (const std::string flag = " --isolate"; rows.find(flag) != std::string::npos;)
+            rows.erase(rows.find(flag), flag.size());
     }
     EXPECT_EQ(std::count(results[0].begin(), results[0].end(), '\n'), 7) << results[0];
     EXPECT_EQ(results[0], results[1]);
