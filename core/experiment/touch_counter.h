@@ -13,7 +13,10 @@ class TouchCounter {
 public:
     struct Pair {
         std::uint32_t first = 0, second = 0;  ///< bodies, first < second; noBody for what stands still
-        auto operator<=>(const Pair&) const = default;
+        bool operator==(const Pair&) const = default;
+        bool operator<(const Pair& other) const {
+            return first != other.first ? first < other.first : second < other.second;
+        }
     };
 
     /// The pairs that began to touch in this tick, each once; until the next call.

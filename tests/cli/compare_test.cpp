@@ -58,13 +58,13 @@ std::vector<std::map<std::string, std::string>> rowsOf(const std::string& csv) {
     std::istringstream stream(csv);
     std::string line;
     std::getline(stream, line);
-    const Words header = cellsOf(line);
+    const Words columns = cellsOf(line);
     std::vector<std::map<std::string, std::string>> rows;
     while (std::getline(stream, line)) {
         const Words cells = cellsOf(line);
-        EXPECT_EQ(cells.size(), header.size()) << line;
-        for (std::size_t i = 0; i < std::min(cells.size(), header.size()); ++i)
-            (i == 0 ? rows.emplace_back() : rows.back())[header[i]] = cells[i];
+        EXPECT_EQ(cells.size(), columns.size()) << line;
+        for (std::size_t i = 0; i < std::min(cells.size(), columns.size()); ++i)
+            (i == 0 ? rows.emplace_back() : rows.back())[columns[i]] = cells[i];
     }
     return rows;
 }
