@@ -4,7 +4,9 @@
 #include <chrono>
 #include <cstdio>
 
+#include "io/number_text.h"
 #include "scenarios.h"
+#include "version.h"
 
 namespace mrose::cli {
 namespace {
@@ -28,61 +30,111 @@ bool parseSeeds(const std::string& text, BatchOptions& options) {
         return true;
     }
     return number(text.substr(0, dots), options.firstSeed) && number(text.substr(dots + 2), options.lastSeed) &&
-           options.firstSeed <= options.lastSeed && options.lastSeed - options.firstSeed < 1'000'000'000;
+           options.firstSeed <= options.lastSeed;
 }
 
-std::string progressText(std::int64_t done, std::int64_t all, double seconds, std::int64_t atBegin) {
-    const double each = seconds / static_cast<double>(std::max<std::int64_t>(1, done - atBegin));
-    return std::to_string(done) + " of " + std::to_string(all) + " runs, " +
-           durationText(each * static_cast<double>(all - done)) + " left";
+/// What runs a trial alone but for its number and its seed.
+std::string runCommand(const RunFlags& flags, Nanoseconds duration) {
+    std::string command = "mrose run " + shellQuoted(flags.scenario);
+    if (!flags.log.empty()) command += " --log " + shellQuoted(flags.log);
+    if (flags.plugins.isolate) command += " --isolate";
+    if (flags.plugins.limit != PluginFlags().limit) command += " --plugin-limit " + numberText(flags.plugins.limit);
+    command += " --duration " + numberText(toSeconds(duration));
+    if (!flags.until.empty()) command += " --until " + shellQuoted(flags.until);
+    return command;
+}
+
+/// Shows how far the batch is.
+class BatchProgress {
+public:
+    explicit BatchProgress(bool quiet) : line_(quiet) {}
+
+    void show(std::int64_t done, std::int64_t all) {
+        const Clock::time_point now = Clock::now();
+        if (doneBefore_ < 0) doneBefore_ = done - 1;
+        if (now < next_) return;
+        next_ = now + (line_.terminal() ? std::chrono::milliseconds(200) : std::chrono::seconds(10));
+        const double each = seconds() / static_cast<double>(done - doneBefore_);
+        line_.show(std::to_string(done) + " of " + std::to_string(all) + " runs, " +
+                   durationText(each * static_cast<double>(all - done)) + " left");
+    }
+    void clear() { line_.clear(); }
+    double seconds() const { return std::chrono::duration<double>(Clock::now() - began_).count(); }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    ProgressLine line_;
+    Clock::time_point began_ = Clock::now(), next_ = began_ + std::chrono::seconds(1);
+    std::int64_t doneBefore_ = -1;
+};
+
+void printJson(const BatchSummary& summary, const std::string& folder) {
+    nlohmann::json json{{"runs", summary.runs},
+                        {"done", summary.results.rows},
+                        {"resumed", summary.resumed},
+                        {"ended_by_condition", summary.results.ended},
+                        {"faulty", summary.results.faulty},
+                        {"complete", summary.complete}};
+    if (summary.complete) json["results"] = folder + "/results.csv";
+    std::puts(json.dump(2).c_str());
+}
+
+std::string decimals(double value) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.2f", value);
+    return text;
+}
+
+void print(const BatchSummary& summary, const BatchCommandFlags& flags, double seconds) {
+    const ResultsSummary& results = summary.results;
+    if (results.rows > 0) {
+        TextTable table({"", "mean", "least", "most"});
+        for (const ColumnSummary& column : results.columns)
+            table.add({column.name, decimals(column.mean), decimals(column.least), decimals(column.most)});
+        std::fputs(table.text().c_str(), stdout);
+    }
+    if (!flags.run.until.empty())
+        std::printf("ended by the condition: %lld of %lld\n", static_cast<long long>(results.ended),
+                    static_cast<long long>(results.rows));
+    if (results.faulty > 0) std::printf("with faults: %lld\n", static_cast<long long>(results.faulty));
+    if (!summary.complete) {
+        std::printf("interrupted after %lld of %lld runs; the same command goes on with the rest\n",
+                    static_cast<long long>(results.rows), static_cast<long long>(summary.runs));
+        return;
+    }
+    const std::string before =
+        summary.resumed > 0 ? ", " + std::to_string(summary.resumed) + " of them done before" : "";
+    std::printf("%lld runs in %s%s; results in %s/results.csv\n", static_cast<long long>(summary.runs),
+                durationText(seconds).c_str(), before.c_str(), flags.out.c_str());
 }
 
 int runAll(const BatchCommandFlags& flags, const CommonFlags& common) {
     BatchOptions options;
-    if (!parseSeeds(flags.seeds, options)) {
+    if (!flags.seeds.empty() && !parseSeeds(flags.seeds, options)) {
         std::fprintf(stderr, "mrose: --seeds: %s; expected one seed or a range: 1..20\n", flags.seeds.c_str());
         return usage;
     }
     const auto open = openScenario(flags.run.scenario, 0, flags.run.log, flags.run.plugins);
     if (!open) return report(open.error());
+    if (const auto until = openCondition(flags.run.until, *open->scenario); !until) return report(until.error());
     const ScenarioParts& parts = open->scenario->parts();
+    if (flags.seeds.empty()) options.firstSeed = options.lastSeed = flags.run.seed.value_or(parts.seed);
     options.trials = flags.trials;
     options.duration = flags.run.duration ? fromSeconds(*flags.run.duration) : parts.duration;
     options.until = flags.run.until;
-    options.command = "mrose run " + flags.run.scenario + (flags.run.log.empty() ? "" : " --log " + flags.run.log);
-    options.scenarioHash = hashOf(open->loaded);
+    options.command = runCommand(flags.run, options.duration);
+    options.identity = "mrose " MROSE_VERSION ", scenario " + hashOf(open->loaded);
     watchInterrupts();
-    ProgressLine line(common.quiet);
-    const auto began = std::chrono::steady_clock::now();
-    auto nextShown = began;
-    std::int64_t atBegin = -1;
-    options.progress = [&](std::int64_t done, std::int64_t all) {
-        const auto now = std::chrono::steady_clock::now();
-        if (atBegin < 0) atBegin = done - 1;
-        if (now >= nextShown) {
-            nextShown = now + (line.terminal() ? std::chrono::milliseconds(200) : std::chrono::seconds(10));
-            line.show(progressText(done, all, std::chrono::duration<double>(now - began).count(), atBegin));
-        }
-        return !wasInterrupted();
-    };
+    BatchProgress progress(common.quiet);
+    options.progress = [&](std::int64_t done, std::int64_t all) { progress.show(done, all); };
+    options.goesOn = [] { return !wasInterrupted(); };
     const auto summary = runBatch(parts, options, flags.out);
+    progress.clear();
     if (!summary) return report(summary.error());
     if (common.json)
-        std::puts(nlohmann::json{{"runs", summary->runs},
-                                 {"resumed", summary->resumed},
-                                 {"ended_by_condition", summary->ended},
-                                 {"faulty", summary->faulty},
-                                 {"complete", summary->complete},
-                                 {"results", flags.out + "/results.csv"}}
-                      .dump(2)
-                      .c_str());
-    else if (summary->complete)
-        std::printf(
-            "%lld runs%s; results in %s/results.csv\n", static_cast<long long>(summary->runs),
-            summary->resumed > 0 ? (", " + std::to_string(summary->resumed) + " of them done before").c_str() : "",
-            flags.out.c_str());
+        printJson(*summary, flags.out);
     else
-        std::printf("interrupted; what is done is kept, and the same command goes on with the rest\n");
+        print(*summary, flags, progress.seconds());
     return summary->complete ? success : interrupted;
 }
 
@@ -97,11 +149,15 @@ Subcommand addBatch(CLI::App& app, CommonFlags& common) {
         "Every trial starts elsewhere, as [variation] in the scenario says; every seed has another noise. Killed or\n"
         "interrupted, the same command goes on where it was. Each row has the command that runs its trial alone.");
     addRunFlags(*sub, flags->run);
-    flags->seeds = "1";
     sub->add_option("--trials", flags->trials, "How many starts")
-        ->check(CLI::Range(1, 100'000'000))
+        ->check(CLI::Range(std::int64_t{1}, mostRuns))
         ->capture_default_str();
-    sub->add_option("--seeds", flags->seeds, "Seeds of the noise, each with every start: 1..20")->capture_default_str();
+    sub->add_option("--seeds", flags->seeds,
+                    "Seeds of the noise, each with every start: 1..20; otherwise the scenario's")
+        ->excludes("--seed");
+    sub->callback([sub, flags, &common] {
+        if (sub->count("--seed") > 0) flags->run.seed = common.seed;
+    });
     sub->add_option("-o,--output", flags->out, "The folder for results.csv")->required();
     return {sub, [flags, &common] { return runAll(*flags, common); }};
 }

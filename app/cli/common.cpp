@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <utility>
 
 #include <unistd.h>
 
@@ -23,14 +24,6 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 extern "C" void onInterrupt(int signal) {
     interruptSeen = true;
     std::signal(signal, SIG_DFL);
-}
-
-std::string shellQuoted(const std::string& word) {
-    const auto plain = [](unsigned char c) { return std::isalnum(c) || std::strchr("-_./,:=+@%", c); };
-    if (!word.empty() && std::all_of(word.begin(), word.end(), plain)) return word;
-    std::string out = "'";
-    for (const char c : word) out += c == '\'' ? "'\\''" : std::string(1, c);
-    return out + '\'';
 }
 
 /// Columns that a terminal needs for UTF-8 text without wide characters.
@@ -114,6 +107,14 @@ std::string robotKind(const Log& log) {
     return log.synthetic ? "reference-robot" : "";
 }
 
+std::string shellQuoted(const std::string& word) {
+    const auto plain = [](unsigned char c) { return std::isalnum(c) || std::strchr("-_./,:=+@%", c); };
+    if (!word.empty() && std::all_of(word.begin(), word.end(), plain)) return word;
+    std::string out = "'";
+    for (const char c : word) out += c == '\'' ? "'\\''" : std::string(1, c);
+    return out + '\'';
+}
+
 std::string commandLine() { return givenCommandLine; }
 
 void rememberCommandLine(int argc, char** argv) {
@@ -126,8 +127,10 @@ bool wasInterrupted() { return interruptSeen; }
 
 ProgressLine::ProgressLine(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
 
-ProgressLine::~ProgressLine() {
-    if (shown_) std::fputs("\r\033[K", stderr);
+ProgressLine::~ProgressLine() { clear(); }
+
+void ProgressLine::clear() {
+    if (std::exchange(shown_, false)) std::fputs("\r\033[K", stderr);
 }
 
 void ProgressLine::show(const std::string& text) {

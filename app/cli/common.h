@@ -66,6 +66,9 @@ Expected<std::shared_ptr<const LearnedMotion>> openNetwork(const std::string& pa
 /// The kind of robot that a log's format tells; "" where it tells none.
 std::string robotKind(const Log& log);
 
+/// A word as a shell takes it for one.
+std::string shellQuoted(const std::string& word);
+
 /// The command line as it can be typed again.
 std::string commandLine();
 void rememberCommandLine(int argc, char** argv);
@@ -84,6 +87,7 @@ public:
     ProgressLine& operator=(const ProgressLine&) = delete;
 
     void show(const std::string& text);
+    void clear();                                ///< before anything else is printed
     bool terminal() const { return terminal_; }  ///< without one, few lines are wanted
 
 private:

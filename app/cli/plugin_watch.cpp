@@ -2,9 +2,10 @@
 
 #include <array>
 #include <atomic>
-#include <chrono>
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <ctime>
 #include <memory>
 #include <mutex>
 #include <string_view>
@@ -12,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include <poll.h>
+#include <semaphore.h>
 #include <unistd.h>
 
 #include "common.h"
@@ -120,13 +123,23 @@ Activity& activityOfThisThread() {
     return *current;
 }
 
-/// Ends the program, where this thread runs a plug-in, by naming it.
-void endIfInPlugin(std::string_view what, std::string_view more) {
-    const std::string* const who = current != nullptr ? current->who.load() : nullptr;
-    if (who == nullptr) return;
-    say(*who, current->tick.load(), what, more);
+std::atomic<bool> ending{false};
+
+[[noreturn]] void saveAndEnd() {
+    ending = true;
+    const std::lock_guard lock(actionMutex);
+    if (endAction) endAction();
     ::_exit(failure);
 }
+
+/// Names the plug-in that this thread runs, if it does.
+bool sayIfInPlugin(std::string_view what, std::string_view more) {
+    const std::string* const who = current != nullptr ? current->who.load() : nullptr;
+    if (who != nullptr) say(*who, current->tick.load(), what, more);
+    return who != nullptr;
+}
+
+sem_t crashes;  ///< how many threads wait in a signal handler for the end
 
 struct FatalSignal {
     int number;
@@ -142,13 +155,36 @@ std::array<FatalSignal, 5> fatalSignals{{{SIGSEGV, " (segmentation fault)", {}},
 extern "C" void onFatalSignal(int number) {
     for (const FatalSignal& fatal : fatalSignals) {
         if (fatal.number != number) continue;
-        endIfInPlugin(" crashed", fatal.meaning);
-        // Not a plug-in's: what would have happened happens now.
+        if (sayIfInPlugin(" crashed", fatal.meaning)) {
+            // A handler may do hardly anything: the watch saves and ends, unless what crashed has broken that, too.
+            ::sem_post(&crashes);
+            constexpr int mostWait = 5000;  // ms
+            ::poll(nullptr, 0, mostWait);
+            ::_exit(failure);
+        }
+        if (ending) ::_exit(failure);
+        // Not a plug-in's: what would have happened happens when this returns.
         ::sigaction(number, &fatal.before, nullptr);
+        ::raise(number);
     }
 }
 
-void onExit() { endIfInPlugin(" ended the program", ""); }
+void onExit() {
+    if (sayIfInPlugin(" ended the program", "")) saveAndEnd();
+}
+
+/// Whether a thread crashed in so many seconds.
+bool crashedWithin(double seconds) {
+    timespec until{};
+    ::clock_gettime(CLOCK_MONOTONIC, &until);
+    const auto nanoseconds = static_cast<std::int64_t>(seconds * 1e9) + until.tv_nsec;
+    until.tv_sec += nanoseconds / 1'000'000'000;
+    until.tv_nsec = nanoseconds % 1'000'000'000;
+    int waited = 0;
+    do waited = ::sem_clockwait(&crashes, CLOCK_MONOTONIC, &until);
+    while (waited != 0 && errno == EINTR);
+    return waited == 0;
+}
 
 /// Counts its own rounds and not the time, so that a program that was stopped for a while is not taken for stuck.
 void watch(double limit) {
@@ -159,16 +195,14 @@ void watch(double limit) {
     };
     std::vector<Seen> seen(activities.size());
     for (;;) {
-        std::this_thread::sleep_for(std::chrono::duration<double>(limit / rounds));
+        if (crashedWithin(limit / rounds)) saveAndEnd();
         for (std::size_t i = 0; i < activities.size(); ++i) {
             const std::string* const who = activities[i].who.load();
             const std::uint64_t count = activities[i].count.load();
             seen[i] = {count, who != nullptr && count == seen[i].count ? seen[i].rounds + 1 : 0};
             if (who == nullptr || seen[i].rounds <= rounds) continue;
             say(*who, activities[i].tick.load(), " does not return", "");
-            const std::lock_guard lock(actionMutex);
-            if (endAction) endAction();
-            ::_exit(failure);
+            saveAndEnd();
         }
     }
 }
@@ -202,6 +236,7 @@ private:
 void startPluginWatch(double limit) {
     static bool started = false;
     if (std::exchange(started, true)) return;
+    ::sem_init(&crashes, 0, 0);
     struct sigaction action {};
     action.sa_handler = onFatalSignal;
     action.sa_flags = SA_ONSTACK;

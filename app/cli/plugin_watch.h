@@ -12,8 +12,8 @@ namespace mrose::cli {
 /// calls do nothing.
 void startPluginWatch(double limit);
 
-/// What is done when a plug-in does not return, before the program ends: to save what is safe. It runs while the
-/// thread that the plug-in holds up stays where it is.
+/// What is done before the program ends because of a plug-in: to save what is safe. It runs in a thread of its own
+/// while the one that the plug-in holds up, or crashed in, stays where it is.
 void beforePluginEndsProgram(std::function<void()> action);
 
 /// Watches what is done with the plug-in called `who` while it lives.

@@ -20,6 +20,13 @@ struct RunCommandFlags {
     bool overwrite = false, endOnFault = false, checkRewind = false;
 };
 
+/// "1300", "0.52"
+std::string factorText(double factor) {
+    char text[40];
+    std::snprintf(text, sizeof text, factor < 9.95 ? "%.2g" : "%.0f", factor);
+    return text;
+}
+
 /// Keeps a run at a speed, writes its recording and shows how far it is.
 class Conductor {
 public:
@@ -38,37 +45,47 @@ public:
 
     /// False: the run ends here.
     bool after(const WorldState& state, const StepTrace& trace) {
-        if (writer_) record(state, trace);
+        if (writer_) {
+            writer_->add(state, trace);
+            if (!writer_->state()) giveUpRecording();
+        }
         keepPace(state.tick);
-        if (const auto now = Clock::now(); now >= nextFlush_) {
-            nextFlush_ = now + std::chrono::seconds(1);
+        const Clock::time_point now = Clock::now();
+        if (now >= nextFlushed_) {
+            nextFlushed_ = now + std::chrono::seconds(1);
             flush();
         }
-        if (Clock::now() >= nextShown_) show(state.tick);
+        if (now >= nextShown_) show(state.tick);
         return !wasInterrupted();
     }
 
-    Expected<void> close(const WorldState& last) {
-        if (!writer_) return {};
-        writer_->keep(last);
-        return writer_->close();
+    /// Ends the recording; `last` is the run's last state, where it has one. False: something has gone wrong with it,
+    /// and that was said.
+    bool close(const WorldState* last) {
+        line_.clear();
+        if (writer_) {
+            if (last != nullptr) writer_->keep(*last);
+            if (const auto closed = writer_->close(); !closed) sayLost(closed.error(), "");
+            writer_.reset();
+        }
+        return !lost_;
     }
     void flush() {
         if (writer_) writer_->flush();
     }
     double wallSeconds() const { return std::chrono::duration<double>(Clock::now() - began_).count(); }
 
-    /// False: what is recorded ends before the run does, as was said when that happened.
-    bool recording() const { return !lost_; }
-
 private:
-    void record(const WorldState& state, const StepTrace& trace) {
-        writer_->add(state, trace);
-        if (writer_->state() || lost_) return;
+    void giveUpRecording() {
+        line_.clear();
+        sayLost(writer_->state().error(), "; the run goes on, and its recording ends here");
+        writer_.reset();
+    }
+
+    void sayLost(Error error, const std::string& more) {
+        error.cause += more;
+        report(error);
         lost_ = true;
-        Error why = writer_->state().error();
-        why.cause += "; the run goes on, and its recording ends here";
-        report(why);
     }
 
     void keepPace(std::int64_t tick) {
@@ -82,8 +99,8 @@ private:
         nextShown_ = Clock::now() + (line_.terminal() ? std::chrono::milliseconds(200) : std::chrono::seconds(10));
         const double simulated = static_cast<double>(tick) * tick_;
         char text[160];
-        std::snprintf(text, sizeof text, "%.1f of %.1f s, %.0f x real time", simulated,
-                      static_cast<double>(ticks_) * tick_, simulated / wallSeconds());
+        std::snprintf(text, sizeof text, "%.1f of %.1f s, %s x real time", simulated,
+                      static_cast<double>(ticks_) * tick_, factorText(simulated / wallSeconds()).c_str());
         line_.show(text);
     }
 
@@ -92,34 +109,48 @@ private:
     double tick_;
     std::int64_t ticks_;
     std::optional<RecordingWriter> writer_;
-    bool lost_ = false;
-    Clock::time_point began_ = Clock::now(), nextShown_ = began_ + std::chrono::seconds(1), nextFlush_ = nextShown_;
+    bool lost_ = false;  ///< the recording
+    Clock::time_point began_ = Clock::now(), nextShown_ = began_ + std::chrono::seconds(1), nextFlushed_ = nextShown_;
 };
 
-void print(const Scenario& scenario, const RunCommandFlags& flags, const CommonFlags& common, const RunResult& result,
+void printJson(const Scenario& scenario, const RunCommandFlags& flags, const RunResult& result, bool recorded) {
+    nlohmann::json json = statisticsJson(scenario, result.statistics);
+    json["scenario"] = scenario.parts().name;
+    json["trial"] = flags.run.trial;
+    json["seed"] = result.state.seed;
+    json["end"] = name(result.end);
+    json["time_s"] = toSeconds(result.state.tick * scenario.scene().tickLength);
+    json["world_hash"] = hexadecimal(hashOf(result.state).world);
+    if (recorded) json["recording"] = flags.record;
+    std::puts(json.dump(2).c_str());
+}
+
+const char* endText(RunEnd end) {
+    switch (end) {
+        case RunEnd::condition:
+            return ", ended by the condition";
+        case RunEnd::fault:
+            return ", ended by a fault";
+        case RunEnd::rewind:
+            return ", ended because it cannot be taken back";
+        case RunEnd::stopped:
+            return ", interrupted";
+        case RunEnd::duration:
+            break;
+    }
+    return "";
+}
+
+void print(const Scenario& scenario, const RunCommandFlags& flags, const RunResult& result, bool recorded,
            double wall) {
     const double simulated = toSeconds(result.state.tick * scenario.scene().tickLength);
-    const std::string hash = hexadecimal(hashOf(result.state).world);
-    if (common.json) {
-        nlohmann::json json = statisticsJson(scenario, result.statistics);
-        json["scenario"] = scenario.parts().name;
-        json["seed"] = result.state.seed;
-        json["end"] = name(result.end);
-        json["time_s"] = simulated;
-        json["world_hash"] = hash;
-        if (!flags.record.empty()) json["recording"] = flags.record;
-        return void(std::puts(json.dump(2).c_str()));
-    }
-    const char* const why = result.end == RunEnd::condition ? ", ended by the condition"
-                            : result.end == RunEnd::fault   ? ", ended by a fault"
-                            : result.end == RunEnd::rewind  ? ", ended because it cannot be taken back"
-                            : result.end == RunEnd::stopped ? ", interrupted"
-                                                            : "";
-    std::printf("%s, seed %llu: %.2f s%s; state %s\n", scenario.parts().name.c_str(),
-                static_cast<unsigned long long>(result.state.seed), simulated, why, hash.c_str());
-    std::fputs(statisticsText(scenario, result.statistics).c_str(), stdout);
-    if (!common.quiet) std::printf("%.0f x real time\n", simulated / wall);
-    if (!flags.record.empty()) std::printf("recorded in %s\n", flags.record.c_str());
+    const std::string trial = flags.run.trial > 0 ? ", trial " + std::to_string(flags.run.trial) : "";
+    std::printf("%s%s, seed %llu: %.2f s%s", scenario.parts().name.c_str(), trial.c_str(),
+                static_cast<unsigned long long>(result.state.seed), simulated, endText(result.end));
+    if (wall > 0) std::printf(" (%s x real time)", factorText(simulated / wall).c_str());
+    std::printf("\n%s", statisticsText(scenario, result.statistics).c_str());
+    std::printf("state %s\n", hexadecimal(hashOf(result.state).world).c_str());
+    if (recorded) std::printf("recorded in %s\n", flags.record.c_str());
 }
 
 /// What --check-rewind found in the tick that led to `tick`.
@@ -148,12 +179,15 @@ int runScenario(const RunCommandFlags& flags, const CommonFlags& common) {
     beforePluginEndsProgram([&] { conductor.flush(); });
     const auto result = run(scenario, initial, options);
     beforePluginEndsProgram({});
+    const bool kept = conductor.close(result ? &result->state : nullptr);
     if (!result) return report(result.error());
-    const auto closed = conductor.close(result->state);
-    print(scenario, flags, common, *result, conductor.wallSeconds());
-    if (!closed) return conductor.recording() ? report(closed.error()) : failure;
+    const bool recorded = kept && !flags.record.empty();
+    if (common.json)
+        printJson(scenario, flags, *result, recorded);
+    else
+        print(scenario, flags, *result, recorded, common.quiet ? 0 : conductor.wallSeconds());
     for (const RewindDifference& hidden : result->hidden) report(hiddenError(scenario, hidden, result->state.tick));
-    const bool failed = result->end == RunEnd::fault || result->end == RunEnd::rewind;
+    const bool failed = !kept || result->end == RunEnd::fault || result->end == RunEnd::rewind;
     return result->end == RunEnd::stopped ? interrupted : failed ? failure : success;
 }
 

@@ -46,16 +46,15 @@ std::string statisticsText(const Scenario& scenario, const RunStatistics& statis
     const Scene& scene = scenario.scene();
     std::string text;
     char line[200];
-    for (std::size_t g = 0; g < statistics.goals.size(); ++g) {
-        std::snprintf(line, sizeof line, "goals in %s: %d\n", scene.environment.goals[g].name.c_str(),
-                      statistics.goals[g]);
-        text += line;
-    }
-    std::snprintf(line, sizeof line, "touches: %lld; kicks: %lld, of which %lld met a ball\n",
+    for (std::size_t g = 0; g < statistics.goals.size(); ++g)
+        text += (g == 0 ? "goals: " : ", ") + std::to_string(statistics.goals[g]) + " in " +
+                scene.environment.goals[g].name;
+    if (!text.empty()) text += '\n';
+    std::snprintf(line, sizeof line, "touches: %lld; kicks: %lld, %lld of them on a ball\n",
                   static_cast<long long>(statistics.touches), static_cast<long long>(statistics.kicks),
                   static_cast<long long>(statistics.hits));
     text += line;
-    TextTable table({"", "driven m"});
+    TextTable table({"", "driven, m"});
     for (std::size_t i = 0; i < statistics.driven.size(); ++i) {
         std::snprintf(line, sizeof line, "%.2f", statistics.driven[i]);
         table.add({bodyName(scene, i), line});

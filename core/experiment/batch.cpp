@@ -1,7 +1,6 @@
 #include "experiment/batch.h"
 
 #include <atomic>
-#include <cstdio>
 #include <mutex>
 #include <optional>
 #include <vector>
@@ -10,77 +9,42 @@
 #include "experiment/results_file.h"
 #include "experiment/run.h"
 #include "experiment/variation.h"
-#include "io/file.h"
-#include "io/number_text.h"
 #include "learning/parallel_for.h"
-#include "world/state_hash.h"
 
 namespace mrose {
 namespace {
 
-std::string hexadecimal(std::uint64_t value) {
-    char text[17];
-    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
-    return text;
-}
-
-/// A cell that may hold commas and quotes, on one line.
-std::string cell(const std::string& text) {
-    std::string out = "\"";
-    for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c < ' ' && c >= 0 ? ' ' : c);
-    return out + '"';
-}
-
-std::string shellQuoted(const std::string& word) {
-    std::string out = "'";
-    for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return out + '\'';
-}
-
-std::string headerLine(const Scene& scene) {
-    std::string line = "trial,seed,end,time_s,touches,kicks,hits,faults,driven_m";
-    for (const Goal& goal : scene.environment.goals) line += ',' + cell("goals " + goal.name);
-    return line + ",world_hash,command,first_fault";
-}
-
-std::string rowOf(const BatchOptions& options, const RunKey& key, const RunResult& result, Nanoseconds tick) {
-    double driven = 0;
-    for (const double d : result.statistics.driven) driven += d;
-    const RunStatistics& s = result.statistics;
-    std::string line = std::to_string(key.trial) + ',' + std::to_string(key.seed) + ',' + name(result.end) + ',' +
-                       numberText(toSeconds(result.state.tick * tick)) + ',' + std::to_string(s.touches) + ',' +
-                       std::to_string(s.kicks) + ',' + std::to_string(s.hits) + ',' + std::to_string(s.faults) + ',' +
-                       numberText(driven);
-    for (const std::int32_t goals : s.goals) line += ',' + std::to_string(goals);
-    std::string command = options.command + " --trial " + std::to_string(key.trial) + " --seed " +
-                          std::to_string(key.seed) + " --duration " + numberText(toSeconds(options.duration));
-    if (!options.until.empty()) command += " --until " + shellQuoted(options.until);
-    return line + ',' + hexadecimal(hashOf(result.state).world) + ',' + cell(command) + ',' + cell(s.firstFault);
+/// -1 where they are too many.
+std::int64_t runsOf(const BatchOptions& options) {
+    const std::uint64_t more = options.lastSeed - options.firstSeed;
+    if (more >= static_cast<std::uint64_t>(mostRuns)) return -1;
+    const std::int64_t runs = static_cast<std::int64_t>(more + 1) * options.trials;
+    return runs > mostRuns ? -1 : runs;
 }
 
 /// Runs of one batch, on any thread.
 class BatchRunner {
 public:
     BatchRunner(const ScenarioParts& parts, const BatchOptions& options, ResultsFile& file)
-        : parts_(parts), options_(options), file_(file) {}
+        : parts_(parts), options_(options), file_(file), runs_(runsOf(options)) {}
 
     Expected<BatchSummary> runAll() {
         std::vector<RunKey> missing;
         for (std::uint32_t t = 0; t < options_.trials; ++t)
-            for (std::uint64_t seed = options_.firstSeed; seed <= options_.lastSeed; ++seed)
-                if (const RunKey key{options_.firstTrial + t, seed}; !file_.has(key)) missing.push_back(key);
-        const auto seeds = static_cast<std::int64_t>(options_.lastSeed - options_.firstSeed + 1);
-        summary_.runs = options_.trials * seeds;
-        summary_.resumed = summary_.runs - static_cast<std::int64_t>(missing.size());
-        done_ = summary_.resumed;
+            for (std::uint64_t i = 0; i <= options_.lastSeed - options_.firstSeed; ++i)
+                if (const RunKey key{options_.firstTrial + t, options_.firstSeed + i}; !file_.has(key))
+                    missing.push_back(key);
+        done_ = runs_ - static_cast<std::int64_t>(missing.size());
+        BatchSummary summary{runs_, done_, ResultsSummary(parts_.scene)};
         parallelFor(missing.size(), [&](std::size_t i) {
             if (!stop_) runOne(missing[i]);
         });
         if (error_) return tl::unexpected(*error_);
-        summary_.complete = done_ == summary_.runs;
-        if (summary_.complete)
+        for (const auto& [key, row] : file_.rows()) summary.results.add(row);
+        summary.complete = done_ == runs_;
+        if (summary.complete)
             if (const auto finished = file_.finish(); !finished) return tl::unexpected(finished.error());
-        return summary_;
+        return summary;
     }
 
 private:
@@ -97,6 +61,9 @@ private:
         RunOptions options;
         options.duration = options_.duration;
         options.until = until ? &*until : nullptr;
+        options.each = [this](const WorldState&, const StepTrace&) {
+            return !stop_ && (!options_.goesOn || options_.goesOn());
+        };
         return run(scenario, scenario.initialState(key.seed), options);
     }
 
@@ -105,14 +72,16 @@ private:
         const std::lock_guard lock(mutex_);
         if (stop_) return;
         if (!result) return fail(result.error());
-        if (const auto kept = file_.add(key, rowOf(options_, key, *result, parts_.scene.tickLength)); !kept)
+        if (result->end == RunEnd::stopped) return stopAll();
+        const std::string command =
+            options_.command + " --trial " + std::to_string(key.trial) + " --seed " + std::to_string(key.seed);
+        if (const auto kept = file_.add(key, resultsRow(key, *result, parts_.scene.tickLength, command)); !kept)
             return fail(kept.error());
-        summary_.ended += result->end == RunEnd::condition ? 1 : 0;
-        summary_.faulty += result->statistics.faults > 0 ? 1 : 0;
         ++done_;
-        if (options_.progress && !options_.progress(done_, summary_.runs)) stop_ = true;
+        if (options_.progress) options_.progress(done_, runs_);
     }
 
+    void stopAll() { stop_ = true; }
     void fail(const Error& error) {
         error_ = error;
         stop_ = true;
@@ -123,25 +92,28 @@ private:
     ResultsFile& file_;
     std::mutex mutex_;
     std::atomic<bool> stop_{false};
-    std::int64_t done_ = 0;
-    BatchSummary summary_;
+    std::int64_t runs_, done_ = 0;
     std::optional<Error> error_;
 };
 
-std::string identity(const BatchOptions& options) {
-    return "scenario " + options.scenarioHash + "\nduration " + numberText(toSeconds(options.duration)) + "\nuntil " +
-           options.until + "\ntrials " + std::to_string(options.firstTrial) + " " + std::to_string(options.trials) +
-           "\nseeds " + std::to_string(options.firstSeed) + " " + std::to_string(options.lastSeed) + '\n';
+std::string identityOf(const BatchOptions& options) {
+    return options.identity + '\n' + options.command + "\ntrials " + std::to_string(options.firstTrial) + " and " +
+           std::to_string(options.trials - 1) + " more\nseeds " + std::to_string(options.firstSeed) + " to " +
+           std::to_string(options.lastSeed) + '\n';
 }
 
 }  // namespace
 
 Expected<BatchSummary> runBatch(const ScenarioParts& parts, const BatchOptions& options,
                                 const std::filesystem::path& folder) {
+    if (runsOf(options) < 0)
+        return fail("", std::to_string(options.trials) + " trials with " +
+                            std::to_string(options.lastSeed - options.firstSeed + 1) +
+                            " seeds each are too many runs; expected at most " + std::to_string(mostRuns));
     if (!options.until.empty())  // wrong conditions are told before any run
         if (const auto compiled = compileCondition(options.until, Scenario(parts)); !compiled)
             return tl::unexpected(compiled.error());
-    auto file = ResultsFile::open(folder, identity(options), headerLine(parts.scene));
+    auto file = ResultsFile::open(folder, identityOf(options), resultsHeader(parts.scene));
     if (!file) return tl::unexpected(file.error());
     return BatchRunner(parts, options, *file).runAll();
 }

@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 
+#include "experiment/results_row.h"
 #include "io/error.h"
 #include "scenario/scenario.h"
 
@@ -16,27 +17,31 @@ struct BatchOptions {
     std::uint64_t firstSeed = 1, lastSeed = 1;
     Nanoseconds duration = 60 * nanosecondsPerSecond;
     std::string until;  ///< a condition that ends a run; empty: none
-    /// What the rows' commands begin with: "mrose run soccer.toml".
+    /// What the rows' commands begin with; " --trial 3 --seed 7" follows: all else that a run depends on is in it.
     std::string command = "mrose run";
-    /// Identifies the scenario: a folder with results of another one is refused.
-    std::string scenarioHash;
-    /// Told how many runs are done of how many, from any thread, one at a time; false ends the batch, and what is done
-    /// stays. May be empty.
-    std::function<bool(std::int64_t, std::int64_t)> progress = {};
+    /// What the command does not tell of what runs depend on: a hash of the scenario, the program's version. A folder
+    /// with results of another command or identity is refused.
+    std::string identity;
+    /// Told how many runs are done of how many, from any thread, one at a time. May be empty.
+    std::function<void(std::int64_t, std::int64_t)> progress = {};
+    /// Asked after every tick, from any thread; false ends the batch, and runs that are done stay. May be empty.
+    std::function<bool()> goesOn = {};
 };
+
+/// More runs than this are refused.
+constexpr std::int64_t mostRuns = 10'000'000;
 
 struct BatchSummary {
     std::int64_t runs = 0;     ///< in all
     std::int64_t resumed = 0;  ///< of them found done
-    std::int64_t ended = 0;    ///< by the condition
-    std::int64_t faulty = 0;   ///< with faults
+    ResultsSummary results;    ///< of all that are done now
     bool complete = false;     ///< results.csv is there
 };
 
 /// Runs what is not done yet and keeps each run's row at once in `folder`/results.part.csv, so that after a kill
 /// nothing is repeated and no row lost; when all are done, results.csv has them in order. It is the same for any number
-/// of threads (oneTBB's, as the caller limits them). Error: the folder belongs to another batch, cannot be written, or
-/// the scenario or the condition is wrong.
+/// of threads (oneTBB's, as the caller limits them). Error: too many runs; the folder belongs to another batch, is in
+/// use by one, or cannot be written; the scenario or the condition is wrong.
 Expected<BatchSummary> runBatch(const ScenarioParts& parts, const BatchOptions& options,
                                 const std::filesystem::path& folder);
 

@@ -5,8 +5,10 @@
 #include <cstring>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include "io/file.h"
@@ -45,10 +47,12 @@ ResultsFile::ResultsFile(ResultsFile&& other) noexcept
     : folder_(std::move(other.folder_)),
       header_(std::move(other.header_)),
       rows_(std::move(other.rows_)),
-      descriptor_(std::exchange(other.descriptor_, -1)) {}
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      lock_(std::exchange(other.lock_, -1)) {}
 
 ResultsFile::~ResultsFile() {
     if (descriptor_ >= 0) ::close(descriptor_);
+    if (lock_ >= 0) ::close(lock_);
 }
 
 Expected<ResultsFile> ResultsFile::open(const std::filesystem::path& folder, const std::string& identity,
@@ -56,16 +60,22 @@ Expected<ResultsFile> ResultsFile::open(const std::filesystem::path& folder, con
     std::error_code failed;
     std::filesystem::create_directories(folder, failed);
     if (failed) return fail(folder.string(), failed.message());
+    ResultsFile file(folder, header);
     const std::filesystem::path batch = folder / "batch.txt";
     if (std::filesystem::exists(batch)) {
         const auto before = readFile(batch);
         if (!before) return tl::unexpected(before.error());
         if (*before != identity)
             return fail(folder.string(), "holds results of another batch; expected an empty folder, or the same batch");
+    } else if (std::filesystem::exists(folder / "results.csv") || std::filesystem::exists(file.part())) {
+        return fail(folder.string(), "holds results of no batch; expected an empty folder");
     } else if (const auto written = writeFileAtomically(batch, identity); !written) {
         return tl::unexpected(written.error());
     }
-    ResultsFile file(folder, header);
+    file.lock_ = ::open(batch.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file.lock_ < 0) return systemError(batch);
+    if (::flock(file.lock_, LOCK_EX | LOCK_NB) != 0)
+        return fail(folder.string(), "another mrose batch is at work in it");
     for (const std::filesystem::path& path : {folder / "results.csv", file.part()})
         if (std::filesystem::exists(path))
             if (const auto read = file.readRows(path); !read) return tl::unexpected(read.error());

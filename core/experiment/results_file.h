@@ -24,7 +24,8 @@ struct RunKey {
 class ResultsFile {
 public:
     /// Opens a folder, made where it is missing, with the rows that an earlier call has left. A row cut off by a kill
-    /// is dropped. Error: what the system says; the folder belongs to another batch.
+    /// is dropped. `identity` is the batch's; an open one has the folder for itself. Error: what the system says; the
+    /// folder belongs to another batch or to none, or is in use.
     static Expected<ResultsFile> open(const std::filesystem::path& folder, const std::string& identity,
                                       const std::string& header);
     ~ResultsFile();
@@ -32,7 +33,8 @@ public:
     ResultsFile& operator=(ResultsFile&&) = delete;
 
     bool has(const RunKey& key) const { return rows_.contains(key); }
-    /// `row` begins with trial and seed; it is on the disk when this returns.
+    const std::map<RunKey, std::string>& rows() const { return rows_; }
+    /// `row` begins with trial and seed, and is one line; after this a kill does not lose it.
     Expected<void> add(const RunKey& key, const std::string& row);
     /// Writes results.csv and removes results.part.csv.
     Expected<void> finish();
@@ -46,7 +48,7 @@ private:
     std::filesystem::path folder_;
     std::string header_;
     std::map<RunKey, std::string> rows_;
-    int descriptor_ = -1;
+    int descriptor_ = -1, lock_ = -1;
 };
 
 }  // namespace mrose

@@ -96,7 +96,7 @@ std::string PluginProcess::failure(MessageChannel::Outcome outcome, double limit
 
 std::string PluginProcess::howItEnded() {
     // The socket closes a moment before the process is gone.
-    constexpr int moment = 1000;  // ms
+    constexpr int moment = 10'000;  // ms, on a busy machine
     if (const auto descriptor = static_cast<int>(::syscall(SYS_pidfd_open, child_, 0)); descriptor >= 0) {
         pollfd waiting{descriptor, POLLIN, 0};
         ::poll(&waiting, 1, moment);

@@ -29,7 +29,6 @@ Expected<Writer> Writer::create(const std::filesystem::path& path, bool overwrit
     appendText(header, "");
     appendText(header, library);
     file->write(std::string(magic) + record(Kind::header, header));
-    if (!file->state()) return tl::unexpected(file->state().error());
     return Writer(std::move(*file));
 }
 

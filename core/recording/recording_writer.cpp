@@ -35,7 +35,12 @@ Expected<RecordingWriter> RecordingWriter::create(const std::filesystem::path& p
     writer.writeHeader(headerOf(scenario, initial, descriptions, commandLine, options.origin));
     writer.startBranch(0, initial, "");
     writer.flush();
-    if (!writer.state()) return tl::unexpected(writer.state().error());
+    if (!writer.state()) {
+        // No recording yet: it must not stand in the way of the next try.
+        std::error_code ignored;
+        if (std::filesystem::is_regular_file(path, ignored)) std::filesystem::remove(path, ignored);
+        return tl::unexpected(writer.state().error());
+    }
     return writer;
 }
 

@@ -143,7 +143,7 @@ ControllerSetting plugin(const Context& context) {
     if (loaded) return {std::move(*loaded)};
     const Error& error = loaded.error();
     if (error.key.empty())
-        table.adopt(error);
+        table.reject("library", error.message());
     else
         options.reject(error.key, error.cause);
     return {};

@@ -27,7 +27,8 @@ Expected<const DescriptionLibrary::File*> DescriptionLibrary::file(const std::st
         auto found = open(candidate);
         if (!found || *found != nullptr) return found;
     }
-    return fail(source_.shown(name), "does not exist, nor does " + source_.shown(shipped));
+    return fail(source_.shown(name),
+                "does not exist" + (shipped == name ? "" : ", nor does " + source_.shown(shipped)));
 }
 
 const DescriptionLibrary::File* DescriptionLibrary::file(TomlTable& table, std::string_view key,

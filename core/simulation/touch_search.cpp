@@ -1,7 +1,6 @@
 #include "simulation/touch_search.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 namespace mrose {
@@ -17,11 +16,6 @@ double sagOf(const SweptBody& body) {
 }
 
 constexpr std::uint32_t notPlaced = 0xffffffff;
-
-std::size_t hashOf(std::int32_t column, std::int32_t row, std::size_t mask) {
-    const auto mixed = static_cast<std::uint32_t>(column) * 0x9E3779B1U ^ static_cast<std::uint32_t>(row) * 0x85EBCA77U;
-    return (mixed ^ (mixed >> 15)) & mask;
-}
 
 }  // namespace
 
@@ -90,35 +84,57 @@ void TouchSearch::findNear(std::span<const SweptBody> bodies) {
         for (std::uint32_t b = a + 1; b < count; ++b) consider(bodies, a, b);
 }
 
+TouchSearch::Axis TouchSearch::axisOf(double Reach::*coordinate) const {
+    const auto count = static_cast<double>(reaches_.size());
+    double mean = 0, variance = 0, least = reaches_[0].*coordinate, most = least;
+    for (const Reach& reach : reaches_) mean += reach.*coordinate / count;
+    for (const Reach& reach : reaches_) {
+        const double value = reach.*coordinate;
+        variance += (value - mean) * (value - mean) / count;
+        least = std::min(least, value);
+        most = std::max(most, value);
+    }
+    const double spread = 3 * std::sqrt(variance);
+    return {std::max(least, mean - spread), std::min(most, mean + spread)};
+}
+
+/// Cells are so wide that bodies of one touch only those of it and of its neighbours, and so many that each has few
+/// bodies. Who is far from all others counts for the cell at the grid's edge, which keeps neighbours neighbours.
 void TouchSearch::findNearInGrid(std::span<const SweptBody> bodies) {
     double widest = 0;
-    for (const SweptBody& body : bodies) widest = std::max(widest, body.shape->reach + body.travel);
-    const double perCell = 1 / (2 * widest + margin);
-    const std::size_t mask = std::bit_ceil(bodies.size()) - 1;
-    cells_.resize(bodies.size());
-    begins_.assign(mask + 2, 0);
-    const auto cellOf = [&](double x) {
-        return static_cast<std::int32_t>(std::floor(std::clamp(x * perCell, -1e9, 1e9)));
+    for (const Reach& reach : reaches_) widest = std::max(widest, reach.radius);
+    const Axis x = axisOf(&Reach::x), y = axisOf(&Reach::y);
+    const double width = x.most - x.least, height = y.most - y.least;
+    const double mostCells = 4 * static_cast<double>(bodies.size());
+    const double side =
+        std::max({2 * widest, std::sqrt(width * height / mostCells), width / mostCells, height / mostCells});
+    const auto columns = static_cast<std::size_t>(width / side) + 1, rows = static_cast<std::size_t>(height / side) + 1;
+    const auto cellOn = [&](const Axis& axis, double value, std::size_t count) {
+        const double cell = (value - axis.least) / side;
+        return static_cast<std::size_t>(std::min(std::max(0.0, cell), static_cast<double>(count - 1)));
     };
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        cells_[i] = {cellOf(bodies[i].pose.x), cellOf(bodies[i].pose.y)};
-        ++begins_[hashOf(cells_[i].column, cells_[i].row, mask) + 1];
+    cells_.clear();
+    begins_.assign(columns * rows + 1, 0);
+    for (const Reach& reach : reaches_) {
+        const std::size_t cell = cellOn(y, reach.y, rows) * columns + cellOn(x, reach.x, columns);
+        cells_.push_back(static_cast<std::uint32_t>(cell));
+        ++begins_[cell];
     }
     for (std::size_t i = 1; i < begins_.size(); ++i) begins_[i] += begins_[i - 1];
     order_.resize(bodies.size());
-    for (std::size_t i = bodies.size(); i-- > 0;)
-        order_[--begins_[hashOf(cells_[i].column, cells_[i].row, mask) + 1]] = static_cast<std::uint32_t>(i);
-    // Filling from the back has moved each begin to where its bucket begins, one place on.
-    const auto bucket = [&](std::size_t hash) {
-        const std::size_t begin = begins_[hash + 1],
-                          end = hash + 2 < begins_.size() ? begins_[hash + 2] : order_.size();
-        return std::span(order_).subspan(begin, end - begin);
-    };
-    for (std::uint32_t a = 0; a < bodies.size(); ++a)
-        for (std::int32_t row = cells_[a].row - 1; row <= cells_[a].row + 1; ++row)
-            for (std::int32_t column = cells_[a].column - 1; column <= cells_[a].column + 1; ++column)
-                for (const std::uint32_t b : bucket(hashOf(column, row, mask)))
-                    if (b > a && cells_[b] == Cell{column, row}) consider(bodies, a, b);
+    // Filling from the back moves each cell's end to where it begins.
+    for (std::size_t i = bodies.size(); i-- > 0;) order_[--begins_[cells_[i]]] = static_cast<std::uint32_t>(i);
+    for (std::size_t k = 0; k < order_.size(); ++k) {
+        const std::uint32_t a = order_[k];
+        const std::size_t cell = cells_[a], column = cell % columns, right = column + 1 < columns ? 1 : 0;
+        const auto tryAll = [&](std::size_t from, std::size_t to) {
+            for (std::size_t i = from; i < to; ++i) consider(bodies, std::min(a, order_[i]), std::max(a, order_[i]));
+        };
+        // What lies before it has met it already: the rest of its cell and the next one, and three of the next row.
+        tryAll(k + 1, begins_[cell + right + 1]);
+        if (cell + columns + 1 < begins_.size())
+            tryAll(begins_[cell + columns - (column > 0 ? 1 : 0)], begins_[cell + columns + right + 1]);
+    }
     std::sort(bodyPairs_.begin(), bodyPairs_.end(),
               [](const Pair& p, const Pair& q) { return p.a != q.a ? p.a < q.a : p.b < q.b; });
 }

@@ -55,12 +55,13 @@ private:
     std::vector<Reach> reaches_;             ///< circles that the bodies do not leave
     std::vector<ConvexPiece> placed_;        ///< of the bodies that came near something in this search
     std::vector<std::uint32_t> placedFrom_;  ///< by body; notPlaced
-    struct Cell {
-        std::int32_t column, row;
-        bool operator==(const Cell&) const = default;
+    /// Where most bodies are, m.
+    struct Axis {
+        double least, most;
     };
-    std::vector<Cell> cells_;
-    std::vector<std::uint32_t> begins_, order_;
+    Axis axisOf(double Reach::*coordinate) const;
+
+    std::vector<std::uint32_t> cells_, begins_, order_;
 };
 
 }  // namespace mrose

@@ -119,6 +119,7 @@ TEST(ChaseBall, FreesABallFromWallsAndCorners) {
 TEST(ChaseBall, WithoutAGuideItWaitsAsideOfACorner) {
     for (const Point& ball : corners) {
         RobotType disc = discRobot(0.2);
+        disc.perception = cameras();
         const Scenario scenario =
             SmallWorld(walledField(9, 5))
                 .robot(disc, {4.5, 2.5, 0}, std::make_shared<const ChaseBall>(knowingTheWalls(false)), lateDrive())

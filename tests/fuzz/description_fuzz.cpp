@@ -37,12 +37,13 @@ name = "robot"
 shape = "x"
 mass_kg = 5
 motion = { network = "x" }
+manipulator = [{ name = "kicker", position_m = [0.1, 0], speed_mps = 3, reach_m = 0.2, width_m = 0.3, recharge_s = 0.1 }]
 )";
 
 constexpr const char* environmentText = R"(format = "mrose environment"
 version = 1
 name = "field"
-wall = [{ points_m = [[-5, -3], [5, -3], [5, 3], [-5, 3]], closed = true, thickness_m = 0.1, side = "right" }]
+wall = [{ points_m = [[-40, -20], [40, -20], [40, 20], [-40, 20]], closed = true, thickness_m = 0.1, side = "right" }]
 )";
 
 constexpr const char* smallNetwork = R"(format = "mrose motion network"
@@ -50,7 +51,7 @@ version = 1
 form = "state"
 robot_type = "x"
 synthetic = true
-robots = ["1", "b"]
+robots = ["1", "2", "3", "4", "5"]
 period_s = 0.1
 hidden = 1
 turn_offset_radps = 0.0
@@ -65,7 +66,7 @@ outputs = [
   { name = "end_v_mps", mean = 0.0, scale = 1.0 },
   { name = "end_w_radps", mean = 0.0, scale = 1.0 },
 ]
-identified = [{ robot = "b", tracker = { ahead_m = 0.0, rotated_rad = 0.0 }, v = { dead_time_s = 0.2, dead_time_error_s = 0.0, lag_s = 0.0, jitter_s = 0.0 }, w = { dead_time_s = 0.2, dead_time_error_s = 0.0, lag_s = 0.0, jitter_s = 0.0 }, delayed = { v = { dead_time_s = 0.0, lag_s = 0.0, gain = 1.0, bias = 0.0, limit = 0.0, acceleration = 0.0 }, w = { dead_time_s = 0.0, lag_s = 0.0, gain = 1.0, bias = 0.0, limit = 0.0, acceleration = 0.0 }, lateral_per_rotation_m = 0.0 }, dynamic = { v = { dead_time_s = 0.0, lag_s = 0.0, gain = 1.0, bias = 0.0, limit = 0.0, acceleration = 0.0 }, w = { dead_time_s = 0.0, lag_s = 0.0, gain = 1.0, bias = 0.0, limit = 0.0, acceleration = 0.0 }, lateral_per_rotation_m = 0.0 } }]
+identified = [{ robot = "5", tracker = { ahead_m = 0.0, rotated_rad = 0.0 }, v = { dead_time_s = 0.2, dead_time_error_s = 0.0, lag_s = 0.0, jitter_s = 0.0 }, w = { dead_time_s = 0.2, dead_time_error_s = 0.0, lag_s = 0.0, jitter_s = 0.0 }, delayed = { v = { dead_time_s = 0.0, lag_s = 0.0, gain = 1.0, bias = 0.0, limit = 0.0, acceleration = 0.0 }, w = { dead_time_s = 0.0, lag_s = 0.0, gain = 1.0, bias = 0.0, limit = 0.0, acceleration = 0.0 }, lateral_per_rotation_m = 0.0 }, dynamic = { v = { dead_time_s = 0.0, lag_s = 0.0, gain = 1.0, bias = 0.0, limit = 0.0, acceleration = 0.0 }, w = { dead_time_s = 0.0, lag_s = 0.0, gain = 1.0, bias = 0.0, limit = 0.0, acceleration = 0.0 }, lateral_per_rotation_m = 0.0 } }]
 [training]
 command = "x"
 method = "x"
@@ -97,14 +98,19 @@ public:
              {std::pair("mrose:shapes/", shapeText), std::pair("mrose:nets/", smallNetwork),
               std::pair("mrose:resources/robots/", robotText),
               std::pair("mrose:resources/environments/", environmentText)})
-            if (name.starts_with(folder)) return text;
+            if (name.starts_with(folder) && !besideARobot(name)) return text;
         return std::nullopt;
     }
-    Expected<std::optional<std::string>> excerpt(const LogExcerpt&) override {
-        return "t,v_cmd,w_cmd,x,y,heading\n0,0.1,0,,,\n1,0.2,0.3,1,2,0.5\n";
+    Expected<std::optional<std::string>> excerpt(const LogExcerpt& wanted) override {
+        // Each robot has a place of its own.
+        const std::string y = wanted.robot.empty() ? "0" : std::to_string(wanted.robot.front() % 10);
+        return "t,v_cmd,w_cmd,x,y,heading\n0,0.1,0,,,\n1,0.2,0.3,1," + y + ",0.5\n";
     }
 
 private:
+    /// What a robot file names is looked for beside it first; the robot above is alone in its folder.
+    static bool besideARobot(const std::string& name) { return name == "mrose:resources/robots/x"; }
+
     std::string_view given_;
 };
 

@@ -45,6 +45,12 @@ TEST(NumberText, IsShortAndAlwaysAFloat) {
     EXPECT_EQ(numberText(0.1f), "0.1");
     EXPECT_EQ(numberText(3.0), "3.0");
     EXPECT_EQ(numberText(-0.0), "-0.0");
+    EXPECT_EQ(numberText(100000.0), "100000.0");
+    EXPECT_EQ(numberText(-1e7f), "-10000000.0");
+    EXPECT_EQ(numberText(123456789012345.0), "123456789012345.0");
+    EXPECT_EQ(numberText(0.001), "0.001");
+    EXPECT_EQ(numberText(1e-4), "1e-04");
+    EXPECT_EQ(numberText(1e15), "1e+15");
     EXPECT_EQ(numberText(1e300), "1e+300");
     EXPECT_EQ(numberText(5e-324), "5e-324");
     EXPECT_EQ(numberText(std::numeric_limits<double>::infinity()), "inf");

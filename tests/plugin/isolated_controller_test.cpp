@@ -69,16 +69,17 @@ TEST_F(Isolation, WhatCannotBeLoadedIsSaid) {
     hasty.loadingLimit = 0.3;
     EXPECT_EQ(refusal(path, how("loop while loading"), hasty),
               path + ": its process took longer than 0.3 s while it was loaded");
-    EXPECT_EQ(refusal(path, "", {{"/none/mrose"}, 1, 1}), "/none/mrose: cannot be started: No such file or directory");
-    EXPECT_EQ(refusal(path, "", {{"/bin/true"}, 1, 10}),
+    EXPECT_EQ(refusal(path, "", {{"/none/mrose"}, 60, 60}),
+              "/none/mrose: cannot be started: No such file or directory");
+    EXPECT_EQ(refusal(path, "", {{"/bin/true"}, 60, 60}),
               path + ": its process ended with status 0 while it was loaded");
     EXPECT_EQ(
         refusal(path, "",
-                {{"/bin/sh", "-c", "head -c 4 <&3 >/dev/null; printf '\\003\\000\\000\\000abc' >&3", "sh"}, 1, 10}),
+                {{"/bin/sh", "-c", "head -c 4 <&3 >/dev/null; printf '\\003\\000\\000\\000abc' >&3", "sh"}, 60, 60}),
         path + ": its process answered what cannot be read");
     EXPECT_EQ(
         refusal(path, "",
-                {{"/bin/sh", "-c", "head -c 4 <&3 >/dev/null; printf '\\377\\377\\377\\377abc' >&3", "sh"}, 1, 10}),
+                {{"/bin/sh", "-c", "head -c 4 <&3 >/dev/null; printf '\\377\\377\\377\\377abc' >&3", "sh"}, 60, 60}),
         path + ": its process was sent or sent more than fits a message while it was loaded");
 }
 

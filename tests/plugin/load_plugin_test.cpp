@@ -6,6 +6,7 @@
 
 #include "plugin/test_plugins.h"
 #include "support/temporary_folder.h"
+#include "world/command_history.h"
 
 namespace mrose {
 namespace {
@@ -101,6 +102,25 @@ TEST(PluginLoading, WhatItThrowsWhileLoadingIsSaid) {
     EXPECT_EQ(refusal(path, how("start")), path + ": its start threw: not now");
     EXPECT_EQ(refusal(path, how("huge memory")),
               path + ": asks for 1099511627776 bytes of memory; at most 1048576 can be had");
+    // What it threw may be why nothing asked for the rest.
+    EXPECT_EQ(refusal(path, how("construction") + "more = 1\n"), path + ": its construction threw: no map?here");
+}
+
+TEST(PluginLoading, CommandsAPeriodAreWithinBounds) {
+    const auto loaded = loadPlugin(testPlugin("well_behaved"), "");
+    ASSERT_TRUE(loaded) << loaded.error().message();
+    EXPECT_EQ((*loaded)->commandsPerPeriod(10'000'000), 1u);
+    EXPECT_EQ((*loaded)->commandsPerPeriod(std::int64_t{1} << 60), CommandHistory::capacity);
+}
+
+TEST(PluginLoading, ControllerIsDestroyedWithTheLastOfItsUsers) {
+    const TemporaryFolder folder;
+    const std::filesystem::path farewell = folder.path() / "farewell";
+    auto loaded = loadPlugin(testPlugin("misbehaving"), "farewell = '" + farewell.string() + "'\n");
+    ASSERT_TRUE(loaded) << loaded.error().message();
+    EXPECT_FALSE(std::filesystem::exists(farewell));
+    loaded->reset();
+    EXPECT_TRUE(std::filesystem::exists(farewell));
 }
 
 TEST(PluginLoading, WhatItThrowsOrGivesWronglyIsAFault) {

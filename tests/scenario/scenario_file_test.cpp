@@ -41,6 +41,17 @@ TEST(ScenarioFile, GivesWhatTheFilesHold) {
     EXPECT_EQ(scene.robots[2].model, scene.robots[0].model) << "and so are models";
 }
 
+TEST(ScenarioFile, VariationIsReadInSiUnits) {
+    const auto plain = loadFrom(smallWorld());
+    ASSERT_TRUE(plain) << plain.error().message();
+    EXPECT_EQ(plain->parts.variation, Variation{});
+    const auto varied = loadFrom(changedWorld("s.toml", "kick_off = false",
+                                              "variation = { robot_position_m = 0.3, robot_heading_deg = 30, "
+                                              "object_position_m = 0.2, friction_share = 0.25, mass_share = 0.125 }"));
+    ASSERT_TRUE(varied) << varied.error().message();
+    EXPECT_EQ(varied->parts.variation, (Variation{0.3, 30 * degree, 0.2, 0.25, 0.125}));
+}
+
 TEST(ScenarioFile, BallComesFirstAmongObjects) {
     const auto loaded = loadFrom(smallWorld());
     ASSERT_TRUE(loaded) << loaded.error().message();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <type_traits>
 
 #include <gtest/gtest.h>
@@ -120,6 +121,35 @@ TEST(TouchSearch, GridAndAllPairsFindTheSame) {
     for (const TouchSearch::Pair& pair : all.bodyPairs())
         if (pair.b < 20) among.push_back(pair);
     EXPECT_EQ(among, part.bodyPairs());
+}
+
+TEST(TouchSearch, GridDoesNotMindWhereBodiesAre) {
+    // Couples far from the rest, all in one column, and all far from the origin.
+    const Strewn strewn(200);
+    const auto pairsAt = [&](auto place) {
+        std::vector<SweptBody> bodies = strewn.bodies;
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            const Point by = place(i);
+            for (Pose* pose : {&bodies[i].pose, &bodies[i].planned}) {
+                pose->x += by.x;
+                pose->y += by.y;
+            }
+        }
+        TouchSearch search;
+        search.find(bodies, strewn.obstacles);
+        std::set<std::pair<std::uint32_t, std::uint32_t>> near;
+        for (std::uint32_t a = 0; a < bodies.size(); ++a)
+            for (std::uint32_t b = a + 1; b < bodies.size(); ++b)
+                if (exactDistance(bodies[a], bodies[b]) <= bodies[a].travel + bodies[b].travel) near.insert({a, b});
+        EXPECT_GT(near.size(), 5u);
+        for (const TouchSearch::Pair& pair : search.bodyPairs()) near.erase({pair.a, pair.b});
+        EXPECT_EQ(near.size(), 0u);
+    };
+    pairsAt([](std::size_t i) { return i / 2 == 40 ? Point{5000, -3000} : i / 2 == 41 ? Point{-1e6, 2} : Point{}; });
+    pairsAt([&](std::size_t i) {
+        return Point{-strewn.bodies[i].pose.x, static_cast<double>(i) * 0.3 - strewn.bodies[i].pose.y};
+    });
+    pairsAt([](std::size_t) { return Point{1e6, 1e6}; });
 }
 
 TEST(TouchSearch, BodyFasterThanTheIndexLooksAtAllObstacles) {

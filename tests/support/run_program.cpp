@@ -16,12 +16,12 @@ namespace mrose {
 namespace {
 
 /// In the child, after fork: only what is safe there.
-[[noreturn]] void become(char* const* words, int out, int err, bool fullDisk) {
+[[noreturn]] void become(char* const* words, int out, int err, const RunningProgram::Options& options) {
     ::dup2(out, STDOUT_FILENO);
     ::dup2(err, STDERR_FILENO);
-    if (fullDisk) {
-        const rlimit none{0, 0};
-        ::setrlimit(RLIMIT_FSIZE, &none);
+    if (options.fullDisk) {
+        const rlimit room{options.room, options.room};
+        ::setrlimit(RLIMIT_FSIZE, &room);
         ::signal(SIGXFSZ, SIG_IGN);
     }
     ::alarm(300);  // s; a program that should have ended and did not is ended, and the test fails
@@ -52,7 +52,7 @@ RunningProgram::RunningProgram(const std::vector<std::string>& words, const Opti
     if (::pipe2(out, O_CLOEXEC) != 0) return;
     if (::pipe2(err, O_CLOEXEC) != 0) return;
     child_ = ::fork();
-    if (child_ == 0) become(raw.data(), out[1], err[1], options.fullDisk);
+    if (child_ == 0) become(raw.data(), out[1], err[1], options);
     ::close(out[1]);
     ::close(err[1]);
     out_ = out[0];

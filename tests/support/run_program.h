@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,8 @@ struct ProgramResult {
 class RunningProgram {
 public:
     struct Options {
-        bool fullDisk = false;  ///< every write to a file fails, as on a full disk
+        bool fullDisk = false;   ///< writes to files fail, as on a full disk ...
+        std::uint64_t room = 0;  ///< ... beyond so many bytes of a file
     };
 
     /// `words` are the program's path and its arguments.

@@ -1,7 +1,9 @@
 // Does what its option `how` says, from the instant `after_s` on; until then it drives on.
 #include <cmath>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <stdexcept>
 
 #include <unistd.h>
@@ -24,14 +26,27 @@ int overflow(int depth) {
 class Misbehaving : public mrose::Controller {
 public:
     explicit Misbehaving(mrose::PluginOptions& options)
-        : how_(options.text("how", "")), after_(options.number("after_s", 0)) {
+        : how_(options.text("how", "")), after_(options.number("after_s", 0)), farewell_(options.text("farewell", "")) {
         if (how_ == "construction") throw std::runtime_error("no map\nhere");
         if (how_ == "crash while loading") *nowhere = 1;
         if (how_ == "loop while loading") loop();
+        if (how_ == "announced loop while loading") {
+            std::fputs("here it loops\n", stderr);
+            loop();
+        }
+        if (how_ == "slow loading") ::usleep(800'000);
+    }
+    ~Misbehaving() override {
+        if (!farewell_.empty()) std::ofstream(farewell_) << "destroyed";
     }
     std::size_t memorySize() const override {
         if (how_ == "memory size") throw std::runtime_error("how much?");
-        return how_ == "huge memory" ? std::size_t{1} << 40 : 8;
+        if (how_ == "huge memory") return std::size_t{1} << 40;
+        return std::getenv("MROSE_TEST_MORE_MEMORY") != nullptr ? 16 : 8;
+    }
+    std::size_t commandsPerPeriod(mrose::Nanoseconds) const override {
+        if (how_ == "crash when asked for commands") *nowhere = 1;
+        return 1;
     }
     void start(std::span<std::byte>) const override {
         if (how_ == "start") throw std::runtime_error("not now");
@@ -46,6 +61,8 @@ public:
         if (how_ == "nan") decision.command->w = std::nan("");
         if (how_ == "infinite earlier") decision.earlier.push_back({0, {INFINITY, 0}});
         if (how_ == "loop") loop();
+        if (how_ == "slow") ::usleep(60'000);
+        if (how_ == "print") std::fputs("what it prints\n", stdout), std::fflush(stdout);
         if (how_ == "crash") *nowhere = 1;
         if (how_ == "overflow") hidden = overflow(0);
         if (how_ == "abort") std::abort();
@@ -67,6 +84,7 @@ private:
 
     std::string how_;
     double after_;
+    std::string farewell_;
 };
 
 }  // namespace

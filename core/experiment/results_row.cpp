@@ -1,0 +1,81 @@
+#include "experiment/results_row.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+#include <numeric>
+
+#include "io/number_text.h"
+#include "world/state_hash.h"
+
+namespace mrose {
+namespace {
+
+constexpr std::size_t endCell = 2, firstNumber = 3, faultsCell = 7;
+
+std::string hexadecimal(std::uint64_t value) {
+    char text[17];
+    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
+    return text;
+}
+
+/// A cell that may hold commas and quotes, on one line.
+std::string cell(const std::string& text) {
+    std::string out = "\"";
+    for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c < ' ' && c >= 0 ? ' ' : c);
+    return out + '"';
+}
+
+/// The cells of a line before the first in quotes.
+std::vector<std::string_view> plainCells(std::string_view line) {
+    std::vector<std::string_view> cells;
+    while (!line.empty() && line.front() != '"') {
+        const std::size_t end = std::min(line.find(','), line.size());
+        cells.push_back(line.substr(0, end));
+        line.remove_prefix(std::min(end + 1, line.size()));
+    }
+    return cells;
+}
+
+}  // namespace
+
+std::string resultsHeader(const Scene& scene) {
+    std::string line = "trial,seed,end,time_s,touches,kicks,hits,faults,driven_m";
+    for (const Goal& goal : scene.environment.goals) line += ',' + cell("goals " + goal.name);
+    return line + ",world_hash,command,first_fault";
+}
+
+std::string resultsRow(const RunKey& key, const RunResult& result, Nanoseconds tickLength, const std::string& command) {
+    const RunStatistics& s = result.statistics;
+    std::string line = std::to_string(key.trial) + ',' + std::to_string(key.seed) + ',' + name(result.end) + ',' +
+                       numberText(toSeconds(result.state.tick * tickLength));
+    for (const std::int64_t count : {s.touches, s.kicks, s.hits, s.faults}) line += ',' + std::to_string(count);
+    line += ',' + numberText(std::accumulate(s.driven.begin(), s.driven.end(), 0.0));
+    for (const std::int32_t goals : s.goals) line += ',' + std::to_string(goals);
+    return line + ',' + hexadecimal(hashOf(result.state).world) + ',' + cell(command) + ',' + cell(s.firstFault);
+}
+
+ResultsSummary::ResultsSummary(const Scene& scene) {
+    for (const char* const name : {"time, s", "touches", "kicks", "hits", "faults", "driven, m"})
+        columns.push_back({name});
+    for (const Goal& goal : scene.environment.goals) columns.push_back({"goals in " + goal.name});
+}
+
+void ResultsSummary::add(std::string_view row) {
+    const std::vector<std::string_view> cells = plainCells(row);
+    if (cells.size() < firstNumber + columns.size()) return;
+    ++rows;
+    ended += cells[endCell] == name(RunEnd::condition) ? 1 : 0;
+    faulty += cells[faultsCell] != "0" ? 1 : 0;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const std::string_view number = cells[firstNumber + i];
+        double value = 0;
+        std::from_chars(number.data(), number.data() + number.size(), value);
+        ColumnSummary& column = columns[i];
+        column.least = rows == 1 ? value : std::min(column.least, value);
+        column.most = rows == 1 ? value : std::max(column.most, value);
+        column.mean += (value - column.mean) / static_cast<double>(rows);
+    }
+}
+
+}  // namespace mrose

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiment/results_file.h"
+#include "experiment/run.h"
+
+namespace mrose {
+
+/// results.csv of a batch: its first line, without its end.
+std::string resultsHeader(const Scene& scene);
+
+/// A run's row; `command` is what runs it alone.
+std::string resultsRow(const RunKey& key, const RunResult& result, Nanoseconds tickLength, const std::string& command);
+
+/// What rows have in a column of numbers.
+struct ColumnSummary {
+    std::string name;
+    double mean = 0, least = 0, most = 0;
+};
+
+/// What a person wants to know of many rows.
+struct ResultsSummary {
+    std::int64_t rows = 0;
+    std::int64_t ended = 0;   ///< by the condition
+    std::int64_t faulty = 0;  ///< with faults
+    std::vector<ColumnSummary> columns;
+
+    explicit ResultsSummary(const Scene& scene);
+    void add(std::string_view row);
+};
+
+}  // namespace mrose

@@ -1,0 +1,190 @@
+// `mrose run` as its users run it.
+#include <algorithm>
+#include <csignal>
+
+#include "cli/game_folder.h"
+#include "io/file.h"
+#include "recording/recording.h"
+#include "support/places.h"
+
+namespace mrose {
+namespace {
+
+using Json = nlohmann::json;
+using RunProgram = GameFolder;
+
+TEST_F(RunProgram, TellsWhatHappened) {
+    const ProgramResult result = play("run", {});
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(result.err, "");
+    EXPECT_TRUE(result.out.starts_with("a game, seed 5: 3.00 s\n")) << result.out;
+    for (const char* part : {"goals: 0 in yellow, 0 in blue\n", "robot 1 (one's)", "robot 2 (two)", "\nstate "})
+        EXPECT_NE(result.out.find(part), std::string::npos) << result.out << part;
+    const Json json = told(play("run", {"--json"}));
+    EXPECT_EQ(json["scenario"], "a game");
+    EXPECT_EQ(json["trial"], 0);
+    EXPECT_EQ(json["seed"], 5);
+    EXPECT_EQ(json["end"], "duration");
+    EXPECT_EQ(json["time_s"], 3);
+    EXPECT_EQ(json["faults"], 0);
+    EXPECT_EQ(json["goals"]["blue"], 0);
+    EXPECT_GT(json["driven_m"]["one's"], 0.3);
+    EXPECT_NE(result.out.find("state " + json["world_hash"].get<std::string>()), std::string::npos);
+    EXPECT_FALSE(json.contains("recording"));
+}
+
+TEST_F(RunProgram, SeedTrialAndDurationDecideTheRun) {
+    const auto hash = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words{"--json"};
+        words.insert(words.end(), more.begin(), more.end());
+        return told(play("run", words))["world_hash"].get<std::string>();
+    };
+    const std::string plain = hash({});
+    EXPECT_EQ(hash({}), plain);
+    EXPECT_EQ(hash({"--seed", "5", "--trial", "0", "--duration", "3", "--threads", "1"}), plain);
+    EXPECT_EQ(hash({"--check-rewind"}), plain);
+    EXPECT_EQ(hash({"--isolate"}), plain) << "there is no plug-in";
+    EXPECT_NE(hash({"--seed", "6"}), plain);
+    EXPECT_NE(hash({"--trial", "1"}), plain);
+    EXPECT_NE(hash({"--trial", "2"}), hash({"--trial", "1"}));
+    EXPECT_NE(hash({"--duration", "2.98"}), plain);
+    // Paced by the clock, and recorded.
+    EXPECT_EQ(hash({"--speed", "20"}), plain);
+    EXPECT_EQ(hash({"--record", path("game.mcap")}), plain);
+    EXPECT_NE(play("run", {"--trial", "4"}).out.find("a game, trial 4, seed 5: "), std::string::npos);
+}
+
+TEST_F(RunProgram, ConditionEndsIt) {
+    const Json json = told(play("run", {"--json", "--until", "robot[\"one's\"].speed > 0.2 and time > 1.5"}));
+    EXPECT_EQ(json["end"], "condition");
+    EXPECT_GE(json["time_s"], 1.52);
+    EXPECT_LT(json["time_s"], 3);
+    const ProgramResult never = play("run", {"--until", "time > 5"});
+    EXPECT_EQ(never.status, 0);
+    EXPECT_EQ(never.out.find("ended by"), std::string::npos) << never.out;
+}
+
+TEST_F(RunProgram, WrongConditionsAreOneLineAndNothingIsWritten) {
+    game();
+    const auto before = listing();
+    for (const auto& [condition, part] : {std::pair{"robot[2].speed >", "--until:1:"},
+                                          std::pair{"robot[3].x > 0", "there is no robot 3"}, std::pair{"ball.sped > 1", "sped"},
+                                          std::pair{"ball.x", "--until"}, std::pair{"time > 1; os.exit()", "--until"},
+                                          std::pair{"(function() while true do end end)()", "instructions"}}) {
+        const std::string recording = path("game.mcap");
+        expectOneLine(play("run", {"--until", condition, "--record", recording}), {part});
+        EXPECT_EQ(listing(), before) << condition;
+    }
+}
+
+/// It can be answered at the start, but not later; what was recorded until then is there.
+TEST_F(RunProgram, ConditionThatLoopsForEverLaterEndsItAndKeepsTheRecording) {
+    const std::string endless = "(function() while time > 2 do end return false end)()";
+    expectOneLine(play("run", {"--until", endless, "--record", path("game.mcap")}), {"--until: ", "instructions"});
+    const auto recording = openRecording(path("game.mcap"));
+    ASSERT_TRUE(recording) << recording.error().message();
+    EXPECT_TRUE(recording->damage.empty());
+    EXPECT_EQ(recording->branches[0].timeline.last(), 101);
+}
+
+TEST_F(RunProgram, WrongFlagsAreOneLine) {
+    game();
+    const auto before = listing();
+    const std::pair<std::vector<std::string>, std::string> cases[] = {{{"--duration", "0"}, "--duration"},
+                                                                      {{"--duration", "-3"}, "--duration"},
+                                                                      {{"--duration", "nan"}, "--duration"},
+                                                                      {{"--duration", "1e8"}, "--duration"},
+                                                                      {{"--speed", "-1"}, "--speed"},
+                                                                      {{"--speed", "nan"}, "--speed"},
+                                                                      {{"--speed", "fast"}, "--speed"},
+                                                                      {{"--seed", "-1"}, "--seed"},
+                                                                      {{"--trial", "-1"}, "--trial"},
+                                                                      {{"--trial", "one"}, "--trial"},
+                                                                      {{"--plugin-limit", "0"}, "--plugin-"},
+                                                                      {{"--trials", "7"}, "--trials"},
+                                                                      {{"--until"}, "--until"},
+                                                                      {{"more"}, "more"}};
+    for (const auto& [words, part] : cases) expectOneLine(play("run", words), {part}, 2);
+    expectOneLine(runMrose({"run"}), {"SCENARIO", "required"}, 2);
+    expectOneLine(runMrose({"run", path("none.toml")}), {"none.toml: does not exist"});
+    expectOneLine(runMrose({"run", game(), "--log", path("none"), "--until", "x"}), {"--until"});
+    expectOneLine(play("run", {"--record", path("no/such/game.mcap")}), {"no/such/game.mcap: ", "No such file"});
+    EXPECT_EQ(listing(), before);
+}
+
+TEST_F(RunProgram, RecordingsAreNotReplacedUnlessTold) {
+    write("game.mcap", "earlier");
+    expectOneLine(play("run", {"--record", path("game.mcap")}), {"game.mcap: is there already"});
+    EXPECT_EQ(read("game.mcap"), "earlier");
+    const Json json = told(play("run", {"--record", path("game.mcap"), "--overwrite", "--json"}));
+    EXPECT_EQ(json["recording"], path("game.mcap"));
+    const ProgramResult replayed = runMrose({"replay", path("game.mcap"), "--quiet"});
+    EXPECT_EQ(replayed.status, 0) << replayed.out << replayed.err;
+    EXPECT_NE(replayed.out.find("150 ticks replayed"), std::string::npos) << replayed.out;
+}
+
+/// From no room at all to room for nearly all of it.
+TEST_F(RunProgram, FullDiskIsOneLineAndTheRunGoesOn) {
+    const std::string file = path("game.mcap");
+    const std::string hash = told(play("run", {"--record", file, "--json"}))["world_hash"];
+    const std::uint64_t whole = std::filesystem::file_size(file);
+    std::filesystem::remove(file);
+    const auto before = listing();
+    expectOneLine(play("run", {"--record", file}, {.fullDisk = true}),
+                  {"game.mcap: cannot be written: File too large"});
+    EXPECT_EQ(listing(), before) << "nothing half-written is left";
+    for (const std::uint64_t room : {whole - 1, whole - 500}) {
+        const ProgramResult result = play("run", {"--record", file, "--overwrite"}, {.fullDisk = true, .room = room});
+        expectOneLine(result, {"game.mcap: cannot be written: File too large"});
+        EXPECT_NE(result.out.find("state " + hash), std::string::npos) << result.out;
+        EXPECT_EQ(result.out.find("recorded in"), std::string::npos) << result.out;
+        const auto recording = openRecording(file);
+        ASSERT_TRUE(recording) << recording.error().message();
+        EXPECT_EQ(recording->damage.size(), 1u);
+    }
+    // Long before the end: it says so at once.
+    const ProgramResult early =
+        play("run", {"--record", file, "--overwrite", "--duration", "60"}, {.fullDisk = true, .room = whole});
+    expectOneLine(early, {"game.mcap: cannot be written: File too large; the run goes on, and its recording ends here"});
+    EXPECT_NE(early.out.find(": 60.00 s"), std::string::npos) << early.out;
+}
+
+class LongRun : public GameFolder {
+protected:
+    /// A run of days that is recorded, when it has shown how far it is.
+    std::unique_ptr<RunningProgram> underWay() {
+        auto program = std::make_unique<RunningProgram>(std::vector<std::string>{
+            mroseProgram(), "run", game(), "--duration", "1000000", "--record", path("game.mcap")});
+        EXPECT_TRUE(program->waitForError(" of 1000000.0 s, "));
+        return program;
+    }
+};
+
+TEST_F(LongRun, InterruptClosesTheRecording) {
+    const auto program = underWay();
+    program->send(SIGINT);
+    const ProgramResult result = program->finish();
+    EXPECT_EQ(result.status, 130) << result.err;
+    EXPECT_NE(result.out.find(" s, interrupted"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("recorded in " + path("game.mcap")), std::string::npos) << result.out;
+    const auto recording = openRecording(path("game.mcap"));
+    ASSERT_TRUE(recording) << recording.error().message();
+    EXPECT_TRUE(recording->damage.empty());
+    const double seconds = static_cast<double>(recording->branches[0].timeline.last()) * 0.02;
+    char text[60];
+    std::snprintf(text, sizeof text, "a game, seed 5: %.2f s, interrupted", seconds);
+    EXPECT_TRUE(result.out.starts_with(text)) << result.out << text;
+}
+
+TEST_F(LongRun, KillLeavesARecordingThatReplays) {
+    const auto program = underWay();
+    program->send(SIGKILL);
+    EXPECT_EQ(program->finish().status, 128 + SIGKILL);
+    const auto recording = openRecording(path("game.mcap"));
+    ASSERT_TRUE(recording) << recording.error().message();
+    EXPECT_EQ(recording->damage.size(), 1u);
+    EXPECT_GT(recording->branches[0].timeline.last(), 0);
+}
+
+}  // namespace
+}  // namespace mrose

@@ -1,0 +1,133 @@
+#include "experiment/results_file.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "io/file.h"
+#include "support/temporary_folder.h"
+
+namespace mrose {
+namespace {
+
+class Results : public testing::Test {
+protected:
+    Expected<ResultsFile> open(const std::string& identity = "a batch") const {
+        return ResultsFile::open(folder_.path() / "out", identity, "trial,seed,value");
+    }
+    std::string read(const std::string& name) const { return readFile(folder_.path() / "out" / name).value_or("none"); }
+    void write(const std::string& name, const std::string& text) const { folder_.write("out/" + name, text); }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(Results, RowsAreKeptAtOnceAndInOrderAtTheEnd) {
+    auto file = open();
+    ASSERT_TRUE(file) << file.error().message();
+    EXPECT_TRUE(file->add({2, 1}, "2,1,b"));
+    EXPECT_TRUE(file->add({10, 3}, "10,3,d"));
+    EXPECT_EQ(read("results.part.csv"), "2,1,b\n10,3,d\n");
+    EXPECT_EQ(read("results.csv"), "none");
+    EXPECT_TRUE(file->add({2, 20}, "2,20,c"));
+    EXPECT_TRUE(file->add({1, 9}, "1,9,a"));
+    EXPECT_TRUE(file->has({2, 20}));
+    EXPECT_FALSE(file->has({20, 2}));
+    EXPECT_TRUE(file->finish());
+    EXPECT_EQ(read("results.csv"), "trial,seed,value\n1,9,a\n2,1,b\n2,20,c\n10,3,d\n");
+    EXPECT_EQ(read("results.part.csv"), "none");
+}
+
+TEST_F(Results, OpenedAgainItHasTheRowsOfBefore) {
+    {
+        auto file = open();
+        ASSERT_TRUE(file && file->add({2, 1}, "2,1,b") && file->add({1, 1}, "1,1,a"));
+    }
+    auto again = open();
+    ASSERT_TRUE(again) << again.error().message();
+    EXPECT_TRUE(again->has({2, 1}) && again->has({1, 1}));
+    EXPECT_EQ(again->rows().size(), 2u);
+    EXPECT_TRUE(again->add({3, 1}, "3,1,c"));
+    EXPECT_TRUE(again->finish());
+    EXPECT_EQ(read("results.csv"), "trial,seed,value\n1,1,a\n2,1,b\n3,1,c\n");
+}
+
+/// At whatever byte a kill cuts it off.
+TEST_F(Results, RowCutOffIsDroppedAndTheNextBeginsALine) {
+    const std::string whole = "1,1,first\n2,1,second\n3,1,third\n";
+    for (std::size_t length = 0; length <= whole.size(); ++length) {
+        std::filesystem::remove_all(folder_.path() / "out");
+        ASSERT_TRUE(open());
+        write("results.part.csv", whole.substr(0, length));
+        auto file = open();
+        ASSERT_TRUE(file) << file.error().message();
+        const auto rows =
+            static_cast<std::size_t>(std::count(whole.begin(), whole.begin() + static_cast<long>(length), '\n'));
+        EXPECT_EQ(file->rows().size(), rows) << length;
+        ASSERT_TRUE(file->add({9, 1}, "9,1,last"));
+        const std::size_t kept = length == 0 ? 0 : whole.rfind('\n', length - 1) + 1;
+        EXPECT_EQ(read("results.part.csv"), whole.substr(0, kept) + "9,1,last\n") << length;
+    }
+}
+
+/// Killed between results.csv and the end of results.part.csv: no row twice.
+TEST_F(Results, RowsInBothFilesCountOnce) {
+    {
+        auto file = open();
+        ASSERT_TRUE(file && file->add({1, 1}, "1,1,a") && file->finish());
+    }
+    write("results.part.csv", "1,1,a\n");
+    auto again = open();
+    ASSERT_TRUE(again && again->finish());
+    EXPECT_EQ(read("results.csv"), "trial,seed,value\n1,1,a\n");
+}
+
+TEST_F(Results, FoldersOfOthersAreRefusedAndLeftAlone) {
+    {
+        auto file = open("one batch");
+        ASSERT_TRUE(file && file->add({1, 1}, "1,1,a"));
+    }
+    const auto other = open("another batch");
+    ASSERT_FALSE(other);
+    EXPECT_EQ(other.error().message(),
+              (folder_.path() / "out").string() +
+                  ": holds results of another batch; expected an empty folder, or the same batch");
+    EXPECT_EQ(read("batch.txt"), "one batch");
+    EXPECT_EQ(read("results.part.csv"), "1,1,a\n");
+    std::filesystem::remove(folder_.path() / "out" / "batch.txt");
+    const auto foreign = open("one batch");
+    ASSERT_FALSE(foreign);
+    EXPECT_NE(foreign.error().message().find("holds results of no batch; expected an empty folder"), std::string::npos);
+    EXPECT_EQ(read("batch.txt"), "none");
+}
+
+TEST_F(Results, OneBatchAtATime) {
+    auto first = open();
+    ASSERT_TRUE(first);
+    const auto second = open();
+    ASSERT_FALSE(second);
+    EXPECT_NE(second.error().message().find("another mrose batch is at work in it"), std::string::npos);
+    EXPECT_TRUE(first->add({1, 1}, "1,1,a"));
+    EXPECT_EQ(read("results.part.csv"), "1,1,a\n");
+}
+
+TEST_F(Results, PlacesThatCannotBeWrittenAreNamed) {
+    folder_.write("out", "a file");
+    const auto inTheWay = open();
+    ASSERT_FALSE(inTheWay);
+    EXPECT_TRUE(inTheWay.error().message().starts_with((folder_.path() / "out").string() + ": "))
+        << inTheWay.error().message();
+    const auto nowhere = ResultsFile::open("/proc/none/out", "a batch", "trial,seed");
+    ASSERT_FALSE(nowhere);
+    EXPECT_TRUE(nowhere.error().message().starts_with("/proc/none/out: ")) << nowhere.error().message();
+    if (::geteuid() == 0) return;  // who may write everywhere
+    std::filesystem::remove(folder_.path() / "out");
+    std::filesystem::create_directory(folder_.path() / "out");
+    std::filesystem::permissions(folder_.path() / "out",
+                                 std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
+    const auto locked = open();
+    std::filesystem::permissions(folder_.path() / "out", std::filesystem::perms::owner_all);
+    ASSERT_FALSE(locked);
+    EXPECT_NE(locked.error().message().find("Permission denied"), std::string::npos) << locked.error().message();
+}
+
+}  // namespace
+}  // namespace mrose
