@@ -154,9 +154,9 @@ std::string pictures(const Comparison& comparison, const Environment& environmen
             heading("Real beside simulated paths"),
             paragraph(cat("Both axes have the same scale; the bar below each picture, which is also the grid’s "
                           "spacing, says which. ",
-                          shown.size() == worst.size() ? ""
-                                                       : "From the worst course to the 75th percentile of the "
-                                                         "better ones, by the mean position error.")),
+                          shown.size() == worst.size()
+                              ? ""
+                              : "From the worst course down to a good one, by the mean position error.")),
             robotFigureLegend(comparison), element("div", "paths", cards));
     if (worst.size() > shown.size())
         text += cat(heading("The worst courses"),
@@ -225,8 +225,9 @@ std::vector<std::string> remarksOn(const Comparison& comparison) {
         add(CourseUse::absent, "without ground truth at the start");
         add(CourseUse::still, "in which it hardly moves");
         if (!text.empty())
-            remarks.push_back(comparison.robots[i].name + ": of " + counted(s.courses(), "course", "courses") + ' ' +
-                              text + ", left out of P and Hd.");
+            remarks.push_back(comparison.robots[i].name + ": " +
+                              std::to_string(s.courses() - s.of(CourseUse::counted)) + " of " +
+                              counted(s.courses(), "course", "courses") + " left out of P and Hd: " + text + '.');
     }
     if (comparison.all.of(CourseUse::counted) == 0)
         remarks.push_back("No course counts for P and Hd; expected another --start, or --every for shorter ones.");

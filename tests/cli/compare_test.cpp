@@ -200,7 +200,7 @@ TEST_F(CompareProgram, ErrorsAreOneLineThatSaysWhatToDo) {
                   {gap + ": has no ground truth of any compared robot where a course starts", "another --start"});
     const ProgramResult across = runMrose({"compare", file, "--log", gap, "--start", "5", "--duration", "15"});
     EXPECT_EQ(across.status, 0) << across.err;
-    EXPECT_NE(across.out.find("Note: twin: of 1 course 1 with a gap in the ground truth, left out of P and Hd."),
+    EXPECT_NE(across.out.find("Note: twin: 1 of 1 course left out of P and Hd: 1 with a gap in the ground truth."),
               std::string::npos)
         << across.out;
 
