@@ -32,7 +32,7 @@ constexpr double sweepFor = 1.5, sweepShare = 0.5;       // s; of the speed
 constexpr double sweepReach = 0.06;                      // m, between front and ball
 constexpr double crowd = 0.7;                            // m, from the ball: of robots that are at it
 constexpr double waitAt = 1.6, waitWithin = 0.3;         // m, from the ball, and how exactly
-constexpr double waitAside = 0.7, turnGain = 2;          // of 1; 1/s
+constexpr double waitAside = 0.7;                        // of 1
 constexpr double kickEvery = 1;                          // s
 constexpr double kickWidth = 0.09, kickReach = 0.05;     // m, beside and before its front
 constexpr double kickAngle = 0.5, kickMiss = 0.7;        // rad; m, beside the target

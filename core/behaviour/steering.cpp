@@ -9,7 +9,6 @@
 namespace mrose {
 namespace {
 
-constexpr double turnGain = 2;          // 1/s
 constexpr double approachGain = 0.8;    // 1/s
 constexpr double alignWithin = 1;       // m
 constexpr double clearance = 0.65;      // m, between reference points that pass each other

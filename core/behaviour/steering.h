@@ -11,6 +11,9 @@ struct DriveLimits {
     double rotation = 1;  ///< rad/s
 };
 
+/// How fast to turn for an angle that is left, 1/s.
+constexpr double turnGain = 2;
+
 /// Towards a point in the own frame, at full speed once it lies ahead; turns on the spot where it lies far aside.
 Command driveTowards(const Point& target_B, const DriveLimits& limits);
 

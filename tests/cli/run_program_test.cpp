@@ -67,10 +67,11 @@ TEST_F(RunProgram, ConditionEndsIt) {
 TEST_F(RunProgram, WrongConditionsAreOneLineAndNothingIsWritten) {
     game();
     const auto before = listing();
-    for (const auto& [condition, part] : {std::pair{"robot[2].speed >", "--until:1:"},
-                                          std::pair{"robot[3].x > 0", "there is no robot 3"}, std::pair{"ball.sped > 1", "sped"},
-                                          std::pair{"ball.x", "--until"}, std::pair{"time > 1; os.exit()", "--until"},
-                                          std::pair{"(function() while true do end end)()", "instructions"}}) {
+    for (const auto& [condition, part] :
+         {std::pair{"robot[2].speed >", "--until:1:"}, std::pair{"robot[3].x > 0", "there is no robot 3"},
+          std::pair{"ball.sped > 1", "sped"}, std::pair{"ball.x", "--until"},
+          std::pair{"time > 1; os.exit()", "--until"},
+          std::pair{"(function() while true do end end)()", "instructions"}}) {
         const std::string recording = path("game.mcap");
         expectOneLine(play("run", {"--until", condition, "--record", recording}), {part});
         EXPECT_EQ(listing(), before) << condition;
@@ -145,7 +146,8 @@ TEST_F(RunProgram, FullDiskIsOneLineAndTheRunGoesOn) {
     // Long before the end: it says so at once.
     const ProgramResult early =
         play("run", {"--record", file, "--overwrite", "--duration", "60"}, {.fullDisk = true, .room = whole});
-    expectOneLine(early, {"game.mcap: cannot be written: File too large; the run goes on, and its recording ends here"});
+    expectOneLine(early,
+                  {"game.mcap: cannot be written: File too large; the run goes on, and its recording ends here"});
     EXPECT_NE(early.out.find(": 60.00 s"), std::string::npos) << early.out;
 }
 
