@@ -104,8 +104,8 @@ void print(const BatchSummary& summary, const BatchCommandFlags& flags, double s
     }
     const std::string before =
         summary.resumed > 0 ? ", " + std::to_string(summary.resumed) + " of them done before" : "";
-    std::printf("%lld runs in %s%s; results in %s/results.csv\n", static_cast<long long>(summary.runs),
-                durationText(seconds).c_str(), before.c_str(), flags.out.c_str());
+    std::printf("%lld run%s in %s%s; results in %s/results.csv\n", static_cast<long long>(summary.runs),
+                summary.runs == 1 ? "" : "s", durationText(seconds).c_str(), before.c_str(), flags.out.c_str());
 }
 
 int runAll(const BatchCommandFlags& flags, const CommonFlags& common) {

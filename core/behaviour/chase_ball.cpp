@@ -24,7 +24,7 @@ constexpr double stepRound = 1;                          // rad, how far round t
 constexpr double lookAhead = 0.4;                        // m, along the line to the target
 constexpr double beginPushing = 0.93, endPushing = 0.7;  // cosine of the angle off that line
 constexpr double wallsWithin = 1;                        // m, of the ball: those that count
-constexpr double place = 0.05, spare = 0.02;             // m, behind the ball and beside the robot
+constexpr double roomBehind = 0.05, roomBeside = 0.02;   // m, behind the ball and beside the robot
 constexpr double searchShare = 0.7;                      // of the rotation rate
 constexpr double turnAway = 0.6;                         // rad, after backing off
 constexpr double straightFor = 3;                        // s, after it got stuck with the ball
@@ -90,9 +90,9 @@ ChaseBall::Situation ChaseBall::situation(const Memory& memory) const {
     now.robot = memory.self.pose * memory.motion.motionDuring(options_.deadTime);
     now.ball = memory.ball.in(options_.deadTime);
     now.walls = options_.walls->wallsNear(now.ball, wallsWithin);
-    now.way =
-        pushingWay(now.ball, unit(options_.target - now.ball), now.walls,
-                   {options_.front + options_.ballRadius + place, options_.halfWidth + spare, options_.ballRadius});
+    now.way = pushingWay(
+        now.ball, unit(options_.target - now.ball), now.walls,
+        {options_.front + options_.ballRadius + roomBehind, options_.halfWidth + roomBeside, options_.ballRadius});
     return now;
 }
 
@@ -116,7 +116,7 @@ Command ChaseBall::chase(const Observation& observation, Memory& memory, Decisio
     if (mustWait(now, observation, memory)) return wait(now, observation, memory);
     if (beginsSweeping(now, observation, memory)) return sweep(memory);
     const bool straight = memory.phase == straightOn && observation.time < memory.phaseEnd;
-    memory.aim = clearOf(now.walls, straight ? now.ball : aim(now, memory), options_.halfWidth + spare);
+    memory.aim = clearOf(now.walls, straight ? now.ball : aim(now, memory), options_.halfWidth + roomBeside);
     if (shouldKick(observation, memory)) {
         decision.kicks.push_back({});
         memory.nextKick = observation.time + fromSeconds(kickEvery);

@@ -94,7 +94,7 @@ ControllerSetting goToPose(const Context& context) {
 
 /// What a shape's points have of something at most.
 template <class Measure>
-double most(const Shape& shape, Measure measure) {
+double mostOf(const Shape& shape, Measure measure) {
     double result = 0;
     for (const ConvexPiece& piece : shape.pieces)
         for (std::size_t i = 0; i < piece.count; ++i)
@@ -113,8 +113,8 @@ ControllerSetting chaseBall(const Context& context) {
     if (const double front = ballContact(*context.driven.robot.type.shape, options.ballRadius); front > 0)
         options.front = front;
     const Shape& shape = *context.driven.robot.type.shape;
-    options.halfWidth = most(shape, [](const Point& p) { return std::abs(p.y); });
-    options.guide = most(shape, [](const Point& p) { return p.x; }) > options.front + leastHorn;
+    options.halfWidth = mostOf(shape, [](const Point& p) { return std::abs(p.y); });
+    options.guide = mostOf(shape, [](const Point& p) { return p.x; }) > options.front + leastHorn;
     options.walls = context.driven.walls;
     options.deadTime = table.numberOr("dead_time_s", context.driven.robot.deadTime, deadTimes);
     return {std::make_shared<ChaseBall>(options)};
