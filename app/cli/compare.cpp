@@ -167,6 +167,7 @@ Subcommand addCompare(CLI::App& app, CommonFlags& common) {
     sub->add_option("SCENARIO", flags->scenario,
                     "Scenario file, or the name of one that ships, with robots that play a log")
         ->required();
+    sub->get_option("--seed")->default_str("the scenario's");
     sub->add_option("--log", flags->log, "The log to play and to compare with")->required();
     sub->add_option("--robots", flags->robots,
                     "Only these robots, by their names in the log: 1,2; the others are not in the world")

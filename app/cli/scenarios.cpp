@@ -22,6 +22,7 @@ Expected<OpenScenario> openScenario(const std::string& name, std::uint32_t trial
 
 void addRunFlags(CLI::App& sub, RunFlags& flags) {
     sub.add_option("SCENARIO", flags.scenario, "Scenario file, or the name of one that ships: soccer.toml")->required();
+    sub.get_option("--seed")->default_str("the scenario's");
     sub.add_option("--duration", flags.duration, "How long to simulate, in s; otherwise what the scenario says")
         ->check(numberRange(0.001, 1e7));
     sub.add_option("--until", flags.until, "Ends a run when this Lua expression over the state holds");
