@@ -42,7 +42,9 @@ protected:
     }
     /// Ticks between parts of the file that are written without being asked for.
     std::int64_t keyframeInterval() const {
-        const auto& blocks = openRecording(path_)->branches[0].timeline.blocks();
+        const auto recording = openRecording(path_);
+        if (!recording) return 0;
+        const auto& blocks = recording->branches[0].timeline.blocks();
         return blocks.size() < 3 ? 0 : blocks[2].first - blocks[1].first;
     }
     /// It opens with one sentence on where it was cut off, and its `ticks` are what the same scenario does again.
