@@ -140,6 +140,8 @@ bool sayIfInPlugin(std::string_view what, std::string_view more) {
 }
 
 sem_t crashes;  ///< how many threads wait in a signal handler for the end
+/// Told before that: sanitizers see what an atomic orders, and not what sem_clockwait does.
+std::atomic<bool> crashed{false};
 
 struct FatalSignal {
     int number;
@@ -157,6 +159,7 @@ extern "C" void onFatalSignal(int number) {
         if (fatal.number != number) continue;
         if (sayIfInPlugin(" crashed", fatal.meaning)) {
             // A handler may do hardly anything: the watch saves and ends, unless what crashed has broken that, too.
+            crashed = true;
             ::sem_post(&crashes);
             constexpr int mostWait = 5000;  // ms
             ::poll(nullptr, 0, mostWait);
@@ -195,7 +198,7 @@ void watch(double limit) {
     };
     std::vector<Seen> seen(activities.size());
     for (;;) {
-        if (crashedWithin(limit / rounds)) saveAndEnd();
+        if (crashedWithin(limit / rounds) && crashed) saveAndEnd();
         for (std::size_t i = 0; i < activities.size(); ++i) {
             const std::string* const who = activities[i].who.load();
             const std::uint64_t count = activities[i].count.load();
