@@ -119,7 +119,8 @@ void printJson(const Scenario& scenario, const RunCommandFlags& flags, const Run
     json["trial"] = flags.run.trial;
     json["seed"] = result.state.seed;
     json["end"] = name(result.end);
-    json["time_s"] = toSeconds(result.state.tick * scenario.scene().tickLength);
+    // divided, as in the rows of a batch: toSeconds() multiplies, and 60 s would be 60.00000000000001
+    json["time_s"] = static_cast<double>(result.state.tick * scenario.scene().tickLength) / nanosecondsPerSecond;
     json["world_hash"] = hexadecimal(hashOf(result.state).world);
     if (recorded) json["recording"] = flags.record;
     std::puts(json.dump(2).c_str());

@@ -25,7 +25,9 @@ void addRunFlags(CLI::App& sub, RunFlags& flags) {
     sub.get_option("--seed")->default_str("the scenario's");
     sub.add_option("--duration", flags.duration, "How long to simulate, in s; otherwise what the scenario says")
         ->check(numberRange(0.001, 1e7));
-    sub.add_option("--until", flags.until, "Ends a run when this Lua expression over the state holds");
+    sub.add_option("--until", flags.until, "Ends a run when this Lua expression over the state holds")
+        ->check(
+            [](const std::string& text) { return text.empty() ? std::string("is empty; expected a condition") : ""; });
     sub.add_option("--log", flags.log, "Read this log instead of those that the scenario names");
     addPluginFlags(sub, flags.plugins);
 }

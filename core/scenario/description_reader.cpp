@@ -100,8 +100,6 @@ Nanoseconds durationOr(TomlTable& table, std::string_view key, Nanoseconds fallb
     return table.has(key) ? duration(table, key, seconds) : fallback;
 }
 
-std::string plainSeconds(Nanoseconds duration) { return numberText(static_cast<double>(duration) / 1e9); }
-
 Point point(TomlTable& table, std::string_view key, double far) {
     const std::vector<double> values = table.numbers(key, 2, {-far, far});
     return {values[0], values[1]};

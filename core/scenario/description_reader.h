@@ -34,8 +34,6 @@ double angle(TomlTable& table, std::string_view key, NumberRange degrees);
 double angleOr(TomlTable& table, std::string_view key, double fallback, NumberRange degrees);
 Nanoseconds duration(TomlTable& table, std::string_view key, NumberRange seconds);
 Nanoseconds durationOr(TomlTable& table, std::string_view key, Nanoseconds fallback, NumberRange seconds);
-/// "0.02", for messages.
-std::string plainSeconds(Nanoseconds duration);
 Point point(TomlTable& table, std::string_view key, double far);
 Point pointOr(TomlTable& table, std::string_view key, const Point& fallback, double far);
 /// { x_m, y_m, heading_deg }; the heading may be missing.

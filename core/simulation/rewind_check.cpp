@@ -1,18 +1,12 @@
 #include "simulation/rewind_check.h"
 
 #include <algorithm>
-#include <bit>
-#include <cstring>
 
 #include "io/number_text.h"
 #include "world/state_difference.h"
 
 namespace mrose {
 namespace {
-
-bool sameBits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
-
-bool sameBits(const Command& a, const Command& b) { return sameBits(a.v, b.v) && sameBits(a.w, b.w); }
 
 std::string text(const std::optional<Command>& command) {
     return command ? "v " + numberText(command->v) + ", w " + numberText(command->w) : "no command";
@@ -21,17 +15,9 @@ std::string text(const std::optional<Command>& command) {
 /// How two decisions differ in what a robot is told; "" where they do not.
 std::string difference(const Decision& a, const Decision& b) {
     const bool sameCommand =
-        a.command.has_value() == b.command.has_value() && (!a.command || sameBits(*a.command, *b.command));
+        a.command.has_value() == b.command.has_value() && (!a.command || identical(*a.command, *b.command));
     if (!sameCommand) return text(a.command) + ", then " + text(b.command);
-    const auto sameEarlier = [](const StampedCommand& x, const StampedCommand& y) {
-        return x.time == y.time && sameBits(x.command, y.command);
-    };
-    if (!std::equal(a.earlier.begin(), a.earlier.end(), b.earlier.begin(), b.earlier.end(), sameEarlier))
-        return "other earlier commands";
-    const auto sameKick = [](const Kick& x, const Kick& y) {
-        return x.manipulator == y.manipulator && sameBits(x.power, y.power);
-    };
-    if (!std::equal(a.kicks.begin(), a.kicks.end(), b.kicks.begin(), b.kicks.end(), sameKick)) return "other kicks";
+    if (!a.sameOrders(b)) return "other earlier commands or kicks";
     if (a.fault != b.fault)
         return (a.fault.empty() ? "no fault" : a.fault) + ", then " + (b.fault.empty() ? "no fault" : b.fault);
     return "";

@@ -2,7 +2,6 @@
 // from machine to machine.
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <functional>
 #include <string>
@@ -13,6 +12,7 @@
 
 #include "bench/mlp_patterns.h"
 #include "bench/rprop_fann.h"
+#include "bench/timing.h"
 #include "learning/initial_weights.h"
 #include "learning/mlp_gradient.h"
 #include "learning/mlp_inference.h"
@@ -22,17 +22,6 @@ namespace mrose::bench {
 namespace {
 
 constexpr int kHidden = 24;
-
-double seconds(const std::function<void()>& work) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
 
 /// One thing that is timed: `work` does it `times` times.
 struct Contender {
@@ -48,7 +37,7 @@ void compare(const char* title, std::vector<Contender> contenders, bool hasPeer,
              const char* unit) {
     for (int round = 0; round < rounds; ++round)
         for (Contender& contender : contenders)
-            contender.each.push_back(scale * seconds(contender.work) / contender.times);
+            contender.each.push_back(scale * secondsOf(contender.work) / contender.times);
     std::printf("\n%s: median (least)\n", title);
     for (const Contender& contender : contenders) {
         std::printf("  %-34s %9.2f (%.2f) %s", contender.name.c_str(), median(contender.each),
@@ -174,7 +163,7 @@ private:
             Mlp net = randomMlp(shape_, {.seed = static_cast<std::uint64_t>(seed)});
             FitSummary summary;
             times.push_back(
-                seconds([&] { arena.execute([&] { summary = fitOneStep(net, training_, validation_, options); }); }));
+                secondsOf([&] { arena.execute([&] { summary = fitOneStep(net, training_, validation_, options); }); }));
             epochs.push_back(summary.epochs);
             reached += summary.end == FitEnd::target;
         }

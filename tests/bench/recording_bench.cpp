@@ -1,12 +1,12 @@
 // What recording and perception cost a run, as ratios to the same run without, and what an hour of recording is like.
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <vector>
 
 #include <benchmark/benchmark.h>
 
+#include "bench/timing.h"
 #include "recording/playback.h"
 #include "recording/recording.h"
 #include "recording/recording_writer.h"
@@ -16,17 +16,6 @@
 
 namespace mrose::bench {
 namespace {
-
-double secondsOf(const std::function<void()>& work) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
 
 /// A run that goes on from call to call, recorded or not.
 class Run {

@@ -1,8 +1,6 @@
 // Speed of the world's step, as ratios to plain Box2D run beside it in the same minutes: absolute times do not hold
 // from machine to machine. Both run at their default step: 50 Hz here, 60 Hz there.
 
-#include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <functional>
 #include <string>
@@ -12,6 +10,7 @@
 #include <tbb/task_arena.h>
 
 #include "bench/plain_box2d.h"
+#include "bench/timing.h"
 #include "motion/learned_model.h"
 #include "simulation/step.h"
 #include "support/places.h"
@@ -19,17 +18,6 @@
 
 namespace mrose::bench {
 namespace {
-
-double seconds(const std::function<void()>& work) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
 
 /// A run of ours that goes on from call to call.
 struct OurRun {
@@ -56,7 +44,7 @@ void compare(const std::string& title, std::vector<Line> lines, double simulated
     constexpr int rounds = 7;
     for (Line& line : lines) line.run(simulated / 4);
     for (int round = 0; round < rounds; ++round)
-        for (Line& line : lines) line.rtf.push_back(simulated / seconds([&] { line.run(simulated); }));
+        for (Line& line : lines) line.rtf.push_back(simulated / secondsOf([&] { line.run(simulated); }));
     std::printf("\n%s\n", title.c_str());
     for (const Line& line : lines) {
         std::vector<double> ratios;
@@ -109,7 +97,7 @@ double worldsPerSecond(int threads, int worlds, double simulated) {
     const Scenario scenario = fieldScenario(options);
     tbb::task_arena arena(threads);
     const auto ticks = static_cast<std::int64_t>(simulated * 50);
-    const double took = seconds([&] {
+    const double took = secondsOf([&] {
         arena.execute([&] {
             tbb::parallel_for(0, worlds, [&](int world) {
                 StepBuffers buffers;
@@ -143,13 +131,13 @@ void stateSize() {
         state.memory.size() + state.past.size() * sizeof state.past[0];
     constexpr int copies = 100'000;
     WorldState copy;
-    const double took = seconds([&] {
+    const double took = secondsOf([&] {
         for (int i = 0; i < copies; ++i) {
             state.tick = i;
             copy = state;
         }
     });
-    const double fresh = seconds([&] {
+    const double fresh = secondsOf([&] {
         for (int i = 0; i < copies; ++i) {
             const WorldState anew = state;
             copy.tick += anew.tick;

@@ -104,6 +104,7 @@ TEST_F(RunProgram, WrongFlagsAreOneLine) {
                                                                       {{"--plugin-limit", "0"}, "--plugin-"},
                                                                       {{"--trials", "7"}, "--trials"},
                                                                       {{"--until"}, "--until"},
+                                                                      {{"--until", ""}, "--until"},
                                                                       {{"more"}, "more"}};
     for (const auto& [words, part] : cases) expectOneLine(play("run", words), {part}, 2);
     expectOneLine(runMrose({"run"}), {"SCENARIO", "required"}, 2);

@@ -1,21 +1,13 @@
 // Whatever the text is, it becomes a condition that answers, each time the same, or an error of one line.
 #include <cstdint>
-#include <cstdlib>
 #include <string_view>
 
 #include "condition/condition.h"
+#include "fuzz/require.h"
 #include "support/scenes.h"
 
 namespace mrose {
 namespace {
-
-void require(bool condition) {
-    if (!condition) std::abort();
-}
-
-void requireOneLine(const Error& error) {
-    require(!error.cause.empty() && error.message().find('\n') == std::string::npos);
-}
 
 void requireAnswers(std::string_view text) {
     static const Scenario scenario = fieldScenario({.robots = 2});

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 
 #include "drawing/scene_drawing.h"
+#include "fuzz/require.h"
 #include "scenario/environment_file.h"
 #include "scenario/robot_file.h"
 #include "scenario/scenario_file.h"
@@ -16,14 +16,6 @@
 
 namespace mrose {
 namespace {
-
-void require(bool condition) {
-    if (!condition) std::abort();
-}
-
-void requireOneLine(const Error& error) {
-    require(!error.cause.empty() && error.message().find('\n') == std::string::npos);
-}
 
 constexpr const char* shapeText = R"(format = "mrose shape"
 version = 1

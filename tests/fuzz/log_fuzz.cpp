@@ -3,10 +3,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 
+#include "fuzz/require.h"
 #include "logs/conditioning.h"
 #include "logs/csv_reader.h"
 #include "logs/husky_reader.h"
@@ -15,10 +15,6 @@
 
 namespace mrose {
 namespace {
-
-void require(bool condition) {
-    if (!condition) std::abort();
-}
 
 template <class Sample>
 void requireAscending(const std::vector<Sample>& samples) {
@@ -35,10 +31,6 @@ void requireSound(const Trajectory& trajectory) {
     for (const StampedPose& sample : trajectory.poses)
         require(std::isfinite(sample.pose.x) && std::isfinite(sample.pose.y));
     if (!trajectory.poses.empty()) measuredStart(trajectory, trajectory.poses.back().time);
-}
-
-void requireOneLine(const Error& error) {
-    require(!error.cause.empty() && error.message().find('\n') == std::string::npos);
 }
 
 void requireSound(const Expected<Log>& log) {

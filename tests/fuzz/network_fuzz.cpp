@@ -2,24 +2,16 @@
 // one line; strict reading of TOML never leaves its bounds.
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <memory>
 #include <string>
 #include <string_view>
 
+#include "fuzz/require.h"
 #include "io/toml_table.h"
 #include "motion/learned_model.h"
 
 namespace mrose {
 namespace {
-
-void require(bool condition) {
-    if (!condition) std::abort();
-}
-
-void requireOneLine(const Error& error) {
-    require(!error.cause.empty() && error.message().find('\n') == std::string::npos);
-}
 
 /// A history of irregular commands that depends on the input; more of them than it can hold.
 CommandHistory arbitraryHistory(std::string_view bytes) {

@@ -2,10 +2,10 @@
 // parts that lie behind its compression and its CRCs, which arbitrary bytes do not get through.
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 
+#include "fuzz/require.h"
 #include "recording/block_bytes.h"
 #include "recording/compression.h"
 #include "recording/decision_bytes.h"
@@ -15,14 +15,6 @@
 
 namespace mrose {
 namespace {
-
-void require(bool condition) {
-    if (!condition) std::abort();
-}
-
-void requireOneLine(const Error& error) {
-    require(!error.cause.empty() && error.message().find('\n') == std::string::npos);
-}
 
 /// Every tick has its hash and its decisions.
 void requireSound(const Timeline& timeline) {

@@ -33,7 +33,7 @@ TEST(RewindCheck, NamesWhoHidesSomething) {
         const char* what;
         std::string said;
     } cases[] = {{"hidden command", prefix + "v 0.3, w "},
-                 {"hidden kick", prefix + "other kicks"},
+                 {"hidden kick", prefix + "other earlier commands or kicks"},
                  {"hidden fault", prefix},
                  {"hidden memory", "its controller remembered something else when it was asked again"}};
     for (const auto& [what, said] : cases) {

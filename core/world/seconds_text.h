@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "world/time.h"
+
+namespace mrose {
+
+/// "0.02": the shortest number that is so many seconds.
+std::string secondsText(Nanoseconds duration);
+
+}  // namespace mrose
