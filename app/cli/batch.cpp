@@ -7,7 +7,7 @@
 #include "io/number_text.h"
 #include "scenarios.h"
 #include "version.h"
-#include "world/seconds_text.h"
+#include "world/plain_seconds.h"
 
 namespace mrose::cli {
 namespace {
@@ -40,7 +40,7 @@ std::string runCommand(const RunFlags& flags, Nanoseconds duration) {
     if (!flags.log.empty()) command += " --log " + shellQuoted(flags.log);
     if (flags.plugins.isolate) command += " --isolate";
     if (flags.plugins.limit != PluginFlags().limit) command += " --plugin-limit " + numberText(flags.plugins.limit);
-    command += " --duration " + secondsText(duration);
+    command += " --duration " + plainSeconds(duration);
     if (!flags.until.empty()) command += " --until " + shellQuoted(flags.until);
     return command;
 }

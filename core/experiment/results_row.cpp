@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "io/number_text.h"
-#include "world/seconds_text.h"
+#include "world/plain_seconds.h"
 #include "world/state_hash.h"
 
 namespace mrose {
@@ -49,7 +49,7 @@ std::string resultsHeader(const Scene& scene) {
 std::string resultsRow(const RunKey& key, const RunResult& result, Nanoseconds tickLength, const std::string& command) {
     const RunStatistics& s = result.statistics;
     std::string line = std::to_string(key.trial) + ',' + std::to_string(key.seed) + ',' + name(result.end) + ',' +
-                       secondsText(result.state.tick * tickLength);
+                       plainSeconds(result.state.tick * tickLength);
     for (const std::int64_t count : {s.touches, s.kicks, s.hits, s.faults}) line += ',' + std::to_string(count);
     line += ',' + numberText(std::accumulate(s.driven.begin(), s.driven.end(), 0.0));
     for (const std::int32_t goals : s.goals) line += ',' + std::to_string(goals);

@@ -7,7 +7,7 @@
 #include "scenario/delayed_network.h"
 #include "scenario/description_reader.h"
 #include "scenario/perception_reader.h"
-#include "world/seconds_text.h"
+#include "world/plain_seconds.h"
 
 namespace mrose {
 namespace {
@@ -67,7 +67,7 @@ void readLearned(TomlTable& root, RobotDescription& robot, const DescriptionLibr
     const Nanoseconds period = durationOr(root, "control_period_s", network->period, {0.001, 10});
     if (period != network->period)
         root.reject("control_period_s",
-                    "is " + secondsText(period) + "; the network was learned for " + secondsText(network->period));
+                    "is " + plainSeconds(period) + "; the network was learned for " + plainSeconds(network->period));
     const auto identified = identifiedDeadTimes(*network, robot.motionRobot);
     deadTimes = wanted.value_or(identified.value_or(DeadTimes{}));
     Nanoseconds laterV = 0, laterW = 0;

@@ -8,7 +8,7 @@
 #include "scenario/environment_file.h"
 #include "scenario/robot_file.h"
 #include "scenario/start_check.h"
-#include "world/seconds_text.h"
+#include "world/plain_seconds.h"
 
 namespace mrose {
 namespace {
@@ -144,7 +144,7 @@ std::int64_t ScenarioReader::phase(TomlTable& table, const MotionModel& model) {
         const Nanoseconds phase = duration(table, "phase_s", {0, 10});
         if (phase % tick != 0 || phase >= model.period())
             table.reject("phase_s",
-                         "expected a multiple of tick_s below the control period of " + secondsText(model.period()));
+                         "expected a multiple of tick_s below the control period of " + plainSeconds(model.period()));
         return phase / tick;
     }
     const double golden = static_cast<double>(scene_.robots.size()) * 0.618033988749895;
@@ -158,8 +158,8 @@ void ScenarioReader::readRobot(TomlTable& table, bool person) {
     const RobotDescription* robot = robotDescription(table);
     if (robot == nullptr) return;
     if (robot->controlPeriod() % scene_.tickLength != 0)
-        table.reject("type", "has a control period of " + secondsText(robot->controlPeriod()) +
-                                 "; expected a multiple of tick_s = " + secondsText(scene_.tickLength));
+        table.reject("type", "has a control period of " + plainSeconds(robot->controlPeriod()) +
+                                 "; expected a multiple of tick_s = " + plainSeconds(scene_.tickLength));
     body.type = typeIndex(*robot, person);
     body.model = modelIndex(*robot, motionRobot(table, *robot));
     ControllerSetting setting{noController()};

@@ -7,6 +7,6 @@
 namespace mrose {
 
 /// "0.02": the shortest number that is so many seconds.
-std::string secondsText(Nanoseconds duration);
+std::string plainSeconds(Nanoseconds duration);
 
 }  // namespace mrose
