@@ -1,46 +1,18 @@
 // Without touch a robot moves exactly as its model predicts, at its own period and phase, whoever else is there.
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "behaviour/command_player.h"
+#include "simulation/predictions.h"
+#include "simulation/shipped_crowd.h"
 #include "simulation/small_world.h"
 
 namespace mrose {
 namespace {
 
 constexpr Nanoseconds ms = 1'000'000;
-
-/// Drives the scenario and compares, at the end of each control period of each robot, with the model asked beside it.
-void expectPredictions(const Scenario& scenario, int ticks, double tolerance) {
-    WorldState state = scenario.initialState();
-    StepBuffers buffers;
-    std::vector<Pose> expected(state.robots.size());
-    std::vector<bool> known(state.robots.size());
-    int compared = 0;
-    for (int k = 0; k < ticks; ++k) {
-        const WorldState before = state;
-        StepTrace trace;
-        step(scenario, state, buffers, {}, &trace);
-        for (std::size_t i = 0; i < state.robots.size(); ++i) {
-            ASSERT_FALSE(trace.robots[i].touched);
-            if (before.robots[i].nextControl != before.tick) continue;
-            const RobotState& r = before.robots[i];
-            if (known[i]) {
-                EXPECT_NEAR(r.pose.x, expected[i].x, tolerance);
-                EXPECT_NEAR(r.pose.y, expected[i].y, tolerance);
-                EXPECT_NEAR(r.pose.heading, expected[i].heading, tolerance);
-                ++compared;
-            }
-            MotionInput input{scenario.commandsOf(state, i),
-                              scenario.scene().timeOf(before.tick),
-                              {r.velocity_B.x, r.velocity_B.rotation}};
-            if (r.segment.hasUnperturbed) input.unperturbed = r.segment.unperturbed;
-            expected[i] = r.pose * scenario.scene().modelOf(i).predictOne(input).increment;
-            known[i] = true;
-        }
-    }
-    EXPECT_GT(compared, ticks / 10);
-}
 
 TEST(FreeMotion, IsTheModelsPrediction) {
     SmallWorld world;
@@ -52,7 +24,9 @@ TEST(FreeMotion, IsTheModelsPrediction) {
     world.robot(discRobot(), {50, 0, 2}, wild, paperFormModel(), 3);
     world.robot(squareRobot(), {0, 50, 3}, wild, std::make_shared<const KinematicModel>(lagged, 200 * ms), 1);
     world.robot(squareRobot(), {50, 50, 4}, wild, std::make_shared<const KinematicModel>(lagged, 20 * ms), 2);
-    expectPredictions(world.scenario(), 2000, 1e-12);
+    const FreePeriods found = expectPredictions(world.scenario(), 2000, 1e-12);
+    EXPECT_GT(found.compared, 200);
+    EXPECT_EQ(found.touched, 0);
 }
 
 TEST(FreeMotion, IsTheModelsPredictionNearOtherBodiesToo) {
@@ -63,7 +37,17 @@ TEST(FreeMotion, IsTheModelsPredictionNearOtherBodiesToo) {
     world.robot(squareRobot(), {1, 0.225 + gap, 0}, ahead, paperFormModel());
     world.robot(squareRobot(), {1, 3 * 0.225 + 2 * gap, 0}, ahead, paperFormModel());
     world.object(boxType(0.3), {4, 4 * 0.225 + 3 * gap + 0.15, 0});
-    expectPredictions(world.scenario(), 1000, 1e-12);
+    const FreePeriods found = expectPredictions(world.scenario(), 1000, 1e-12);
+    EXPECT_EQ(found.touched, 0);
+    EXPECT_GE(found.near, 100);
+}
+
+/// Every network, model and outline that ships, in a crowd: whenever nothing touches a robot for a period.
+TEST(FreeMotion, OfAllThatShipsIsItsModelsPredictionAmongOthers) {
+    const FreePeriods found = expectPredictions(shippedCrowd(false), 20'000, 1e-12);
+    EXPECT_GT(found.compared, 1000);
+    EXPECT_GT(found.near, 200);
+    EXPECT_GT(found.touched, 1000);
 }
 
 TEST(FreeMotion, CommandTakesEffectAfterItsDeadTimeAlsoBetweenTicks) {
@@ -80,6 +64,82 @@ TEST(FreeMotion, CommandTakesEffectAfterItsDeadTimeAlsoBetweenTicks) {
     EXPECT_NEAR(state.robots[0].pose.x, 0.5 * (0.2 - 0.133), 1e-15);
     run(scenario, state, 5);
     EXPECT_NEAR(state.robots[0].pose.x, 0.5 * (0.3 - 0.133), 1e-15);
+}
+
+/// Forward speeds issued between ticks, 77 ms apart and a few nanoseconds more.
+std::vector<StampedCommand> unevenScript() {
+    std::vector<StampedCommand> script;
+    for (std::int64_t i = 0; i < 60; ++i)
+        script.push_back({77'000'013 * i + 5, {0.1 + 0.07 * static_cast<double>(i * i % 11), 0}});
+    return script;
+}
+
+TEST(FreeMotion, CommandsIssuedBetweenTicksActTheirDeadTimeLater) {
+    const std::vector<StampedCommand> script = unevenScript();
+    KinematicParameters late;
+    late.v.deadTime = 0.133000007;
+    SmallWorld world;
+    world.robot(squareRobot(), {}, std::make_shared<const CommandPlayer>(script),
+                std::make_shared<const KinematicModel>(late), 3);
+    const Scenario scenario = world.scenario();
+    WorldState state = scenario.initialState();
+    run(scenario, state, 3);
+    for (int period = 1; period <= 40; ++period) {
+        run(scenario, state, 5);
+        double way = 0;
+        for (std::size_t i = 0; i < script.size(); ++i) {
+            const double acts = toSeconds(script[i].time) + 0.133000007;
+            const double ends = i + 1 < script.size() ? toSeconds(script[i + 1].time) + 0.133000007 : 1e9;
+            const double now = 0.06 + 0.1 * period;
+            way += script[i].command.v * std::max(0.0, std::min(ends, now) - std::max(acts, 0.06));
+        }
+        ASSERT_NEAR(state.robots[0].pose.x, way, 1e-12) << period;
+    }
+}
+
+/// Compares the commands that it is shown, nanosecond by nanosecond about each issue, with those of a script.
+class Reader final : public MotionModel {
+public:
+    explicit Reader(std::vector<StampedCommand> script) : script_(std::move(script)) {}
+    Nanoseconds period() const override { return 100 * ms; }
+    Nanoseconds memory() const override { return 450 * ms; }
+    void predict(std::span<const MotionInput> inputs, std::span<MotionStep> steps) const override {
+        for (std::size_t i = 0; i < inputs.size(); ++i) {
+            compare(inputs[i]);
+            steps[i] = {};
+        }
+    }
+    mutable int compared = 0, wrong = 0;
+
+private:
+    Command expectedAt(Nanoseconds time) const {
+        Command command;
+        for (const StampedCommand& c : script_)
+            if (c.time <= time) command = c.command;
+        return command;
+    }
+    void compare(const MotionInput& input) const {
+        for (const StampedCommand& c : script_)
+            for (const Nanoseconds at : {c.time - 1, c.time, c.time + 1}) {
+                if (at > input.start || at < input.start - memory()) continue;
+                ++compared;
+                if (!identical(input.commands.at(at), expectedAt(at))) ++wrong;
+            }
+        for (std::size_t i = 0; i < input.commands.size(); ++i) wrong += input.commands.issueTime(i) > input.start;
+    }
+    std::vector<StampedCommand> script_;
+};
+
+TEST(FreeMotion, ModelsReadEveryCommandFromTheNanosecondOfItsIssueAndNoneLater) {
+    const std::vector<StampedCommand> script = unevenScript();
+    const auto reader = std::make_shared<const Reader>(script);
+    SmallWorld world;
+    world.robot(squareRobot(), {}, std::make_shared<const CommandPlayer>(script), reader, 4);
+    const Scenario scenario = world.scenario();
+    WorldState state = scenario.initialState();
+    run(scenario, state, 240);
+    EXPECT_GT(reader->compared, 600);
+    EXPECT_EQ(reader->wrong, 0);
 }
 
 TEST(FreeMotion, RobotStandsUntilItsFirstControlInstantAndKeepsItsOwnPhase) {

@@ -1,0 +1,77 @@
+// How much memory a state takes: what rewinding and branching cost is copies of it.
+#include <gtest/gtest.h>
+
+#include "behaviour/chase_ball.h"
+#include "behaviour/go_to_pose.h"
+#include "behaviour/wander.h"
+#include "simulation/small_world.h"
+#include "support/shipped.h"
+#include "world/state_bytes.h"
+
+namespace mrose {
+namespace {
+
+template <class T>
+std::size_t heldBy(const std::vector<T>& values) {
+    return values.capacity() * sizeof(T);
+}
+
+/// All memory that the value holds, B.
+std::size_t heldBy(const WorldState& s) {
+    return sizeof s + heldBy(s.robots) + heldBy(s.objects) + heldBy(s.contacts) + heldBy(s.kicks) + heldBy(s.goals) +
+           heldBy(s.commands) + heldBy(s.memory) + heldBy(s.past);
+}
+
+/// Eight robots and a ball in a field in which they keep touching.
+Scenario eight(const RobotType& type, const std::shared_ptr<const MotionModel>& model,
+               const std::shared_ptr<const Controller>& controller) {
+    SmallWorld world(walledField(5, 4));
+    for (int i = 0; i < 8; ++i)
+        world.robot(type, {0.7 + 1.2 * (i % 4), 1.0 + 2.0 * (i / 4), 0.8 * i}, controller, model, i % 5);
+    world.object(ballType(), {2.5, 2, 0});
+    return world.scenario();
+}
+
+struct Sizes {
+    std::size_t all = 0, minds = 0;  ///< B; of the controllers' memories alone
+};
+
+/// Of the largest copy within half a minute.
+Sizes largestOf(const Scenario& scenario) {
+    WorldState state = scenario.initialState();
+    StepBuffers buffers;
+    Sizes largest;
+    for (int k = 0; k < 1500; ++k) {
+        step(scenario, state, buffers);
+        const WorldState copy = state;
+        largest = {std::max(largest.all, heldBy(copy)), heldBy(copy.memory)};
+        // Its bytes as written hold every field once, without what pads them.
+        EXPECT_LE(stateBytes(copy).size(), heldBy(copy) + 200) << "a part is not counted";
+    }
+    return largest;
+}
+
+/// The world's part of a state fits for every robot that ships; what the controllers remember comes on top.
+TEST(StateSize, OfEightRobotsIsAtMostEightKilobytesAndOfTheirMinds768BytesEach) {
+    const std::pair<const char*, std::shared_ptr<const Controller>> controllers[] = {
+        {"random commands", std::make_shared<const RandomCommands>(-0.2, 0.5, 1)},
+        {"chase_ball", std::make_shared<const ChaseBall>(ChaseBall::Options{.target = {5, 2}})},
+        {"go_to_pose",
+         std::make_shared<const GoToPose>(GoToPose::Options{.targets = {{1, 1, 0}, {4, 3, 2}}, .loop = true})},
+        {"wander", std::make_shared<const Wander>(Wander::Options{})}};
+    std::vector<std::tuple<std::string, RobotType, std::shared_ptr<const MotionModel>>> robots;
+    for (const char* name : {"pioneer1", "nomad200", "create", "husky", "b21", "human"}) {
+        const RobotDescription robot = shippedRobot(name);
+        robots.emplace_back(name, robot.type, motionOf(robot));
+    }
+    robots.emplace_back("create_paper", shippedRobot("create").type, shippedModel("create_paper", "1"));
+    for (const auto& [name, type, model] : robots)
+        for (const auto& [kind, controller] : controllers) {
+            const Sizes sizes = largestOf(eight(type, model, controller));
+            EXPECT_LE(sizes.all - sizes.minds, 8192u) << name << " with " << kind;
+            EXPECT_LE(sizes.minds, 8u * 768) << name << " with " << kind;
+        }
+}
+
+}  // namespace
+}  // namespace mrose
