@@ -48,6 +48,11 @@ Foreseen foreseen(const Scenario& scenario, const WorldState& state, const World
     return {r.pose * scenario.scene().modelOf(robot).predictOne(input).increment, hasNeighbour(scenario, state, robot)};
 }
 
+bool pressed(const StepTrace& trace, std::size_t robot) {
+    return std::any_of(trace.contacts.begin(), trace.contacts.end(),
+                       [&](const ContactReport& c) { return c.bodyA == robot || c.bodyB == robot; });
+}
+
 }  // namespace
 
 FreePeriods expectPredictions(const Scenario& scenario, int ticks, double tolerance) {
@@ -73,7 +78,7 @@ FreePeriods expectPredictions(const Scenario& scenario, int ticks, double tolera
                 expected[i].reset();
                 if (!r.pushed) expected[i] = foreseen(scenario, before, state, i);
             }
-            if (trace.robots[i].touched && expected[i]) {
+            if (expected[i] && pressed(trace, i)) {
                 expected[i].reset();
                 ++found.touched;
             }
