@@ -67,6 +67,27 @@ TEST(FloorMotion, BoxSlidesByCoulombsLaw) {
     EXPECT_EQ(speed(rest), 0);
 }
 
+/// A hammer's reference point lies beside its centre of mass, and circles about it.
+TEST(FloorMotion, BodyTurnsAboutItsCentreOfMass) {
+    ShapePart handle, head;
+    handle.polygon = {{0, -0.02}, {0.3, -0.02}, {0.3, 0.02}, {0, 0.02}};
+    head.polygon = {{0.3, -0.08}, {0.4, -0.08}, {0.4, 0.08}, {0.3, 0.08}};
+    ObjectType hammer = boxType();
+    hammer.shape = std::make_shared<const Shape>(Shape::fromParts("hammer", {handle, head}));
+    const double arm = (0.3 * 0.04 * 0.15 + 0.1 * 0.16 * 0.35) / (0.3 * 0.04 + 0.1 * 0.16);
+    // Its centre of mass goes at (1, 0.5) m/s.
+    const ObjectState thrown{{}, {1, 0.5 - 3 * arm, 3}, {}};
+    const ObjectState gone = after(thrown, 2, 0.02, hammer, {0, 0, 0, {}, {}});
+    EXPECT_NEAR(gone.pose.x, arm + 2 - arm * std::cos(6), 1e-9);
+    EXPECT_NEAR(gone.pose.y, 1 - arm * std::sin(6), 1e-9);
+    EXPECT_NEAR(gone.velocity_W.x, 1 + 3 * arm * std::sin(6), 1e-9);
+    EXPECT_NEAR(gone.velocity_W.y, 0.5 - 3 * arm * std::cos(6), 1e-9);
+    const ObjectState rest = after(thrown, 3, 0.02, hammer);
+    const Point centre = Placement(rest.pose).place({arm, 0}), gravityWay{1, 0.5};
+    EXPECT_NEAR(centre.x, arm + length(gravityWay) / (2 * 0.3 * gravity), 1e-9);
+    EXPECT_EQ(speed(rest), 0);
+}
+
 TEST(FloorMotion, WithoutFrictionNothingSlowsDown) {
     const ObjectState moving = after({{}, {1, 0, 2}, {0.3, 0}}, 3, 0.02, ballType(), {0, 0, 0, {}, {}});
     EXPECT_NEAR(moving.pose.x, 3, 1e-12);
