@@ -27,7 +27,7 @@ constexpr float bounceThreshold = 0.5F;
 constexpr float onPlan = 3e-4F;
 // A body that moves farther than this share of its reach in a tick needs continuous collision, with other moving ones
 // too.
-constexpr double farMove = 0.25;
+constexpr double farMove = 0.1;
 // Continuous collision takes a quarter of a step's time. Bodies that only lean on what they touched before do without,
 // and those that would come less deep (m) into something new, which the solver presses out again.
 constexpr double shallow = 0.002;
