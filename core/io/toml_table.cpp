@@ -2,11 +2,49 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <sstream>
 
 #include "io/number_text.h"
 
 namespace mrose {
+namespace {
+
+/// How many letters must be added, dropped, changed or swapped with the next to make the one of the other.
+std::size_t editDistance(std::string_view a, std::string_view b) {
+    std::vector<std::vector<std::size_t>> steps(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+    for (std::size_t i = 0; i <= a.size(); ++i) {
+        for (std::size_t k = 0; k <= b.size(); ++k) {
+            if (i == 0 || k == 0) {
+                steps[i][k] = i + k;
+                continue;
+            }
+            steps[i][k] = std::min(
+                {steps[i - 1][k] + 1, steps[i][k - 1] + 1, steps[i - 1][k - 1] + (a[i - 1] == b[k - 1] ? 0 : 1)});
+            if (i > 1 && k > 1 && a[i - 1] == b[k - 2] && a[i - 2] == b[k - 1])
+                steps[i][k] = std::min(steps[i][k], steps[i - 2][k - 2] + 1);
+        }
+    }
+    return steps[a.size()][b.size()];
+}
+
+/// How far a key is from the one that it may be meant for; one that lacks its unit is near.
+std::size_t keyDistance(std::string_view a, std::string_view b) {
+    constexpr std::size_t longest = 64;
+    if (a.size() > longest || b.size() > longest) return std::max(a.size(), b.size());
+    const auto begins = [](std::string_view longer, std::string_view shorter) {
+        return longer.size() > shorter.size() && longer.starts_with(shorter) && longer[shorter.size()] == '_';
+    };
+    return begins(a, b) || begins(b, a) ? 1 : editDistance(a, b);
+}
+
+/// How messages tell an element of an array: by its name, where it has one, as conditions do.
+std::string elementKey(std::string_view key, const toml::table& element, std::size_t index) {
+    const auto name = element["name"].value<std::string>();
+    return std::string(key) + '[' + (name && !name->empty() ? '"' + *name + '"' : std::to_string(index + 1)) + ']';
+}
+
+}  // namespace
 
 TomlTable::TomlTable(std::string_view text, std::string file) : state_(std::make_shared<State>()) {
     state_->file = std::move(file);
@@ -20,13 +58,26 @@ TomlTable::TomlTable(std::string_view text, std::string file) : state_(std::make
     table_ = &state_->root;
 }
 
-bool TomlTable::has(std::string_view key) const { return table_->contains(key); }
+bool TomlTable::has(std::string_view key) {
+    known_.emplace_back(key);
+    return table_->contains(key);
+}
 
 const toml::node* TomlTable::find(std::string_view key) {
     asked_.emplace_back(key);
+    known_.emplace_back(key);
     const toml::node* node = table_->get(key);
-    if (!node) reject(key, "is missing");
-    return node;
+    if (node || failed()) return node;
+    for (const auto& [other, value] : *table_)
+        if (!isAsked(other.str()) && 4 * keyDistance(other.str(), key) <= key.size())
+            return rejectAt(&value, other.str(), "is not a known key; did you mean " + std::string(key) + '?'), nullptr;
+    reject(key, "is missing");
+    state_->lacking = table_;
+    return nullptr;
+}
+
+bool TomlTable::isAsked(std::string_view key) const {
+    return std::find(asked_.begin(), asked_.end(), key) != asked_.end();
 }
 
 void TomlTable::reject(std::string_view key, std::string cause) { rejectAt(table_->get(key), key, std::move(cause)); }
@@ -35,7 +86,7 @@ void TomlTable::rejectElement(std::string_view key, std::size_t index, std::stri
     const toml::node* node = table_->get(key);
     const toml::array* array = node ? node->as_array() : nullptr;
     const toml::node* element = array && index < array->size() ? array->get(index) : node;
-    rejectAt(element, std::string(key) + '[' + std::to_string(index) + ']', std::move(cause));
+    rejectAt(element, std::string(key) + '[' + std::to_string(index + 1) + ']', std::move(cause));
 }
 
 void TomlTable::adopt(Error error) {
@@ -194,11 +245,10 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) {
     const toml::array* array = node->as_array();
     if (!array) rejectAt(node, key, "expected an array of tables");
     for (std::size_t i = 0; array && i < array->size(); ++i) {
-        const std::string name = std::string(key) + '[' + std::to_string(i) + ']';
         if (const toml::table* element = (*array)[i].as_table())
-            found.push_back(TomlTable(state_, element, path_ + name + '.'));
+            found.push_back(TomlTable(state_, element, path_ + elementKey(key, *element, i) + '.'));
         else
-            rejectAt(array->get(i), name, "expected a table");
+            rejectAt(array->get(i), std::string(key) + '[' + std::to_string(i + 1) + ']', "expected a table");
     }
     return found;
 }
@@ -215,10 +265,40 @@ std::string TomlTable::text() const {
     return text.str();
 }
 
+std::string TomlTable::meantFor(std::string_view key) const {
+    std::string nearest;
+    std::size_t least = std::max<std::size_t>(1, key.size() / 3) + 1;
+    for (const std::string& candidate : known_) {
+        if (table_->contains(candidate) || keyDistance(key, candidate) >= least) continue;
+        least = keyDistance(key, candidate);
+        nearest = candidate;
+    }
+    return nearest;
+}
+
+std::string TomlTable::knownKeys() const {
+    const std::set<std::string> known(known_.begin(), known_.end());
+    std::string all;
+    for (const std::string& key : known) all += (all.empty() ? "" : ", ") + key;
+    return all;
+}
+
 void TomlTable::rejectUnknown() {
-    for (const auto& [key, node] : *table_)
-        if (std::find(asked_.begin(), asked_.end(), key.str()) == asked_.end())
-            rejectAt(&node, key.str(), "is not a known key");
+    if (failed() && state_->lacking != table_) return;
+    for (const auto& [key, node] : *table_) {
+        if (isAsked(key.str())) continue;
+        const std::string meant = meantFor(key.str());
+        // After an error not all keys need to have been asked for.
+        if (failed() && meant.empty()) continue;
+        state_->error.reset();
+        state_->lacking = nullptr;
+        std::string cause = "is not a known key";
+        if (!meant.empty())
+            cause += "; did you mean " + meant + '?';
+        else if (!known_.empty())
+            cause += "; expected one of " + knownKeys();
+        return rejectAt(&node, key.str(), std::move(cause));
+    }
 }
 
 }  // namespace mrose

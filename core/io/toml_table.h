@@ -21,14 +21,16 @@ struct NumberRange {
 };
 
 /// A TOML table read strictly: every read names its key, says what was expected, and remembers the first thing wrong
-/// with file, line and column. After an error reads return neutral values, so that a loader checks once, at its end.
-/// For .cpp files of loaders; no public header shows it.
+/// with file, line and column; of a table that lacks one key and has another one that nobody knows, the latter.
+/// Elements of arrays are told by their names, "robot[\"keeper\"].start", or counted from 1. After an error reads
+/// return neutral values, so that a loader checks once, at its end. For .cpp files of loaders; no public header shows
+/// it.
 class TomlTable {
 public:
     /// Parses a whole file's text. A syntax error is remembered like any other.
     TomlTable(std::string_view text, std::string file);
 
-    bool has(std::string_view key) const;
+    bool has(std::string_view key);
     double number(std::string_view key, NumberRange range = {});
     double numberOr(std::string_view key, double fallback, NumberRange range = {});
     std::int64_t integer(std::string_view key, std::int64_t least, std::int64_t most);
@@ -58,12 +60,12 @@ public:
     /// The table's own text in TOML.
     std::string text() const;
 
-    /// Remembers an error about a key of this table, or about element `index` of the array that it holds.
+    /// Remembers an error about a key of this table, or about element `index`, from 0, of the array that it holds.
     void reject(std::string_view key, std::string cause);
     void rejectElement(std::string_view key, std::size_t index, std::string cause);
     /// Remembers an error of another file, which this one needs.
     void adopt(Error error);
-    /// Rejects keys that nothing above asked for: most are misspelt.
+    /// Rejects keys that nothing above asked for: most are misspelt, and a missing one is what they were meant for.
     void rejectUnknown();
 
     bool failed() const { return state_->error.has_value(); }
@@ -74,12 +76,17 @@ private:
         toml::table root;
         std::string file;
         std::optional<Error> error;
+        const toml::table* lacking = nullptr;  ///< the table that the error says a key is missing in
     };
     TomlTable(std::shared_ptr<State> state, const toml::table* table, std::string path)
         : state_(std::move(state)), table_(table), path_(std::move(path)) {}
 
     const toml::node* find(std::string_view key);
     void rejectAt(const toml::node* node, std::string_view key, std::string cause);
+    bool isAsked(std::string_view key) const;
+    /// The key that a misspelt one is meant for; "" where none is near.
+    std::string meantFor(std::string_view key) const;
+    std::string knownKeys() const;
     /// A finite number in `range`; nothing, after remembering the error, for anything else.
     std::optional<double> numberIn(const toml::node& node, std::string_view key, NumberRange range);
     void appendRow(const toml::node* node, std::string_view key, std::size_t count, NumberRange range,
@@ -88,7 +95,7 @@ private:
     std::shared_ptr<State> state_;
     const toml::table* table_;
     std::string path_;
-    std::vector<std::string> asked_;
+    std::vector<std::string> asked_, known_;  ///< keys read; those and the ones looked for
 };
 
 }  // namespace mrose

@@ -161,7 +161,7 @@ Polygon polygon(TomlTable& table, std::string_view key, double far) {
     if (corners.empty()) return corners;
     if (const auto edges = selfIntersection(corners))
         table.rejectElement(key, edges->second,
-                            "begins an edge that meets the edge from corner " + std::to_string(edges->first) +
+                            "begins an edge that meets the edge from corner " + std::to_string(edges->first + 1) +
                                 "; expected a simple polygon");
     else if (const std::string problem = solidityProblem(corners); !problem.empty())
         table.reject(key, problem);

@@ -48,7 +48,7 @@ TEST_F(Shapes, DrawsIntoAFileOrAFolder) {
 TEST_F(Shapes, WhatIsWrongIsOneLineAndNothingIsWritten) {
     const std::string good = write("good.toml", square);
     const std::string bad = write("bad.toml", replaced(square, "[1, 1]", "[1, -1]"));
-    expectOneLine(runMrose({"shapes", good, bad, "-o", path("out")}), {"bad.toml:5:24: part[0].polygon_m[1]: "});
+    expectOneLine(runMrose({"shapes", good, bad, "-o", path("out")}), {"bad.toml:5:24: part[1].polygon_m[2]: "});
     EXPECT_FALSE(std::filesystem::exists(path("out")));
     expectOneLine(runMrose({"shapes", path("none.toml")}), {"none.toml: does not exist"});
     expectOneLine(runMrose({"shapes", path("")}), {"Is a directory"});

@@ -84,7 +84,7 @@ TEST(TomlTable, ElementsOfTheWrongKindAreFoundWhereTheyStand) {
               "f:2:2: k: has 1 numbers; expected 2");
     EXPECT_EQ(errorOf("k = [[1, 2],\n 5]", [](TomlTable& t) { t.matrix("k", 2, 2); }),
               "f:2:2: k: expected an array of numbers");
-    EXPECT_EQ(errorOf("k = [{},\n 5]", [](TomlTable& t) { t.tables("k"); }), "f:2:2: k[1]: expected a table");
+    EXPECT_EQ(errorOf("k = [{},\n 5]", [](TomlTable& t) { t.tables("k"); }), "f:2:2: k[2]: expected a table");
     EXPECT_EQ(errorOf("k = nan", [](TomlTable& t) { t.number("k"); }), "f:1:5: k: expected a finite number");
     EXPECT_EQ(errorOf("k = 2.5", [](TomlTable& t) { t.integer("k", 0, 9); }),
               "f:1:5: k: expected a whole number from 0 to 9");
@@ -135,8 +135,8 @@ TEST(TomlTable, KeysThatMayBeMissingHaveAValueAllTheSame) {
 
 TEST(TomlTable, ElementsAndOtherFilesCanBeRejected) {
     EXPECT_EQ(errorOf("k = [1,\n 2]", [](TomlTable& t) { t.rejectElement("k", 1, "because"); }),
-              "f:2:2: k[1]: because");
-    EXPECT_EQ(errorOf("k = 1", [](TomlTable& t) { t.rejectElement("k", 1, "because"); }), "f:1:5: k[1]: because");
+              "f:2:2: k[2]: because");
+    EXPECT_EQ(errorOf("k = 1", [](TomlTable& t) { t.rejectElement("k", 1, "because"); }), "f:1:5: k[2]: because");
     EXPECT_EQ(errorOf("k = 1",
                       [](TomlTable& t) {
                           t.adopt({"other", 3, 4, "key", "because"});
@@ -184,7 +184,7 @@ TEST(TomlTable, KeysOfInnerTablesAreNamedFromTheRoot) {
     EXPECT_EQ(errorOf("[a.b]\nk = true\n", inner), "f:2:5: a.b.k: expected a finite number");
     EXPECT_EQ(errorOf("[a]\n", inner), "f:1:1: a.b: is missing");
     EXPECT_EQ(errorOf("e = [{ k = 1 },\n {}]", [](TomlTable& t) { t.tables("e")[1].number("k"); }),
-              "f:2:2: e[1].k: is missing");
+              "f:2:2: e[2].k: is missing");
 }
 
 TEST(TomlTable, SyntaxErrorsAreFoundOnConstruction) {
@@ -205,6 +205,38 @@ TEST(TomlTable, TheFirstErrorStaysAndLaterReadsAreNeutral) {
     EXPECT_EQ(table.matrix("none", 2, 2), std::vector<double>(4));
     EXPECT_EQ(table.table("none").string("x"), "");
     EXPECT_EQ(table.error().message(), "f:1:5: a: expected a finite number");
+}
+
+TEST(TomlTable, AMisspeltKeyIsToldBeforeTheOneThatItWasMeantFor) {
+    const auto start = [](TomlTable& t) {
+        t.number("start_s");
+        t.has("speed_mps");
+        t.rejectUnknown();
+    };
+    EXPECT_EQ(errorOf("other = 1\nstrat_s = 2", start), "f:2:11: strat_s: is not a known key; did you mean start_s?");
+    // not near enough for a key that a reader may still ask for
+    EXPECT_EQ(errorOf("start = 1", start), "f:1:9: start: is not a known key; did you mean start_s?");
+    EXPECT_EQ(errorOf("y_m = 1", [](TomlTable& t) { t.number("x_m"), t.number("y_m"), t.rejectUnknown(); }),
+              "f:1:1: x_m: is missing");
+    EXPECT_EQ(errorOf("start_s = 1\nspede_mps = 2", start),
+              "f:2:13: spede_mps: is not a known key; did you mean speed_mps?");
+    EXPECT_EQ(errorOf("start_s = 1\ncolour = 2", start),
+              "f:2:10: colour: is not a known key; expected one of speed_mps, start_s");
+    EXPECT_EQ(errorOf("colour = 2", start), "f:1:1: start_s: is missing");
+    // what is wrong with another table stays what is told
+    EXPECT_EQ(errorOf("a = { k = \"\" }\nstrat_s = 1",
+                      [&](TomlTable& t) {
+                          t.table("a").number("k");
+                          start(t);
+                      }),
+              "f:1:11: a.k: expected a finite number");
+}
+
+TEST(TomlTable, ElementsAreToldByTheirNamesOrCountedFromOne) {
+    const auto second = [](TomlTable& t) { t.tables("e")[1].number("k"); };
+    EXPECT_EQ(errorOf("[[e]]\n[[e]]\nname = \"red 2\"", second), "f:2:1: e[\"red 2\"].k: is missing");
+    EXPECT_EQ(errorOf("[[e]]\n[[e]]\nname = \"\"", second), "f:2:1: e[2].k: is missing");
+    EXPECT_EQ(errorOf("[[e]]\n[[e]]\nname = 7", second), "f:2:1: e[2].k: is missing");
 }
 
 }  // namespace

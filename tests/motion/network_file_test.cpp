@@ -51,10 +51,10 @@ TEST(NetworkFile, NamesFileLineAndKeyOfWhatDoesNotFit) {
                 testing::HasSubstr("period_ms: is not a known key"));
     EXPECT_THAT(errorAfter("hidden = 13", "hidden = 12"), testing::HasSubstr("layers.hidden_weights"));
     EXPECT_THAT(errorAfter("hidden = 13", "hidden = 999999999999"), testing::HasSubstr("hidden"));
-    EXPECT_THAT(errorAfter("command_v", "command_u"), testing::HasSubstr("inputs[3].quantity"));
-    EXPECT_THAT(errorAfter("robot = \"b\"", "robot = \"z\""), testing::HasSubstr("inputs[2].robot"));
+    EXPECT_THAT(errorAfter("command_v", "command_u"), testing::HasSubstr("inputs[4].quantity"));
+    EXPECT_THAT(errorAfter("robot = \"b\"", "robot = \"z\""), testing::HasSubstr("inputs[3].robot"));
     EXPECT_THAT(errorAfter("oldest_s = 0.04", "oldest_s = 0.0"), testing::HasSubstr("oldest_s"));
-    EXPECT_THAT(errorAfter("name = \"dx_m\"", "name = \"dz_m\""), testing::HasSubstr("outputs[0].name"));
+    EXPECT_THAT(errorAfter("name = \"dx_m\"", "name = \"dz_m\""), testing::HasSubstr("outputs[\"dz_m\"].name"));
     EXPECT_THAT(errorAfter("[recovery]", "[recovery_]"), testing::HasSubstr("recovery"));
     EXPECT_THAT(errorAfter("quantum_mps = 0.0084", "quantum_mps = 0"), testing::HasSubstr("wheel_phase.quantum_mps"));
     EXPECT_THAT(errorAfter("hidden_biases = [", "hidden_biases = [1.0, "), testing::HasSubstr("layers.hidden_biases"));

@@ -62,7 +62,7 @@ TEST_F(Isolation, WhatCannotBeLoadedIsSaid) {
     EXPECT_EQ(refusal("/none.so", "", isolation()), "/none.so: there is no such file");
     const std::string path = testPlugin("misbehaving"), well = testPlugin("well_behaved");
     EXPECT_EQ(refusal(path, how("construction"), isolation()), path + ": its construction threw: no map?here");
-    EXPECT_EQ(refusal(well, "speed = 1.0", isolation()), well + ": speed: is not a known key");
+    EXPECT_EQ(refusal(well, "speed = 1.0", isolation()), well + ": speed: is not a known key; did you mean speed_mps?");
     EXPECT_EQ(refusal(path, how("crash while loading"), isolation()),
               path + ": its process ended by signal 11 (Segmentation fault) while it was loaded");
     IsolationOptions hasty = isolation();

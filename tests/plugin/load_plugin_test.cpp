@@ -91,7 +91,7 @@ TEST(PluginLoading, OptionsAreStrict) {
     EXPECT_EQ(key("speed_mps = 'fast'"), "speed_mps: expected a finite number");
     EXPECT_EQ(key("kicks = 1"), "kicks: expected true or false");
     EXPECT_EQ(key("label = 1"), "label: expected a text in quotes");
-    EXPECT_EQ(key("speed = 1.0"), "speed: is not a known key");
+    EXPECT_EQ(key("speed = 1.0"), "speed: is not a known key; did you mean speed_mps?");
     EXPECT_EQ(key("speed_mps = -1.0"), "speed_mps: expected at least 0");
 }
 

@@ -53,14 +53,14 @@ TEST_F(PluginProgram, RunsThem) {
 }
 
 TEST_F(PluginProgram, WhatIsWrongWithOptionsHasItsPlace) {
-    expectOneLine(run("how = 7"), {"game.toml:14:7: robot[0].controller.options.how: expected a text in quotes"});
+    expectOneLine(run("how = 7"), {"game.toml:14:7: robot[\"bad\"].controller.options.how: expected a text in quotes"});
     expectOneLine(run("how = \"\"\nmood = \"bad\""),
-                  {"game.toml:15:8: robot[0].controller.options.mood: is not a known key"});
+                  {"game.toml:15:8: robot[\"bad\"].controller.options.mood: is not a known key"});
     expectOneLine(run("how = \"\"\nmood = \"bad\"", {"--isolate"}),
-                  {"game.toml:15:8: robot[0].controller.options.mood: is not a known key"});
+                  {"game.toml:15:8: robot[\"bad\"].controller.options.mood: is not a known key"});
     for (const char* where : {"--quiet", "--isolate"})
         expectOneLine(run("how = \"construction\"", {where}),
-                      {"game.toml:12:11: robot[0].controller.library: " + testPlugin("misbehaving") +
+                      {"game.toml:12:11: robot[\"bad\"].controller.library: " + testPlugin("misbehaving") +
                        ": its construction threw: no map?here"});
 }
 

@@ -123,7 +123,8 @@ TEST(RobotFile, DeadTimeBelongsToTheNetworkUnlessOverridden) {
               "differences to this one")
         << "its newest input reads the present: earlier would be the future";
     EXPECT_NE(refusalOf("dead_time = { v_s = 0.4, w_s = 0.15, override = true }"), "") << "its wheels read both";
-    EXPECT_EQ(refusalOf("dead_time_s = 0.2"), "learned.toml:8:15: motion.dead_time_s: is not a known key");
+    EXPECT_EQ(refusalOf("dead_time_s = 0.2"),
+              "learned.toml:8:15: motion.dead_time_s: is not a known key; did you mean dead_time?");
 }
 
 TEST(RobotFile, NetworkMustBeThereAndFit) {
@@ -139,7 +140,7 @@ TEST(RobotFile, NetworkMustBeThereAndFit) {
     EXPECT_EQ(refusal("learned.toml", "disc.toml", "../none.toml"),
               "learned.toml:4:9: shape: \"../none.toml\" was not found; expected ../none.toml or mrose:none.toml");
     EXPECT_EQ(refusal("disc.toml", "radius_m = 0.2", "radius_m = 0"),
-              "disc.toml:7:23: part[0].circle.radius_m: is 0.0; expected 0.001 to 20.0");
+              "disc.toml:7:23: part[\"body\"].circle.radius_m: is 0.0; expected 0.001 to 20.0");
 }
 
 TEST(RobotFile, EveryOtherMistakeNamesItsPlace) {
@@ -153,22 +154,26 @@ TEST(RobotFile, EveryOtherMistakeNamesItsPlace) {
         {"[kinematics]", "[motion]\nnetwork = \"n.net\"\n[kinematics]",
          "r.toml:10:1: kinematics: expected either [motion] with a network or [kinematics]"},
         {"lag_s = 0.1,", "lag_s = -0.1,", "r.toml:9:34: kinematics.v.lag_s: is -0.1; expected 0.0 to 10.0"},
-        {"limit_mps = 0.5", "limit_degps = 5", "r.toml:9:82: kinematics.v.limit_degps: is not a known key"},
+        {"limit_mps = 0.5", "limit_degps = 5",
+         "r.toml:9:82: kinematics.v.limit_degps: is not a known key; did you mean limit_mps?"},
         {"distance_per_distance = 0.01", "distance_per_distance = 2",
          "r.toml:13:25: motion_noise.distance_per_distance: is 2.0; expected 0.0 to 1.0"},
         {"direction_deg = 30", "direction_deg = 400",
-         "r.toml:19:17: manipulator[0].direction_deg: is 400.0; expected -360.0 to 360.0"},
+         "r.toml:19:17: manipulator[\"kicker\"].direction_deg: is 400.0; expected -360.0 to 360.0"},
         {"\"slow kicker\"", "\"kicker\"",
-         "r.toml:25:8: manipulator[1].name: \"kicker\" is the name of another manipulator too"},
+         "r.toml:25:8: manipulator[\"kicker\"].name: \"kicker\" is the name of another manipulator too"},
         {"dead_time_s = 0.4", "dead_time_s = 3",
-         "r.toml:28:15: manipulator[1].dead_time_s: is 3.0; expected 0.0 to 2.0"},
+         "r.toml:28:15: manipulator[\"slow kicker\"].dead_time_s: is 3.0; expected 0.0 to 2.0"},
         {"drop_out = 0.05", "drop_out = 1.5", "r.toml:37:12: perception.self.drop_out: is 1.5; expected 0.0 to 1.0"},
         {"latency_s = 0.08", "latency_s = 8", "r.toml:36:13: perception.self.latency_s: is 8.0; expected 0.0 to 1.0"},
         {"field_of_view_deg = 90", "field_of_view_deg = 0",
          "r.toml:45:21: perception.objects.field_of_view_deg: is 0.0; expected 1.0 to 360.0"},
         {"occlusion = true", "occlusion = 1", "r.toml:49:13: perception.objects.occlusion: expected true or false"},
-        {"present = false", "presence = false", "r.toml:51:12: perception.robots.presence: is not a known key"},
-        {"mass_kg", "colour = \"#102030\"\nmass_kg", "r.toml:5:10: colour: is not a known key"},
+        {"present = false", "presence = false",
+         "r.toml:51:12: perception.robots.presence: is not a known key; did you mean present?"},
+        {"mass_kg", "colour = \"#102030\"\nmass_kg",
+         "r.toml:5:10: colour: is not a known key; expected one of control_period_s, format, kinematics, manipulator, "
+         "mass_kg, motion, motion_noise, name, perception, shape, surface, version"},
     };
     for (const auto& [from, to, message] : cases) EXPECT_EQ(refusal("r.toml", from, to), message);
     std::string many;

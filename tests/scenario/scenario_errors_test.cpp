@@ -10,6 +10,14 @@ namespace {
 TEST(ScenarioErrors, EveryMistakeNamesItsPlace) {
     const std::tuple<const char*, const char*, const char*> cases[] = {
         {"name = \"small\"\n", "", "s.toml:1:1: name: is missing"},
+        {"name = \"small\"\n", "nmae = \"small\"\n", "s.toml:3:8: nmae: is not a known key; did you mean name?"},
+        {"environment = ", "enviroment = ", "s.toml:4:14: enviroment: is not a known key; did you mean environment?"},
+        {"type = \"r.toml\"\nstart", "tpye = \"r.toml\"\nstart",
+         "s.toml:12:8: robot[\"one\"].tpye: is not a known key; did you mean type?"},
+        {"x_m = -1, y_m = 0.5", "x = -1, y_m = 0.5",
+         "s.toml:13:15: robot[\"one\"].start.x: is not a known key; did you mean x_m?"},
+        {"mass_kg = 2", "mas_kg = 2",
+         "s.toml:31:10: object[\"crate\"].mas_kg: is not a known key; did you mean mass_kg?"},
         {"seed = 7", "seed = -7", "s.toml:5:8: seed: expected a whole number from 0 to 9223372036854775807"},
         {"seed = 7", "seed = 7.5", "s.toml:5:8: seed: expected a whole number from 0 to 9223372036854775807"},
         {"duration_s = 12.5", "duration_s = 0", "s.toml:6:14: duration_s: is 0.0; expected 0.001 to 1000000.0"},
@@ -32,35 +40,39 @@ TEST(ScenarioErrors, EveryMistakeNamesItsPlace) {
         {"e.toml", "f.toml",
          "s.toml:4:15: environment: \"f.toml\" was not found; expected f.toml or mrose:resources/environments/f.toml"},
         {"\"r.toml\"", "\"e.toml\"", "e.toml:1:10: format: is \"mrose environment\"; expected one of \"mrose robot\""},
-        {"type = \"r.toml\"\n", "", "s.toml:10:1: robot[0].type: is missing"},
+        {"type = \"r.toml\"\n", "", "s.toml:10:1: robot[\"one\"].type: is missing"},
         {"name = \"two\"", "name = \"one\"",
-         "s.toml:17:8: robot[1].name: \"one\" is the name of another robot, person or object too"},
+         "s.toml:17:8: robot[\"one\"].name: \"one\" is the name of another robot, person or object too"},
         {"name = \"ball\"", "name = \"three\"",
-         "s.toml:24:8: person[0].name: \"three\" is the name of another robot, person or object too"},
+         "s.toml:24:8: person[\"three\"].name: \"three\" is the name of another robot, person or object too"},
         {"name = \"two\"", "name = \"\"",
-         "s.toml:17:8: robot[1].name: expected a name of 1 to 64 printable characters"},
-        {"y_m = 0.5, heading_deg = 90", "heading_deg = 90", "s.toml:13:9: robot[0].start.y_m: is missing"},
-        {"heading_deg = 90", "heading_rad = 1.5", "s.toml:13:46: robot[0].start.heading_rad: is not a known key"},
+         "s.toml:17:8: robot[2].name: expected a name of 1 to 64 printable characters"},
+        {"y_m = 0.5, heading_deg = 90", "heading_deg = 90", "s.toml:13:9: robot[\"one\"].start.y_m: is missing"},
+        {"heading_deg = 90", "heading_rad = 1.5", "s.toml:13:46: robot[\"one\"].start.heading_rad: is not a known key"},
         {"heading_deg = 90", "heading_deg = 900",
-         "s.toml:13:46: robot[0].start.heading_deg: is 900.0; expected -360.0 to 360.0"},
-        {"start = { x_m = 1, y_m = 0.5 }\n", "", "s.toml:16:1: robot[1].start: is missing"},
+         "s.toml:13:46: robot[\"one\"].start.heading_deg: is 900.0; expected -360.0 to 360.0"},
+        {"start = { x_m = 1, y_m = 0.5 }\n", "", "s.toml:16:1: robot[\"two\"].start: is missing"},
         {"phase_s = 0.04", "phase_s = 0.05",
-         "s.toml:14:11: robot[0].phase_s: expected a multiple of tick_s below the control period of 0.1"},
+         "s.toml:14:11: robot[\"one\"].phase_s: expected a multiple of tick_s below the control period of 0.1"},
         {"phase_s = 0.04", "phase_s = 0.1",
-         "s.toml:14:11: robot[0].phase_s: expected a multiple of tick_s below the control period of 0.1"},
+         "s.toml:14:11: robot[\"one\"].phase_s: expected a multiple of tick_s below the control period of 0.1"},
         {"phase_s = 0.04", "phase_s = 0.04\nphase_share = 0.5",
-         "s.toml:15:15: robot[0].phase_share: phase_s is there too; expected one of them"},
-        {"phase_share = 0.5", "phase_share = 1.5", "s.toml:21:15: robot[1].phase_share: is 1.5; expected 0.0 to 1.0"},
+         "s.toml:15:15: robot[\"one\"].phase_share: phase_s is there too; expected one of them"},
+        {"phase_share = 0.5", "phase_share = 1.5",
+         "s.toml:21:15: robot[\"two\"].phase_share: is 1.5; expected 0.0 to 1.0"},
         {"motion_robot = \"b\"", "motion_robot = \"c\"",
-         "s.toml:19:16: robot[1].motion_robot: \"c\" is none of the network's robots"},
+         "s.toml:19:16: robot[\"two\"].motion_robot: \"c\" is none of the network's robots"},
         {"name = \"one\"", "name = \"one\"\nmotion_robot = \"b\"",
-         "s.toml:12:16: robot[0].motion_robot: its robot file has no network to choose a robot of"},
+         "s.toml:12:16: robot[\"one\"].motion_robot: its robot file has no network to choose a robot of"},
         {"kind = \"ball\"\nshape", "kind = \"cube\"\nshape",
-         "s.toml:36:8: object[1].kind: is \"cube\"; expected one of \"ball\", \"box\""},
-        {"inertia = 0.4", "inertia = 4", "s.toml:39:11: object[1].inertia: is 4.0; expected 0.01 to 1.0"},
-        {"kind = \"box\"", "kind = \"box\"\ninertia = 0.4", "s.toml:30:11: object[0].inertia: is not a known key"},
-        {"mass_kg = 0.4", "mass_kg = -1", "s.toml:38:11: object[1].mass_kg: is -1.0; expected 0.001 to 100000.0"},
-        {"x_mps = 1,", "x_mps = 100,", "s.toml:41:22: object[1].velocity.x_mps: is 100.0; expected -20.0 to 20.0"},
+         "s.toml:36:8: object[\"ball\"].kind: is \"cube\"; expected one of \"ball\", \"box\""},
+        {"inertia = 0.4", "inertia = 4", "s.toml:39:11: object[\"ball\"].inertia: is 4.0; expected 0.01 to 1.0"},
+        {"kind = \"box\"", "kind = \"box\"\ninertia = 0.4",
+         "s.toml:30:11: object[\"crate\"].inertia: is not a known key"},
+        {"mass_kg = 0.4", "mass_kg = -1",
+         "s.toml:38:11: object[\"ball\"].mass_kg: is -1.0; expected 0.001 to 100000.0"},
+        {"x_mps = 1,", "x_mps = 100,",
+         "s.toml:41:22: object[\"ball\"].velocity.x_mps: is 100.0; expected -20.0 to 20.0"},
         {"[[person]]", "[[people]]", "s.toml:23:1: people: is not a known key"},
         {"[[robot]]", "[[robot]", "s.toml:10:9: is not TOML: "},
     };
@@ -70,14 +82,14 @@ TEST(ScenarioErrors, EveryMistakeNamesItsPlace) {
 
 TEST(ScenarioErrors, TickMustDivideEveryControlPeriod) {
     EXPECT_EQ(refusal("s.toml", "tick_s = 0.02", "tick_s = 0.03"),
-              "s.toml:12:8: robot[0].type: has a control period of 0.1; expected a multiple of tick_s = 0.03");
+              "s.toml:12:8: robot[\"one\"].type: has a control period of 0.1; expected a multiple of tick_s = 0.03");
     EXPECT_EQ(refusal("r.toml", "control_period_s = 0.1", "control_period_s = 0.15"),
-              "s.toml:12:8: robot[0].type: has a control period of 0.15; expected a multiple of tick_s = 0.02");
+              "s.toml:12:8: robot[\"one\"].type: has a control period of 0.15; expected a multiple of tick_s = 0.02");
 }
 
 TEST(ScenarioErrors, BallMustBeACircleAboutItsReferencePoint) {
     const std::string expected =
-        "s.toml:37:9: object[1].shape: is no circle about its reference point; expected one, for a ball";
+        "s.toml:37:9: object[\"ball\"].shape: is no circle about its reference point; expected one, for a ball";
     EXPECT_EQ(refusal("ball.toml", "circle = { radius_m = 0.1 }", "polygon_m = [[0, 0], [0.1, 0], [0, 0.1]]"),
               expected);
     EXPECT_EQ(refusal("ball.toml", "radius_m = 0.1", "centre_m = [0.01, 0], radius_m = 0.1"), expected);
@@ -90,30 +102,34 @@ TEST(ScenarioErrors, ControllersAreReadCompletely) {
                        text);
     };
     const std::pair<const char*, const char*> cases[] = {
-        {"{ }", "s.toml:22:14: robot[1].controller.kind: is missing"},
-        {"\"wander\"", "s.toml:22:14: robot[1].controller: expected a table"},
+        {"{ }", "s.toml:22:14: robot[\"two\"].controller.kind: is missing"},
+        {"\"wander\"", "s.toml:22:14: robot[\"two\"].controller: expected a table"},
         {"{ kind = \"dance\" }",
-         "s.toml:22:23: robot[1].controller.kind: is \"dance\"; expected one of \"velocity_script\", \"log_player\", "
+         "s.toml:22:23: robot[\"two\"].controller.kind: is \"dance\"; expected one of \"velocity_script\", "
+         "\"log_player\", "
          "\"go_to_pose\", \"chase_ball\", \"wander\", \"plugin\""},
-        {"{ kind = \"wander\", pace = 1 }", "s.toml:22:40: robot[1].controller.pace: is not a known key"},
+        {"{ kind = \"wander\", pace = 1 }",
+         "s.toml:22:40: robot[\"two\"].controller.pace: is not a known key; expected one of change_every_s, "
+         "dead_time_s, kind, rotation_degps, speed_mps"},
         {"{ kind = \"wander\", speed_mps = -1 }",
-         "s.toml:22:45: robot[1].controller.speed_mps: is -1.0; expected 0.0 to 20.0"},
+         "s.toml:22:45: robot[\"two\"].controller.speed_mps: is -1.0; expected 0.0 to 20.0"},
         {"{ kind = \"go_to_pose\", targets = [] }",
-         "s.toml:22:47: robot[1].controller.targets: expected 1 to 1000 poses"},
+         "s.toml:22:47: robot[\"two\"].controller.targets: expected 1 to 1000 poses"},
         {"{ kind = \"go_to_pose\", targets = [{ x_m = 1 }] }",
-         "s.toml:22:48: robot[1].controller.targets[0].y_m: is missing"},
-        {"{ kind = \"chase_ball\" }", "s.toml:22:14: robot[1].controller.target_m: is missing"},
-        {"{ kind = \"velocity_script\" }", "s.toml:22:14: robot[1].controller.commands: is missing"},
+         "s.toml:22:48: robot[\"two\"].controller.targets[1].y_m: is missing"},
+        {"{ kind = \"chase_ball\" }", "s.toml:22:14: robot[\"two\"].controller.target_m: is missing"},
+        {"{ kind = \"velocity_script\" }", "s.toml:22:14: robot[\"two\"].controller.commands: is missing"},
         {"{ kind = \"velocity_script\", commands = [{ t_s = 1 }, { t_s = 1 }] }",
-         "s.toml:22:75: robot[1].controller.commands[1].t_s: is not later than that of the command before"},
+         "s.toml:22:75: robot[\"two\"].controller.commands[2].t_s: is not later than that of the command before"},
         {"{ kind = \"velocity_script\", commands = [{ t_s = 1, v_mps = nan }] }",
-         "s.toml:22:73: robot[1].controller.commands[0].v_mps: expected a finite number"},
-        {"{ kind = \"log_player\", robot = \"1\" }", "s.toml:22:14: robot[1].controller.log: is missing"},
+         "s.toml:22:73: robot[\"two\"].controller.commands[1].v_mps: expected a finite number"},
+        {"{ kind = \"log_player\", robot = \"1\" }", "s.toml:22:14: robot[\"two\"].controller.log: is missing"},
         {"{ kind = \"log_player\", log = \"drive\", robot = \"1\" }",
-         "s.toml:22:43: robot[1].controller.log: \"drive\" was not found; expected a log of that name beside this "
+         "s.toml:22:43: robot[\"two\"].controller.log: \"drive\" was not found; expected a log of that name beside "
+         "this "
          "file, "
          "in the current folder or in the folder that MROSE_DATA names, or another one by --log"},
-        {"{ kind = \"plugin\" }", "s.toml:22:14: robot[1].controller.library: is missing"},
+        {"{ kind = \"plugin\" }", "s.toml:22:14: robot[\"two\"].controller.library: is missing"},
     };
     for (const auto& [controller, message] : cases) EXPECT_EQ(withController(controller), message);
 }
@@ -125,16 +141,19 @@ TEST(ScenarioErrors, BodiesMustNotOverlapAtTheStart) {
     EXPECT_EQ(second("{ x_m = -0.60005, y_m = 0.5 }"), "") << "nor is what rounding could be";
     EXPECT_NE(second("{ x_m = -0.6002, y_m = 0.5 }"), "");
     EXPECT_EQ(second("{ x_m = -0.61, y_m = 0.5 }"),
-              "s.toml:20:9: robot[1].start: \"two\" overlaps \"one\" by about 10 mm; expected room between them");
-    EXPECT_EQ(second("{ x_m = 0.1, y_m = 0 }"),
-              "s.toml:40:9: object[1].start: \"ball\" overlaps \"two\" by about 200 mm; expected room between them");
-    EXPECT_EQ(second("{ x_m = 4.85, y_m = 0 }"),
-              "s.toml:20:9: robot[1].start: \"two\" overlaps the obstacle \"fence\" by about 50 mm; expected room "
-              "between them");
+              "s.toml:20:9: robot[\"two\"].start: \"two\" overlaps \"one\" by about 10 mm; expected room between them");
+    EXPECT_EQ(
+        second("{ x_m = 0.1, y_m = 0 }"),
+        "s.toml:40:9: object[\"ball\"].start: \"ball\" overlaps \"two\" by about 200 mm; expected room between them");
+    EXPECT_EQ(
+        second("{ x_m = 4.85, y_m = 0 }"),
+        "s.toml:20:9: robot[\"two\"].start: \"two\" overlaps the obstacle \"fence\" by about 50 mm; expected room "
+        "between them");
     EXPECT_EQ(second("{ x_m = 4.8, y_m = 0 }"), "") << "touching is no overlap";
-    EXPECT_EQ(second("{ x_m = 3, y_m = 2 }"),
-              "s.toml:20:9: robot[1].start: \"two\" overlaps the obstacle \"post\" by about 350 mm; expected room "
-              "between them");
+    EXPECT_EQ(
+        second("{ x_m = 3, y_m = 2 }"),
+        "s.toml:20:9: robot[\"two\"].start: \"two\" overlaps the obstacle \"post\" by about 350 mm; expected room "
+        "between them");
     EXPECT_EQ(second("{ x_m = 2.75, y_m = 1.75 }"), "") << "0.3536 m from the post's centre";
     EXPECT_NE(second("{ x_m = 2.753, y_m = 1.753 }"), "") << "0.3493 m";
 }
@@ -145,7 +164,7 @@ TEST(ScenarioErrors, TenThousandRobotsInOneSpotAreRefusedAtOnce) {
     for (int i = 0; i < 10'000; ++i)
         text += "[[robot]]\nname = \"r" + std::to_string(i) + "\"\ntype = \"r.toml\"\nstart = { x_m = 3, y_m = -2 }\n";
     EXPECT_EQ(loadFrom(texts).error().message(),
-              "s.toml:49:9: robot[3].start: \"r1\" overlaps \"r0\" by about 400 mm; expected room between them");
+              "s.toml:49:9: robot[\"r1\"].start: \"r1\" overlaps \"r0\" by about 400 mm; expected room between them");
 }
 
 }  // namespace

@@ -151,7 +151,7 @@ TEST(ScenarioFile, FilesAreFoundBesideTheOneThatNamesThemThenWhereTheyShip) {
     texts["mrose:resources/scenarios/s.toml"] = world.at("s.toml");
     texts["mrose:shapes/ball.toml"] = world.at("ball.toml");
     EXPECT_EQ(loadFrom(texts, "s.toml").error().message(),
-              "mrose:resources/scenarios/s.toml:12:8: robot[0].type: \"r.toml\" was not found; expected "
+              "mrose:resources/scenarios/s.toml:12:8: robot[\"one\"].type: \"r.toml\" was not found; expected "
               "mrose:resources/scenarios/r.toml or mrose:resources/robots/r.toml");
     EXPECT_EQ(loadFrom(texts, "none.toml").error().message(),
               "none.toml: does not exist, nor does mrose:resources/scenarios/none.toml");

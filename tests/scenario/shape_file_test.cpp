@@ -93,25 +93,25 @@ TEST(ShapeFile, AnySimplePolygonIsDividedIntoPiecesThatCoverIt) {
 
 TEST(ShapeFile, PolygonsWithoutSizeAreRefusedWhereTheyStand) {
     EXPECT_EQ(refusalOfPolygon("[[0, 0], [0, 0],\n  [0, 0]]"),
-              "f:5:14: part[0].polygon_m[0]: is nearer than 0.001 m to the next corner; edges need some length");
+              "f:5:14: part[1].polygon_m[1]: is nearer than 0.001 m to the next corner; edges need some length");
     EXPECT_EQ(refusalOfPolygon("[[0, 0], [0.1, 0],\n  [0.1, 0.1], [0.1, 0.1005]]"),
-              "f:6:3: part[0].polygon_m[2]: is nearer than 0.001 m to the next corner; edges need some length");
+              "f:6:3: part[1].polygon_m[3]: is nearer than 0.001 m to the next corner; edges need some length");
     EXPECT_EQ(refusalOfPolygon("[[0, 0], [0.1, 0], [0.1, 0.1],\n [0.0005, 0]]"),
-              "f:6:2: part[0].polygon_m[3]: is nearer than 0.001 m to the next corner; edges need some length");
+              "f:6:2: part[1].polygon_m[4]: is nearer than 0.001 m to the next corner; edges need some length");
     EXPECT_EQ(refusalOfPolygon("[[0, 0], [0.1, 0], [0.05, 0.0005]]"),
-              "f:5:13: part[0].polygon_m: is thinner than 0.001 m");
+              "f:5:13: part[1].polygon_m: is thinner than 0.001 m");
     EXPECT_EQ(
         refusalOfPolygon("[[0, 0], [0.1, 0], [0.2, 0]]"),
-        "f:5:32: part[0].polygon_m[2]: begins an edge that meets the edge from corner 1; expected a simple polygon");
+        "f:5:32: part[1].polygon_m[3]: begins an edge that meets the edge from corner 2; expected a simple polygon");
     EXPECT_EQ(refusalOfPolygon("[[0, 0], [0.1, 0]]"),
-              "f:5:13: part[0].polygon_m: has 2 elements; expected 3 to 100 arrays of 2 numbers");
+              "f:5:13: part[1].polygon_m: has 2 elements; expected 3 to 100 arrays of 2 numbers");
 }
 
 TEST(ShapeFile, PolygonsThatAreNotSimpleAreRefused) {
     // A bow tie: the edges from corners 1 and 3 cross.
     EXPECT_EQ(
         refusalOfPolygon("[[0, 0], [1, 0], [0, 1],\n [1, 1]]"),
-        "f:6:2: part[0].polygon_m[3]: begins an edge that meets the edge from corner 1; expected a simple polygon");
+        "f:6:2: part[1].polygon_m[4]: begins an edge that meets the edge from corner 2; expected a simple polygon");
     // A corner that touches another edge.
     EXPECT_NE(refusalOfPolygon("[[0, 0], [1, 0], [1, 1], [0.5, 0], [0, 1]]").find("expected a simple polygon"),
               std::string::npos);
@@ -130,26 +130,30 @@ TEST(ShapeFile, EveryOtherMistakeNamesItsPlace) {
         {"", "f:1:1: part: is missing"},
         {"part = []", "f:4:8: part: expected 1 to 64 parts"},
         {"[[part]]\ncircle = { radius_m = 0.0005 }",
-         "f:5:23: part[0].circle.radius_m: is 5e-04; expected 0.001 to 20.0"},
-        {"[[part]]\ncircle = { radius_m = 21 }", "f:5:23: part[0].circle.radius_m: is 21.0; expected 0.001 to 20.0"},
-        {"[[part]]\ncircle = { radius = 1 }", "f:5:10: part[0].circle.radius_m: is missing"},
-        {"[[part]]\ncircle = { radius_m = 1, colour = 1 }", "f:5:35: part[0].circle.colour: is not a known key"},
+         "f:5:23: part[1].circle.radius_m: is 5e-04; expected 0.001 to 20.0"},
+        {"[[part]]\ncircle = { radius_m = 21 }", "f:5:23: part[1].circle.radius_m: is 21.0; expected 0.001 to 20.0"},
+        {"[[part]]\ncircle = { radius = 1 }",
+         "f:5:21: part[1].circle.radius: is not a known key; did you mean radius_m?"},
+        {"[[part]]\ncircle = { radius_m = 1, colour = 1 }",
+         "f:5:35: part[1].circle.colour: is not a known key; expected one of centre_m, radius_m"},
         {"[[part]]\nname = \"a\"",
-         "f:4:1: part[0].polygon_m: expected either polygon_m = [[x, y], ...] or circle = { centre_m, radius_m }"},
+         "f:4:1: part[\"a\"].polygon_m: expected either polygon_m = [[x, y], ...] or circle = { centre_m, radius_m }"},
         {"[[part]]\npolygon_m = [[0, 0], [1, 0], [0, 1]]\ncircle = { radius_m = 1 }",
-         "f:6:10: part[0].circle: expected either polygon_m = [[x, y], ...] or circle = { centre_m, radius_m }"},
+         "f:6:10: part[1].circle: expected either polygon_m = [[x, y], ...] or circle = { centre_m, radius_m }"},
         {"[[part]]\npolygon_m = [[0, 0], [1, 0],\n [0, 30]]",
-         "f:6:6: part[0].polygon_m: is 30.0; expected -20.0 to 20.0"},
-        {"[[part]]\npolygon_m = [[0, 0], [1, 0],\n [0, 1, 2]]", "f:6:2: part[0].polygon_m: has 3 numbers; expected 2"},
-        {"[[part]]\npolygon_m = \"square\"", "f:5:13: part[0].polygon_m: expected 3 to 100 arrays of 2 numbers"},
+         "f:6:6: part[1].polygon_m: is 30.0; expected -20.0 to 20.0"},
+        {"[[part]]\npolygon_m = [[0, 0], [1, 0],\n [0, 1, 2]]", "f:6:2: part[1].polygon_m: has 3 numbers; expected 2"},
+        {"[[part]]\npolygon_m = \"square\"", "f:5:13: part[1].polygon_m: expected 3 to 100 arrays of 2 numbers"},
         {"[[part]]\ncolour = \"red\"\ncircle = { radius_m = 1 }",
-         "f:5:10: part[0].colour: expected a colour such as \"#3050c0\""},
+         "f:5:10: part[1].colour: expected a colour such as \"#3050c0\""},
         {"[[part]]\ncolour = \"#12345g\"\ncircle = { radius_m = 1 }",
-         "f:5:10: part[0].colour: expected a colour such as \"#3050c0\""},
+         "f:5:10: part[1].colour: expected a colour such as \"#3050c0\""},
         {"[[part]]\nname = \"\"\ncircle = { radius_m = 1 }",
-         "f:5:8: part[0].name: expected a name of 1 to 64 printable characters"},
-        {"[[part]]\ncircle = { radius_m = 1 }\ncolor = \"#102030\"", "f:6:9: part[0].color: is not a known key"},
-        {"colour = \"#102030\"\n[[part]]\ncircle = { radius_m = 1 }", "f:4:10: colour: is not a known key"},
+         "f:5:8: part[1].name: expected a name of 1 to 64 printable characters"},
+        {"[[part]]\ncircle = { radius_m = 1 }\ncolor = \"#102030\"",
+         "f:6:9: part[1].color: is not a known key; did you mean colour?"},
+        {"colour = \"#102030\"\n[[part]]\ncircle = { radius_m = 1 }",
+         "f:4:10: colour: is not a known key; expected one of format, name, part, reference_m, version"},
         {"reference_m = [0]\n[[part]]\ncircle = { radius_m = 1 }", "f:4:15: reference_m: has 1 numbers; expected 2"},
     };
     for (const auto& [body, message] : cases) EXPECT_EQ(refusalOf(body), message) << body;

@@ -210,10 +210,10 @@ TEST(ShippedFiles, ReplayWithoutItsLogSaysWhatToDo) {
     DiskDescriptions source = disk();
     const auto replay = loadScenario("mrclam_replay.toml", source);
     ASSERT_FALSE(replay);
-    EXPECT_THAT(
-        replay.error().message(),
-        testing::ContainsRegex("mrclam_replay.toml:[0-9]+:43: robot\\[0\\].controller.log: \"MRCLAM_Dataset6\" was "
-                               "not found; expected a log of that name beside this file"));
+    EXPECT_THAT(replay.error().message(),
+                testing::ContainsRegex(
+                    "mrclam_replay.toml:[0-9]+:43: robot\\[\"create 1\"\\].controller.log: \"MRCLAM_Dataset6\" was "
+                    "not found; expected a log of that name beside this file"));
 }
 
 }  // namespace
