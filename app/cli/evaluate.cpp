@@ -65,6 +65,9 @@ void printTable(const Evaluation& evaluation, const std::vector<std::string>& no
     std::puts(
         "\nP: time-mean position error over path; Hd: time-mean heading error over rotation, summed over windows.\n"
         "median pos.: of the windows' P; final: median errors at the end of a window.");
+    if (evaluation.floor && !evaluation.floor->pairs.empty())
+        std::puts(
+            "floor: what the best prediction of its pairs would leave: how far two real runs are apart, over √2.");
     printStates(evaluation);
     if (!notices.empty()) std::puts("");
     for (const std::string& notice : notices) std::printf("Note: %s\n", notice.c_str());

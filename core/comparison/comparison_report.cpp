@@ -47,6 +47,9 @@ std::string page(const Comparison& comparison, const ReportContext& context) {
     return text;
 }
 
+/// Nothing where it is not known: what is wrong then stands beside it.
+std::string known(double value, int decimals) { return std::isfinite(value) ? fixed(value, decimals) : ""; }
+
 std::string lead(const Comparison& comparison) {
     const ComparedSummary& all = comparison.all;
     std::string text =
@@ -74,9 +77,9 @@ std::vector<std::string> summaryRow(const std::string& name, const ComparedSumma
             fixed(s.counted.p, 2),
             fixed(s.counted.hd, 2),
             fixed(100 * s.positionFinal.median, 1),
-            fixed(100 * s.positionFinal.p90, 1),
+            p90Text(s.positionFinal, 100, 1),
             fixed(degrees * s.headingFinal.median, 1),
-            fixed(degrees * s.headingFinal.p90, 1),
+            p90Text(s.headingFinal, degrees, 1),
             std::to_string(s.touches),
             std::to_string(s.touched)};
 }
@@ -97,20 +100,62 @@ std::string robotTable(const Comparison& comparison) {
     return table.text();
 }
 
+/// Why a course does not count for P and Hd; nothing where it does.
+std::string whyNot(CourseUse use) {
+    switch (use) {
+        case CourseUse::still:
+            return "not in P and Hd: it hardly moves";
+        case CourseUse::gap:
+            return "not in P and Hd: gap in the ground truth";
+        case CourseUse::absent:
+            return "not in the world: no ground truth at the start";
+        case CourseUse::counted:
+            break;
+    }
+    return {};
+}
+
 std::string worstTable(const Comparison& comparison, const std::vector<std::size_t>& worst) {
-    HtmlTable table({"", "course", "from", "path m", "mean cm", "mean % path", "end cm", "end °", "touches", ""},
+    HtmlTable table({"rank", "robot", "course", "from", "path m", "mean cm ▼", "% of path", "cm", "°", "touches", ""},
                     "dense");
+    table.group("", 5);
+    table.group("error over time", 2);
+    table.group("error at the end", 2);
+    table.group("", 2);
     for (std::size_t i = 0; i < std::min(worst.size(), listedCourses); ++i) {
         const ComparedCourse& course = comparison.courses[worst[i]];
         const WindowErrors& errors = course.errors;
         const bool whole = course.use == CourseUse::counted;
-        table.row(
-            {escaped(comparison.robots[course.robot].name), std::to_string(course.request + 1),
-             escaped(startText(comparison, course)), fixed(course.real.path, 2), fixed(100 * errors.positionMean, 1),
-             whole ? fixed(100 * errors.positionMean / course.real.path, 1) : "–", fixed(100 * errors.positionFinal, 1),
-             fixed(degrees * errors.headingFinal, 1), std::to_string(course.touches), whole ? "" : name(course.use)});
+        table.row({std::to_string(i + 1), escaped(comparison.robots[course.robot].name),
+                   std::to_string(course.request + 1), escaped(startText(comparison, course)),
+                   known(course.real.path, 2), cat("<b>", known(100 * errors.positionMean, 1), "</b>"),
+                   whole ? fixed(100 * errors.positionMean / course.real.path, 1) : "",
+                   known(100 * errors.positionFinal, 1), known(degrees * errors.headingFinal, 1),
+                   std::to_string(course.touches), element("span", "soft", whyNot(course.use))});
     }
     return table.text();
+}
+
+/// All robots of one course: how far off, and who is not in the picture and why.
+std::string courseTable(const Comparison& comparison, std::size_t request) {
+    HtmlTable table({"", "path m", "mean cm", "end cm", "end °"}, "dense");
+    std::string absent;
+    for (const ComparedCourse& course : comparison.courses) {
+        if (course.request != request) continue;
+        const std::string name = escaped(comparison.robots[course.robot].name);
+        const WindowErrors& errors = course.errors;
+        if (course.simulated.empty())
+            absent += element("p", "soft",
+                              cat("<b>", name,
+                                  "</b> is not in this course: the log has no ground truth of "
+                                  "it at the start."));
+        else
+            table.row({name, known(course.real.path, 2), known(100 * errors.positionMean, 1),
+                       known(100 * errors.positionFinal, 1), known(degrees * errors.headingFinal, 1)});
+    }
+    return element(
+        "div", "",
+        cat(element("h3", "", "Simulated position and heading, off the real ones by"), table.text(), absent));
 }
 
 /// Courses whose pictures tell most: all robots of a single one; the worst, the 90th percentile and the median of many.
@@ -129,12 +174,13 @@ std::vector<std::size_t> shownCourses(const Comparison& comparison, const std::v
 
 std::string robotCard(const Comparison& comparison, const ComparedCourse& course) {
     const WindowErrors& errors = course.errors;
-    std::string what =
-        cat("course\u00a0", std::to_string(course.request + 1), " · from\u00a0", escaped(startText(comparison, course)),
-            " · path\u00a0", fixed(course.real.path, 2), "\u00a0m<br/>mean ", fixed(100 * errors.positionMean, 1),
-            "\u00a0cm · at the end ", fixed(100 * errors.positionFinal, 1), "\u00a0cm, ",
-            fixed(degrees * errors.headingFinal, 1), "°");
-    if (course.use == CourseUse::gap) what += " · ground truth with a gap";
+    std::string what = cat("course\u00a0", std::to_string(course.request + 1), " · from\u00a0",
+                           escaped(startText(comparison, course)), " · path\u00a0", fixed(course.real.path, 2),
+                           "\u00a0m<br/>mean ", fixed(100 * errors.positionMean, 1), "\u00a0cm");
+    if (std::isfinite(errors.positionFinal))
+        what += cat(" · at the end ", fixed(100 * errors.positionFinal, 1), "\u00a0cm, ",
+                    fixed(degrees * errors.headingFinal, 1), "°");
+    if (course.use == CourseUse::gap) what += " · gap in the ground truth";
     if (course.touched) what += cat(" · touched after ", secondsText(*course.touched), "\u00a0s");
     return card(escaped(comparison.robots[course.robot].name),
                 cat(element("p", "soft", what), robotFigure(comparison, course)));
@@ -150,7 +196,9 @@ std::string pictures(const Comparison& comparison, const Environment& environmen
         cat(heading("Where they drove"),
             paragraph(comparison.requests.size() == 1 ? "All robots from start to end."
                                                       : "All robots in the course with the largest mean error."),
-            element("div", "card", element("div", "scene", courseFigure(comparison, request, environment))),
+            element("div", "card",
+                    element("div", "scene",
+                            cat(courseFigure(comparison, request, environment), courseTable(comparison, request)))),
             heading("Real beside simulated paths"),
             paragraph(cat("Both axes have the same scale; the bar below each picture, which is also the grid’s "
                           "spacing, says which. ",
@@ -160,8 +208,11 @@ std::string pictures(const Comparison& comparison, const Environment& environmen
             robotFigureLegend(comparison), element("div", "paths", cards));
     if (worst.size() > shown.size())
         text += cat(heading("The worst courses"),
-                    paragraph("By their mean position error. <code>--start</code> and <code>--duration</code> show one "
-                              "alone; courses.csv has them all."),
+                    paragraph(cat("The ", std::to_string(std::min(worst.size(), listedCourses)), " of ",
+                                  std::to_string(worst.size()),
+                                  " drives with the largest mean position error, the largest first. "
+                                  "<code>--start</code> and <code>--duration</code> show one alone; courses.csv has "
+                                  "them all.")),
                     tableCard(worstTable(comparison, worst)));
     return text;
 }

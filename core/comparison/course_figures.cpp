@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drawing/scene_drawing.h"
+#include "drawing/course_drawing.h"
 #include "evaluation/format.h"
 #include "evaluation/html.h"
 #include "evaluation/report_figures.h"
@@ -12,7 +12,7 @@
 namespace mrose {
 namespace {
 
-constexpr Colour realColour{20, 20, 20}, simulatedColour{0, 114, 178};
+constexpr int sceneArrows = 6, cardArrows = 12;  // of a path
 
 /// A robot's median errors, from the start on; not a number where none is known.
 std::vector<PlotPoint> medianErrors(const Comparison& comparison, std::size_t robot, ErrorKind kind) {
@@ -32,15 +32,23 @@ std::vector<PlotPoint> medianErrors(const Comparison& comparison, std::size_t ro
     return points;
 }
 
-/// Between heading arrows: a second; more where courses are long.
-Nanoseconds arrowInterval(const Comparison& comparison) {
-    int most = 0;
-    for (const CourseRequest& request : comparison.requests) most = std::max(most, request.steps);
-    const Nanoseconds longest = most * comparison.evaluation.options.windows.step;
-    const Nanoseconds second = nanosecondsPerSecond;
-    return longest > 30 * second   ? longest / 20 / second * second + second
-           : longest >= 5 * second ? second
-                                   : second / 5;
+/// Between heading arrows, so that a path has about `most` of them: a round number of seconds, less than one where
+/// courses are short.
+Nanoseconds arrowInterval(const Comparison& comparison, int most) {
+    int steps = 0;
+    for (const CourseRequest& request : comparison.requests) steps = std::max(steps, request.steps);
+    const Nanoseconds longest = steps * comparison.evaluation.options.windows.step;
+    constexpr Nanoseconds second = nanosecondsPerSecond;
+    for (const Nanoseconds interval :
+         {second / 5, second, 2 * second, 5 * second, 10 * second, 20 * second, 30 * second})
+        if (longest <= most * interval) return interval;
+    return longest / most / (60 * second) * (60 * second) + 60 * second;
+}
+
+/// "second", "4 s".
+std::string intervalText(Nanoseconds interval) {
+    return interval == nanosecondsPerSecond ? "second"
+                                            : cat(secondsText(interval, interval < nanosecondsPerSecond ? 1 : 0), " s");
 }
 
 }  // namespace
@@ -69,38 +77,44 @@ std::string errorLinesFigure(const Comparison& comparison, ErrorKind kind) {
 }
 
 std::string courseFigure(const Comparison& comparison, std::size_t request, const Environment& environment) {
-    const Nanoseconds step = comparison.evaluation.options.windows.step;
-    std::vector<DrawnPath> paths;
-    for (const ComparedCourse& course : comparison.courses)
-        if (course.request == request) paths.push_back({course.real.truth, realColour, false, {}});
+    std::vector<DrawnCourse> drawn;
+    std::string absent;
     for (const ComparedCourse& course : comparison.courses) {
-        if (course.request != request || course.simulated.empty()) continue;
-        std::vector<Pose> poses{course.real.measuredPose};
-        poses.insert(poses.end(), course.simulated.begin(), course.simulated.end());
-        paths.push_back({std::move(poses), simulatedColour, true, comparison.robots[course.robot].name});
+        if (course.request != request) continue;
+        if (course.simulated.empty()) {
+            absent += (absent.empty() ? "; no ground truth then of " : ", ") + comparison.robots[course.robot].name;
+            continue;
+        }
+        DrawnCourse shown{comparison.robots[course.robot].name, course.real.truth, {course.real.measuredPose}, {}};
+        shown.simulated.insert(shown.simulated.end(), course.simulated.begin(), course.simulated.end());
+        if (std::isfinite(course.errors.positionFinal))
+            shown.miss = fixed(100 * course.errors.positionFinal, 1) + " cm";
+        drawn.push_back(std::move(shown));
     }
     const CourseRequest& shown = comparison.requests[request];
-    return drawPaths(environment, "Course " + std::to_string(request + 1),
-                     secondsText(shown.steps * step, 0) + " s from " + secondsText(shown.start, 0) +
-                         " s on; black: real, blue and dashed: simulated",
-                     paths);
+    const Nanoseconds step = comparison.evaluation.options.windows.step,
+                      between = arrowInterval(comparison, sceneArrows);
+    return drawCourses(environment,
+                       {.title = comparison.scenario + ", course " + std::to_string(request + 1),
+                        .subtitle = secondsText(shown.steps * step, 0) + " s of driving, from " +
+                                    secondsText(shown.start, 0) + " s after the log’s start" + absent,
+                        .arrowEvery = static_cast<std::size_t>(std::max<Nanoseconds>(1, between / step)),
+                        .arrowInterval = "every " + intervalText(between)},
+                       drawn);
 }
 
 std::string robotFigure(const Comparison& comparison, const ComparedCourse& course) {
-    const Nanoseconds every = arrowInterval(comparison) / comparison.evaluation.options.windows.step;
-    return pathFigure({course.real.truth,
-                       course.real.measuredPose,
-                       {course.simulated},
-                       static_cast<std::size_t>(std::max<Nanoseconds>(1, every))});
+    const Nanoseconds every = arrowInterval(comparison, cardArrows) / comparison.evaluation.options.windows.step;
+    return pathFigure({.real = course.real.truth,
+                       .start = course.real.measuredPose,
+                       .predicted = {course.simulated},
+                       .arrowEvery = static_cast<std::size_t>(std::max<Nanoseconds>(1, every))});
 }
 
 std::string robotFigureLegend(const Comparison& comparison) {
-    const Nanoseconds between = arrowInterval(comparison);
-    const std::string interval =
-        between == nanosecondsPerSecond ? "second" : cat(secondsText(between, between < nanosecondsPerSecond), " s");
-    return element(
-        "div", "legend",
-        cat(lineEntry("real", "real path"), lineEntry(seriesClass(0), "simulated path"), pathMarkEntries(interval)));
+    return element("div", "legend",
+                   cat(lineEntry("real", "real path"), lineEntry(seriesClass(0), "simulated path"),
+                       pathMarkEntries(intervalText(arrowInterval(comparison, cardArrows)))));
 }
 
 }  // namespace mrose

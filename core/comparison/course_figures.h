@@ -14,7 +14,7 @@ enum class ErrorKind { position, heading };
 std::string errorLinesFigure(const Comparison& comparison, ErrorKind kind);
 std::string errorLinesLegend(const Comparison& comparison);
 
-/// All robots of one course in their environment: what was really driven in black, the simulation in blue.
+/// All robots that are in the world of one course, in their environment, really and simulated.
 std::string courseFigure(const Comparison& comparison, std::size_t request, const Environment& environment);
 
 /// One robot in one course, real and simulated.

@@ -4,49 +4,19 @@
 #include <cmath>
 #include <numbers>
 
+#include "drawing/scene_marks.h"
 #include "drawing/svg_drawing.h"
 #include "evaluation/format.h"
+#include "io/number_text.h"
 
 namespace mrose {
 namespace {
 
 using Style = SvgDrawing::Style;
 
-constexpr Colour black{20, 20, 20}, white{255, 255, 255}, blue{30, 90, 200}, amber{240, 150, 20};
+constexpr Colour blue{30, 90, 200}, amber{240, 150, 20};
 /// Names of more bodies than these would hide the picture.
 constexpr std::size_t mostLabels = 60;
-
-double brightness(const Colour& c) { return 0.299 * c.red + 0.587 * c.green + 0.114 * c.blue; }
-Colour contrast(const Colour& c) { return brightness(c) > 140 ? black : white; }
-
-Colour darker(const Colour& c) {
-    const auto shade = [](std::uint8_t channel) { return static_cast<std::uint8_t>(channel * 3 / 5); };
-    return {shade(c.red), shade(c.green), shade(c.blue)};
-}
-
-Polygon placedAt(const Polygon& polygon, const Placement& placement) {
-    Polygon moved;
-    for (const Point& corner : polygon) moved.push_back(placement.place(corner));
-    return moved;
-}
-
-void addShape(SvgDrawing& drawing, const Shape& shape, const Placement& at, const DrawingOptions& options) {
-    for (const ShapePart& part : shape.parts) {
-        const Style style{.fill = part.colour, .stroke = darker(part.colour)};
-        if (part.polygon.empty())
-            drawing.circle(at.place(part.centre), part.radius, style);
-        else
-            drawing.polygon(placedAt(part.polygon, at), style);
-    }
-    if (!options.pieces) return;
-    for (std::size_t i = 0; i < shape.pieces.size(); ++i) {
-        const ConvexPiece& piece = shape.pieces[i];
-        const Style thin{.stroke = contrast(shape.parts[shape.partOfPiece[i]].colour), .strokeWidth = 0.8};
-        if (piece.isCircle()) continue;
-        drawing.polygon(placedAt({piece.corners.begin(), piece.corners.begin() + static_cast<long>(piece.count)}, at),
-                        thin);
-    }
-}
 
 /// How far the shape reaches ahead of its reference point.
 double front(const Shape& shape) {
@@ -65,7 +35,7 @@ std::string sizeText(const Shape& shape) {
             least = {std::min(least.x, low.x), std::min(least.y, low.y)};
             most = {std::max(most.x, high.x), std::max(most.y, high.y)};
         }
-    return fixed(most.x - least.x, 3) + " × " + fixed(most.y - least.y, 3) + " m";
+    return fixed(most.x - least.x, 3) + " m long, " + fixed(most.y - least.y, 3) + " m wide";
 }
 
 std::string counted(std::size_t count, const std::string& one, const std::string& many) {
@@ -75,7 +45,7 @@ std::string counted(std::size_t count, const std::string& one, const std::string
 void addReference(SvgDrawing& drawing, const Shape& shape) {
     drawing.arrow({}, {1.25 * std::max(front(shape), 0.2 * shape.reach), 0}, blue);
     drawing.dot({}, 4.5, {.fill = white, .stroke = blue, .strokeWidth = 2});
-    drawing.label({}, 22, "reference point");
+    drawing.label({}, 24, "reference point");
 }
 
 void addManipulator(SvgDrawing& drawing, const Manipulator& manipulator) {
@@ -85,39 +55,44 @@ void addManipulator(SvgDrawing& drawing, const Manipulator& manipulator) {
                           face.place({manipulator.reach, half}), face.place({0, half})};
     drawing.polygon(reached, {.fill = amber, .stroke = amber, .opacity = 0.45});
     drawing.line(Polygon{reached[0], reached[3]}, {.stroke = amber, .strokeWidth = 3});
-    drawing.label(face.place({manipulator.reach, -half}), 16, manipulator.name);
+    drawing.label(face.place({manipulator.reach, -half}), 18, manipulator.name);
 }
 
-/// The edges of what it sees of balls and other objects, as far as the picture reaches.
+bool seesAllRound(const BodySight& sight) { return sight.fieldOfView > 2 * std::numbers::pi - 1e-6; }
+
+/// "sees objects 90° wide, to 5 m".
+std::string sightText(const BodySight& sight) {
+    return "sees objects " + fixed(degrees * sight.fieldOfView, 0) + "° wide, " +
+           (sight.range > 0 ? "to " + numberText(sight.range) + " m" : "however far");
+}
+
+/// How wide it sees balls and other objects. It fades, since what it sees does not end with the picture.
 void addView(SvgDrawing& drawing, const RobotType& robot) {
-    const double angle = robot.perception.objects.fieldOfView;
-    if (!robot.perception.objects.present || angle > 2 * std::numbers::pi - 1e-6) return;
-    const double far = 2.2 * robot.shape->reach;
-    Polygon fan;
-    for (int i = 0; i <= 32; ++i) {
-        const double direction = angle * (i / 32.0 - 0.5);
-        fan.push_back({far * std::cos(direction), far * std::sin(direction)});
+    constexpr int rings = 30;
+    const BodySight& sight = robot.perception.objects;
+    if (!sight.present || seesAllRound(sight)) return;
+    const double far = 2.4 * robot.shape->reach;
+    for (int ring = rings; ring > 0; --ring) {
+        Polygon fan{{}};
+        for (int i = 0; i <= 32; ++i) {
+            const Placement direction({0, 0, sight.fieldOfView * (i / 32.0 - 0.5)});
+            fan.push_back(direction.rotate({far * ring / rings, 0}));
+        }
+        drawing.polygon(fan, {.fill = blue, .opacity = 0.01});
     }
-    fan.push_back({});
-    drawing.polygon(fan, {.fill = blue, .opacity = 0.08});
 }
 
-void addEnvironment(SvgDrawing& drawing, const Environment& environment, const DrawingOptions& options) {
-    if (!environment.floor.area.empty()) drawing.polygon(environment.floor.area, {.fill = environment.floor.colour});
-    for (const Goal& goal : environment.goals) {
-        drawing.polygon(goal.area, {.fill = white, .opacity = 0.25});
-        drawing.polygon(goal.area, {.stroke = white, .dashed = true});
-    }
-    for (const Marking& marking : environment.markings) {
-        const Style style{.stroke = marking.colour, .strokeWidth = marking.width, .strokeInMetres = true};
-        if (marking.radius > 0)
-            drawing.circle(marking.centre, marking.radius, style);
-        else if (marking.closed)
-            drawing.polygon(marking.points, style);
-        else
-            drawing.line(marking.points, style);
-    }
-    for (const Obstacle& obstacle : environment.obstacles) addShape(drawing, obstacle.shape, {}, options);
+std::vector<SvgDrawing::LegendEntry> robotLegend(const RobotType& robot) {
+    using Symbol = SvgDrawing::LegendEntry::Symbol;
+    std::vector<SvgDrawing::LegendEntry> entries;
+    if (const BodySight& sight = robot.perception.objects; sight.present && !seesAllRound(sight))
+        entries.push_back({Symbol::line, {.stroke = blue, .strokeWidth = 12, .opacity = 0.25}, sightText(sight)});
+    for (const Manipulator& manipulator : robot.manipulators)
+        entries.push_back({Symbol::line,
+                           {.stroke = amber, .strokeWidth = 12, .opacity = 0.6},
+                           manipulator.name + ": reaches " + fixed(100 * manipulator.reach, 0) + " cm, " +
+                               fixed(manipulator.speed, 1) + " m/s"});
+    return entries;
 }
 
 void addBody(SvgDrawing& drawing, const Shape& shape, const Pose& pose, bool heading, const DrawingOptions& options) {
@@ -126,41 +101,6 @@ void addBody(SvgDrawing& drawing, const Shape& shape, const Pose& pose, bool hea
     if (!heading) return;
     drawing.arrow(at.place({}), at.place({std::max(front(shape), shape.reach), 0}), black);
     drawing.dot(at.place({}), 3, {.fill = black, .stroke = white});
-}
-
-bool isFinite(const Pose& pose) { return std::isfinite(pose.x) && std::isfinite(pose.y); }
-
-/// With half a metre to spare, 3 m wide and high at least; nothing where there are no paths.
-std::optional<SvgDrawing::Area> areaRound(std::span<const DrawnPath> paths) {
-    constexpr double margin = 0.5, least = 3;
-    Point low{1e9, 1e9}, high{-1e9, -1e9};
-    for (const DrawnPath& path : paths)
-        for (const Pose& pose : path.poses) {
-            if (!isFinite(pose)) continue;
-            low = {std::min(low.x, pose.x), std::min(low.y, pose.y)};
-            high = {std::max(high.x, pose.x), std::max(high.y, pose.y)};
-        }
-    if (high.x < low.x) return std::nullopt;
-    const Point middle = 0.5 * (low + high), size = high - low;
-    const Point half{std::max(least / 2, size.x / 2 + margin), std::max(least / 2, size.y / 2 + margin)};
-    return SvgDrawing::Area{middle - half, middle + half};
-}
-
-void addPath(SvgDrawing& drawing, const DrawnPath& path) {
-    constexpr double arrow = 0.25;  // m
-    const auto end = path.poses.end();
-    for (auto from = std::find_if(path.poses.begin(), end, isFinite); from != end;) {
-        const auto to = std::find_if_not(from, end, isFinite);
-        Polygon points;
-        std::transform(from, to, std::back_inserter(points), [](const Pose& pose) { return Point{pose.x, pose.y}; });
-        drawing.line(points, {.stroke = white, .strokeWidth = 4.5, .opacity = 0.6});
-        drawing.line(points, {.stroke = path.colour, .strokeWidth = 2, .dashed = path.dashed});
-        const auto next = std::find_if(to, end, isFinite);
-        if (from == std::find_if(path.poses.begin(), end, isFinite))
-            drawing.dot(points.front(), 4, {.fill = white, .stroke = path.colour, .strokeWidth = 2});
-        if (next == end) drawing.arrow(points.back(), Placement(*(to - 1)).place({arrow, 0}), path.colour);
-        from = next;
-    }
 }
 
 }  // namespace
@@ -172,7 +112,7 @@ std::string drawShape(const Shape& shape, const DrawingOptions& options) {
     return drawing.text({.title = shape.name,
                          .subtitle = sizeText(shape) + ", " + counted(shape.parts.size(), "part", "parts") + ", " +
                                      counted(shape.pieces.size(), "convex piece", "convex pieces"),
-                         .longestSide = 560,
+                         .longestSide = 620,
                          .grid = true});
 }
 
@@ -183,10 +123,9 @@ std::string drawRobot(const RobotType& robot, const DrawingOptions& options) {
     for (const Manipulator& manipulator : robot.manipulators) addManipulator(drawing, manipulator);
     addReference(drawing, *robot.shape);
     return drawing.text({.title = robot.name,
-                         .subtitle = sizeText(*robot.shape) + ", " + fixed(robot.mass, 1) + " kg" +
-                                     (robot.manipulators.empty() ? "" : ", amber: what its manipulator reaches") +
-                                     (robot.perception.objects.fieldOfView < 6.28 ? ", blue: where it sees" : ""),
-                         .longestSide = 560,
+                         .subtitle = sizeText(*robot.shape) + ", " + fixed(robot.mass, 1) + " kg",
+                         .legend = robotLegend(robot),
+                         .longestSide = 620,
                          .grid = true});
 }
 
@@ -199,18 +138,6 @@ std::string drawEnvironment(const Environment& environment, const DrawingOptions
                                      counted(environment.goals.size(), "goal", "goals")});
 }
 
-std::string drawPaths(const Environment& environment, const std::string& title, const std::string& subtitle,
-                      std::span<const DrawnPath> paths) {
-    SvgDrawing drawing;
-    addEnvironment(drawing, environment, {});
-    for (const DrawnPath& path : paths) addPath(drawing, path);
-    for (const DrawnPath& path : paths) {
-        const auto first = std::find_if(path.poses.begin(), path.poses.end(), isFinite);
-        if (first != path.poses.end() && !path.name.empty()) drawing.label({first->x, first->y}, 20, path.name);
-    }
-    return drawing.text({.title = title, .subtitle = subtitle, .shown = areaRound(paths)});
-}
-
 std::string drawScene(const Scene& scene, const std::string& title, const DrawingOptions& options) {
     SvgDrawing drawing;
     addEnvironment(drawing, scene.environment, options);
@@ -220,7 +147,7 @@ std::string drawScene(const Scene& scene, const std::string& title, const Drawin
     }
     for (const SceneRobot& robot : scene.robots)
         addBody(drawing, *scene.robotTypes[robot.type].shape, robot.start, true, options);
-    const double below = 14;
+    const double below = 16;
     if (scene.bodyCount() <= mostLabels) {
         for (const SceneRobot& robot : scene.robots) {
             const double reach = scene.robotTypes[robot.type].shape->reach;

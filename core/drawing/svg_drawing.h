@@ -21,12 +21,21 @@ public:
         bool strokeInMetres = false;  ///< ... or metres
         double opacity = 1;
         bool dashed = false;
+        bool dotted = false;
+        bool labelsAvoid = false;  ///< labels that are put beside a point keep off it, where they can
     };
     struct Area {
         Point least, most;
     };
+    /// What a mark means: a sample of it, and words.
+    struct LegendEntry {
+        enum class Symbol { line, dot, pointer } symbol = Symbol::line;
+        Style style;
+        std::string text;
+    };
     struct Frame {
         std::string title, subtitle;
+        std::vector<LegendEntry> legend = {};
         double longestSide = 900;                  ///< pixels, of what is shown
         bool grid = false;                         ///< faint lines as far apart as the scale bar is long
         std::optional<Area> shown = std::nullopt;  ///< only what lies in it; nothing: all
@@ -39,22 +48,27 @@ public:
     void dot(const Point& centre, double pixels, const Style& style);
     /// An arrow with a filled head, with a halo.
     void arrow(const Point& from, const Point& to, const Colour& colour);
+    /// An arrow head of a pixel size about a point, which shows a heading (rad).
+    void pointer(const Point& at, double heading, double pixels, const Colour& colour);
     /// Text with a halo, its middle so many pixels below a point.
     void label(const Point& at, double below, std::string_view text);
+    /// Text with a halo beside a point, where it covers least.
+    void labelBeside(const Point& at, std::string_view text);
 
     std::string text(const Frame& frame) const;
 
 private:
     struct Mark {
-        enum class Kind { path, circle, dot, arrow, label } kind = Kind::path;
+        enum class Kind { path, circle, dot, arrow, pointer, label, labelBeside } kind = Kind::path;
         std::vector<Point> points;
         bool closed = false;
-        double size = 0;
-        Style style;
-        std::string text;
+        double size = 0, heading = 0;
+        Style style = {};
+        std::string text = {};
     };
     class Page;
 
+    std::string labels(const Page& page) const;
     void outline(std::span<const Point> points, bool closed, const Style& style);
     void grow(const Point& point, double by);
 

@@ -112,6 +112,21 @@ Expected<ModelEvaluation> evaluateModel(const NamedModel& named, const Log& log,
     return model;
 }
 
+/// The first stamp of each drive, by its name.
+std::map<std::string, Nanoseconds> driveStarts(const Log& log) {
+    std::map<std::string, Nanoseconds> starts;
+    const auto note = [&](const std::string& drive, Nanoseconds time) {
+        const auto [known, isNew] = starts.try_emplace(drive, time);
+        if (!isNew) known->second = std::min(known->second, time);
+    };
+    for (const RobotLog& robot : log.robots)
+        for (const Trajectory& trajectory : robot.trajectories) {
+            if (!trajectory.commands.empty()) note(trajectory.name, trajectory.commands.front().time);
+            if (!trajectory.poses.empty()) note(trajectory.name, trajectory.poses.front().time);
+        }
+    return starts;
+}
+
 Evaluation describe(const Log& log, std::vector<Window> windows, const EvaluationOptions& options) {
     Evaluation evaluation;
     evaluation.source = log.source;
@@ -120,9 +135,11 @@ Evaluation describe(const Log& log, std::vector<Window> windows, const Evaluatio
     evaluation.files = log.files;
     evaluation.options = options;
     for (const RobotLog& robot : log.robots) evaluation.robots.push_back({robot.robot, robot.defects, 0});
+    const auto starts = driveStarts(log);
     for (const Window& window : windows) {
         ++evaluation.robots[window.robot].windows;
         evaluation.trajectories.push_back(log.robots[window.robot].trajectories[window.trajectory].name);
+        evaluation.driveStarts.push_back(starts.at(evaluation.trajectories.back()));
     }
     evaluation.windows = std::move(windows);
     return evaluation;

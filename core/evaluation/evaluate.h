@@ -67,6 +67,8 @@ struct Evaluation {
     };
     std::vector<Robot> robots;              ///< indexed by Window::robot
     std::vector<std::string> trajectories;  ///< by window: Trajectory::name
+    /// By window: the first stamp of its drive, that is of all trajectories of that name. Pages count from there.
+    std::vector<Nanoseconds> driveStarts;
     EvaluationOptions options;
     std::vector<Window> windows;          ///< reports number them from 1
     std::vector<ModelEvaluation> models;  ///< in the order given

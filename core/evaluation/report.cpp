@@ -55,11 +55,13 @@ std::string header(const Evaluation& evaluation, const ReportContext& context) {
 std::string typicalWindow(const Evaluation& evaluation, const Summary& s) {
     std::vector<double> paths;
     for (const Window& window : evaluation.windows) paths.push_back(window.path);
-    return cat("At the end of a typical window (median), after ", fixed(quantile(paths, 0.5), 2),
-               "\u00a0m of path, it is ", fixed(100 * s.positionFinal.median, 1),
-               "\u00a0cm from where the robot really was and points ", fixed(degrees * s.headingFinal.median, 1),
-               "° off; one window in ten ends more than ", fixed(100 * s.positionFinal.p90, 1),
-               "\u00a0cm or more than ", fixed(degrees * s.headingFinal.p90, 1), "° off.");
+    return cat(
+        "At the end of a typical window (median), after ", fixed(quantile(paths, 0.5), 2), "\u00a0m of path, it is ",
+        fixed(100 * s.positionFinal.median, 1), "\u00a0cm from where the robot really was and points ",
+        fixed(degrees * s.headingFinal.median, 1), "° off",
+        s.windows < leastForPercentile ? "."
+                                       : cat("; one window in ten ends more than ", p90Text(s.positionFinal, 100, 1),
+                                             "\u00a0cm or more than ", p90Text(s.headingFinal, degrees, 1), "° off."));
 }
 
 std::string comparison(const Evaluation& evaluation) {
@@ -71,8 +73,10 @@ std::string comparison(const Evaluation& evaluation) {
                     percentText(baseline->all.p), " and ", percentText(baseline->all.hd), ".");
     if (evaluation.floor && !evaluation.floor->pairs.empty())
         text += cat(" Where it got near-identical commands twice (", std::to_string(evaluation.floor->pairs.size()),
-                    " <a href=\"#floor\">pairs</a>), the real robot’s own runs differ by a P of ",
-                    percentText(evaluation.floor->p), "; there the prediction is off by ",
+                    " <a href=\"#floor\">pairs</a>), the real robot’s own runs are a P of ",
+                    percentText(evaluation.floor->p),
+                    " apart (the spread), so that the best prediction possible would be off by about ",
+                    percentText(evaluation.floor->pBest), " there (the floor); this one is off by ",
                     percentText(evaluation.models.front().onFloor.p), ".");
     return text;
 }
@@ -133,8 +137,8 @@ std::string pathCard(const Evaluation& evaluation, const ShownWindow& shown) {
     if (several([&](const Window& other) { return other.robot == w.robot && other.trajectory != w.trajectory; }))
         which += cat(" · trajectory\u00a0", escaped(evaluation.trajectories[shown.window]));
     const std::string what =
-        cat(which, " · from\u00a0", secondsText(w.start), "\u00a0s<br/>", name(w.manoeuvre), " · path\u00a0",
-            fixed(w.path, 2), "\u00a0m · rotation\u00a0", fixed(w.rotation, 2), "\u00a0rad");
+        cat(which, " · from\u00a0", sinceDriveStart(evaluation, shown.window), "\u00a0s<br/>", name(w.manoeuvre),
+            " · path\u00a0", fixed(w.path, 2), "\u00a0m · rotation\u00a0", fixed(w.rotation, 2), "\u00a0rad");
     return card(escaped(reason), cat(element("p", "soft", what), pathFigure(evaluation, shown.window),
                                      windowTable(evaluation, shown.window)));
 }
@@ -151,7 +155,7 @@ std::string pathSection(const Evaluation& evaluation, const ReportContext& conte
 
 std::string floorSection(const Evaluation& evaluation) {
     if (!evaluation.floor) return {};
-    std::string text = cat("<h2 id=\"floor\">The floor: how differently near-identical commands turn out</h2>\n",
+    std::string text = cat("<h2 id=\"floor\">Spread and floor: how differently near-identical commands turn out</h2>\n",
                            paragraph(floorText(*evaluation.floor)));
     if (evaluation.turningFloor) text += paragraph(turningFloorText(*evaluation.turningFloor));
     const bool any =

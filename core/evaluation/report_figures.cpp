@@ -11,8 +11,6 @@
 namespace mrose {
 namespace {
 
-constexpr std::size_t mostDrawnModels = 3;
-
 using Points = std::vector<PlotPoint>;
 
 std::string swatch(std::string_view marks) {
@@ -127,11 +125,22 @@ std::string lineEntry(std::string_view cssClass, std::string_view label) {
 
 std::string pathMarkEntries(std::string_view interval) {
     return cat("<span>", swatch("<circle class=\"start\" cx=\"17\" cy=\"6\" r=\"4.5\"/>"), "start</span>\n", "<span>",
-               swatch("<path class=\"arrow real\" d=\"M6 6H22M22 3L28 6L22 9Z\"/>"), "heading, every ", interval,
+               swatch("<path class=\"arrow s0\" d=\"M6 6H22M22 3L28 6L22 9Z\"/>"), "heading, every ", interval,
                "</span>\n", "<span>", swatch("<path class=\"line miss\" d=\"M1 6H33\"/>"), "error at the end</span>\n");
 }
 
-std::size_t drawnModels(const Evaluation& evaluation) { return std::min(evaluation.models.size(), mostDrawnModels); }
+std::vector<std::size_t> drawnModels(const Evaluation& evaluation) {
+    const auto& models = evaluation.models;
+    std::vector<std::size_t> drawn{0};
+    const auto best = std::min_element(models.begin() + 1, models.end(),
+                                       [](const auto& a, const auto& b) { return a.all.p < b.all.p; });
+    if (best != models.end()) drawn.push_back(static_cast<std::size_t>(best - models.begin()));
+    return drawn;
+}
+
+std::string sinceDriveStart(const Evaluation& evaluation, std::size_t window) {
+    return fixed(toSeconds(evaluation.windows[window].start - evaluation.driveStarts[window]), 1);
+}
 
 std::string modelName(const Evaluation& evaluation, std::size_t model) {
     return cat("<span class=\"model\">", swatch(cat("<path class=\"line ", seriesClass(model), "\" d=\"M1 6H33\"/>")),
@@ -149,8 +158,12 @@ std::string pathLegend(const Evaluation& evaluation) {
     const Nanoseconds between = arrowInterval(evaluation);
     const std::string interval = between == nanosecondsPerSecond ? "second" : cat(secondsText(between), " s");
     std::string entries = lineEntry("real", "real path");
-    for (std::size_t i = 0; i < drawnModels(evaluation); ++i)
-        entries += lineEntry(i == 0 ? seriesClass(i) : cat(seriesClass(i), " thin"), evaluation.models[i].name);
+    for (const std::size_t i : drawnModels(evaluation)) {
+        const std::string& name = evaluation.models[i].name;
+        entries += i == 0 ? lineEntry(seriesClass(i), name)
+                          : lineEntry(cat(seriesClass(i), " thin"),
+                                      evaluation.models.size() > 2 ? cat(name, " (best of the others by P)") : name);
+    }
     entries += pathMarkEntries(interval);
     return element("div", "legend", entries);
 }
@@ -222,8 +235,8 @@ std::string barsFigure(const Evaluation& evaluation, std::size_t robot, double t
         if (!isHis(w)) continue;
         const double error = 100 * evaluation.models.front().errors[i].positionMean;
         plot.bar(static_cast<double>(i) + 0.6, 0.8, error, cat("k", std::to_string(static_cast<int>(w.manoeuvre))),
-                 cat("window ", std::to_string(i + 1), ", from ", secondsText(w.start), " s: ", fixed(error, 1),
-                     " cm, ", name(w.manoeuvre)));
+                 cat("window ", std::to_string(i + 1), ", from ", sinceDriveStart(evaluation, i),
+                     " s: ", fixed(error, 1), " cm, ", name(w.manoeuvre)));
     }
     return plot.text();
 }
@@ -238,7 +251,7 @@ std::string pathFigure(const PathFigure& figure) {
     const double bar = niceTicks({0, 340 * plot.unitsPerPixel()}, 5).step;
     plot.grid(bar);
     for (std::size_t i = figure.predicted.size(); i-- > 1;)
-        plot.line(positions(withStart(figure.start, figure.predicted[i])), cat(seriesClass(i), " thin"));
+        plot.line(positions(withStart(figure.start, figure.predicted[i])), cat(seriesClass(figure.models[i]), " thin"));
     const auto& predicted = figure.predicted.front();
     const PlotPoint ends[] = {{figure.real.back().x, figure.real.back().y}, {predicted.back().x, predicted.back().y}};
     plot.line(positions(figure.real), "real");
@@ -253,9 +266,8 @@ std::string pathFigure(const PathFigure& figure) {
 
 std::string pathFigure(const Evaluation& evaluation, std::size_t index) {
     const Window& window = evaluation.windows[index];
-    PathFigure figure{window.truth, window.measuredPose, {}, arrowStride(evaluation)};
-    for (std::size_t i = 0; i < drawnModels(evaluation); ++i)
-        figure.predicted.push_back(evaluation.models[i].predicted[index]);
+    PathFigure figure{window.truth, window.measuredPose, {}, drawnModels(evaluation), arrowStride(evaluation)};
+    for (const std::size_t i : figure.models) figure.predicted.push_back(evaluation.models[i].predicted[index]);
     return pathFigure(figure);
 }
 

@@ -42,6 +42,7 @@ struct PathFigure {
     std::span<const Pose> real;
     Pose start;                                         ///< of the predictions
     std::vector<std::span<const Pose>> predicted = {};  ///< the first is the one that matters
+    std::vector<std::size_t> models = {0};              ///< whose they are: the series of each
     std::size_t arrowEvery = 10;
 };
 std::string pathFigure(const PathFigure& figure);
@@ -49,7 +50,10 @@ std::string pathFigure(const PathFigure& figure);
 /// Real and predicted path of one window on equal axes, heading arrows every second.
 std::string pathFigure(const Evaluation& evaluation, std::size_t window);
 
-/// Models whose paths are drawn.
-std::size_t drawnModels(const Evaluation& evaluation);
+/// Models whose paths are drawn: the first, and of the others the best by P.
+std::vector<std::size_t> drawnModels(const Evaluation& evaluation);
+
+/// "12.5": seconds from the start of the window's drive, to a tenth.
+std::string sinceDriveStart(const Evaluation& evaluation, std::size_t window);
 
 }  // namespace mrose

@@ -13,12 +13,15 @@ std::string tile(std::string_view label, std::string_view value, std::string_vie
                        "</small></div><div class=\"more\">", more, "</div>"));
 }
 
-std::string intervalText(const Interval& interval) {
+std::string intervalText(const Interval& interval, std::size_t windows) {
+    if (windows < leastForInterval) return cat("of ", std::to_string(windows), ": too few for an interval");
     return cat("95\u00a0% interval ", fixed(interval.low, 2), "–", percentText(interval.high));
 }
 
 std::string percentilesText(const Distribution& d, double unit, std::string_view unitText) {
-    return cat("mean ", fixed(unit * d.mean, 1), ", 90th percentile ", fixed(unit * d.p90, 1), unitText);
+    if (d.count < leastForPercentile)
+        return cat("mean ", fixed(unit * d.mean, 1), unitText, ", of ", std::to_string(d.count));
+    return cat("mean ", fixed(unit * d.mean, 1), ", 90th percentile ", p90Text(d, unit, 1), unitText);
 }
 
 }  // namespace
@@ -39,12 +42,16 @@ std::string card(std::string_view title, std::string_view content) {
 
 std::string tableCard(std::string_view content) { return element("div", "card", content); }
 
+std::string p90Text(const Distribution& d, double unit, int decimals) {
+    return d.count < leastForPercentile ? "" : fixed(unit * d.p90, decimals);
+}
+
 std::string percentText(double value) { return cat(fixed(value, 2), "\u00a0%"); }
 
 std::string tiles(const Summary& s) {
     return element("div", "tiles",
-                   cat(tile("P: position error over path", fixed(s.p, 2), "%", intervalText(s.p95)),
-                       tile("Hd: heading error over rotation", fixed(s.hd, 2), "%", intervalText(s.hd95)),
+                   cat(tile("P: position error over path", fixed(s.p, 2), "%", intervalText(s.p95, s.windows)),
+                       tile("Hd: heading error over rotation", fixed(s.hd, 2), "%", intervalText(s.hd95, s.windows)),
                        tile("position at the end, median", fixed(100 * s.positionFinal.median, 1), "cm",
                             percentilesText(s.positionFinal, 100, " cm")),
                        tile("heading at the end, median", cat(fixed(degrees * s.headingFinal.median, 1), "°"), "",

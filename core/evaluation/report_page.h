@@ -25,6 +25,12 @@ std::string tableCard(std::string_view content);
 /// "2.65 %", never broken between the number and its unit.
 std::string percentText(double value);
 
+/// Of fewer windows a bootstrap's interval or a 90th percentile says nothing, and pages leave it out.
+constexpr std::size_t leastForInterval = 20, leastForPercentile = 10;
+
+/// The distribution's 90th percentile, or nothing where it is of too few.
+std::string p90Text(const Distribution& distribution, double unit, int decimals);
+
 /// P, Hd and the errors at the end, large.
 std::string tiles(const Summary& summary);
 

@@ -39,7 +39,8 @@ std::string floorText(const Floor& floor) {
     if (floor.pairs.empty()) return cat(text, "So there is no such estimate for this log.");
     text += cat("They turn by ", fixed(meanRotation(floor), 2),
                 " rad each on average. Two outcomes differ by the chance of "
-                "both; a prediction of their mean would be off by 1/√2 of that.");
+                "both, which is called the spread here; a prediction of their mean would be off by 1/√2 of that, "
+                "the floor: about what a model that sees commands alone can reach.");
     if (floor.pairs.size() < 20) text += " <b>With so few pairs this is a rough estimate.</b>";
     return text;
 }
@@ -75,6 +76,7 @@ std::string definitions(const Evaluation& evaluation) {
     list += definition("Hd",
                        "Sum over the windows of the absolute heading error’s time-mean, divided by the sum of the "
                        "absolute rotations.");
+    list += definition("from", "Seconds since the first stamp of the drive. Files have the log’s own clock.");
     list += definition("path, rotation", "Summed over steps of 0.5 s, because a robot’s wobble inflates shorter ones.");
     list += definition("interval", "Bootstrap: the middle 95 % of 1000 drawings of as many windows, with replacement.");
     list += definition("offset at the end",

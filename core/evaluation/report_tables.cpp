@@ -6,16 +6,19 @@
 #include "evaluation/format.h"
 #include "evaluation/html.h"
 #include "evaluation/report_figures.h"
+#include "evaluation/report_page.h"
 
 namespace mrose {
 namespace {
 
-std::string withInterval(double value, const Interval& interval) {
+std::string withInterval(double value, const Interval& interval, std::size_t windows) {
+    if (windows < leastForInterval) return fixed(value, 2);
     return cat(fixed(value, 2), "<small>", fixed(interval.low, 2), "–", fixed(interval.high, 2), "</small>");
 }
 
 void addThree(std::vector<std::string>& cells, const Distribution& d, double unit, int decimals) {
-    for (const double value : {d.median, d.mean, d.p90}) cells.push_back(fixed(unit * value, decimals));
+    for (const double value : {d.median, d.mean}) cells.push_back(fixed(unit * value, decimals));
+    cells.push_back(p90Text(d, unit, decimals));
 }
 
 std::string signedText(double value, int decimals) {
@@ -78,7 +81,8 @@ std::string modelTable(const Evaluation& evaluation) {
     table.group("mean offset at the end", 3);
     for (std::size_t i = 0; i < evaluation.models.size(); ++i) {
         const Summary& s = evaluation.models[i].all;
-        std::vector<std::string> cells{modelName(evaluation, i), withInterval(s.p, s.p95), withInterval(s.hd, s.hd95)};
+        std::vector<std::string> cells{modelName(evaluation, i), withInterval(s.p, s.p95, s.windows),
+                                       withInterval(s.hd, s.hd95, s.windows)};
         addThree(cells, s.positionMeanOverPath, 1, 2);
         addThree(cells, s.positionFinal, 100, 2);
         addThree(cells, s.headingFinal, degrees, 2);
@@ -142,8 +146,9 @@ std::string floorTable(const Evaluation& evaluation) {
     };
     const Floor& floor = *evaluation.floor;
     const Floor& turning = both ? *evaluation.turningFloor : floor;
-    row("two real outcomes of near-identical commands, apart", {floor.p, floor.hd}, {turning.p, turning.hd});
-    row("best possible prediction (the above / √2)", {floor.pBest, floor.hdBest}, {turning.pBest, turning.hdBest});
+    row("spread: two real runs of near-identical commands, apart", {floor.p, floor.hd}, {turning.p, turning.hd});
+    row("floor: the best possible prediction (spread / √2)", {floor.pBest, floor.hdBest},
+        {turning.pBest, turning.hdBest});
     for (std::size_t i = 0; i < evaluation.models.size(); ++i)
         row(modelName(evaluation, i), evaluation.models[i].onFloor, evaluation.models[i].onTurningFloor);
     return table.text();

@@ -78,6 +78,44 @@ TEST(ComparisonReport, PathsAreInterruptedWhereTheTruthIsNotKnown) {
     EXPECT_EQ(countOf(html.substr(simulated, html.find("/>", simulated) - simulated), "M"), 1u);
 }
 
+/// The robot is in no ground truth at the second course's start: the picture of that course says so.
+TEST(ComparisonReport, SaysWhoIsAbsent) {
+    Log log = logOf({obedientTrajectory(0, 40 * second, [](double) { return Command{0.2, 0.1}; })});
+    log.robots.push_back(log.robots[0]);
+    log.robots[1].robot = "other";
+    for (StampedPose& pose : log.robots[1].trajectories[0].poses) pose.pose.y += 3;
+    std::erase_if(log.robots[1].trajectories[0].poses, [](const StampedPose& pose) { return pose.time > 10 * second; });
+    ScenarioParts parts = playersOf(log, std::make_shared<const HeldCommandModel>(100'000'000, 1.2));
+    parts.scene.robots[1].name = "a <b>";
+    const Scene scene = parts.scene;
+    const auto world = LogWorld::create(std::move(parts), log);
+    ASSERT_TRUE(world) << world.error().message();
+    for (const Nanoseconds start : {second, 20 * second}) {
+        const auto requests = coursesOf(*world, {start, 5 * second, std::nullopt});
+        const Comparison comparison = *compare(*world, *requests);
+        const std::string html = comparisonHtml(comparison, scene, {.program = "p", .commandLine = "c"});
+        const bool absent = start > 10 * second;
+        EXPECT_EQ(stillOpen(html), std::vector<std::string>{"closed html"});
+        EXPECT_EQ(countOf(html, "; no ground truth then of a &lt;b&gt;</text>"), absent ? 1u : 0u);
+        EXPECT_EQ(countOf(html, "<b>a &lt;b&gt;</b> is not in this course"), absent ? 1u : 0u);
+        EXPECT_EQ(countOf(html, ">a &lt;b&gt;</text>"), absent ? 0u : 1u) << "beside its start";
+    }
+}
+
+TEST(ComparisonReport, RanksTheWorstCoursesAndSaysWhatDoesNotCount) {
+    const Compared compared(3 * second);
+    const std::string html = compared.html();
+    const std::size_t begin = html.find("The worst courses");
+    const std::string table = html.substr(begin, html.find("</table>", begin) - begin);
+    EXPECT_NE(table.find("mean cm ▼"), std::string::npos);
+    const std::size_t worst = worstFirst(compared.comparison).front();
+    EXPECT_NE(table.find("<th scope=\"row\">1</th><td>a &lt;b&gt; &amp; &quot;c&quot;, d</td><td>" +
+                         std::to_string(compared.comparison.courses[worst].request + 1) + "</td>"),
+              std::string::npos);
+    EXPECT_GT(countOf(table, "not in P and Hd: gap in the ground truth"), 0u);
+    EXPECT_EQ(countOf(table, "–"), 0u) << "a dash explains nothing";
+}
+
 TEST(ComparisonReport, CsvQuotesNamesAndLeavesUnknownCellsEmpty) {
     const Compared compared(std::nullopt);
     const std::string csv = errorsCsv(compared.comparison);

@@ -99,14 +99,14 @@ TEST(SceneDrawing, BodiesStandWhereTheyStartAndLookWhereTheyHead) {
     scene.robotTypes.push_back(disc);
     scene.robots.push_back({"one", 0, 0, 0, {2, 3, std::numbers::pi / 2}});
     const std::string svg = drawScene(scene, "s");
-    // 10 m are 900 pixels from x = 28 on; y = 5 m is at 54.
+    // 10 m are 900 pixels from x = 28 on; y = 5 m is at 66.
     EXPECT_NEAR(numbersOf(svg, "<circle", "cx")[0], 28 + 7 * 90, 0.02);
-    EXPECT_NEAR(numbersOf(svg, "<circle", "cy")[0], 54 + 2 * 90, 0.02);
+    EXPECT_NEAR(numbersOf(svg, "<circle", "cy")[0], 66 + 2 * 90, 0.02);
     EXPECT_NEAR(numbersOf(svg, "<circle", "r")[0], 45, 0.02);
     const auto tip = numbersOf(svg.substr(svg.find("Z\" fill=\"#ffffff\"") - 80), "<path", "d");
     ASSERT_GE(tip.size(), 2u);
     EXPECT_NEAR(tip[0], 28 + 7 * 90, 0.02);
-    EXPECT_NEAR(tip[1], 54 + 2 * 90 - 45, 0.02) << "half a metre up the page";
+    EXPECT_NEAR(tip[1], 66 + 2 * 90 - 45, 0.02) << "half a metre up the page";
     EXPECT_NE(svg.find(">one</text>"), std::string::npos);
 }
 

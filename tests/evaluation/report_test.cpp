@@ -10,6 +10,7 @@
 
 #include "evaluation/format.h"
 #include "evaluation/html.h"
+#include "evaluation/report_figures.h"
 #include "evaluation/svg_plot.h"
 #include "evaluation/test_models.h"
 #include "io/file.h"
@@ -132,6 +133,73 @@ TEST_F(Report, NumbersWindowsAlikeEverywhere) {
     const auto json = nlohmann::json::parse(resultsJson(evaluation_, context_));
     EXPECT_EQ(json["windows"][1]["window"], 2);
     EXPECT_EQ(json["windows"][1]["t_start"], start);
+}
+
+/// Logs may have clocks of their own: Unix times on a page would tell nothing.
+TEST_F(Report, CountsFromTheStartOfTheDriveAndFilesFromThatOfTheLog) {
+    const Nanoseconds unixTime = 1'248'444'000 * second;
+    Log log =
+        logOf({obedientTrajectory(unixTime, 60 * second, wandering), obedientTrajectory(0, 60 * second, wandering)});
+    log.robots[0].trajectories[1].name = "b";
+    // A robot that began to be commanded 4 s before: its drive is the same.
+    log.robots.push_back(log.robots[0]);
+    log.robots[1].robot = "early";
+    log.robots[1].trajectories.resize(1);
+    log.robots[1].trajectories[0].commands.insert(log.robots[1].trajectories[0].commands.begin(),
+                                                  {unixTime - 4 * second, {}});
+    const NamedModel model = NamedModel::same("m", right_);
+    const auto evaluation = evaluate(log, {&model, 1});
+    ASSERT_TRUE(evaluation);
+    for (std::size_t i = 0; i < evaluation->windows.size(); ++i)
+        EXPECT_EQ(evaluation->driveStarts[i], evaluation->trajectories[i] == "b" ? 0 : unixTime - 4 * second);
+    const std::string html = reportHtml(*evaluation, {});
+    const Nanoseconds first = evaluation->windows[0].start;
+    EXPECT_GE(first, unixTime);
+    EXPECT_THAT(html, HasSubstr("<title>window 1, from " + fixed(toSeconds(first - unixTime) + 4, 1) + " s"));
+    EXPECT_THAT(html, Not(HasSubstr("12484440")));
+    EXPECT_THAT(resultsCsv(*evaluation), HasSubstr("," + secondsText(first) + ","));
+}
+
+TEST_F(Report, DrawsTheBestOfTheOthers) {
+    Log log = logOf({obedientTrajectory(0, 120 * second, wandering)});
+    const HeldCommandModel slow{second / 10, 0.5};
+    const std::vector<NamedModel> models{NamedModel::same("net", right_), NamedModel::same("bad", slow),
+                                         NamedModel::same("good", fast_)};
+    const Evaluation evaluation = *evaluate(log, models);
+    EXPECT_EQ(drawnModels(evaluation), (std::vector<std::size_t>{0, 2}));
+    EXPECT_THAT(pathLegend(evaluation), HasSubstr("good (best of the others by P)"));
+    EXPECT_THAT(pathLegend(evaluation), Not(HasSubstr("bad")));
+    EXPECT_THAT(pathFigure(evaluation, 0), HasSubstr("line s2 thin"));
+    EXPECT_THAT(pathFigure(evaluation, 0), Not(HasSubstr("line s1")));
+    EXPECT_EQ(drawnModels(evaluation_), (std::vector<std::size_t>{0, 1}));
+}
+
+/// Of a handful of windows intervals and tails say nothing.
+TEST_F(Report, FewWindowsHaveNeitherIntervalNorTail) {
+    ASSERT_LT(evaluation_.windows.size(), 20u);
+    ASSERT_GE(evaluation_.windows.size(), 10u);
+    const std::string some = reportHtml(evaluation_, context_);
+    EXPECT_THAT(some, Not(HasSubstr("interval ")));
+    EXPECT_THAT(some, HasSubstr("of " + std::to_string(evaluation_.windows.size()) + ": too few for an interval"));
+    EXPECT_THAT(some, HasSubstr("one window in ten"));
+    EXPECT_THAT(some, HasSubstr("90th percentile "));
+    const NamedModel model = NamedModel::same("m", right_);
+    const Log longer = logOf({obedientTrajectory(0, 250 * second, wandering)});
+    EXPECT_THAT(reportHtml(*evaluate(longer, {&model, 1}), {}), HasSubstr("95\u00a0% interval "));
+    const Log shorter = logOf({obedientTrajectory(0, 60 * second, wandering)});
+    const std::string few = reportHtml(*evaluate(shorter, {&model, 1}), {});
+    EXPECT_THAT(few, Not(HasSubstr("one window in ten")));
+    EXPECT_THAT(few, Not(HasSubstr(", 90th percentile ")));
+}
+
+TEST_F(Report, NamesSpreadAndFloorApart) {
+    ASSERT_TRUE(evaluation_.floor);
+    evaluation_.floor->pairs.resize(1);
+    evaluation_.floor->p = 4.5678;
+    evaluation_.floor->pBest = 3.2301;
+    const std::string html = reportHtml(evaluation_, context_);
+    EXPECT_THAT(html, HasSubstr("4.57\u00a0% apart (the spread)"));
+    EXPECT_THAT(html, HasSubstr("3.23\u00a0% there (the floor)"));
 }
 
 TEST_F(Report, FolderIsCheckedWithoutMakingIt) {
