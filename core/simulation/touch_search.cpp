@@ -36,9 +36,9 @@ std::span<const ConvexPiece> TouchSearch::placedPieces(const SweptBody& body, st
 }
 
 void TouchSearch::consider(std::span<const SweptBody> bodies, std::uint32_t a, std::uint32_t b) {
-    const Reach &own = reaches_[a], &their = reaches_[b];
-    const double reach = own.radius + their.radius, dx = their.x - own.x, dy = their.y - own.y;
-    if (dx * dx + dy * dy <= reach * reach) considerNear(bodies[a], a, bodies[b], b);
+    const double reach = radii_[a] + radii_[b];
+    const Point between = centres_[b] - centres_[a];
+    if (dot(between, between) <= reach * reach) considerNear(bodies[a], a, bodies[b], b);
 }
 
 void TouchSearch::considerNear(const SweptBody& first, std::uint32_t a, const SweptBody& second, std::uint32_t b) {
@@ -84,57 +84,10 @@ void TouchSearch::findNear(std::span<const SweptBody> bodies) {
         for (std::uint32_t b = a + 1; b < count; ++b) consider(bodies, a, b);
 }
 
-TouchSearch::Axis TouchSearch::axisOf(double Reach::*coordinate) const {
-    const auto count = static_cast<double>(reaches_.size());
-    double mean = 0, variance = 0, least = reaches_[0].*coordinate, most = least;
-    for (const Reach& reach : reaches_) mean += reach.*coordinate / count;
-    for (const Reach& reach : reaches_) {
-        const double value = reach.*coordinate;
-        variance += (value - mean) * (value - mean) / count;
-        least = std::min(least, value);
-        most = std::max(most, value);
-    }
-    const double spread = 3 * std::sqrt(variance);
-    return {std::max(least, mean - spread), std::min(most, mean + spread)};
-}
-
-/// Cells are so wide that bodies of one touch only those of it and of its neighbours, and so many that each has few
-/// bodies. Who is far from all others counts for the cell at the grid's edge, which keeps neighbours neighbours.
 void TouchSearch::findNearInGrid(std::span<const SweptBody> bodies) {
-    double widest = 0;
-    for (const Reach& reach : reaches_) widest = std::max(widest, reach.radius);
-    const Axis x = axisOf(&Reach::x), y = axisOf(&Reach::y);
-    const double width = x.most - x.least, height = y.most - y.least;
-    const double mostCells = 4 * static_cast<double>(bodies.size());
-    const double side =
-        std::max({2 * widest, std::sqrt(width * height / mostCells), width / mostCells, height / mostCells});
-    const auto columns = static_cast<std::size_t>(width / side) + 1, rows = static_cast<std::size_t>(height / side) + 1;
-    const auto cellOn = [&](const Axis& axis, double value, std::size_t count) {
-        const double cell = (value - axis.least) / side;
-        return static_cast<std::size_t>(std::min(std::max(0.0, cell), static_cast<double>(count - 1)));
-    };
-    cells_.clear();
-    begins_.assign(columns * rows + 1, 0);
-    for (const Reach& reach : reaches_) {
-        const std::size_t cell = cellOn(y, reach.y, rows) * columns + cellOn(x, reach.x, columns);
-        cells_.push_back(static_cast<std::uint32_t>(cell));
-        ++begins_[cell];
-    }
-    for (std::size_t i = 1; i < begins_.size(); ++i) begins_[i] += begins_[i - 1];
-    order_.resize(bodies.size());
-    // Filling from the back moves each cell's end to where it begins.
-    for (std::size_t i = bodies.size(); i-- > 0;) order_[--begins_[cells_[i]]] = static_cast<std::uint32_t>(i);
-    for (std::size_t k = 0; k < order_.size(); ++k) {
-        const std::uint32_t a = order_[k];
-        const std::size_t cell = cells_[a], column = cell % columns, right = column + 1 < columns ? 1 : 0;
-        const auto tryAll = [&](std::size_t from, std::size_t to) {
-            for (std::size_t i = from; i < to; ++i) consider(bodies, std::min(a, order_[i]), std::max(a, order_[i]));
-        };
-        // What lies before it has met it already: the rest of its cell and the next one, and three of the next row.
-        tryAll(k + 1, begins_[cell + right + 1]);
-        if (cell + columns + 1 < begins_.size())
-            tryAll(begins_[cell + columns - (column > 0 ? 1 : 0)], begins_[cell + columns + right + 1]);
-    }
+    const double widest = *std::max_element(radii_.begin(), radii_.end());
+    grid_.fill(centres_, 2 * widest, 4);
+    grid_.visitNeighbours([&](std::uint32_t a, std::uint32_t b) { consider(bodies, a, b); });
     std::sort(bodyPairs_.begin(), bodyPairs_.end(),
               [](const Pair& p, const Pair& q) { return p.a != q.a ? p.a < q.a : p.b < q.b; });
 }
@@ -144,9 +97,12 @@ void TouchSearch::find(std::span<const SweptBody> bodies, const ObstacleIndex& o
     obstaclePairs_.clear();
     placed_.clear();
     placedFrom_.assign(bodies.size(), notPlaced);
-    reaches_.clear();
-    for (const SweptBody& body : bodies)
-        reaches_.push_back({body.pose.x, body.pose.y, body.shape->reach + body.travel + margin / 2});
+    centres_.clear();
+    radii_.clear();
+    for (const SweptBody& body : bodies) {
+        centres_.push_back(position(body.pose));
+        radii_.push_back(body.shape->reach + body.travel + margin / 2);
+    }
     if (bodies.size() <= fewBodies)
         findNear(bodies);
     else

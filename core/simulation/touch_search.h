@@ -6,6 +6,7 @@
 
 #include "geometry/shape.h"
 #include "scene/obstacle_index.h"
+#include "scene/point_grid.h"
 
 namespace mrose {
 
@@ -49,19 +50,12 @@ private:
     std::span<const ConvexPiece> placedPieces(const SweptBody& body, std::uint32_t index);
 
     std::vector<Pair> bodyPairs_, obstaclePairs_;
-    struct Reach {
-        double x, y, radius;
-    };
-    std::vector<Reach> reaches_;             ///< circles that the bodies do not leave
+    // Circles that the bodies do not leave.
+    std::vector<Point> centres_;
+    std::vector<double> radii_;
+    PointGrid grid_;
     std::vector<ConvexPiece> placed_;        ///< of the bodies that came near something in this search
     std::vector<std::uint32_t> placedFrom_;  ///< by body; notPlaced
-    /// Where most bodies are, m.
-    struct Axis {
-        double least, most;
-    };
-    Axis axisOf(double Reach::*coordinate) const;
-
-    std::vector<std::uint32_t> cells_, begins_, order_;
 };
 
 }  // namespace mrose

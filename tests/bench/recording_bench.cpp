@@ -49,7 +49,7 @@ private:
 FieldOptions field(bool heavy, bool perception) {
     FieldOptions options;
     options.heavy = heavy;
-    options.perception = perception;
+    if (perception) options.perception = noisyPerception();
     return options;
 }
 

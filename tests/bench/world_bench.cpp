@@ -80,14 +80,21 @@ void compareScene(const std::string& title, std::uint32_t robots, bool heavy, do
     options.robots = robots;
     options.heavy = heavy;
     std::vector<Line> lines{peer(robots, heavy), ours("paper's network, dead time, motion noise", options)};
+    const auto seeing = [&](const std::string& name, const Perception& perception) {
+        FieldOptions own = options;
+        own.perception = perception;
+        lines.push_back(ours(name, own));
+    };
     if (robots <= 8) {
-        FieldOptions seeing = options;
-        seeing.perception = true;
-        lines.push_back(ours("with perception", seeing));
+        seeing("with perception", noisyPerception());
         FieldOptions learned = options;
         learned.share = 0.1;  // a network is asked what its robot can do
         if ((learned.model = ourNetwork()))
             lines.push_back(ours("with nets/create.net, at a tenth of the speeds", learned));
+    }
+    if (!heavy) {
+        seeing("with cameras of 5 m", cameraPerception(5));
+        seeing("with cameras without limit", cameraPerception(0));
     }
     compare(title, std::move(lines), simulated, robots);
 }

@@ -111,6 +111,36 @@ ObjectType boxType(double side, double mass) {
     return type;
 }
 
+Perception noisyPerception() {
+    Perception perception;
+    perception.self = {{0.08, 0.08, 0.05}, {0.05, 0.05, 0.03}, 1.5, 100'000'000, 0.05, 0.001, 0.5};
+    perception.objects.bearingNoise = 0.017;
+    perception.objects.rangeNoise = 0.03;
+    perception.objects.rangeNoiseSlope = 0.02;
+    perception.robots = perception.objects;
+    return perception;
+}
+
+Perception cameraPerception(double range) {
+    constexpr double degree = std::numbers::pi / 180;
+    Perception perception;
+    perception.self = {{0.04, 0.04, 1.5 * degree}, {0.06, 0.06, 2 * degree}, 1.5, 100'000'000, 0.05, 0.001, 0.5};
+    perception.objects = {.bearingNoise = degree,
+                          .rangeNoise = 0.03,
+                          .rangeNoiseSlope = 0.02,
+                          .fieldOfView = 90 * degree,
+                          .range = range,
+                          .latency = 100'000'000,
+                          .dropOut = 0.05,
+                          .occlusion = true};
+    perception.robots = perception.objects;
+    perception.robots.bearingNoise = 1.5 * degree;
+    perception.robots.rangeNoise = 0.05;
+    perception.velocityNoise = 0.01;
+    perception.rotationNoise = degree;
+    return perception;
+}
+
 Scenario fieldScenario(const FieldOptions& options) {
     constexpr double areaPerRobot = 6.25;
     const double height = std::sqrt(options.robots * areaPerRobot / 2), width = 2 * height;
@@ -120,14 +150,7 @@ Scenario fieldScenario(const FieldOptions& options) {
     scene.environment = walledField(width, height);
     RobotType type = squareRobot();
     if (options.motionNoise) type.motionNoise = {0.02, 0.02, 0.02};
-    if (options.perception) {
-        type.perception.self = {{0.08, 0.08, 0.05}, {0.05, 0.05, 0.03}, 1.5, 100'000'000, 0.05, 0.001, 0.5};
-        BodySight sight;
-        sight.bearingNoise = 0.017;
-        sight.rangeNoise = 0.03;
-        sight.rangeNoiseSlope = 0.02;
-        type.perception.objects = type.perception.robots = sight;
-    }
+    if (options.perception) type.perception = *options.perception;
     scene.robotTypes = {type};
     scene.models = {options.model};
     scene.objectTypes = {ballType()};

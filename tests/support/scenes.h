@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "scenario/scenario.h"
 
@@ -29,6 +30,11 @@ RobotType discRobot(double radius = 0.225, double mass = 20);
 ObjectType ballType();
 ObjectType boxType(double side = 0.3, double mass = 2);
 
+/// All round, late about itself alone, through everything.
+Perception noisyPerception();
+/// One camera on a robot that sees as far as `range` m, 0 for without end: as the shipped nomad200.toml.
+Perception cameraPerception(double range);
+
 /// The benchmarks' scene: `robots` square robots on 6.25 m2 each in a walled field twice as wide as high, and a ball.
 /// Heavy: v in 0 ... 1 m/s, w within +-4 rad/s, so that they travel and collide; light: v within +-1, w within +-2.
 struct FieldOptions {
@@ -36,7 +42,7 @@ struct FieldOptions {
     bool heavy = true;
     double share = 1;  ///< of those speeds, for slower robots
     bool motionNoise = true;
-    bool perception = false;
+    std::optional<Perception> perception = {};  ///< nothing: it sees no bodies
     std::shared_ptr<const MotionModel> model = paperFormModel();
 };
 Scenario fieldScenario(const FieldOptions& options);

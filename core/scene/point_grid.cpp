@@ -1,0 +1,54 @@
+#include "scene/point_grid.h"
+
+#include <cmath>
+
+namespace mrose {
+
+PointGrid::Axis PointGrid::axisOf(std::span<const Point> points, double Point::*coordinate) {
+    const auto count = static_cast<double>(points.size());
+    double mean = 0, variance = 0, least = points[0].*coordinate, most = least;
+    for (const Point& point : points) mean += point.*coordinate / count;
+    for (const Point& point : points) {
+        const double value = point.*coordinate;
+        variance += (value - mean) * (value - mean) / count;
+        least = std::min(least, value);
+        most = std::max(most, value);
+    }
+    slack_ = std::max({slack_, -1e-12 * least, 1e-12 * most});
+    const double spread = 3 * std::sqrt(variance);
+    return {std::max(least, mean - spread), std::min(most, mean + spread)};
+}
+
+void PointGrid::layOut(std::span<const Point> points, double leastSide, double cellsPerPoint) {
+    x_ = y_ = {};
+    side_ = 1;
+    slack_ = 0;
+    if (points.empty()) return;
+    x_ = axisOf(points, &Point::x);
+    y_ = axisOf(points, &Point::y);
+    const double width = x_.most - x_.least, height = y_.most - y_.least;
+    if (!std::isfinite(width * height)) return;  // one cell
+    const double mostCells = cellsPerPoint * static_cast<double>(points.size());
+    side_ = std::max({leastSide, std::sqrt(width * height / mostCells), width / mostCells, height / mostCells});
+    if (!(side_ > 0)) side_ = 1;  // all in one place
+    x_.cells = static_cast<std::size_t>(width / side_) + 1;
+    y_.cells = static_cast<std::size_t>(height / side_) + 1;
+}
+
+void PointGrid::fill(std::span<const Point> points, double leastSide, double cellsPerPoint) {
+    layOut(points, leastSide, cellsPerPoint);
+    cells_.clear();
+    begins_.assign(x_.cells * y_.cells + 1, 0);
+    for (const Point& point : points) {
+        const std::size_t cell = rowOf(point.y) * x_.cells + columnOf(point.x);
+        cells_.push_back(static_cast<std::uint32_t>(cell));
+        ++begins_[cell];
+    }
+    for (std::size_t i = 1; i < begins_.size(); ++i) begins_[i] += begins_[i - 1];
+    entries_.resize(points.size());
+    // Filling from the back moves each cell's end to where it begins.
+    for (std::size_t i = points.size(); i-- > 0;)
+        entries_[--begins_[cells_[i]]] = {points[i], static_cast<std::uint32_t>(i)};
+}
+
+}  // namespace mrose

@@ -1,0 +1,117 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/point.h"
+
+namespace mrose {
+
+/// Points sorted into the cells of a plain grid, to find those that are near each other, in a box or along a line. The
+/// grid lies where most points are; who is far from all others counts for the cell at its edge, which keeps neighbours
+/// neighbours. Memory is kept from filling to filling.
+class PointGrid {
+public:
+    struct Entry {
+        Point point;
+        std::uint32_t number = 0;  ///< in the list that the grid was filled from
+    };
+
+    /// Cells are at least `leastSide` wide, m, and there are at most about `cellsPerPoint` for each point.
+    void fill(std::span<const Point> points, double leastSide, double cellsPerPoint);
+
+    /// visit(a, b), a < b, once for each two points of a cell or of neighbouring ones: at least for those that are
+    /// nearer than the least side.
+    template <class Visit>
+    void visitNeighbours(Visit visit) const;
+
+    /// visit(entries) for runs of entries that hold at least all points of the box.
+    template <class Visit>
+    void visitBox(const Point& least, const Point& most, Visit visit) const;
+
+    /// Whether found(entry) holds for a point, asked for at least all those within `reach` of the line between two
+    /// points, which lie among the grid's.
+    template <class Found>
+    bool anyAlong(const Point& from, const Point& to, double reach, Found found) const;
+
+private:
+    /// Where most points are, m.
+    struct Axis {
+        double least = 0, most = 0;
+        std::size_t cells = 1;
+    };
+    Axis axisOf(std::span<const Point> points, double Point::*coordinate);
+    void layOut(std::span<const Point> points, double leastSide, double cellsPerPoint);
+    std::size_t cellOn(const Axis& axis, double value) const {
+        const double cell = (value - axis.least) / side_;
+        return static_cast<std::size_t>(std::min(std::max(0.0, cell), static_cast<double>(axis.cells - 1)));
+    }
+    std::size_t columnOf(double x) const { return cellOn(x_, x); }
+    std::size_t rowOf(double y) const { return cellOn(y_, y); }
+    std::span<const Entry> entries(std::size_t from, std::size_t to) const {
+        return {entries_.data() + from, to - from};
+    }
+    std::span<const Entry> inRow(std::size_t row, double least, double most) const {
+        const std::size_t begin = row * x_.cells;
+        return entries(begins_[begin + columnOf(least)], begins_[begin + columnOf(most) + 1]);
+    }
+
+    Axis x_, y_;
+    double side_ = 1;                    ///< m, of a cell
+    double slack_ = 0;                   ///< m, above what rounding moves a point by
+    std::vector<std::uint32_t> cells_;   ///< by point
+    std::vector<std::uint32_t> begins_;  ///< of each cell's entries; one more than there are cells
+    std::vector<Entry> entries_;         ///< cell by cell, row by row; in a cell by their numbers
+};
+
+template <class Visit>
+void PointGrid::visitNeighbours(Visit visit) const {
+    const std::size_t columns = x_.cells;
+    for (std::size_t k = 0; k < entries_.size(); ++k) {
+        const std::uint32_t a = entries_[k].number;
+        const std::size_t cell = cells_[a], column = cell % columns, right = column + 1 < columns ? 1 : 0;
+        const auto visitAll = [&](std::size_t from, std::size_t to) {
+            for (const Entry& b : entries(from, to)) visit(std::min(a, b.number), std::max(a, b.number));
+        };
+        // What lies before it has met it already: the rest of its cell and the next one, and three of the next row.
+        visitAll(k + 1, begins_[cell + right + 1]);
+        if (cell + columns + 1 < begins_.size())
+            visitAll(begins_[cell + columns - (column > 0 ? 1 : 0)], begins_[cell + columns + right + 1]);
+    }
+}
+
+template <class Visit>
+void PointGrid::visitBox(const Point& least, const Point& most, Visit visit) const {
+    const std::size_t last = rowOf(most.y + slack_);
+    for (std::size_t row = rowOf(least.y - slack_); row <= last; ++row)
+        visit(inRow(row, least.x - slack_, most.x + slack_));
+}
+
+template <class Found>
+bool PointGrid::anyAlong(const Point& from, const Point& to, double reach, Found found) const {
+    reach += slack_;
+    const Point line = to - from;
+    const std::size_t first = rowOf(std::min(from.y, to.y) - reach), last = rowOf(std::max(from.y, to.y) + reach);
+    const auto where = [&](double y) { return std::clamp((y - from.y) / line.y, 0.0, 1.0); };
+    for (std::size_t i = 0; i <= last - first; ++i) {
+        const std::size_t row = line.y < 0 ? last - i : first + i;
+        // Between which shares of its length the line is that near to the row. Rows at the edge have no end.
+        double enters = 0, leaves = 1;
+        if (line.y != 0) {
+            const double low = y_.least + static_cast<double>(row) * side_ - reach, high = low + side_ + 2 * reach;
+            const double atLow = row == 0 ? (line.y > 0 ? 0 : 1) : where(low);
+            const double atHigh = row + 1 == y_.cells ? (line.y > 0 ? 1 : 0) : where(high);
+            enters = std::min(atLow, atHigh);
+            leaves = std::max(atLow, atHigh);
+        }
+        const double x0 = from.x + enters * line.x, x1 = from.x + leaves * line.x;
+        for (const Entry& entry : inRow(row, std::min(x0, x1) - reach, std::max(x0, x1) + reach))
+            if (found(entry)) return true;
+    }
+    return false;
+}
+
+}  // namespace mrose
