@@ -24,15 +24,26 @@ SweptBody SweptBody::of(const Shape& shape, const Pose& pose, const Pose& planne
             distance(position(pose), position(planned)) + shape.reach * std::abs(planned.heading - pose.heading)};
 }
 
-std::span<const ConvexPiece> TouchSearch::placedPieces(const SweptBody& body, std::uint32_t index) {
-    if (placedFrom_[index] == notPlaced) {
-        placedFrom_[index] = static_cast<std::uint32_t>(placed_.size());
-        const Placement frame(body.pose);
-        for (const ConvexPiece& piece : body.shape->pieces) placed_.push_back(placed(piece, frame));
-        const Placement after(body.planned);
-        for (const ConvexPiece& piece : body.shape->pieces) placed_.push_back(placed(piece, after));
+void TouchSearch::PlacedPieces::forget(std::size_t bodies) {
+    pieces.clear();
+    from.assign(bodies, notPlaced);
+}
+
+std::span<const ConvexPiece> TouchSearch::PlacedPieces::of(const SweptBody& body, std::uint32_t index) {
+    const std::vector<ConvexPiece>& own = body.shape->pieces;
+    if (from[index] == notPlaced) {
+        from[index] = static_cast<std::uint32_t>(pieces.size());
+        const Placement frame(body.*end);
+        for (const ConvexPiece& piece : own) pieces.push_back(placed(piece, frame));
     }
-    return {placed_.data() + placedFrom_[index], 2 * body.shape->pieces.size()};
+    return {pieces.data() + from[index], own.size()};
+}
+
+std::pair<std::span<const ConvexPiece>, std::span<const ConvexPiece>> TouchSearch::both(
+    PlacedPieces& placed, const SweptBody& first, std::uint32_t a, const SweptBody& second, std::uint32_t b) {
+    placed.of(first, a);  // placing the second may move the first's
+    const std::span<const ConvexPiece> theirs = placed.of(second, b);
+    return {placed.of(first, a), theirs};
 }
 
 void TouchSearch::consider(std::span<const SweptBody> bodies, std::uint32_t a, std::uint32_t b) {
@@ -43,16 +54,15 @@ void TouchSearch::consider(std::span<const SweptBody> bodies, std::uint32_t a, s
 
 void TouchSearch::considerNear(const SweptBody& first, std::uint32_t a, const SweptBody& second, std::uint32_t b) {
     const double limit = first.travel + second.travel + margin;
-    placedPieces(first, a);  // placing the second may move the first's pieces in memory
-    const std::span<const ConvexPiece> theirs = placedPieces(second, b), own = placedPieces(first, a);
-    const std::size_t x1 = own.size() / 2, y1 = theirs.size() / 2;
+    const auto [own, theirs] = both(before_, first, a, second, b);
     bool near = false, meet = false;
-    for (std::size_t x = 0; x < x1 && !meet; ++x)
-        for (std::size_t y = 0; y < y1 && !meet; ++y) {
+    for (std::size_t x = 0; x < own.size() && !meet; ++x)
+        for (std::size_t y = 0; y < theirs.size() && !meet; ++y) {
             if (!mayBeNearer(own[x], theirs[y], limit)) continue;
             near = true;
             const double sag = sagOf(first) + sagOf(second);
-            meet = !stayApart(own[x], theirs[y], own[x1 + x], theirs[y1 + y], margin + sag, pressed + sag);
+            const auto [ownAfter, theirsAfter] = both(after_, first, a, second, b);
+            meet = !stayApart(own[x], theirs[y], ownAfter[x], theirsAfter[y], margin + sag, pressed + sag);
         }
     if (near) bodyPairs_.push_back({a, b, meet});
 }
@@ -66,14 +76,13 @@ void TouchSearch::considerObstacle(const SweptBody& body, std::uint32_t index, s
     for (std::size_t i = 0; i < obstacle.count && !obstacle.isCircle(); ++i)
         outside = std::max(outside, dot(obstacle.normals[i], centre - obstacle.corners[i]));
     if (outside > body.shape->reach + limit) return;
-    const std::span<const ConvexPiece> own = placedPieces(body, index);
-    const std::size_t after = own.size() / 2;
+    const std::span<const ConvexPiece> own = before_.of(body, index);
     bool near = false, meet = false;
-    for (std::size_t x = 0; x < after && !meet; ++x) {
+    for (std::size_t x = 0; x < own.size() && !meet; ++x) {
         if (!mayBeNearer(own[x], obstacle, limit)) continue;
         near = true;
         const double sag = sagOf(body);
-        meet = !stayApart(own[x], obstacle, own[after + x], obstacle, margin + sag, pressed + sag);
+        meet = !stayApart(own[x], obstacle, after_.of(body, index)[x], obstacle, margin + sag, pressed + sag);
     }
     if (near) obstaclePairs_.push_back({index, piece, meet});
 }
@@ -95,8 +104,8 @@ void TouchSearch::findNearInGrid(std::span<const SweptBody> bodies) {
 void TouchSearch::find(std::span<const SweptBody> bodies, const ObstacleIndex& obstacles) {
     bodyPairs_.clear();
     obstaclePairs_.clear();
-    placed_.clear();
-    placedFrom_.assign(bodies.size(), notPlaced);
+    before_.forget(bodies.size());
+    after_.forget(bodies.size());
     centres_.clear();
     radii_.clear();
     for (const SweptBody& body : bodies) {

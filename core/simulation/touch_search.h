@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "geometry/shape.h"
@@ -46,16 +47,25 @@ private:
     void consider(std::span<const SweptBody> bodies, std::uint32_t a, std::uint32_t b);
     void considerNear(const SweptBody& first, std::uint32_t a, const SweptBody& second, std::uint32_t b);
     void considerObstacle(const SweptBody& body, std::uint32_t index, std::uint32_t piece, const ConvexPiece& obstacle);
-    /// A body's pieces before and after the tick, one behind the other.
-    std::span<const ConvexPiece> placedPieces(const SweptBody& body, std::uint32_t index);
+    /// Bodies' pieces at one end of the tick, placed when first asked for. They move in memory when others are.
+    struct PlacedPieces {
+        Pose SweptBody::*end;
+        std::vector<ConvexPiece> pieces = {};
+        std::vector<std::uint32_t> from = {};  ///< by body; notPlaced
+
+        void forget(std::size_t bodies);
+        std::span<const ConvexPiece> of(const SweptBody& body, std::uint32_t index);
+    };
+    /// Those of two bodies.
+    static std::pair<std::span<const ConvexPiece>, std::span<const ConvexPiece>> both(
+        PlacedPieces& placed, const SweptBody& first, std::uint32_t a, const SweptBody& second, std::uint32_t b);
 
     std::vector<Pair> bodyPairs_, obstaclePairs_;
     // Circles that the bodies do not leave.
     std::vector<Point> centres_;
     std::vector<double> radii_;
     PointGrid grid_;
-    std::vector<ConvexPiece> placed_;        ///< of the bodies that came near something in this search
-    std::vector<std::uint32_t> placedFrom_;  ///< by body; notPlaced
+    PlacedPieces before_{&SweptBody::pose}, after_{&SweptBody::planned};
 };
 
 }  // namespace mrose
