@@ -31,6 +31,7 @@ constexpr double farMove = 0.1;
 // Continuous collision takes a quarter of a step's time. Bodies that only lean on what they touched before do without,
 // and those that would come less deep (m) into something new, which the solver presses out again.
 constexpr double shallow = 0.002;
+constexpr double rounding = 1e-6;  // share of an energy
 
 float units(double metres) { return static_cast<float>(metres * unitsPerMetre); }
 b2Vec2 units(const Point& p) { return {units(p.x), units(p.y)}; }
@@ -79,6 +80,7 @@ void ContactWorld::solve(const ContactTask& task, std::span<const ContactImpulse
     first_ = clusters.front().firstBody;
     fill();
     run();
+    for (const ContactCluster& cluster : clusters_) takeBackEnergy(cluster);
     for (std::size_t i = 0; i < bodies_.size(); ++i)
         outcomes[first_ + i] = outcomeOf(bodies_[i], task.bodies[first_ + i]);
     collect(impulses, reports);
@@ -234,6 +236,48 @@ void ContactWorld::run() {
     for (int i = 0; i < steps_; ++i) {
         world_.Step(stepLength_, iterations_, positionIterations);
         warm_ = false;
+    }
+}
+
+/// Where both bounce and rub, Newton's restitution may leave bodies with more energy than they had (Kane and Levinson
+/// 1985), and so may what makes held bodies less light. Then what they move about their common motion, or about walls,
+/// is made slower: who was parting still is.
+void ContactWorld::takeBackEnergy(const ContactCluster& cluster) {
+    double before = 0, after = 0, mass = 0;
+    Point momentum;
+    const auto touched = [](const Body& entry) {
+        return !(entry.body->GetLinearVelocity() == entry.velocity) ||
+               entry.body->GetAngularVelocity() != entry.rotation;
+    };
+    for (std::size_t i = cluster.firstBody; i < cluster.lastBody; ++i) {
+        const Body& entry = bodies_[i - first_];
+        if (!touched(entry)) continue;
+        const ContactBody& b = task_->bodies[i];
+        const double inertia = b.inertia * unitsPerMetre * unitsPerMetre;
+        const auto twice = [&](const b2Vec2& v, double w) {
+            return b.mass * static_cast<double>(v.LengthSquared()) + inertia * w * w;
+        };
+        before += twice(entry.velocity, entry.rotation);
+        after += twice(entry.body->GetLinearVelocity(), entry.body->GetAngularVelocity());
+        mass += b.mass;
+        const b2Vec2& velocity = entry.body->GetLinearVelocity();
+        momentum = momentum + b.mass * Point{velocity.x, velocity.y};
+    }
+    if (after <= before * (1 + rounding)) return;
+    Point common = (1 / mass) * momentum;
+    double kept = mass * dot(common, common);
+    if (cluster.lastObstacle > cluster.firstObstacle || kept >= before) {
+        common = {0, 0};
+        kept = 0;
+    }
+    const double share = std::sqrt((before - kept) / (after - kept));
+    for (std::size_t i = cluster.firstBody; i < cluster.lastBody; ++i) {
+        const Body& entry = bodies_[i - first_];
+        if (!touched(entry)) continue;
+        const b2Vec2& velocity = entry.body->GetLinearVelocity();
+        const Point slower = common + share * (Point{velocity.x, velocity.y} - common);
+        entry.body->SetLinearVelocity({static_cast<float>(slower.x), static_cast<float>(slower.y)});
+        entry.body->SetAngularVelocity(static_cast<float>(share) * entry.body->GetAngularVelocity());
     }
 }
 

@@ -39,6 +39,7 @@ public:
 private:
     void fill();
     void run();
+    void takeBackEnergy(const ContactCluster& cluster);
     void collect(std::vector<ContactImpulse>& impulses, std::vector<ContactReport>* reports);
     void empty();
 
