@@ -77,13 +77,15 @@ void ContactWorld::solve(const ContactTask& task, std::span<const ContactImpulse
     task_ = &task;
     before_ = before;
     clusters_ = clusters;
+    reports_ = reports;
+    reported_.clear();
     first_ = clusters.front().firstBody;
     fill();
     run();
     for (const ContactCluster& cluster : clusters_) takeBackEnergy(cluster);
     for (std::size_t i = 0; i < bodies_.size(); ++i)
         outcomes[first_ + i] = outcomeOf(bodies_[i], task.bodies[first_ + i]);
-    collect(impulses, reports);
+    collect(impulses);
     empty();
 }
 
@@ -297,7 +299,7 @@ ContactOutcome ContactWorld::outcomeOf(const Body& entry, const ContactBody& bod
     return outcome;
 }
 
-void ContactWorld::collect(std::vector<ContactImpulse>& impulses, std::vector<ContactReport>* reports) {
+void ContactWorld::collect(std::vector<ContactImpulse>& impulses) {
     for (b2Contact* contact = world_.GetContactList(); contact != nullptr; contact = contact->GetNext()) {
         if (!contact->IsTouching()) continue;
         const b2Manifold& manifold = *contact->GetManifold();
@@ -310,13 +312,19 @@ void ContactWorld::collect(std::vector<ContactImpulse>& impulses, std::vector<Co
             impulse.tangent = point.tangentImpulse;
             impulses.push_back(impulse);
         }
-        if (reports != nullptr) report(*contact, *reports);
     }
 }
 
-void ContactWorld::report(b2Contact& contact, std::vector<ContactReport>& reports) const {
+/// Told of every solution, those of bounces within the tick too, whose impulses no manifold keeps.
+void ContactWorld::PostSolve(b2Contact* contact, const b2ContactImpulse* impulse) {
+    if (reports_ == nullptr) return;
+    double sum = 0;
+    for (int32 i = 0; i < impulse->count; ++i) sum += metres(impulse->normalImpulses[i]);
+    report(*contact, sum);
+}
+
+void ContactWorld::report(b2Contact& contact, double impulse) {
     Tag a = tagOf(contact.GetFixtureA()), b = tagOf(contact.GetFixtureB());
-    const b2Manifold& manifold = *contact.GetManifold();
     b2WorldManifold where;
     contact.GetWorldManifold(&where);
     double sense = 1;
@@ -329,13 +337,21 @@ void ContactWorld::report(b2Contact& contact, std::vector<ContactReport>& report
     report.bodyB = bodyOf(b.index);
     report.obstacle = report.bodyB == noBody ? b.piece : 0;
     report.normal = {sense * static_cast<double>(where.normal.x), sense * static_cast<double>(where.normal.y)};
+    const int32 count = contact.GetManifold()->pointCount;
     Point sum;
-    for (int32 i = 0; i < manifold.pointCount; ++i) {
-        report.impulse += metres(manifold.points[i].normalImpulse);
-        sum = sum + Point{metres(where.points[i].x), metres(where.points[i].y)};
+    for (int32 i = 0; i < count; ++i) sum = sum + Point{metres(where.points[i].x), metres(where.points[i].y)};
+    report.position = bodies_[a.index - first_].cluster->origin + (1.0 / std::max(1, count)) * sum;
+    report.impulse = impulse;
+    const std::pair pair{contact.GetFixtureA(), contact.GetFixtureB()};
+    const auto known = std::find(reported_.begin(), reported_.end(), pair);
+    if (known == reported_.end()) {
+        reported_.push_back(pair);
+        reports_->push_back(report);
+        return;
     }
-    report.position = bodies_[a.index - first_].cluster->origin + (1.0 / std::max(1, manifold.pointCount)) * sum;
-    reports.push_back(report);
+    ContactReport& earlier = *(reports_->end() - (reported_.end() - known));
+    report.impulse += earlier.impulse;
+    earlier = report;
 }
 
 ContactWorld::Tag ContactWorld::tagOf(b2Fixture* fixture) {
