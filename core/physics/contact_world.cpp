@@ -31,6 +31,7 @@ constexpr double farMove = 0.1;
 // Continuous collision takes a quarter of a step's time. Bodies that only lean on what they touched before do without,
 // and those that would come less deep (m) into something new, which the solver presses out again.
 constexpr double shallow = 0.002;
+constexpr double rounding = 1e-6;  // share of an energy
 
 float units(double metres) { return static_cast<float>(metres * unitsPerMetre); }
 b2Vec2 units(const Point& p) { return {units(p.x), units(p.y)}; }
@@ -76,12 +77,15 @@ void ContactWorld::solve(const ContactTask& task, std::span<const ContactImpulse
     task_ = &task;
     before_ = before;
     clusters_ = clusters;
+    reports_ = reports;
+    reported_.clear();
     first_ = clusters.front().firstBody;
     fill();
     run();
+    for (const ContactCluster& cluster : clusters_) takeBackEnergy(cluster);
     for (std::size_t i = 0; i < bodies_.size(); ++i)
         outcomes[first_ + i] = outcomeOf(bodies_[i], task.bodies[first_ + i]);
-    collect(impulses, reports);
+    collect(impulses);
     empty();
 }
 
@@ -237,6 +241,48 @@ void ContactWorld::run() {
     }
 }
 
+/// Where both bounce and rub, Newton's restitution may leave bodies with more energy than they had (Kane and Levinson
+/// 1985), and so may what makes held bodies less light. Then what they move about their common motion, or about walls,
+/// is made slower: who was parting still is.
+void ContactWorld::takeBackEnergy(const ContactCluster& cluster) {
+    double before = 0, after = 0, mass = 0;
+    Point momentum;
+    const auto touched = [](const Body& entry) {
+        return !(entry.body->GetLinearVelocity() == entry.velocity) ||
+               entry.body->GetAngularVelocity() != entry.rotation;
+    };
+    for (std::size_t i = cluster.firstBody; i < cluster.lastBody; ++i) {
+        const Body& entry = bodies_[i - first_];
+        if (!touched(entry)) continue;
+        const ContactBody& b = task_->bodies[i];
+        const double inertia = b.inertia * unitsPerMetre * unitsPerMetre;
+        const auto twice = [&](const b2Vec2& v, double w) {
+            return b.mass * static_cast<double>(v.LengthSquared()) + inertia * w * w;
+        };
+        before += twice(entry.velocity, entry.rotation);
+        after += twice(entry.body->GetLinearVelocity(), entry.body->GetAngularVelocity());
+        mass += b.mass;
+        const b2Vec2& velocity = entry.body->GetLinearVelocity();
+        momentum = momentum + b.mass * Point{velocity.x, velocity.y};
+    }
+    if (after <= before * (1 + rounding)) return;
+    Point common = (1 / mass) * momentum;
+    double kept = mass * dot(common, common);
+    if (cluster.lastObstacle > cluster.firstObstacle || kept >= before) {
+        common = {0, 0};
+        kept = 0;
+    }
+    const double share = std::sqrt((before - kept) / (after - kept));
+    for (std::size_t i = cluster.firstBody; i < cluster.lastBody; ++i) {
+        const Body& entry = bodies_[i - first_];
+        if (!touched(entry)) continue;
+        const b2Vec2& velocity = entry.body->GetLinearVelocity();
+        const Point slower = common + share * (Point{velocity.x, velocity.y} - common);
+        entry.body->SetLinearVelocity({static_cast<float>(slower.x), static_cast<float>(slower.y)});
+        entry.body->SetAngularVelocity(static_cast<float>(share) * entry.body->GetAngularVelocity());
+    }
+}
+
 ContactOutcome ContactWorld::outcomeOf(const Body& entry, const ContactBody& body) const {
     const b2Vec2 off = entry.body->GetPosition() - entry.planned;
     const float turned = entry.body->GetAngle() - entry.plannedAngle;
@@ -253,7 +299,7 @@ ContactOutcome ContactWorld::outcomeOf(const Body& entry, const ContactBody& bod
     return outcome;
 }
 
-void ContactWorld::collect(std::vector<ContactImpulse>& impulses, std::vector<ContactReport>* reports) {
+void ContactWorld::collect(std::vector<ContactImpulse>& impulses) {
     for (b2Contact* contact = world_.GetContactList(); contact != nullptr; contact = contact->GetNext()) {
         if (!contact->IsTouching()) continue;
         const b2Manifold& manifold = *contact->GetManifold();
@@ -266,13 +312,19 @@ void ContactWorld::collect(std::vector<ContactImpulse>& impulses, std::vector<Co
             impulse.tangent = point.tangentImpulse;
             impulses.push_back(impulse);
         }
-        if (reports != nullptr) report(*contact, *reports);
     }
 }
 
-void ContactWorld::report(b2Contact& contact, std::vector<ContactReport>& reports) const {
+/// Told of every solution, those of bounces within the tick too, whose impulses no manifold keeps.
+void ContactWorld::PostSolve(b2Contact* contact, const b2ContactImpulse* impulse) {
+    if (reports_ == nullptr) return;
+    double sum = 0;
+    for (int32 i = 0; i < impulse->count; ++i) sum += metres(impulse->normalImpulses[i]);
+    report(*contact, sum);
+}
+
+void ContactWorld::report(b2Contact& contact, double impulse) {
     Tag a = tagOf(contact.GetFixtureA()), b = tagOf(contact.GetFixtureB());
-    const b2Manifold& manifold = *contact.GetManifold();
     b2WorldManifold where;
     contact.GetWorldManifold(&where);
     double sense = 1;
@@ -285,13 +337,21 @@ void ContactWorld::report(b2Contact& contact, std::vector<ContactReport>& report
     report.bodyB = bodyOf(b.index);
     report.obstacle = report.bodyB == noBody ? b.piece : 0;
     report.normal = {sense * static_cast<double>(where.normal.x), sense * static_cast<double>(where.normal.y)};
+    const int32 count = contact.GetManifold()->pointCount;
     Point sum;
-    for (int32 i = 0; i < manifold.pointCount; ++i) {
-        report.impulse += metres(manifold.points[i].normalImpulse);
-        sum = sum + Point{metres(where.points[i].x), metres(where.points[i].y)};
+    for (int32 i = 0; i < count; ++i) sum = sum + Point{metres(where.points[i].x), metres(where.points[i].y)};
+    report.position = bodies_[a.index - first_].cluster->origin + (1.0 / std::max(1, count)) * sum;
+    report.impulse = impulse;
+    const std::pair pair{contact.GetFixtureA(), contact.GetFixtureB()};
+    const auto known = std::find(reported_.begin(), reported_.end(), pair);
+    if (known == reported_.end()) {
+        reported_.push_back(pair);
+        reports_->push_back(report);
+        return;
     }
-    report.position = bodies_[a.index - first_].cluster->origin + (1.0 / std::max(1, manifold.pointCount)) * sum;
-    reports.push_back(report);
+    ContactReport& earlier = *(reports_->end() - (reported_.end() - known));
+    report.impulse += earlier.impulse;
+    earlier = report;
 }
 
 ContactWorld::Tag ContactWorld::tagOf(b2Fixture* fixture) {

@@ -39,7 +39,8 @@ public:
 private:
     void fill();
     void run();
-    void collect(std::vector<ContactImpulse>& impulses, std::vector<ContactReport>* reports);
+    void takeBackEnergy(const ContactCluster& cluster);
+    void collect(std::vector<ContactImpulse>& impulses);
     void empty();
 
     struct Body {
@@ -71,7 +72,7 @@ private:
     void addBody(std::size_t index);
     void addObstacle(const ContactObstacle& obstacle, const Point& origin);
     ContactOutcome outcomeOf(const Body& entry, const ContactBody& body) const;
-    void report(b2Contact& contact, std::vector<ContactReport>& reports) const;
+    void report(b2Contact& contact, double impulse);
 
     std::uint32_t bodyOf(std::uint32_t index) const;
     ContactImpulse keyOf(b2Contact& contact) const;
@@ -79,11 +80,14 @@ private:
 
     bool ShouldCollide(b2Fixture* a, b2Fixture* b) override;
     void PreSolve(b2Contact* contact, const b2Manifold* old) override;
+    void PostSolve(b2Contact* contact, const b2ContactImpulse* impulse) override;
 
     b2World world_;
     float lastStep_ = 0;  ///< s; of this length the world thinks its last step was
     const ContactTask* task_ = nullptr;
     std::span<const ContactImpulse> before_;
+    std::vector<ContactReport>* reports_ = nullptr;            ///< nothing: nobody wants them
+    std::vector<std::pair<b2Fixture*, b2Fixture*>> reported_;  ///< whom the newest of them are about
     std::span<const ContactCluster> clusters_;
     std::size_t first_ = 0;  ///< of the task's bodies
     std::vector<Body> bodies_;

@@ -81,4 +81,16 @@ ObjectState afterFloorMotion(const ObjectState& state, const ObjectType& type, c
     return after;
 }
 
+ObjectState slowedByFloor(const ObjectState& state, const ObjectType& type, const FloorSurface& floor,
+                          double frictionFactor, double duration) {
+    ObjectState after = afterFloorMotion(state, type, floor, frictionFactor, duration);
+    // The velocity of its reference point is as its centre of mass moves, and as it lies.
+    const Point turned =
+        Placement(after.pose).rotate(type.shape->centroid) - Placement(state.pose).rotate(type.shape->centroid);
+    after.velocity_W.x -= after.velocity_W.rotation * turned.y;
+    after.velocity_W.y += after.velocity_W.rotation * turned.x;
+    after.pose = state.pose;
+    return after;
+}
+
 }  // namespace mrose

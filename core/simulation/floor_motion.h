@@ -13,4 +13,8 @@ constexpr double gravity = 9.81;  // m/s2
 ObjectState afterFloorMotion(const ObjectState& state, const ObjectType& type, const FloorSurface& floor,
                              double frictionFactor, double duration);
 
+/// The same where it stays meanwhile: how the floor has changed its velocities.
+ObjectState slowedByFloor(const ObjectState& state, const ObjectType& type, const FloorSurface& floor,
+                          double frictionFactor, double duration);
+
 }  // namespace mrose

@@ -141,6 +141,26 @@ void moveRobot(RobotState& r, const ContactOutcome& outcome) {
     r.pushed = true;
 }
 
+double floorFrictionFactor(const Scenario& scenario, const WorldState& state, std::size_t body) {
+    const double factor = scenario.scene().randomFactor;
+    if (factor == 0) return 1;
+    const auto channel = channelOf(NoiseChannel::floorFriction);
+    const double u = uniformNoise({state.seed, state.tick, static_cast<std::uint32_t>(body), channel});
+    return 1 + factor * (2 * u - 1);
+}
+
+/// Contact acts on what an object does in the tick's middle: the floor has worked on it for half of the tick, and does
+/// for the other half.
+ObjectState touchedObject(const Scenario& scenario, const WorldState& state, std::size_t object,
+                          const ObjectState& before, const ContactOutcome& outcome) {
+    const ObjectType& type = scenario.scene().typeOfObject(object);
+    const FloorSurface& floor = scenario.scene().environment.floor;
+    const double factor = floorFrictionFactor(scenario, state, state.robots.size() + object);
+    const double half = toSeconds(scenario.scene().tickLength) / 2;
+    const Point roll = slowedByFloor(before, type, floor, factor, half).roll_W;
+    return slowedByFloor({outcome.pose, outcome.velocity_W, roll}, type, floor, factor, half);
+}
+
 void commit(const Scenario& scenario, WorldState& state, StepBuffers::Content& buffers, StepTrace* trace) {
     const std::size_t robots = state.robots.size();
     for (std::size_t i = 0; i < robots; ++i) {
@@ -162,8 +182,8 @@ void commit(const Scenario& scenario, WorldState& state, StepBuffers::Content& b
             moveRobot(state.robots[body], outcome);
             if (trace != nullptr) trace->robots[body].touched = true;
         } else {
-            state.objects[body - robots].pose = outcome.pose;
-            state.objects[body - robots].velocity_W = outcome.velocity_W;
+            const ObjectState& before = buffers.objects[body - robots];
+            state.objects[body - robots] = touchedObject(scenario, state, body - robots, before, outcome);
             if (trace != nullptr) trace->touchedObjects[body - robots] = true;
         }
     }
@@ -186,15 +206,10 @@ void planFreeMotion(const Scenario& scenario, const WorldState& state, StepBuffe
         const ObjectState& object = state.objects[i];
         const ObjectType& type = scene.typeOfObject(i);
         const std::size_t body = state.robots.size() + i;
-        const double u = scene.randomFactor == 0
-                             ? 0
-                             : 2 * uniformNoise({state.seed, state.tick, static_cast<std::uint32_t>(body),
-                                                 channelOf(NoiseChannel::floorFriction)}) -
-                                   1;
-        buffers.objects.push_back(atRest(object)
-                                      ? object
-                                      : afterFloorMotion(object, type, scene.environment.floor,
-                                                         1 + scene.randomFactor * u, toSeconds(scene.tickLength)));
+        buffers.objects.push_back(atRest(object) ? object
+                                                 : afterFloorMotion(object, type, scene.environment.floor,
+                                                                    floorFrictionFactor(scenario, state, body),
+                                                                    toSeconds(scene.tickLength)));
         buffers.swept[body] = SweptBody::of(*type.shape, object.pose, buffers.objects[i].pose);
     }
 }

