@@ -1,4 +1,5 @@
 // What the scenarios that ship are for happens in them, over many seeds.
+#include <algorithm>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -57,6 +58,25 @@ TEST(ShippedWorlds, PeopleOfTheCorridorKeepOffItsWallsAndGetOn) {
         EXPECT_LT(walks.atWalls[i], 0.3) << name << ", s of two minutes";
         EXPECT_GT(walks.driven[i], 30) << name << ", m of two minutes";
     }
+}
+
+/// Goals on both sides; games without any are the exception.
+TEST(ShippedWorlds, SoccerIsALivelyGame) {
+    const Scenario scenario = shippedWorld("soccer.toml");
+    constexpr int games = 30, ticks = 60 * 50;
+    int scoreless = 0;
+    std::vector<int> goals(2);
+    for (int seed = 1; seed <= games; ++seed) {
+        WorldState state = scenario.initialState(static_cast<std::uint64_t>(seed));
+        StepBuffers buffers;
+        for (int tick = 0; tick < ticks; ++tick) step(scenario, state, buffers);
+        ASSERT_EQ(state.goals.size(), goals.size());
+        for (std::size_t i = 0; i < goals.size(); ++i) goals[i] += state.goals[i];
+        scoreless += state.goals[0] + state.goals[1] == 0 ? 1 : 0;
+    }
+    EXPECT_GE(goals[0] + goals[1], games);
+    EXPECT_GE(std::min(goals[0], goals[1]), games / 5) << "one side alone";
+    EXPECT_LE(scoreless, games / 3);
 }
 
 }  // namespace
