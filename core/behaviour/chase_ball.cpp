@@ -22,7 +22,7 @@ constexpr std::array phaseNames{"searching",   "roaming",     "going behind the 
 constexpr double wayRound = 0.25;                        // m, between robot and ball on the way behind it
 constexpr double stepRound = 1;                          // rad, how far round the ball it aims at most
 constexpr double lookAhead = 0.4;                        // m, along the line to the target
-constexpr double beginPushing = 0.93, endPushing = 0.7;  // cosine of the angle off that line
+constexpr double beginPushing = 0.85, endPushing = 0.6;  // cosine of the angle off that line
 constexpr double wallsWithin = 1;                        // m, of the ball: those that count
 constexpr double roomBehind = 0.05, roomBeside = 0.02;   // m, behind the ball and beside the robot
 constexpr double searchShare = 0.7;                      // of the rotation rate
@@ -35,7 +35,7 @@ constexpr double waitAt = 1.6, waitWithin = 0.3;         // m, from the ball, an
 constexpr double waitAside = 0.7;                        // of 1
 constexpr double kickEvery = 1;                          // s
 constexpr double kickWidth = 0.09, kickReach = 0.05;     // m, beside and before its front
-constexpr double kickAngle = 0.5, kickMiss = 0.7;        // rad; m, beside the target
+constexpr double kickAngle = 0.5, kickMiss = 0.85;       // rad; m, beside the target
 
 Point unit(const Point& vector) { return (1 / std::max(1e-9, length(vector))) * vector; }
 

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "behaviour/back_off.h"
 #include "behaviour/own_belief.h"
+#include "behaviour/pushing_way.h"
 #include "behaviour/steering.h"
+#include "geometry/direction.h"
 
 namespace mrose {
 namespace {
@@ -18,6 +21,11 @@ struct Going {
 
 constexpr double alignGain = 2;           // 1/s
 constexpr double turnAwayFromGoal = 0.6;  // rad, after backing off
+constexpr double spareWay = 0.06;         // m, to walls and bodies
+constexpr double leastSpare = 0.01;       // m, likewise: as little as it may become
+constexpr double lookFor = 1;             // s, ahead for walls and bodies, at full speed ...
+constexpr double lookMore = 0.3;          // m, ... and so much farther
+constexpr double detourFor = 0.8;         // s, after it has turned
 constexpr double unsure = 4;              // standard deviations of its belief, before it leaves where it has arrived
 
 }  // namespace
@@ -29,10 +37,12 @@ struct GoToPose::Memory {
     std::int64_t target;
     std::int64_t phase;
     std::int64_t tailFirst;
+    double detour;  ///< rad, in the world's frame
+    Nanoseconds detourEnd;
 };
 
 std::size_t GoToPose::memorySize() const {
-    static_assert(sizeof(Memory) == sizeof(MotionMemory) + sizeof(OwnBelief) + sizeof(BackOff) + 3 * 8, "no padding");
+    static_assert(sizeof(Memory) == sizeof(MotionMemory) + sizeof(OwnBelief) + sizeof(BackOff) + 5 * 8, "no padding");
     return sizeof(Memory);
 }
 
@@ -61,8 +71,50 @@ void GoToPose::updatePhase(Memory& memory, const Pose& ahead) const {
     if (memory.phase == Going::approaching && options_.backwards && onwards < -0.2 * off) memory.tailFirst ^= 1;
 }
 
-Command GoToPose::drive(const Observation& observation, Memory& memory) const {
+/// Who and what is seen, as circles as large as the robot itself.
+FloorPlan GoToPose::bodiesSeen(const Observation& observation, const Memory& memory) const {
+    std::vector<ConvexPiece> pieces;
+    for (const auto* const bodies : {&observation.robots, &observation.objects})
+        for (const SeenBody& seen : *bodies) {
+            if (bodies == &observation.objects && options_.ball && seen.index == 0) continue;
+            const Placement then(memory.self.at(seen.measured, memory.motion));
+            pieces.push_back(ConvexPiece::circle(then.place(seen.position_B), options_.radius));
+        }
+    return FloorPlan(std::move(pieces));
+}
+
+/// Where the way ahead is not free, or that to the target, towards what is, the slower the shorter the way ahead; away
+/// from walls that are too near.
+Command GoToPose::approach(const Observation& observation, const Pose& ahead, Memory& memory) const {
     const DriveLimits limits{options_.speed, options_.rotation};
+    const Point place = position(ahead), line = position(target(memory)) - place;
+    const FloorPlan bodies = bodiesSeen(observation, memory);
+    const double look = std::min(lookMore + lookFor * options_.speed, length(line)), room = options_.radius + spareWay;
+    const auto freeWay = [&](double heading, double radius) {
+        const Point way = Placement({0, 0, heading}).rotate({1, 0});
+        return std::min(options_.walls->freeWay(place, way, radius, look), bodies.freeWay(place, way, radius, look));
+    };
+    const bool tailFirst = memory.tailFirst != 0;
+    const double facing = ahead.heading + (tailFirst ? std::numbers::pi : 0),
+                 wanted = observation.time < memory.detourEnd ? memory.detour : direction(line);
+    const double heading = clearHeading(wanted, look, [&](double way) { return freeWay(way, room); });
+    // What it turns away from it may see no more: it keeps to its way round for a while.
+    if (heading != wanted) {
+        memory.detour = heading;
+        const double lasts = detourFor + std::abs(wrapAngle(heading - facing)) / std::max(0.05, options_.rotation);
+        if (observation.time >= memory.detourEnd) memory.detourEnd = observation.time + fromSeconds(lasts);
+    }
+    const bool direct = heading == wanted && observation.time >= memory.detourEnd;
+    const double onwards = freeWay(facing, options_.radius + leastSpare);
+    const Point off = clearOf(options_.walls->wallsNear(place, room), place, room) - place;
+    if (direct && onwards >= look && off == Point{}) return driveToPose(ahead, target(memory), limits, tailFirst);
+    const Point towards = Placement({0, 0, heading}).rotate({1, 0}) + (1 / spareWay) * off;
+    const Command round = driveTowards(Placement({0, 0, facing}).rotateBack(towards), limits);
+    const double v = round.v * std::min(1.0, onwards / look);
+    return {tailFirst ? -v : v, round.w};
+}
+
+Command GoToPose::drive(const Observation& observation, Memory& memory) const {
     if (const std::optional<Command> back = memory.backOff.update(
             observation, memory.motion, {options_.speed, options_.rotation, options_.deadTime, turnAwayFromGoal})) {
         memory.phase = Going::backingOff;
@@ -83,9 +135,7 @@ Command GoToPose::drive(const Observation& observation, Memory& memory) const {
         const double turn = wrapAngle(target(memory).heading - ahead.heading);
         return {0, std::clamp(alignGain * turn, -options_.rotation, options_.rotation)};
     }
-    const double reach = std::min(1.5, distance(position(ahead), position(target(memory))));
-    const Command intended = driveToPose(ahead, target(memory), limits, memory.tailFirst != 0);
-    return evading(intended, evade(observation.robots, memory.motion, options_.deadTime, reach), limits);
+    return approach(observation, ahead, memory);
 }
 
 void GoToPose::annotate(const Memory& memory, Decision& decision) const {

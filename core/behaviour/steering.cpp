@@ -44,6 +44,21 @@ Command driveToPose(const Pose& from, const Pose& goal, const DriveLimits& limit
     return {backwards ? -forward.v : forward.v, forward.w};
 }
 
+double clearHeading(double wanted, double far, const std::function<double(double)>& freeWay) {
+    constexpr int steps = 9;
+    constexpr double step = std::numbers::pi / 12, clearlyFarther = 0.01;
+    double best = wanted, farthest = -1;
+    for (int i = 0; i <= steps; ++i)
+        for (const int side : {-1, 1}) {
+            const double heading = wanted + side * i * step, way = freeWay(heading);
+            if (way >= far) return heading;
+            if (way <= farthest + clearlyFarther) continue;
+            farthest = way;
+            best = heading;
+        }
+    return best;
+}
+
 Evasion evade(const std::vector<SeenBody>& bodies, const MotionMemory& motion, double deadTime, double reach) {
     Evasion evasion;
     double nearest = reach;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "behaviour/motion_memory.h"
 #include "control/observation.h"
 #include "geometry/point.h"
@@ -21,6 +23,10 @@ Command driveTowards(const Point& target_B, const DriveLimits& limits);
 /// robot exponentially to the heading that leads to the pose, made to head straight for poses farther than about a
 /// metre. `backwards`: tail first.
 Command driveToPose(const Pose& from, const Pose& goal, const DriveLimits& limits, bool backwards);
+
+/// The heading (rad) nearest to `wanted`, to the right first, whose way is free for `far` metres, as `freeWay` tells of
+/// any heading; where there is none within 135 degrees, the one whose way is free the longest.
+double clearHeading(double wanted, double far, const std::function<double(double)>& freeWay);
 
 /// How to give way to the nearest body that is seen ahead.
 struct Evasion {

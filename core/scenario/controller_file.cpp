@@ -88,6 +88,9 @@ ControllerSetting goToPose(const Context& context) {
     options.rotation = angleOr(table, "rotation_degps", options.rotation, rotations);
     options.tolerance = table.numberOr("tolerance_m", options.tolerance, {0.001, 10});
     options.headingTolerance = angleOr(table, "heading_tolerance_deg", options.headingTolerance, {0.1, 360});
+    options.ball = context.driven.ballRadius > 0;
+    options.radius = context.driven.robot.type.shape->reach;
+    options.walls = context.driven.walls;
     options.deadTime = table.numberOr("dead_time_s", context.driven.robot.deadTime, deadTimes);
     return {std::make_shared<GoToPose>(std::move(options))};
 }

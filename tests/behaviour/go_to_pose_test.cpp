@@ -148,5 +148,68 @@ TEST(GoToPose, ShowsGoalDistanceAndState) {
     EXPECT_EQ(shown[2].text, "approaching");
 }
 
+/// Round a pillar that stands between, and through a door; without knowing them it runs into both.
+TEST(GoToPose, KeepsOffWallsThatItKnows) {
+    Environment rooms = walledField(9, 5);
+    const auto wall = [](const std::string& name, Polygon corners) {
+        ShapePart part;
+        part.polygon = std::move(corners);
+        return Obstacle{name, Shape::fromParts(name, {part}), {}};
+    };
+    rooms.obstacles.push_back(wall("pillar", {{2.3, 2.2}, {2.7, 2.2}, {2.7, 2.7}, {2.3, 2.7}}));
+    rooms.obstacles.push_back(wall("south of the door", {{5, 0}, {5.1, 0}, {5.1, 2}, {5, 2}}));
+    rooms.obstacles.push_back(wall("north of the door", {{5, 3}, {5.1, 3}, {5.1, 5}, {5, 5}}));
+    const std::vector<Pose> targets{{4.2, 2.5, 0}, {6.5, 2.5, 0}, {4.2, 2.5, 0}, {1, 2.5, 0}};
+    for (const bool knows : {true, false}) {
+        int touching = 0, arrived = 0;
+        for (std::uint64_t seed = 0; seed < 10; ++seed) {
+            GoToPose::Options options{.targets = targets, .tolerance = 0.15, .radius = 0.31};
+            if (knows) options.walls = floorPlanOf(rooms);
+            const Scenario scenario = SmallWorld(rooms)
+                                          .robot(guideRobot(cameras()), {1, 2.5, 0.6 * static_cast<double>(seed)},
+                                                 std::make_shared<const GoToPose>(options), lateDrive())
+                                          .scenario();
+            WorldState state = scenario.initialState(seed);
+            StepBuffers buffers;
+            StepTrace trace;
+            for (int tick = 0; tick < 120 * second; ++tick) {
+                step(scenario, state, buffers, {}, &trace);
+                touching += trace.contacts.empty() ? 0 : 1;
+            }
+            arrived += off(state, targets.back()) < 0.5 ? 1 : 0;
+        }
+        if (knows) {
+            EXPECT_LT(touching, 10 * 120 * second / 200);
+            EXPECT_EQ(arrived, 10);
+        } else {
+            EXPECT_GT(touching, 10 * 120 * second / 50);
+        }
+    }
+}
+
+TEST(GoToPose, GoesRoundABoxButNotRoundTheBall) {
+    for (const bool ball : {false, true}) {
+        const Scenario scenario =
+            SmallWorld(walledField(9, 5))
+                .robot(exactRobot(), {1, 2.5, 0},
+                       std::make_shared<const GoToPose>(GoToPose::Options{.targets = {{8, 2.5, 0}}, .ball = ball}),
+                       lateDrive())
+                .object(boxType(0.3, 500), {4.5, 2.5, 0})
+                .scenario();
+        WorldState state = scenario.initialState();
+        StepBuffers buffers;
+        StepTrace trace;
+        int touching = 0;
+        for (int tick = 0; tick < 40 * second; ++tick) {
+            step(scenario, state, buffers, {}, &trace);
+            touching += trace.contacts.empty() ? 0 : 1;
+        }
+        EXPECT_EQ(touching > 0, ball);
+        if (!ball) {
+            EXPECT_LT(off(state, {8, 2.5, 0}), 0.1);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace mrose

@@ -117,5 +117,19 @@ TEST(Steering, TakesItsOwnMotionSinceTheSightingIntoAccount) {
                 1e-12);
 }
 
+TEST(Steering, ClearHeadingIsTheNearestFreeOneOnTheRightFirst) {
+    const double step = std::numbers::pi / 12;
+    // Free but for the headings within `half` of `middle`.
+    const auto blocked = [](double middle, double half) {
+        return [=](double heading) { return std::abs(heading - middle) <= half ? 0.2 : 1.0; };
+    };
+    EXPECT_EQ(clearHeading(0.4, 1, blocked(2, 0.1)), 0.4);
+    EXPECT_NEAR(clearHeading(0, 1, blocked(0, 1.5 * step)), -2 * step, 1e-12);
+    EXPECT_NEAR(clearHeading(0, 1, blocked(-step, 1.5 * step)), step, 1e-12) << "nearer on the left";
+    // Nothing is free: where the way is longest.
+    EXPECT_NEAR(clearHeading(0, 1, [&](double heading) { return 0.5 - std::abs(heading - 3 * step) / 10; }), 3 * step,
+                1e-12);
+}
+
 }  // namespace
 }  // namespace mrose

@@ -126,8 +126,10 @@ TEST(ShippedFiles, RobotsWeighAndDriveAsTheyShould) {
 
 TEST(ShippedFiles, FieldIsSymmetricAndClosed) {
     const auto field = loaded<Environment>("resources/environments/midsize_2001.toml");
-    // 9 x 5 m and two goals of 2 x 0.5 m.
-    EXPECT_NEAR(signedArea(field.floor.area), 9 * 5 + 2 * 2 * 0.5, 1e-9);
+    // 9 x 5 m and two goals of 2 x 0.5 m, but for the corners, which panels cut off 0.2 m along each wall.
+    EXPECT_NEAR(signedArea(field.floor.area), 9 * 5 + 2 * 2 * 0.5 - 4 * 0.2 * 0.2 / 2, 1e-9);
+    EXPECT_FALSE(contains(field.floor.area, {4.45, 2.4})) << "a ball cannot lie in the corner";
+    EXPECT_TRUE(contains(field.floor.area, {4.39, 2.29}));
     const std::vector<Point> solid = solidPoints(field, 10.2, 5.2);
     EXPECT_GT(solid.size(), 1000u);
     const auto solidAt = [&](const Point& p) {
