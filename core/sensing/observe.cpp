@@ -18,8 +18,8 @@ Velocity odometry(const Observer& observer) {
 }  // namespace
 
 void observe(const Scenario& scenario, const WorldState& state, std::size_t robot, SensorMemory& memory,
-             Observation& out) {
-    const Observer observer{scenario, state, static_cast<std::uint32_t>(robot)};
+             SensingBuffers& buffers, Observation& out) {
+    const Observer observer{scenario, state, static_cast<std::uint32_t>(robot), buffers};
     driftBiases(observer, memory);
     localise(observer, memory);
     out.robot = observer.robot;
