@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -43,6 +44,9 @@ struct View {
         return position_B;
     }
 
+    /// Direction of its left edge, in its own frame.
+    Point edge_B() const { return {edge, std::sqrt(std::max(0.0, 1 - edge * edge))}; }
+
     /// Two corners of a box that holds a view whose range has an end.
     std::pair<Point, Point> box() const {
         Point least, most;
@@ -51,9 +55,8 @@ struct View {
             most = {std::max(most.x, direction.x), std::max(most.y, direction.y)};
         };
         constexpr double rounding = 1e-9;
-        const double sine = std::sqrt(1 - edge * edge);
-        hold(frame.rotate({edge, sine}));
-        hold(frame.rotate({edge, -sine}));
+        hold(frame.rotate(edge_B()));
+        hold(frame.rotate({edge, -edge_B().y}));
         for (const Point& axis : {Point{1, 0}, Point{-1, 0}, Point{0, 1}, Point{0, -1}})
             if (frame.rotateBack(axis).x >= edge - rounding) hold(axis);
         const double reach = range * (1 + rounding);
@@ -61,28 +64,66 @@ struct View {
     }
 };
 
-// So few are looked at one by one, wherever they are.
-constexpr std::size_t fewBodies = 24;
+/// How large a disc about its reference point is solid: within one piece.
+double coreOf(const Shape& shape) {
+    double core = 0;
+    for (const ConvexPiece& piece : shape.pieces) {
+        double depth = piece.isCircle() ? piece.radius - length(piece.corners[0]) : shape.reach;
+        for (std::size_t i = 0; i < piece.count && !piece.isCircle(); ++i)
+            depth = std::min(depth, dot(piece.normals[i], piece.corners[i]));
+        core = std::max(core, depth);
+    }
+    return core;
+}
 
-/// Those within range and field of view, exactly.
+/// Looks where it is not dark, outwards from the eye; what is met darkens what is behind it.
+template <class Look>
+void lookRound(const Observer& observer, const View& view, bool occlusion, const BodyMap& map, Look look) {
+    Horizon& horizon = observer.buffers.horizon;
+    horizon.open(view.frame, view.edge_B(), view.allRound,
+                 view.range > 0 ? view.range : std::numeric_limits<double>::infinity());
+    const auto visit = [&](const Point& least, const Point& most, std::span<const PointGrid::Entry> entries) {
+        if (horizon.dark(least, most)) return false;
+        for (const PointGrid::Entry& entry : entries) {
+            if (entry.number == observer.robot) continue;
+            if (!horizon.dark(entry.point)) look(entry);
+            if (!occlusion) continue;
+            const Shape& shape = observer.scenario.scene().shapeOf(entry.number);
+            horizon.shade(entry.point, coreOf(shape), map.grid.slack());
+        }
+        return true;
+    };
+    map.grid.spread(view.frame.origin, observer.buffers.spreading, visit);
+}
+
+// So few are looked at one by one; with more of them in reach it pays to mind what is dark.
+constexpr std::size_t fewBodies = 64;
+
+/// Those within range and field of view, exactly; some that are hidden may be left out.
 void collect(const Observer& observer, const BodySight& sight, const BodyMap& map, const Kind& kind,
              std::vector<SeenBody>& seen) {
     const View view(Placement(observer.poseBefore(observer.robot, map.lag)), sight);
     const Nanoseconds measured = observer.timeBefore(map.lag);
-    const auto look = [&](std::size_t body, const Point& point) {
-        const std::optional<Point> position_B = view.at(point);
-        if (position_B && body != observer.robot)
-            seen.push_back({static_cast<std::uint32_t>(body - kind.first), *position_B, measured});
+    const auto look = [&](const PointGrid::Entry& entry) {
+        if (entry.number - kind.first >= kind.count || entry.number == observer.robot) return;
+        const std::optional<Point> position_B = view.at(entry.point);
+        if (position_B) seen.push_back({static_cast<std::uint32_t>(entry.number - kind.first), *position_B, measured});
     };
-    if (kind.count <= fewBodies || view.range == 0) {
-        for (std::size_t body = kind.first; body < kind.first + kind.count; ++body) look(body, map.positions[body]);
+    const bool limited = view.range > 0, darkens = sight.occlusion || !view.allRound;
+    if (kind.count <= fewBodies || !(limited || darkens)) {
+        for (std::size_t body = kind.first; body < kind.first + kind.count; ++body)
+            look({map.positions[body], static_cast<std::uint32_t>(body)});
         return;
     }
     const auto [least, most] = view.box();
-    map.grid.visitBox(least, most, [&](std::span<const PointGrid::Entry> entries) {
-        for (const PointGrid::Entry& entry : entries)
-            if (entry.number - kind.first < kind.count) look(entry.number, entry.point);
-    });
+    std::size_t near = 0;
+    map.grid.visitBox(least, most, [&](std::span<const PointGrid::Entry> entries) { near += entries.size(); });
+    if (darkens && (!limited || near > fewBodies))
+        lookRound(observer, view, sight.occlusion, map, look);
+    else
+        map.grid.visitBox(least, most, [&](std::span<const PointGrid::Entry> entries) {
+            for (const PointGrid::Entry& entry : entries) look(entry);
+        });
     std::sort(seen.begin(), seen.end(), [](const SeenBody& a, const SeenBody& b) { return a.index < b.index; });
 }
 
@@ -100,7 +141,6 @@ void addNoise(const Observer& observer, const BodySight& sight, NoiseChannel cha
 
 void see(const Observer& observer, const BodySight& sight, const Kind& kind, double bearingBias,
          std::vector<SeenBody>& seen) {
-    seen.clear();
     if (!sight.present || kind.count == 0) return;
     const BodyMap& map = observer.bodiesBefore(observer.lagOf(sight.latency));
     collect(observer, sight, map, kind, seen);

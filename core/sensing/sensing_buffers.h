@@ -6,6 +6,7 @@
 
 #include "scenario/scenario.h"
 #include "scene/point_grid.h"
+#include "sensing/horizon.h"
 
 namespace mrose {
 
@@ -23,6 +24,10 @@ public:
     void forget() { used_ = 0; }
     /// The same for all who perceive at this tick. Valid until asked for another lag.
     const BodyMap& bodiesBefore(const Scenario& scenario, const WorldState& state, std::int64_t lag);
+
+    // Of one robot's look round.
+    Horizon horizon;
+    PointGrid::Spreading spreading;
 
 private:
     std::vector<BodyMap> maps_;  ///< the first `used_` of them are of this state

@@ -152,6 +152,7 @@ struct Crowd {
     std::uint32_t robots, objects;
     double width, height;  ///< m
     Point middle = {};
+    int walls = 6;
 };
 
 Pose randomPose(const Crowd& crowd, Draws& draws) {
@@ -162,7 +163,7 @@ Pose randomPose(const Crowd& crowd, Draws& draws) {
 
 Scenario randomScenario(const Crowd& crowd, Draws& draws) {
     Environment environment;
-    for (int i = 0; i < 6; ++i) {
+    for (int i = 0; i < crowd.walls; ++i) {
         const Pose at = randomPose(crowd, draws);
         ShapePart wall;
         const double half = draws.between(0.2, 2);
@@ -215,7 +216,7 @@ TEST(AllPairs, FarFromTheOriginToo) {
     SensingBuffers buffers;
     for (std::uint64_t scene = 0; scene < 4; ++scene) {
         Draws draws(100 + scene);
-        const Crowd crowd{80, 5, 20, 10, {-1e6, 3e6}};
+        const Crowd crowd{80, 5, 20, 10, {-1e6, 3e6}, 0};
         const Scenario scenario = randomScenario(crowd, draws);
         expectAllPairs(scenario, randomState(scenario, crowd, draws), buffers);
     }
@@ -241,7 +242,7 @@ TEST(AllPairs, AllInOnePlaceOrInsideEachOther) {
     SensingBuffers buffers;
     for (const double spread : {0.0, 0.1, 0.6}) {
         Draws draws(7);
-        const Crowd crowd{60, 40, spread, spread};
+        const Crowd crowd{60, 40, spread, spread, {}, 0};
         const Scenario scenario = randomScenario(crowd, draws);
         WorldState state = scenario.initialState();
         for (RobotState& robot : state.robots) robot.pose.heading = draws.between(-4, 4);
