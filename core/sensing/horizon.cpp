@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace mrose {
 namespace {
@@ -42,10 +43,9 @@ void Horizon::shade(const Point& centre, double radius, double rounding) {
     const double first = std::max(0.0, std::ceil(slotOf(right) + 1e-6));
     const double end = std::min(static_cast<double>(ends_.size()), std::floor(slotOf(left) - 1e-6));
     const auto beyond = static_cast<float>((away + radius) * (1 + 1e-6));
-    for (double slot = first; slot < end; ++slot) {
-        float& ends = ends_[static_cast<std::size_t>(slot)];
-        ends = std::min(ends, beyond);
-    }
+    if (first >= end) return;
+    for (float& limit : std::span(ends_).subspan(slotIn(first), static_cast<std::size_t>(end - first)))
+        limit = std::min(limit, beyond);
 }
 
 bool Horizon::dark(const Point& point) const {
