@@ -221,6 +221,7 @@ public:
         const PluginGuard guard(who_);
         return watched_->commandsPerPeriod(period);
     }
+    Attention attention() const override { return watched_->attention(); }
     void decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const override {
         Activity& activity = activityOfThisThread();
         activity.begin(&who_, observation.time / tickLength_);

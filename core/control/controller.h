@@ -46,6 +46,13 @@ struct Decision {
     bool sameOrders(const Decision& other) const;
 };
 
+/// Which bodies a controller reads of its observations. It gets none of the others: nobody looks for nobody.
+struct Attention {
+    bool robots = true;
+    bool objects = true;
+    bool operator==(const Attention&) const = default;
+};
+
 /// Control software of one robot: a pure function of what it sees and of its memory, which belongs to the world's state
 /// so that going back is exact. One object may drive many robots.
 class Controller {
@@ -58,6 +65,8 @@ public:
     virtual void start(std::span<std::byte> /*memory*/) const {}
     /// How many commands it may issue in one control period of such a length.
     virtual std::size_t commandsPerPeriod(Nanoseconds /*period*/) const { return 1; }
+    /// Constant. Own pose and speed it is told in any case.
+    virtual Attention attention() const { return {}; }
 
     /// Called once per control period; `decision` is empty.
     virtual void decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const = 0;

@@ -59,6 +59,13 @@ void each(Visit& visit, Vector& elements, Fields fields) {
     }
 }
 
+template <class Visit, class A>
+void visitAttention(Visit& visit, A& attention) {
+    auto& [robots, objects] = attention;
+    visit(robots);
+    visit(objects);
+}
+
 template <class Visit, class P>
 void visitPose(Visit& visit, P& pose) {
     visit(pose.x);
@@ -157,6 +164,17 @@ void appendText(std::string_view text, std::string& bytes) {
 bool readText(ByteReader& reader, std::string& text) {
     text = reader.take(reader.number<std::uint32_t>());
     return !reader.failed();
+}
+
+void appendAttention(const Attention& attention, std::string& bytes) {
+    Writer writer{bytes};
+    visitAttention(writer, attention);
+}
+
+bool readAttention(ByteReader& reader, Attention& attention) {
+    Reader fields{reader};
+    visitAttention(fields, attention);
+    return !fields.failed();
 }
 
 void appendObservation(const Observation& observation, std::string& bytes) {

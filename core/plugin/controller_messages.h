@@ -13,7 +13,7 @@ namespace mrose {
 
 enum class PluginMessage : std::uint8_t {
     load,      ///< path, options
-    loaded,    ///< memory size, memory at the start
+    loaded,    ///< attention, memory at the start
     refused,   ///< key, cause
     commands,  ///< period
     count,     ///< commands per period
@@ -22,11 +22,13 @@ enum class PluginMessage : std::uint8_t {
 };
 
 void appendText(std::string_view text, std::string& bytes);
+void appendAttention(const Attention& attention, std::string& bytes);
 void appendObservation(const Observation& observation, std::string& bytes);
 void appendDecision(const Decision& decision, std::string& bytes);
 
 // Whether there was a sound one; nothing is allocated for more elements than there are bytes for.
 bool readText(ByteReader& reader, std::string& text);
+bool readAttention(ByteReader& reader, Attention& attention);
 bool readObservation(ByteReader& reader, Observation& observation);
 bool readDecision(ByteReader& reader, Decision& decision);
 

@@ -21,8 +21,8 @@ IsolatedController::IsolatedController(std::string path, std::string options, Is
     : path_(std::move(path)), options_(std::move(options)), isolation_(std::move(isolation)) {}
 IsolatedController::~IsolatedController() = default;
 
-/// Starts the process and loads the plug-in in it; gives the memory at a start.
-Expected<std::string> IsolatedController::open() const {
+/// Starts the process and loads the plug-in in it.
+Expected<IsolatedController::Opened> IsolatedController::open() const {
     auto process = PluginProcess::start(isolation_.words);
     if (!process) return tl::unexpected(process.error());
     std::string message = begin(PluginMessage::load);
@@ -35,17 +35,21 @@ Expected<std::string> IsolatedController::open() const {
     std::string key, cause;
     if (kind == PluginMessage::refused && readText(reader, key) && readText(reader, cause) && reader.done())
         return fail(path_, cause, 0, key);
-    if (kind != PluginMessage::loaded || reader.rest().size() < sizeof(PluginMemory))
+    Opened opened;
+    if (kind != PluginMessage::loaded || !readAttention(reader, opened.attention) ||
+        reader.rest().size() < sizeof(PluginMemory))
         return fail(path_, std::string("its process ") + nonsense);
     process_ = std::move(*process);
-    return std::string(reader.rest());
+    opened.memory = reader.rest();
+    return opened;
 }
 
 tl::expected<std::string, std::string> IsolatedController::ask(const std::string& message) const {
     if (!process_) {
-        const auto memory = open();
-        if (!memory) return tl::unexpected(memory.error().cause);
-        if (memory->size() != startMemory_.size()) return tl::unexpected(std::string("has another memory than before"));
+        const auto opened = open();
+        if (!opened) return tl::unexpected(opened.error().cause);
+        if (opened->memory.size() != startMemory_.size())
+            return tl::unexpected(std::string("has another memory than before"));
     }
     auto answer = process_->ask(message, isolation_.limit);
     if (!answer) process_.reset();
@@ -101,9 +105,10 @@ void IsolatedController::decide(const Observation& observation, std::span<std::b
 Expected<std::shared_ptr<const IsolatedController>> isolatePlugin(const std::string& path, const std::string& options,
                                                                   const IsolationOptions& isolation) {
     const std::shared_ptr<IsolatedController> controller(new IsolatedController(path, options, isolation));
-    auto memory = controller->open();
-    if (!memory) return tl::unexpected(memory.error());
-    controller->startMemory_ = std::move(*memory);
+    auto opened = controller->open();
+    if (!opened) return tl::unexpected(opened.error());
+    controller->startMemory_ = std::move(opened->memory);
+    controller->attention_ = opened->attention;
     return controller;
 }
 

@@ -31,6 +31,7 @@ public:
     std::size_t memorySize() const override { return startMemory_.size(); }
     void start(std::span<std::byte> memory) const override;
     std::size_t commandsPerPeriod(Nanoseconds period) const override;
+    Attention attention() const override { return attention_; }
     void decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const override;
 
 private:
@@ -38,7 +39,11 @@ private:
                                                                              const IsolationOptions&);
     using Failure = std::string;
     IsolatedController(std::string path, std::string options, IsolationOptions isolation);
-    Expected<std::string> open() const;
+    struct Opened {
+        Attention attention;
+        std::string memory;  ///< at a start
+    };
+    Expected<Opened> open() const;
     tl::expected<std::string, Failure> ask(const std::string& message) const;
     tl::expected<void, Failure> askDecision(const Observation& observation, std::span<std::byte> memory,
                                             Decision& decision) const;
@@ -46,6 +51,7 @@ private:
     std::string path_, options_;
     IsolationOptions isolation_;
     std::string startMemory_;
+    Attention attention_;
     mutable std::mutex turn_;
     mutable std::unique_ptr<PluginProcess> process_;  ///< no part of what is decided
 };

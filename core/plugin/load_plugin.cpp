@@ -128,6 +128,8 @@ Expected<void> PluginController::open(const std::string& options) {
     startMemory_.assign(size, std::byte{});
     thrown = thrownBy([&] { library_->controller->start(startMemory_); });
     if (!thrown.empty()) return fail(path_, "its start " + thrown);
+    thrown = thrownBy([&] { attention_ = library_->controller->attention(); });
+    if (!thrown.empty()) return fail(path_, "its attention " + thrown);
     return {};
 }
 

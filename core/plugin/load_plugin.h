@@ -26,6 +26,7 @@ public:
     std::size_t memorySize() const override { return sizeof(PluginMemory) + startMemory_.size(); }
     void start(std::span<std::byte> memory) const override;
     std::size_t commandsPerPeriod(Nanoseconds period) const override;
+    Attention attention() const override { return attention_; }
     void decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const override;
 
 private:
@@ -37,6 +38,7 @@ private:
     std::string path_;
     std::unique_ptr<Library> library_;
     std::vector<std::byte> startMemory_;  ///< of the plug-in itself
+    Attention attention_;                 ///< likewise
 };
 
 /// Loads the plug-in at `path` and makes one controller of it, with the TOML text `options`. Error: file `path` and

@@ -27,7 +27,7 @@ protected:
 
 /// Grows with every change of what plug-ins and programs share: these declarations, control/controller.h and what it
 /// includes.
-constexpr std::uint32_t pluginInterface = 1;
+constexpr std::uint32_t pluginInterface = 2;
 
 /// Sizes of what goes from the one to the other.
 struct PluginLayout {

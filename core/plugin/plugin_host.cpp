@@ -43,7 +43,9 @@ private:
         controller_ = *loaded;
         memory_.assign(controller_->memorySize(), '\0');
         controller_->start(memory());
-        return begin(PluginMessage::loaded) + memory_;
+        std::string bytes = begin(PluginMessage::loaded);
+        appendAttention(controller_->attention(), bytes);
+        return bytes + memory_;
     }
 
     std::string commands(ByteReader& reader) const {

@@ -102,12 +102,16 @@ WorldState Scenario::initialState(std::uint64_t seed) const {
 }
 
 const Pose& Scenario::poseBefore(const WorldState& state, std::size_t body, std::int64_t lag) const {
-    assert(lag >= 0 && lag <= pastDepth_);
-    if (lag == 0) return poseOf(state, body);
+    return lag == 0 ? poseOf(state, body) : posesBefore(state, lag)[body];
+}
+
+std::span<const Pose> Scenario::posesBefore(const WorldState& state, std::int64_t lag) const {
+    assert(lag > 0 && lag <= pastDepth_);
     // Slot k of the ring holds the poses of the newest tick that is k modulo the depth; ticks before 0 stand for the
     // start.
     const std::int64_t slot = ((state.tick - lag) % pastDepth_ + pastDepth_) % pastDepth_;
-    return state.past[static_cast<std::size_t>(slot) * parts_.scene.bodyCount() + body];
+    const std::size_t bodies = parts_.scene.bodyCount();
+    return std::span(state.past).subspan(static_cast<std::size_t>(slot) * bodies, bodies);
 }
 
 }  // namespace mrose

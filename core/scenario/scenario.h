@@ -79,6 +79,8 @@ public:
     std::int64_t pastDepth() const { return pastDepth_; }
     /// Where a body was `lag` ticks ago, 0 <= lag <= pastDepth; before the start it stood where it started.
     const Pose& poseBefore(const WorldState& state, std::size_t body, std::int64_t lag) const;
+    /// Of all bodies, 0 < lag <= pastDepth.
+    std::span<const Pose> posesBefore(const WorldState& state, std::int64_t lag) const;
     static const Pose& poseOf(const WorldState& state, std::size_t body) {
         return body < state.robots.size() ? state.robots[body].pose : state.objects[body - state.robots.size()].pose;
     }

@@ -1,6 +1,7 @@
 #include "scene/point_grid.h"
 
 #include <cmath>
+#include <limits>
 
 namespace mrose {
 
@@ -16,7 +17,15 @@ PointGrid::Axis PointGrid::axisOf(std::span<const Point> points, double Point::*
     }
     slack_ = std::max({slack_, -1e-12 * least, 1e-12 * most});
     const double spread = 3 * std::sqrt(variance);
-    return {std::max(least, mean - spread), std::min(most, mean + spread)};
+    const bool all = mean - spread <= least && most <= mean + spread;
+    return {std::max(least, mean - spread), std::min(most, mean + spread), all};
+}
+
+PointGrid::Extent PointGrid::extentOf(const Axis& axis, std::size_t cell) const {
+    constexpr double farthest = std::numeric_limits<double>::infinity();
+    const double least = axis.least + static_cast<double>(cell) * side_;
+    return {cell == 0 && !axis.all ? -farthest : least - slack_,
+            cell + 1 == axis.cells && !axis.all ? farthest : least + side_ + slack_};
 }
 
 void PointGrid::layOut(std::span<const Point> points, double leastSide, double cellsPerPoint) {

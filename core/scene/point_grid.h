@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "geometry/point.h"
@@ -32,17 +33,34 @@ public:
     template <class Visit>
     void visitBox(const Point& least, const Point& most, Visit visit) const;
 
+    /// Calls visit(least, most, entries) for the cell of `from`, and for the neighbours of each cell that it is true
+    /// for: the points of the box between two corners. What lies at the edge of those far from all others has no end.
+    struct Spreading {
+        std::vector<std::uint32_t> cells;
+        std::vector<char> reached;
+    };
+    template <class Visit>
+    void spread(const Point& from, Spreading& memory, Visit visit) const;
+
     /// Whether found(entry) holds for a point, asked for at least all those within `reach` of the line between two
     /// points, which lie among the grid's.
     template <class Found>
     bool anyAlong(const Point& from, const Point& to, double reach, Found found) const;
 
+    /// m, more than what rounding moves a point by.
+    double slack() const { return slack_; }
+
 private:
     /// Where most points are, m.
     struct Axis {
         double least = 0, most = 0;
+        bool all = true;  ///< nobody is elsewhere
         std::size_t cells = 1;
     };
+    struct Extent {
+        double least, most;
+    };
+    Extent extentOf(const Axis& axis, std::size_t cell) const;
     Axis axisOf(std::span<const Point> points, double Point::*coordinate);
     void layOut(std::span<const Point> points, double leastSide, double cellsPerPoint);
     std::size_t cellOn(const Axis& axis, double value) const {
@@ -60,8 +78,8 @@ private:
     }
 
     Axis x_, y_;
-    double side_ = 1;                    ///< m, of a cell
-    double slack_ = 0;                   ///< m, above what rounding moves a point by
+    double side_ = 1;  ///< m, of a cell
+    double slack_ = 0;
     std::vector<std::uint32_t> cells_;   ///< by point
     std::vector<std::uint32_t> begins_;  ///< of each cell's entries; one more than there are cells
     std::vector<Entry> entries_;         ///< cell by cell, row by row; in a cell by their numbers
@@ -88,6 +106,25 @@ void PointGrid::visitBox(const Point& least, const Point& most, Visit visit) con
     const std::size_t last = rowOf(most.y + slack_);
     for (std::size_t row = rowOf(least.y - slack_); row <= last; ++row)
         visit(inRow(row, least.x - slack_, most.x + slack_));
+}
+
+template <class Visit>
+void PointGrid::spread(const Point& from, Spreading& memory, Visit visit) const {
+    memory.cells.clear();
+    memory.reached.assign(x_.cells * y_.cells, 0);
+    const auto reach = [&](std::size_t cell) {
+        if (std::exchange(memory.reached[cell], 1) == 0) memory.cells.push_back(static_cast<std::uint32_t>(cell));
+    };
+    reach(rowOf(from.y) * x_.cells + columnOf(from.x));
+    for (std::size_t i = 0; i < memory.cells.size(); ++i) {
+        const std::size_t cell = memory.cells[i], column = cell % x_.cells, row = cell / x_.cells;
+        const Extent x = extentOf(x_, column), y = extentOf(y_, row);
+        if (!visit(Point{x.least, y.least}, Point{x.most, y.most}, entries(begins_[cell], begins_[cell + 1]))) continue;
+        if (column > 0) reach(cell - 1);
+        if (column + 1 < x_.cells) reach(cell + 1);
+        if (row > 0) reach(cell - x_.cells);
+        if (row + 1 < y_.cells) reach(cell + x_.cells);
+    }
 }
 
 template <class Found>

@@ -1,7 +1,11 @@
 #include "sensing/body_sight.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 #include "motion/portable_math.h"
 #include "sensing/line_of_sight.h"
@@ -17,22 +21,110 @@ struct Kind {
 
 constexpr double wholeTurn = 2 * std::numbers::pi;
 
-/// Those within range and field of view, exactly.
-void collect(const Observer& observer, const BodySight& sight, const Kind& kind, std::vector<SeenBody>& seen) {
-    const std::int64_t lag = observer.lagOf(sight.latency);
-    const Nanoseconds measured = observer.timeBefore(lag);
-    const Placement frame(observer.poseBefore(observer.robot, lag));
-    const double farthest = sight.range * sight.range;
-    const bool allRound = sight.fieldOfView >= wholeTurn;
-    const double edge = allRound ? -1 : cosTurns(sight.fieldOfView / (2 * wholeTurn));
-    for (std::size_t i = 0; i < kind.count; ++i) {
-        if (kind.first + i == observer.robot) continue;
-        const Point offset = position(observer.poseBefore(kind.first + i, lag)) - frame.origin;
-        if (sight.range > 0 && dot(offset, offset) > farthest) continue;
+/// The part of the plane that a sensor covers.
+struct View {
+    Placement frame;
+    double range, farthest;  ///< m, m2; 0 without end
+    bool allRound;
+    double edge;  ///< cosine of half the field of view
+
+    View(const Placement& eye, const BodySight& sight)
+        : frame(eye),
+          range(sight.range),
+          farthest(range * range),
+          allRound(sight.fieldOfView >= wholeTurn),
+          edge(allRound ? -1 : cosTurns(sight.fieldOfView / (2 * wholeTurn))) {}
+
+    /// The point as it is seen, or nothing.
+    std::optional<Point> at(const Point& point) const {
+        const Point offset = point - frame.origin;
+        if (range > 0 && dot(offset, offset) > farthest) return std::nullopt;
         const Point position_B = frame.rotateBack(offset);
-        if (!allRound && position_B.x < edge * length(position_B)) continue;
-        seen.push_back({static_cast<std::uint32_t>(i), position_B, measured});
+        if (!allRound && position_B.x < edge * length(position_B)) return std::nullopt;
+        return position_B;
     }
+
+    /// Direction of its left edge, in its own frame.
+    Point edge_B() const { return {edge, std::sqrt(std::max(0.0, 1 - edge * edge))}; }
+
+    /// Two corners of a box that holds a view whose range has an end.
+    std::pair<Point, Point> box() const {
+        Point least, most;
+        const auto hold = [&](const Point& direction) {
+            least = {std::min(least.x, direction.x), std::min(least.y, direction.y)};
+            most = {std::max(most.x, direction.x), std::max(most.y, direction.y)};
+        };
+        constexpr double rounding = 1e-9;
+        hold(frame.rotate(edge_B()));
+        hold(frame.rotate({edge, -edge_B().y}));
+        for (const Point& axis : {Point{1, 0}, Point{-1, 0}, Point{0, 1}, Point{0, -1}})
+            if (frame.rotateBack(axis).x >= edge - rounding) hold(axis);
+        const double reach = range * (1 + rounding);
+        return {frame.origin + reach * least, frame.origin + reach * most};
+    }
+};
+
+/// How large a disc about its reference point is solid: within one piece.
+double coreOf(const Shape& shape) {
+    double core = 0;
+    for (const ConvexPiece& piece : shape.pieces) {
+        double depth = piece.isCircle() ? piece.radius - length(piece.corners[0]) : shape.reach;
+        for (std::size_t i = 0; i < piece.count && !piece.isCircle(); ++i)
+            depth = std::min(depth, dot(piece.normals[i], piece.corners[i]));
+        core = std::max(core, depth);
+    }
+    return core;
+}
+
+/// Looks where it is not dark, outwards from the eye; what is met darkens what is behind it.
+template <class Look>
+void lookRound(const Observer& observer, const View& view, bool occlusion, const BodyMap& map, Look look) {
+    Horizon& horizon = observer.buffers.horizon;
+    horizon.open(view.frame, view.edge_B(), view.allRound,
+                 view.range > 0 ? view.range : std::numeric_limits<double>::infinity());
+    const auto visit = [&](const Point& least, const Point& most, std::span<const PointGrid::Entry> entries) {
+        if (horizon.dark(least, most)) return false;
+        for (const PointGrid::Entry& entry : entries) {
+            if (entry.number == observer.robot) continue;
+            if (!horizon.dark(entry.point)) look(entry);
+            if (!occlusion) continue;
+            const Shape& shape = observer.scenario.scene().shapeOf(entry.number);
+            horizon.shade(entry.point, coreOf(shape), map.grid.slack());
+        }
+        return true;
+    };
+    map.grid.spread(view.frame.origin, observer.buffers.spreading, visit);
+}
+
+// So few are looked at one by one; with more of them in reach it pays to mind what is dark.
+constexpr std::size_t fewBodies = 64;
+
+/// Those within range and field of view, exactly; some that are hidden may be left out.
+void collect(const Observer& observer, const BodySight& sight, const BodyMap& map, const Kind& kind,
+             std::vector<SeenBody>& seen) {
+    const View view(Placement(observer.poseBefore(observer.robot, map.lag)), sight);
+    const Nanoseconds measured = observer.timeBefore(map.lag);
+    const auto look = [&](const PointGrid::Entry& entry) {
+        if (entry.number - kind.first >= kind.count || entry.number == observer.robot) return;
+        const std::optional<Point> position_B = view.at(entry.point);
+        if (position_B) seen.push_back({static_cast<std::uint32_t>(entry.number - kind.first), *position_B, measured});
+    };
+    const bool limited = view.range > 0, darkens = sight.occlusion || !view.allRound;
+    if (kind.count <= fewBodies || !(limited || darkens)) {
+        for (std::size_t body = kind.first; body < kind.first + kind.count; ++body)
+            look({map.positions[body], static_cast<std::uint32_t>(body)});
+        return;
+    }
+    const auto [least, most] = view.box();
+    std::size_t near = 0;
+    map.grid.visitBox(least, most, [&](std::span<const PointGrid::Entry> entries) { near += entries.size(); });
+    if (darkens && (!limited || near > fewBodies))
+        lookRound(observer, view, sight.occlusion, map, look);
+    else
+        map.grid.visitBox(least, most, [&](std::span<const PointGrid::Entry> entries) {
+            for (const PointGrid::Entry& entry : entries) look(entry);
+        });
+    std::sort(seen.begin(), seen.end(), [](const SeenBody& a, const SeenBody& b) { return a.index < b.index; });
 }
 
 /// Each body has draws of its own, so that no other one changes what is seen of it.
@@ -49,14 +141,14 @@ void addNoise(const Observer& observer, const BodySight& sight, NoiseChannel cha
 
 void see(const Observer& observer, const BodySight& sight, const Kind& kind, double bearingBias,
          std::vector<SeenBody>& seen) {
-    seen.clear();
-    if (!sight.present) return;
-    collect(observer, sight, kind, seen);
+    if (!sight.present || kind.count == 0) return;
+    const BodyMap& map = observer.bodiesBefore(observer.lagOf(sight.latency));
+    collect(observer, sight, map, kind, seen);
     if (sight.dropOut > 0)
         std::erase_if(seen, [&](const SeenBody& body) {
             return uniformNoise(observer.key(kind.channel, 2 * body.index + 1)) < sight.dropOut;
         });
-    if (sight.occlusion) removeHidden(observer, observer.lagOf(sight.latency), kind.first, seen);
+    if (sight.occlusion) removeHidden(observer, map, kind.first, seen);
     if (sight.bearingNoise == 0 && sight.rangeNoise == 0 && sight.rangeNoiseSlope == 0 && sight.bearingBias == 0)
         return;
     for (SeenBody& body : seen) addNoise(observer, sight, kind.channel, bearingBias, body);

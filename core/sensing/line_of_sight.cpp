@@ -6,49 +6,51 @@
 namespace mrose {
 namespace {
 
-/// A body that may hide others: within `reach` of `offset` from the observer.
-struct Screen {
-    double nearest;  ///< m from the observer, at least
-    Point offset;
-    double reach;
-    std::size_t body;
+double widestReach(const Scene& scene) {
+    double widest = 0;
+    for (const RobotType& type : scene.robotTypes) widest = std::max(widest, type.shape->reach);
+    for (const ObjectType& type : scene.objectTypes) widest = std::max(widest, type.shape->reach);
+    return widest;
+}
+
+/// A line from an eye to what it looks at.
+struct SightLine {
+    const Observer& observer;
+    const BodyMap& map;
+    Point eye, target, line;
+    double squaredLength, length;
+
+    SightLine(const Observer& looking, const BodyMap& bodies, std::size_t body)
+        : observer(looking),
+          map(bodies),
+          eye(map.positions[observer.robot]),
+          target(map.positions[body]),
+          line(target - eye),
+          squaredLength(dot(line, line)),
+          length(std::sqrt(squaredLength)) {}
+
+    bool passesNear(const Point& offset, double reach) const {
+        const double across = cross(offset, line);
+        return across * across <= reach * reach * squaredLength;
+    }
+    bool hits(std::size_t body) const {
+        const Shape& shape = observer.scenario.scene().shapeOf(body);
+        const Point offset = map.positions[body] - eye;
+        const double nearest = mrose::length(offset) - shape.reach;
+        if (nearest >= length || !passesNear(offset, shape.reach)) return false;
+        if (nearest > 0 && dot(offset, line) <= 0) return false;  // behind
+        const Placement frame(observer.poseBefore(body, map.lag));
+        const Point from = frame.placeBack(eye), to = frame.placeBack(target);
+        return std::any_of(shape.pieces.begin(), shape.pieces.end(),
+                           [&](const ConvexPiece& piece) { return crosses(piece, from, to); });
+    }
 };
 
-/// Those nearer than `farthest`, nearest first: in a crowd the first ones already hide most.
-std::vector<Screen> screensAround(const Observer& observer, std::int64_t lag, const Point& eye, double farthest) {
-    const Scene& scene = observer.scenario.scene();
-    std::vector<Screen> screens;
-    screens.reserve(scene.bodyCount());
-    for (std::size_t body = 0; body < scene.bodyCount(); ++body) {
-        if (body == observer.robot) continue;
-        const Point offset = position(observer.poseBefore(body, lag)) - eye;
-        const double reach = scene.shapeOf(body).reach, nearest = length(offset) - reach;
-        if (nearest < farthest) screens.push_back({nearest, offset, reach, body});
-    }
-    std::sort(screens.begin(), screens.end(), [](const Screen& a, const Screen& b) { return a.nearest < b.nearest; });
-    return screens;
-}
-
-bool mayHide(const Screen& screen, const Point& line, double squaredLength) {
-    const double across = cross(screen.offset, line);
-    return across * across <= screen.reach * screen.reach * squaredLength &&
-           (screen.nearest <= 0 || dot(screen.offset, line) > 0);
-}
-
-bool hiddenByBody(const Observer& observer, std::int64_t lag, const Point& eye, const Point& target, std::size_t body,
-                  const std::vector<Screen>& screens) {
-    const Point line = target - eye;
-    const double squaredLength = dot(line, line), far = std::sqrt(squaredLength);
-    for (const Screen& screen : screens) {
-        if (screen.nearest >= far) return false;
-        if (screen.body == body || !mayHide(screen, line, squaredLength)) continue;
-        const Placement frame(observer.poseBefore(screen.body, lag));
-        const Point from = frame.placeBack(eye), to = frame.placeBack(target);
-        const std::vector<ConvexPiece>& pieces = observer.scenario.scene().shapeOf(screen.body).pieces;
-        if (std::any_of(pieces.begin(), pieces.end(), [&](const ConvexPiece& p) { return crosses(p, from, to); }))
-            return true;
-    }
-    return false;
+bool hiddenByBody(const SightLine& sight, std::size_t body, double widest) {
+    return sight.map.grid.anyAlong(sight.eye, sight.target, widest, [&](const PointGrid::Entry& entry) {
+        return entry.number != sight.observer.robot && entry.number != body &&
+               sight.passesNear(entry.point - sight.eye, widest) && sight.hits(entry.number);
+    });
 }
 
 bool hiddenByObstacle(const ObstacleIndex& obstacles, const Point& eye, const Point& target) {
@@ -80,17 +82,13 @@ bool crosses(const ConvexPiece& piece, const Point& from, const Point& to) {
     return true;
 }
 
-void removeHidden(const Observer& observer, std::int64_t lag, std::size_t first, std::vector<SeenBody>& seen) {
+void removeHidden(const Observer& observer, const BodyMap& map, std::size_t first, std::vector<SeenBody>& seen) {
     if (seen.empty()) return;
-    const Point eye = position(observer.poseBefore(observer.robot, lag));
-    double farthest = 0;
-    for (const SeenBody& body : seen) farthest = std::max(farthest, length(body.position_B));
-    const std::vector<Screen> screens = screensAround(observer, lag, eye, farthest);
+    const double widest = widestReach(observer.scenario.scene());
     std::erase_if(seen, [&](const SeenBody& s) {
-        const std::size_t body = first + s.index;
-        const Point target = position(observer.poseBefore(body, lag));
-        return hiddenByBody(observer, lag, eye, target, body, screens) ||
-               hiddenByObstacle(observer.scenario.obstacles(), eye, target);
+        const SightLine sight(observer, map, first + s.index);
+        return hiddenByBody(sight, first + s.index, widest) ||
+               hiddenByObstacle(observer.scenario.obstacles(), sight.eye, sight.target);
     });
 }
 

@@ -18,8 +18,8 @@ Velocity odometry(const Observer& observer) {
 }  // namespace
 
 void observe(const Scenario& scenario, const WorldState& state, std::size_t robot, SensorMemory& memory,
-             Observation& out) {
-    const Observer observer{scenario, state, static_cast<std::uint32_t>(robot)};
+             SensingBuffers& buffers, Observation& out) {
+    const Observer observer{scenario, state, static_cast<std::uint32_t>(robot), buffers};
     driftBiases(observer, memory);
     localise(observer, memory);
     out.robot = observer.robot;
@@ -30,8 +30,11 @@ void observe(const Scenario& scenario, const WorldState& state, std::size_t robo
     out.self = memory.self;
     out.selfMeasured = memory.selfMeasured;
     out.velocity = odometry(observer);
-    seeRobots(observer, memory.bearingBias, out.robots);
-    seeObjects(observer, memory.bearingBias, out.objects);
+    out.robots.clear();
+    out.objects.clear();
+    const Attention attention = scenario.controller(robot).attention();
+    if (attention.robots) seeRobots(observer, memory.bearingBias, out.robots);
+    if (attention.objects) seeObjects(observer, memory.bearingBias, out.objects);
 }
 
 }  // namespace mrose

@@ -66,6 +66,7 @@ const Decision* overriding(const Overrides& overrides, std::uint32_t robot) {
 void decide(const Scenario& scenario, WorldState& state, StepBuffers::Content& buffers, const Overrides& overrides,
             StepTrace* trace) {
     buffers.due.clear();
+    buffers.sensing.forget();
     for (std::uint32_t i = 0; i < state.robots.size(); ++i) {
         RobotState& robot = state.robots[i];
         if (robot.nextControl != state.tick) continue;
@@ -73,7 +74,7 @@ void decide(const Scenario& scenario, WorldState& state, StepBuffers::Content& b
         buffers.due.push_back(i);
         const Decision* decision = overriding(overrides, i);
         if (decision == nullptr && overrides.askControllers) {
-            observe(scenario, state, i, robot.sensing, buffers.observation);
+            observe(scenario, state, i, robot.sensing, buffers.sensing, buffers.observation);
             buffers.decision.clear();
             scenario.controller(i).decide(buffers.observation, scenario.memoryOf(state, i), buffers.decision);
             decision = &buffers.decision;

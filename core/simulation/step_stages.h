@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sensing/sensing_buffers.h"
 #include "simulation/motion_path.h"
 #include "simulation/step.h"
 #include "simulation/touch_search.h"
@@ -8,6 +9,7 @@ namespace mrose {
 
 struct StepBuffers::Content {
     std::vector<std::uint32_t> due;  ///< robots whose control instant this is
+    SensingBuffers sensing;
     Observation observation;
     Decision decision;
     std::vector<MotionInput> inputs;

@@ -75,7 +75,8 @@ TEST(Pure, MemoryHoldsNothingButWhatIsTold) {
         std::memcpy(first.data(), scenario.memoryOf(std::as_const(state), i).data(), first.size());
         second = first;
         Observation observation;
-        observe(scenario, state, i, state.robots[i].sensing, observation);
+        SensingBuffers sensing;
+        observe(scenario, state, i, state.robots[i].sensing, sensing, observation);
         Decision decision, again;
         scenario.controller(i).decide(observation, first, decision);
         // What lies on the stack must not matter.

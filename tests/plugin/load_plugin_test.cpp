@@ -35,6 +35,7 @@ TEST(PluginLoading, ControllerDecidesAndRemembers) {
     const Controller& controller = **loaded;
     EXPECT_EQ((*loaded)->path(), testPlugin("well_behaved"));
     EXPECT_EQ(controller.commandsPerPeriod(100'000'000), 2u);
+    EXPECT_EQ(controller.attention(), (Attention{.robots = true, .objects = false}));
     std::vector<std::byte> memory(controller.memorySize());
     controller.start(memory);
     Observation observation;
@@ -73,7 +74,7 @@ TEST(PluginLoading, NameAloneIsNoSystemLibrary) { EXPECT_EQ(refusal("libm.so.6")
 TEST(PluginLoading, WhatWasBuiltOtherwiseIsSaid) {
     EXPECT_EQ(refusal(testPlugin("other_interface")),
               testPlugin("other_interface") +
-                  ": was built for plug-in interface 0 and not 1; build it with the headers of this program");
+                  ": was built for plug-in interface 0 and not 2; build it with the headers of this program");
     EXPECT_EQ(
         refusal(testPlugin("other_library")),
         testPlugin("other_library") + ": was built with libstdc++ with debugging containers and not with libstdc++");

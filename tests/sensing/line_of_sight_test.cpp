@@ -139,11 +139,11 @@ TEST(LineOfSight, HidesByWhereBodiesWereThen) {
     WorldState state = scenario.initialState();
     Observation now;
     state.robots[1].pose.y = 1;  // it has just moved out of the way
-    observe(scenario, state, 0, state.robots[0].sensing, now);
+    perceive(scenario, state, 0, now);
     EXPECT_TRUE(now.objects.empty());
     run(scenario, state, 5);
     state.robots[1].pose.y = 0;  // and back
-    observe(scenario, state, 0, state.robots[0].sensing, now);
+    perceive(scenario, state, 0, now);
     EXPECT_EQ(now.objects.size(), 1u);
 }
 

@@ -52,7 +52,7 @@ TEST(Observe, WithEverythingZeroIsExactAndKnowsNoSeed) {
         WorldState state = scenario.initialState(seed);
         run(scenario, state, 37);
         Observation now;
-        observe(scenario, state, 1, state.robots[1].sensing, now);
+        perceive(scenario, state, 1, now);
         const RobotState& self = state.robots[1];
         EXPECT_EQ(now.robot, 1u);
         EXPECT_TRUE(now.localised);
@@ -148,8 +148,8 @@ TEST(Observe, PresentIsHiddenFromSensorsThatAreLate) {
     changed.objects[0].pose.x += 0.5;
     for (std::size_t robot = 0; robot < 3; ++robot) {
         Observation truth, after;
-        observe(scenario, state, robot, state.robots[robot].sensing, truth);
-        observe(scenario, changed, robot, changed.robots[robot].sensing, after);
+        perceive(scenario, state, robot, truth);
+        perceive(scenario, changed, robot, after);
         EXPECT_EQ(after, truth);
     }
 }
@@ -161,12 +161,12 @@ TEST(Observe, BodiesOutOfSightDoNotMatter) {
     const Scenario scenario = threeRobots(perception).scenario();
     WorldState state = scenario.initialState(3);
     Observation before, after;
-    observe(scenario, state, 2, state.robots[2].sensing, before);
+    perceive(scenario, state, 2, before);
     WorldState changed = scenario.initialState(3);
     // All of them are behind robot 2, before and after.
     changed.robots[0].pose = {1, 3, 1};
     changed.objects[0].pose = {3, 3.5, 0};
-    observe(scenario, changed, 2, changed.robots[2].sensing, after);
+    perceive(scenario, changed, 2, after);
     EXPECT_TRUE(before.robots.empty() && before.objects.empty());
     EXPECT_EQ(after, before);
 }

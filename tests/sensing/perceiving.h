@@ -49,6 +49,12 @@ inline RobotType seeing(const BodySight& sight) {
 
 inline std::shared_ptr<const Controller> still() { return std::make_shared<const Told>(Command{}); }
 
+/// What a robot perceives now, alone.
+inline void perceive(const Scenario& scenario, WorldState& state, std::size_t robot, Observation& out) {
+    SensingBuffers buffers;
+    observe(scenario, state, robot, state.robots[robot].sensing, buffers, out);
+}
+
 /// Asks the sensors of standing robots, control period by control period.
 class Watch {
 public:
@@ -56,7 +62,7 @@ public:
         : scenario_(scenario), state_(scenario.initialState(seed)), robot_(robot) {}
 
     const Observation& next() {
-        observe(scenario_, state_, robot_, state_.robots[robot_].sensing, observation_);
+        perceive(scenario_, state_, robot_, observation_);
         state_.tick += scenario_.periodOf(robot_).ticks;
         return observation_;
     }

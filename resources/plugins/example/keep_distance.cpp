@@ -22,6 +22,9 @@ public:
     };
     std::size_t memorySize() const override { return sizeof(Memory); }
 
+    // It reads no robots: nobody has to look for them.
+    mrose::Attention attention() const override { return {.robots = false, .objects = true}; }
+
     void decide(const mrose::Observation& observation, std::span<std::byte> memory,
                 mrose::Decision& decision) const override {
         Memory& known = mrose::as<Memory>(memory);

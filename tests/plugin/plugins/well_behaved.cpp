@@ -22,6 +22,7 @@ public:
     std::size_t commandsPerPeriod(mrose::Nanoseconds period) const override {
         return static_cast<std::size_t>(period / 50'000'000);
     }
+    mrose::Attention attention() const override { return {.robots = true, .objects = false}; }
 
     void decide(const mrose::Observation& observation, std::span<std::byte> memory,
                 mrose::Decision& decision) const override {

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "scenario/scenario.h"
+#include "scene/point_grid.h"
+#include "sensing/horizon.h"
+
+namespace mrose {
+
+/// Where all bodies were some ticks ago, arranged for looking.
+struct BodyMap {
+    std::int64_t lag = 0;
+    std::vector<Point> positions;  ///< by body: robots first, then objects
+    PointGrid grid;                ///< of them
+};
+
+/// Memory that perceiving works in, kept from tick to tick for speed; its content never matters to the result, provided
+/// that it is told to forget before the bodies of another state are perceived.
+class SensingBuffers {
+public:
+    void forget() { used_ = 0; }
+    /// The same for all who perceive at this tick. Valid until asked for another lag.
+    const BodyMap& bodiesBefore(const Scenario& scenario, const WorldState& state, std::int64_t lag);
+
+    // Of one robot's look round.
+    Horizon horizon;
+    PointGrid::Spreading spreading;
+
+private:
+    std::vector<BodyMap> maps_;  ///< the first `used_` of them are of this state
+    std::size_t used_ = 0;
+};
+
+}  // namespace mrose
