@@ -67,7 +67,7 @@ void printTable(const Evaluation& evaluation, const std::vector<std::string>& no
         "median pos.: of the windows' P; final: median errors at the end of a window.");
     if (evaluation.floor && !evaluation.floor->pairs.empty())
         std::puts(
-            "floor: what the best prediction of its pairs would leave: how far two real runs are apart, over √2.");
+            "floor: what the best prediction of its pairs would leave: how far two real runs are apart, over 1.41.");
     printStates(evaluation);
     if (!notices.empty()) std::puts("");
     for (const std::string& notice : notices) std::printf("Note: %s\n", notice.c_str());

@@ -48,7 +48,7 @@ std::string page(const Comparison& comparison, const ReportContext& context) {
 }
 
 /// Nothing where it is not known: what is wrong then stands beside it.
-std::string known(double value, int decimals) { return std::isfinite(value) ? fixed(value, decimals) : ""; }
+std::string knownText(double value, int decimals) { return std::isfinite(value) ? fixed(value, decimals) : ""; }
 
 std::string lead(const Comparison& comparison) {
     const ComparedSummary& all = comparison.all;
@@ -128,9 +128,9 @@ std::string worstTable(const Comparison& comparison, const std::vector<std::size
         const bool whole = course.use == CourseUse::counted;
         table.row({std::to_string(i + 1), escaped(comparison.robots[course.robot].name),
                    std::to_string(course.request + 1), escaped(startText(comparison, course)),
-                   known(course.real.path, 2), cat("<b>", known(100 * errors.positionMean, 1), "</b>"),
+                   knownText(course.real.path, 2), cat("<b>", knownText(100 * errors.positionMean, 1), "</b>"),
                    whole ? fixed(100 * errors.positionMean / course.real.path, 1) : "",
-                   known(100 * errors.positionFinal, 1), known(degrees * errors.headingFinal, 1),
+                   knownText(100 * errors.positionFinal, 1), knownText(degrees * errors.headingFinal, 1),
                    std::to_string(course.touches), element("span", "soft", whyNot(course.use))});
     }
     return table.text();
@@ -150,8 +150,8 @@ std::string courseTable(const Comparison& comparison, std::size_t request) {
                                   "</b> is not in this course: the log has no ground truth of "
                                   "it at the start."));
         else
-            table.row({name, known(course.real.path, 2), known(100 * errors.positionMean, 1),
-                       known(100 * errors.positionFinal, 1), known(degrees * errors.headingFinal, 1)});
+            table.row({name, knownText(course.real.path, 2), knownText(100 * errors.positionMean, 1),
+                       knownText(100 * errors.positionFinal, 1), knownText(degrees * errors.headingFinal, 1)});
     }
     return element(
         "div", "",
