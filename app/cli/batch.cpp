@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdio>
 
+#include "io/file.h"
 #include "io/number_text.h"
 #include "scenarios.h"
 #include "version.h"
@@ -43,6 +44,19 @@ std::string runCommand(const RunFlags& flags, Nanoseconds duration) {
     command += " --duration " + plainSeconds(duration);
     if (!flags.until.empty()) command += " --until " + shellQuoted(flags.until);
     return command;
+}
+
+/// What all rows depend on. How plug-ins are kept from doing harm is no part of it: a batch that one of them has ended
+/// goes on with --isolate.
+BatchIdentity identityOf(const OpenScenario& open, const RunFlags& flags, Nanoseconds duration) {
+    BatchIdentity identity{
+        {"mrose", MROSE_VERSION}, {"scenario", open.loaded.name}, {"--duration", plainSeconds(duration)}};
+    if (!flags.until.empty()) identity["--until"] = flags.until;
+    if (!flags.log.empty()) identity["--log"] = flags.log;
+    const std::string content(contentOf);
+    for (const auto& [name, text] : open.loaded.texts) identity[content + name] = contentHash(text);
+    for (const auto& [path, hash] : open.plugins) identity[content + path] = hash;
+    return identity;
 }
 
 /// Shows how far the batch is.
@@ -124,7 +138,8 @@ int runAll(const BatchCommandFlags& flags, const CommonFlags& common) {
     options.duration = flags.run.duration ? fromSeconds(*flags.run.duration) : parts.duration;
     options.until = flags.run.until;
     options.command = runCommand(flags.run, options.duration);
-    options.identity = "mrose " MROSE_VERSION ", scenario " + hashOf(open->loaded);
+    options.identity = identityOf(*open, flags.run, options.duration);
+    options.begins = [](const RunKey& key) { sayPluginsRun(key); };
     watchInterrupts();
     BatchProgress progress(common.quiet);
     options.progress = [&](std::int64_t done, std::int64_t all) { progress.show(done, all); };
@@ -148,7 +163,11 @@ Subcommand addBatch(CLI::App& app, CommonFlags& common) {
         "  mrose batch soccer.toml --trials 1000 -o games\n"
         "  mrose batch soccer.toml --trials 50 --seeds 1..20 --until 'goals[1] + goals[2] > 0' -o goals\n"
         "Every trial starts elsewhere, as [variation] in the scenario says; every seed has another noise. Killed or\n"
-        "interrupted, the same command goes on where it was. Each row has the command that runs its trial alone.");
+        "interrupted, the same command goes on where it was, with more --trials too, and with --isolate where a "
+        "plug-in\n"
+        "has ended it. Each row has the command that runs its trial alone, and the starts and parameters that vary.");
+    addSeed(*sub, common);
+    addThreads(*sub, common);
     addRunFlags(*sub, flags->run);
     sub->add_option("--trials", flags->trials, "How many starts")
         ->check(CLI::Range(std::int64_t{1}, mostRuns))
@@ -159,7 +178,7 @@ Subcommand addBatch(CLI::App& app, CommonFlags& common) {
     sub->callback([sub, flags, &common] {
         if (sub->count("--seed") > 0) flags->run.seed = common.seed;
     });
-    sub->add_option("-o,--output", flags->out, "The folder for results.csv")->required();
+    sub->add_option("-o,--output", flags->out, "The folder for results.csv")->required()->check(someName());
     return {sub, [flags, &common] { return runAll(*flags, common); }};
 }
 

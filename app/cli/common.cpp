@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <charconv>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
@@ -38,16 +39,33 @@ CLI::App* addSubcommand(CLI::App& app, CommonFlags& flags, const std::string& na
                         const std::string& examples) {
     CLI::App* sub = app.add_subcommand(name, description);
     sub->footer("Examples:\n" + examples);
-    sub->add_option("--seed", flags.seed, "Seed of everything random; the same seed gives the same result")
-        ->check(CLI::Validator(
-            [](std::string& text) { return text.starts_with('-') ? text + " is below 0" : std::string(); }, ""))
-        ->capture_default_str();
-    sub->add_option("--threads", flags.threads, "Threads to use; 0: all processors. Results do not depend on it")
-        ->check(CLI::Range(0, 1024))
-        ->capture_default_str();
     sub->add_flag("-q,--quiet", flags.quiet, "No progress");
     sub->add_flag("--json", flags.json, "Print the result as JSON");
     return sub;
+}
+
+void addSeed(CLI::App& sub, CommonFlags& flags) {
+    sub.add_option("--seed", flags.seed, "Seed of everything random; the same seed gives the same result")
+        ->check(CLI::Validator(
+            [](std::string& text) {
+                // CLI11 takes what is too large for the largest there is.
+                std::uint64_t value = 0;
+                const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
+                if (parsed.ec == std::errc::result_out_of_range) return text + " is above 18446744073709551615";
+                return text.starts_with('-') ? text + " is below 0" : std::string();
+            },
+            ""))
+        ->capture_default_str();
+}
+
+void addThreads(CLI::App& sub, CommonFlags& flags) {
+    sub.add_option("--threads", flags.threads, "Threads to use; 0: all processors. Results do not depend on it")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
+}
+
+void addOverwrite(CLI::App& sub, CommonFlags& flags) {
+    sub.add_flag("--overwrite", flags.overwrite, "Replace outputs that are there already");
 }
 
 CLI::Validator numberRange(double least, double most) {
@@ -58,6 +76,11 @@ CLI::Validator numberRange(double least, double most) {
                                                                                  : std::string();
                        },
                        "");
+}
+
+CLI::Validator someName() {
+    return CLI::Validator(
+        [](const std::string& text) { return text.empty() ? "is empty; expected a name" : std::string(); }, "");
 }
 
 int report(const Error& error) {

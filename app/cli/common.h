@@ -24,6 +24,7 @@ struct CommonFlags {
     int threads = 0;  ///< 0: as many as the machine has
     bool quiet = false;
     bool json = false;
+    bool overwrite = false;  ///< outputs that are there already
 };
 
 /// A subcommand registers itself and gives what runs when it was chosen.
@@ -43,12 +44,19 @@ Subcommand addReplay(CLI::App& app, CommonFlags& flags);
 Subcommand addBatch(CLI::App& app, CommonFlags& flags);
 Subcommand addCompare(CLI::App& app, CommonFlags& flags);
 
-/// A subcommand with the common flags and, below its options, examples.
+/// A subcommand with --quiet, --json and, below its options, examples.
 CLI::App* addSubcommand(CLI::App& app, CommonFlags& flags, const std::string& name, const std::string& description,
                         const std::string& examples);
+// The other common flags, for subcommands in which they do something.
+void addSeed(CLI::App& sub, CommonFlags& flags);
+void addThreads(CLI::App& sub, CommonFlags& flags);
+void addOverwrite(CLI::App& sub, CommonFlags& flags);
 
 /// Accepts numbers from `least` to `most`; CLI::Range has no objection to "nan".
 CLI::Validator numberRange(double least, double most);
+
+/// Accepts what is not empty.
+CLI::Validator someName();
 
 /// One line on standard error; returns ExitStatus::failure.
 int report(const Error& error);

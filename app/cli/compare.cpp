@@ -131,7 +131,8 @@ int deliver(const Comparison& comparison, const LogWorld& world, const CompareFl
 
 int compareScenario(const CompareFlags& flags, const CommonFlags& common) {
     if (!flags.folder.empty())
-        if (const auto writable = checkComparisonFolder(flags.folder); !writable) return report(writable.error());
+        if (const auto writable = checkComparisonFolder(flags.folder, common.overwrite); !writable)
+            return report(writable.error());
     DiskDescriptions source = openDescriptions(flags.log);
     auto loaded = loadScenario(flags.scenario, source, {pluginLoader(flags.plugins), false});
     if (!loaded) return report(loaded.error());
@@ -164,6 +165,9 @@ Subcommand addCompare(CLI::App& app, CommonFlags& common) {
         "the "
         "simulation gets their commands alone. It collides with what is in the world; mrose predict knows no "
         "contacts.");
+    addSeed(*sub, common);
+    addThreads(*sub, common);
+    addOverwrite(*sub, common);
     sub->add_option("SCENARIO", flags->scenario,
                     "Scenario file, or the name of one that ships, with robots that play a log")
         ->required();
@@ -186,7 +190,8 @@ Subcommand addCompare(CLI::App& app, CommonFlags& common) {
                     "CSV file that says which windows, as for mrose predict: a course for each")
         ->excludes(start)
         ->excludes(every);
-    sub->add_option("--report", flags->folder, "Folder for report.html, errors.csv, courses.csv and results.json");
+    sub->add_option("--report", flags->folder, "Folder for report.html, errors.csv, courses.csv and results.json")
+        ->check(someName());
     addPluginFlags(*sub, flags->plugins);
     sub->callback([sub, flags, &common] {
         if (sub->count("--seed") > 0) flags->seed = common.seed;

@@ -97,7 +97,8 @@ Expected<std::vector<std::size_t>> chosenWindows(const std::vector<std::size_t>&
 
 int evaluateNetwork(const EvaluateFlags& flags, const CommonFlags& common) {
     if (!flags.folder.empty())
-        if (const auto writable = checkReportFolder(flags.folder); !writable) return report(writable.error());
+        if (const auto writable = checkReportFolder(flags.folder, common.overwrite); !writable)
+            return report(writable.error());
     const auto motion = openNetwork(flags.network);
     if (!motion) return report(motion.error());
     auto log = openLog(flags.log, flags.robots, (*motion)->network().drive);
@@ -148,6 +149,7 @@ Subcommand addEvaluate(CLI::App& app, CommonFlags& common) {
                       "  mrose evaluate create.net --log MRCLAM_Dataset7 --report report --show 12,40\n"
                       "  mrose evaluate husky.net --log husky_windows.csv --held-out\n"
                       "The log should be one that the network was not learned from, or the part of it held out.");
+    addOverwrite(*sub, common);
     sub->add_option("NET", flags->network, "Network file")->required();
     sub->add_option("--log", flags->log, "The log to compare with")->required();
     sub->add_option("--robots", flags->robots, "Only these robots, by name: 1,2")->delimiter(',');
@@ -157,7 +159,8 @@ Subcommand addEvaluate(CLI::App& app, CommonFlags& common) {
         ->capture_default_str();
     CLI::Option* folder =
         sub->add_option("--report", flags->folder,
-                        "Folder for report.html, results.csv, results.json and windows.csv (for mrose predict)");
+                        "Folder for report.html, results.csv, results.json and windows.csv (for mrose predict)")
+            ->check(someName());
     sub->add_option("--show", flags->shown, "Windows whose paths the report shows too, by number: 12,40")
         ->delimiter(',')
         ->needs(folder);

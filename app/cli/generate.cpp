@@ -4,6 +4,7 @@
 
 #include "common.h"
 #include "io/file.h"
+#include "io/made_folder.h"
 #include "logs/csv_writer.h"
 #include "synthetic/log_generator.h"
 
@@ -44,19 +45,19 @@ double secondsOf(const SyntheticPart& part) {
     return each * part.trajectories * part.repeats;
 }
 
-/// Makes the folder, unless it is there, and sees that all files can be written.
-Expected<void> prepare(const std::filesystem::path& folder, const std::vector<SyntheticPart>& parts) {
+/// The folder, made; error where a file could not be written into it, or is there already.
+Expected<MadeFolder> prepare(const std::filesystem::path& folder, const std::vector<SyntheticPart>& parts,
+                             bool overwrite) {
     for (const SyntheticPart& part : parts)
         if (secondsOf(part) > longestLog)
             return fail({}, "more than 1,000,000 s of driving in one file", 0, "--trajectories");
-    std::error_code error;
-    std::filesystem::create_directory(folder, error);
-    if (error) return fail(folder.string(), "cannot make the folder: " + error.message());
+    auto made = MadeFolder::make(folder);
+    if (!made) return made;
     for (const SyntheticPart& part : parts) {
         const auto path = folder / (std::string(name(part.course)) + ".csv");
-        if (auto writable = checkWritable(path); !writable) return writable;
+        if (const auto writable = checkWritable(path, overwrite); !writable) return tl::unexpected(writable.error());
     }
-    return {};
+    return made;
 }
 
 /// All logs; fewer when it was interrupted.
@@ -104,7 +105,8 @@ int generate(const GenerateFlags& flags, const CommonFlags& common) {
     if (flags.set.empty() == flags.course.empty())
         return report({"", 0, 0, "--set, --course", "exactly one of them says what to drive"});
     const std::vector<SyntheticPart> parts = partsOf(flags);
-    if (const auto ready = prepare(flags.out, parts); !ready) return report(ready.error());
+    const auto folder = prepare(flags.out, parts, common.overwrite);
+    if (!folder) return report(folder.error());
     watchInterrupts();
     const std::vector<GeneratedFile> files = drive(parts, flags, common);
     if (files.size() < parts.size()) {
@@ -149,7 +151,9 @@ Subcommand addGenerate(CLI::App& app, CommonFlags& common) {
                                       setsText() +
                                       "The files are CSV logs, one for each course, and say that they are synthetic. "
                                       "The folder is made if need be.");
-    sub->add_option("-o,--output", flags->out, "The folder to write to")->required();
+    addSeed(*sub, common);
+    addOverwrite(*sub, common);
+    sub->add_option("-o,--output", flags->out, "The folder to write to")->required()->check(someName());
     sub->add_option("--set", flags->set, "What to drive: " + CLI::detail::join(setNames(), ", "))
         ->check(CLI::IsMember(setNames()));
     sub->add_option("--course", flags->course, "One course only: " + CLI::detail::join(courseNames(), ", "))

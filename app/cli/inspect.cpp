@@ -160,6 +160,7 @@ Subcommand addInspect(CLI::App& app, CommonFlags& common) {
                                   "Say what a log holds: robots, rates, gaps, ranges, dead times, and what was mended",
                                   "  mrose inspect MRCLAM_Dataset6\n"
                                   "  mrose inspect husky_windows.csv --json");
+    addThreads(*sub, common);
     sub->add_option("LOG", flags->log, "MRCLAM folder, Husky windows, CSV file or folder of CSV files")->required();
     sub->add_option("--robots", flags->robots, "Only these robots, by name: 1,2")->delimiter(',');
     return {sub, [flags, &common] { return inspect(flags->log, flags->robots, common); }};

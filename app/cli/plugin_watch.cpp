@@ -31,6 +31,8 @@ struct Activity {
     std::atomic<const std::string*> who{nullptr};  ///< nothing: no plug-in runs
     std::atomic<std::int64_t> tick{noTick};
     std::atomic<std::uint64_t> count{0};  ///< changes with every begin
+    std::atomic<bool> ofBatch{false};     ///< the next two count
+    std::atomic<std::uint64_t> trial{0}, seed{0};
 
     void begin(const std::string* name, std::int64_t now) {
         tick.store(now, std::memory_order_relaxed);
@@ -45,34 +47,51 @@ std::array<Activity, mostThreads> activities;
 std::mutex actionMutex;
 std::function<void()> endAction;
 
-/// One line on standard error, by means that a signal handler may use.
-void say(const std::string& who, std::int64_t tick, std::string_view what, std::string_view more) {
-    std::array<char, 1024> line;
-    std::size_t size = 0;
-    const auto add = [&](std::string_view text) {
+/// A line put together and written by means that a signal handler may use.
+class SignalSafeLine {
+public:
+    SignalSafeLine& operator<<(std::string_view text) {
         for (const char c : text)
-            if (size + 1 < line.size()) line[size++] = static_cast<unsigned char>(c) < 0x20 ? '?' : c;
-    };
-    add("mrose: ");
-    add(who);
-    add(what);
-    if (tick != noTick) {
+            if (size_ + 1 < line_.size()) line_[size_++] = static_cast<unsigned char>(c) < 0x20 ? '?' : c;
+        return *this;
+    }
+    SignalSafeLine& operator<<(std::uint64_t number) {
         std::array<char, 24> digits;
         std::size_t first = digits.size();
-        for (std::int64_t rest = tick; rest > 0 || first == digits.size(); rest /= 10)
+        for (std::uint64_t rest = number; rest > 0 || first == digits.size(); rest /= 10)
             digits[--first] = static_cast<char>('0' + rest % 10);
-        add(" at tick ");
-        add({digits.data() + first, digits.size() - first});
-    } else {
-        add(" while it was loaded");
+        return *this << std::string_view(digits.data() + first, digits.size() - first);
     }
-    add(more);
-    line[size++] = '\n';
-    for (std::size_t done = 0; done < size;) {
-        const ssize_t written = ::write(STDERR_FILENO, line.data() + done, size - done);
-        if (written <= 0) break;
-        done += static_cast<std::size_t>(written);
+    void write() {
+        line_[size_++] = '\n';
+        for (std::size_t done = 0; done < size_;) {
+            const ssize_t written = ::write(STDERR_FILENO, line_.data() + done, size_ - done);
+            if (written <= 0) break;
+            done += static_cast<std::size_t>(written);
+        }
     }
+
+private:
+    std::array<char, 2048> line_;
+    std::size_t size_ = 0;
+};
+
+void say(const std::string& who, const Activity& activity, std::string_view what, std::string_view more) {
+    SignalSafeLine line;
+    line << "mrose: " << who << what;
+    const std::int64_t tick = activity.tick;
+    if (tick == noTick)
+        line << " while it was loaded";
+    else
+        line << " at tick " << static_cast<std::uint64_t>(tick);
+    const bool ofBatch = activity.ofBatch;
+    if (ofBatch) line << " of trial " << activity.trial.load() << ", seed " << activity.seed.load();
+    line << more;
+    if (ofBatch)
+        line << "; the same command with --isolate goes on with the rest";
+    else if (tick != noTick)
+        line << "; with --isolate only its robot stops";
+    line.write();
 }
 
 thread_local Activity* current = nullptr;  ///< of this thread, for handlers: it is there before any plug-in runs
@@ -105,8 +124,10 @@ public:
         }
         if (activity_ == &spare_)
             current = nullptr;
-        else
+        else {
+            activity_->ofBatch = false;
             activity_->taken = false;
+        }
     }
 
     Activity& activity() const { return *activity_; }
@@ -135,7 +156,7 @@ std::atomic<bool> ending{false};
 /// Names the plug-in that this thread runs, if it does.
 bool sayIfInPlugin(std::string_view what, std::string_view more) {
     const std::string* const who = current != nullptr ? current->who.load() : nullptr;
-    if (who != nullptr) say(*who, current->tick.load(), what, more);
+    if (who != nullptr) say(*who, *current, what, more);
     return who != nullptr;
 }
 
@@ -204,7 +225,7 @@ void watch(double limit) {
             const std::uint64_t count = activities[i].count.load();
             seen[i] = {count, who != nullptr && count == seen[i].count ? seen[i].rounds + 1 : 0};
             if (who == nullptr || seen[i].rounds <= rounds) continue;
-            say(*who, activities[i].tick.load(), " does not return", "");
+            say(*who, activities[i], " does not return", "");
             saveAndEnd();
         }
     }
@@ -252,6 +273,13 @@ void startPluginWatch(double limit) {
 void beforePluginEndsProgram(std::function<void()> action) {
     const std::lock_guard lock(actionMutex);
     endAction = std::move(action);
+}
+
+void sayPluginsRun(const RunKey& key) {
+    Activity& activity = activityOfThisThread();
+    activity.trial = key.trial;
+    activity.seed = key.seed;
+    activity.ofBatch = true;
 }
 
 PluginGuard::PluginGuard(const std::string& who) : who_(who) { activityOfThisThread().begin(&who_, noTick); }

@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 
+#include "experiment/results_file.h"
 #include "scenario/scenario.h"
 
 namespace mrose::cli {
@@ -15,6 +16,9 @@ void startPluginWatch(double limit);
 /// What is done before the program ends because of a plug-in: to save what is safe. It runs in a thread of its own
 /// while the one that the plug-in holds up, or crashed in, stays where it is.
 void beforePluginEndsProgram(std::function<void()> action);
+
+/// What this thread does with plug-ins from now on is of that run of a batch, and is told so.
+void sayPluginsRun(const RunKey& key);
 
 /// Watches what is done with the plug-in called `who` while it lives.
 class PluginGuard {

@@ -18,7 +18,7 @@ struct PredictFlags {
 };
 
 int predict(const PredictFlags& flags, const CommonFlags& common) {
-    if (const auto writable = checkWritable(flags.out); !writable) return report(writable.error());
+    if (const auto writable = checkWritable(flags.out, common.overwrite); !writable) return report(writable.error());
     const auto motion = openNetwork(flags.network);
     if (!motion) return report(motion.error());
     const auto log = openLog(flags.log, flags.robots, (*motion)->network().drive);
@@ -68,10 +68,11 @@ Subcommand addPredict(CLI::App& app, CommonFlags& common) {
         "dataset,robot,t_start,t,x,y,heading.\n"
         "A prediction uses the commands up to the predicted instant and the ground truth up to t_start, nothing "
         "later.");
+    addOverwrite(*sub, common);
     sub->add_option("NET", flags->network, "Network file")->required();
     sub->add_option("--log", flags->log, "The log to predict")->required();
     sub->add_option("--windows", flags->windows, "CSV file that says which windows")->required();
-    sub->add_option("-o,--output", flags->out, "The CSV file to write")->required();
+    sub->add_option("-o,--output", flags->out, "The CSV file to write")->required()->check(someName());
     sub->add_option("--robots", flags->robots, "Only these robots, by name: 1,2")->delimiter(',');
     sub->add_option("--horizon", flags->horizon, "Length of a prediction in s")
         ->check(numberRange(0.1, 3600.0))

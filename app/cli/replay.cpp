@@ -1,10 +1,13 @@
 #include "recording/replay.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
 
 #include "recording/recording.h"
 #include "scenario/scenario_file.h"
 #include "scenarios.h"
+#include "world/plain_seconds.h"
 
 namespace mrose::cli {
 namespace {
@@ -15,12 +18,38 @@ struct ReplayCommandFlags {
     PluginFlags plugins;
 };
 
+/// Where a plug-in that a recording names may be: as it was named, seen from the current folder; the same seen from the
+/// recording's; beside the recording.
+std::vector<std::filesystem::path> placesOf(const std::filesystem::path& named,
+                                            const std::filesystem::path& recording) {
+    const std::filesystem::path folder = recording.parent_path();
+    std::vector<std::filesystem::path> places{named};
+    for (const std::filesystem::path& place : {folder / named, folder / named.filename()})
+        if (std::find(places.begin(), places.end(), place) == places.end()) places.push_back(place);
+    return places;
+}
+
+/// Loads plug-ins from wherever they are found.
+PluginLoader findingLoader(const ReplayCommandFlags& flags) {
+    return [recording = flags.recording, load = pluginLoader(flags.plugins)](
+               const std::string& path, const std::string& options) -> Expected<std::shared_ptr<const Controller>> {
+        std::error_code ignored;
+        std::string looked;
+        for (const std::filesystem::path& place : placesOf(path, recording)) {
+            if (std::filesystem::exists(place, ignored)) return load(place.string(), options);
+            looked += (looked.empty() ? "" : ", nor ") +
+                      std::filesystem::absolute(place, ignored).lexically_normal().string();
+        }
+        return fail("", "the plug-in is neither " + looked);
+    };
+}
+
 /// The recorded scenario, from the texts in the recording. Without its controllers their stand-ins keep the states'
 /// layout.
 Expected<Scenario> recordedScenario(const Recording& recording, const ReplayCommandFlags& flags) {
     KeptDescriptions source(recording.header.descriptions.texts);
     auto loaded = loadScenario(recording.header.descriptions.scenario, source,
-                               {flags.decide ? pluginLoader(flags.plugins) : PluginLoader()});
+                               {flags.decide ? findingLoader(flags) : PluginLoader()});
     if (!loaded) return tl::unexpected(loaded.error());
     if (!flags.decide)
         for (std::size_t i = 0; i < loaded->parts.controllers.size() && i < recording.header.controllers.size(); ++i)
@@ -29,8 +58,16 @@ Expected<Scenario> recordedScenario(const Recording& recording, const ReplayComm
     return Scenario(std::move(loaded->parts));
 }
 
-void sayNotes(const Recording& recording) {
-    for (const std::string& sentence : recording.damage) std::fprintf(stderr, "mrose: %s\n", sentence.c_str());
+/// "; kept: 900 ticks, 18.0 s"
+std::string keptText(const Recording& recording) {
+    std::int64_t ticks = 0;
+    for (const Branch& branch : recording.branches) ticks += branch.timeline.last() - branch.timeline.first();
+    return "; kept: " + std::to_string(ticks) + (ticks == 1 ? " tick, " : " ticks, ") +
+           plainSeconds(ticks * recording.header.tickLength) + " s";
+}
+
+void sayNotes(const Recording& recording, const std::string& file) {
+    for (const std::string& sentence : recording.damage) report({file, 0, 0, "", sentence + keptText(recording)});
     for (const std::string& sentence : differences(recording.header.origin, thisOrigin()))
         std::fprintf(stderr, "mrose: %s\n", sentence.c_str());
 }
@@ -38,7 +75,7 @@ void sayNotes(const Recording& recording) {
 int replayRecording(const ReplayCommandFlags& flags, const CommonFlags& common) {
     const auto recording = openRecording(flags.recording);
     if (!recording) return report(recording.error(), flags.recording);
-    sayNotes(*recording);
+    sayNotes(*recording, flags.recording);
     const auto scenario = recordedScenario(*recording, flags);
     if (!scenario) return report(scenario.error(), flags.recording);
     watchInterrupts();

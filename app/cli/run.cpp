@@ -17,7 +17,7 @@ struct RunCommandFlags {
     RunFlags run;
     std::string record;
     double speed = 0;
-    bool overwrite = false, endOnFault = false, checkRewind = false;
+    bool endOnFault = false, checkRewind = false;
 };
 
 /// "1300", "0.52"
@@ -31,11 +31,15 @@ std::string factorText(double factor) {
 class Conductor {
 public:
     Conductor(const RunCommandFlags& flags, const CommonFlags& common, const Scenario& scenario, std::int64_t ticks)
-        : flags_(flags), line_(common.quiet), tick_(toSeconds(scenario.scene().tickLength)), ticks_(ticks) {}
+        : flags_(flags),
+          overwrite_(common.overwrite),
+          line_(common.quiet),
+          tick_(toSeconds(scenario.scene().tickLength)),
+          ticks_(ticks) {}
 
     Expected<void> record(const OpenScenario& open, const WorldState& initial) {
         RecordingWriter::Options options;
-        options.overwrite = flags_.overwrite;
+        options.overwrite = overwrite_;
         auto writer = RecordingWriter::create(flags_.record, *open.scenario, initial,
                                               {open.loaded.name, open.loaded.texts}, commandLine(), options);
         if (!writer) return tl::unexpected(writer.error());
@@ -105,6 +109,7 @@ private:
     }
 
     const RunCommandFlags& flags_;
+    bool overwrite_;
     ProgressLine line_;
     double tick_;
     std::int64_t ticks_;
@@ -122,6 +127,7 @@ void printJson(const Scenario& scenario, const RunCommandFlags& flags, const Run
     // divided, as in the rows of a batch: toSeconds() multiplies, and 60 s would be 60.00000000000001
     json["time_s"] = static_cast<double>(result.state.tick * scenario.scene().tickLength) / nanosecondsPerSecond;
     json["world_hash"] = hexadecimal(hashOf(result.state).world);
+    if (flags.checkRewind && result.end != RunEnd::rewind) json["ticks_taken_twice"] = result.statistics.ticks;
     if (recorded) json["recording"] = flags.record;
     std::puts(json.dump(2).c_str());
 }
@@ -150,6 +156,9 @@ void print(const Scenario& scenario, const RunCommandFlags& flags, const RunResu
                 static_cast<unsigned long long>(result.state.seed), simulated, endText(result.end));
     if (wall > 0) std::printf(" (%s x real time)", factorText(simulated / wall).c_str());
     std::printf("\n%s", statisticsText(scenario, result.statistics).c_str());
+    if (flags.checkRewind && result.end != RunEnd::rewind)
+        std::printf("%lld ticks taken twice, each time with the same end\n",
+                    static_cast<long long>(result.statistics.ticks));
     std::printf("state %s\n", hexadecimal(hashOf(result.state).world).c_str());
     if (recorded) std::printf("recorded in %s\n", flags.record.c_str());
 }
@@ -201,14 +210,16 @@ Subcommand addRun(CLI::App& app, CommonFlags& common) {
                                   "  mrose run soccer.toml --seed 7 --duration 600 --record game.mcap\n"
                                   "  mrose run soccer.toml --until 'distance(robot[1], ball) < 0.4'\n"
                                   "The same scenario, trial and seed give the same run to the last bit.");
+    addSeed(*sub, common);
+    addOverwrite(*sub, common);
     addRunFlags(*sub, flags->run);
     sub->add_option("--trial", flags->run.trial, "Start as this trial of a batch does; 0: as the scenario says")
         ->capture_default_str();
     sub->add_option("--speed", flags->speed, "Times real time; 0: as fast as it goes")
         ->check(numberRange(0.0, 1e6))
         ->capture_default_str();
-    sub->add_option("--record", flags->record, "Write a recording (MCAP), which Foxglove opens, too");
-    sub->add_flag("--overwrite", flags->overwrite, "Replace a recording that is there");
+    sub->add_option("--record", flags->record, "Write a recording (MCAP), which Foxglove opens, too")
+        ->check(someName());
     sub->add_flag("--end-on-fault", flags->endOnFault, "End the run at the first fault of a controller or model");
     sub->add_flag("--check-rewind", flags->checkRewind,
                   "Take every tick twice, and end the run naming the controller that hides something from the state");

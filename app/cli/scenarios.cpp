@@ -1,23 +1,45 @@
 #include "scenarios.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "experiment/variation.h"
 #include "io/file.h"
+#include "io/number_text.h"
 #include "resources.h"
+#include "scenario/start_check.h"
 
 namespace mrose::cli {
 
 Expected<OpenScenario> openScenario(const std::string& name, std::uint32_t trial, const std::string& log,
                                     const PluginFlags& plugins) {
     DiskDescriptions source = openDescriptions(log);
-    auto loaded = loadScenario(name, source, {pluginLoader(plugins)});
+    std::map<std::string, std::string> hashes;
+    const PluginLoader load = pluginLoader(plugins);
+    const auto loadAndHash = [&](const std::string& path, const std::string& options) {
+        if (const auto content = readFile(path)) hashes[path] = contentHash(*content);
+        return load(path, options);
+    };
+    auto loaded = loadScenario(name, source, {loadAndHash});
     if (!loaded) return tl::unexpected(loaded.error());
     watchPlugins(loaded->parts);
     auto parts = varied(loaded->parts, trial);
     if (!parts) return tl::unexpected(parts.error());
+    sayStartsOutside(parts->scene);
     auto scenario = std::make_shared<const Scenario>(std::move(*parts));
-    return OpenScenario{std::move(*loaded), std::move(scenario)};
+    return OpenScenario{std::move(*loaded), std::move(hashes), std::move(scenario)};
+}
+
+void sayStartsOutside(const Scene& scene) {
+    for (const std::size_t body : startsOutside(scene)) {
+        const bool robot = body < scene.robots.size();
+        const std::size_t object = body - scene.robots.size();
+        const Pose& start = robot ? scene.robots[body].start : scene.objects[object].start;
+        const std::string name = robot ? scene.robots[body].name : scene.objects[object].name;
+        report({"", 0, 0, "note",
+                '"' + name + "\" starts at (" + numberText(start.x) + ", " + numberText(start.y) +
+                    "), outside of what the environment's walls and floor area span"});
+    }
 }
 
 void addRunFlags(CLI::App& sub, RunFlags& flags) {
@@ -39,12 +61,6 @@ Expected<std::optional<Condition>> openCondition(const std::string& text, const 
     return std::optional<Condition>(std::move(*compiled));
 }
 
-std::string hashOf(const LoadedScenario& loaded) {
-    std::string all;
-    for (const auto& [name, text] : loaded.texts) all += contentHash(text);
-    return contentHash(all);
-}
-
 std::string statisticsText(const Scenario& scenario, const RunStatistics& statistics) {
     const Scene& scene = scenario.scene();
     std::string text;
@@ -53,10 +69,14 @@ std::string statisticsText(const Scenario& scenario, const RunStatistics& statis
         text += (g == 0 ? "goals: " : ", ") + std::to_string(statistics.goals[g]) + " in " +
                 scene.environment.goals[g].name;
     if (!text.empty()) text += '\n';
-    std::snprintf(line, sizeof line, "touches: %lld; kicks: %lld, %lld of them on a ball\n",
-                  static_cast<long long>(statistics.touches), static_cast<long long>(statistics.kicks),
-                  static_cast<long long>(statistics.hits));
-    text += line;
+    text += "touches: " + std::to_string(statistics.touches);
+    const bool kickers = std::any_of(scene.robots.begin(), scene.robots.end(), [&](const SceneRobot& robot) {
+        return !scene.robotTypes[robot.type].manipulators.empty();
+    });
+    if (kickers)
+        text += "; kicks: " + std::to_string(statistics.kicks) + ", " + std::to_string(statistics.hits) +
+                " of them on a ball";
+    text += '\n';
     TextTable table({"", "driven, m"});
     for (std::size_t i = 0; i < statistics.driven.size(); ++i) {
         std::snprintf(line, sizeof line, "%.2f", statistics.driven[i]);

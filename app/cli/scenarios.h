@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,12 +17,16 @@ namespace mrose::cli {
 /// A scenario ready to run.
 struct OpenScenario {
     LoadedScenario loaded;
+    std::map<std::string, std::string> plugins;  ///< hashes of their files' contents, by path
     std::shared_ptr<const Scenario> scenario;
 };
 
 /// Loads a scenario file, or the one of that name that ships, as its trial `trial` (0: as it is written).
 Expected<OpenScenario> openScenario(const std::string& name, std::uint32_t trial, const std::string& log,
                                     const PluginFlags& plugins);
+
+/// One line on standard error for each body that starts outside the walls: most are a mistake.
+void sayStartsOutside(const Scene& scene);
 
 /// Flags that runs of scenarios share.
 struct RunFlags {
@@ -35,9 +40,6 @@ void addRunFlags(CLI::App& sub, RunFlags& flags);
 
 /// A condition of the command line; nothing where none was given.
 Expected<std::optional<Condition>> openCondition(const std::string& text, const Scenario& scenario);
-
-/// Which texts a scenario was made from, as one hash.
-std::string hashOf(const LoadedScenario& loaded);
 
 /// What happened, for people and for programs.
 std::string statisticsText(const Scenario& scenario, const RunStatistics& statistics);

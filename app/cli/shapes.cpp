@@ -4,8 +4,10 @@
 #include "common.h"
 #include "drawing/scene_drawing.h"
 #include "io/file.h"
+#include "io/made_folder.h"
 #include "resources.h"
 #include "scenario/description_file.h"
+#include "scenarios.h"
 
 namespace mrose::cli {
 namespace {
@@ -35,10 +37,14 @@ Checked check(const Shape& shape, const DrawingOptions& options) {
 }
 
 Checked check(const Environment& environment, const DrawingOptions& options) {
+    const auto walls =
+        static_cast<std::size_t>(std::count_if(environment.obstacles.begin(), environment.obstacles.end(),
+                                               [](const Obstacle& obstacle) { return obstacle.wall; }));
     return {{},
             "environment",
             environment.name,
-            counted(environment.obstacles.size(), "obstacle", "obstacles") + ", " +
+            counted(walls, "wall", "walls") + ", " +
+                counted(environment.obstacles.size() - walls, "other obstacle", "other obstacles") + ", " +
                 counted(environment.goals.size(), "goal", "goals"),
             drawEnvironment(environment, options)};
 }
@@ -54,10 +60,14 @@ Checked check(const RobotDescription& robot, const DrawingOptions& options) {
 
 Checked check(const LoadedScenario& scenario, const DrawingOptions& options) {
     const Scene& scene = scenario.parts.scene;
+    std::size_t persons = 0;
+    for (std::size_t i = 0; i < scene.robots.size(); ++i) persons += scene.typeOf(i).person ? 1 : 0;
+    std::string holds = counted(scene.robots.size() - persons, "robot", "robots");
+    if (persons > 0) holds += ", " + counted(persons, "person", "persons");
     return {{},
             "scenario",
             scenario.parts.name,
-            counted(scene.robots.size(), "robot", "robots") + ", " + counted(scene.objects.size(), "object", "objects"),
+            holds + ", " + counted(scene.objects.size(), "object", "objects"),
             drawScene(scene, scenario.parts.name, options)};
 }
 
@@ -70,8 +80,6 @@ Expected<std::vector<NamedFile>> pictures(const std::vector<Checked>& checked, c
         files.push_back({out, checked[0].picture});
         return files;
     }
-    std::filesystem::create_directory(out, error);
-    if (error) return fail(out.string(), "cannot make the folder: " + error.message());
     std::set<std::filesystem::path> taken;
     for (const Checked& c : checked) {
         const auto path = out / (std::filesystem::path(c.file).stem().string() + '.' + c.kind + ".svg");
@@ -81,6 +89,19 @@ Expected<std::vector<NamedFile>> pictures(const std::vector<Checked>& checked, c
     return files;
 }
 
+Expected<void> draw(const std::vector<NamedFile>& files, const std::filesystem::path& out, bool overwrite) {
+    const bool one = files.front().path == out;
+    std::optional<MadeFolder> folder;
+    if (!one) {
+        auto made = MadeFolder::make(out);
+        if (!made) return tl::unexpected(made.error());
+        folder.emplace(std::move(*made));
+    }
+    for (const NamedFile& file : files)
+        if (auto writable = checkWritable(file.path, overwrite); !writable) return writable;
+    return writeFilesAtomically(files);
+}
+
 int shapes(const ShapesFlags& flags, const CommonFlags& common) {
     DiskDescriptions source = openDescriptions(flags.log);
     std::vector<Checked> checked;
@@ -88,13 +109,15 @@ int shapes(const ShapesFlags& flags, const CommonFlags& common) {
         // Checking a file must not run anybody's code.
         const auto description = loadDescription(file, source);
         if (!description) return report(description.error());
+        if (const auto* const scenario = std::get_if<LoadedScenario>(&*description))
+            sayStartsOutside(scenario->parts.scene);
         checked.push_back(std::visit([&](const auto& value) { return check(value, flags.drawing); }, *description));
         checked.back().file = file;
     }
     if (!flags.out.empty()) {
         const auto files = pictures(checked, flags.out);
         if (!files) return report(files.error());
-        if (const auto written = writeFilesAtomically(*files); !written) return report(written.error());
+        if (const auto drawn = draw(*files, flags.out, common.overwrite); !drawn) return report(drawn.error());
     }
     nlohmann::json json = nlohmann::json::array();
     for (const Checked& c : checked) {
@@ -116,9 +139,10 @@ Subcommand addShapes(CLI::App& app, CommonFlags& common) {
         "  mrose shapes resources/scenarios/soccer.toml -o soccer.svg\n"
         "  mrose shapes shapes/*.toml resources/robots/*.toml --pieces -o pictures\n"
         "What is wrong is said with file, line, column and key. Pictures are SVG; a browser shows them.");
+    addOverwrite(*sub, common);
     sub->add_option("FILE", flags->files, "Description files; also names of those that ship, such as shapes/ball.toml")
         ->required();
-    sub->add_option("-o,--output", flags->out, "Draw: to this .svg file, or into this folder");
+    sub->add_option("-o,--output", flags->out, "Draw: to this .svg file, or into this folder")->check(someName());
     sub->add_flag("--pieces", flags->drawing.pieces, "Draw the convex pieces too, into which polygons are divided");
     sub->add_option("--log", flags->log, "The log to read instead of those that scenarios name");
     return {sub, [flags, &common] { return shapes(*flags, common); }};

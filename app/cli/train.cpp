@@ -113,7 +113,7 @@ ResponseTimes responseTimes(const std::vector<Identified>& robots, const TrainFl
 
 int train(TrainFlags flags, const CommonFlags& common) {
     const auto begin = std::chrono::steady_clock::now();
-    if (const auto writable = checkWritable(flags.out); !writable) return report(writable.error());
+    if (const auto writable = checkWritable(flags.out, common.overwrite); !writable) return report(writable.error());
     const GroupHoldOut holdOut = holdOutShare(flags.holdOut, flags.holdOutPart);
     const auto opened = openLearningLogs({flags.logs, flags.robots, holdOut});
     if (!opened) return report(opened.error());
@@ -164,6 +164,9 @@ Subcommand addTrain(CLI::App& app, CommonFlags& common) {
         std::string(modelsText) +
         "Ctrl-C ends learning and saves the best network so far; a second one ends the program at once.";
     CLI::App* sub = addSubcommand(app, common, "train", "Learn a motion network from logs", examples);
+    addSeed(*sub, common);
+    addThreads(*sub, common);
+    addOverwrite(*sub, common);
     addTrainFlags(*sub, *flags);
     return {sub, [flags, &common] {
                 if (const auto fits = checkTogether(*flags); !fits) {

@@ -25,7 +25,7 @@ LearningLoss lossOf(const TrainFlags& flags) {
 void addWhat(CLI::App& sub, TrainFlags& flags) {
     sub.add_option("LOG", flags.logs, "Logs to learn from: MRCLAM folders, Husky windows, CSV files or folders of them")
         ->required();
-    sub.add_option("-o,--output", flags.out, "The network file to write")->required();
+    sub.add_option("-o,--output", flags.out, "The network file to write")->required()->check(someName());
     sub.add_option(
            "--model", flags.model,
            "What the network reads: see below. Default: velocity for robots that measure their own, history for "

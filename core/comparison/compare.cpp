@@ -65,7 +65,7 @@ void simulate(LogWorld::Opened& opened, const CourseRequest& request, Nanosecond
     const Nanoseconds tick = scenario.scene().tickLength;
     StepBuffers buffers;
     StepTrace trace;
-    TouchCounter counter;
+    TouchCounter counter(tick);
     for (int k = 0; k < request.steps; ++k) {
         for (Nanoseconds passed = 0; passed < step; passed += tick) {
             mrose::step(scenario, opened.state, buffers, {}, &trace);

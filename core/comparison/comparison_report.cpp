@@ -309,8 +309,8 @@ std::string comparisonHtml(const Comparison& comparison, const Scene& scene, con
     return reportPage(cat(escaped(comparison.scenario), " beside ", escaped(comparison.evaluation.source)), body);
 }
 
-Expected<void> checkComparisonFolder(const std::filesystem::path& folder) {
-    return checkReportFolder(folder, comparisonFiles);
+Expected<void> checkComparisonFolder(const std::filesystem::path& folder, bool overwrite) {
+    return checkReportFolder(folder, comparisonFiles, overwrite);
 }
 
 Expected<void> writeComparison(const Comparison& comparison, const Scene& scene, const ReportContext& context,

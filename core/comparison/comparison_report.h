@@ -11,7 +11,7 @@
 namespace mrose {
 
 /// Error unless a report could be written into `folder`: lets a comparison fail before its work. Nothing is made.
-Expected<void> checkComparisonFolder(const std::filesystem::path& folder);
+Expected<void> checkComparisonFolder(const std::filesystem::path& folder, bool overwrite = true);
 
 /// Writes report.html (one file that needs nothing else), errors.csv, courses.csv and results.json into `folder`, which
 /// is made where it is missing. Each file appears whole or not at all. `scene` is what the pictures show round the

@@ -217,7 +217,9 @@ std::string reportHtml(const Evaluation& evaluation, const ReportContext& contex
     return reportPage(title, body);
 }
 
-Expected<void> checkReportFolder(const std::filesystem::path& folder) { return checkReportFolder(folder, reportFiles); }
+Expected<void> checkReportFolder(const std::filesystem::path& folder, bool overwrite) {
+    return checkReportFolder(folder, reportFiles, overwrite);
+}
 
 Expected<void> writeReport(const Evaluation& evaluation, const ReportContext& context,
                            const std::filesystem::path& folder) {

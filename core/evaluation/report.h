@@ -21,8 +21,9 @@ struct ReportContext {
     std::vector<std::size_t> chosen;    ///< further windows whose paths are shown, indices into Evaluation::windows
 };
 
-/// Error unless a report could be written into `folder`: lets an evaluation fail before its work. Nothing is made.
-Expected<void> checkReportFolder(const std::filesystem::path& folder);
+/// Error unless a report could be written into `folder`, or where one is there already, without `overwrite`: lets an
+/// evaluation fail before its work. Nothing is made.
+Expected<void> checkReportFolder(const std::filesystem::path& folder, bool overwrite = true);
 
 /// Writes report.html (one file that needs nothing else), results.csv (one row per model and window), results.json
 /// (all numbers) and windows.csv (which windows they are, as readWindows reads them) into `folder`, which is made where

@@ -3,6 +3,7 @@
 #include "evaluation/format.h"
 #include "evaluation/html.h"
 #include "evaluation/report_style.h"
+#include "io/made_folder.h"
 
 namespace mrose {
 namespace {
@@ -58,11 +59,12 @@ std::string tiles(const Summary& s) {
                             percentilesText(s.headingFinal, degrees, "°"))));
 }
 
-Expected<void> checkReportFolder(const std::filesystem::path& folder, std::span<const char* const> names) {
+Expected<void> checkReportFolder(const std::filesystem::path& folder, std::span<const char* const> names,
+                                 bool overwrite) {
     std::error_code ignored;
     if (std::filesystem::is_directory(folder, ignored)) {
         for (const char* const name : names)
-            if (auto writable = checkWritable(folder / name); !writable) return writable;
+            if (auto writable = checkWritable(folder / name, overwrite); !writable) return writable;
         return {};
     }
     // It will be made within the nearest folder that is there.
@@ -78,9 +80,8 @@ Expected<void> checkReportFolder(const std::filesystem::path& folder, std::span<
 }
 
 Expected<void> writeReportFiles(const std::filesystem::path& folder, std::vector<NamedFile> files) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error) return fail(folder.string(), cat("cannot be made: ", error.message()));
+    const auto made = MadeFolder::make(folder);
+    if (!made) return tl::unexpected(made.error());
     for (NamedFile& file : files) file.path = folder / file.path;
     return writeFilesAtomically(files);
 }

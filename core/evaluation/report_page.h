@@ -34,8 +34,10 @@ std::string p90Text(const Distribution& distribution, double unit, int decimals)
 /// P, Hd and the errors at the end, large.
 std::string tiles(const Summary& summary);
 
-/// Error unless files of these names could be written into `folder`, which need not be there. Nothing is made.
-Expected<void> checkReportFolder(const std::filesystem::path& folder, std::span<const char* const> names);
+/// Error unless files of these names could be written into `folder`, which need not be there, or where one is there
+/// already, without `overwrite`. Nothing is made.
+Expected<void> checkReportFolder(const std::filesystem::path& folder, std::span<const char* const> names,
+                                 bool overwrite);
 
 /// Writes files, whose paths are seen from `folder`, which is made where it is missing: all of them or none.
 Expected<void> writeReportFiles(const std::filesystem::path& folder, std::vector<NamedFile> files);

@@ -14,6 +14,8 @@
 namespace mrose {
 namespace {
 
+constexpr const char* conditionSource = "--until";
+
 /// -1 where they are too many.
 std::int64_t runsOf(const BatchOptions& options) {
     const std::uint64_t more = options.lastSeed - options.firstSeed;
@@ -48,13 +50,23 @@ public:
     }
 
 private:
-    Expected<RunResult> runOf(const RunKey& key) {
+    /// The run's row.
+    Expected<std::string> rowOf(const RunKey& key) {
         auto parts = varied(parts_, key.trial);
         if (!parts) return tl::unexpected(parts.error());
         const Scenario scenario(std::move(*parts));
+        const auto result = runOf(scenario, key);
+        if (!result) return tl::unexpected(result.error());
+        if (result->end == RunEnd::stopped) stop_ = true;
+        const std::string command =
+            options_.command + " --trial " + std::to_string(key.trial) + " --seed " + std::to_string(key.seed);
+        return resultsRow(key, *result, scenario.parts(), command);
+    }
+
+    Expected<RunResult> runOf(const Scenario& scenario, const RunKey& key) {
         std::optional<Condition> until;
         if (!options_.until.empty()) {
-            auto compiled = compileCondition(options_.until, scenario);
+            auto compiled = compileCondition(options_.until, scenario, conditionSource);
             if (!compiled) return tl::unexpected(compiled.error());
             until.emplace(std::move(*compiled));
         }
@@ -68,20 +80,20 @@ private:
     }
 
     void runOne(const RunKey& key) {
-        const auto result = runOf(key);
+        if (options_.begins) options_.begins(key);
+        const auto row = rowOf(key);
         const std::lock_guard lock(mutex_);
         if (stop_) return;
-        if (!result) return fail(result.error());
-        if (result->end == RunEnd::stopped) return stopAll();
-        const std::string command =
-            options_.command + " --trial " + std::to_string(key.trial) + " --seed " + std::to_string(key.seed);
-        if (const auto kept = file_.add(key, resultsRow(key, *result, parts_.scene.tickLength, command)); !kept)
-            return fail(kept.error());
+        if (!row) return failIn(key, row.error());
+        if (const auto kept = file_.add(key, *row); !kept) return fail(kept.error());
         ++done_;
         if (options_.progress) options_.progress(done_, runs_);
     }
 
-    void stopAll() { stop_ = true; }
+    void failIn(const RunKey& key, Error error) {
+        error.cause += " (trial " + std::to_string(key.trial) + ", seed " + std::to_string(key.seed) + ')';
+        fail(error);
+    }
     void fail(const Error& error) {
         error_ = error;
         stop_ = true;
@@ -96,10 +108,18 @@ private:
     std::optional<Error> error_;
 };
 
-std::string identityOf(const BatchOptions& options) {
-    return options.identity + '\n' + options.command + "\ntrials " + std::to_string(options.firstTrial) + " and " +
-           std::to_string(options.trials - 1) + " more\nseeds " + std::to_string(options.firstSeed) + " to " +
-           std::to_string(options.lastSeed) + '\n';
+/// Rows that nobody asked for now must not get lost, nor stand among the results.
+Expected<void> checkRows(const ResultsFile& file, const BatchOptions& options, const std::filesystem::path& folder) {
+    for (const auto& [key, row] : file.rows()) {
+        const bool asked = key.trial >= options.firstTrial && key.trial - options.firstTrial < options.trials &&
+                           key.seed >= options.firstSeed && key.seed <= options.lastSeed;
+        if (!asked)
+            return fail(folder.string(), "holds a run of trial " + std::to_string(key.trial) + " with seed " +
+                                             std::to_string(key.seed) +
+                                             ", which was not asked for now; expected another folder, or --trials and "
+                                             "--seeds that take in what is there");
+    }
+    return {};
 }
 
 }  // namespace
@@ -111,10 +131,11 @@ Expected<BatchSummary> runBatch(const ScenarioParts& parts, const BatchOptions& 
                             std::to_string(options.lastSeed - options.firstSeed + 1) +
                             " seeds each are too many runs; expected at most " + std::to_string(mostRuns));
     if (!options.until.empty())  // wrong conditions are told before any run
-        if (const auto compiled = compileCondition(options.until, Scenario(parts)); !compiled)
+        if (const auto compiled = compileCondition(options.until, Scenario(parts), conditionSource); !compiled)
             return tl::unexpected(compiled.error());
-    auto file = ResultsFile::open(folder, identityOf(options), resultsHeader(parts.scene));
+    auto file = ResultsFile::open(folder, options.identity, resultsHeader(parts));
     if (!file) return tl::unexpected(file.error());
+    if (const auto fits = checkRows(*file, options, folder); !fits) return tl::unexpected(fits.error());
     return BatchRunner(parts, options, *file).runAll();
 }
 

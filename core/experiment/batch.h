@@ -19,9 +19,10 @@ struct BatchOptions {
     std::string until;  ///< a condition that ends a run; empty: none
     /// What the rows' commands begin with; " --trial 3 --seed 7" follows: all else that a run depends on is in it.
     std::string command = "mrose run";
-    /// What the command does not tell of what runs depend on: a hash of the scenario, the program's version. A folder
-    /// with results of another command or identity is refused.
-    std::string identity;
+    /// What all runs depend on. A folder with results of another identity is refused.
+    BatchIdentity identity;
+    /// Told which run this thread begins, from any thread. May be empty.
+    std::function<void(const RunKey&)> begins = {};
     /// Told how many runs are done of how many, from any thread, one at a time. May be empty.
     std::function<void(std::int64_t, std::int64_t)> progress = {};
     /// Asked after every tick, from any thread; false ends the batch, and runs that are done stay. May be empty.
@@ -40,8 +41,9 @@ struct BatchSummary {
 
 /// Runs what is not done yet and keeps each run's row at once in `folder`/results.part.csv, so that after a kill
 /// nothing is repeated and no row lost; when all are done, results.csv has them in order. It is the same for any number
-/// of threads (oneTBB's, as the caller limits them). Error: too many runs; the folder belongs to another batch, is in
-/// use by one, or cannot be written; the scenario or the condition is wrong.
+/// of threads (oneTBB's, as the caller limits them). A folder whose runs are all among those asked for is gone on with:
+/// so more trials and seeds can be added. Error: too many runs; the folder belongs to another batch or has other runs,
+/// is in use by one, or cannot be written; the scenario or the condition is wrong.
 Expected<BatchSummary> runBatch(const ScenarioParts& parts, const BatchOptions& options,
                                 const std::filesystem::path& folder);
 

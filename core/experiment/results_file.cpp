@@ -1,5 +1,6 @@
 #include "experiment/results_file.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cstring>
@@ -31,6 +32,62 @@ tl::unexpected<Error> systemError(const std::filesystem::path& path) {
     return fail(path.string(), std::strerror(errno));
 }
 
+std::string escaped(std::string_view text) {
+    std::string out;
+    for (const char c : text) out += c == '\n' ? std::string("\\n") : c == '\\' ? "\\\\" : std::string(1, c);
+    return out;
+}
+
+std::string unescaped(std::string_view text) {
+    std::string out;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool escape = text[i] == '\\' && i + 1 < text.size();
+        if (escape) ++i;
+        out += escape && text[i] == 'n' ? '\n' : text[i];
+    }
+    return out;
+}
+
+/// A line for each: "name = value".
+std::string identityText(const BatchIdentity& identity) {
+    std::string text;
+    for (const auto& [name, value] : identity) text += escaped(name) + " = " + escaped(value) + '\n';
+    return text;
+}
+
+BatchIdentity parseIdentity(std::string_view text) {
+    constexpr std::string_view gap = " = ";
+    BatchIdentity identity;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::string_view line = text.substr(0, end);
+        // Names of files and values of options may hold the gap; neither hashes nor names of options do.
+        const std::size_t middle =
+            std::min(line.starts_with(contentOf) ? line.rfind(gap) : line.find(gap), line.size());
+        identity.emplace(unescaped(line.substr(0, middle)),
+                         unescaped(line.substr(std::min(middle + gap.size(), line.size()))));
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return identity;
+}
+
+/// What differs first; "" for nothing.
+std::string differenceOf(const BatchIdentity& before, const BatchIdentity& now) {
+    const auto valueIn = [](const BatchIdentity& identity, const std::string& name) {
+        const auto found = identity.find(name);
+        return found == identity.end() ? std::string() : found->second;
+    };
+    BatchIdentity all = now;
+    all.insert(before.begin(), before.end());
+    for (const auto& [name, value] : all) {
+        const std::string then = valueIn(before, name), here = valueIn(now, name);
+        if (then == here) continue;
+        if (name.starts_with(contentOf)) return "the " + name + " has changed";
+        return name + " was " + (then.empty() ? "not given" : then) + " and is " + (here.empty() ? "not given" : here);
+    }
+    return {};
+}
+
 Expected<void> writeAll(int descriptor, std::string_view text, const std::filesystem::path& path) {
     while (!text.empty()) {
         const ssize_t written = ::write(descriptor, text.data(), text.size());
@@ -55,7 +112,7 @@ ResultsFile::~ResultsFile() {
     if (lock_ >= 0) ::close(lock_);
 }
 
-Expected<ResultsFile> ResultsFile::open(const std::filesystem::path& folder, const std::string& identity,
+Expected<ResultsFile> ResultsFile::open(const std::filesystem::path& folder, const BatchIdentity& identity,
                                         const std::string& header) {
     std::error_code failed;
     std::filesystem::create_directories(folder, failed);
@@ -65,11 +122,12 @@ Expected<ResultsFile> ResultsFile::open(const std::filesystem::path& folder, con
     if (std::filesystem::exists(batch)) {
         const auto before = readFile(batch);
         if (!before) return tl::unexpected(before.error());
-        if (*before != identity)
-            return fail(folder.string(), "holds results of another batch; expected an empty folder, or the same batch");
+        if (const std::string other = differenceOf(parseIdentity(*before), identity); !other.empty())
+            return fail(folder.string(),
+                        "holds results of another batch: " + other + "; expected an empty folder, or the same batch");
     } else if (std::filesystem::exists(folder / "results.csv") || std::filesystem::exists(file.part())) {
         return fail(folder.string(), "holds results of no batch; expected an empty folder");
-    } else if (const auto written = writeFileAtomically(batch, identity); !written) {
+    } else if (const auto written = writeFileAtomically(batch, identityText(identity)); !written) {
         return tl::unexpected(written.error());
     }
     file.lock_ = ::open(batch.c_str(), O_RDONLY | O_CLOEXEC);

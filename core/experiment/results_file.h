@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 #include <tuple>
 
 #include "io/error.h"
@@ -19,14 +20,19 @@ struct RunKey {
     }
 };
 
+/// What the runs of a batch depend on but for trial and seed, each by its name: {"--duration", "60.0"}. Of contents, by
+/// the names that begin with `contentOf`, the values are hashes.
+using BatchIdentity = std::map<std::string, std::string>;
+constexpr std::string_view contentOf = "content of ";
+
 /// The rows of a batch on disk: each is kept as soon as it is there, in results.part.csv; all of them in order become
 /// results.csv. A file batch.txt says which batch the folder belongs to.
 class ResultsFile {
 public:
     /// Opens a folder, made where it is missing, with the rows that an earlier call has left. A row cut off by a kill
     /// is dropped. `identity` is the batch's; an open one has the folder for itself. Error: what the system says; the
-    /// folder belongs to another batch or to none, or is in use.
-    static Expected<ResultsFile> open(const std::filesystem::path& folder, const std::string& identity,
+    /// folder belongs to another batch, with what differs, or to none, or is in use.
+    static Expected<ResultsFile> open(const std::filesystem::path& folder, const BatchIdentity& identity,
                                       const std::string& header);
     ~ResultsFile();
     ResultsFile(ResultsFile&& other) noexcept;

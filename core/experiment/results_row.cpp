@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
+#include <numbers>
 #include <numeric>
 
 #include "io/number_text.h"
@@ -38,21 +39,51 @@ std::vector<std::string_view> plainCells(std::string_view line) {
     return cells;
 }
 
+struct VariedValue {
+    std::string name;
+    double value;
+};
+
+/// What [variation] varies of a scenario, as it is in this trial.
+std::vector<VariedValue> variedValues(const ScenarioParts& parts) {
+    constexpr double degrees = 180 / std::numbers::pi;
+    const Variation& variation = parts.variation;
+    std::vector<VariedValue> values;
+    const auto add = [&](const std::string& name, const Pose& start, double position, double heading) {
+        if (position > 0) values.insert(values.end(), {{"start x_m " + name, start.x}, {"start y_m " + name, start.y}});
+        if (heading > 0) values.push_back({"start heading_deg " + name, degrees * start.heading});
+    };
+    for (const SceneRobot& robot : parts.scene.robots)
+        add(robot.name, robot.start, variation.robotPosition, variation.robotHeading);
+    for (const SceneObject& object : parts.scene.objects) add(object.name, object.start, variation.objectPosition, 0);
+    const FloorSurface& floor = parts.scene.environment.floor;
+    if (variation.frictionShare > 0)
+        values.insert(values.end(), {{"sliding_friction", floor.slidingFriction},
+                                     {"rolling_deceleration_mps2", floor.rollingDeceleration}});
+    if (variation.massShare > 0)
+        for (const SceneObject& object : parts.scene.objects)
+            values.push_back({"mass_kg " + object.name, parts.scene.objectTypes[object.type].mass});
+    return values;
+}
+
 }  // namespace
 
-std::string resultsHeader(const Scene& scene) {
+std::string resultsHeader(const ScenarioParts& parts) {
     std::string line = "trial,seed,end,time_s,touches,kicks,hits,faults,driven_m";
-    for (const Goal& goal : scene.environment.goals) line += ',' + cell("goals " + goal.name);
+    for (const Goal& goal : parts.scene.environment.goals) line += ',' + cell("goals " + goal.name);
+    for (const VariedValue& value : variedValues(parts)) line += ',' + cell(value.name);
     return line + ",world_hash,command,first_fault";
 }
 
-std::string resultsRow(const RunKey& key, const RunResult& result, Nanoseconds tickLength, const std::string& command) {
+std::string resultsRow(const RunKey& key, const RunResult& result, const ScenarioParts& parts,
+                       const std::string& command) {
     const RunStatistics& s = result.statistics;
     std::string line = std::to_string(key.trial) + ',' + std::to_string(key.seed) + ',' + name(result.end) + ',' +
-                       plainSeconds(result.state.tick * tickLength);
+                       plainSeconds(result.state.tick * parts.scene.tickLength);
     for (const std::int64_t count : {s.touches, s.kicks, s.hits, s.faults}) line += ',' + std::to_string(count);
     line += ',' + numberText(std::accumulate(s.driven.begin(), s.driven.end(), 0.0));
     for (const std::int32_t goals : s.goals) line += ',' + std::to_string(goals);
+    for (const VariedValue& value : variedValues(parts)) line += ',' + numberText(value.value);
     return line + ',' + hexadecimal(hashOf(result.state).world) + ',' + cell(command) + ',' + cell(s.firstFault);
 }
 

@@ -11,10 +11,12 @@
 namespace mrose {
 
 /// results.csv of a batch: its first line, without its end.
-std::string resultsHeader(const Scene& scene);
+std::string resultsHeader(const ScenarioParts& parts);
 
-/// A run's row; `command` is what runs it alone.
-std::string resultsRow(const RunKey& key, const RunResult& result, Nanoseconds tickLength, const std::string& command);
+/// The row of a run of `parts`, which varied() made: behind what happened stands what of it is varied. `command` is
+/// what runs it alone.
+std::string resultsRow(const RunKey& key, const RunResult& result, const ScenarioParts& parts,
+                       const std::string& command);
 
 /// What rows have in a column of numbers.
 struct ColumnSummary {

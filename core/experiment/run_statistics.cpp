@@ -3,7 +3,10 @@
 namespace mrose {
 
 RunStatistics::RunStatistics(const Scenario& scenario)
-    : goals(scenario.scene().environment.goals.size()), driven(scenario.scene().robots.size()), scenario_(&scenario) {}
+    : goals(scenario.scene().environment.goals.size()),
+      driven(scenario.scene().robots.size()),
+      scenario_(&scenario),
+      touchCounter_(scenario.scene().tickLength) {}
 
 void RunStatistics::add(const WorldState& before, const WorldState& after, const StepTrace& trace) {
     ++ticks;

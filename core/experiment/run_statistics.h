@@ -14,7 +14,7 @@ namespace mrose {
 struct RunStatistics {
     std::int64_t ticks = 0;
     std::vector<std::int32_t> goals;   ///< in each of the environment's goals
-    std::int64_t touches = 0;          ///< pairs that began to touch
+    std::int64_t touches = 0;          ///< pairs that began to touch, see TouchCounter
     std::int64_t kicks = 0, hits = 0;  ///< of manipulators; those that met a ball
     std::int64_t faults = 0;           ///< of controllers and models
     std::string firstFault;            ///< "robot 2 (keeper): its controller ..."; empty: none

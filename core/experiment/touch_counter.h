@@ -8,9 +8,14 @@
 
 namespace mrose {
 
-/// Finds where bodies begin to touch: pairs that touch in a tick and did not in the one before.
+/// Finds where bodies begin to touch: pairs that touch in a tick and have been apart for a while. Who pushes a ball or
+/// slides along a wall bounces off it again and again; that is one touch.
 class TouchCounter {
 public:
+    static constexpr Nanoseconds apart = nanosecondsPerSecond / 5;  ///< so long they must not have touched
+
+    explicit TouchCounter(Nanoseconds tickLength) : apartTicks_((apart + tickLength - 1) / tickLength) {}
+
     struct Pair {
         std::uint32_t first = 0, second = 0;  ///< bodies, first < second; noBody for what stands still
         bool operator==(const Pair&) const = default;
@@ -23,7 +28,15 @@ public:
     std::span<const Pair> add(const StepTrace& trace);
 
 private:
-    std::vector<Pair> touching_, before_, begun_;
+    /// A pair and the last tick in which it touched.
+    struct Recent {
+        Pair pair;
+        std::int64_t tick = 0;
+    };
+
+    std::int64_t apartTicks_, tick_ = 0;
+    std::vector<Pair> touching_, begun_;
+    std::vector<Recent> recent_, merged_;  ///< sorted
 };
 
 }  // namespace mrose

@@ -1,5 +1,9 @@
 #include "experiment/variation.h"
 
+#include <optional>
+#include <vector>
+
+#include "behaviour/floor_plan.h"
 #include "scenario/start_check.h"
 #include "world/noise.h"
 #include "world/noise_channel.h"
@@ -19,21 +23,47 @@ public:
         key_.channel = channelOf(NoiseChannel::trial, next_++);
         return half * (2 * uniformNoise(key_) - 1);
     }
+    /// Other draws in the same turn.
+    Draws again(int times) const {
+        Draws others = *this;
+        others.key_.tick += static_cast<std::int64_t>(times) * mostDraws;
+        return others;
+    }
+    void passOver(int count) { next_ += static_cast<std::uint32_t>(count); }
 
 private:
     NoiseKey key_;
     std::uint32_t next_ = 0;
 };
 
-void move(Pose& pose, double position, double heading, Draws& draws) {
-    pose.x += draws.within(position);
-    pose.y += draws.within(position);
-    pose.heading += draws.within(heading);
+/// Whether a wall bars the straight way: a body that is moved so begins on the wall's other side.
+bool isBarred(const FloorPlan& walls, const Pose& from, const Pose& to) {
+    const Point way = position(to) - position(from);
+    const double far = length(way);
+    return far > 0 && walls.freeWay(position(from), (1 / far) * way, 0, far) < far;
 }
 
-Scene moved(Scene scene, const Variation& variation, Draws draws) {
-    for (SceneRobot& robot : scene.robots) move(robot.start, variation.robotPosition, variation.robotHeading, draws);
-    for (SceneObject& object : scene.objects) move(object.start, variation.objectPosition, 0, draws);
+/// False: walls bar the way to wherever it was drawn.
+bool move(Pose& pose, double position, double heading, const FloorPlan& walls, Draws& draws) {
+    for (int times = 0; times < mostDraws; ++times) {
+        Draws turn = draws.again(times);
+        Pose moved = pose;
+        moved.x += turn.within(position);
+        moved.y += turn.within(position);
+        moved.heading += turn.within(heading);
+        if (isBarred(walls, pose, moved)) continue;
+        pose = moved;
+        draws.passOver(3);
+        return true;
+    }
+    return false;
+}
+
+std::optional<Scene> moved(Scene scene, const Variation& variation, const FloorPlan& walls, Draws draws) {
+    for (SceneRobot& robot : scene.robots)
+        if (!move(robot.start, variation.robotPosition, variation.robotHeading, walls, draws)) return std::nullopt;
+    for (SceneObject& object : scene.objects)
+        if (!move(object.start, variation.objectPosition, 0, walls, draws)) return std::nullopt;
     const double friction = 1 + draws.within(variation.frictionShare);
     scene.environment.floor.slidingFriction *= friction;
     scene.environment.floor.rollingDeceleration *= friction;
@@ -42,19 +72,28 @@ Scene moved(Scene scene, const Variation& variation, Draws draws) {
     return scene;
 }
 
+FloorPlan wallsOf(const Environment& environment) {
+    std::vector<ConvexPiece> pieces;
+    for (const Obstacle& obstacle : environment.obstacles)
+        if (obstacle.wall) pieces.insert(pieces.end(), obstacle.shape.pieces.begin(), obstacle.shape.pieces.end());
+    return FloorPlan(std::move(pieces));
+}
+
 }  // namespace
 
 Expected<ScenarioParts> varied(const ScenarioParts& parts, std::uint32_t trial) {
     if (trial == 0) return parts;
+    const FloorPlan walls = wallsOf(parts.scene.environment);
     for (int attempt = 0; attempt < mostDraws; ++attempt) {
-        Scene scene = moved(parts.scene, parts.variation, Draws(trial, attempt));
-        if (findStartOverlap(scene)) continue;
+        std::optional<Scene> scene = moved(parts.scene, parts.variation, walls, Draws(trial, attempt));
+        if (!scene || findStartOverlap(*scene)) continue;
         ScenarioParts result = parts;
-        result.scene = std::move(scene);
+        result.scene = std::move(*scene);
         return result;
     }
-    return fail(parts.name, "in a hundred draws of trial " + std::to_string(trial) +
-                                " bodies have overlapped; expected less variation, or more room");
+    return fail(parts.name,
+                "in a hundred draws of trial " + std::to_string(trial) +
+                    " bodies have overlapped or begun behind a wall; expected less variation, or more room");
 }
 
 }  // namespace mrose

@@ -97,6 +97,10 @@ Expected<std::string> readFile(const std::filesystem::path& path) {
     FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     if (file.value() < 0) return fail(path.string(), systemCause("cannot be read"));
     std::error_code ignored;
+    // A device may never end.
+    const auto type = std::filesystem::status(path, ignored).type();
+    if (type == std::filesystem::file_type::character || type == std::filesystem::file_type::block)
+        return fail(path.string(), "is a device; expected a file");
     std::string content;
     if (const auto size = std::filesystem::file_size(path, ignored); !ignored) content.reserve(size + 1);
     for (;;) {
@@ -126,9 +130,12 @@ Expected<void> writeFilesAtomically(std::span<const NamedFile> files) {
     return {};
 }
 
-Expected<void> checkWritable(const std::filesystem::path& path) {
+Expected<void> checkWritable(const std::filesystem::path& path, bool overwrite) {
     PendingFile file(path);
-    return file.write({});
+    if (auto writable = file.write({}); !writable) return writable;
+    std::error_code ignored;
+    if (!overwrite && std::filesystem::exists(path, ignored)) return fail(path.string(), notOverwritten);
+    return {};
 }
 
 std::string contentHash(std::string_view bytes) {

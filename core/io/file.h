@@ -25,8 +25,12 @@ struct NamedFile {
 };
 Expected<void> writeFilesAtomically(std::span<const NamedFile> files);
 
-/// Error unless a file could be written at `path`; lets long work fail at its start and not at its end.
-Expected<void> checkWritable(const std::filesystem::path& path);
+/// Error unless a file could be written at `path`; lets long work fail at its start and not at its end. Without
+/// `overwrite` a file that is there already is an error too.
+Expected<void> checkWritable(const std::filesystem::path& path, bool overwrite = true);
+
+/// What is said of a file that is there already.
+constexpr const char* notOverwritten = "is there already; --overwrite replaces it";
 
 /// XXH3 of the bytes, 16 hexadecimal digits.
 std::string contentHash(std::string_view bytes);

@@ -152,9 +152,12 @@ void PluginController::decide(const Observation& observation, std::span<std::byt
     const std::span<std::byte> own = memory.subspan(sizeof(PluginMemory));
     std::string cause = thrownBy([&] { library_->controller->decide(observation, own, decision); });
     if (cause.empty() && !allFinite(decision)) cause = "gave a command that is not finite";
-    if (cause.empty()) return;
-    decision.clear();
-    decision.fault = "its plug-in " + path_ + ' ' + cause;
+    if (!cause.empty()) {
+        decision.clear();
+        decision.fault = "its plug-in " + path_ + ' ' + cause;
+    }
+    // One line, whatever they say.
+    if (!decision.fault.empty()) decision.fault = Error{"", 0, 0, "", decision.fault}.message();
 }
 
 Expected<std::shared_ptr<const PluginController>> loadPlugin(const std::string& path, const std::string& options) {

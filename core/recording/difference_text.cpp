@@ -64,7 +64,11 @@ std::string placeText(const Scenario& scenario, const WorldState& state, const S
 }  // namespace
 
 std::string robotText(const Scenario& scenario, std::size_t robot) {
-    return named("robot", robot, scenario.scene().robots[robot].name);
+    const Scene& scene = scenario.scene();
+    const bool person = scene.typeOf(robot).person;
+    std::size_t before = 0;
+    for (std::size_t i = 0; i < robot; ++i) before += scene.typeOf(i).person == person ? 1 : 0;
+    return named(person ? "person" : "robot", before, scene.robots[robot].name);
 }
 
 std::string differenceText(const Scenario& scenario, const WorldState& state, const StateDifference& difference) {

@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "io/file.h"
 #include "recording/crc32.h"
 
 namespace mrose {
@@ -22,10 +23,12 @@ Expected<OutputFile> OutputFile::create(const std::filesystem::path& path, bool 
     // A file that is there is emptied only after it has turned out to be one that may be.
     const int exclusive = overwrite ? 0 : O_EXCL;
     const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NONBLOCK | exclusive, 0644);
-    if (descriptor < 0 && errno == EEXIST) return fail(name, "is there already, and is not overwritten unasked");
+    struct stat status {};
+    if (descriptor < 0 && errno == EEXIST && ::stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode))
+        return fail(name, notOverwritten);
+    if (descriptor < 0 && errno == EEXIST) return fail(name, "is no regular file; expected a name for one");
     if (descriptor < 0) return fail(name, systemCause("cannot be written", errno));
     OutputFile file(descriptor, name);
-    struct stat status {};
     if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode))
         return fail(name, "is no regular file; expected a name for one");
     if (::ftruncate(descriptor, 0) != 0) return fail(name, systemCause("cannot be written", errno));

@@ -61,6 +61,7 @@ ControllerSetting logPlayer(const Context& context) {
     excerpt.robot = name(table, "robot");
     excerpt.trajectory = nameOr(table, "trajectory", "");
     excerpt.start = table.numberOr("start_s", 0, runTime);
+    if (const auto& motion = context.driven.robot.motion) excerpt.drive = motion->network().drive;
     if (table.failed()) return {};
     if (!context.loading.playLogs) return {noController(), Pose{}, excerpt};
     const auto file = context.library.excerpt(excerpt);

@@ -17,8 +17,10 @@ Expected<Description> described(Expected<T> value) {
 
 Expected<Description> loadDescription(const std::string& name, DescriptionSource& source,
                                       const ScenarioLoading& loading) {
+    constexpr std::string_view folders[] = {"resources/scenarios", "resources/environments", "resources/robots",
+                                            "shapes"};
     DescriptionLibrary library(source);
-    const auto file = library.file(name, "");
+    const auto file = library.file(name, folders);
     if (!file) return tl::unexpected(file.error());
     const auto kind = descriptionKind((*file)->text, (*file)->shown);
     if (!kind) return tl::unexpected(kind.error());

@@ -1,5 +1,7 @@
 #include "scenario/description_library.h"
 
+#include <vector>
+
 #include "scenario/delayed_network.h"
 #include "scenario/shape_file.h"
 
@@ -21,14 +23,26 @@ Expected<const DescriptionLibrary::File*> DescriptionLibrary::open(const std::st
     return &files_.emplace(name, File{name, source_.shown(name), kept}).first->second;
 }
 
-Expected<const DescriptionLibrary::File*> DescriptionLibrary::file(const std::string& name, std::string_view folder) {
-    const std::string shipped = joinedName(shippedFolder(folder), name);
-    for (const std::string& candidate : {name, shipped}) {
-        auto found = open(candidate);
-        if (!found || *found != nullptr) return found;
+Expected<const DescriptionLibrary::File*> DescriptionLibrary::file(const std::string& name,
+                                                                   std::span<const std::string_view> folders) {
+    if (auto given = open(name); !given || *given != nullptr) return given;
+    std::vector<std::string> places{joinedName(shippedFolder(""), name)};
+    for (const std::string_view folder : folders) places.push_back(joinedName(shippedFolder(folder), name));
+    std::erase(places, name);  // absolute, or as recordings call it
+    const File* found = nullptr;
+    std::string looked, several;
+    for (const std::string& place : places) {
+        const auto shipped = open(place);
+        if (!shipped) return shipped;
+        looked += (looked.empty() ? ", nor does " : " or ") + source_.shown(place);
+        if (*shipped == nullptr) continue;
+        several += (several.empty() ? "" : " and ") + place.substr(shippedPrefix.size());
+        if (found != nullptr)
+            return fail(name, "several files of that name ship: " + several + "; expected one of them");
+        found = *shipped;
     }
-    return fail(source_.shown(name),
-                "does not exist" + (shipped == name ? "" : ", nor does " + source_.shown(shipped)));
+    if (found != nullptr) return found;
+    return fail(source_.shown(name), "does not exist" + looked);
 }
 
 const DescriptionLibrary::File* DescriptionLibrary::file(TomlTable& table, std::string_view key,

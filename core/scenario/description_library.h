@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -28,8 +29,9 @@ public:
     /// The file that `table` of the file `from` names by `key`: seen from that file's folder, otherwise of those that
     /// ship in `folder` ("shapes"); never `from` itself. Where there is none, the table remembers the error.
     const File* file(TomlTable& table, std::string_view key, const std::string& from, std::string_view folder);
-    /// The file of exactly that name, otherwise the one of that name that ships in `folder`. Error: there is none.
-    Expected<const File*> file(const std::string& name, std::string_view folder);
+    /// The file of exactly that name, otherwise the one of that name that ships, seen from the folder of all that does
+    /// or from one of `folders`. Error: there is none, with all places looked at; or several ship.
+    Expected<const File*> file(const std::string& name, std::span<const std::string_view> folders);
 
     /// Shapes and networks are shared by all that name them. Errors of these files become the table's.
     std::shared_ptr<const Shape> shape(TomlTable& table, std::string_view key, const std::string& from);

@@ -17,7 +17,9 @@ std::string normal(const std::filesystem::path& path) { return path.lexically_no
 std::string LogExcerpt::name() const {
     std::string text = log + "#robot=" + robot;
     if (!trajectory.empty()) text += ",trajectory=" + trajectory;
-    return text + ",start_s=" + numberText(start);
+    text += ",start_s=" + numberText(start);
+    if (drive) text += ",wheel_radius_m=" + numberText(drive->wheelRadius) + ",track_m=" + numberText(drive->track);
+    return text;
 }
 
 std::string joinedName(const std::string& from, const std::string& reference) {
@@ -44,11 +46,14 @@ Expected<std::optional<std::string>> DiskDescriptions::text(const std::string& n
     return std::move(*content);
 }
 
-Expected<const Log*> DiskDescriptions::log(const std::filesystem::path& path) {
-    if (const auto found = logs_.find(path); found != logs_.end()) return &found->second;
-    auto log = readLog(path);
+Expected<const Log*> DiskDescriptions::log(const std::filesystem::path& path, const DifferentialDrive& drive) {
+    const std::tuple key(path, drive.wheelRadius, drive.track);
+    if (const auto found = logs_.find(key); found != logs_.end()) return &found->second;
+    LogOptions options;
+    options.drive = drive;
+    auto log = readLog(path, options);
     if (!log) return tl::unexpected(log.error());
-    return &logs_.emplace(path, std::move(*log)).first->second;
+    return &logs_.emplace(key, std::move(*log)).first->second;
 }
 
 Expected<std::optional<std::string>> DiskDescriptions::excerpt(const LogExcerpt& excerpt) {
@@ -58,7 +63,7 @@ Expected<std::optional<std::string>> DiskDescriptions::excerpt(const LogExcerpt&
     for (const std::filesystem::path& place : places) {
         std::error_code ignored;
         if (!std::filesystem::exists(place, ignored) && options_.log.empty()) continue;
-        const auto found = log(place);
+        const auto found = log(place, excerpt.drive.value_or(DifferentialDrive{}));
         if (!found) return tl::unexpected(found.error());
         auto text = excerptText(**found, excerpt);
         if (!text) return tl::unexpected(text.error());

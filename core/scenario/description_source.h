@@ -4,10 +4,12 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "io/error.h"
 #include "logs/robot_log.h"
+#include "world/differential_drive.h"
 
 namespace mrose {
 
@@ -18,6 +20,8 @@ struct LogExcerpt {
     std::string robot;       ///< as the log calls it
     std::string trajectory;  ///< "": the first
     double start = 0;        ///< s after the log's start: what becomes the run's start
+    /// How wheel commands are read, where the robot's network says it: as it was learned.
+    std::optional<DifferentialDrive> drive = {};
 
     /// The name that its text is kept by.
     std::string name() const;
@@ -53,10 +57,10 @@ public:
     std::string shown(const std::string& name) const override;
 
 private:
-    Expected<const Log*> log(const std::filesystem::path& path);
+    Expected<const Log*> log(const std::filesystem::path& path, const DifferentialDrive& drive);
 
     Options options_;
-    std::map<std::filesystem::path, Log> logs_;
+    std::map<std::tuple<std::filesystem::path, double, double>, Log> logs_;  ///< by place and drive
 };
 
 /// Texts kept in memory, by name: of a recording, of a test.

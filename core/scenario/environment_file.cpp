@@ -62,6 +62,7 @@ std::vector<ShapePart> segments(TomlTable& table, const Polygon& line, bool clos
 
 Obstacle readWall(TomlTable& table, const Surface& surface) {
     Obstacle wall;
+    wall.wall = true;
     wall.name = nameOr(table, "name", "wall");
     const bool closed = table.booleanOr("closed", false);
     const Polygon line = points(table, "points_m", closed ? 3 : 2, metresFar, closed);

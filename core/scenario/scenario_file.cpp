@@ -278,7 +278,8 @@ Expected<ScenarioParts> ScenarioReader::read() {
 Expected<LoadedScenario> loadScenario(const std::string& name, DescriptionSource& source,
                                       const ScenarioLoading& loading) {
     DescriptionLibrary library(source);
-    const auto file = library.file(name, "resources/scenarios");
+    constexpr std::string_view folders[] = {"resources/scenarios"};
+    const auto file = library.file(name, folders);
     if (!file) return tl::unexpected(file.error());
     auto parts = ScenarioReader(**file, library, loading).read();
     if (!parts) return tl::unexpected(parts.error());

@@ -1,6 +1,7 @@
 #include "scenario/start_check.h"
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace mrose {
@@ -17,12 +18,15 @@ void add(std::vector<Item>& items, const ConvexPiece& piece, std::size_t owner) 
     items.push_back({piece, owner, piece.centre.x - piece.reach, piece.centre.x + piece.reach});
 }
 
+const Pose& startPoseOf(const Scene& scene, std::size_t body) {
+    return body < scene.robots.size() ? scene.robots[body].start : scene.objects[body - scene.robots.size()].start;
+}
+
 std::vector<Item> itemsOf(const Scene& scene) {
     std::vector<Item> items;
     const std::size_t bodies = scene.bodyCount();
     for (std::size_t body = 0; body < bodies; ++body) {
-        const bool robot = body < scene.robots.size();
-        const Placement placement(robot ? scene.robots[body].start : scene.objects[body - scene.robots.size()].start);
+        const Placement placement(startPoseOf(scene, body));
         for (const ConvexPiece& piece : scene.shapeOf(body).pieces) add(items, placed(piece, placement), body);
     }
     for (std::size_t i = 0; i < scene.environment.obstacles.size(); ++i)
@@ -51,6 +55,26 @@ std::optional<StartOverlap> findStartOverlap(const Scene& scene, double toleranc
         open.push_back(&item);
     }
     return std::nullopt;
+}
+
+std::vector<std::size_t> startsOutside(const Scene& scene) {
+    constexpr double far = std::numeric_limits<double>::infinity();
+    Point low{far, far}, high{-far, -far};
+    const auto include = [&](const Point& p, double reach) {
+        low = {std::min(low.x, p.x - reach), std::min(low.y, p.y - reach)};
+        high = {std::max(high.x, p.x + reach), std::max(high.y, p.y + reach)};
+    };
+    for (const Obstacle& obstacle : scene.environment.obstacles)
+        for (const ConvexPiece& piece : obstacle.shape.pieces)
+            for (std::size_t i = 0; obstacle.wall && i < piece.count; ++i) include(piece.corners[i], piece.radius);
+    std::vector<std::size_t> outside;
+    if (low.x > high.x) return outside;
+    for (const Point& corner : scene.environment.floor.area) include(corner, 0);
+    for (std::size_t body = 0; body < scene.bodyCount(); ++body) {
+        const Pose& start = startPoseOf(scene, body);
+        if (start.x < low.x || start.x > high.x || start.y < low.y || start.y > high.y) outside.push_back(body);
+    }
+    return outside;
 }
 
 }  // namespace mrose

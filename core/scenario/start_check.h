@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "scene/scene.h"
 
@@ -18,5 +19,9 @@ struct StartOverlap {
 /// A pair that overlaps by more than `tolerance` at the start; nothing where all fit. Quick where many bodies overlap,
 /// too.
 std::optional<StartOverlap> findStartOverlap(const Scene& scene, double tolerance = 1e-4);
+
+/// Bodies that start outside the rectangle, along the axes, that the walls and the floor's area span: most are a
+/// mistake. None where there is no wall.
+std::vector<std::size_t> startsOutside(const Scene& scene);
 
 }  // namespace mrose

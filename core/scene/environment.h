@@ -19,6 +19,7 @@ struct Obstacle {
     std::string name;
     Shape shape;
     Surface surface;
+    bool wall = false;  ///< was described as one
 };
 
 /// A line on the floor: a polyline, or a circle; for the eye only.

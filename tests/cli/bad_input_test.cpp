@@ -141,8 +141,9 @@ TEST_F(BadInput, NetworkForAnotherPeriodIsRefused) {
     const std::string other = write("b.net", replaced(read("a.net"), "period_s = 0.1\n", "period_s = 0.07\n"));
     expectOneLine(runMrose({"evaluate", other, "--log", log(), "--report", path("report")}), {"b.net: ", "0.07"});
     write("p.csv", "earlier");
-    expectOneLine(runMrose({"predict", other, "--log", log(), "--windows", windows(), "-o", path("p.csv")}),
-                  {"b.net: ", "0.07"});
+    expectOneLine(
+        runMrose({"predict", other, "--log", log(), "--windows", windows(), "-o", path("p.csv"), "--overwrite"}),
+        {"b.net: ", "0.07"});
     EXPECT_EQ(read("p.csv"), "earlier");
     EXPECT_FALSE(std::filesystem::exists(path("report")));
 }
@@ -175,9 +176,10 @@ TEST_F(BadInput, WindowsFileErrorsNameLineAndColumn) {
           Case{"which.csv", "dataset,robot,t_start\n0,planted,1700000003\n", {"which.csv:2: ", "several trajectories"}},
           Case{"empty.csv", "", {"empty.csv"}}}) {
         const std::string file = write(c.name, c.content);
-        expectOneLine(runMrose({"predict", net, "--log", log(), "--windows", file, "-o", out}), c.parts);
+        expectOneLine(runMrose({"predict", net, "--log", log(), "--windows", file, "-o", out, "--overwrite"}), c.parts);
     }
-    expectOneLine(runMrose({"predict", net, "--log", log(), "--windows", path("no.csv"), "-o", out}), {"no.csv: "});
+    expectOneLine(runMrose({"predict", net, "--log", log(), "--windows", path("no.csv"), "-o", out, "--overwrite"}),
+                  {"no.csv: "});
     EXPECT_EQ(read("p.csv"), "earlier");
     EXPECT_FALSE(std::filesystem::exists(path("p.csv.part")));
 }

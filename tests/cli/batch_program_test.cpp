@@ -134,13 +134,15 @@ TEST_F(BatchProgram, WrongFlagsAreOneLine) {
 TEST_F(BatchProgram, FoldersOfOtherBatchesAreRefused) {
     ASSERT_EQ(play("batch", {"--trials", "2", "--duration", "0.2", "-o", path("out")}).status, 0);
     const std::string before = read("out/results.csv");
-    for (const std::vector<std::string>& more : {std::vector<std::string>{"--trials", "3", "--duration", "0.2"},
+    for (const std::vector<std::string>& more : {std::vector<std::string>{"--duration", "0.2", "--trials", "1"},
+                                                 {"--duration", "0.2", "--trials", "2", "--seeds", "1..2"},
                                                  {"--trials", "2", "--duration", "0.3"},
-                                                 {"--trials", "2", "--duration", "0.2", "--until", "time > 9"},
-                                                 {"--trials", "2", "--duration", "0.2", "--seeds", "1..2"}}) {
+                                                 {"--trials", "2", "--duration", "0.2", "--until", "time > 9"}}) {
         std::vector<std::string> words{"-o", path("out")};
         words.insert(words.end(), more.begin(), more.end());
-        expectOneLine(play("batch", words), {path("out") + ": holds results of another batch"});
+        const bool other = more[0] == "--trials";
+        expectOneLine(play("batch", words),
+                      {path("out") + (other ? ": holds results of another batch: --" : ": holds a run of trial ")});
     }
     write("it's a game.toml", replaced(read("it's a game.toml"), "random_factor = 0.1", "random_factor = 0.2"));
     expectOneLine(

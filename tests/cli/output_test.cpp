@@ -64,18 +64,27 @@ TEST_F(Output, FullDiskKeepsEarlierOutputs) {
     for (const char* name : {"report/report.html", "report/results.csv", "report/results.json"}) write(name, "earlier");
     const auto before = listing();
     std::vector<std::string> train = trainWords(path("b.net"));
-    train.push_back("--quiet");
+    train.insert(train.end(), {"--quiet", "--overwrite"});
     expectOneLine(runMrose(train, {.fullDisk = true}), {"b.net: cannot be written: File too large"});
     expectOneLine(
-        runMrose({"predict", net, "--log", logFile, "--windows", windowsFile, "-o", path("p.csv")}, {.fullDisk = true}),
+        runMrose({"predict", net, "--log", logFile, "--windows", windowsFile, "-o", path("p.csv"), "--overwrite"},
+                 {.fullDisk = true}),
         {"p.csv: cannot be written: File too large"});
-    expectOneLine(runMrose({"evaluate", net, "--log", logFile, "--report", path("report")}, {.fullDisk = true}),
-                  {"report/results.csv: cannot be written: File too large"});
+    expectOneLine(
+        runMrose({"evaluate", net, "--log", logFile, "--report", path("report"), "--overwrite"}, {.fullDisk = true}),
+        {"report/results.csv: cannot be written: File too large"});
     EXPECT_EQ(read("b.net"), "earlier network");
     EXPECT_EQ(read("p.csv"), "earlier predictions");
     for (const char* name : {"report/report.html", "report/results.csv", "report/results.json"})
         EXPECT_EQ(read(name), "earlier") << name;
     EXPECT_EQ(listing(), before) << "nothing half-written is left";
+    expectOneLine(runMrose({"evaluate", net, "--log", logFile, "--report", path("new/report")}, {.fullDisk = true}),
+                  {"new/report/results.csv: cannot be written: File too large"});
+    expectOneLine(runMrose({"generate", "--course", "ellipse", "-q", "-o", path("new/logs")}, {.fullDisk = true}),
+                  {"new/logs/ellipse.csv: cannot be written: File too large"});
+    expectOneLine(runMrose({"shapes", "ball.toml", "-o", path("new/pictures")}, {.fullDisk = true}),
+                  {"new/pictures/ball.shape.svg: cannot be written: File too large"});
+    EXPECT_EQ(listing(), before) << "nor a folder";
 }
 
 TEST_F(Output, InterruptSavesTheBestNetworkSoFar) {
@@ -93,7 +102,9 @@ TEST_F(Output, InterruptSavesTheBestNetworkSoFar) {
 TEST_F(Output, KillInMidTrainingLeavesTheEarlierNetwork) {
     write("b.net", "earlier");
     const auto before = (log(), listing());
-    RunningProgram program(mroseWords(longTraining(trainWords(path("b.net")))));
+    std::vector<std::string> words = longTraining(trainWords(path("b.net")));
+    words.push_back("--overwrite");
+    RunningProgram program(mroseWords(words));
     ASSERT_TRUE(program.waitForError("epoch "));
     program.send(SIGKILL);
     EXPECT_EQ(program.finish().status, 128 + SIGKILL);

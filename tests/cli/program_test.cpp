@@ -35,8 +35,46 @@ TEST_F(Program, HelpOfEverySubcommandHasExamplesAndTheCommonFlags) {
         const ProgramResult help = runMrose({name, "--help"});
         EXPECT_EQ(help.status, 0);
         EXPECT_NE(help.out.find("Examples:\n  mrose " + name + ' '), std::string::npos) << help.out;
-        for (const char* flag : {"--seed", "--threads", "--quiet", "--json"})
+        for (const char* flag : {"--quiet", "--json"})
             EXPECT_NE(help.out.find(flag), std::string::npos) << name << flag;
+    }
+}
+
+/// Flags that would do nothing are not there.
+TEST_F(Program, FlagsAreOfferedWhereTheyAct) {
+    const std::pair<const char*, std::vector<std::string>> cases[] = {
+        {"--seed", {"train", "generate", "run", "batch", "compare"}},
+        {"--threads", {"inspect", "train", "batch", "compare"}},
+        {"--overwrite", {"train", "evaluate", "predict", "generate", "shapes", "run", "compare"}}};
+    for (const auto& [flag, commands] : cases)
+        for (const char* name :
+             {"inspect", "train", "evaluate", "predict", "generate", "shapes", "run", "replay", "batch", "compare"}) {
+            const bool offered = std::find(commands.begin(), commands.end(), name) != commands.end();
+            EXPECT_EQ(runMrose({name, "--help"}).out.find(std::string("  ") + flag + ' ') != std::string::npos, offered)
+                << name << ' ' << flag;
+        }
+    expectOneLine(runMrose({"replay", "a.mcap", "--seed", "3"}), {"--seed"}, 2);
+    expectOneLine(runMrose({"shapes", "ball.toml", "--threads", "3"}), {"--threads"}, 2);
+}
+
+TEST_F(Program, OutputsThatAreThereAreReplacedOnlyWhenAsked) {
+    const std::string net = network(), windowsFile = windows(), logFile = log();
+    const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
+        {trainWords(path("b.net")), "b.net"},
+        {{"predict", net, "--log", logFile, "--windows", windowsFile, "-o", path("p.csv")}, "p.csv"},
+        {{"evaluate", net, "--log", logFile, "--report", path("report")}, "report/windows.csv"},
+        {{"generate", "--course", "ellipse", "-o", path("logs")}, "logs/ellipse.csv"},
+        {{"shapes", "ball.toml", "-o", path("ball.svg")}, "ball.svg"},
+        {{"shapes", "ball.toml", "-o", path("pictures")}, "pictures/ball.shape.svg"},
+        {{"run", "soccer.toml", "--duration", "0.1", "--record", path("a.mcap")}, "a.mcap"}};
+    for (auto [words, file] : cases) {
+        write(file, "earlier");
+        words.push_back("--quiet");
+        expectOneLine(runMrose(words), {path(file) + ": is there already; --overwrite replaces it"});
+        EXPECT_EQ(read(file), "earlier");
+        words.push_back("--overwrite");
+        EXPECT_EQ(runMrose(words).status, 0) << file;
+        EXPECT_NE(read(file), "earlier") << file;
     }
 }
 
@@ -46,7 +84,7 @@ TEST_F(Program, WrongUsageIsOneLineAndStatusTwo) {
     expectOneLine(runMrose({"train", log()}), {"--output", "required"}, 2);
     expectOneLine(runMrose({"inspect", log(), "--threads", "many"}), {"--threads", "many"}, 2);
     expectOneLine(runMrose({"inspect", log(), "--colour"}), {"--colour"}, 2);
-    expectOneLine(runMrose({"inspect", log(), "--seed", "-1"}), {"--seed", "-1"}, 2);
+    expectOneLine(runMrose({"train", log(), "-o", path("x"), "--seed", "-1"}), {"--seed", "-1"}, 2);
     expectOneLine(runMrose({"train", log(), "-o", path("x"), "--method", "lm"}), {"--method lm", "one-step"}, 2);
     EXPECT_EQ(listing(), std::vector<std::string>{"log.csv"});
 }
@@ -217,7 +255,7 @@ TEST_F(Program, NetworkFileDependsOnSeedAndNotOnThreads) {
     // The command line is part of the file: runs differ only by what the environment says.
     const auto train = [&](const std::string& seed, const std::string& threads) {
         std::vector<std::string> words = trainWords(path("b.net"));
-        words.insert(words.end(), {"--seed", seed, "--threads", threads});
+        words.insert(words.end(), {"--overwrite", "--seed", seed, "--threads", threads});
         EXPECT_EQ(runMrose(words).status, 0);
         return replaced(read("b.net"), "--threads " + threads, "--threads N");
     };
@@ -237,9 +275,10 @@ TEST_F(Program, ProgressGoesToStandardErrorUnlessQuiet) {
     for (const auto& [flag, value] :
          {std::pair{"--members", "4"}, std::pair{"--folds", "4"}, std::pair{"--epochs", "200"}})
         *(std::find(longer.begin(), longer.end(), flag) + 1) = value;
+    longer.push_back("--overwrite");
     EXPECT_LE(linesOf(runMrose(longer).err).size(), 11u) << "no terminal: a line for each tenth";
     std::vector<std::string> words = trainWords(path("b.net"));
-    words.push_back("--quiet");
+    words.insert(words.end(), {"--quiet", "--overwrite"});
     const ProgramResult quiet = runMrose(words);
     EXPECT_EQ(quiet.status, 0);
     EXPECT_EQ(quiet.err, "");
@@ -270,7 +309,9 @@ TEST_F(Program, TrainPrintsJson) {
 TEST_F(Program, OutputBehindASymbolicLinkKeepsTheLink) {
     write("kept/real.net", "old");
     std::filesystem::create_symlink("kept/real.net", path("link.net"));
-    ASSERT_EQ(runMrose(trainWords(path("link.net"))).status, 0);
+    std::vector<std::string> words = trainWords(path("link.net"));
+    words.push_back("--overwrite");
+    ASSERT_EQ(runMrose(words).status, 0);
     EXPECT_TRUE(std::filesystem::is_symlink(path("link.net")));
     EXPECT_TRUE(loadNetwork(path("kept/real.net")));
 }

@@ -41,7 +41,7 @@ TEST_F(RunProgram, SeedTrialAndDurationDecideTheRun) {
     };
     const std::string plain = hash({});
     EXPECT_EQ(hash({}), plain);
-    EXPECT_EQ(hash({"--seed", "5", "--trial", "0", "--duration", "3", "--threads", "1"}), plain);
+    EXPECT_EQ(hash({"--seed", "5", "--trial", "0", "--duration", "3"}), plain);
     EXPECT_EQ(hash({"--check-rewind"}), plain);
     EXPECT_EQ(hash({"--isolate"}), plain) << "there is no plug-in";
     EXPECT_NE(hash({"--seed", "6"}), plain);
@@ -99,6 +99,8 @@ TEST_F(RunProgram, WrongFlagsAreOneLine) {
                                                                       {{"--speed", "nan"}, "--speed"},
                                                                       {{"--speed", "fast"}, "--speed"},
                                                                       {{"--seed", "-1"}, "--seed"},
+                                                                      {{"--seed", "18446744073709551616"}, "--seed"},
+                                                                      {{"--record", ""}, "--record"},
                                                                       {{"--trial", "-1"}, "--trial"},
                                                                       {{"--trial", "one"}, "--trial"},
                                                                       {{"--plugin-limit", "0"}, "--plugin-"},
@@ -150,6 +152,39 @@ TEST_F(RunProgram, FullDiskIsOneLineAndTheRunGoesOn) {
     expectOneLine(early,
                   {"game.mcap: cannot be written: File too large; the run goes on, and its recording ends here"});
     EXPECT_NE(early.out.find(": 60.00 s"), std::string::npos) << early.out;
+}
+
+TEST_F(RunProgram, CutRecordingIsNamedWithWhatIsKept) {
+    told(play("run", {"--record", path("game.mcap"), "--duration", "30", "--json"}));
+    const std::string whole = read("game.mcap");
+    write("cut.mcap", whole.substr(0, whole.size() * 2 / 3));
+    const auto recording = openRecording(path("cut.mcap"));
+    ASSERT_TRUE(recording) << recording.error().message();
+    const std::int64_t ticks = recording->branches[0].timeline.last();
+    ASSERT_GT(ticks, 0);
+    char kept[60];
+    std::snprintf(kept, sizeof kept, "; kept: %d ticks, %g", static_cast<int>(ticks),
+                  0.02 * static_cast<double>(ticks));
+    expectOneLine(runMrose({"replay", path("cut.mcap")}), {path("cut.mcap") + ": it is cut off at byte ", kept}, 0);
+    expectOneLine(play("run", {"--record", "/"}), {"/: is no regular file"});
+}
+
+TEST_F(RunProgram, SaysWhoStartsOutsideTheWalls) {
+    const std::string text = (game(), read("it's a game.toml"));
+    const std::string far = write("far.toml", replaced(text, "x_m = 1.0, y_m = 1.0", "x_m = 1.0, y_m = 9.5"));
+    const std::string note =
+        "mrose: note: \"two\" starts at (1.0, 9.5), outside of what the environment's walls and floor "
+        "area span\n";
+    EXPECT_EQ(runMrose({"run", far, "--duration", "0.1"}).err, note);
+    EXPECT_EQ(runMrose({"shapes", far}).err, note);
+    EXPECT_EQ(runMrose({"run", path("it's a game.toml"), "--duration", "0.1"}).err, "");
+}
+
+TEST_F(RunProgram, KicksAreToldWhereThereAreKickers) {
+    EXPECT_NE(play("run", {"--duration", "0.1"}).out.find("; kicks: 0, 0 of them on a ball\n"), std::string::npos);
+    const ProgramResult corridor = runMrose({"run", "b21_corridor.toml", "--duration", "0.1"});
+    EXPECT_EQ(corridor.out.find("kick"), std::string::npos) << corridor.out;
+    EXPECT_NE(corridor.out.find("touches: "), std::string::npos) << corridor.out;
 }
 
 class LongRun : public GameFolder {

@@ -33,6 +33,31 @@ TEST_F(Shapes, SaysWhatEachFileHolds) {
     EXPECT_EQ(runMrose({"shapes", "mrose:shapes/ball.toml", "-q"}).out, "");
 }
 
+/// By the names by which scenarios find them, and `mrose run` its scenario.
+TEST_F(Shapes, FindsWhatShips) {
+    for (const auto& [name, holds] :
+         {std::pair{"soccer.toml", "scenario \"soccer\", 8 robots, 1 object\n"},
+          std::pair{"b21_corridor.toml", "1 robot, 3 persons, "}, std::pair{"ball.toml", "shape \"ball\""},
+          std::pair{"midsize_2001.toml", "4 walls, 0 other obstacles, 2 goals\n"},
+          std::pair{"resources/robots/b21.toml", "robot \"B21\""}}) {
+        const auto result = runMrose({"shapes", name});
+        EXPECT_EQ(result.status, 0) << result.err;
+        EXPECT_NE(result.out.find(holds), std::string::npos) << result.out;
+    }
+    EXPECT_EQ(runMrose({"run", "resources/scenarios/soccer.toml", "--duration", "0.1"}).status, 0);
+    expectOneLine(runMrose({"shapes", "create.toml"}),
+                  {"create.toml: several files of that name ship: resources/robots/create.toml and "
+                   "shapes/create.toml; expected one of them"});
+    const std::string places[] = {"", "resources/scenarios/", "resources/environments/", "resources/robots/",
+                                  "shapes/"};
+    std::vector<std::string> parts{"none.toml: does not exist, nor does "};
+    for (const std::string& place : places) parts.push_back(shipped(place + "none.toml"));
+    expectOneLine(runMrose({"shapes", "none.toml"}), parts);
+    expectOneLine(runMrose({"run", "none.toml"}),
+                  {"none.toml: does not exist, nor does ",
+                   shipped("none.toml") + " or " + shipped("resources/scenarios/none.toml")});
+}
+
 TEST_F(Shapes, DrawsIntoAFileOrAFolder) {
     const std::string own = write("square.toml", square);
     EXPECT_EQ(runMrose({"shapes", own, "-o", path("one.svg")}).status, 0);
@@ -87,7 +112,7 @@ TEST_F(Shapes, FullDiskLeavesEarlierPictures) {
     write("one.svg", "earlier");
     RunningProgram::Options options;
     options.fullDisk = true;
-    EXPECT_EQ(runMrose({"shapes", own, "-o", path("one.svg")}, options).status, 1);
+    EXPECT_EQ(runMrose({"shapes", own, "-o", path("one.svg"), "--overwrite"}, options).status, 1);
     EXPECT_EQ(read("one.svg"), "earlier");
 }
 

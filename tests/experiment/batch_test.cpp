@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <atomic>
+#include <mutex>
+#include <numbers>
 #include <numeric>
 #include <set>
 #include <sstream>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
@@ -50,6 +53,9 @@ protected:
     BatchOptions options_;
 };
 
+/// Of trialWorld(): poses of two robots, the place and the mass of a ball, two frictions.
+constexpr std::size_t variedColumns = 11;
+
 /// The cells of a line; quotes are taken off.
 std::vector<std::string> cells(const std::string& line) {
     std::vector<std::string> result(1);
@@ -80,15 +86,20 @@ TEST_F(Batch, EveryTrialWithEverySeedHasARowInOrder) {
     EXPECT_EQ(summary->resumed, 0);
     const std::vector<std::string> rows = lines(results("out"));
     ASSERT_EQ(rows.size(), 19u);
-    EXPECT_EQ(rows[0],
-              "trial,seed,end,time_s,touches,kicks,hits,faults,driven_m,\"goals east\",world_hash,command,first_fault");
+    const std::vector<std::string> header = cells(rows[0]);
+    const std::vector<std::string> first{"trial", "seed", "end",    "time_s",   "touches",
+                                         "kicks", "hits", "faults", "driven_m", "goals east"},
+        last{"world_hash", "command", "first_fault"};
+    ASSERT_EQ(header.size(), first.size() + variedColumns + last.size());
+    EXPECT_TRUE(std::equal(first.begin(), first.end(), header.begin()));
+    EXPECT_TRUE(std::equal(last.begin(), last.end(), header.end() - 3));
     std::set<std::string> hashes;
     for (std::size_t i = 1; i < rows.size(); ++i) {
         const std::vector<std::string> row = cells(rows[i]);
         EXPECT_EQ(row[0], std::to_string(1 + (i - 1) / 3));
         EXPECT_EQ(row[1], std::to_string(3 + (i - 1) % 3));
-        EXPECT_EQ(row[11], "mrose run it.toml --trial " + row[0] + " --seed " + row[1]);
-        hashes.insert(row[10]);
+        EXPECT_EQ(row[11 + variedColumns], "mrose run it.toml --trial " + row[0] + " --seed " + row[1]);
+        hashes.insert(row[10 + variedColumns]);
     }
     EXPECT_EQ(hashes.size(), 18u) << "every run is another one";
 }
@@ -106,7 +117,7 @@ TEST_F(Batch, RowsSayWhatTheRunsDid) {
         options.duration = options_.duration;
         const auto alone = mrose::run(scenario, scenario.initialState(std::stoul(row[1])), options);
         ASSERT_TRUE(alone);
-        EXPECT_EQ(std::stoull(row[10], nullptr, 16), hashOf(alone->state).world);
+        EXPECT_EQ(std::stoull(row[10 + variedColumns], nullptr, 16), hashOf(alone->state).world);
         EXPECT_EQ(row[2], "duration");
         EXPECT_EQ(std::stod(row[3]), 2);
         EXPECT_EQ(std::stoll(row[4]), alone->statistics.touches);
@@ -223,21 +234,75 @@ TEST_F(Batch, OtherBatchesAreRefused) {
         return !other && other.error().message().find("holds results of another batch") != std::string::npos;
     };
     const BatchOptions same = options_;
-    options_.trials = 7;
+    options_.identity["scenario"] = "another.toml";
     EXPECT_TRUE(refused());
-    options_ = same;
-    options_.firstTrial = 2;
-    EXPECT_TRUE(refused());
-    options_ = same;
-    options_.lastSeed = 6;
-    EXPECT_TRUE(refused());
-    options_ = same;
-    options_.command += " --isolate";
-    EXPECT_TRUE(refused());
-    options_ = same;
-    options_.identity = "another scenario";
-    EXPECT_TRUE(refused());
+    for (const auto& [trials, firstSeed] : {std::pair{5U, 3U}, std::pair{6U, 4U}}) {
+        options_ = same;
+        options_.trials = trials;
+        options_.firstSeed = firstSeed;
+        const auto fewer = run("out");
+        ASSERT_FALSE(fewer);
+        EXPECT_NE(fewer.error().message().find(trials == 5 ? "holds a run of trial 6 with seed 3"
+                                                           : "holds a run of trial 1 with seed 3"),
+                  std::string::npos)
+            << fewer.error().message();
+    }
     EXPECT_EQ(results("out"), before);
+}
+
+/// Whatever commands the rows of before have: how plug-ins are run is no part of a batch.
+TEST_F(Batch, MoreTrialsAndSeedsGoOn) {
+    const std::string whole = uninterrupted();
+    options_.trials = 4;
+    options_.lastSeed = 4;
+    ASSERT_TRUE(run("out"));
+    options_.trials = 6;
+    options_.lastSeed = 5;
+    std::set<std::pair<std::uint32_t, std::uint64_t>> begun;
+    std::mutex mutex;
+    options_.begins = [&](const RunKey& key) {
+        const std::lock_guard lock(mutex);
+        begun.insert({key.trial, key.seed});
+    };
+    const auto more = run("out");
+    ASSERT_TRUE(more) << more.error().message();
+    EXPECT_EQ(more->resumed, 8);
+    EXPECT_EQ(more->runs, 18);
+    EXPECT_EQ(results("out"), whole);
+    EXPECT_EQ(begun.size(), 10u);
+    EXPECT_TRUE(begun.contains({5, 3}) && begun.contains({1, 5}) && !begun.contains({1, 3}));
+    options_.command += " --isolate";
+    EXPECT_TRUE(run("out"));
+    EXPECT_EQ(results("out"), whole);
+}
+
+/// Against varied() itself, for each thing that varies.
+TEST_F(Batch, RowsSayWhatWasVaried) {
+    parts_.variation = {0.2, 0.3, 0.1, 0.2, 0.3};
+    options_.duration = second / 10;
+    options_.lastSeed = 3;
+    ASSERT_TRUE(run("out"));
+    const std::vector<std::string> rows = lines(results("out")), header = cells(rows[0]);
+    for (std::uint32_t trial = 1; trial <= 6; ++trial) {
+        const std::vector<std::string> row = cells(rows[trial]);
+        const auto value = [&](const std::string& name) {
+            const auto column = std::find(header.begin(), header.end(), name);
+            EXPECT_NE(column, header.end()) << name << rows[0];
+            return column == header.end() ? 0 : std::stod(row[static_cast<std::size_t>(column - header.begin())]);
+        };
+        const Scene scene = varied(parts_, trial)->scene;
+        for (const SceneRobot& robot : scene.robots) {
+            EXPECT_EQ(value("start x_m " + robot.name), robot.start.x);
+            EXPECT_EQ(value("start y_m " + robot.name), robot.start.y);
+            EXPECT_NEAR(value("start heading_deg " + robot.name) * std::numbers::pi / 180, robot.start.heading, 1e-12);
+        }
+        for (const SceneObject& object : scene.objects) {
+            EXPECT_EQ(value("start x_m " + object.name), object.start.x);
+            EXPECT_EQ(value("mass_kg " + object.name), scene.objectTypes[object.type].mass);
+        }
+        EXPECT_EQ(value("sliding_friction"), scene.environment.floor.slidingFriction);
+        EXPECT_EQ(value("rolling_deceleration_mps2"), scene.environment.floor.rollingDeceleration);
+    }
 }
 
 TEST_F(Batch, WrongConditionsAndOverlapsAreToldAndNothingIsMade) {
@@ -264,7 +329,8 @@ TEST_F(Batch, ConditionThatLoopsForEverEndsIt) {
     options_.until = "(function() while time > 1 do end return false end)()";
     const auto endless = run("out");
     ASSERT_FALSE(endless);
-    EXPECT_NE(endless.error().message().find("instructions"), std::string::npos) << endless.error().message();
+    const std::string message = endless.error().message();
+    EXPECT_THAT(message, testing::MatchesRegex("--until: .*instructions.* \\(trial [1-6], seed [3-5]\\)"));
     EXPECT_EQ(results("out"), "none");
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 class Results : public testing::Test {
 protected:
-    Expected<ResultsFile> open(const std::string& identity = "a batch") const {
+    Expected<ResultsFile> open(const BatchIdentity& identity = {{"--duration", "2.0"}}) const {
         return ResultsFile::open(folder_.path() / "out", identity, "trial,seed,value");
     }
     std::string read(const std::string& name) const { return readFile(folder_.path() / "out" / name).value_or("none"); }
@@ -82,21 +82,43 @@ TEST_F(Results, RowsInBothFilesCountOnce) {
 
 TEST_F(Results, FoldersOfOthersAreRefusedAndLeftAlone) {
     {
-        auto file = open("one batch");
+        auto file = open();
         ASSERT_TRUE(file && file->add({1, 1}, "1,1,a"));
     }
-    const auto other = open("another batch");
+    const auto other = open({{"--duration", "3.0"}});
     ASSERT_FALSE(other);
-    EXPECT_EQ(other.error().message(),
-              (folder_.path() / "out").string() +
-                  ": holds results of another batch; expected an empty folder, or the same batch");
-    EXPECT_EQ(read("batch.txt"), "one batch");
+    EXPECT_EQ(other.error().message(), (folder_.path() / "out").string() +
+                                           ": holds results of another batch: --duration was 2.0 and is 3.0; expected "
+                                           "an empty folder, or the same batch");
+    EXPECT_EQ(read("batch.txt"), "--duration = 2.0\n");
     EXPECT_EQ(read("results.part.csv"), "1,1,a\n");
     std::filesystem::remove(folder_.path() / "out" / "batch.txt");
-    const auto foreign = open("one batch");
+    const auto foreign = open();
     ASSERT_FALSE(foreign);
     EXPECT_NE(foreign.error().message().find("holds results of no batch; expected an empty folder"), std::string::npos);
     EXPECT_EQ(read("batch.txt"), "none");
+}
+
+/// Whatever names and values hold.
+TEST_F(Results, WhatDiffersIsTold) {
+    const BatchIdentity identity{
+        {"--until", "a = b\n\\n = c"}, {"content of a = b\n.toml", "1"}, {"scenario", "a.toml"}};
+    ASSERT_TRUE(open(identity));
+    EXPECT_TRUE(open(identity)) << "the same";
+    const auto told = [&](const std::string& name, const std::string& value) {
+        BatchIdentity other = identity;
+        other[name] = value;
+        if (value.empty()) other.erase(name);
+        const auto refused = open(other);
+        return refused ? "" : refused.error().message().substr((folder_.path() / "out").string().size());
+    };
+    const std::string begin = ": holds results of another batch: ",
+                      end = "; expected an empty folder, or the same batch";
+    EXPECT_EQ(told("scenario", "b.toml"), begin + "scenario was a.toml and is b.toml" + end);
+    EXPECT_EQ(told("--log", "x"), begin + "--log was not given and is x" + end);
+    EXPECT_EQ(told("--until", ""), begin + "--until was a = b?\\n = c and is not given" + end);
+    EXPECT_EQ(told("content of a = b\n.toml", "2"), begin + "the content of a = b?.toml has changed" + end);
+    EXPECT_EQ(told("content of c.so", "2"), begin + "the content of c.so has changed" + end);
 }
 
 TEST_F(Results, OneBatchAtATime) {
@@ -115,7 +137,7 @@ TEST_F(Results, PlacesThatCannotBeWrittenAreNamed) {
     ASSERT_FALSE(inTheWay);
     EXPECT_TRUE(inTheWay.error().message().starts_with((folder_.path() / "out").string() + ": "))
         << inTheWay.error().message();
-    const auto nowhere = ResultsFile::open("/proc/none/out", "a batch", "trial,seed");
+    const auto nowhere = ResultsFile::open("/proc/none/out", {}, "trial,seed");
     ASSERT_FALSE(nowhere);
     EXPECT_TRUE(nowhere.error().message().starts_with("/proc/none/out: ")) << nowhere.error().message();
     if (::geteuid() == 0) return;  // who may write everywhere

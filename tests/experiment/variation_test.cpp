@@ -161,6 +161,34 @@ TEST(Variation, OverlapsAreDrawnAgain) {
     EXPECT_LT(nearest, 0.41) << "draws reach where they would overlap";
 }
 
+/// A thin wall through the middle, over which every second draw would jump.
+TEST(Variation, NobodyStartsBehindAWall) {
+    SmallWorld world(walledField(20, 20));
+    world.robot(discRobot(0.1), {9.7, 10, 0}, std::make_shared<const Told>(Command{}), ideal())
+        .object(ballType(), {10.4, 12, 0});
+    ScenarioParts parts = std::move(world.parts());
+    Obstacle wall;
+    wall.shape = Shape::fromParts("wall", {{"", {{9.99, 1}, {10.01, 1}, {10.01, 19}, {9.99, 19}}}});
+    wall.wall = true;
+    parts.scene.environment.obstacles.push_back(wall);
+    parts.variation.robotPosition = 2;
+    parts.variation.objectPosition = 1;
+    double low = 20, high = 0;
+    for (std::uint32_t trial = 1; trial <= 300; ++trial) {
+        const Scene scene = sceneOf(parts, trial);
+        EXPECT_LT(scene.robots[0].start.x, 9.99) << trial;
+        EXPECT_GT(scene.objects[0].start.x, 10.01) << trial;
+        low = std::min(low, scene.robots[0].start.x);
+        high = std::max(high, scene.objects[0].start.x);
+    }
+    EXPECT_LT(low, 8) << "the rest is drawn as ever";
+    EXPECT_GT(high, 11.2);
+    parts.scene.environment.obstacles.back().wall = false;
+    int behind = 0;
+    for (std::uint32_t trial = 1; trial <= 300; ++trial) behind += sceneOf(parts, trial).robots[0].start.x > 10 ? 1 : 0;
+    EXPECT_GT(behind, 50) << "of what is no wall either side is as good";
+}
+
 TEST(Variation, WhereHundredDrawsOverlapThatIsSaid) {
     SmallWorld world(walledField(0.41, 0.41));
     world.robot(discRobot(0.2), {0.205, 0.205, 0}, std::make_shared<const Told>(Command{}), ideal());
@@ -171,7 +199,8 @@ TEST(Variation, WhereHundredDrawsOverlapThatIsSaid) {
     const auto trial = varied(parts, 7);
     ASSERT_FALSE(trial);
     EXPECT_EQ(trial.error().message(),
-              "narrow: in a hundred draws of trial 7 bodies have overlapped; expected less variation, or more room");
+              "narrow: in a hundred draws of trial 7 bodies have overlapped or begun behind a wall; "
+              "expected less variation, or more room");
 }
 
 }  // namespace

@@ -152,7 +152,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         requireOneLine(environment.error());
     FuzzedDescriptions source(text);
     DescriptionLibrary library(source);
-    if (const auto robot = readRobot(**library.file("f", ""), library))
+    if (const auto robot = readRobot(**library.file("f", {}), library))
         drawRobot(robot->type);
     else
         requireOneLine(robot.error());

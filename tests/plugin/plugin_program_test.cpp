@@ -4,6 +4,7 @@
 #include <csignal>
 #include <filesystem>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -64,6 +65,15 @@ TEST_F(PluginProgram, WhatIsWrongWithOptionsHasItsPlace) {
                        ": its construction threw: no map?here"});
 }
 
+/// Whatever is thrown.
+TEST_F(PluginProgram, WhatIsThrownIsToldInOneLine) {
+    for (const std::vector<std::string>& more : {std::vector<std::string>{}, {"--isolate"}}) {
+        const ProgramResult result = run(how("throw two lines", 1), more);
+        EXPECT_EQ(result.status, 0) << result.err;
+        EXPECT_NE(result.out.find(testPlugin("misbehaving") + " threw: one?two\n"), std::string::npos) << result.out;
+    }
+}
+
 TEST_F(PluginProgram, ThrowingEndsTheRunOnlyByChoice) {
     const ProgramResult goesOn = run("how = \"throw\"\nafter_s = 1.0");
     EXPECT_EQ(goesOn.status, 0) << goesOn.err;
@@ -86,7 +96,7 @@ TEST_F(PluginProgram, CrashEndsTheRunAndKeepsTheRecording) {
     for (const auto& [what, said] : cases) {
         const ProgramResult result = run(how(what, 3), {"--record", recording(), "--overwrite"});
         EXPECT_EQ(result.status, 1) << what << result.out;
-        EXPECT_EQ(result.err, "mrose: " + who_ + said + '\n');
+        EXPECT_EQ(result.err, "mrose: " + who_ + said + "; with --isolate only its robot stops\n");
         EXPECT_EQ(result.out, "");
         const auto opened = openRecording(recording());
         ASSERT_TRUE(opened) << what;
@@ -129,7 +139,7 @@ TEST_F(PluginProgram, PrintedTextGoesToTheErrors) {
 TEST_F(PluginProgram, NeverReturningEndsTheRunAndKeepsTheRecording) {
     const ProgramResult result = run(how("loop", 3), {"--record", recording(), "--plugin-limit", "1"});
     EXPECT_EQ(result.status, 1);
-    EXPECT_EQ(result.err, "mrose: " + who_ + " does not return at tick 150\n");
+    EXPECT_EQ(result.err, "mrose: " + who_ + " does not return at tick 150; with --isolate only its robot stops\n");
     const auto opened = openRecording(recording());
     ASSERT_TRUE(opened) << opened.error().message();
     EXPECT_EQ(opened->branches.front().timeline.last(), 150);
@@ -167,8 +177,88 @@ TEST_F(PluginProgram, BatchIsWatchedOnEveryThread) {
     const ProgramResult result = runMrose({"batch", scenario(how("crash", 3)), "--trials", "8", "--threads", "4",
                                            "--quiet", "-o", (folder_.path() / "out").string()});
     EXPECT_EQ(result.status, 1);
-    EXPECT_EQ(result.err.substr(0, result.err.find('\n')),
-              "mrose: " + who_ + " crashed at tick 150 (segmentation fault)");
+    EXPECT_THAT(
+        result.err.substr(0, result.err.find('\n')),
+        testing::MatchesRegex(".*" + std::string("crashed at tick 150 of trial [1-8], seed 1 .segmentation fault.; "
+                                                 "the same command with --isolate goes on with the rest")));
+}
+
+/// Nothing done before is lost or done again.
+TEST_F(PluginProgram, BatchThatAPluginEndedGoesOnIsolated) {
+    const std::string out = (folder_.path() / "out").string();
+    const auto batch = [&](const char* trials, const std::vector<std::string>& more) {
+        std::vector<std::string> words{"batch", scenario(how("crash", 3)), "--trials", trials, "--quiet", "-o", out};
+        words.insert(words.end(), more.begin(), more.end());
+        return runMrose(words);
+    };
+    ASSERT_EQ(batch("2", {"--isolate"}).status, 0);
+    const std::string before = readFile(out + "/results.csv").value_or("");
+    const ProgramResult crashed = batch("4", {"--threads", "1"});
+    EXPECT_EQ(crashed.status, 1);
+    EXPECT_EQ(crashed.err, "mrose: " + who_ +
+                               " crashed at tick 150 of trial 3, seed 1 (segmentation fault); the same command with "
+                               "--isolate goes on with the rest\n");
+    const ProgramResult whole = batch("4", {"--isolate", "--plugin-limit", "5"});
+    EXPECT_EQ(whole.status, 0) << whole.err;
+    EXPECT_NE(whole.out.find("4 runs in "), std::string::npos) << whole.out;
+    EXPECT_NE(whole.out.find(", 2 of them done before"), std::string::npos) << whole.out;
+    const std::string after = readFile(out + "/results.csv").value_or("");
+    EXPECT_TRUE(after.starts_with(before)) << after;
+    EXPECT_EQ(std::count(after.begin(), after.end(), '\n'), 5);
+}
+
+TEST_F(PluginProgram, PluginThatWasBuiltAgainMakesAnotherBatch) {
+    const std::filesystem::path plugin = folder_.path() / "own.so";
+    std::filesystem::copy_file(testPlugin("well_behaved"), plugin);
+    std::string text = readFile(scenario("how = \"\"")).value_or("");
+    for (const std::string of : {"misbehaving", "well_behaved"})
+        text.replace(text.find(testPlugin(of)), testPlugin(of).size(), "own.so");
+    text.replace(text.find("how = \"\""), 8, "");
+    const std::string game = folder_.write("own.toml", text).string();
+    const std::vector<std::string> words{
+        "batch", game, "--trials", "2", "--duration", "1", "--quiet", "-o", (folder_.path() / "out").string()};
+    EXPECT_EQ(runMrose(words).status, 0);
+    EXPECT_EQ(runMrose(words).status, 0) << "the same";
+    // What is behind the end of a library changes nothing but its content.
+    folder_.write("own.so", *readFile(plugin) + ' ');
+    const ProgramResult other = runMrose(words);
+    EXPECT_EQ(other.status, 1);
+    EXPECT_NE(other.err.find("holds results of another batch: the content of " + plugin.string() + " has changed; "),
+              std::string::npos)
+        << other.err;
+}
+
+/// Recorded with relative names in one folder, replayed in another.
+TEST_F(PluginProgram, ReplayFindsThePluginFromAnyFolder) {
+    std::filesystem::create_directories(folder_.path() / "plug");
+    std::filesystem::create_directories(folder_.path() / "elsewhere" / "beside");
+    std::filesystem::copy_file(testPlugin("well_behaved"), folder_.path() / "plug" / "own.so");
+    std::string text = readFile(scenario("how = \"\"")).value_or("");
+    for (const std::string of : {"misbehaving", "well_behaved"})
+        text.replace(text.find(testPlugin(of)), testPlugin(of).size(), "plug/own.so");
+    text.replace(text.find("how = \"\""), 8, "");
+    folder_.write("own.toml", text);
+    const auto in = [&](const std::string& folder, const std::string& words) {
+        return RunningProgram({"/bin/sh", "-c",
+                               "cd '" + (folder_.path() / folder).string() + "' && '" + mroseProgram() + "' " + words})
+            .finish();
+    };
+    EXPECT_EQ(in("", "run own.toml --duration 1 --record a.mcap -q").status, 0);
+    for (const auto& [folder, recording] :
+         {std::pair{"", "a.mcap"}, std::pair{"elsewhere", "../a.mcap"}, std::pair{"plug", "../a.mcap"}}) {
+        const ProgramResult replayed = in(folder, std::string("replay --decide ") + recording);
+        EXPECT_EQ(replayed.status, 0) << folder << replayed.err;
+    }
+    std::filesystem::copy_file(folder_.path() / "a.mcap", folder_.path() / "elsewhere" / "beside" / "a.mcap");
+    const ProgramResult lost = in("elsewhere", "replay --decide beside/a.mcap");
+    EXPECT_EQ(lost.status, 1);
+    std::string said = "the plug-in is neither ";
+    for (const char* const place : {"elsewhere/plug/own.so", "elsewhere/beside/plug/own.so", "elsewhere/beside/own.so"})
+        said += (said.ends_with("neither ") ? "" : ", nor ") + (folder_.path() / place).string();
+    EXPECT_NE(lost.err.find(said), std::string::npos) << lost.err;
+    EXPECT_EQ(std::count(lost.err.begin(), lost.err.end(), '\n'), 1);
+    std::filesystem::copy_file(folder_.path() / "plug" / "own.so", folder_.path() / "elsewhere" / "beside" / "own.so");
+    EXPECT_EQ(in("elsewhere", "replay --decide beside/a.mcap").status, 0);
 }
 
 TEST_F(PluginProgram, IsolatedOneStopsAloneAndItsStopIsRecorded) {
@@ -194,7 +284,8 @@ TEST_F(PluginProgram, CrashInAReplayIsNamed) {
     run(how("crash", 3), {"--isolate", "--record", recording()});
     const ProgramResult replayed = runMrose({"replay", recording(), "--decide", "--quiet"});
     EXPECT_EQ(replayed.status, 1);
-    EXPECT_EQ(replayed.err, "mrose: " + who_ + " crashed at tick 150 (segmentation fault)\n");
+    EXPECT_EQ(replayed.err,
+              "mrose: " + who_ + " crashed at tick 150 (segmentation fault); with --isolate only its robot stops\n");
 }
 
 /// Decided again in this program what was decided in processes of its own.
@@ -221,6 +312,7 @@ TEST_F(PluginProgram, CheckRewindNamesTheOneThatHides) {
     EXPECT_EQ(std::count(hidden.err.begin(), hidden.err.end(), '\n'), 1);
     const ProgramResult honest = run("how = \"\"", {"--check-rewind"});
     EXPECT_EQ(honest.status, 0) << honest.err;
+    EXPECT_NE(honest.out.find("200 ticks taken twice, each time with the same end\n"), std::string::npos) << honest.out;
     const ProgramResult plain = run("how = \"\"");
     const std::string state = "state ";
     const auto hash = [&](const std::string& out) { return out.substr(out.find(state), 22); };

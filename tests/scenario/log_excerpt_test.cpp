@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "logs/csv_reader.h"
+#include "motion/network_fixture.h"
 #include "scenario/descriptions.h"
 #include "support/places.h"
 #include "support/temporary_folder.h"
@@ -115,6 +116,40 @@ TEST(LogExcerpt, ScenarioKeepsItAndLoadsItWithoutTheLog) {
     DiskDescriptions other({sourceFolder(), {}, (folder.path() / "none.csv").string()});
     EXPECT_EQ(loadScenario(name, other).error().message(), (folder.path() / "none.csv").string() + ": does not exist")
         << "the log that the user names instead";
+}
+
+/// As mrose predict and compare read them.
+TEST(LogExcerpt, WheelCommandsAreReadByTheGeometryThatTheNetworkLearned) {
+    const TemporaryFolder folder;
+    for (const auto& [name, text] : smallWorld()) folder.write(name, text);
+    MotionNetwork network = arbitraryNetwork(MotionNetwork::Form::state);
+    network.drive = DifferentialDrive{0.2, 0.5};
+    folder.write("n.net", networkText(network));
+    std::string log =
+        "window,calib_step,t_s,cmd_left_radps,cmd_right_radps,wheel_left_radps,wheel_right_radps,icp_x_m,icp_y_m,"
+        "icp_yaw_rad,imu_yaw_rad,steady\n";
+    for (int i = 0; i < 40; ++i) log += "0,0," + std::to_string(0.05 * i) + ",2,3,1,1,1,0.5,0,0,1\n";
+    folder.write("wheels.csv", log);
+    std::string scenario = smallWorld().at("s.toml");
+    const std::string wander = "{ kind = \"wander\", speed_mps = 0.2, rotation_degps = 45, change_every_s = 1 }";
+    scenario.replace(scenario.find(wander), wander.size(),
+                     "{ kind = \"log_player\", log = \"wheels.csv\", robot = \"husky\" }");
+    folder.write("s.toml", scenario);
+    DiskDescriptions disk({sourceFolder(), {}, ""});
+    const auto loaded = loadScenario((folder.path() / "s.toml").string(), disk);
+    ASSERT_TRUE(loaded) << loaded.error().message();
+    int excerpts = 0;
+    for (const auto& [name, text] : loaded->texts) {
+        if (name.find("wheels.csv#") == std::string::npos) continue;
+        ++excerpts;
+        const auto content = parseExcerpt(text, name);
+        ASSERT_TRUE(content && !content->commands.empty());
+        EXPECT_NEAR(content->commands.front().command.v, 0.2 * (2 + 3) / 2, 1e-12);
+        EXPECT_NEAR(content->commands.front().command.w, 0.2 * (3 - 2) / 0.5, 1e-12);
+    }
+    EXPECT_EQ(excerpts, 1);
+    KeptDescriptions kept(loaded->texts);
+    EXPECT_TRUE(loadScenario((folder.path() / "s.toml").string(), kept));
 }
 
 TEST(LogExcerpt, RealLogDrivesTheReplayThatShips) {

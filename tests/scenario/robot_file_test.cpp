@@ -15,7 +15,7 @@ constexpr double degree = std::numbers::pi / 180;
 Expected<RobotDescription> load(std::map<std::string, std::string> texts, const std::string& name) {
     KeptDescriptions source(std::move(texts));
     DescriptionLibrary library(source);
-    const auto file = library.file(name, "");
+    const auto file = library.file(name, {});
     if (!file) return tl::unexpected(file.error());
     return readRobot(**file, library);
 }

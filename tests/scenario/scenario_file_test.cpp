@@ -154,7 +154,7 @@ TEST(ScenarioFile, FilesAreFoundBesideTheOneThatNamesThemThenWhereTheyShip) {
               "mrose:resources/scenarios/s.toml:12:8: robot[\"one\"].type: \"r.toml\" was not found; expected "
               "mrose:resources/scenarios/r.toml or mrose:resources/robots/r.toml");
     EXPECT_EQ(loadFrom(texts, "none.toml").error().message(),
-              "none.toml: does not exist, nor does mrose:resources/scenarios/none.toml");
+              "none.toml: does not exist, nor does mrose:none.toml or mrose:resources/scenarios/none.toml");
 }
 
 TEST(ScenarioFile, RobotAndItsShapeMayHaveOneFileName) {

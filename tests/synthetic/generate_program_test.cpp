@@ -73,7 +73,7 @@ TEST(GenerateProgram, SameSeedSameBytes) {
 TEST(GenerateProgram, RefusesWithOneLine) {
     const TemporaryFolder folder;
     const std::string file = folder.write("file", "x").string(), out = (folder.path() / "out").string();
-    expectRefused(generate("--course jink -q -o /nowhere/at/all"), "/nowhere/at/all: cannot make the folder");
+    expectRefused(generate("--course jink -q -o /proc/at/all"), "/proc/at/all: cannot make the folder");
     expectRefused(generate("--course jink -q -o " + file), "cannot make the folder");
     expectRefused(generate("-q -o " + out), "--set, --course");
     expectRefused(generate("--set example --course jink -q -o " + out), "--set, --course");
@@ -87,8 +87,8 @@ TEST(GenerateProgram, RefusesWithOneLine) {
 TEST(GenerateProgram, AFullDiskLeavesTheEarlierLog) {
     const TemporaryFolder folder;
     const auto earlier = folder.write("random.csv", "what was there\n");
-    const Outcome outcome =
-        generate("--course random --trajectories 4 -q -o " + folder.path().string(), "trap '' XFSZ; ulimit -f 64;");
+    const Outcome outcome = generate("--course random --trajectories 4 -q --overwrite -o " + folder.path().string(),
+                                     "trap '' XFSZ; ulimit -f 64;");
     expectRefused(outcome, "random.csv: cannot be written");
     EXPECT_EQ(readFile(earlier).value(), "what was there\n");
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);

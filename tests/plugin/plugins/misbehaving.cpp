@@ -57,6 +57,7 @@ public:
         decision.command = mrose::Command{0.3, 0};
         if (mrose::toSeconds(observation.time) < after_) return;
         if (how_ == "throw") throw std::out_of_range("index 7");
+        if (how_ == "throw two lines") throw std::runtime_error("one\ntwo");
         if (how_ == "throw int") throw 7;
         if (how_ == "nan") decision.command->w = std::nan("");
         if (how_ == "infinite earlier") decision.earlier.push_back({0, {INFINITY, 0}});

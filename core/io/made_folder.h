@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "io/error.h"
+
+namespace mrose {
+
+/// A folder for outputs, made where it is missing with those above it. What of it is still empty when this object goes
+/// is gone again: who fails to write leaves nothing behind.
+class MadeFolder {
+public:
+    /// Error: what the system says.
+    static Expected<MadeFolder> make(const std::filesystem::path& folder);
+    MadeFolder(MadeFolder&&) noexcept = default;
+    MadeFolder& operator=(MadeFolder&&) = delete;
+    ~MadeFolder();
+
+private:
+    MadeFolder() = default;
+    std::vector<std::filesystem::path> made_;  ///< the outermost first
+};
+
+}  // namespace mrose
