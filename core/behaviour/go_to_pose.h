@@ -32,7 +32,6 @@ public:
     explicit GoToPose(Options options) : options_(std::move(options)) {}
 
     std::size_t memorySize() const override;
-    Attention attention() const override { return {.robots = true, .objects = false}; }
     void decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const override;
 
 private:

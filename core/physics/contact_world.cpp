@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
-#include <tuple>
 #include <utility>
 
 #include "physics/prepared_shape.h"
@@ -14,37 +12,16 @@
 namespace mrose {
 namespace {
 
-// Box2D limits a step to 2 units and a quarter turn.
-constexpr double longestMove = 1.5, largestTurn = 1.2;
-constexpr int velocityIterations = 8, positionIterations = 3;
-// A light body squeezed between heavy ones needs more: each iteration leaves heavy / (heavy + light) of the error.
-constexpr int squeezedIterations = 40;
-// A body of less than this share of another one's mass is light beside it.
-constexpr double light = 0.25, heldShare = 0.5;
+constexpr int positionIterations = 3;
 // Below this speed (units/s) bounces are dead: 5 cm/s.
 constexpr float bounceThreshold = 0.5F;
 // A path that differs by less than this (units) is the planned one, rounded to float.
 constexpr float onPlan = 3e-4F;
-// A body that moves farther than this share of its reach in a tick needs continuous collision, with other moving ones
-// too.
-constexpr double farMove = 0.1;
-// Continuous collision takes a quarter of a step's time. Bodies that only lean on what they touched before do without,
-// and those that would come less deep (m) into something new, which the solver presses out again.
-constexpr double shallow = 0.002;
 constexpr double rounding = 1e-6;  // share of an energy
 
 float units(double metres) { return static_cast<float>(metres * unitsPerMetre); }
 b2Vec2 units(const Point& p) { return {units(p.x), units(p.y)}; }
 double metres(float value) { return static_cast<double>(value) / unitsPerMetre; }
-
-auto tied(const ContactImpulse& c) { return std::tie(c.bodyA, c.pieceA, c.bodyB, c.pieceB, c.feature); }
-
-/// How far a body's centre of mass is planned to go.
-Point plannedMove(const ContactBody& b) {
-    const Point move = position(b.planned) - position(b.pose);
-    if (b.centre == Point{}) return move;
-    return move + Placement(b.planned).rotate(b.centre) - Placement(b.pose).rotate(b.centre);
-}
 
 void addFixture(b2Body& body, const b2Shape& shape, std::uintptr_t tag, double friction, double restitution) {
     b2FixtureDef fixture;
@@ -62,8 +39,6 @@ void shift(b2PolygonShape& polygon, const b2Vec2& by) {
 }
 
 }  // namespace
-
-bool keyLess(const ContactImpulse& a, const ContactImpulse& b) { return tied(a) < tied(b); }
 
 ContactWorld::ContactWorld() : world_(b2Vec2(0, 0)) {
     world_.SetAllowSleeping(false);
@@ -92,14 +67,15 @@ void ContactWorld::solve(const ContactTask& task, std::span<const ContactImpulse
 void ContactWorld::fill() {
     for (const ContactCluster& cluster : clusters_)
         for (std::size_t i = cluster.firstBody; i < cluster.lastBody; ++i)
-            bodies_.push_back(planOf(task_->bodies[i], cluster));
-    chooseSteps();
+            moves_.push_back(plannedMove(task_->bodies[i]));
+    effort_ = effortFor(*task_, clusters_, moves_, before_);
     // Box2D scales saved impulses by the ratio of this step's length to the last one's, which it must first know.
     world_.SetContinuousPhysics(false);
-    if (stepLength_ != lastStep_) world_.Step(stepLength_, 0, 0);
-    lastStep_ = stepLength_;
-    world_.SetContinuousPhysics(mayTunnel());
-    for (std::size_t i = 0; i < bodies_.size(); ++i) addBody(first_ + i);
+    if (effort_.stepLength != lastStep_) world_.Step(effort_.stepLength, 0, 0);
+    lastStep_ = effort_.stepLength;
+    world_.SetContinuousPhysics(effort_.continuous);
+    for (const ContactCluster& cluster : clusters_)
+        for (std::size_t i = cluster.firstBody; i < cluster.lastBody; ++i) addBody(i, cluster);
     for (const ContactCluster& cluster : clusters_)
         for (std::size_t i = cluster.firstObstacle; i < cluster.lastObstacle; ++i)
             addObstacle(task_->obstacles[i], cluster.origin);
@@ -110,80 +86,18 @@ void ContactWorld::empty() {
     groundBody_ = nullptr;
     for (auto entry = bodies_.rbegin(); entry != bodies_.rend(); ++entry) world_.DestroyBody(entry->body);
     bodies_.clear();
+    moves_.clear();
     ground_.clear();
 }
 
-ContactWorld::Body ContactWorld::planOf(const ContactBody& body, const ContactCluster& cluster) {
-    Body entry{};
-    entry.move = plannedMove(body);
-    entry.fast = length(entry.move) > farMove * body.reach;
-    entry.cluster = &cluster;
-    return entry;
-}
-
-void ContactWorld::chooseSteps() {
-    double steps = 1;
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        const ContactBody& b = task_->bodies[first_ + i];
-        const double turn = std::abs(b.planned.heading - b.pose.heading);
-        steps = std::max({steps, length(bodies_[i].move) * unitsPerMetre / longestMove, turn / largestTurn});
-    }
-    steps_ = static_cast<int>(std::ceil(std::min(steps, 1000.0)));
-    stepLength_ = static_cast<float>(task_->duration / steps_);
-    const bool squeeze = std::any_of(clusters_.begin(), clusters_.end(), [](const ContactCluster& c) {
-        return c.members() >= 3 && c.lightest < light * c.heaviest;
-    });
-    iterations_ = squeeze ? squeezedIterations : velocityIterations;
-}
-
-bool ContactWorld::mayTunnel() const {
-    for (std::size_t i = 0; i < bodies_.size(); ++i)
-        if (bodies_[i].fast || tunnels(task_->bodies[first_ + i], *bodies_[i].cluster)) return true;
-    return false;
-}
-
-bool ContactWorld::tunnels(const ContactBody& body, const ContactCluster& cluster) const {
-    const std::vector<ConvexPiece>& pieces = body.shape->prepared().pieces;
-    for (std::size_t k = cluster.firstObstacle; k < cluster.lastObstacle; ++k) {
-        const std::uint32_t piece = task_->obstacles[k].piece;
-        if (touchedBefore(body.body, piece)) continue;
-        const ConvexPiece& obstacle = task_->obstacleShape->prepared().pieces[piece];
-        const Placement planned(body.planned);
-        for (const ConvexPiece& own : pieces)
-            if (mayBeNearer(placed(own, planned), obstacle, -shallow)) return true;
-    }
-    return false;
-}
-
-bool ContactWorld::touchedBefore(std::uint32_t body, std::uint32_t piece) const {
-    // The solver puts either of the two first, by their kinds of shape.
-    auto at = std::lower_bound(before_.begin(), before_.end(), ContactImpulse{body, 0, 0, 0, 0, 0, 0}, keyLess);
-    for (; at != before_.end() && at->bodyA == body; ++at)
-        if (at->bodyB == noBody && at->pieceB == piece) return true;
-    at = std::lower_bound(before_.begin(), before_.end(), ContactImpulse{noBody, piece, body, 0, 0, 0, 0}, keyLess);
-    return at != before_.end() && at->bodyA == noBody && at->pieceA == piece && at->bodyB == body;
-}
-
-/// Held between two others in the tick before.
-bool ContactWorld::squeezed(std::uint32_t body) const {
-    std::optional<std::pair<std::uint32_t, std::uint32_t>> partner;
-    for (const ContactImpulse& c : before_) {
-        if (c.bodyA != body && c.bodyB != body) continue;
-        const auto other = c.bodyA == body ? std::pair{c.bodyB, c.bodyB == noBody ? c.pieceB : 0}
-                                           : std::pair{c.bodyA, c.bodyA == noBody ? c.pieceA : 0};
-        if (partner && *partner != other) return true;
-        partner = other;
-    }
-    return false;
-}
-
-void ContactWorld::addBody(std::size_t index) {
+void ContactWorld::addBody(std::size_t index, const ContactCluster& cluster) {
     const ContactBody& b = task_->bodies[index];
-    Body& entry = bodies_[index - first_];
-    const ContactCluster& cluster = *entry.cluster;
+    const PlannedMove& move = moves_[index - first_];
+    Body& entry = bodies_.emplace_back();
+    entry.cluster = &cluster;
     const auto duration = static_cast<float>(task_->duration), angle = static_cast<float>(wrapAngle(b.pose.heading));
     const auto turn = static_cast<float>(b.planned.heading - b.pose.heading);
-    entry.velocity = (1 / duration) * units(entry.move);
+    entry.velocity = (1 / duration) * units(move.way);
     entry.rotation = turn / duration;
     entry.planned = units(position(b.planned) - cluster.origin);
     entry.plannedAngle = angle + turn;
@@ -191,15 +105,13 @@ void ContactWorld::addBody(std::size_t index) {
     definition.type = b2_dynamicBody;
     definition.position = units(position(b.pose) - cluster.origin);
     definition.angle = angle;
-    definition.bullet = entry.fast;
+    definition.bullet = move.fast;
     entry.body = world_.CreateBody(&definition);
     const CollisionShape::Prepared& shape = b.shape->prepared();
     for (std::uint32_t piece = 0; piece < shape.shapes.size(); ++piece)
         addFixture(*entry.body, shape.shape(piece), pack({static_cast<std::uint32_t>(index), piece}), b.friction,
                    b.restitution);
-    // The solver lets heavy bodies sink into a light one that they hold between them, unless it is less light.
-    const bool held = b.mass < light * cluster.heaviest && squeezed(b.body);
-    const double factor = held ? heldShare * cluster.heaviest / b.mass : 1;
+    const double factor = heldMassFactor(b, cluster, before_);
     b2MassData mass;
     mass.mass = static_cast<float>(factor * b.mass);
     mass.center = units(b.centre);
@@ -235,8 +147,8 @@ void ContactWorld::addObstacle(const ContactObstacle& obstacle, const Point& ori
 
 void ContactWorld::run() {
     warm_ = true;
-    for (int i = 0; i < steps_; ++i) {
-        world_.Step(stepLength_, iterations_, positionIterations);
+    for (int i = 0; i < effort_.steps; ++i) {
+        world_.Step(effort_.stepLength, effort_.iterations, positionIterations);
         warm_ = false;
     }
 }

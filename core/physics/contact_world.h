@@ -5,22 +5,9 @@
 
 #include <box2d/box2d.h>
 
-#include "physics/contact_physics.h"
+#include "physics/contact_plan.h"
 
 namespace mrose {
-
-/// Bodies that may touch one another, and the obstacles near them, as ranges of a task.
-struct ContactCluster {
-    std::size_t firstBody = 0, lastBody = 0;
-    std::size_t firstObstacle = 0, lastObstacle = 0;
-    double lightest = 0, heaviest = 0;  ///< kg
-    Point origin;                       ///< near the bodies, so that float coordinates are fine everywhere
-
-    std::size_t members() const { return lastBody - firstBody + (lastObstacle > firstObstacle ? 1 : 0); }
-};
-
-/// Orders impulses by whom they are between.
-bool keyLess(const ContactImpulse& a, const ContactImpulse& b);
 
 /// A Box2D world for one tick of some clusters; then it is emptied and may serve others. That saves half of what small
 /// worlds cost, and what comes out is the same, to the bit, as from a new world: of what Box2D 2.4.1 keeps, only the
@@ -47,8 +34,6 @@ private:
         b2Body* body;
         b2Vec2 velocity, planned;
         float rotation, plannedAngle;
-        Point move;  ///< planned, of the centre of mass, m
-        bool fast;   ///< might pass through others within the tick
         const ContactCluster* cluster;
     };
     /// An obstacle's piece, for all clusters of one origin.
@@ -63,13 +48,7 @@ private:
     static std::uintptr_t pack(Tag tag) { return static_cast<std::uintptr_t>(tag.index) << 32 | tag.piece; }
     static Tag tagOf(b2Fixture* fixture);
 
-    static Body planOf(const ContactBody& body, const ContactCluster& cluster);
-    void chooseSteps();
-    bool mayTunnel() const;
-    bool tunnels(const ContactBody& body, const ContactCluster& cluster) const;
-    bool touchedBefore(std::uint32_t body, std::uint32_t piece) const;
-    bool squeezed(std::uint32_t body) const;
-    void addBody(std::size_t index);
+    void addBody(std::size_t index, const ContactCluster& cluster);
     void addObstacle(const ContactObstacle& obstacle, const Point& origin);
     ContactOutcome outcomeOf(const Body& entry, const ContactBody& body) const;
     void report(b2Contact& contact, double impulse);
@@ -90,11 +69,11 @@ private:
     std::vector<std::pair<b2Fixture*, b2Fixture*>> reported_;  ///< whom the newest of them are about
     std::span<const ContactCluster> clusters_;
     std::size_t first_ = 0;  ///< of the task's bodies
+    std::vector<PlannedMove> moves_;
     std::vector<Body> bodies_;
     std::vector<Ground> ground_;
     b2Body* groundBody_ = nullptr;
-    int steps_ = 1, iterations_ = 0;
-    float stepLength_ = 0;
+    SolverEffort effort_;
     bool warm_ = true;  ///< in the first step only
 };
 

@@ -74,7 +74,9 @@ std::string framed(const std::string& message) {
 
 /// A host that loads a plug-in without memory of its own and answers the next message with this, whatever it is.
 IsolationOptions answering(const std::string& message) {
-    const std::string loaded = static_cast<char>(PluginMessage::loaded) + std::string(sizeof(PluginMemory), '\0');
+    std::string loaded(1, static_cast<char>(PluginMessage::loaded));
+    appendAttention({}, loaded);
+    loaded.append(sizeof(PluginMemory), '\0');
     std::string escaped;
     for (const char c : framed(loaded) + framed(message)) {
         std::array<char, 8> octal;

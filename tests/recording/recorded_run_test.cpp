@@ -59,7 +59,9 @@ protected:
                                    : std::vector<std::string>{"replay", path_, "--quiet", how});
             EXPECT_EQ(replayed.status, 0) << replayed.out << replayed.err;
             EXPECT_TRUE(replayed.out.starts_with(std::to_string(ticks) + " ticks replayed")) << replayed.out;
-            EXPECT_EQ(replayed.err, "mrose: " + recording->damage[0] + '\n');
+            EXPECT_TRUE(replayed.err.starts_with("mrose: " + path_ + ": " + recording->damage[0] +
+                                                 "; kept: " + std::to_string(ticks) + " tick"))
+                << replayed.err;
         }
     }
 

@@ -2,7 +2,6 @@
 #include <bit>
 
 #include "behaviour/command_player.h"
-#include "behaviour/go_to_pose.h"
 #include "sensing/perceiving.h"
 #include "world/state_hash.h"
 
@@ -90,9 +89,8 @@ TEST(Attention, ControllerThatLooksMayTakeOverAtAnyTime) {
     EXPECT_GT(seen, 0);
 }
 
-TEST(Attention, PlayersOfCommandsReadNothingOfOthersAndGoToPoseNoObjects) {
+TEST(Attention, PlayersOfCommandsReadNothingOfOthers) {
     EXPECT_EQ(CommandPlayer({}).attention(), (Attention{.robots = false, .objects = false}));
-    EXPECT_EQ(GoToPose(GoToPose::Options{}).attention(), (Attention{.robots = true, .objects = false}));
 }
 
 }  // namespace
