@@ -2,6 +2,7 @@
 #include <set>
 
 #include "common.h"
+#include "drawing/content_text.h"
 #include "drawing/scene_drawing.h"
 #include "io/file.h"
 #include "io/made_folder.h"
@@ -23,30 +24,12 @@ struct Checked {
     std::string file, kind, name, holds, picture;
 };
 
-std::string counted(std::size_t count, const char* one, const char* many) {
-    return std::to_string(count) + ' ' + (count == 1 ? one : many);
-}
-
 Checked check(const Shape& shape, const DrawingOptions& options) {
-    return {{},
-            "shape",
-            shape.name,
-            counted(shape.parts.size(), "part", "parts") + ", " +
-                counted(shape.pieces.size(), "convex piece", "convex pieces"),
-            drawShape(shape, options)};
+    return {{}, "shape", shape.name, contentText(shape), drawShape(shape, options)};
 }
 
 Checked check(const Environment& environment, const DrawingOptions& options) {
-    const auto walls =
-        static_cast<std::size_t>(std::count_if(environment.obstacles.begin(), environment.obstacles.end(),
-                                               [](const Obstacle& obstacle) { return obstacle.wall; }));
-    return {{},
-            "environment",
-            environment.name,
-            counted(walls, "wall", "walls") + ", " +
-                counted(environment.obstacles.size() - walls, "other obstacle", "other obstacles") + ", " +
-                counted(environment.goals.size(), "goal", "goals"),
-            drawEnvironment(environment, options)};
+    return {{}, "environment", environment.name, contentText(environment), drawEnvironment(environment, options)};
 }
 
 Checked check(const RobotDescription& robot, const DrawingOptions& options) {
@@ -60,15 +43,7 @@ Checked check(const RobotDescription& robot, const DrawingOptions& options) {
 
 Checked check(const LoadedScenario& scenario, const DrawingOptions& options) {
     const Scene& scene = scenario.parts.scene;
-    std::size_t persons = 0;
-    for (std::size_t i = 0; i < scene.robots.size(); ++i) persons += scene.typeOf(i).person ? 1 : 0;
-    std::string holds = counted(scene.robots.size() - persons, "robot", "robots");
-    if (persons > 0) holds += ", " + counted(persons, "person", "persons");
-    return {{},
-            "scenario",
-            scenario.parts.name,
-            holds + ", " + counted(scene.objects.size(), "object", "objects"),
-            drawScene(scene, scenario.parts.name, options)};
+    return {{}, "scenario", scenario.parts.name, contentText(scene), drawScene(scene, scenario.parts.name, options)};
 }
 
 /// Where the pictures go: one file, or files named after the descriptions and their kinds in a folder.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "drawing/content_text.h"
 #include "drawing/scene_marks.h"
 #include "drawing/svg_drawing.h"
 #include "evaluation/format.h"
@@ -36,10 +37,6 @@ std::string sizeText(const Shape& shape) {
             most = {std::max(most.x, high.x), std::max(most.y, high.y)};
         }
     return fixed(most.x - least.x, 3) + " m long, " + fixed(most.y - least.y, 3) + " m wide";
-}
-
-std::string counted(std::size_t count, const std::string& one, const std::string& many) {
-    return std::to_string(count) + ' ' + (count == 1 ? one : many);
 }
 
 void addReference(SvgDrawing& drawing, const Shape& shape) {
@@ -110,8 +107,7 @@ std::string drawShape(const Shape& shape, const DrawingOptions& options) {
     addShape(drawing, shape, {}, options);
     addReference(drawing, shape);
     return drawing.text({.title = shape.name,
-                         .subtitle = sizeText(shape) + ", " + counted(shape.parts.size(), "part", "parts") + ", " +
-                                     counted(shape.pieces.size(), "convex piece", "convex pieces"),
+                         .subtitle = sizeText(shape) + ", " + contentText(shape),
                          .longestSide = 620,
                          .grid = true});
 }
@@ -133,9 +129,7 @@ std::string drawEnvironment(const Environment& environment, const DrawingOptions
     SvgDrawing drawing;
     addEnvironment(drawing, environment, options);
     for (const Goal& goal : environment.goals) drawing.label(areaMoments(goal.area).centroid, 4, goal.name);
-    return drawing.text({.title = environment.name,
-                         .subtitle = counted(environment.obstacles.size(), "obstacle", "obstacles") + ", " +
-                                     counted(environment.goals.size(), "goal", "goals")});
+    return drawing.text({.title = environment.name, .subtitle = contentText(environment)});
 }
 
 std::string drawScene(const Scene& scene, const std::string& title, const DrawingOptions& options) {
@@ -157,9 +151,7 @@ std::string drawScene(const Scene& scene, const std::string& title, const Drawin
             drawing.label({object.start.x, object.start.y - scene.objectTypes[object.type].shape->reach}, below,
                           object.name);
     }
-    return drawing.text({.title = title,
-                         .subtitle = scene.environment.name + ", " + counted(scene.robots.size(), "robot", "robots") +
-                                     ", " + counted(scene.objects.size(), "object", "objects")});
+    return drawing.text({.title = title, .subtitle = scene.environment.name + ", " + contentText(scene)});
 }
 
 }  // namespace mrose

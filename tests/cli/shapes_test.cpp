@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/workshop.h"
+#include "io/file.h"
 #include "support/places.h"
 
 namespace mrose {
@@ -68,6 +69,15 @@ TEST_F(Shapes, DrawsIntoAFileOrAFolder) {
     EXPECT_EQ(read("all/square.shape.svg"), read("one.svg"));
     EXPECT_NE(read("all/create.shape.svg"), "");
     EXPECT_NE(read("all/create.robot.svg"), read("all/create.shape.svg"));
+}
+
+/// README shows them; `mrose shapes NAME.toml -o resources/pictures/NAME.svg --overwrite` draws them anew.
+TEST_F(Shapes, PicturesThatShipAreOfWhatShips) {
+    for (const std::string name : {"soccer", "b21_corridor"}) {
+        EXPECT_EQ(runMrose({"shapes", name + ".toml", "-o", path(name + ".svg")}).status, 0);
+        EXPECT_EQ(read(name + ".svg"), readFile(shipped("resources/pictures/" + name + ".svg")).value_or(""))
+            << name << ".svg is to be drawn anew";
+    }
 }
 
 TEST_F(Shapes, WhatIsWrongIsOneLineAndNothingIsWritten) {
