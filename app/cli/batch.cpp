@@ -6,6 +6,7 @@
 
 #include "io/file.h"
 #include "io/number_text.h"
+#include "recording/origin.h"
 #include "scenarios.h"
 #include "version.h"
 #include "world/plain_seconds.h"
@@ -46,16 +47,24 @@ std::string runCommand(const RunFlags& flags, Nanoseconds duration) {
     return command;
 }
 
+/// The same for a file from wherever it is named; of what ships and of parts of logs, the name.
+std::string placeOf(const std::string& name) {
+    std::error_code unknown;
+    const std::filesystem::path place = std::filesystem::canonical(name, unknown);
+    return unknown ? name : place.string();
+}
+
 /// What all rows depend on. How plug-ins are kept from doing harm is no part of it: a batch that one of them has ended
 /// goes on with --isolate.
 BatchIdentity identityOf(const OpenScenario& open, const RunFlags& flags, Nanoseconds duration) {
-    BatchIdentity identity{
-        {"mrose", MROSE_VERSION}, {"scenario", open.loaded.name}, {"--duration", plainSeconds(duration)}};
+    BatchIdentity identity{{"mrose", std::string(MROSE_VERSION) + ' ' + thisOrigin().commit},
+                           {"scenario", placeOf(open.loaded.name)},
+                           {"--duration", plainSeconds(duration)}};
     if (!flags.until.empty()) identity["--until"] = flags.until;
-    if (!flags.log.empty()) identity["--log"] = flags.log;
+    if (!flags.log.empty()) identity["--log"] = placeOf(flags.log);
     const std::string content(contentOf);
-    for (const auto& [name, text] : open.loaded.texts) identity[content + name] = contentHash(text);
-    for (const auto& [path, hash] : open.plugins) identity[content + path] = hash;
+    for (const auto& [name, text] : open.loaded.texts) identity[content + placeOf(name)] = contentHash(text);
+    for (const auto& [path, hash] : open.plugins) identity[content + placeOf(path)] = hash;
     return identity;
 }
 

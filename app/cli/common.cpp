@@ -7,11 +7,13 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <utility>
 
 #include <unistd.h>
 
 #include "evaluation/rollout.h"
+#include "io/file.h"
 #include "io/number_text.h"
 #include "logs/log_reader.h"
 
@@ -76,6 +78,20 @@ CLI::Validator numberRange(double least, double most) {
                                                                                  : std::string();
                        },
                        "");
+}
+
+Expected<void> checkNotRead(const std::string& output, const std::vector<std::string>& inputs) {
+    for (const std::string& input : inputs) {
+        std::error_code unknown;
+        if (std::filesystem::equivalent(output, input, unknown))
+            return fail(output, "is read by this command; expected another file for what it writes");
+    }
+    return {};
+}
+
+Expected<void> checkOutput(const std::string& output, const std::vector<std::string>& inputs, bool overwrite) {
+    if (auto other = checkNotRead(output, inputs); !other) return other;
+    return checkWritable(output, overwrite);
 }
 
 CLI::Validator someName() {

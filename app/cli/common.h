@@ -58,6 +58,11 @@ CLI::Validator numberRange(double least, double most);
 /// Accepts what is not empty.
 CLI::Validator someName();
 
+/// That an output is none of the files that the command reads.
+Expected<void> checkNotRead(const std::string& output, const std::vector<std::string>& inputs);
+/// The same, and that it can be written: is not there, or `overwrite`.
+Expected<void> checkOutput(const std::string& output, const std::vector<std::string>& inputs, bool overwrite);
+
 /// One line on standard error; returns ExitStatus::failure.
 int report(const Error& error);
 /// The same of what names no file of its own.

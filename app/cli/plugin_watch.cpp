@@ -122,9 +122,9 @@ public:
             none.ss_flags = SS_DISABLE;
             ::sigaltstack(&none, nullptr);
         }
-        if (activity_ == &spare_)
+        if (activity_ == &spare_) {
             current = nullptr;
-        else {
+        } else if (activity_->who == nullptr) {  // else it ends in a plug-in, which onExit() has yet to name
             activity_->ofBatch = false;
             activity_->taken = false;
         }

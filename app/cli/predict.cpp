@@ -18,7 +18,9 @@ struct PredictFlags {
 };
 
 int predict(const PredictFlags& flags, const CommonFlags& common) {
-    if (const auto writable = checkWritable(flags.out, common.overwrite); !writable) return report(writable.error());
+    if (const auto writable = checkOutput(flags.out, {flags.network, flags.log, flags.windows}, common.overwrite);
+        !writable)
+        return report(writable.error());
     const auto motion = openNetwork(flags.network);
     if (!motion) return report(motion.error());
     const auto log = openLog(flags.log, flags.robots, (*motion)->network().drive);

@@ -38,6 +38,10 @@ public:
           ticks_(ticks) {}
 
     Expected<void> record(const OpenScenario& open, const WorldState& initial) {
+        std::vector<std::string> read;
+        for (const auto& [name, text] : open.loaded.texts) read.push_back(name);
+        for (const auto& [path, hash] : open.plugins) read.push_back(path);
+        if (auto other = checkNotRead(flags_.record, read); !other) return other;
         RecordingWriter::Options options;
         options.overwrite = overwrite_;
         auto writer = RecordingWriter::create(flags_.record, *open.scenario, initial,

@@ -31,7 +31,10 @@ Expected<OpenScenario> openScenario(const std::string& name, std::uint32_t trial
 }
 
 void sayStartsOutside(const Scene& scene) {
-    for (const std::size_t body : startsOutside(scene)) {
+    constexpr std::size_t most = 10;
+    const std::vector<std::size_t> outside = startsOutside(scene);
+    for (std::size_t i = 0; i < std::min(outside.size(), most); ++i) {
+        const std::size_t body = outside[i];
         const bool robot = body < scene.robots.size();
         const std::size_t object = body - scene.robots.size();
         const Pose& start = robot ? scene.robots[body].start : scene.objects[object].start;
@@ -40,6 +43,7 @@ void sayStartsOutside(const Scene& scene) {
                 '"' + name + "\" starts at (" + numberText(start.x) + ", " + numberText(start.y) +
                     "), outside of what the environment's walls and floor area span"});
     }
+    if (outside.size() > most) report({"", 0, 0, "note", "so do " + std::to_string(outside.size() - most) + " more"});
 }
 
 void addRunFlags(CLI::App& sub, RunFlags& flags) {

@@ -113,7 +113,8 @@ ResponseTimes responseTimes(const std::vector<Identified>& robots, const TrainFl
 
 int train(TrainFlags flags, const CommonFlags& common) {
     const auto begin = std::chrono::steady_clock::now();
-    if (const auto writable = checkWritable(flags.out, common.overwrite); !writable) return report(writable.error());
+    if (const auto writable = checkOutput(flags.out, flags.logs, common.overwrite); !writable)
+        return report(writable.error());
     const GroupHoldOut holdOut = holdOutShare(flags.holdOut, flags.holdOutPart);
     const auto opened = openLearningLogs({flags.logs, flags.robots, holdOut});
     if (!opened) return report(opened.error());

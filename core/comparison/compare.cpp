@@ -146,18 +146,6 @@ void summariseAll(const LogWorld& world, const WindowOptions& options, Compariso
     comparison.all = summarised(comparison, [](const ComparedCourse&) { return true; });
 }
 
-/// The mean of what is known; below zero where nothing is.
-double knownMean(const std::vector<double>& errors) {
-    double sum = 0;
-    int count = 0;
-    for (const double error : errors) {
-        if (std::isnan(error)) continue;
-        sum += error;
-        ++count;
-    }
-    return count == 0 ? -1 : sum / count;
-}
-
 }  // namespace
 
 const char* name(CourseUse use) {
@@ -208,11 +196,22 @@ Expected<Comparison> compare(const LogWorld& world, std::span<const CourseReques
     return comparison;
 }
 
+double knownMean(const ComparedCourse& course) {
+    double sum = 0;
+    int count = 0;
+    for (const double error : course.errors.position) {
+        if (std::isnan(error)) continue;
+        sum += error;
+        ++count;
+    }
+    return count == 0 ? -1 : sum / count;
+}
+
 std::vector<std::size_t> worstFirst(const Comparison& comparison) {
     std::vector<std::size_t> order;
     std::vector<double> errors;
     for (std::size_t i = 0; i < comparison.courses.size(); ++i) {
-        errors.push_back(knownMean(comparison.courses[i].errors.position));
+        errors.push_back(knownMean(comparison.courses[i]));
         if (comparison.courses[i].use != CourseUse::absent) order.push_back(i);
     }
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return errors[a] > errors[b]; });

@@ -75,7 +75,9 @@ struct Comparison {
 Expected<Comparison> compare(const LogWorld& world, std::span<const CourseRequest> requests,
                              const ComparisonOptions& options = {});
 
-/// Indices of the courses that were simulated, by descending mean position error over the instants that are known.
+/// m, the mean position error over the instants that are known; below zero where none is.
+double knownMean(const ComparedCourse& course);
+/// Indices of the courses that were simulated, by descending knownMean().
 std::vector<std::size_t> worstFirst(const Comparison& comparison);
 
 }  // namespace mrose

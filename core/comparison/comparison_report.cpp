@@ -5,6 +5,7 @@
 
 #include "comparison/comparison_files.h"
 #include "comparison/course_figures.h"
+#include "drawing/content_text.h"
 #include "evaluation/format.h"
 #include "evaluation/html.h"
 #include "evaluation/report_page.h"
@@ -15,10 +16,6 @@ namespace {
 
 constexpr const char* comparisonFiles[] = {"errors.csv", "courses.csv", "results.json", "report.html"};
 constexpr std::size_t listedCourses = 12, shownRobots = 8;
-
-std::string counted(std::size_t count, const std::string& one, const std::string& many) {
-    return std::to_string(count) + ' ' + (count == 1 ? one : many);
-}
 
 /// "10 s", or "8 to 10 s".
 std::string lengthText(const Comparison& comparison) {
@@ -50,6 +47,12 @@ std::string page(const Comparison& comparison, const ReportContext& context) {
 /// Nothing where it is not known: what is wrong then stands beside it.
 std::string knownText(double value, int decimals) { return std::isfinite(value) ? fixed(value, decimals) : ""; }
 
+/// cm, over the instants that are known.
+std::string meanText(const ComparedCourse& course) {
+    const double mean = knownMean(course);
+    return mean < 0 ? "" : fixed(100 * mean, 1);
+}
+
 std::string lead(const Comparison& comparison) {
     const ComparedSummary& all = comparison.all;
     std::string text =
@@ -61,8 +64,9 @@ std::string lead(const Comparison& comparison) {
                     "</b> of the path driven (P) and its heading by <b>", percentText(all.counted.hd),
                     "</b> of the rotation turned (Hd), on average over time. ");
     if (all.positionFinal.count > 0)
-        text += cat("At the end of a typical course (median) it is ", fixed(100 * all.positionFinal.median, 1),
-                    "\u00a0cm off and points ", fixed(degrees * all.headingFinal.median, 1), "° off.");
+        text += cat("At the end of a typical course (the median of all whose end is known) it is ",
+                    fixed(100 * all.positionFinal.median, 1), "\u00a0cm off and points ",
+                    fixed(degrees * all.headingFinal.median, 1), "° off.");
     return element("p", "lead", text);
 }
 
@@ -91,8 +95,8 @@ std::string robotTable(const Comparison& comparison) {
     table.group("", 1);
     table.group("courses", 5);
     table.group("of the counted", 2);
-    table.group("cm at the end", 2);
-    table.group("° at the end", 2);
+    table.group("of all, cm at the end", 2);
+    table.group("of all, ° at the end", 2);
     table.group("touches", 2);
     for (std::size_t i = 0; i < comparison.robots.size(); ++i)
         table.row(summaryRow(escaped(comparison.robots[i].name), comparison.summaries[i]));
@@ -128,7 +132,7 @@ std::string worstTable(const Comparison& comparison, const std::vector<std::size
         const bool whole = course.use == CourseUse::counted;
         table.row({std::to_string(i + 1), escaped(comparison.robots[course.robot].name),
                    std::to_string(course.request + 1), escaped(startText(comparison, course)),
-                   knownText(course.real.path, 2), cat("<b>", knownText(100 * errors.positionMean, 1), "</b>"),
+                   knownText(course.real.path, 2), cat("<b>", meanText(course), "</b>"),
                    whole ? fixed(100 * errors.positionMean / course.real.path, 1) : "",
                    knownText(100 * errors.positionFinal, 1), knownText(degrees * errors.headingFinal, 1),
                    std::to_string(course.touches), element("span", "soft", whyNot(course.use))});
@@ -150,8 +154,8 @@ std::string courseTable(const Comparison& comparison, std::size_t request) {
                                   "</b> is not in this course: the log has no ground truth of "
                                   "it at the start."));
         else
-            table.row({name, knownText(course.real.path, 2), knownText(100 * errors.positionMean, 1),
-                       knownText(100 * errors.positionFinal, 1), knownText(degrees * errors.headingFinal, 1)});
+            table.row({name, knownText(course.real.path, 2), meanText(course), knownText(100 * errors.positionFinal, 1),
+                       knownText(degrees * errors.headingFinal, 1)});
     }
     return element(
         "div", "",
@@ -167,16 +171,16 @@ std::vector<std::size_t> shownCourses(const Comparison& comparison, const std::v
         if (std::find(shown.begin(), shown.end(), course) == shown.end()) shown.push_back(course);
     }
     std::sort(shown.begin(), shown.end(), [&](std::size_t a, std::size_t b) {
-        return comparison.courses[a].errors.positionMean > comparison.courses[b].errors.positionMean;
+        return knownMean(comparison.courses[a]) > knownMean(comparison.courses[b]);
     });
     return shown;
 }
 
 std::string robotCard(const Comparison& comparison, const ComparedCourse& course) {
     const WindowErrors& errors = course.errors;
-    std::string what = cat("course\u00a0", std::to_string(course.request + 1), " · from\u00a0",
-                           escaped(startText(comparison, course)), " · path\u00a0", fixed(course.real.path, 2),
-                           "\u00a0m<br/>mean ", fixed(100 * errors.positionMean, 1), "\u00a0cm");
+    std::string what =
+        cat("course\u00a0", std::to_string(course.request + 1), " · from\u00a0", escaped(startText(comparison, course)),
+            " · path\u00a0", fixed(course.real.path, 2), "\u00a0m<br/>mean ", meanText(course), "\u00a0cm");
     if (std::isfinite(errors.positionFinal))
         what += cat(" · at the end ", fixed(100 * errors.positionFinal, 1), "\u00a0cm, ",
                     fixed(degrees * errors.headingFinal, 1), "°");
@@ -295,17 +299,20 @@ std::vector<std::string> remarksOn(const Comparison& comparison) {
 std::string comparisonHtml(const Comparison& comparison, const Scene& scene, const ReportContext& context) {
     std::string remarks;
     for (const std::string& remark : remarksOn(comparison)) remarks += element("li", "", escaped(remark));
-    const std::string body = cat(
-        page(comparison, context), lead(comparison), comparison.counted.empty() ? "" : tiles(comparison.all.counted),
-        heading("By robot"), tableCard(robotTable(comparison)), remarks.empty() ? "" : element("ul", "soft", remarks),
-        heading("Error against time"),
-        paragraph("One line for each robot: the median of its courses at that time, where ground truth is known."),
-        errorLinesLegend(comparison),
-        element("div", "pair",
-                cat(card("Position", errorLinesFigure(comparison, ErrorKind::position)),
-                    card("Heading", errorLinesFigure(comparison, ErrorKind::heading)))),
-        pictures(comparison, scene.environment), heading("What the words mean"), definitions(comparison),
-        provenance(comparison, context));
+    const std::string body =
+        cat(page(comparison, context), lead(comparison),
+            comparison.counted.empty() ? ""
+                                       : cat(tiles(comparison.all.counted),
+                                             element("p", "soft", "These figures are of the counted courses alone.")),
+            heading("By robot"), tableCard(robotTable(comparison)),
+            remarks.empty() ? "" : element("ul", "soft", remarks), heading("Error against time"),
+            paragraph("One line for each robot: the median of its courses at that time, where ground truth is known."),
+            errorLinesLegend(comparison),
+            element("div", "pair",
+                    cat(card("Position", errorLinesFigure(comparison, ErrorKind::position)),
+                        card("Heading", errorLinesFigure(comparison, ErrorKind::heading)))),
+            pictures(comparison, scene.environment), heading("What the words mean"), definitions(comparison),
+            provenance(comparison, context));
     return reportPage(cat(escaped(comparison.scenario), " beside ", escaped(comparison.evaluation.source)), body);
 }
 

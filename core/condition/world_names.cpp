@@ -4,6 +4,7 @@
 #include <cmath>
 #include <new>
 #include <string>
+#include <vector>
 
 #include <lua.hpp>
 
@@ -102,19 +103,30 @@ int readField(lua_State* lua) {
     return 1;
 }
 
+/// ", called a, b ..."; nothing where there are none.
+std::string listed(const std::vector<std::string>& names) {
+    constexpr std::size_t most = 12;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(names.size(), most); ++i)
+        text += (i == 0 ? ", called '" : ", '") + names[i] + '\'';
+    return names.size() > most ? text + " ..." : text;
+}
+
 /// __len of collections; upvalue 1 is the number.
 int countMembers(lua_State* lua) {
     lua_pushvalue(lua, lua_upvalueindex(1));
     return 1;
 }
 
-/// __index of collections; upvalue 1 has the members by number and name, 2 says what one is, 3 how many there are.
+/// __index of collections; upvalue 1 has the members by number and name, 2 says what one is, 3 how many there are, 4
+/// their names.
 int readMember(lua_State* lua) {
     lua_pushvalue(lua, 2);
     if (lua_rawget(lua, lua_upvalueindex(1)) != LUA_TNIL) return 1;
-    const char* const format = lua_type(lua, 2) == LUA_TSTRING ? "there is no %s '%s': %s" : "there is no %s %s: %s";
-    return luaL_error(lua, format, lua_tostring(lua, lua_upvalueindex(2)), luaL_tolstring(lua, 2, nullptr),
-                      lua_tostring(lua, lua_upvalueindex(3)));
+    const bool named = lua_type(lua, 2) == LUA_TSTRING;
+    return luaL_error(lua, named ? "there is no %s '%s': %s%s" : "there is no %s %s: %s%s",
+                      lua_tostring(lua, lua_upvalueindex(2)), luaL_tolstring(lua, 2, nullptr),
+                      lua_tostring(lua, lua_upvalueindex(3)), named ? lua_tostring(lua, lua_upvalueindex(4)) : "");
 }
 
 /// The same of goals: members are their numbers from 0, and what is read is the balls in them.
@@ -251,15 +263,18 @@ private:
     };
 
     /// A name for the table of members on top of the stack, which it takes.
-    void addCollection(const Words& words, std::size_t count, lua_CFunction read) {
+    void addCollection(const Words& words, const std::vector<std::string>& names, lua_CFunction read) {
+        const std::size_t count = names.size();
         const std::string many = words.many, number = count == 0 ? "no" : std::to_string(count);
         pushHandle(lua_, Handle::Kind::collection, 0);
         luaL_newmetatable(lua_, ("list of " + many).c_str());
         lua_pushvalue(lua_, -3);
         lua_pushstring(lua_, words.one);
-        lua_pushstring(lua_, count == 1 ? (std::string("there is 1 ") + words.one).c_str()
-                                        : ("there are " + number + ' ' + many).c_str());
-        lua_pushcclosure(lua_, read, 3);
+        const std::string there =
+            count == 1 ? std::string("there is 1 ") + words.one : "there are " + number + ' ' + many;
+        lua_pushstring(lua_, there.c_str());
+        lua_pushstring(lua_, listed(names).c_str());
+        lua_pushcclosure(lua_, read, 4);
         lua_setfield(lua_, -2, "__index");
         lua_pushinteger(lua_, static_cast<lua_Integer>(count));
         lua_pushcclosure(lua_, countMembers, 1);
@@ -271,18 +286,20 @@ private:
 
     void addRobots(const Words& words, bool persons) {
         lua_newtable(lua_);
-        std::size_t count = 0;
+        std::vector<std::string> names;
         for (std::uint32_t i = 0; i < scene_.robots.size(); ++i) {
             if (scene_.typeOf(i).person != persons) continue;
             pushHandle(lua_, Handle::Kind::robot, i);
             luaL_setmetatable(lua_, words.name);
-            addMember(++count, scene_.robots[i].name);
+            names.push_back(scene_.robots[i].name);
+            addMember(names.size(), names.back());
         }
-        addCollection(words, count, readMember);
+        addCollection(words, names, readMember);
     }
 
     void addObjects() {
         lua_newtable(lua_);
+        std::vector<std::string> names;
         bool ball = false;
         for (std::uint32_t i = 0; i < scene_.objects.size(); ++i) {
             pushHandle(lua_, Handle::Kind::object, static_cast<std::uint32_t>(scene_.robots.size()) + i);
@@ -292,20 +309,23 @@ private:
                 lua_pushvalue(lua_, -1);
                 sandbox_.addName("ball");
             }
-            addMember(i + 1, scene_.objects[i].name);
+            names.push_back(scene_.objects[i].name);
+            addMember(names.size(), names.back());
         }
         if (!ball) sandbox_.addVariable("ball", noBall);
-        addCollection({"object", "object", "objects"}, scene_.objects.size(), readMember);
+        addCollection({"object", "object", "objects"}, names, readMember);
     }
 
     void addGoals() {
         lua_newtable(lua_);
+        std::vector<std::string> names;
         const std::vector<Goal>& goals = scene_.environment.goals;
         for (std::size_t i = 0; i < goals.size(); ++i) {
             lua_pushinteger(lua_, static_cast<lua_Integer>(i));
-            addMember(i + 1, goals[i].name);
+            names.push_back(goals[i].name);
+            addMember(names.size(), names.back());
         }
-        addCollection({"goals", "goal", "goals"}, goals.size(), readGoal);
+        addCollection({"goals", "goal", "goals"}, names, readGoal);
     }
 
     LuaSandbox& sandbox_;

@@ -118,25 +118,17 @@ Expected<ResultsFile> ResultsFile::open(const std::filesystem::path& folder, con
     std::filesystem::create_directories(folder, failed);
     if (failed) return fail(folder.string(), failed.message());
     ResultsFile file(folder, header);
-    const std::filesystem::path batch = folder / "batch.txt";
-    if (std::filesystem::exists(batch)) {
-        const auto before = readFile(batch);
-        if (!before) return tl::unexpected(before.error());
-        if (const std::string other = differenceOf(parseIdentity(*before), identity); !other.empty())
-            return fail(folder.string(),
-                        "holds results of another batch: " + other + "; expected an empty folder, or the same batch");
-    } else if (std::filesystem::exists(folder / "results.csv") || std::filesystem::exists(file.part())) {
+    const bool known = std::filesystem::exists(file.batch());
+    if (!known && (std::filesystem::exists(folder / "results.csv") || std::filesystem::exists(file.part())))
         return fail(folder.string(), "holds results of no batch; expected an empty folder");
-    } else if (const auto written = writeFileAtomically(batch, identityText(identity)); !written) {
-        return tl::unexpected(written.error());
-    }
-    file.lock_ = ::open(batch.c_str(), O_RDONLY | O_CLOEXEC);
-    if (file.lock_ < 0) return systemError(batch);
-    if (::flock(file.lock_, LOCK_EX | LOCK_NB) != 0)
-        return fail(folder.string(), "another mrose batch is at work in it");
+    if (!known)
+        if (const auto begun = writeFileAtomically(file.batch(), identityText(identity)); !begun)
+            return tl::unexpected(begun.error());
+    if (const auto locked = file.lock(); !locked) return tl::unexpected(locked.error());
     for (const std::filesystem::path& path : {folder / "results.csv", file.part()})
         if (std::filesystem::exists(path))
             if (const auto read = file.readRows(path); !read) return tl::unexpected(read.error());
+    if (const auto same = file.checkIdentity(identity); !same) return tl::unexpected(same.error());
     // What a kill has cut off must not run into the next row.
     std::string kept;
     for (const auto& [key, row] : file.rows_) kept += row + '\n';
@@ -144,6 +136,27 @@ Expected<ResultsFile> ResultsFile::open(const std::filesystem::path& folder, con
     file.descriptor_ = ::open(file.part().c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
     if (file.descriptor_ < 0) return systemError(file.part());
     return file;
+}
+
+Expected<void> ResultsFile::lock() {
+    if (lock_ >= 0) ::close(lock_);
+    lock_ = ::open(batch().c_str(), O_RDONLY | O_CLOEXEC);
+    if (lock_ < 0) return systemError(batch());
+    if (::flock(lock_, LOCK_EX | LOCK_NB) != 0) return fail(folder_.string(), "another mrose batch is at work in it");
+    return {};
+}
+
+/// A folder without a row yet may become another batch's.
+Expected<void> ResultsFile::checkIdentity(const BatchIdentity& identity) {
+    const auto before = readFile(batch());
+    if (!before) return tl::unexpected(before.error());
+    const std::string other = differenceOf(parseIdentity(*before), identity);
+    if (other.empty()) return {};
+    if (!rows_.empty())
+        return fail(folder_.string(),
+                    "holds results of another batch: " + other + "; expected an empty folder, or the same batch");
+    if (auto begun = writeFileAtomically(batch(), identityText(identity)); !begun) return begun;
+    return lock();
 }
 
 Expected<void> ResultsFile::readRows(const std::filesystem::path& path) {

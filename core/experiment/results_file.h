@@ -49,6 +49,9 @@ private:
     ResultsFile(std::filesystem::path folder, std::string header)
         : folder_(std::move(folder)), header_(std::move(header)) {}
     std::filesystem::path part() const { return folder_ / "results.part.csv"; }
+    std::filesystem::path batch() const { return folder_ / "batch.txt"; }
+    Expected<void> lock();
+    Expected<void> checkIdentity(const BatchIdentity& identity);
     Expected<void> readRows(const std::filesystem::path& path);
 
     std::filesystem::path folder_;

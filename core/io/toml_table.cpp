@@ -68,12 +68,25 @@ const toml::node* TomlTable::find(std::string_view key) {
     known_.emplace_back(key);
     const toml::node* node = table_->get(key);
     if (node || failed()) return node;
-    for (const auto& [other, value] : *table_)
-        if (!isAsked(other.str()) && 4 * keyDistance(other.str(), key) <= key.size())
-            return rejectAt(&value, other.str(), "is not a known key; did you mean " + std::string(key) + '?'), nullptr;
+    if (rejectMisspelt(key)) return nullptr;
     reject(key, "is missing");
     state_->lacking = table_;
     return nullptr;
+}
+
+bool TomlTable::rejectMisspelt(std::string_view key) {
+    for (const auto& [other, value] : *table_) {
+        if (isAsked(other.str()) || 4 * keyDistance(other.str(), key) > key.size()) continue;
+        rejectAt(&value, other.str(), "is not a known key; did you mean " + std::string(key) + '?');
+        return true;
+    }
+    return false;
+}
+
+void TomlTable::expectOneOf(std::string_view one, std::string_view other, const std::string& expected) {
+    const bool hasOne = has(one), hasOther = has(other);
+    if (hasOne != hasOther || (!hasOne && (rejectMisspelt(one) || rejectMisspelt(other)))) return;
+    reject(hasOne ? one : other, "expected either " + expected);
 }
 
 bool TomlTable::isAsked(std::string_view key) const {

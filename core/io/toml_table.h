@@ -31,6 +31,8 @@ public:
     TomlTable(std::string_view text, std::string file);
 
     bool has(std::string_view key);
+    /// One of these two must be there, and not both; `expected` tells them as they are written.
+    void expectOneOf(std::string_view one, std::string_view other, const std::string& expected);
     double number(std::string_view key, NumberRange range = {});
     double numberOr(std::string_view key, double fallback, NumberRange range = {});
     std::int64_t integer(std::string_view key, std::int64_t least, std::int64_t most);
@@ -81,6 +83,8 @@ private:
     TomlTable(std::shared_ptr<State> state, const toml::table* table, std::string path)
         : state_(std::move(state)), table_(table), path_(std::move(path)) {}
 
+    /// A key that was probably meant to be this one; whether there was such.
+    bool rejectMisspelt(std::string_view key);
     const toml::node* find(std::string_view key);
     void rejectAt(const toml::node* node, std::string_view key, std::string cause);
     bool isAsked(std::string_view key) const;

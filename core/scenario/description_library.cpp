@@ -33,7 +33,7 @@ Expected<const DescriptionLibrary::File*> DescriptionLibrary::file(const std::st
     std::string looked, several;
     for (const std::string& place : places) {
         const auto shipped = open(place);
-        if (!shipped) return shipped;
+        if (!shipped) return tl::unexpected(shipped.error());
         looked += (looked.empty() ? ", nor does " : " or ") + source_.shown(place);
         if (*shipped == nullptr) continue;
         several += (several.empty() ? "" : " and ") + place.substr(shippedPrefix.size());

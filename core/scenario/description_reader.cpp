@@ -170,9 +170,7 @@ Polygon polygon(TomlTable& table, std::string_view key, double far) {
 
 ShapePart part(TomlTable& table, const Colour& colour, double far) {
     const std::string called = nameOr(table, "name", "");
-    if (table.has("circle") == table.has("polygon_m"))
-        table.reject(table.has("circle") ? "circle" : "polygon_m",
-                     "expected either polygon_m = [[x, y], ...] or circle = { centre_m, radius_m }");
+    table.expectOneOf("circle", "polygon_m", "polygon_m = [[x, y], ...] or circle = { centre_m, radius_m }");
     ShapePart part;
     if (table.has("circle"))
         part = circle(table.table("circle"), far);

@@ -98,9 +98,7 @@ Goal readGoal(TomlTable& table) {
 
 Marking readMarking(TomlTable& table) {
     Marking marking;
-    if (table.has("circle") == table.has("points_m"))
-        table.reject(table.has("circle") ? "circle" : "points_m",
-                     "expected either points_m = [[x, y], ...] or circle = { centre_m, radius_m }");
+    table.expectOneOf("circle", "points_m", "points_m = [[x, y], ...] or circle = { centre_m, radius_m }");
     if (table.has("circle")) {
         TomlTable circle = table.table("circle");
         marking.centre = pointOr(circle, "centre_m", {}, metresFar);

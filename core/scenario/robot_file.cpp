@@ -114,9 +114,7 @@ void readKinematics(TomlTable& root, RobotDescription& robot, DeadTimes& deadTim
 
 void readMotion(TomlTable& root, RobotDescription& robot, const DescriptionLibrary::File& file,
                 DescriptionLibrary& library, DeadTimes& deadTimes) {
-    if (root.has("motion") == root.has("kinematics"))
-        root.reject(root.has("motion") ? "kinematics" : "motion",
-                    "expected either [motion] with a network or [kinematics]");
+    root.expectOneOf("kinematics", "motion", "[motion] with a network or [kinematics]");
     if (root.has("motion"))
         readLearned(root, robot, file, library, deadTimes);
     else if (root.has("kinematics"))

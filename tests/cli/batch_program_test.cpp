@@ -151,6 +151,20 @@ TEST_F(BatchProgram, FoldersOfOtherBatchesAreRefused) {
     EXPECT_EQ(read("out/results.csv"), before);
 }
 
+/// Neither how its path is spelled makes another batch, nor a condition that failed before there was a row.
+TEST_F(BatchProgram, SameFilesAreTheSameBatch) {
+    ASSERT_EQ(play("batch", {"--trials", "2", "--duration", "0.2", "-o", path("out")}).status, 0);
+    const ProgramResult again = runMrose(
+        {"batch", path("./it's a game.toml"), "--trials", "2", "--duration", "0.2", "--quiet", "-o", path("out")});
+    EXPECT_EQ(again.status, 0) << again.err;
+    const std::vector<std::string> wrong{"--trials", "2", "--until", "time > 0.1 and (nil).x > 2", "-o", path("new")};
+    const ProgramResult failed = play("batch", wrong);
+    EXPECT_EQ(failed.status, 1);
+    EXPECT_NE(failed.err.find("--until:1:"), std::string::npos) << failed.err;
+    EXPECT_EQ(play("batch", {"--trials", "2", "--until", "time > 0.1", "-o", path("new")}).status, 0);
+    EXPECT_EQ(csvRows(read("new/results.csv")).size(), 2u);
+}
+
 TEST_F(BatchProgram, FullDiskIsOneLine) {
     game();
     expectOneLine(play("batch", {"--trials", "3", "--duration", "0.2", "-o", path("out")}, {.fullDisk = true}),

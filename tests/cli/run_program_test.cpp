@@ -64,6 +64,13 @@ TEST_F(RunProgram, ConditionEndsIt) {
     EXPECT_EQ(never.out.find("ended by"), std::string::npos) << never.out;
 }
 
+TEST_F(RunProgram, WhatItReadsIsNotOverwritten) {
+    game();
+    const std::string scenario = path("it's a game.toml"), before = readFile(scenario).value_or("");
+    expectOneLine(play("run", {"--record", scenario, "--overwrite"}), {scenario + ": is read by this command"});
+    EXPECT_EQ(readFile(scenario).value_or(""), before);
+}
+
 TEST_F(RunProgram, WrongConditionsAreOneLineAndNothingIsWritten) {
     game();
     const auto before = listing();

@@ -114,6 +114,8 @@ TEST(ComparisonReport, RanksTheWorstCoursesAndSaysWhatDoesNotCount) {
               std::string::npos);
     EXPECT_GT(countOf(table, "not in P and Hd: gap in the ground truth"), 0u);
     EXPECT_EQ(countOf(table, "–"), 0u) << "a dash explains nothing";
+    EXPECT_EQ(countOf(table, "<b></b>"), 0u) << "what it is sorted by is known of all";
+    EXPECT_EQ(countOf(html, "mean –"), 0u);
 }
 
 TEST(ComparisonReport, CsvQuotesNamesAndLeavesUnknownCellsEmpty) {

@@ -103,7 +103,11 @@ TEST_F(Results, FoldersOfOthersAreRefusedAndLeftAlone) {
 TEST_F(Results, WhatDiffersIsTold) {
     const BatchIdentity identity{
         {"--until", "a = b\n\\n = c"}, {"content of a = b\n.toml", "1"}, {"scenario", "a.toml"}};
-    ASSERT_TRUE(open(identity));
+    ASSERT_TRUE(open({{"scenario", "another.toml"}})) << "without a row, which binds nobody";
+    {
+        auto file = open(identity);
+        ASSERT_TRUE(file && file->add({1, 1}, "1,1,a"));
+    }
     EXPECT_TRUE(open(identity)) << "the same";
     const auto told = [&](const std::string& name, const std::string& value) {
         BatchIdentity other = identity;

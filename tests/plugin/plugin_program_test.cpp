@@ -183,6 +183,15 @@ TEST_F(PluginProgram, BatchIsWatchedOnEveryThread) {
                                                  "the same command with --isolate goes on with the rest")));
 }
 
+TEST_F(PluginProgram, ExitInABatchNamesTheRun) {
+    const ProgramResult result = runMrose({"batch", scenario(how("exit", 3)), "--trials", "2", "--threads", "1",
+                                           "--quiet", "-o", (folder_.path() / "out").string()});
+    EXPECT_EQ(result.status, 1);
+    EXPECT_EQ(result.err, "mrose: " + who_ +
+                              " ended the program at tick 150 of trial 1, seed 1; the same command with --isolate goes "
+                              "on with the rest\n");
+}
+
 /// Nothing done before is lost or done again.
 TEST_F(PluginProgram, BatchThatAPluginEndedGoesOnIsolated) {
     const std::string out = (folder_.path() / "out").string();

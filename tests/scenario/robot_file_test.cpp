@@ -153,6 +153,7 @@ TEST(RobotFile, EveryOtherMistakeNamesItsPlace) {
          "r.toml:6:20: control_period_s: is 0.0; expected 0.001 to 10.0"},
         {"[kinematics]", "[motion]\nnetwork = \"n.net\"\n[kinematics]",
          "r.toml:10:1: kinematics: expected either [motion] with a network or [kinematics]"},
+        {"[kinematics]", "[kinematix]", "r.toml:8:1: kinematix: is not a known key; did you mean kinematics?"},
         {"lag_s = 0.1,", "lag_s = -0.1,", "r.toml:9:34: kinematics.v.lag_s: is -0.1; expected 0.0 to 10.0"},
         {"limit_mps = 0.5", "limit_degps = 5",
          "r.toml:9:82: kinematics.v.limit_degps: is not a known key; did you mean limit_mps?"},
