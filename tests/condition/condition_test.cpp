@@ -181,7 +181,8 @@ TEST_F(Conditions, RefuseWhatTheSceneHasNot) {
     EXPECT_EQ(refusal("robot[0].x > 1"), "--until:1:1: there is no robot 0: there are 2 robots");
     EXPECT_EQ(refusal("robot[1.5].x > 1"), "--until:1:1: there is no robot 1.5: there are 2 robots");
     EXPECT_EQ(refusal("person.Bert.x > 1"), "--until:1:1: there is no person 'Bert': there is 1 person, called 'Anna'");
-    EXPECT_EQ(refusal("goals.middle > 1"), "--until:1:1: there is no goal 'middle': there are 2 goals, called 'left', 'right'");
+    EXPECT_EQ(refusal("goals.middle > 1"),
+              "--until:1:1: there is no goal 'middle': there are 2 goals, called 'left', 'right'");
     EXPECT_EQ(refusal("object[true].x > 1"), "--until:1: there is no object true: there are 2 objects");
     EXPECT_EQ(
         refusal("robot[1].sped > 1"),
