@@ -53,20 +53,23 @@ std::string meanText(const ComparedCourse& course) {
     return mean < 0 ? "" : fixed(100 * mean, 1);
 }
 
+std::string endText(const Distribution& position, const Distribution& heading) {
+    return cat("At the end of a typical course (median) it is ", fixed(100 * position.median, 1),
+               "\u00a0cm off and points ", fixed(degrees * heading.median, 1), "° off.");
+}
+
 std::string lead(const Comparison& comparison) {
     const ComparedSummary& all = comparison.all;
     std::string text =
         "Each simulated robot starts where the real one was and as fast, and is told what the real one was told, when "
-        "it "
-        "was told. ";
+        "it was told. ";
     if (all.of(CourseUse::counted) > 0)
         text += cat("Its position is then off by <b>", percentText(all.counted.p),
                     "</b> of the path driven (P) and its heading by <b>", percentText(all.counted.hd),
-                    "</b> of the rotation turned (Hd), on average over time. ");
-    if (all.positionFinal.count > 0)
-        text += cat("At the end of a typical course (the median of all whose end is known) it is ",
-                    fixed(100 * all.positionFinal.median, 1), "\u00a0cm off and points ",
-                    fixed(degrees * all.headingFinal.median, 1), "° off.");
+                    "</b> of the rotation turned (Hd), on average over time. ",
+                    endText(all.counted.positionFinal, all.counted.headingFinal));
+    else if (all.positionFinal.count > 0)
+        text += endText(all.positionFinal, all.headingFinal);
     return element("p", "lead", text);
 }
 
@@ -301,9 +304,10 @@ std::string comparisonHtml(const Comparison& comparison, const Scene& scene, con
     for (const std::string& remark : remarksOn(comparison)) remarks += element("li", "", escaped(remark));
     const std::string body =
         cat(page(comparison, context), lead(comparison),
-            comparison.counted.empty() ? ""
-                                       : cat(tiles(comparison.all.counted),
-                                             element("p", "soft", "These figures are of the counted courses alone.")),
+            comparison.counted.empty()
+                ? ""
+                : cat(tiles(comparison.all.counted),
+                      element("p", "soft", "All figures up to here are of the counted courses alone.")),
             heading("By robot"), tableCard(robotTable(comparison)),
             remarks.empty() ? "" : element("ul", "soft", remarks), heading("Error against time"),
             paragraph("One line for each robot: the median of its courses at that time, where ground truth is known."),

@@ -8,9 +8,8 @@
 namespace mrose {
 
 /// Another start of the same scenario: poses and parameters drawn uniformly round its own by Variation, the same for
-/// the same `trial` on every machine. Trial 0 is the scenario itself. Starts that overlap, and
-/// those to which a wall bars the straight way from the scenario's own, are drawn again. Error: a hundred draws were
-/// such.
+/// the same `trial` on every machine. Trial 0 is the scenario itself. Starts that overlap, and those to which a wall
+/// bars the straight way from the scenario's own, are drawn again. Error: a hundred draws were such.
 Expected<ScenarioParts> varied(const ScenarioParts& parts, std::uint32_t trial);
 
 }  // namespace mrose

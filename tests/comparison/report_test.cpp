@@ -5,6 +5,7 @@
 #include "comparison/comparison_files.h"
 #include "comparison/comparison_report.h"
 #include "comparison/played_scenarios.h"
+#include "evaluation/format.h"
 #include "evaluation/test_models.h"
 #include "io/file.h"
 #include "support/temporary_folder.h"
@@ -116,6 +117,9 @@ TEST(ComparisonReport, RanksTheWorstCoursesAndSaysWhatDoesNotCount) {
     EXPECT_EQ(countOf(table, "–"), 0u) << "a dash explains nothing";
     EXPECT_EQ(countOf(table, "<b></b>"), 0u) << "what it is sorted by is known of all";
     EXPECT_EQ(countOf(html, "mean –"), 0u);
+    const double end = compared.comparison.all.counted.positionFinal.median;
+    EXPECT_NE(html.find("(median) it is " + fixed(100 * end, 1) + "\u00a0cm off"), std::string::npos)
+        << "sentence and tiles are of the same courses";
 }
 
 TEST(ComparisonReport, CsvQuotesNamesAndLeavesUnknownCellsEmpty) {
