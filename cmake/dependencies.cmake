@@ -11,3 +11,10 @@ pkg_check_modules(zstd REQUIRED IMPORTED_TARGET libzstd)
 pkg_check_modules(lua REQUIRED IMPORTED_TARGET lua5.4)
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
 find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)
+
+# The window; core and the program mrose do without.
+find_package(Qt5 5.15 QUIET COMPONENTS Widgets Svg Test)
+set(MROSE_BUILD_GUI ${Qt5_FOUND})
+if(NOT MROSE_BUILD_GUI)
+  message(STATUS "Qt 5 is absent: no mrose-gui")
+endif()

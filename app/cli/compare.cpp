@@ -9,8 +9,8 @@
 #include "evaluation/format.h"
 #include "notices.h"
 #include "plugins.h"
-#include "resources.h"
 #include "scenario/scenario_file.h"
+#include "shared/resources.h"
 #include "version.h"
 
 namespace mrose::cli {

@@ -1,20 +1,11 @@
 #include "plugins.h"
 
-#include "plugin/isolated_controller.h"
 #include "plugin/load_plugin.h"
 #include "plugin/plugin_host.h"
+#include "shared/plugin_process.h"
 
 namespace mrose::cli {
 namespace {
-
-constexpr const char* hostName = "plugin-host";
-
-Expected<std::shared_ptr<const Controller>> isolate(const std::string& path, const std::string& options, double limit) {
-    const IsolationOptions isolation{{"/proc/self/exe", hostName}, limit, std::max(limit, 10.0)};
-    auto controller = isolatePlugin(path, options, isolation);
-    if (!controller) return tl::unexpected(controller.error());
-    return std::move(*controller);
-}
 
 Expected<std::shared_ptr<const Controller>> load(const std::string& path, const std::string& options, double limit) {
     startPluginWatch(limit);
@@ -36,13 +27,13 @@ void addPluginFlags(CLI::App& sub, PluginFlags& flags) {
 
 PluginLoader pluginLoader(const PluginFlags& flags) {
     return [flags](const std::string& path, const std::string& options) {
-        return flags.isolate ? isolate(path, options, flags.limit) : load(path, options, flags.limit);
+        return flags.isolate ? startPluginProcess(path, options, flags.limit) : load(path, options, flags.limit);
     };
 }
 
 Subcommand addPluginHost(CLI::App& app) {
     auto socket = std::make_shared<int>(-1);
-    CLI::App* sub = app.add_subcommand(hostName, "Serves an isolated plug-in")->group("");
+    CLI::App* sub = app.add_subcommand(pluginHostWord, "Serves an isolated plug-in")->group("");
     sub->add_option("SOCKET", *socket, "Number of the socket to the program")->required();
     return {sub, [socket] {
                 servePlugin(*socket);

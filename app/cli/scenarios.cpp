@@ -6,8 +6,8 @@
 #include "experiment/variation.h"
 #include "io/file.h"
 #include "io/number_text.h"
-#include "resources.h"
 #include "scenario/start_check.h"
+#include "shared/resources.h"
 
 namespace mrose::cli {
 

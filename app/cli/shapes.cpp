@@ -6,9 +6,9 @@
 #include "drawing/scene_drawing.h"
 #include "io/file.h"
 #include "io/made_folder.h"
-#include "resources.h"
 #include "scenario/description_file.h"
 #include "scenarios.h"
+#include "shared/resources.h"
 
 namespace mrose::cli {
 namespace {

@@ -29,6 +29,9 @@ public:
 
     Nanoseconds period() const override { return period_; }
     Nanoseconds memory() const override;
+    DeadTimes deadTimes() const override {
+        return {fromSeconds(parameters_.v.deadTime), fromSeconds(parameters_.w.deadTime)};
+    }
     void predict(std::span<const MotionInput> inputs, std::span<MotionStep> steps) const override;
     const KinematicParameters& parameters() const { return parameters_; }
 

@@ -1,5 +1,6 @@
 #include "motion/learned_model.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 
@@ -56,6 +57,20 @@ void LearnedMotion::predict(std::span<const MotionInput> inputs, std::span<const
         for (std::size_t i = 0; i < count; ++i)
             steps[begin + i] = toStep(inputs[begin + i], robots[begin + i], &results[i * outputs]);
     }
+}
+
+LearnedModel::LearnedModel(std::shared_ptr<const LearnedMotion> motion, const std::string& robot)
+    : motion_(std::move(motion)), robot_(motion_->inputs().robotIndex(robot)) {
+    const std::vector<MotionNetwork::Identified>& all = network().identified;
+    const bool own = std::any_of(all.begin(), all.end(), [&](const auto& one) { return one.robot == robot; });
+    double v = 0, w = 0, count = 0;
+    for (const MotionNetwork::Identified& one : all) {
+        if (own && one.robot != robot) continue;
+        v += one.v.deadTime;
+        w += one.w.deadTime;
+        ++count;
+    }
+    if (count > 0) deadTimes_ = {fromSeconds(v / count), fromSeconds(w / count)};
 }
 
 void LearnedModel::predict(std::span<const MotionInput> inputs, std::span<MotionStep> steps) const {

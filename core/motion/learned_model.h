@@ -40,17 +40,18 @@ private:
 class LearnedModel final : public MotionModel {
 public:
     /// A robot that the network was not learned from moves like the mean of those that it was.
-    LearnedModel(std::shared_ptr<const LearnedMotion> motion, const std::string& robot)
-        : motion_(std::move(motion)), robot_(motion_->inputs().robotIndex(robot)) {}
+    LearnedModel(std::shared_ptr<const LearnedMotion> motion, const std::string& robot);
 
     const MotionNetwork& network() const { return motion_->network(); }
     Nanoseconds period() const override { return network().period; }
     Nanoseconds memory() const override { return motion_->inputs().memory(); }
+    DeadTimes deadTimes() const override { return deadTimes_; }
     void predict(std::span<const MotionInput> inputs, std::span<MotionStep> steps) const override;
 
 private:
     std::shared_ptr<const LearnedMotion> motion_;
     int robot_;
+    DeadTimes deadTimes_;
 };
 
 }  // namespace mrose

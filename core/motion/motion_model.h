@@ -38,6 +38,13 @@ public:
     /// How far before a period's start it reads commands: what a history must keep.
     virtual Nanoseconds memory() const = 0;
 
+    /// From a command's issue to its effect, as it was identified: what a debugger shows. Nothing computes with it.
+    struct DeadTimes {
+        Nanoseconds v = 0, w = 0;
+        bool operator==(const DeadTimes&) const = default;
+    };
+    virtual DeadTimes deadTimes() const { return {}; }
+
     /// steps[i] from inputs[i]; the spans have equal sizes. The result for a robot does not depend on the others in the
     /// batch, to the last bit. Inputs must be finite.
     virtual void predict(std::span<const MotionInput> inputs, std::span<MotionStep> steps) const = 0;

@@ -26,6 +26,7 @@ public:
     bool next(DecisionsOf whose);
     const std::vector<RobotDecision>& decisions() const { return decisions_; }
     bool done() const { return bytes_.done(); }
+    std::size_t rest() const { return bytes_.rest().size(); }  ///< bytes not yet read
 
 private:
     bool readDecision(RobotDecision& decision, bool& outside);

@@ -30,6 +30,7 @@ public:
 
     /// A new branch that begins with `state`, at its tick; its index.
     std::uint32_t beginBranch(std::uint32_t parent, const WorldState& state, std::string name);
+    void rename(std::uint32_t branch, std::string name) { branches_[branch].name = std::move(name); }
     /// One tick more at the end of a branch.
     void add(const WorldState& after, const StepTrace& trace, std::uint32_t branch = 0);
 

@@ -1,6 +1,8 @@
 #include "recording/playback.h"
 
+#include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "recording/decision_bytes.h"
 #include "world/state_bytes.h"
@@ -52,6 +54,21 @@ bool soundCommands(const Scenario& scenario, const WorldState& state, std::size_
     return true;
 }
 
+tl::unexpected<Error> notKept(const Timeline& timeline, std::int64_t tick) {
+    return fail({}, "tick " + std::to_string(tick) + " is not kept; expected one of " +
+                        std::to_string(timeline.first()) + " ... " + std::to_string(timeline.last()));
+}
+
+tl::unexpected<Error> damaged(std::int64_t tick) {
+    return fail({}, "the decisions of tick " + std::to_string(tick) + " are damaged");
+}
+
+void checkHashes(ReachedState& reached, const StateHash& expected) {
+    const StateHash found = hashOf(reached.state);
+    reached.worldSame = found.world == expected.world;
+    reached.mindsSame = found.minds == expected.minds;
+}
+
 }  // namespace
 
 std::string misfit(const Scenario& scenario, const WorldState& state) {
@@ -83,22 +100,17 @@ Expected<ReachedState> Playback::reachBy(bool asking, const TimelineBlock& block
     DecisionReader reader(block.decisions);
     while (state->tick < tick) {
         if (!reader.next(asking ? DecisionsOf::outside : DecisionsOf::all))
-            return fail({}, "the decisions of tick " + std::to_string(state->tick) + " are damaged");
+            return damaged(state->tick);
         step(scenario_, *state, buffers_, {reader.decisions(), asking});
     }
-    ReachedState reached{std::move(*state), true, true};
-    if (expected != nullptr && tick > block.first) {
-        const StateHash found = hashOf(reached.state);
-        reached.worldSame = found.world == expected->world;
-        reached.mindsSame = found.minds == expected->minds;
-    }
+    ReachedState reached{std::move(*state)};
+    reached.read = block.decisions.size() - reader.rest();
+    if (expected != nullptr && tick > block.first) checkHashes(reached, *expected);
     return reached;
 }
 
 Expected<ReachedState> Playback::reach(const Timeline& timeline, std::int64_t tick) {
-    if (tick < timeline.first() || tick > timeline.last())
-        return fail({}, "tick " + std::to_string(tick) + " is not kept; expected one of " +
-                            std::to_string(timeline.first()) + " ... " + std::to_string(timeline.last()));
+    if (tick < timeline.first() || tick > timeline.last()) return notKept(timeline, tick);
     const TimelineBlock& block = timeline.blockOf(tick);
     const StateHash* const expected = tick > timeline.first() ? &timeline.hashAt(tick) : nullptr;
     if (askControllers_) {
@@ -109,6 +121,30 @@ Expected<ReachedState> Playback::reach(const Timeline& timeline, std::int64_t ti
     // Where not even the recorded decisions give the same, it is not the controllers' fault.
     if (reached && reached->worldSame) askControllers_ = false;
     return reached;
+}
+
+Expected<void> Playback::advance(const Timeline& timeline, ReachedState& from, StepTrace& trace) {
+    const std::int64_t tick = from.state.tick;
+    if (tick < timeline.first() || tick >= timeline.last()) return notKept(timeline, tick + 1);
+    const TimelineBlock& block = timeline.blockOf(tick);
+    if (block.first == tick) from.read = 0;
+    const std::string_view decisions = block.decisions;
+    const StateHash& expected = timeline.hashAt(tick + 1);
+    for (const bool asking : {true, false}) {
+        if (asking && !askControllers_) continue;
+        DecisionReader reader(decisions.substr(std::min(from.read, decisions.size())));
+        if (!reader.next(asking ? DecisionsOf::outside : DecisionsOf::all)) return damaged(tick);
+        ReachedState next{from.state, from.worldSame, from.mindsSame, decisions.size() - reader.rest()};
+        step(scenario_, next.state, buffers_, {reader.decisions(), asking}, &trace);
+        checkHashes(next, expected);
+        const bool same = next.worldSame && next.mindsSame;
+        if (!asking && next.worldSame) askControllers_ = false;
+        if (same || !asking) {
+            from = std::move(next);
+            break;
+        }
+    }
+    return {};
 }
 
 }  // namespace mrose

@@ -16,6 +16,7 @@ struct ReachedState {
     WorldState state;
     bool worldSame = true;  ///< false: this build or processor computes otherwise than the one that recorded
     bool mindsSame = true;  ///< false: what sensors and controllers remember is of the keyframe before
+    std::size_t read = 0;   ///< bytes of its block's decisions that led there, for advance()
 };
 
 /// Reaches ticks of a timeline: from the last keyframe before it steps again, first with the controllers, so that their
@@ -28,6 +29,9 @@ public:
 
     /// Error: the tick is not in the timeline, or a keyframe is none of this scenario.
     Expected<ReachedState> reach(const Timeline& timeline, std::int64_t tick);
+
+    /// One tick on from a state that this reached, and `trace` of that tick. Error: as of reach(); the state stays.
+    Expected<void> advance(const Timeline& timeline, ReachedState& from, StepTrace& trace);
 
 private:
     Expected<ReachedState> reachBy(bool asking, const TimelineBlock& block, const StateHash* expected,

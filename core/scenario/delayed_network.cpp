@@ -31,6 +31,10 @@ MotionNetwork delayed(MotionNetwork network, Nanoseconds laterV, Nanoseconds lat
         input.newest += shift;
         input.oldest += shift;
     }
+    for (MotionNetwork::Identified& robot : network.identified) {
+        robot.v.deadTime += toSeconds(laterV);
+        robot.w.deadTime += toSeconds(laterW);
+    }
     return network;
 }
 

@@ -18,10 +18,13 @@ std::string layerOf(const std::filesystem::path& path) {
     return parts[0];
 }
 
-/// The header of a .cpp as its own folder's includes name it: below core/ and app/'s subfolders.
+/// The header of a .cpp as includes name it: seen from core/, from the programs' own folders, from app/ where both
+/// share it, or from the top.
 std::string headerName(const std::filesystem::path& path) {
     const std::filesystem::path header = std::filesystem::path(path).replace_extension(".h");
-    return *path.begin() == "app" ? header.filename().string() : header.lexically_relative(*path.begin()).string();
+    const std::string layer = layerOf(path);
+    if (layer == "app/cli" || layer == "app/gui") return header.filename().string();
+    return *path.begin() == "widgets" ? header.string() : header.lexically_relative(*path.begin()).string();
 }
 
 }  // namespace

@@ -64,6 +64,34 @@ TEST(Timeline, TheRunHasContactsKicksAndGoalsToTell) {
     EXPECT_GT(hits, 0u);
 }
 
+/// Going on tick by tick, from wherever, also through keyframes and where somebody decided from outside.
+TEST(Timeline, AdvancingGivesEveryTickAndWhatItTold) {
+    const Scenario scenario(matchParts());
+    const StraightRun run = runMatch(scenario, scenario.initialState(), 260, hand);
+    const Timeline timeline = timelineOf(run, 60);
+    Playback playback(scenario);
+    StepTrace trace;
+    for (const std::int64_t start : {0, 59, 60, 120, 121, 203}) {
+        auto reached = playback.reach(timeline, start);
+        ASSERT_TRUE(reached);
+        while (reached->state.tick < timeline.last()) {
+            const auto advanced = playback.advance(timeline, *reached, trace);
+            ASSERT_TRUE(advanced) << advanced.error().message();
+            EXPECT_TRUE(reached->worldSame && reached->mindsSame) << reached->state.tick;
+            const auto tick = static_cast<std::size_t>(reached->state.tick);
+            expectSame(run.states[tick], reached->state);
+            const StepTrace& expected = run.traces[tick - 1];
+            ASSERT_EQ(trace.contacts.size(), expected.contacts.size());
+            for (std::size_t i = 0; i < trace.robots.size(); ++i) {
+                EXPECT_EQ(trace.robots[i].observed, expected.robots[i].observed);
+                EXPECT_TRUE(trace.robots[i].decision.sameOrders(expected.robots[i].decision));
+            }
+        }
+        EXPECT_FALSE(playback.advance(timeline, *reached, trace));
+        EXPECT_EQ(reached->state.tick, timeline.last());
+    }
+}
+
 /// Without the controllers the world is still reached exactly, and only the world.
 TEST(Timeline, OtherControllersDoNotMatter) {
     const Scenario scenario(matchParts());

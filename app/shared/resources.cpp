@@ -1,8 +1,8 @@
-#include "resources.h"
+#include "shared/resources.h"
 
 #include <cstdlib>
 
-namespace mrose::cli {
+namespace mrose {
 namespace {
 
 bool holdsResources(const std::filesystem::path& folder) {
@@ -33,4 +33,4 @@ DiskDescriptions openDescriptions(const std::string& log) {
     return DiskDescriptions(std::move(options));
 }
 
-}  // namespace mrose::cli
+}  // namespace mrose

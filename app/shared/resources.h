@@ -5,7 +5,7 @@
 
 #include "scenario/description_source.h"
 
-namespace mrose::cli {
+namespace mrose {
 
 /// The folder that holds resources/, shapes/ and nets/ as they ship: the one that MROSE_RESOURCES names; otherwise
 /// share/mrose beside the program's folder, where it is installed, or the source tree in which it was built.
@@ -14,4 +14,4 @@ std::filesystem::path resourceFolder();
 /// Description files on disk. `log`, unless it is empty, is read instead of the logs that scenarios name.
 DiskDescriptions openDescriptions(const std::string& log = {});
 
-}  // namespace mrose::cli
+}  // namespace mrose

@@ -1,0 +1,300 @@
+#include "main_window.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QLabel>
+#include <QMenu>
+#include <QMimeData>
+#include <QStatusBar>
+#include <QStyle>
+#include <QSvgGenerator>
+#include <QToolBar>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "widgets/field_view.h"
+#include "widgets/icons.h"
+#include "widgets/inspector.h"
+#include "widgets/timeline_bar.h"
+#include "window_actions.h"
+
+namespace mrose::gui {
+namespace {
+
+constexpr std::array speeds{0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 50.0, 0.0};
+
+QString speedName(double speed) {
+    if (speed == 0) return QObject::tr("as fast as possible");
+    return QString::fromUtf8("\u00d7 ") + QString::number(speed, 'g', 3);
+}
+
+}  // namespace
+
+MainWindow::MainWindow(QWidget* parent)
+    : QMainWindow(parent),
+      actions_(*this),
+      session_(new Session(this)),
+      field_(new FieldView),
+      timeline_(new TimelineBar),
+      inspector_(new Inspector),
+      branches_(new QTreeWidget),
+      speed_(new QComboBox),
+      clock_(new QLabel),
+      factor_(new QLabel),
+      cursor_(new QLabel),
+      message_(new QLabel) {
+    setWindowTitle("mrose");
+    resize(1280, 800);
+    setAcceptDrops(true);
+    auto* middle = new QWidget;
+    auto* layout = new QVBoxLayout(middle);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(field_, 1);
+    layout->addWidget(timeline_);
+    setCentralWidget(middle);
+    makeDocks();
+    addFileActions(*this);
+    addEditActions(*this);
+    addTimeActions(*this);
+    addViewActions(*this);
+    addLayerActions(*this);
+    actions_.addSeparator(tr("&View"));
+    for (QDockWidget* dock : findChildren<QDockWidget*>())
+        actions_.menu(tr("&View"))->addAction(dock->toggleViewAction());
+    makeToolBar();
+    makeStatusBar();
+    connect(session_, &Session::shown, this, &MainWindow::update);
+    connect(timeline_, &TimelineBar::tickRequested, session_, &Session::seek);
+    connect(field_, &FieldView::bodySelected, inspector_, &Inspector::setBody);
+    connect(field_, &FieldView::bodyMoved, this, &MainWindow::moveBody);
+    connect(field_, &FieldView::cursorMoved, this, [this](std::optional<Point> at) {
+        cursor_->setText(at ? QString("x %1  y %2 m").arg(at->x, 0, 'f', 2).arg(at->y, 0, 'f', 2) : QString());
+    });
+    setTheme(Theme::light());
+}
+
+void MainWindow::changeSpeed(int by) {
+    speed_->setCurrentIndex(std::clamp(speed_->currentIndex() + by, 0, speed_->count() - 1));
+}
+
+void MainWindow::makeToolBar() {
+    QToolBar* bar = addToolBar(tr("Time"));
+    bar->setObjectName("time_bar");
+    bar->setMovable(false);
+    bar->setIconSize({20, 20});
+    for (const char* name :
+         {"to_start", "period_back", "tick_back", "play", "tick_forward", "period_forward", "to_end"})
+        bar->addAction(&actions_[name]);
+    bar->addSeparator();
+    for (const double speed : speeds) speed_->addItem(speedName(speed), speed);
+    speed_->setCurrentIndex(3);
+    speed_->setToolTip(tr("Simulated seconds per second"));
+    speed_->setFocusPolicy(Qt::NoFocus);
+    bar->addWidget(speed_);
+    connect(speed_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+            [this](int index) { session_->setSpeed(speeds[static_cast<std::size_t>(index)]); });
+    factor_->setMinimumWidth(190);
+    factor_->setContentsMargins(10, 0, 0, 0);
+    bar->addWidget(factor_);
+    bar->addSeparator();
+    bar->addAction(&actions_["fit"]);
+    bar->addAction(&actions_["follow"]);
+}
+
+void MainWindow::makeDocks() {
+    const auto dock = [this](const char* name, const QString& title, QWidget* content, Qt::DockWidgetArea area) {
+        auto* made = new QDockWidget(title, this);
+        made->setObjectName(name);
+        made->setWidget(content);
+        addDockWidget(area, made);
+        return made;
+    };
+    branches_->setColumnCount(2);
+    branches_->setHeaderLabels({tr("Branch"), tr("from")});
+    branches_->setFrameShape(QFrame::NoFrame);
+    branches_->setAccessibleName(tr("Branches"));
+    connect(branches_, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item, int) {
+        if (!shown_) return;
+        session_->show(item->data(0, Qt::UserRole).toUInt(), shown_->tick());
+    });
+    dock("branches", tr("Branches"), branches_, Qt::LeftDockWidgetArea);
+    dock("inspector", tr("Inspector"), inspector_, Qt::RightDockWidgetArea);
+    resizeDocks(findChildren<QDockWidget*>(), {200, 330}, Qt::Horizontal);
+}
+
+void MainWindow::makeStatusBar() {
+    statusBar()->setSizeGripEnabled(false);
+    clock_->setMinimumWidth(170);
+    cursor_->setMinimumWidth(140);
+    message_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    statusBar()->addWidget(clock_);
+    statusBar()->addWidget(message_, 1);
+    statusBar()->addPermanentWidget(cursor_);
+}
+
+void MainWindow::setTheme(const Theme& theme) {
+    theme_ = theme;
+    QPalette palette;
+    palette.setColor(QPalette::Window, theme_.panel);
+    palette.setColor(QPalette::WindowText, theme_.text);
+    palette.setColor(QPalette::Base, theme_.panel);
+    palette.setColor(QPalette::AlternateBase, theme_.surround);
+    palette.setColor(QPalette::Text, theme_.text);
+    palette.setColor(QPalette::Button, theme_.panel);
+    palette.setColor(QPalette::ButtonText, theme_.text);
+    palette.setColor(QPalette::ToolTipBase, theme_.panel);
+    palette.setColor(QPalette::ToolTipText, theme_.text);
+    palette.setColor(QPalette::Highlight, theme_.accent);
+    palette.setColor(QPalette::HighlightedText, theme_.dark ? Qt::black : Qt::white);
+    for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+        palette.setColor(QPalette::Disabled, role, theme_.quietText);
+    QApplication::setPalette(palette);
+    field_->setTheme(theme_);
+    timeline_->setTheme(theme_);
+    inspector_->setTheme(theme_);
+    const std::initializer_list<std::pair<const char*, Icon>> icons{{"tick_forward", Icon::tickForward},
+                                                                    {"tick_back", Icon::tickBack},
+                                                                    {"period_forward", Icon::periodForward},
+                                                                    {"period_back", Icon::periodBack},
+                                                                    {"to_start", Icon::toStart},
+                                                                    {"to_end", Icon::toEnd},
+                                                                    {"fit", Icon::fit},
+                                                                    {"follow", Icon::follow}};
+    for (const auto& [name, which] : icons) actions_[name].setIcon(icon(which, theme_));
+    updateStatus();
+}
+
+bool MainWindow::open(const QString& name) {
+    const auto opened = openRun(name.toStdString(), std::nullopt);
+    if (!opened) {
+        say(QString::fromStdString(opened.error().message()));
+        return false;
+    }
+    show(*opened);
+    return true;
+}
+
+void MainWindow::show(const OpenRun& run) {
+    title_ = QString::fromStdString(run.name);
+    setWindowTitle(title_ + " \u2013 mrose");
+    plannedTicks_ = run.scenario->scene().ticksOf(run.scenario->parts().duration);
+    field_->setSelected(std::nullopt);
+    session_->open(run.scenario, run.start);
+}
+
+void MainWindow::update(std::shared_ptr<const Shown> what) {
+    shown_ = std::move(what);
+    field_->setEditable(!shown_->playing);
+    field_->setFrame(shown_->frame);
+    inspector_->setFrame(shown_->frame);
+    TimelineBar::Content content;
+    content.first = shown_->first;
+    content.last = shown_->last;
+    content.now = shown_->tick();
+    content.end = std::max(plannedTicks_, shown_->last);
+    content.tickLength = shown_->frame->scene().tickLength;
+    content.marks = shown_->marks;
+    for (const BranchInfo& branch : shown_->branches)
+        if (branch.parent == shown_->branch && branch.departed > 0) content.branches.push_back(branch.departed);
+    timeline_->setContent(std::move(content));
+    updateBranches();
+    updateStatus();
+    emit updated();
+}
+
+void MainWindow::updateBranches() {
+    const auto count = static_cast<int>(shown_->branches.size());
+    while (branches_->topLevelItemCount() > count)
+        delete branches_->takeTopLevelItem(branches_->topLevelItemCount() - 1);
+    for (int i = 0; i < count; ++i) {
+        const BranchInfo& branch = shown_->branches[static_cast<std::size_t>(i)];
+        QTreeWidgetItem* item = branches_->topLevelItem(i);
+        if (item == nullptr) item = new QTreeWidgetItem(branches_);
+        item->setData(0, Qt::UserRole, i);
+        item->setText(0, i == 0 ? tr("the run") : branch.name);
+        item->setText(1, i == 0 ? QString() : clockText(branch.departed * shown_->frame->scene().tickLength));
+        QFont font = branches_->font();
+        font.setBold(static_cast<std::uint32_t>(i) == shown_->branch);
+        item->setFont(0, font);
+    }
+    branches_->resizeColumnToContents(0);
+}
+
+void MainWindow::updateStatus() {
+    const bool playing = shown_ && shown_->playing;
+    actions_["play"].setIcon(icon(playing ? Icon::pause : Icon::play, theme_));
+    actions_["play"].setText(playing ? tr("&Pause") : tr("&Play"));
+    if (!shown_) return;
+    clock_->setText(
+        tr("%1   tick %2").arg(clockText(shown_->frame->scene().timeOf(shown_->tick()))).arg(shown_->tick()));
+    factor_->setText(
+        playing ? tr("real-time factor %1").arg(shown_->realTimeFactor, 0, 'f', shown_->realTimeFactor < 10 ? 2 : 0)
+                : tr("paused"));
+    if (!shown_->message.isEmpty()) say(shown_->message);
+}
+
+void MainWindow::moveBody(std::size_t body, const Pose& pose) {
+    if (!shown_) return;
+    const QString name = QString::fromStdString(shown_->frame->nameOf(body));
+    session_->branchOff(tr("%1 moved").arg(name), [body, pose](const Scenario&, WorldState& state) {
+        if (body < state.robots.size()) {
+            RobotState& robot = state.robots[body];
+            const Pose shift = pose * inverse(robot.pose);
+            robot.pose = pose;
+            robot.segment.start = shift * robot.segment.start;
+            robot.segment.direction = {std::cos(robot.segment.start.heading), std::sin(robot.segment.start.heading)};
+        } else {
+            ObjectState& object = state.objects[body - state.robots.size()];
+            object.pose = pose;
+            object.velocity_W = {};
+            object.roll_W = {};
+        }
+    });
+}
+
+void MainWindow::say(const QString& text) {
+    message_->setText(text);
+    message_->setToolTip(text);
+}
+
+bool MainWindow::saveImage(const QString& path) {
+    if (path.endsWith(".svg", Qt::CaseInsensitive)) {
+        QSvgGenerator svg;
+        svg.setFileName(path);
+        svg.setSize(field_->size());
+        svg.setViewBox(field_->rect());
+        svg.setTitle(title_);
+        QPainter painter;
+        if (!painter.begin(&svg)) return false;
+        field_->paint(painter, field_->size());
+        return painter.end();
+    }
+    return grab().save(path);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    for (const QUrl& url : event->mimeData()->urls())
+        if (url.isLocalFile()) {
+            open(url.toLocalFile());
+            return;
+        }
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    session_->pause();
+    QMainWindow::closeEvent(event);
+}
+
+}  // namespace mrose::gui

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <QMainWindow>
+#include <memory>
+#include <optional>
+
+#include "actions.h"
+#include "open_run.h"
+#include "session.h"
+#include "widgets/theme.h"
+
+class QComboBox;
+class QLabel;
+class QListWidget;
+class QTreeWidget;
+
+namespace mrose {
+class FieldView;
+class Inspector;
+class TimelineBar;
+}  // namespace mrose
+
+namespace mrose::gui {
+
+/// The window. It shows what the session shows, and turns what the user does into requests.
+class MainWindow final : public QMainWindow {
+    Q_OBJECT
+
+public:
+    explicit MainWindow(QWidget* parent = nullptr);
+
+    /// Opens a scenario, a recording or one that ships, by its name; false: the error is shown.
+    bool open(const QString& name);
+    void show(const OpenRun& run);
+    Session& session() { return *session_; }
+    FieldView& field() const { return *field_; }
+    const Shown* shown() const { return shown_.get(); }
+    Actions& actions() { return actions_; }
+    void changeSpeed(int by);  ///< steps of the list of speeds
+    void setTheme(const Theme& theme);
+    void say(const QString& text);  ///< in the status bar
+    bool saveImage(const QString& path);
+
+signals:
+    void updated();  ///< another tick is shown
+
+protected:
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
+
+private:
+    void makeToolBar();
+    void makeDocks();
+    void makeStatusBar();
+    void update(std::shared_ptr<const Shown> what);
+    void updateBranches();
+    void updateStatus();
+    void moveBody(std::size_t body, const Pose& pose);
+
+    Actions actions_;
+    Session* session_;
+    FieldView* field_;
+    TimelineBar* timeline_;
+    Inspector* inspector_;
+    QTreeWidget* branches_;
+    QComboBox* speed_;
+    QLabel *clock_, *factor_, *cursor_, *message_;
+    std::shared_ptr<const Shown> shown_;
+    std::int64_t plannedTicks_ = 0;
+    QString title_;
+    Theme theme_ = Theme::light();
+};
+
+}  // namespace mrose::gui

@@ -1,0 +1,254 @@
+#include "session.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace mrose::gui {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr auto framePeriod = std::chrono::microseconds(16'667);
+constexpr auto measuredOver = std::chrono::milliseconds(500);
+/// Who falls behind by more than this does not catch up later.
+constexpr auto mostBehind = std::chrono::milliseconds(100);
+
+}  // namespace
+
+Session::Session(QObject* parent) : QObject(parent), worker_([this] { work(); }) {}
+
+Session::~Session() {
+    {
+        const std::lock_guard lock(mutex_);
+        quit_ = true;
+    }
+    wake_.notify_all();
+    worker_.join();
+}
+
+void Session::request(Request what) {
+    {
+        const std::lock_guard lock(mutex_);
+        requests_.push_back(std::move(what));
+    }
+    wake_.notify_all();
+}
+
+void Session::open(std::shared_ptr<const Scenario> scenario, const WorldState& start) {
+    request([this, scenario = std::move(scenario), start] {
+        run_.emplace(scenario, start);
+        marks_.reset();
+        message_.clear();
+        playing_ = false;
+    });
+}
+
+void Session::play() {
+    request([this] {
+        if (!run_) return;
+        message_.clear();
+        playing_ = true;
+        anchor();
+    });
+}
+
+void Session::pause() {
+    request([this] { stop(QString()); });
+}
+
+void Session::setSpeed(double speed) {
+    request([this, speed] {
+        speed_ = speed;
+        anchor();
+    });
+}
+
+void Session::stepBy(std::int64_t ticks) {
+    request([this, ticks] {
+        if (!run_) return;
+        stop(QString());
+        Expected<void> done;
+        if (ticks < 0)
+            done = run_->seek(run_->tick() + ticks);
+        else
+            for (std::int64_t i = 0; i < ticks && done; ++i) done = run_->forward();
+        if (!done) message_ = QString::fromStdString(done.error().message());
+    });
+}
+
+void Session::seek(std::int64_t tick) {
+    {
+        const std::lock_guard lock(mutex_);
+        seekTo_ = tick;
+    }
+    wake_.notify_all();
+}
+
+void Session::show(std::uint32_t branch, std::int64_t tick) {
+    request([this, branch, tick] {
+        if (!run_ || branch >= run_->branches().size()) return;
+        if (auto done = run_->show(branch, tick); !done) message_ = QString::fromStdString(done.error().message());
+        anchor();
+    });
+}
+
+void Session::branchOff(const QString& name, std::function<void(const Scenario&, WorldState&)> change) {
+    request([this, name = name.toStdString(), change = std::move(change)] {
+        if (!run_) return;
+        run_->branchOff(name, change);
+        anchor();
+    });
+}
+
+void Session::rename(std::uint32_t branch, const QString& name) {
+    request([this, branch, name = name.toStdString()] {
+        if (run_ && branch < run_->branches().size()) run_->rename(branch, name);
+    });
+}
+
+void Session::undo() {
+    request([this] {
+        if (run_ && run_->undo()) stop(QString());
+    });
+}
+
+void Session::redo() {
+    request([this] {
+        if (run_ && run_->redo()) stop(QString());
+    });
+}
+
+void Session::setFrameOptions(const TimeTravel::FrameOptions& options) {
+    request([this, options] { frameOptions_ = options; });
+}
+
+void Session::settle() {
+    std::unique_lock lock(mutex_);
+    settled_.wait(lock, [this] { return requests_.empty() && !seekTo_ && !busy_; });
+    lock.unlock();
+    deliver();
+}
+
+void Session::work() {
+    std::unique_lock lock(mutex_);
+    auto nextFrame = Clock::now();
+    while (!quit_) {
+        if (requests_.empty() && !seekTo_) {
+            busy_ = false;
+            settled_.notify_all();
+            if (playing_)
+                wake_.wait_until(lock, nextFrame);
+            else
+                wake_.wait(lock, [this] { return quit_ || !requests_.empty() || seekTo_.has_value(); });
+            if (quit_) return;
+        }
+        busy_ = true;
+        std::deque<Request> requests = std::exchange(requests_, {});
+        const std::optional<std::int64_t> seekTo = std::exchange(seekTo_, std::nullopt);
+        lock.unlock();
+        bool changed = !requests.empty() || seekTo;
+        for (const Request& request : requests) request();
+        if (seekTo && run_) goTo(*seekTo);
+        if (playing_) changed = playTicks() || changed;
+        if (changed && run_) publish();
+        nextFrame = std::max(Clock::now(), nextFrame + framePeriod);
+        lock.lock();
+    }
+}
+
+bool Session::superseded() {
+    const std::lock_guard lock(mutex_);
+    return quit_ || seekTo_ || !requests_.empty();
+}
+
+/// To a tick that has been, or by simulating up to one that has not; whatever is asked for meanwhile ends that.
+void Session::goTo(std::int64_t tick) {
+    Expected<void> done = run_->seek(tick);
+    auto shownAt = Clock::now();
+    while (done && run_->tick() < tick) {
+        done = run_->forward();
+        if (run_->tick() % 16 != 0) continue;
+        if (superseded()) break;
+        if (Clock::now() - shownAt < framePeriod) continue;
+        publish();
+        shownAt = Clock::now();
+    }
+    if (!done) message_ = QString::fromStdString(done.error().message());
+    anchor();
+}
+
+void Session::anchor() {
+    anchor_ = measuredAt_ = Clock::now();
+    anchorTick_ = measuredTick_ = run_ ? run_->tick() : 0;
+    factor_ = 0;
+}
+
+/// As many ticks as are due, for one frame's time at the most; whether there were any.
+bool Session::playTicks() {
+    const auto begin = Clock::now();
+    const Nanoseconds tickLength = run_->scenario()->scene().tickLength;
+    const auto due = [&](std::int64_t tick) {
+        const double wait = speed_ > 0 ? static_cast<double>((tick - anchorTick_) * tickLength) / speed_ : 0;
+        return anchor_ + std::chrono::nanoseconds(static_cast<std::int64_t>(wait));
+    };
+    bool any = false;
+    while (playing_ && due(run_->tick() + 1) <= Clock::now() && Clock::now() - begin < framePeriod) {
+        if (auto done = run_->forward(); !done) return stop(QString::fromStdString(done.error().message())), true;
+        any = true;
+        if (!run_->breakReason().empty()) stop(QString::fromStdString(run_->breakReason()));
+    }
+    const auto now = Clock::now();
+    if (speed_ > 0 && now - due(run_->tick()) > mostBehind) {
+        anchor_ = now;
+        anchorTick_ = run_->tick();
+    }
+    if (now - measuredAt_ >= measuredOver) {
+        const double took = std::chrono::duration<double>(now - measuredAt_).count();
+        factor_ = toSeconds((run_->tick() - measuredTick_) * tickLength) / took;
+        measuredAt_ = now;
+        measuredTick_ = run_->tick();
+    }
+    return any;
+}
+
+void Session::stop(const QString& why) {
+    playing_ = false;
+    factor_ = 0;
+    message_ = why;
+}
+
+void Session::publish() {
+    auto what = std::make_shared<Shown>();
+    what->frame = std::make_shared<const FieldFrame>(run_->frame(frameOptions_));
+    what->hash = hashOf(run_->state());
+    what->branch = run_->branch();
+    what->first = run_->first();
+    what->last = run_->last();
+    for (const Branch& branch : run_->branches())
+        what->branches.push_back({QString::fromStdString(branch.name), branch.parent, branch.tick,
+                                  branch.timeline.first(), branch.timeline.last()});
+    if (!marks_ || marksOf_ != run_->branch() || marks_->size() != run_->marks().size()) {
+        marks_ = std::make_shared<const std::vector<TimelineMark>>(run_->marks());
+        marksOf_ = run_->branch();
+    }
+    what->marks = marks_;
+    what->playing = playing_;
+    what->realTimeFactor = factor_;
+    what->message = message_;
+    const std::lock_guard lock(mutex_);
+    ready_ = std::move(what);
+    if (std::exchange(deliveryPending_, true)) return;
+    QMetaObject::invokeMethod(this, &Session::deliver, Qt::QueuedConnection);
+}
+
+void Session::deliver() {
+    std::shared_ptr<const Shown> what;
+    {
+        const std::lock_guard lock(mutex_);
+        deliveryPending_ = false;
+        what = std::exchange(ready_, nullptr);
+    }
+    if (what) emit shown(std::move(what));
+}
+
+}  // namespace mrose::gui

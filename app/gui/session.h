@@ -1,0 +1,111 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include <QObject>
+#include <QString>
+
+#include "time_travel.h"
+#include "world/state_hash.h"
+
+namespace mrose::gui {
+
+struct BranchInfo {
+    QString name;
+    std::uint32_t parent = 0;
+    std::int64_t departed = 0, first = 0, last = 0;  ///< ticks
+    bool operator==(const BranchInfo&) const = default;
+};
+
+/// What the window shows at a moment: all of one tick.
+struct Shown {
+    std::shared_ptr<const FieldFrame> frame;
+    StateHash hash;
+    std::uint32_t branch = 0;
+    std::int64_t first = 0, last = 0;
+    std::vector<BranchInfo> branches;
+    std::shared_ptr<const std::vector<TimelineMark>> marks;
+    bool playing = false;
+    double realTimeFactor = 0;  ///< achieved; 0 while it stands
+    QString message;            ///< why it stopped, or what went wrong; empty: nothing
+
+    std::int64_t tick() const { return frame->state.tick; }
+};
+
+/// The only owner of a running simulation. Its thread steps; requests are answered by shown(), in the thread of the
+/// window. A seek that comes before an earlier one was done takes its place.
+class Session final : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Session(QObject* parent = nullptr);
+    ~Session() override;
+
+    /// Another run, standing at its start.
+    void open(std::shared_ptr<const Scenario> scenario, const WorldState& start);
+    void play();
+    void pause();
+    /// Simulated seconds per second; 0: as fast as possible.
+    void setSpeed(double speed);
+    void stepBy(std::int64_t ticks);  ///< and stand there; backwards where negative
+    void seek(std::int64_t tick);     ///< goes on playing if it was
+    void show(std::uint32_t branch, std::int64_t tick);
+    void branchOff(const QString& name, std::function<void(const Scenario&, WorldState&)> change);
+    void rename(std::uint32_t branch, const QString& name);
+    void undo();
+    void redo();
+    void setFrameOptions(const TimeTravel::FrameOptions& options);
+
+    /// Blocks until all requests so far have been carried out and shown; for scripts and tests.
+    void settle();
+
+signals:
+    void shown(std::shared_ptr<const Shown> what);
+
+private:
+    using Request = std::function<void()>;
+    void request(Request what);
+    void work();
+    bool playTicks();
+    void goTo(std::int64_t tick);
+    bool superseded();
+    void anchor();
+    void stop(const QString& why);
+    void publish();
+    void deliver();
+
+    // The worker's own.
+    std::optional<TimeTravel> run_;
+    TimeTravel::FrameOptions frameOptions_;
+    bool playing_ = false;
+    double speed_ = 1;
+    std::chrono::steady_clock::time_point anchor_;  ///< when the tick `anchorTick_` was due
+    std::int64_t anchorTick_ = 0;
+    std::chrono::steady_clock::time_point measuredAt_;
+    std::int64_t measuredTick_ = 0;
+    double factor_ = 0;
+    QString message_;
+    std::shared_ptr<const std::vector<TimelineMark>> marks_;
+    std::uint32_t marksOf_ = 0;
+
+    // Shared.
+    std::mutex mutex_;
+    std::condition_variable wake_, settled_;
+    std::deque<Request> requests_;
+    std::optional<std::int64_t> seekTo_;
+    bool quit_ = false, busy_ = false;
+    std::shared_ptr<const Shown> ready_;
+    bool deliveryPending_ = false;
+
+    std::thread worker_;
+};
+
+}  // namespace mrose::gui

@@ -1,0 +1,66 @@
+#include "main_window.h"
+#include "widgets/field_view.h"
+#include "window_actions.h"
+
+namespace mrose::gui {
+namespace {
+
+/// Of the selected robot, in ticks.
+std::int64_t controlPeriod(const MainWindow& window) {
+    if (!window.shown()) return 1;
+    const Scene& scene = window.shown()->frame->scene();
+    const std::optional<std::size_t> body = window.field().selected();
+    if (body && *body < scene.robots.size()) return scene.periodTicks(*body);
+    return scene.robots.empty() ? 1 : scene.periodTicks(0);
+}
+
+}  // namespace
+
+void addTimeActions(MainWindow& window) {
+    Actions& actions = window.actions();
+    Session& session = window.session();
+    const QString menu = QObject::tr("&Time");
+    actions.add(menu, {"play", QObject::tr("&Play"), QKeySequence(Qt::Key_Space), QObject::tr("Play or pause")},
+                [&](bool) {
+                    if (window.shown() && window.shown()->playing)
+                        session.pause();
+                    else
+                        session.play();
+                });
+    actions.addSeparator(menu);
+    actions.add(menu,
+                {"tick_back", QObject::tr("One tick &back"), QKeySequence(Qt::Key_Left), QObject::tr("One tick back")},
+                [&](bool) { session.stepBy(-1); });
+    actions.add(menu,
+                {"tick_forward", QObject::tr("One tick &forward"), QKeySequence(Qt::Key_Right),
+                 QObject::tr("One tick forward")},
+                [&](bool) { session.stepBy(1); });
+    actions.add(menu,
+                {"period_back", QObject::tr("One control period b&ack"), QKeySequence("Shift+Left"),
+                 QObject::tr("One control period of the selected robot back")},
+                [&](bool) { session.stepBy(-controlPeriod(window)); });
+    actions.add(menu,
+                {"period_forward", QObject::tr("One control period f&orward"), QKeySequence("Shift+Right"),
+                 QObject::tr("One control period of the selected robot forward")},
+                [&](bool) { session.stepBy(controlPeriod(window)); });
+    actions.addSeparator(menu);
+    actions.add(
+        menu,
+        {"to_start", QObject::tr("To the &start"), QKeySequence(Qt::Key_Home), QObject::tr("To the branch's start")},
+        [&](bool) {
+            if (window.shown()) session.seek(window.shown()->first);
+        });
+    actions.add(menu,
+                {"to_end", QObject::tr("To the &end"), QKeySequence(Qt::Key_End),
+                 QObject::tr("To the last tick that has been simulated")},
+                [&](bool) {
+                    if (window.shown()) session.seek(window.shown()->last);
+                });
+    actions.addSeparator(menu);
+    actions.add(menu, {"slower", QObject::tr("S&lower"), QKeySequence(Qt::Key_Minus), QObject::tr("Play slower")},
+                [&](bool) { window.changeSpeed(-1); });
+    actions.add(menu, {"faster", QObject::tr("Fas&ter"), QKeySequence(Qt::Key_Plus), QObject::tr("Play faster")},
+                [&](bool) { window.changeSpeed(1); });
+}
+
+}  // namespace mrose::gui

@@ -1,0 +1,14 @@
+#pragma once
+
+namespace mrose::gui {
+
+class MainWindow;
+
+// What the window can be told to do, a function for each menu. Called once, in the order of the menu bar.
+void addFileActions(MainWindow& window);
+void addEditActions(MainWindow& window);
+void addTimeActions(MainWindow& window);
+void addViewActions(MainWindow& window);
+void addLayerActions(MainWindow& window);
+
+}  // namespace mrose::gui

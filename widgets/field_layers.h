@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <bitset>
+
+namespace mrose {
+
+/// What the field view can show beside the place and the bodies.
+enum class FieldLayer {
+    grid,
+    names,
+    headings,
+    trails,
+    targets,
+    sensors,
+    contacts,
+    predicted,
+    beliefs,
+    ghosts,
+    count,
+};
+
+struct FieldLayerText {
+    FieldLayer layer;
+    const char* action;            ///< by which it is switched
+    const char *name, *key, *tip;  ///< as menus show it
+    bool shown;                    ///< at first
+};
+
+inline constexpr std::array<FieldLayerText, static_cast<std::size_t>(FieldLayer::count)> fieldLayerTexts{{
+    {FieldLayer::grid, "layer_grid", "Grid and ruler", "G", "Lines at every metre, or what suits the scale", false},
+    {FieldLayer::names, "layer_names", "Names", "N", "Names of robots and objects", true},
+    {FieldLayer::headings, "layer_headings", "Headings", "H", "Where robots face", true},
+    {FieldLayer::trails, "layer_trails", "Trails", "T", "Where bodies came from", true},
+    {FieldLayer::targets, "layer_notes", "Controllers' notes", "O", "Goals, lines and points that controllers annotate",
+     true},
+    {FieldLayer::sensors, "layer_sensors", "Sensor fields", "V", "How wide and far robots see", false},
+    {FieldLayer::contacts, "layer_contacts", "Contacts", "C", "Where bodies press on one another, and how hard", true},
+    {FieldLayer::predicted, "layer_predicted", "Predicted paths", "P", "The next seconds, if all go on as commanded",
+     true},
+    {FieldLayer::beliefs, "layer_beliefs", "Beliefs", "B", "Where robots think that they and others are", false},
+    {FieldLayer::ghosts, "layer_ghosts", "Ghosts", "J", "The same moment in other branches", true},
+}};
+
+class FieldLayers {
+public:
+    FieldLayers() {
+        for (const FieldLayerText& text : fieldLayerTexts) set(text.layer, text.shown);
+    }
+    bool has(FieldLayer layer) const { return bits_[static_cast<std::size_t>(layer)]; }
+    void set(FieldLayer layer, bool on) { bits_[static_cast<std::size_t>(layer)] = on; }
+    bool operator==(const FieldLayers&) const = default;
+
+private:
+    std::bitset<static_cast<std::size_t>(FieldLayer::count)> bits_;
+};
+
+}  // namespace mrose

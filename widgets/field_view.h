@@ -1,0 +1,85 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include <QPixmap>
+#include <QWidget>
+
+#include "widgets/field_frame.h"
+#include "widgets/field_painter.h"
+
+namespace mrose {
+
+/// The field from above, and all that happens on it at the shown tick. Draws the values it is given; what the user does
+/// to them it asks for by signals.
+///
+/// Wheel: zoom at the cursor. Left drag: of a body while editing is allowed, moves it; elsewhere, moves the view; with
+/// Shift, measures. Right drag of a body: turns it. Click: selects.
+class FieldView final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit FieldView(QWidget* parent = nullptr);
+
+    void setFrame(std::shared_ptr<const FieldFrame> frame);
+    void setTheme(const Theme& theme);
+    void setLayers(const FieldLayers& layers);
+    /// Whether bodies can be dragged: while the run stands.
+    void setEditable(bool editable) { editable_ = editable; }
+    void setSelected(std::optional<std::size_t> body);
+    /// The view goes along with the selected body.
+    void setFollowing(bool following);
+
+    const FieldLayers& layers() const { return layers_; }
+    const ViewTransform& transform() const { return view_; }
+    std::optional<std::size_t> selected() const { return focus_.selected; }
+    /// The uppermost body there, within a few pixels.
+    std::optional<std::size_t> bodyAt(const QPointF& pixels) const;
+
+    void fit();
+    void zoom(double factor);  ///< about the middle
+    void panBy(const QPointF& pixels);
+    /// The same picture for a file of another size.
+    void paint(QPainter& painter, const QSizeF& size) const;
+
+    QSize sizeHint() const override { return {900, 560}; }
+    QSize minimumSizeHint() const override { return {240, 180}; }
+
+signals:
+    void bodySelected(std::optional<std::size_t> body);
+    void bodyMoved(std::size_t body, const Pose& pose);  ///< it is to be put there
+    void cursorMoved(std::optional<Point> metres);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+
+private:
+    enum class Drag { none, pressed, pan, move, turn, measure };
+    void drag(const QPointF& at);
+    void drawPlace();
+    void followSelected();
+    FieldArea wholeArea() const;
+
+    std::shared_ptr<const FieldFrame> frame_;
+    Theme theme_ = Theme::light();
+    FieldLayers layers_;
+    ViewTransform view_;
+    FieldFocus focus_;
+    bool editable_ = false, following_ = false, fitted_ = true;
+    Drag drag_ = Drag::none;
+    Qt::MouseButton button_ = Qt::NoButton;
+    QPointF pressedAt_, draggedTo_;
+
+    QPixmap place_;  ///< what does not change from tick to tick, for placeView_
+    ViewTransform placeView_;
+    const Scenario* placeOf_ = nullptr;
+};
+
+}  // namespace mrose

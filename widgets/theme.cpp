@@ -1,0 +1,47 @@
+#include "widgets/theme.h"
+
+#include <array>
+
+namespace mrose {
+
+Theme Theme::light() {
+    Theme t;
+    t.surround = QColor(236, 238, 241);
+    t.panel = QColor(250, 250, 251);
+    t.text = QColor(32, 36, 42);
+    t.quietText = QColor(96, 104, 116);
+    t.line = QColor(198, 203, 211);
+    t.accent = QColor(0, 102, 204);
+    t.contact = QColor(200, 30, 90);
+    t.kick = QColor(255, 255, 255);
+    t.target = QColor(255, 255, 255);
+    t.warning = QColor(176, 58, 0);
+    t.onFloor = QColor(20, 22, 26);
+    t.halo = QColor(255, 255, 255, 190);
+    return t;
+}
+
+Theme Theme::darkOne() {
+    Theme t = light();
+    t.surround = QColor(24, 27, 31);
+    t.panel = QColor(33, 36, 41);
+    t.text = QColor(226, 229, 234);
+    t.quietText = QColor(150, 158, 170);
+    t.line = QColor(68, 74, 84);
+    t.accent = QColor(86, 170, 255);
+    t.contact = QColor(255, 92, 146);
+    t.warning = QColor(255, 160, 90);
+    t.onFloor = QColor(240, 242, 245);
+    t.halo = QColor(10, 12, 14, 170);
+    t.dark = true;
+    return t;
+}
+
+QColor robotColour(std::size_t robot) {
+    static const std::array<QColor, 8> colours{QColor(230, 159, 0),  QColor(86, 180, 233),  QColor(240, 228, 66),
+                                               QColor(204, 121, 167), QColor(213, 94, 0),    QColor(0, 158, 115),
+                                               QColor(0, 114, 178),  QColor(222, 222, 222)};
+    return colours[robot % colours.size()];
+}
+
+}  // namespace mrose

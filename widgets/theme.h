@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+
+#include <QColor>
+
+#include "geometry/shape.h"
+
+namespace mrose {
+
+/// Colours of everything that is drawn. Quiet surfaces, strong content: one accent for "now" and for what is selected,
+/// a fixed colour for each robot, the same in field, plots and lists.
+struct Theme {
+    QColor surround;                ///< beyond the floor
+    QColor panel, text, quietText;  ///< of docks, labels
+    QColor line;                    ///< thin lines: axes, grid, frames
+    QColor accent;                  ///< now, selection
+    QColor contact, kick, target, warning;
+    QColor onFloor, halo;  ///< writing on the floor, and what sets it off
+    bool dark = false;
+
+    static Theme light();
+    static Theme darkOne();
+};
+
+/// The colour that a robot is known by: of eight that people with any colour vision can tell apart (Okabe and Ito 2008,
+/// "Color Universal Design", with a light grey for its black), then again from the first.
+QColor robotColour(std::size_t robot);
+
+inline QColor toQColor(const Colour& c) { return {c.red, c.green, c.blue}; }
+
+}  // namespace mrose

@@ -1,0 +1,40 @@
+#include "widgets/view_transform.h"
+
+#include <algorithm>
+
+namespace mrose {
+
+void FieldArea::include(const Point& point, double reach) {
+    const Point low = point - Point{reach, reach}, high = point + Point{reach, reach};
+    if (empty()) {
+        least = low;
+        most = high;
+        return;
+    }
+    least = {std::min(least.x, low.x), std::min(least.y, low.y)};
+    most = {std::max(most.x, high.x), std::max(most.y, high.y)};
+}
+
+FieldArea ViewTransform::shown() const {
+    const Point half{size_.width() / 2 / scale_, size_.height() / 2 / scale_};
+    return {centre_ - half, centre_ + half};
+}
+
+void ViewTransform::zoom(double factor, const QPointF& about) {
+    const Point fixed = toMetres(about);
+    scale_ = std::clamp(scale_ * factor, leastScale, mostScale);
+    centre_ = centre_ + (fixed - toMetres(about));
+}
+
+void ViewTransform::pan(const QPointF& from, const QPointF& to) { centre_ = centre_ + (toMetres(from) - toMetres(to)); }
+
+void ViewTransform::fit(const FieldArea& area, double margin) {
+    if (area.empty()) return;
+    centre_ = area.middle();
+    const Point extent = area.most - area.least;
+    const double width = std::max(1.0, size_.width() - 2 * margin), height = std::max(1.0, size_.height() - 2 * margin);
+    scale_ = std::clamp(std::min(width / std::max(extent.x, 1e-3), height / std::max(extent.y, 1e-3)), leastScale,
+                        mostScale);
+}
+
+}  // namespace mrose
