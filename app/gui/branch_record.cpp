@@ -52,9 +52,17 @@ void BranchRecord::note(const WorldState& after, const StepTrace& trace) {
         mark(TimelineMark::Kind::kick, kick.robot, kick.hit ? kick.object : noBody);
     for (const std::uint32_t goal : trace.goals) mark(TimelineMark::Kind::goal, 0, goal);
     for (const StepTrace::Fault& fault : trace.faults) mark(TimelineMark::Kind::fault, fault.robot, noBody);
-    for (std::uint32_t robot = 0; robot < trace.robots.size(); ++robot)
-        if (trace.robots[robot].decided && !trace.robots[robot].decision.breakReason.empty())
-            mark(TimelineMark::Kind::stop, robot, noBody);
+    const Scene& scene = course_->scene();
+    for (std::uint32_t robot = 0; robot < trace.robots.size(); ++robot) {
+        const StepTrace::Robot& told = trace.robots[robot];
+        if (!told.decided) continue;
+        if (!told.decision.breakReason.empty()) mark(TimelineMark::Kind::stop, robot, noBody);
+        const std::vector<Manipulator>& manipulators = scene.typeOf(robot).manipulators;
+        for (const Kick& kick : told.decision.kicks)
+            if (kick.manipulator < manipulators.size())
+                kickOrders_.push_back({after.tick - 1, robot, kick.manipulator,
+                                       scene.timeOf(after.tick - 1) + manipulators[kick.manipulator].deadTime});
+    }
 }
 
 }  // namespace mrose::gui

@@ -20,6 +20,13 @@ struct HandOrder {
     std::vector<Kick> kicks;  ///< at its first control instant
 };
 
+/// A kick as a robot's controller ordered it.
+struct KickOrder {
+    std::int64_t tick = 0;  ///< of the state in which it was decided
+    std::uint32_t robot = 0, manipulator = 0;
+    Nanoseconds due = 0;  ///< when it is carried out, if the manipulator is ready
+};
+
 /// What is known of a branch beside its timeline: where all bodies were and what happened, for trails, ghosts and
 /// marks; and how it goes on.
 class BranchRecord {
@@ -31,6 +38,7 @@ public:
     Playback& playback() { return playback_; }
     const PoseTrack& track() const { return track_; }
     const std::vector<TimelineMark>& marks() const { return marks_; }
+    const std::vector<KickOrder>& kickOrders() const { return kickOrders_; }
     /// What is told from outside in the tick that begins with `state`. Valid until the next call.
     Overrides overrides(const WorldState& state);
 
@@ -49,6 +57,7 @@ private:
     Playback playback_;
     PoseTrack track_;
     std::vector<TimelineMark> marks_;
+    std::vector<KickOrder> kickOrders_;
     TouchCounter touches_;
     ReachedState end_;
     StepTrace trace_;

@@ -135,6 +135,26 @@ void Session::cancel() {
     request([] {});
 }
 
+void Session::showCauseOfKick() {
+    request([this] {
+        if (!run_) return;
+        const auto cause = run_->causeOfKick();
+        stop(cause ? QString() : tr("Nobody has kicked up to here: let it play, or go to a kick on the timeline"));
+        if (!cause) return;
+        // The state after the decision is the first that shows it.
+        if (auto done = run_->seek(cause->order.tick + 1); !done) {
+            message_ = QString::fromStdString(done.error().message());
+            return;
+        }
+        const Scene& scene = run_->course().scene();
+        const SceneRobot& robot = scene.robots[cause->order.robot];
+        message_ = tr("%1 decided here to kick; the kick of %2 s is its work")
+                       .arg(QString::fromStdString(robot.name))
+                       .arg(toSeconds(scene.timeOf(cause->kicked)), 0, 'f', 2);
+        subject_ = cause->order.robot;
+    });
+}
+
 void Session::rename(std::uint32_t branch, const QString& name) {
     request([this, branch, name = name.toStdString()] {
         if (run_ && branch < run_->branches().size()) run_->rename(branch, name);
@@ -318,6 +338,7 @@ void Session::publish() {
     what->canUndo = run_->canUndo();
     what->canRedo = run_->canRedo();
     what->goal = goal_;
+    what->subject = std::exchange(subject_, std::nullopt);
     const std::vector<TimelineMark>& marks = run_->record(run_->branch()).marks();
     if (!marks_ || marksOf_ != run_->branch() || marks_->size() != marks.size()) {
         marks_ = std::make_shared<const std::vector<TimelineMark>>(marks);
@@ -328,6 +349,8 @@ void Session::publish() {
     what->realTimeFactor = factor_;
     what->message = message_;
     const std::lock_guard lock(mutex_);
+    // What nobody has seen yet must not get lost.
+    if (ready_ && !what->subject) what->subject = ready_->subject;
     ready_ = std::move(what);
     if (std::exchange(deliveryPending_, true)) return;
     QMetaObject::invokeMethod(this, &Session::deliver, Qt::QueuedConnection);

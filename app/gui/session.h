@@ -46,6 +46,7 @@ struct Shown {
     bool playing = false;
     double realTimeFactor = 0;  ///< achieved; 0 while it stands
     bool canUndo = false, canRedo = false;
+    std::optional<std::size_t> subject;  ///< the body that an answer is about: to be selected
     std::optional<std::int64_t> goal;  ///< it is on its way to this tick
     QString message;                   ///< why it stopped, or what went wrong; empty: nothing
 
@@ -76,6 +77,8 @@ public:
     void rename(std::uint32_t branch, const QString& name);
     void undo();
     void redo();
+    /// To where the controller decided the last kick; Shown::subject is its robot.
+    void showCauseOfKick();
     void setFrameOptions(const TimeTravel::FrameOptions& options);
 
     /// Told now and then which share is done; false: it is to end.
@@ -110,6 +113,7 @@ private:
     std::optional<TimeTravel> run_;
     bool learning_ = false;  ///< there are ticks of a file that nobody has looked at
     std::optional<std::int64_t> goal_;
+    std::optional<std::size_t> subject_;
     TimeTravel::FrameOptions frameOptions_;
     bool playing_ = false;
     double speed_ = 1;

@@ -66,8 +66,12 @@ void TimeTravel::followBeside() {
 Expected<void> TimeTravel::show(std::uint32_t branch, std::int64_t tick) {
     Expected<Cursor> cursor = cursorAt(branch, tick);
     if (!cursor) return tl::unexpected(cursor.error());
+    const std::uint32_t left = this->branch();
     shown_ = std::move(*cursor);
-    followBeside();
+    if (branch != left)
+        setBeside(left);
+    else
+        followBeside();
     return {};
 }
 
@@ -114,7 +118,7 @@ Expected<void> TimeTravel::branchOff(const Edit& edit) {
     at.moveTo(made, {std::move(state)});
     shown_ = std::move(at);
     undone_.clear();
-    followBeside();
+    setBeside(parent);
     return {};
 }
 
@@ -133,6 +137,25 @@ bool TimeTravel::redo() {
     if (!show(to, branches()[to].tick)) return false;
     undone_.pop_back();
     return true;
+}
+
+std::optional<TimeTravel::KickCause> TimeTravel::causeOfKick() const {
+    std::int64_t until = tick();
+    for (std::uint32_t at = branch();; at = branches()[at].parent) {
+        const BranchRecord& record = records_[at];
+        for (auto mark = record.marks().rbegin(); mark != record.marks().rend(); ++mark) {
+            if (mark->kind != TimelineMark::Kind::kick || mark->tick > until) continue;
+            const Nanoseconds end = record.course().scene().timeOf(mark->tick);
+            for (std::uint32_t from = at;; from = branches()[from].parent) {
+                const std::vector<KickOrder>& orders = records_[from].kickOrders();
+                for (auto order = orders.rbegin(); order != orders.rend(); ++order)
+                    if (order->robot == mark->body && order->due < end) return KickCause{*order, mark->tick};
+                if (branches()[from].parent == from) break;
+            }
+        }
+        if (branches()[at].parent == at) return {};
+        until = std::min(until, branches()[at].tick);
+    }
 }
 
 void TimeTravel::setBeside(std::optional<std::uint32_t> branch) {

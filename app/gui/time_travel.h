@@ -65,7 +65,15 @@ public:
     bool canUndo() const { return branch() != 0; }
     bool canRedo() const { return !undone_.empty(); }
 
-    /// Another branch to be shown beside, at the same tick; nothing: none.
+    /// The decision that led to a kick: where, and when it came about.
+    struct KickCause {
+        KickOrder order;
+        std::int64_t kicked = 0;  ///< tick of the state after it
+    };
+    /// Of the last kick up to the shown tick; nothing: there was none.
+    std::optional<KickCause> causeOfKick() const;
+
+    /// Another branch to be shown beside, at the same tick; nothing: none. Of itself it is the one shown before.
     void setBeside(std::optional<std::uint32_t> branch);
     std::optional<std::uint32_t> beside() const;
 
