@@ -61,6 +61,7 @@ MainWindow::MainWindow(QWidget* parent)
     layout->addWidget(timeline_);
     setCentralWidget(middle);
     makeDocks();
+    actions_.setErrorHandler([this](const Error& error) { say(QString::fromStdString(error.message())); });
     addFileActions(*this);
     addEditActions(*this);
     addTimeActions(*this);
@@ -172,14 +173,14 @@ void MainWindow::setTheme(const Theme& theme) {
     updateStatus();
 }
 
-bool MainWindow::open(const QString& name) {
+Expected<void> MainWindow::open(const QString& name) {
     const auto opened = openRun(name.toStdString(), std::nullopt);
     if (!opened) {
         say(QString::fromStdString(opened.error().message()));
-        return false;
+        return tl::unexpected(opened.error());
     }
     show(*opened);
-    return true;
+    return {};
 }
 
 void MainWindow::show(const OpenRun& run) {
