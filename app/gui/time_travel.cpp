@@ -164,13 +164,21 @@ FieldFrame TimeTravel::frame(const FrameOptions& options) const {
         frame.contacts = trace_.contacts;
     }
     for (const SeenKick& seen : kicks_) frame.kicks.push_back(seen.kick);
-    frame.trails = known_[branch_].track.trails(tick(), options.trailTicks);
+    addTrails(branch_, tick(), options.trailTicks, frame.trails);
     if (options.ahead > 0 && scenario_->scene().bodyCount() <= options.mostBodiesAhead) {
         frame.predicted = predictedPaths(options.ahead);
         frame.predictedStep = predictedEvery * scenario_->scene().tickLength;
     }
     if (options.ghosts) frame.ghosts = ghostsAt(options.trailTicks);
     return frame;
+}
+
+/// Of a branch, and before it of those that it came from.
+void TimeTravel::addTrails(std::uint32_t branch, std::int64_t tick, std::size_t ticks, Trails& trails) const {
+    const Branch& way = branches()[branch];
+    const auto since = static_cast<std::size_t>(std::max<std::int64_t>(0, tick - way.tick));
+    if (way.parent != branch && since < ticks) addTrails(way.parent, way.tick, ticks - since, trails);
+    known_[branch].track.addTrails(tick, ticks, trails);
 }
 
 std::vector<std::vector<Pose>> TimeTravel::predictedPaths(Nanoseconds ahead) const {
@@ -197,8 +205,8 @@ std::vector<Ghost> TimeTravel::ghostsAt(std::size_t trailTicks) const {
         if (tick() < departed) continue;
         const std::int64_t then = std::min(tick(), track.last());
         const auto since = static_cast<std::size_t>(std::max<std::int64_t>(0, then - departed));
-        ghosts.push_back(
-            {branches()[other].name, track.posesAt(then), track.trails(then, std::min(trailTicks, since))});
+        Ghost& ghost = ghosts.emplace_back(Ghost{branches()[other].name, track.posesAt(then), {}});
+        track.addTrails(then, std::min(trailTicks, since), ghost.trails);
     }
     return ghosts;
 }

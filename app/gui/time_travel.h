@@ -70,6 +70,7 @@ private:
     void learn(std::uint32_t branch, const WorldState& after, const StepTrace& trace);
     void note(const StepTrace& trace);
     void forgetNotes();
+    void addTrails(std::uint32_t branch, std::int64_t tick, std::size_t ticks, Trails& trails) const;
     std::vector<std::vector<Pose>> predictedPaths(Nanoseconds ahead) const;
     std::vector<Ghost> ghostsAt(std::size_t trailTicks) const;
 
