@@ -11,7 +11,7 @@ namespace mrose::gui {
 
 namespace {
 
-Error refusal(const QString& name, const char* cause) { return {"", 0, 0, name.toStdString(), cause}; }
+tl::unexpected<Error> refuse(const char* cause) { return fail("", cause); }
 
 }  // namespace
 
@@ -62,19 +62,20 @@ QAction* Actions::find(const QString& name) const {
 Expected<void> Actions::perform(const QString& name, const Argument& argument) {
     QAction* action = find(name);
     if (action == nullptr) return tl::unexpected(unknown(name));
-    if (!action->isEnabled()) return tl::unexpected(refusal(name, "cannot be done now"));
+    if (!action->isEnabled()) return refuse("cannot be done now");
     if (const auto asking = asking_.find(name); asking != asking_.end()) {
         const QString* text = std::get_if<QString>(&argument);
-        if (text == nullptr || text->isEmpty()) return tl::unexpected(refusal(name, "expected a text"));
+        if (text == nullptr || text->isEmpty()) return refuse("expected a text");
         return asking->second.run(*text);
     }
-    if (std::holds_alternative<QString>(argument)) return tl::unexpected(refusal(name, "expected no text"));
+    if (std::holds_alternative<QString>(argument)) return refuse("takes no text");
     if (const bool* on = std::get_if<bool>(&argument)) {
-        if (!action->isCheckable()) return tl::unexpected(refusal(name, "is not switched on or off"));
+        if (!action->isCheckable()) return refuse("cannot be switched on or off");
         if (action->isChecked() != *on) action->trigger();
         return {};
     }
     const int* count = std::get_if<int>(&argument);
+    if (count != nullptr && (action->isCheckable() || *count < 0)) return refuse("takes no such number");
     for (int i = 0; i < (count != nullptr ? *count : 1); ++i) action->trigger();
     return {};
 }

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "widgets/field_view.h"
 #include "widgets/icons.h"
@@ -50,6 +51,8 @@ MainWindow::MainWindow(QWidget* parent)
       factor_(new QLabel),
       cursor_(new QLabel),
       message_(new QLabel) {
+    field_->setObjectName("field");
+    timeline_->setObjectName("timeline");
     setWindowTitle("mrose");
     resize(1280, 800);
     setAcceptDrops(true);
@@ -86,6 +89,15 @@ void MainWindow::changeSpeed(int by) {
     speed_->setCurrentIndex(std::clamp(speed_->currentIndex() + by, 0, speed_->count() - 1));
 }
 
+void MainWindow::setSpeed(double speed) {
+    const auto rank = [](double some) { return some > 0 ? some : std::numeric_limits<double>::infinity(); };
+    int at = 0;
+    while (at < speed_->count() && rank(speed_->itemData(at).toDouble()) < rank(speed)) ++at;
+    if (at == speed_->count() || speed_->itemData(at).toDouble() != speed)
+        speed_->insertItem(at, speedName(speed), speed);
+    speed_->setCurrentIndex(at);
+}
+
 void MainWindow::makeToolBar() {
     QToolBar* bar = addToolBar(tr("Time"));
     bar->setObjectName("time_bar");
@@ -101,7 +113,7 @@ void MainWindow::makeToolBar() {
     speed_->setFocusPolicy(Qt::NoFocus);
     bar->addWidget(speed_);
     connect(speed_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
-            [this](int index) { session_->setSpeed(speeds[static_cast<std::size_t>(index)]); });
+            [this](int index) { session_->setSpeed(speed_->itemData(index).toDouble()); });
     factor_->setMinimumWidth(190);
     factor_->setContentsMargins(10, 0, 0, 0);
     bar->addWidget(factor_);
