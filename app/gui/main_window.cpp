@@ -55,7 +55,7 @@ MainWindow::MainWindow(QWidget* parent)
       factor_(new QLabel),
       cursor_(new QLabel),
       message_(new QLabel) {
-    field_->setObjectName("field");
+    view_->setObjectName("field");
     timeline_->setObjectName("timeline");
     setWindowTitle("mrose");
     resize(1280, 800);
