@@ -70,6 +70,7 @@ void FieldView::followSelected() {
 }
 
 FieldArea FieldView::wholeArea() const {
+    if (!frame_) return {{0, 0}, {-1, -1}};
     const FieldArea place = areaOf(frame_->scene().environment);
     return place.empty() ? areaOf(*frame_) : place;
 }

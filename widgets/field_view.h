@@ -39,6 +39,8 @@ public:
     /// The uppermost body there, within a few pixels.
     std::optional<std::size_t> bodyAt(const QPointF& pixels) const;
 
+    /// All of the place; empty where nothing is shown.
+    FieldArea wholeArea() const;
     void fit();
     void zoom(double factor);  ///< about the middle
     void panBy(const QPointF& pixels);
@@ -69,7 +71,6 @@ private:
     void drag(const QPointF& at);
     void drawPlace();
     void followSelected();
-    FieldArea wholeArea() const;
 
     std::shared_ptr<const FieldFrame> frame_;
     Theme theme_ = Theme::light();

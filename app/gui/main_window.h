@@ -11,6 +11,7 @@
 
 class QComboBox;
 class QLabel;
+class QToolButton;
 
 namespace mrose {
 class FieldView;
@@ -75,6 +76,7 @@ private:
     BranchPanel* branches_;
     CommandPanel* command_;
     QComboBox* speed_;
+    QToolButton* seed_;
     QLabel *clock_, *factor_, *cursor_, *message_;
     std::shared_ptr<const Shown> shown_;
     std::int64_t plannedTicks_ = 0;
