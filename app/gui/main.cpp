@@ -10,7 +10,9 @@
 #include "plugin/plugin_host.h"
 #include "qt_messages.h"
 #include "shared/plugin_process.h"
+#include "shortcut_sheet.h"
 #include "widgets/field_view.h"
+#include "window_actions.h"
 #include "window_script.h"
 
 namespace {
@@ -105,7 +107,10 @@ int work(MainWindow& window, const CommandLine& line) {
             window.session().seek(end);
         });
     }
-    if (line.file.empty()) window.session().play();
+    if (line.file.empty()) {
+        showFirstSteps(window);
+        window.session().play();
+    }
     const int status = QApplication::exec();
     if (const auto saved = save(window, line); !saved) return report(saved.error());
     return status;
@@ -117,6 +122,10 @@ int runWindow(const CommandLine& line) {
     if (!line.record.empty())
         if (const auto free = checkWritable(line.record, line.overwrite); !free) return report(free.error());
     MainWindow window;
+    if (line.printKeys) {
+        std::fputs(shortcutText(shortcutGroups(window.actions())).toUtf8().constData(), stdout);
+        return 0;
+    }
     if (const auto opened = open(window, line); !opened) return report(opened.error());
     if (!line.select.empty() && line.interactive())
         if (const auto selected = select(window, line.select); !selected) return report(selected.error());

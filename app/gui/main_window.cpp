@@ -78,8 +78,14 @@ MainWindow::MainWindow(QWidget* parent)
     addViewActions(*this);
     addLayerActions(*this);
     actions_.addSeparator(tr("&View"));
+    int number = 0;
     for (QDockWidget* dock : findChildren<QDockWidget*>())
-        actions_.menu(tr("&View"))->addAction(dock->toggleViewAction());
+        actions_.adopt(
+            tr("&View"),
+            {"show_" + dock->objectName(), dock->windowTitle(), QKeySequence(QString("Ctrl+%1").arg(++number)),
+             tr("Show or hide the panel \u201c%1\u201d").arg(dock->windowTitle())},
+            dock->toggleViewAction());
+    addHelpActions(*this);
     makeToolBar();
     makeStatusBar();
     connect(session_, &Session::shown, this, &MainWindow::update);

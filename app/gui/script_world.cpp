@@ -57,7 +57,7 @@ void ScriptWorld::update() {
     frame_ = shown->frame;
     view_.scenario = frame_->scenario.get();
     view_.state = &frame_->state;
-    view_.branch = shown->branches[shown->branch].name.toStdString();
+    view_.branch = shown->branch == 0 ? "the run" : shown->branches[shown->branch].name.toStdString();
     view_.branches = static_cast<int>(shown->branches.size());
     view_.playing = shown->playing;
     view_.message = shown->message.toStdString();
