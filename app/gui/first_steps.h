@@ -18,7 +18,7 @@ public:
     explicit FirstSteps(MainWindow& window);
 
     struct Step {
-        QString text;
+        QString keys, text;
         bool done = false;
     };
     const std::vector<Step>& steps() const { return steps_; }
@@ -32,13 +32,13 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    void add(const QString& text, std::initializer_list<const char*> actions);
+    void add(const Step& step, std::initializer_list<const char*> actions);
     void tick(std::size_t step);
     void place();
 
     MainWindow& window_;
     std::vector<Step> steps_;
-    std::vector<QLabel*> marks_, texts_;
+    std::vector<QLabel*> marks_;
     std::size_t branches_ = 1;
 };
 

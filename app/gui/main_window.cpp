@@ -185,6 +185,8 @@ void MainWindow::setTheme(const Theme& theme) {
     palette.setColor(QPalette::ToolTipBase, theme_.panel);
     palette.setColor(QPalette::ToolTipText, theme_.text);
     palette.setColor(QPalette::Highlight, theme_.accent);
+    palette.setColor(QPalette::Link, theme_.accent);
+    palette.setColor(QPalette::Mid, theme_.line);
     palette.setColor(QPalette::HighlightedText, theme_.dark ? Qt::black : Qt::white);
     for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
         palette.setColor(QPalette::Disabled, role, theme_.quietText);

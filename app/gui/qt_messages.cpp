@@ -13,7 +13,7 @@ namespace {
 std::atomic<bool> searching{false};
 
 bool meansNothing(const QString& text) {
-    return text.contains("This plugin does not support propagateSizeHints()") ||
+    return text.startsWith("This plugin does not support ") ||
            text.startsWith("QStandardPaths: XDG_RUNTIME_DIR not set");
 }
 

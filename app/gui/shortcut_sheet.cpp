@@ -4,13 +4,14 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QScreen>
 #include <QScrollArea>
 #include <algorithm>
 
 namespace mrose::gui {
 namespace {
 
-constexpr int columns = 3;
+constexpr int mostColumns = 3, columnWidth = 350;
 
 QString plain(QString menuText) { return menuText.remove('&').remove(QString::fromUtf8("\u2026")); }
 
@@ -81,8 +82,10 @@ ShortcutSheet::ShortcutSheet(const Actions& actions, QWidget* parent)
     layout->addWidget(line_);
     layout->addWidget(area_, 1);
     connect(line_, &QLineEdit::textChanged, this, &ShortcutSheet::search);
+    area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     fill();
-    resize(1040, 720);
+    const QSize content = area_->widget()->sizeHint() + QSize(60, 100);
+    resize(content.boundedTo(screen()->availableSize().expandedTo(parent->size())));
 }
 
 void ShortcutSheet::search(const QString& words) {
@@ -93,6 +96,12 @@ void ShortcutSheet::search(const QString& words) {
 void ShortcutSheet::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange) fill();
     QDialog::changeEvent(event);
+}
+
+void ShortcutSheet::resizeEvent(QResizeEvent* event) {
+    QDialog::resizeEvent(event);
+    const int fitting = std::clamp(area_->width() / columnWidth, 1, mostColumns);
+    if (std::exchange(columns_, fitting) != fitting) fill();
 }
 
 /// The groups in their order, from column to column, none of them torn.
@@ -109,15 +118,15 @@ void ShortcutSheet::fill() {
     auto* page = new QWidget;
     auto* across = new QHBoxLayout(page);
     across->setContentsMargins(0, 0, 0, 0);
-    across->setSpacing(36);
-    const int fair = std::max(largest, (rows + columns - 1) / columns);
+    across->setSpacing(40);
+    const int fair = std::max(largest, (rows + columns_ - 1) / columns_);
     std::size_t next = 0;
-    for (int column = 0; column < columns; ++column) {
+    for (int column = 0; column < columns_; ++column) {
         auto* down = new QVBoxLayout;
         down->setSpacing(18);
         // The last one takes all that is left.
         for (int used = 0; next < groups.size(); ++next) {
-            if (column + 1 < columns && used > 0 && used + heightOf(groups[next]) > fair) break;
+            if (column + 1 < columns_ && used > 0 && used + heightOf(groups[next]) > fair) break;
             used += heightOf(groups[next]);
             down->addWidget(block(groups[next]));
         }

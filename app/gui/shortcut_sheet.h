@@ -38,6 +38,7 @@ public:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void fill();
@@ -45,6 +46,7 @@ private:
 
     const Actions& actions_;
     QString words_;
+    int columns_ = 3;
     QLineEdit* line_;
     QScrollArea* area_;
 };
