@@ -46,6 +46,8 @@ public:
     const Shown* shown() const { return shown_.get(); }
     Actions& actions() { return actions_; }
     void changeSpeed(int by);  ///< steps of the list of speeds
+    /// Simulated seconds per second, one of the list from now on; 0: as fast as possible.
+    void setSpeed(double speed);
     void setTheme(const Theme& theme);
     void say(const QString& text);  ///< in the status bar
     bool saveImage(const QString& path);

@@ -47,8 +47,8 @@ struct Shown {
     double realTimeFactor = 0;  ///< achieved; 0 while it stands
     bool canUndo = false, canRedo = false;
     std::optional<std::size_t> subject;  ///< the body that an answer is about: to be selected
-    std::optional<std::int64_t> goal;  ///< it is on its way to this tick
-    QString message;                   ///< why it stopped, or what went wrong; empty: nothing
+    std::optional<std::int64_t> goal;    ///< it is on its way to this tick
+    QString message;                     ///< why it stopped, or what went wrong; empty: nothing
 
     std::int64_t tick() const { return frame->state.tick; }
 };
