@@ -34,6 +34,7 @@ public:
     void show(const OpenRun& run);
     Session& session() { return *session_; }
     FieldView& field() const { return *field_; }
+    TimelineBar& timeline() const { return *timeline_; }
     const Shown* shown() const { return shown_.get(); }
     Actions& actions() { return actions_; }
     void changeSpeed(int by);  ///< steps of the list of speeds
