@@ -23,8 +23,9 @@ struct RobotInsight {
 /// Where the bodies were at the shown tick in another branch.
 struct Ghost {
     std::string name;
-    std::vector<Pose> bodies;  ///< robots first, then objects
-    Trails trails;             ///< since the branches parted; may be empty
+    std::shared_ptr<const Scenario> scenario;  ///< of that branch: may have other bodies
+    std::vector<Pose> bodies;                  ///< robots first, then objects
+    Trails trails;                             ///< since the branches parted; may be empty
 };
 
 /// All that is known of the shown tick: what view, inspector and plots draw. A value; `scenario` is constant.

@@ -61,6 +61,7 @@ void FieldView::setLayers(const FieldLayers& layers) {
     layers_ = layers;
     place_ = {};
     update();
+    emit layersChanged(layers);
 }
 
 void FieldView::setSelected(std::optional<std::size_t> body) {
@@ -85,6 +86,7 @@ void FieldView::followSelected() {
 }
 
 FieldArea FieldView::wholeArea() const {
+    if (!frame_) return {{0, 0}, {-1, -1}};
     const FieldArea place = areaOf(frame_->scene().environment);
     return place.empty() ? areaOf(*frame_) : place;
 }
@@ -93,6 +95,15 @@ void FieldView::fit() {
     if (!frame_) return;
     view_.fit(wholeArea(), fitMargin);
     fitted_ = true;
+    update();
+}
+
+void FieldView::setView(const ViewTransform& view) {
+    ViewTransform like = view_;
+    like.showLike(view);
+    if (like == view_) return;
+    view_ = toldView_ = like;
+    fitted_ = false;
     update();
 }
 
@@ -148,6 +159,7 @@ void FieldView::paintEvent(QPaintEvent* /*event*/) {
     FieldPainter field(painter, view_, theme_, layers_);
     field.frame(*frame_, focus_, labels_);
     field.corners();
+    if (!(toldView_ == view_)) emit viewChanged(toldView_ = view_);
     if (drag_ == Drag::measure) field.measure(view_.toMetres(pressedAt_), view_.toMetres(draggedTo_));
 }
 

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <memory>
-#include <optional>
-
 #include <QPixmap>
 #include <QWidget>
+#include <memory>
+#include <optional>
 
 #include "widgets/field_frame.h"
 #include "widgets/field_painter.h"
@@ -32,12 +31,17 @@ public:
     /// The view goes along with the selected body.
     void setFollowing(bool following);
 
+    /// Shows the same part of the field as another view.
+    void setView(const ViewTransform& view);
+
     const FieldLayers& layers() const { return layers_; }
     const ViewTransform& transform() const { return view_; }
     std::optional<std::size_t> selected() const { return focus_.selected; }
     /// The uppermost body there, within a few pixels.
     std::optional<std::size_t> bodyAt(const QPointF& pixels) const;
 
+    /// All of the place; empty where nothing is shown.
+    FieldArea wholeArea() const;
     void fit();
     void zoom(double factor);  ///< about the middle
     void panBy(const QPointF& pixels);
@@ -57,6 +61,8 @@ signals:
     void bodyMoved(std::size_t body, const Pose& pose);  ///< it is to be put there
     void cursorMoved(std::optional<Point> metres);
     void followRequested();
+    void viewChanged(const ViewTransform& view);
+    void layersChanged(const FieldLayers& layers);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -79,7 +85,6 @@ private:
     void finishNudge();
     void drawPlace(double ratio);
     void followSelected();
-    FieldArea wholeArea() const;
 
     std::shared_ptr<const FieldFrame> frame_;
     Theme theme_ = Theme::light();
@@ -93,7 +98,7 @@ private:
     QPointF pressedAt_, draggedTo_;
 
     QPixmap place_;  ///< what does not change from tick to tick, for placeView_
-    ViewTransform placeView_;
+    ViewTransform placeView_, toldView_;
     const Scenario* placeOf_ = nullptr;
 };
 

@@ -75,8 +75,8 @@ void drawGhosts(const FieldCanvas& canvas, const FieldFrame& frame) {
                                       : hairline(withAlpha(wayColour(frame, body), 130)));
             for (const QPolygonF& line : wayOf(canvas, ghost.trails, body)) canvas.painter.drawPolyline(line);
         }
-        for (std::size_t body = 0; body < std::min(ghost.bodies.size(), frame.scene().bodyCount()); ++body) {
-            const Shape& shape = frame.scene().shapeOf(body);
+        for (std::size_t body = 0; body < ghost.bodies.size(); ++body) {
+            const Shape& shape = ghost.scenario->scene().shapeOf(body);
             if (!canvas.visible(position(ghost.bodies[body]), shape.reach)) continue;
             const QColor colour = wayColour(frame, body);
             canvas.painter.setBrush(withAlpha(colour, 46));
