@@ -10,6 +10,7 @@
 #include "plugin/plugin_host.h"
 #include "qt_messages.h"
 #include "shared/plugin_process.h"
+#include "shared/resources.h"
 #include "shortcut_sheet.h"
 #include "widgets/field_view.h"
 #include "window_actions.h"
@@ -161,6 +162,14 @@ int main(int argc, char** argv) {
     QApplication app(count, argv);
     windowSystemFound();
     QApplication::setStyle("Fusion");
+    if (line.offscreen) {
+        // Pictures are looked at on any screen: no coloured rims of letters.
+        QFont font = QApplication::font();
+        font.setStyleStrategy(QFont::NoSubpixelAntialias);
+        QApplication::setFont(font);
+    }
+    QApplication::setDesktopFileName("mrose");
+    QApplication::setWindowIcon(QIcon(QString::fromStdString((resourceFolder() / "resources" / "mrose.svg").string())));
     QApplication::setOrganizationName("mrose");
     QApplication::setApplicationName("mrose-gui");
     try {
