@@ -1,15 +1,16 @@
 #include "widgets/field_view.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
 #include <QGuiApplication>
 #include <QHelpEvent>
 #include <QMouseEvent>
 #include <QPaintEvent>
 #include <QToolTip>
 #include <QWheelEvent>
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <utility>
 
 #include "widgets/field_readout.h"
 

@@ -60,9 +60,9 @@ signals:
     void bodySelected(std::optional<std::size_t> body);
     void bodyMoved(std::size_t body, const Pose& pose);  ///< it is to be put there
     void cursorMoved(std::optional<Point> metres);
+    void followRequested();
     void viewChanged(const ViewTransform& view);
     void layersChanged(const FieldLayers& layers);
-    void followRequested();
 
 protected:
     void paintEvent(QPaintEvent* event) override;
