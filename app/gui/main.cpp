@@ -96,6 +96,13 @@ Expected<void> save(MainWindow& window, const CommandLine& line) {
     return window.actions().perform("save_recording", QString::fromStdString(line.record));
 }
 
+/// What is asked for of the end; the exit status.
+int finish(MainWindow& window, const CommandLine& line, bool held) {
+    if (const auto saved = save(window, line); !saved) return report(saved.error());
+    if (line.printHash) std::printf("state %s\n", stateText(*window.shown()).c_str());
+    return held ? 0 : 1;
+}
+
 /// With somebody to work with it.
 int work(MainWindow& window, const CommandLine& line) {
     if (line.duration) {
@@ -112,9 +119,9 @@ int work(MainWindow& window, const CommandLine& line) {
         showFirstSteps(window);
         window.session().play();
     }
-    const int status = QApplication::exec();
-    if (const auto saved = save(window, line); !saved) return report(saved.error());
-    return status;
+    QApplication::exec();
+    settle(window);
+    return finish(window, line, true);
 }
 
 int runWindow(const CommandLine& line) {
@@ -142,9 +149,7 @@ int runWindow(const CommandLine& line) {
         held = *done;
     }
     settle(window);
-    if (const auto saved = save(window, line); !saved) return report(saved.error());
-    if (line.printHash) std::printf("state %s\n", stateText(*window.shown()).c_str());
-    return held ? 0 : 1;
+    return finish(window, line, held);
 }
 
 }  // namespace
