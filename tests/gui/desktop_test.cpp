@@ -32,6 +32,7 @@ TEST(Desktop, KeysStepTheRunAndEndTheProgram) {
     const QImage before((folder.path() / "before.png").c_str()), after((folder.path() / "after.png").c_str());
     EXPECT_EQ(before.size(), QSize(1400, 900));
     EXPECT_EQ(after.size(), QSize(1400, 900));
+    EXPECT_NE(before, after);
 }
 
 }  // namespace

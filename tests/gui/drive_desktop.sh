@@ -5,7 +5,7 @@
 set -eu
 program=$1 scenario=$2 folder=$3
 shift 3
-openbox 2>/dev/null &
+openbox >/dev/null 2>&1 &
 manager=$!
 "$program" "$scenario" --print-hash &
 window=$!
