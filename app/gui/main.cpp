@@ -10,6 +10,7 @@
 #include "plugin/plugin_host.h"
 #include "qt_messages.h"
 #include "shared/plugin_process.h"
+#include "shared/resources.h"
 #include "shortcut_sheet.h"
 #include "widgets/field_view.h"
 #include "window_actions.h"
@@ -95,6 +96,13 @@ Expected<void> save(MainWindow& window, const CommandLine& line) {
     return window.actions().perform("save_recording", QString::fromStdString(line.record));
 }
 
+/// What is asked for of the end; the exit status.
+int finish(MainWindow& window, const CommandLine& line, bool held) {
+    if (const auto saved = save(window, line); !saved) return report(saved.error());
+    if (line.printHash) std::printf("state %s\n", stateText(*window.shown()).c_str());
+    return held ? 0 : 1;
+}
+
 /// With somebody to work with it.
 int work(MainWindow& window, const CommandLine& line) {
     if (line.duration) {
@@ -111,9 +119,9 @@ int work(MainWindow& window, const CommandLine& line) {
         showFirstSteps(window);
         window.session().play();
     }
-    const int status = QApplication::exec();
-    if (const auto saved = save(window, line); !saved) return report(saved.error());
-    return status;
+    QApplication::exec();
+    settle(window);
+    return finish(window, line, true);
 }
 
 int runWindow(const CommandLine& line) {
@@ -141,9 +149,7 @@ int runWindow(const CommandLine& line) {
         held = *done;
     }
     settle(window);
-    if (const auto saved = save(window, line); !saved) return report(saved.error());
-    if (line.printHash) std::printf("state %s\n", stateText(*window.shown()).c_str());
-    return held ? 0 : 1;
+    return finish(window, line, held);
 }
 
 }  // namespace
@@ -161,6 +167,14 @@ int main(int argc, char** argv) {
     QApplication app(count, argv);
     windowSystemFound();
     QApplication::setStyle("Fusion");
+    if (line.offscreen) {
+        // Pictures are looked at on any screen: no coloured rims of letters.
+        QFont font = QApplication::font();
+        font.setStyleStrategy(QFont::NoSubpixelAntialias);
+        QApplication::setFont(font);
+    }
+    QApplication::setDesktopFileName("mrose");
+    QApplication::setWindowIcon(QIcon(QString::fromStdString((resourceFolder() / "resources" / "mrose.svg").string())));
     QApplication::setOrganizationName("mrose");
     QApplication::setApplicationName("mrose-gui");
     try {
