@@ -17,14 +17,15 @@ struct RobotInsight {
     Observation observation;
     Decision decision;
     MotionStep predicted;
+    std::vector<std::byte> memoryBefore;  ///< its controller's, before it decided
 };
 
 /// Where the bodies were at the shown tick in another branch.
 struct Ghost {
     std::string name;
     std::shared_ptr<const Scenario> scenario;  ///< of that branch: may have other bodies
-    std::vector<Pose> bodies;                ///< robots first, then objects
-    std::vector<std::vector<Point>> trails;  ///< of each body, oldest first; may be empty
+    std::vector<Pose> bodies;                  ///< robots first, then objects
+    std::vector<std::vector<Point>> trails;    ///< of each body, oldest first; may be empty
 };
 
 /// All that is known of the shown tick: what view, inspector and plots draw. A value; `scenario` is constant.

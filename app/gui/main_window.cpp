@@ -19,6 +19,7 @@
 #include <array>
 #include <cmath>
 
+#include "plot_panel.h"
 #include "widgets/field_view.h"
 #include "widgets/icons.h"
 #include "widgets/inspector.h"
@@ -44,6 +45,7 @@ MainWindow::MainWindow(QWidget* parent)
       field_(new FieldView),
       timeline_(new TimelineBar),
       inspector_(new Inspector),
+      plots_(new PlotPanel(*session_)),
       branches_(new QTreeWidget),
       speed_(new QComboBox),
       clock_(new QLabel),
@@ -67,6 +69,7 @@ MainWindow::MainWindow(QWidget* parent)
     addTimeActions(*this);
     addViewActions(*this);
     addLayerActions(*this);
+    addPlotActions(*this);
     actions_.addSeparator(tr("&View"));
     for (QDockWidget* dock : findChildren<QDockWidget*>())
         actions_.menu(tr("&View"))->addAction(dock->toggleViewAction());
@@ -81,6 +84,11 @@ MainWindow::MainWindow(QWidget* parent)
     });
     setTheme(Theme::light());
 }
+
+/// The plots' thread looks at the session, and ends before it.
+MainWindow::~MainWindow() { delete plots_; }
+
+void MainWindow::showPlots() { findChild<QDockWidget*>("plots")->show(); }
 
 void MainWindow::changeSpeed(int by) {
     speed_->setCurrentIndex(std::clamp(speed_->currentIndex() + by, 0, speed_->count() - 1));
@@ -129,6 +137,7 @@ void MainWindow::makeDocks() {
     dock("branches", tr("Branches"), branches_, Qt::LeftDockWidgetArea);
     dock("inspector", tr("Inspector"), inspector_, Qt::RightDockWidgetArea);
     resizeDocks(findChildren<QDockWidget*>(), {200, 330}, Qt::Horizontal);
+    dock("plots", tr("Plots"), plots_, Qt::BottomDockWidgetArea)->hide();
 }
 
 void MainWindow::makeStatusBar() {
@@ -161,6 +170,7 @@ void MainWindow::setTheme(const Theme& theme) {
     field_->setTheme(theme_);
     timeline_->setTheme(theme_);
     inspector_->setTheme(theme_);
+    plots_->setTheme(theme_);
     const std::initializer_list<std::pair<const char*, Icon>> icons{{"tick_forward", Icon::tickForward},
                                                                     {"tick_back", Icon::tickBack},
                                                                     {"period_forward", Icon::periodForward},
@@ -196,6 +206,7 @@ void MainWindow::update(std::shared_ptr<const Shown> what) {
     field_->setEditable(!shown_->playing);
     field_->setFrame(shown_->frame);
     inspector_->setFrame(shown_->frame);
+    plots_->setShown(shown_);
     TimelineBar::Content content;
     content.first = shown_->first;
     content.last = shown_->last;

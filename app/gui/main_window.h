@@ -22,18 +22,24 @@ class TimelineBar;
 
 namespace mrose::gui {
 
+class PlotPanel;
+
 /// The window. It shows what the session shows, and turns what the user does into requests.
 class MainWindow final : public QMainWindow {
     Q_OBJECT
 
 public:
     explicit MainWindow(QWidget* parent = nullptr);
+    ~MainWindow() override;
 
     /// Opens a scenario, a recording or one that ships, by its name. Errors are shown, too.
     Expected<void> open(const QString& name);
     void show(const OpenRun& run);
     Session& session() { return *session_; }
     FieldView& field() const { return *field_; }
+    Inspector& inspector() const { return *inspector_; }
+    PlotPanel& plots() const { return *plots_; }
+    void showPlots();  ///< their dock, where it is hidden
     const Shown* shown() const { return shown_.get(); }
     Actions& actions() { return actions_; }
     void changeSpeed(int by);  ///< steps of the list of speeds
@@ -63,6 +69,7 @@ private:
     FieldView* field_;
     TimelineBar* timeline_;
     Inspector* inspector_;
+    PlotPanel* plots_;
     QTreeWidget* branches_;
     QComboBox* speed_;
     QLabel *clock_, *factor_, *cursor_, *message_;

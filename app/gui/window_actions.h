@@ -10,5 +10,6 @@ void addEditActions(MainWindow& window);
 void addTimeActions(MainWindow& window);
 void addViewActions(MainWindow& window);
 void addLayerActions(MainWindow& window);
+void addPlotActions(MainWindow& window);
 
 }  // namespace mrose::gui
