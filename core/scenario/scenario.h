@@ -75,6 +75,10 @@ public:
     std::span<const std::byte> memoryOf(const WorldState& state, std::size_t robot) const {
         return std::span(state.memory).subspan(slots_[robot].memory, slots_[robot].memorySize);
     }
+    /// The same of such memory by itself.
+    std::span<const std::byte> memoryOf(const std::vector<std::byte>& memory, std::size_t robot) const {
+        return std::span(memory).subspan(slots_[robot].memory, slots_[robot].memorySize);
+    }
     /// How many ticks of poses WorldState::past holds; 0 where no sensor is late.
     std::int64_t pastDepth() const { return pastDepth_; }
     /// Where a body was `lag` ticks ago, 0 <= lag <= pastDepth; before the start it stood where it started.
