@@ -22,6 +22,7 @@ struct RobotInsight {
 /// Where the bodies were at the shown tick in another branch.
 struct Ghost {
     std::string name;
+    std::shared_ptr<const Scenario> scenario;  ///< of that branch: may have other bodies
     std::vector<Pose> bodies;                ///< robots first, then objects
     std::vector<std::vector<Point>> trails;  ///< of each body, oldest first; may be empty
 };

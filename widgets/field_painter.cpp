@@ -224,10 +224,10 @@ void FieldPainter::ghosts(const FieldFrame& frame) {
             const QColor colour = robot ? robotColour(body) : QColor(255, 255, 255);
             polyline(ghost.trails[body], hairline(withAlpha(colour, 130), Qt::DotLine));
         }
-        for (std::size_t body = 0; body < std::min(ghost.bodies.size(), frame.scene().bodyCount()); ++body) {
+        for (std::size_t body = 0; body < ghost.bodies.size(); ++body) {
             const bool robot = body < frame.state.robots.size();
             const QColor colour = robot ? robotColour(body) : QColor(255, 255, 255);
-            outline(frame.scene().shapeOf(body), ghost.bodies[body], hairline(withAlpha(colour, 170), Qt::DashLine));
+            outline(ghost.scenario->scene().shapeOf(body), ghost.bodies[body], hairline(withAlpha(colour, 170), Qt::DashLine));
         }
     }
 }

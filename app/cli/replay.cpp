@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 
 #include "recording/recording.h"
+#include "scenario/scenario_file.h"
 #include "scenarios.h"
-#include "shared/opening.h"
 #include "world/plain_seconds.h"
 
 namespace mrose::cli {
@@ -17,15 +18,44 @@ struct ReplayCommandFlags {
     PluginFlags plugins;
 };
 
+/// Where a plug-in that a recording names may be: as it was named, seen from the current folder; the same seen from the
+/// recording's; beside the recording.
+std::vector<std::filesystem::path> placesOf(const std::filesystem::path& named,
+                                            const std::filesystem::path& recording) {
+    const std::filesystem::path folder = recording.parent_path();
+    std::vector<std::filesystem::path> places{named};
+    for (const std::filesystem::path& place : {folder / named, folder / named.filename()})
+        if (std::find(places.begin(), places.end(), place) == places.end()) places.push_back(place);
+    return places;
+}
+
+/// Loads plug-ins from wherever they are found.
+PluginLoader findingLoader(const ReplayCommandFlags& flags) {
+    return [recording = flags.recording, load = pluginLoader(flags.plugins)](
+               const std::string& path, const std::string& options) -> Expected<std::shared_ptr<const Controller>> {
+        std::error_code ignored;
+        std::string looked;
+        for (const std::filesystem::path& place : placesOf(path, recording)) {
+            if (std::filesystem::exists(place, ignored)) return load(place.string(), options);
+            looked += (looked.empty() ? "" : ", nor ") +
+                      std::filesystem::absolute(place, ignored).lexically_normal().string();
+        }
+        return fail("", "the plug-in is neither " + looked);
+    };
+}
+
 /// The recorded scenario, from the texts in the recording. Without its controllers their stand-ins keep the states'
 /// layout.
 Expected<Scenario> recordedScenario(const Recording& recording, const ReplayCommandFlags& flags) {
-    const PluginLoader load =
-        flags.decide ? findingLoader(flags.recording, pluginLoader(flags.plugins)) : PluginLoader();
-    auto parts = recordedParts(recording.header, recording.header.descriptions, load);
-    if (!parts) return tl::unexpected(parts.error());
-    watchPlugins(*parts);
-    return Scenario(std::move(*parts));
+    KeptDescriptions source(recording.header.descriptions.texts);
+    auto loaded = loadScenario(recording.header.descriptions.scenario, source,
+                               {flags.decide ? findingLoader(flags) : PluginLoader()});
+    if (!loaded) return tl::unexpected(loaded.error());
+    if (!flags.decide)
+        for (std::size_t i = 0; i < loaded->parts.controllers.size() && i < recording.header.controllers.size(); ++i)
+            loaded->parts.controllers[i] = std::make_shared<const RecordedController>(recording.header.controllers[i]);
+    watchPlugins(loaded->parts);
+    return Scenario(std::move(loaded->parts));
 }
 
 /// "; kept: 900 ticks, 18.0 s"

@@ -61,6 +61,7 @@ MainWindow::MainWindow(QWidget* parent)
     layout->addWidget(timeline_);
     setCentralWidget(middle);
     makeDocks();
+    actions_.setErrorHandler([this](const Error& error) { say(QString::fromStdString(error.message())); });
     addFileActions(*this);
     addEditActions(*this);
     addTimeActions(*this);
@@ -172,22 +173,22 @@ void MainWindow::setTheme(const Theme& theme) {
     updateStatus();
 }
 
-bool MainWindow::open(const QString& name) {
+Expected<void> MainWindow::open(const QString& name) {
     const auto opened = openRun(name.toStdString(), std::nullopt);
     if (!opened) {
         say(QString::fromStdString(opened.error().message()));
-        return false;
+        return tl::unexpected(opened.error());
     }
     show(*opened);
-    return true;
+    return {};
 }
 
 void MainWindow::show(const OpenRun& run) {
     title_ = QString::fromStdString(run.name);
     setWindowTitle(title_ + " \u2013 mrose");
-    plannedTicks_ = run.scenario->scene().ticksOf(run.scenario->parts().duration);
+    plannedTicks_ = run.course->scene().ticksOf(run.course->scenario->parts().duration);
     field_->setSelected(std::nullopt);
-    session_->open(run.scenario, run.start);
+    session_->open(run);
 }
 
 void MainWindow::update(std::shared_ptr<const Shown> what) {
@@ -244,7 +245,8 @@ void MainWindow::updateStatus() {
 void MainWindow::moveBody(std::size_t body, const Pose& pose) {
     if (!shown_) return;
     const QString name = QString::fromStdString(shown_->frame->nameOf(body));
-    session_->branchOff(tr("%1 moved").arg(name), [body, pose](const Scenario&, WorldState& state) {
+    Edit edit{tr("%1 moved").arg(name).toStdString()};
+    edit.change = [body, pose](const Scenario&, WorldState& state) {
         if (body < state.robots.size()) {
             RobotState& robot = state.robots[body];
             const Pose shift = pose * inverse(robot.pose);
@@ -257,7 +259,8 @@ void MainWindow::moveBody(std::size_t body, const Pose& pose) {
             object.velocity_W = {};
             object.roll_W = {};
         }
-    });
+    };
+    session_->branchOff(edit);
 }
 
 void MainWindow::say(const QString& text) {

@@ -29,8 +29,8 @@ class MainWindow final : public QMainWindow {
 public:
     explicit MainWindow(QWidget* parent = nullptr);
 
-    /// Opens a scenario, a recording or one that ships, by its name; false: the error is shown.
-    bool open(const QString& name);
+    /// Opens a scenario, a recording or one that ships, by its name. Errors are shown, too.
+    Expected<void> open(const QString& name);
     void show(const OpenRun& run);
     Session& session() { return *session_; }
     FieldView& field() const { return *field_; }

@@ -50,15 +50,4 @@ PluginLoader findingLoader(const std::filesystem::path& recording, PluginLoader 
     };
 }
 
-Expected<ScenarioParts> recordedParts(const RecordingHeader& header, const Descriptions& descriptions,
-                                      const PluginLoader& load) {
-    KeptDescriptions source(descriptions.texts);
-    auto loaded = loadScenario(descriptions.scenario, source, {load});
-    if (!loaded) return tl::unexpected(loaded.error());
-    if (!load)
-        for (std::size_t i = 0; i < loaded->parts.controllers.size() && i < header.controllers.size(); ++i)
-            loaded->parts.controllers[i] = std::make_shared<const RecordedController>(header.controllers[i]);
-    return std::move(loaded->parts);
-}
-
 }  // namespace mrose

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "recording/recording.h"
 #include "scenario/scenario_file.h"
 
 namespace mrose {
@@ -15,10 +14,5 @@ std::vector<std::string> startsOutsideText(const Scene& scene);
 /// Loads plug-ins that a recording names from wherever they are found: as they were named, seen from the current
 /// folder; the same seen from the recording's; beside the recording. Error: all places where there is none.
 PluginLoader findingLoader(const std::filesystem::path& recording, PluginLoader load);
-
-/// What was recorded ran in: the scenario made again from the recording's texts. Robots whose plug-ins were not loaded
-/// get stand-ins, which keep the layout of the states.
-Expected<ScenarioParts> recordedParts(const RecordingHeader& header, const Descriptions& descriptions,
-                                      const PluginLoader& load);
 
 }  // namespace mrose
