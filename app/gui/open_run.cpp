@@ -115,7 +115,10 @@ Expected<std::shared_ptr<const Scenario>> scenarioOf(const RecordingHeader& head
         notes.push_back(controller.error().message() + "; its robots do as recorded and decide nothing new");
         return std::make_shared<const AbsentPlugin>();
     };
-    auto parts = recordedParts(header, descriptions, tolerant);
+    KeptDescriptions source(descriptions.texts);
+    auto loaded = loadScenario(descriptions.scenario, source, {tolerant});
+    if (!loaded) return tl::unexpected(loaded.error());
+    Expected<ScenarioParts> parts = std::move(loaded->parts);
     if (!parts) return tl::unexpected(parts.error());
     if (parts->controllers.size() != header.controllers.size())
         return fail("", "has " + std::to_string(header.controllers.size()) + " controllers for " +
@@ -165,12 +168,13 @@ Expected<OpenRun> openRecorded(const OpenRequest& request, const OpenProgress& p
         scenario.error().file = request.file + (scenario.error().file.empty() ? "" : ": ") + scenario.error().file;
         return tl::unexpected(scenario.error());
     }
-    const Timeline& timeline = recording->branches.front().timeline;
-    auto start = Playback(**scenario).reach(timeline, timeline.first());
-    if (!start) return fail(request.file, start.error().message());
-    run.start = std::move(start->state);
     run.course = std::make_shared<const Course>(Course{std::move(recording->header.descriptions), *scenario});
-    run.branches = std::move(recording->branches);
+    for (Branch& branch : recording->branches) {
+        auto start = Playback(**scenario).reach(branch.timeline, branch.timeline.first());
+        if (!start) return fail(request.file, start.error().message());
+        run.branches.push_back({std::move(branch), run.course, std::move(start->state)});
+    }
+    run.start = run.branches.front().start;
     run.files.clear();  // it holds all that it was made from
     return run;
 }

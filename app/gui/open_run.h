@@ -29,7 +29,13 @@ struct OpenRun {
     OpenRequest source;
     CoursePointer course;
     WorldState start;
-    std::vector<Branch> branches = {};  ///< of a recording, the run first; empty: nothing has been yet
+    /// Of a recording, the run itself first. Empty: nothing has been yet.
+    struct Recorded {
+        Branch branch;
+        CoursePointer course;
+        WorldState start;
+    };
+    std::vector<Recorded> branches = {};
     std::vector<std::string> notes = {};
     /// Files that it was made from, with the hashes of what was read: descriptions, logs, plug-ins.
     std::map<std::string, std::string> files = {};
