@@ -100,14 +100,14 @@ Expected<OpenRun> openScenario(const OpenRequest& request, const OpenProgress& p
 /// A plug-in that cannot be loaded stops nobody from looking at what it once did.
 class AbsentPlugin final : public Controller {
 public:
-    std::size_t memorySize() const override { return 0; }
+    Attention attention() const override { return {.robots = false, .objects = false}; }
     void decide(const Observation&, std::span<std::byte>, Decision&) const override {}
 };
 
-/// The scenario of a recording. Robots whose controllers are not at hand, or need other memory than they did, get
-/// stand-ins: they do as recorded, and decide nothing beyond that.
-Expected<std::shared_ptr<const Scenario>> scenarioOf(const RecordingHeader& header, const Descriptions& descriptions,
-                                                     const PluginLoader& load, std::vector<std::string>& notes) {
+/// What a branch of a recording runs in. Robots whose controllers are not at hand, or need other memory than they did,
+/// get stand-ins: they do as recorded, and decide nothing beyond that.
+Expected<CoursePointer> courseOf(const Recording& recording, std::uint32_t branch, const PluginLoader& load,
+                                 std::vector<std::string>& notes) {
     const PluginLoader tolerant = [&](const std::string& path,
                                       const std::string& options) -> Expected<std::shared_ptr<const Controller>> {
         auto controller = load(path, options);
@@ -115,22 +115,40 @@ Expected<std::shared_ptr<const Scenario>> scenarioOf(const RecordingHeader& head
         notes.push_back(controller.error().message() + "; its robots do as recorded and decide nothing new");
         return std::make_shared<const AbsentPlugin>();
     };
-    KeptDescriptions source(descriptions.texts);
-    auto loaded = loadScenario(descriptions.scenario, source, {tolerant});
-    if (!loaded) return tl::unexpected(loaded.error());
-    Expected<ScenarioParts> parts = std::move(loaded->parts);
+    auto parts = recordedScenario(recording, branch, tolerant);
     if (!parts) return tl::unexpected(parts.error());
-    if (parts->controllers.size() != header.controllers.size())
-        return fail("", "has " + std::to_string(header.controllers.size()) + " controllers for " +
+    const std::vector<RecordingHeader::ControllerNeeds>& needs = recording.layouts[branch].controllers;
+    if (parts->controllers.size() != needs.size())
+        return fail("", "was recorded with " + std::to_string(needs.size()) + " controllers and describes " +
                             std::to_string(parts->controllers.size()) + " robots");
-    for (std::size_t i = 0; i < parts->controllers.size(); ++i) {
-        const RecordingHeader::ControllerNeeds& needs = header.controllers[i];
+    for (std::size_t i = 0; i < needs.size(); ++i) {
         const Controller& controller = *parts->controllers[i];
-        if (controller.memorySize() != needs.memorySize ||
-            controller.commandsPerPeriod(parts->scene.modelOf(i).period()) != needs.commandsPerPeriod)
-            parts->controllers[i] = std::make_shared<const RecordedController>(needs);
+        if (controller.memorySize() != needs[i].memorySize ||
+            controller.commandsPerPeriod(parts->scene.modelOf(i).period()) != needs[i].commandsPerPeriod)
+            parts->controllers[i] = std::make_shared<const RecordedController>(needs[i]);
     }
-    return std::make_shared<const Scenario>(std::move(*parts));
+    auto scenario = std::make_shared<const Scenario>(std::move(*parts));
+    return std::make_shared<const Course>(Course{recording.descriptionsOf(branch), std::move(scenario)});
+}
+
+/// Branches of the same descriptions share a course.
+Expected<std::vector<OpenRun::Recorded>> branchesOf(const Recording& recording, const PluginLoader& load,
+                                                    std::vector<std::string>& notes) {
+    std::map<const Descriptions*, CoursePointer> courses;
+    std::vector<OpenRun::Recorded> branches;
+    for (std::uint32_t i = 0; i < recording.branches.size(); ++i) {
+        const Branch& branch = recording.branches[i];
+        CoursePointer& course = courses[branch.descriptions.get()];
+        if (!course) {
+            auto opened = courseOf(recording, i, load, notes);
+            if (!opened) return tl::unexpected(opened.error());
+            course = std::move(*opened);
+        }
+        auto start = Playback(*course->scenario).reach(branch.timeline, branch.timeline.first());
+        if (!start) return tl::unexpected(start.error());
+        branches.push_back({branch, course, std::move(start->state)});
+    }
+    return branches;
 }
 
 /// "; it is shown up to there: 18.0 s"
@@ -163,17 +181,13 @@ Expected<OpenRun> openRecorded(const OpenRequest& request, const OpenProgress& p
     if (request.trial > 0 || request.seed)
         run.notes.push_back(request.file + ": is a recording; trial and seed are those that it was made with");
     const PluginLoader load = findingLoader(request.file, isolating(request, progress, run.files));
-    auto scenario = scenarioOf(recording->header, recording->header.descriptions, load, run.notes);
-    if (!scenario) {
-        scenario.error().file = request.file + (scenario.error().file.empty() ? "" : ": ") + scenario.error().file;
-        return tl::unexpected(scenario.error());
+    auto branches = branchesOf(*recording, load, run.notes);
+    if (!branches) {
+        branches.error().file = request.file + (branches.error().file.empty() ? "" : ": ") + branches.error().file;
+        return tl::unexpected(branches.error());
     }
-    run.course = std::make_shared<const Course>(Course{std::move(recording->header.descriptions), *scenario});
-    for (Branch& branch : recording->branches) {
-        auto start = Playback(**scenario).reach(branch.timeline, branch.timeline.first());
-        if (!start) return fail(request.file, start.error().message());
-        run.branches.push_back({std::move(branch), run.course, std::move(start->state)});
-    }
+    run.branches = std::move(*branches);
+    run.course = run.branches.front().course;
     run.start = run.branches.front().start;
     run.files.clear();  // it holds all that it was made from
     return run;
