@@ -68,11 +68,11 @@ public:
         text_->setFocusPolicy(Qt::ClickFocus);
         layout->addWidget(text_, 1);
         if (message_.kind == Kind::progress) {
-            auto* progress = new QProgressBar(this);
-            progress->setRange(0, 0);
-            progress->setFixedSize(120, 10);
-            progress->setTextVisible(false);
-            layout->addWidget(progress);
+            progress_ = new QProgressBar(this);
+            progress_->setFixedSize(160, 10);
+            progress_->setTextVisible(false);
+            layout->addWidget(progress_);
+            progressTo(message_.text, message_.share);
         }
         for (const Button& button : message_.buttons) addButton(*layout, button);
         close_ = new QToolButton(this);
@@ -92,6 +92,13 @@ public:
     }
 
     const Message& message() const { return message_; }
+    void progressTo(const QString& text, double share) {
+        message_.text = text;
+        message_.share = share;
+        text_->setText(text);
+        progress_->setRange(0, share < 0 ? 0 : 1000);
+        progress_->setValue(share < 0 ? 0 : static_cast<int>(1000 * share));
+    }
     void setTheme(const Theme& theme) {
         theme_ = theme;
         sign_->setPixmap(sign(message_.kind, theme, devicePixelRatioF()));
@@ -123,6 +130,7 @@ private:
     Message message_;
     Theme theme_ = Theme::light();
     QLabel *sign_, *text_;
+    QProgressBar* progress_ = nullptr;
     QToolButton* close_;
 };
 
@@ -138,7 +146,11 @@ void MessageBar::add(Message message) {
         const Message& there = lines_[i]->message();
         const bool same =
             message.topic.isEmpty() ? there.topic.isEmpty() && there.text == message.text : there.topic == message.topic;
-        if (same) drop(i);
+        if (!same) continue;
+        // What goes on stays where it is.
+        if (message.kind == Kind::progress && there.kind == Kind::progress)
+            return lines_[i]->progressTo(message.text, message.share);
+        drop(i);
     }
     auto* line = new Line(*this, std::move(message));
     line->setTheme(theme_);
@@ -172,6 +184,10 @@ void MessageBar::drop(std::size_t index) {
 void MessageBar::remove(const QString& topic) {
     for (std::size_t i = lines_.size(); i-- > 0;)
         if (lines_[i]->message().topic == topic) drop(i);
+}
+
+void MessageBar::clear() {
+    while (!lines_.empty()) drop(lines_.size() - 1);
 }
 
 bool MessageBar::dismiss() {

@@ -28,6 +28,7 @@ public:
         QString text;
         QString topic = {};  ///< takes the place of the earlier one of this topic; empty: of the one that says the same
         std::vector<Button> buttons = {};
+        double share = -1;  ///< of progress: how much is done; negative: nobody knows
     };
 
     explicit MessageBar(QWidget* parent = nullptr);
@@ -35,6 +36,7 @@ public:
     void add(Message message);
     /// All of a topic; nothing where there is none.
     void remove(const QString& topic);
+    void clear();
     /// The newest that waits for nothing; false: there is none.
     bool dismiss();
     /// Oldest first.

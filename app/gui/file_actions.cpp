@@ -1,19 +1,42 @@
 #include <QFileDialog>
+#include <QMenu>
 
 #include "main_window.h"
 #include "window_actions.h"
+#include "window_files.h"
+#include "window_memory.h"
+#include "work_progress.h"
 
 namespace mrose::gui {
 namespace {
 
-QString askForFile(MainWindow& window) {
-    return QFileDialog::getOpenFileName(&window, QObject::tr("Open"), QString(),
-                                        QObject::tr("Scenarios (*.toml);;All files (*)"));
+/// Where the last file was.
+QString folderOf(MainWindow& window) {
+    const QStringList& recent = window.memory().recentFiles();
+    for (const QString& file : recent)
+        if (const QFileInfo place(file); place.isAbsolute() && place.dir().exists()) return place.path();
+    return {};
 }
 
-QString askForImage(MainWindow& window) {
-    return QFileDialog::getSaveFileName(&window, QObject::tr("Save picture"), QString(),
-                                        QObject::tr("Pictures (*.png *.svg)"));
+QString askForFile(MainWindow& window) {
+    return QFileDialog::getOpenFileName(
+        &window, QObject::tr("Open"), folderOf(window),
+        QObject::tr("What mrose opens (*.toml *.mcap *.net *.csv);;Scenarios (*.toml);;Recordings (*.mcap);;"
+                    "Networks (*.net);;Results of a batch (*.csv);;All files (*)"));
+}
+
+/// A name with an extension of its kind.
+QString askForName(MainWindow& window, const QString& title, const QString& kinds, const QString& extension) {
+    QString path = QFileDialog::getSaveFileName(&window, title, folderOf(window), kinds);
+    if (!path.isEmpty() && QFileInfo(path).suffix().isEmpty()) path += extension;
+    return path;
+}
+
+/// Scripts wait until it is open, people need not.
+Expected<void> openPath(MainWindow& window, const QString& path) {
+    if (window.actions().unattended()) return window.files().openNow({path.toStdString()});
+    window.files().open(path);
+    return {};
 }
 
 }  // namespace
@@ -21,18 +44,32 @@ QString askForImage(MainWindow& window) {
 void addFileActions(MainWindow& window) {
     Actions& actions = window.actions();
     const QString menu = QObject::tr("&File");
-    actions.add(
-        menu, {"open", QObject::tr("&Open\u2026"), QKeySequence("Ctrl+O"), QObject::tr("Open a scenario")},
-        Actions::Asking{[&] { return askForFile(window); }, [&](const QString& path) { return window.open(path); }});
+    actions.add(menu,
+                {"open", QObject::tr("&Open\u2026"), QKeySequence("Ctrl+O"),
+                 QObject::tr("Open a scenario, a recording or a network")},
+                Actions::Asking{[&] { return askForFile(window); },
+                                [&](const QString& path) { return openPath(window, path); }});
+    QMenu* recent = actions.menu(menu)->addMenu(QObject::tr("Open &recent"));
+    recent->setToolTipsVisible(true);
+    window.memory().fillRecent(*recent, [&](const QString& file) { window.files().open(file); });
+    actions.add(menu,
+                {"reload", QObject::tr("R&eload"), QKeySequence("F5"),
+                 QObject::tr("Read the descriptions again, and simulate up to the same tick")},
+                [&](bool) { window.files().reload(QObject::tr("reloaded")); });
+    actions.addSeparator(menu);
     actions.add(menu,
                 {"save_image", QObject::tr("Save &picture\u2026"), QKeySequence("Ctrl+P"),
-                 QObject::tr("Save the field view as PNG or SVG")},
-                Actions::Asking{[&] { return askForImage(window); },
-                                [&](const QString& path) -> Expected<void> {
-                                    if (!window.saveImage(path)) return fail(path.toStdString(), "cannot be written");
-                                    return {};
-                                }});
+                 QObject::tr("Save the field view as PNG, SVG or PDF")},
+                Actions::Asking{[&] {
+                                    return askForName(window, QObject::tr("Save picture"),
+                                                      QObject::tr("Pictures (*.png *.svg *.pdf)"), ".png");
+                                },
+                                [&](const QString& path) { return window.files().savePicture(path); }});
     actions.addSeparator(menu);
+    actions.add(menu,
+                {"cancel", QObject::tr("&Cancel or dismiss"), QKeySequence(Qt::Key_Escape),
+                 QObject::tr("End what takes long; otherwise dismiss the newest message")},
+                [&](bool) { window.progress().cancel(); });
     actions.add(menu, {"quit", QObject::tr("&Quit"), QKeySequence("Ctrl+Q"), QObject::tr("End the program")},
                 [&](bool) { window.close(); });
 }

@@ -9,9 +9,9 @@
 #include <QLabel>
 #include <QMenu>
 #include <QMimeData>
+#include <QPainter>
 #include <QStatusBar>
 #include <QStyle>
-#include <QSvgGenerator>
 #include <QToolBar>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -19,11 +19,16 @@
 #include <array>
 #include <cmath>
 
+#include "view_export.h"
 #include "widgets/field_view.h"
 #include "widgets/icons.h"
 #include "widgets/inspector.h"
+#include "widgets/message_bar.h"
 #include "widgets/timeline_bar.h"
 #include "window_actions.h"
+#include "window_files.h"
+#include "window_memory.h"
+#include "work_progress.h"
 
 namespace mrose::gui {
 namespace {
@@ -49,7 +54,11 @@ MainWindow::MainWindow(QWidget* parent)
       clock_(new QLabel),
       factor_(new QLabel),
       cursor_(new QLabel),
-      message_(new QLabel) {
+      message_(new QLabel),
+      messages_(new MessageBar),
+      files_(new WindowFiles(*this, *messages_)),
+      memory_(new WindowMemory(*this)),
+      progress_(new WorkProgress(*this, *messages_)) {
     setWindowTitle("mrose");
     resize(1280, 800);
     setAcceptDrops(true);
@@ -57,11 +66,14 @@ MainWindow::MainWindow(QWidget* parent)
     auto* layout = new QVBoxLayout(middle);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
+    layout->addWidget(messages_);
     layout->addWidget(field_, 1);
     layout->addWidget(timeline_);
     setCentralWidget(middle);
     makeDocks();
-    actions_.setErrorHandler([this](const Error& error) { say(QString::fromStdString(error.message())); });
+    actions_.setErrorHandler([this](const Error& error) {
+        messages_->add({MessageBar::Kind::error, QString::fromStdString(error.message())});
+    });
     addFileActions(*this);
     addEditActions(*this);
     addTimeActions(*this);
@@ -80,6 +92,7 @@ MainWindow::MainWindow(QWidget* parent)
         cursor_->setText(at ? QString("x %1  y %2 m").arg(at->x, 0, 'f', 2).arg(at->y, 0, 'f', 2) : QString());
     });
     setTheme(Theme::light());
+    memory_->keepAsNew();
 }
 
 void MainWindow::changeSpeed(int by) {
@@ -160,6 +173,7 @@ void MainWindow::setTheme(const Theme& theme) {
     QApplication::setPalette(palette);
     field_->setTheme(theme_);
     timeline_->setTheme(theme_);
+    messages_->setTheme(theme_);
     inspector_->setTheme(theme_);
     const std::initializer_list<std::pair<const char*, Icon>> icons{{"tick_forward", Icon::tickForward},
                                                                     {"tick_back", Icon::tickBack},
@@ -173,15 +187,7 @@ void MainWindow::setTheme(const Theme& theme) {
     updateStatus();
 }
 
-Expected<void> MainWindow::open(const QString& name) {
-    const auto opened = openRun(name.toStdString(), std::nullopt);
-    if (!opened) {
-        say(QString::fromStdString(opened.error().message()));
-        return tl::unexpected(opened.error());
-    }
-    show(*opened);
-    return {};
-}
+Expected<void> MainWindow::open(const QString& name) { return files_->openNow(OpenRequest{name.toStdString()}); }
 
 void MainWindow::show(const OpenRun& run) {
     title_ = QString::fromStdString(run.name);
@@ -268,19 +274,12 @@ void MainWindow::say(const QString& text) {
     message_->setToolTip(text);
 }
 
-bool MainWindow::saveImage(const QString& path) {
-    if (path.endsWith(".svg", Qt::CaseInsensitive)) {
-        QSvgGenerator svg;
-        svg.setFileName(path);
-        svg.setSize(field_->size());
-        svg.setViewBox(field_->rect());
-        svg.setTitle(title_);
-        QPainter painter;
-        if (!painter.begin(&svg)) return false;
-        field_->paint(painter, field_->size());
-        return painter.end();
-    }
-    return grab().save(path);
+Expected<void> MainWindow::saveImage(const QString& path) {
+    return writePicture({size(), logicalDpiX(), windowTitle(),
+                         [this](QPainter& painter) {
+                             render(&painter, {}, {}, QWidget::DrawWindowBackground | QWidget::DrawChildren);
+                         }},
+                        path, 1);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
@@ -288,14 +287,13 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-    for (const QUrl& url : event->mimeData()->urls())
-        if (url.isLocalFile()) {
-            open(url.toLocalFile());
-            return;
-        }
+    event->acceptProposedAction();
+    files_->drop(*event->mimeData());
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!files_->mayLeave([this] { close(); })) return event->ignore();
+    memory_->save();
     session_->pause();
     QMainWindow::closeEvent(event);
 }

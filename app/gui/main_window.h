@@ -17,10 +17,15 @@ class QTreeWidget;
 namespace mrose {
 class FieldView;
 class Inspector;
+class MessageBar;
 class TimelineBar;
 }  // namespace mrose
 
 namespace mrose::gui {
+
+class WindowFiles;
+class WindowMemory;
+class WorkProgress;
 
 /// The window. It shows what the session shows, and turns what the user does into requests.
 class MainWindow final : public QMainWindow {
@@ -36,10 +41,15 @@ public:
     FieldView& field() const { return *field_; }
     const Shown* shown() const { return shown_.get(); }
     Actions& actions() { return actions_; }
+    MessageBar& messages() const { return *messages_; }
+    WindowFiles& files() const { return *files_; }
+    WindowMemory& memory() const { return *memory_; }
+    WorkProgress& progress() const { return *progress_; }
     void changeSpeed(int by);  ///< steps of the list of speeds
     void setTheme(const Theme& theme);
     void say(const QString& text);  ///< in the status bar
-    bool saveImage(const QString& path);
+    /// All of the window as it is, as PNG, SVG or PDF.
+    Expected<void> saveImage(const QString& path);
 
 signals:
     void updated();  ///< another tick is shown
@@ -66,6 +76,10 @@ private:
     QTreeWidget* branches_;
     QComboBox* speed_;
     QLabel *clock_, *factor_, *cursor_, *message_;
+    MessageBar* messages_;
+    WindowFiles* files_;
+    WindowMemory* memory_;
+    WorkProgress* progress_;
     std::shared_ptr<const Shown> shown_;
     std::int64_t plannedTicks_ = 0;
     QString title_;

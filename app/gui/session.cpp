@@ -36,6 +36,7 @@ void Session::request(Request what) {
 
 void Session::open(const OpenRun& run) {
     request([this, run] {
+        if (recorder_) endRecording(recorder_->finish(*run_));
         run_.emplace(run);
         learning_ = true;
         marks_.reset();
@@ -129,6 +130,50 @@ void Session::run(const QString& what, std::function<QString(TimeTravel&, const 
     });
 }
 
+void Session::record(const QString& path, const QString& commandLine) {
+    request([this, path, commandLine] {
+        if (!run_) return;
+        if (recorder_) endRecording(recorder_->finish(*run_));
+        auto recorder = RunRecorder::begin(path.toStdString(), *run_, commandLine.toStdString());
+        if (!recorder) {
+            emit recordingChanged({}, QString::fromStdString(recorder.error().message()));
+            return;
+        }
+        recorder_.emplace(std::move(*recorder));
+        nextFlush_ = Clock::now();
+        emit recordingChanged(path, {});
+    });
+}
+
+void Session::stopRecording() {
+    request([this] {
+        if (recorder_) endRecording(recorder_->finish(*run_));
+    });
+}
+
+/// The run goes on, whatever becomes of its file.
+void Session::endRecording(const Expected<void>& done) {
+    recorder_.reset();
+    recording_ = false;
+    emit recordingChanged({}, done ? QString() : QString::fromStdString(done.error().message()));
+}
+
+/// For a frame's time.
+void Session::followRecording() {
+    const auto begin = Clock::now();
+    do {
+        const auto more = recorder_->follow(*run_, 20);
+        if (!more) return endRecording(tl::unexpected(more.error()));
+        recording_ = *more;
+    } while (recording_ && Clock::now() - begin < framePeriod);
+    if (Clock::now() < nextFlush_) {
+        recording_ = true;  // comes back for that
+        return;
+    }
+    recorder_->flush();
+    nextFlush_ = Clock::now() + std::chrono::seconds(1);
+}
+
 void Session::cancel() {
     cancelled_ = true;
     // Any request ends the way to a tick.
@@ -191,11 +236,11 @@ void Session::work() {
         if (requests_.empty() && !seekTo_) {
             busy_ = false;
             settled_.notify_all();
-            if (playing_ || learning_)
+            if (playing_ || learning_ || recording_)
                 wake_.wait_until(lock, nextFrame);
             else
                 wake_.wait(lock, [this] { return quit_ || !requests_.empty() || seekTo_.has_value(); });
-            if (quit_) return;
+            if (quit_) break;
         }
         busy_ = true;
         std::deque<Request> requests = std::exchange(requests_, {});
@@ -206,10 +251,13 @@ void Session::work() {
         if (seekTo && run_) goTo(*seekTo);
         if (playing_) changed = playTicks() || changed;
         if (learning_ && run_) changed = learn() || changed;
+        if (recorder_ && (changed || recording_)) followRecording();
         if (changed && run_) publish();
         nextFrame = std::max(Clock::now(), nextFrame + framePeriod);
         lock.lock();
     }
+    lock.unlock();
+    if (recorder_) endRecording(recorder_->finish(*run_));
 }
 
 bool Session::superseded() {

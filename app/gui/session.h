@@ -13,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "run_recorder.h"
 #include "time_travel.h"
 #include "world/state_hash.h"
 
@@ -85,6 +86,9 @@ public:
     using Progress = std::function<bool(double share)>;
     /// Long work over the run, in the session's thread: meanwhile nothing is stepped. `job` returns what is to be said.
     void run(const QString& what, std::function<QString(TimeTravel&, const Progress&)> job);
+    /// Writes the run to a file from now on, with all that was before; recordingChanged() tells how that goes.
+    void record(const QString& path, const QString& commandLine);
+    void stopRecording();
     /// Ends what takes long: a job, or the way to a tick.
     void cancel();
 
@@ -94,6 +98,8 @@ public:
 signals:
     void shown(std::shared_ptr<const Shown> what);
     void working(const QString& what, double share);  ///< share 1: it has ended
+    /// The file that is written now; empty: none. `error`: why one was not begun, or ended before it was asked to.
+    void recordingChanged(const QString& path, const QString& error);
 
 private:
     using Request = std::function<void()>;
@@ -101,6 +107,8 @@ private:
     void work();
     bool playTicks();
     bool learn();
+    void followRecording();
+    void endRecording(const Expected<void>& done);
     void goTo(std::int64_t tick);
     bool superseded();
     std::vector<BranchInfo> branchInfos() const;
@@ -112,6 +120,9 @@ private:
     // The worker's own.
     std::optional<TimeTravel> run_;
     bool learning_ = false;  ///< there are ticks of a file that nobody has looked at
+    std::optional<RunRecorder> recorder_;
+    bool recording_ = false;  ///< there are ticks that it has not yet written
+    std::chrono::steady_clock::time_point nextFlush_;
     std::optional<std::int64_t> goal_;
     std::optional<std::size_t> subject_;
     TimeTravel::FrameOptions frameOptions_;

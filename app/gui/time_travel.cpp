@@ -122,7 +122,9 @@ Expected<void> TimeTravel::branchOff(const Edit& edit) {
     if (edit.change) edit.change(*course->scenario, state);
     if (const std::string wrong = misfit(*course->scenario, state); !wrong.empty())
         return tl::unexpected(Error{"", 0, 0, "", "the state does not fit the scenario: " + wrong});
-    const std::uint32_t made = history_.beginBranch(parent, state, edit.name);
+    std::shared_ptr<const Descriptions> descriptions;
+    if (course != records_[parent].coursePointer()) descriptions = {course, &course->descriptions};
+    const std::uint32_t made = history_.beginBranch(parent, state, edit.name, std::move(descriptions));
     records_.emplace_back(course, state, edit.orders);
     at.moveTo(made, {std::move(state)});
     shown_ = std::move(at);

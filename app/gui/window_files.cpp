@@ -42,13 +42,6 @@ WindowFiles::Answer askUser(MainWindow& window, const QString& what) {
 WindowFiles::WindowFiles(MainWindow& window, MessageBar& messages)
     : QObject(&window), window_(window), messages_(messages) {
     ask_ = [this](const QString& what) { return askUser(window_, what); };
-    connect(&opener_, &RunOpener::progress, this, [this](const QString& what) {
-        messages_.add({Kind::progress,
-                       tr("Opening %1").arg(what),
-                       "opening",
-                       {{tr("Cancel"), tr("Do not open it (Esc)"), [this] { opener_.cancel(); }}}});
-    });
-    connect(&opener_, &RunOpener::ended, this, [this] { messages_.remove("opening"); });
     connect(&watch_, &DescriptionWatch::changed, this, [this](const std::vector<std::string>& files) {
         QStringList names;
         for (const std::string& file : files) names << nameOf(text(file));
@@ -121,7 +114,8 @@ void WindowFiles::offerNetwork(const QString& path) {
     const bool robot = selected && window_.shown() && *selected < window_.shown()->frame->state.robots.size();
     if (robot) {
         messages_.remove("network");
-        return window_.swapModel(path);
+        if (const auto done = window_.actions().perform("swap_model", path); !done) sayError(done.error(), "network");
+        return;
     }
     messages_.add({Kind::note,
                    tr("%1 is a network: select a robot first, then use it as this robot's motion model")
@@ -166,7 +160,6 @@ void WindowFiles::takeReloaded(Expected<OpenRun> run, const QString& why) {
     const bool goesOn = shown->playing;
     window_.session().branchOff(edit, shown->tick());
     if (goesOn) window_.session().play();
-    ++reloads_;
     messages_.add({Kind::note,
                    tr("%1: the run was simulated again up to here; the course before is shown as a ghost").arg(why),
                    "reload",

@@ -35,6 +35,8 @@ public:
     /// The same, and waits: for scripts. `at` in seconds. Error: it is shown, too.
     Expected<void> openNow(const OpenRequest& request, std::optional<double> at = {});
     void drop(const QMimeData& what);
+    /// Tells a network to swap_model, or what is missing for it.
+    void offerNetwork(const QString& path);
     /// What is open, once more from its files: as a branch that goes up to the shown tick.
     void reload(const QString& why);
     /// Ends what is being opened; false: nothing is.
@@ -42,8 +44,6 @@ public:
 
     /// The view as the extension says.
     Expected<void> savePicture(const QString& path);
-    Expected<void> saveRecording(const QString& path);
-    Expected<void> saveScenario(const QString& path);
 
     /// What a user may answer to the question about what would be lost.
     enum class Answer { save, discard, cancel };
@@ -57,14 +57,9 @@ public:
     RunOpener& opener() { return opener_; }
     DescriptionWatch& watch() { return watch_; }
 
-signals:
-    /// A network is to be the motion model of the selected robot.
-    void networkOpened(const QString& path);
-
 private:
     Expected<void> take(Expected<OpenRun> run, std::optional<double> at);
     void takeReloaded(Expected<OpenRun> run, const QString& why);
-    void offerNetwork(const QString& path);
     void sayError(const Error& error, const QString& topic);
 
     MainWindow& window_;
