@@ -32,7 +32,7 @@ Expected<RecordingWriter> RecordingWriter::create(const std::filesystem::path& p
     RecordingWriter writer(std::move(*mcap), scenario, descriptions, options.keyframeInterval);
     writer.writeHeader({descriptions, commandLine, options.origin, scenario.parts().name, initial.seed,
                         scenario.scene().tickLength, needsOf(scenario)});
-    writer.startBranch(0, initial, "", scenario, writer.schemas_);
+    writer.startBranch(0, initial, options.name, scenario, writer.schemas_);
     writer.flush();
     if (!writer.state()) {
         // No recording yet: it must not stand in the way of the next try.
@@ -115,6 +115,22 @@ void RecordingWriter::add(const WorldState& after, const StepTrace& trace, std::
     if (!keyframe) return;
     open.block.keyframe = stateBytes(after);
     open.lastKeyframe = after.tick;
+}
+
+void RecordingWriter::show(const WorldState& after, const StepTrace& trace, std::uint32_t branch) {
+    branches_[branch].topics.add(mcap_, after, trace);
+    if (mcap_.pendingBytes() >= mostPending) mcap_.endChunk();
+}
+
+void RecordingWriter::add(const TimelineBlock& kept, std::uint32_t branch) {
+    OpenBranch& open = branches_[branch];
+    assert(open.block.hashes.empty() && open.block.last() == kept.first);
+    const bool begins = open.lastKeyframe == kept.first && open.block.keyframe.empty();
+    open.block = kept;
+    if (begins) open.block.keyframe.clear();  // it lies with the branch's beginning
+    writeBlock(branch);
+    if (!kept.keyframe.empty()) open.lastKeyframe = kept.first;
+    if (mcap_.pendingBytes() >= worthAChunk) mcap_.endChunk();
 }
 
 void RecordingWriter::keep(const WorldState& state, std::uint32_t branch) {

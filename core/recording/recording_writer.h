@@ -24,6 +24,7 @@ public:
         bool overwrite = false;             ///< false: an Error where there is a file already
         std::int64_t keyframeInterval = 0;  ///< see Timeline
         Origin origin = thisOrigin();
+        std::string name = {};  ///< of the run, as branches have names
     };
     /// The scenario must stay as long as the writer. Error: what the system says.
     static Expected<RecordingWriter> create(const std::filesystem::path& path, const Scenario& scenario,
@@ -42,6 +43,10 @@ public:
     /// The same of a scenario of its own, which must stay as long as the writer.
     std::uint32_t beginBranch(std::uint32_t parent, const WorldState& state, const std::string& name,
                               const Scenario& scenario, const Descriptions& descriptions);
+    /// Ticks that a timeline kept, which must go on where the branch ends; what other programs see of each of them is
+    /// told by show() before.
+    void add(const TimelineBlock& kept, std::uint32_t branch);
+    void show(const WorldState& after, const StepTrace& trace, std::uint32_t branch);
     /// Keeps the state added last, so that a replay which differs before it can say in what: for the end of a run.
     void keep(const WorldState& state, std::uint32_t branch = 0);
 
