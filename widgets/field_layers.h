@@ -47,6 +47,11 @@ public:
     FieldLayers() {
         for (const FieldLayerText& text : fieldLayerTexts) set(text.layer, text.shown);
     }
+    static FieldLayers none() {
+        FieldLayers layers;
+        layers.bits_.reset();
+        return layers;
+    }
     bool has(FieldLayer layer) const { return bits_[static_cast<std::size_t>(layer)]; }
     void set(FieldLayer layer, bool on) { bits_[static_cast<std::size_t>(layer)] = on; }
     bool operator==(const FieldLayers&) const = default;

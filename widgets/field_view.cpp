@@ -1,12 +1,11 @@
 #include "widgets/field_view.h"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 #include <QMouseEvent>
 #include <QPaintEvent>
 #include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace mrose {
 namespace {
@@ -47,6 +46,7 @@ void FieldView::setLayers(const FieldLayers& layers) {
     layers_ = layers;
     place_ = {};
     update();
+    emit layersChanged(layers);
 }
 
 void FieldView::setSelected(std::optional<std::size_t> body) {
@@ -78,6 +78,15 @@ void FieldView::fit() {
     if (!frame_) return;
     view_.fit(wholeArea(), fitMargin);
     fitted_ = true;
+    update();
+}
+
+void FieldView::setView(const ViewTransform& view) {
+    ViewTransform like = view_;
+    like.showLike(view);
+    if (like == view_) return;
+    view_ = toldView_ = like;
+    fitted_ = false;
     update();
 }
 
@@ -133,6 +142,7 @@ void FieldView::paintEvent(QPaintEvent* /*event*/) {
     FieldPainter field(painter, view_, theme_, layers_);
     field.frame(*frame_, focus_);
     field.ruler();
+    if (!(toldView_ == view_)) emit viewChanged(toldView_ = view_);
     if (drag_ == Drag::measure) field.measure(view_.toMetres(pressedAt_), view_.toMetres(draggedTo_));
 }
 
@@ -208,8 +218,9 @@ void FieldView::drag(const QPointF& at) {
         Pose pose = frame_->poseOf(*focus_.selected);
         const Point to = view_.toMetres(at) - position(pose), from = view_.toMetres(pressedAt_) - position(pose);
         // From near its middle a body is turned to face the cursor, otherwise along with where it was taken.
-        const double turned = std::atan2(to.y, to.x) -
-                              (length(from) * view_.scale() < 2 * grabPixels ? pose.heading : std::atan2(from.y, from.x));
+        const double turned =
+            std::atan2(to.y, to.x) -
+            (length(from) * view_.scale() < 2 * grabPixels ? pose.heading : std::atan2(from.y, from.x));
         pose.heading = wrapAngle(pose.heading + turned);
         focus_.moved = pose;
     }

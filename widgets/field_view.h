@@ -1,10 +1,9 @@
 #pragma once
 
-#include <memory>
-#include <optional>
-
 #include <QPixmap>
 #include <QWidget>
+#include <memory>
+#include <optional>
 
 #include "widgets/field_frame.h"
 #include "widgets/field_painter.h"
@@ -31,6 +30,9 @@ public:
     /// The view goes along with the selected body.
     void setFollowing(bool following);
 
+    /// Shows the same part of the field as another view.
+    void setView(const ViewTransform& view);
+
     const FieldLayers& layers() const { return layers_; }
     const ViewTransform& transform() const { return view_; }
     std::optional<std::size_t> selected() const { return focus_.selected; }
@@ -50,6 +52,8 @@ signals:
     void bodySelected(std::optional<std::size_t> body);
     void bodyMoved(std::size_t body, const Pose& pose);  ///< it is to be put there
     void cursorMoved(std::optional<Point> metres);
+    void viewChanged(const ViewTransform& view);
+    void layersChanged(const FieldLayers& layers);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -78,7 +82,7 @@ private:
     QPointF pressedAt_, draggedTo_;
 
     QPixmap place_;  ///< what does not change from tick to tick, for placeView_
-    ViewTransform placeView_;
+    ViewTransform placeView_, toldView_;
     const Scenario* placeOf_ = nullptr;
 };
 

@@ -5,23 +5,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "io/nearest_word.h"
+
 namespace mrose::gui {
 
 namespace {
-
-/// How many letters must be changed, added or left out to make one name of the other.
-std::size_t editDistance(const QString& from, const QString& to) {
-    std::vector<std::size_t> row(static_cast<std::size_t>(to.size()) + 1);
-    for (std::size_t i = 0; i < row.size(); ++i) row[i] = i;
-    for (int i = 0; i < from.size(); ++i) {
-        std::size_t diagonal = std::exchange(row[0], row[0] + 1);
-        for (std::size_t j = 1; j < row.size(); ++j) {
-            const std::size_t changed = diagonal + (from[i] == to[static_cast<int>(j) - 1] ? 0 : 1);
-            diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, changed}));
-        }
-    }
-    return row.back();
-}
 
 Error refusal(const QString& name, const char* cause) { return {"", 0, 0, name.toStdString(), cause}; }
 
@@ -92,13 +80,11 @@ Expected<void> Actions::perform(const QString& name, const Argument& argument) {
 }
 
 Error Actions::unknown(const QString& name) const {
-    const auto nearest = std::min_element(byName_.begin(), byName_.end(), [&](const auto& a, const auto& b) {
-        return editDistance(a.first, name) < editDistance(b.first, name);
-    });
-    std::string cause = "there is no action of this name";
-    if (nearest != byName_.end() && editDistance(nearest->first, name) <= 3)
-        cause += "; did you mean " + nearest->first.toStdString() + '?';
-    return {"", 0, 0, name.toStdString(), cause};
+    std::vector<std::string> names;
+    for (const auto& [known, action] : byName_) names.push_back(known.toStdString());
+    const std::string_view meant = nearestWord(name.toStdString(), {names.begin(), names.end()});
+    const std::string hint = meant.empty() ? "" : "; did you mean " + std::string(meant) + '?';
+    return {"", 0, 0, name.toStdString(), "there is no action of this name" + hint};
 }
 
 Actions::Group& Actions::group(const QString& title) {

@@ -6,6 +6,7 @@
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QDropEvent>
+#include <QInputDialog>
 #include <QLabel>
 #include <QMenu>
 #include <QMimeData>
@@ -13,12 +14,14 @@
 #include <QStatusBar>
 #include <QStyle>
 #include <QToolBar>
-#include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "branch_panel.h"
+#include "command_panel.h"
+#include "side_view.h"
 #include "view_export.h"
 #include "widgets/field_view.h"
 #include "widgets/icons.h"
@@ -46,10 +49,11 @@ MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
       actions_(*this),
       session_(new Session(this)),
-      field_(new FieldView),
+      view_(new SideView),
       timeline_(new TimelineBar),
       inspector_(new Inspector),
-      branches_(new QTreeWidget),
+      branches_(new BranchPanel),
+      command_(new CommandPanel),
       speed_(new QComboBox),
       clock_(new QLabel),
       factor_(new QLabel),
@@ -67,7 +71,7 @@ MainWindow::MainWindow(QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(messages_);
-    layout->addWidget(field_, 1);
+    layout->addWidget(view_, 1);
     layout->addWidget(timeline_);
     setCentralWidget(middle);
     makeDocks();
@@ -77,6 +81,7 @@ MainWindow::MainWindow(QWidget* parent)
     addFileActions(*this);
     addEditActions(*this);
     addTimeActions(*this);
+    addBranchActions(*this);
     addViewActions(*this);
     addLayerActions(*this);
     actions_.addSeparator(tr("&View"));
@@ -86,9 +91,17 @@ MainWindow::MainWindow(QWidget* parent)
     makeStatusBar();
     connect(session_, &Session::shown, this, &MainWindow::update);
     connect(timeline_, &TimelineBar::tickRequested, session_, &Session::seek);
-    connect(field_, &FieldView::bodySelected, inspector_, &Inspector::setBody);
-    connect(field_, &FieldView::bodyMoved, this, &MainWindow::moveBody);
-    connect(field_, &FieldView::cursorMoved, this, [this](std::optional<Point> at) {
+    connect(&field(), &FieldView::bodySelected, inspector_, &Inspector::setBody);
+    connect(&field(), &FieldView::bodySelected, command_, &CommandPanel::setRobot);
+    connect(command_, &CommandPanel::branchRequested, this, [this](const Edit& edit) { session_->branchOff(edit); });
+    connect(branches_, &BranchPanel::renamed, session_, &Session::rename);
+    connect(branches_, &BranchPanel::besideRequested, session_,
+            [this](std::uint32_t branch) { session_->showBeside(branch); });
+    connect(branches_, &BranchPanel::branchRequested, this, [this](std::uint32_t branch) {
+        if (shown_ && branch != shown_->branch) session_->show(branch, shown_->tick());
+    });
+    connect(&field(), &FieldView::bodyMoved, this, &MainWindow::moveBody);
+    connect(&field(), &FieldView::cursorMoved, this, [this](std::optional<Point> at) {
         cursor_->setText(at ? QString("x %1  y %2 m").arg(at->x, 0, 'f', 2).arg(at->y, 0, 'f', 2) : QString());
     });
     setTheme(Theme::light());
@@ -131,17 +144,11 @@ void MainWindow::makeDocks() {
         addDockWidget(area, made);
         return made;
     };
-    branches_->setColumnCount(2);
-    branches_->setHeaderLabels({tr("Branch"), tr("from")});
-    branches_->setFrameShape(QFrame::NoFrame);
-    branches_->setAccessibleName(tr("Branches"));
-    connect(branches_, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item, int) {
-        if (!shown_) return;
-        session_->show(item->data(0, Qt::UserRole).toUInt(), shown_->tick());
-    });
     dock("branches", tr("Branches"), branches_, Qt::LeftDockWidgetArea);
+    dock("command", tr("Change a command"), command_, Qt::LeftDockWidgetArea);
     dock("inspector", tr("Inspector"), inspector_, Qt::RightDockWidgetArea);
-    resizeDocks(findChildren<QDockWidget*>(), {200, 330}, Qt::Horizontal);
+    resizeDocks({findChild<QDockWidget*>("branches"), findChild<QDockWidget*>("inspector")}, {250, 330},
+                Qt::Horizontal);
 }
 
 void MainWindow::makeStatusBar() {
@@ -171,7 +178,8 @@ void MainWindow::setTheme(const Theme& theme) {
     for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
         palette.setColor(QPalette::Disabled, role, theme_.quietText);
     QApplication::setPalette(palette);
-    field_->setTheme(theme_);
+    view_->setTheme(theme_);
+    branches_->setTheme(theme_);
     timeline_->setTheme(theme_);
     messages_->setTheme(theme_);
     inspector_->setTheme(theme_);
@@ -193,14 +201,13 @@ void MainWindow::show(const OpenRun& run) {
     title_ = QString::fromStdString(run.name);
     setWindowTitle(title_ + " \u2013 mrose");
     plannedTicks_ = run.course->scene().ticksOf(run.course->scenario->parts().duration);
-    field_->setSelected(std::nullopt);
+    field().setSelected(std::nullopt);
     session_->open(run);
 }
 
 void MainWindow::update(std::shared_ptr<const Shown> what) {
     shown_ = std::move(what);
-    field_->setEditable(!shown_->playing);
-    field_->setFrame(shown_->frame);
+    view_->setShown(*shown_);
     inspector_->setFrame(shown_->frame);
     TimelineBar::Content content;
     content.first = shown_->first;
@@ -212,27 +219,11 @@ void MainWindow::update(std::shared_ptr<const Shown> what) {
     for (const BranchInfo& branch : shown_->branches)
         if (branch.parent == shown_->branch && branch.departed > 0) content.branches.push_back(branch.departed);
     timeline_->setContent(std::move(content));
-    updateBranches();
+    branches_->setShown(*shown_);
+    command_->setShown(*shown_);
+    if (shown_->subject) field().setSelected(shown_->subject);
     updateStatus();
     emit updated();
-}
-
-void MainWindow::updateBranches() {
-    const auto count = static_cast<int>(shown_->branches.size());
-    while (branches_->topLevelItemCount() > count)
-        delete branches_->takeTopLevelItem(branches_->topLevelItemCount() - 1);
-    for (int i = 0; i < count; ++i) {
-        const BranchInfo& branch = shown_->branches[static_cast<std::size_t>(i)];
-        QTreeWidgetItem* item = branches_->topLevelItem(i);
-        if (item == nullptr) item = new QTreeWidgetItem(branches_);
-        item->setData(0, Qt::UserRole, i);
-        item->setText(0, i == 0 ? tr("the run") : branch.name);
-        item->setText(1, i == 0 ? QString() : clockText(branch.departed * shown_->frame->scene().tickLength));
-        QFont font = branches_->font();
-        font.setBold(static_cast<std::uint32_t>(i) == shown_->branch);
-        item->setFont(0, font);
-    }
-    branches_->resizeColumnToContents(0);
 }
 
 void MainWindow::updateStatus() {
@@ -267,6 +258,19 @@ void MainWindow::moveBody(std::size_t body, const Pose& pose) {
         }
     };
     session_->branchOff(edit);
+}
+
+FieldView& MainWindow::field() const { return view_->field(); }
+
+FieldView& MainWindow::besideField() const { return view_->beside(); }
+
+void MainWindow::setSideBySide(bool on) {
+    view_->setSideBySide(on);
+    if (shown_) view_->setShown(*shown_);
+}
+
+QString MainWindow::askText(const QString& title, const QString& label) {
+    return QInputDialog::getText(this, title, label);
 }
 
 void MainWindow::say(const QString& text) {

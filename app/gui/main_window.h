@@ -11,8 +11,6 @@
 
 class QComboBox;
 class QLabel;
-class QListWidget;
-class QTreeWidget;
 
 namespace mrose {
 class FieldView;
@@ -23,6 +21,9 @@ class TimelineBar;
 
 namespace mrose::gui {
 
+class BranchPanel;
+class CommandPanel;
+class SideView;
 class WindowFiles;
 class WindowMemory;
 class WorkProgress;
@@ -38,7 +39,13 @@ public:
     Expected<void> open(const QString& name);
     void show(const OpenRun& run);
     Session& session() { return *session_; }
-    FieldView& field() const { return *field_; }
+    FieldView& field() const;
+    FieldView& besideField() const;
+    CommandPanel& commandPanel() const { return *command_; }
+    BranchPanel& branchPanel() const { return *branches_; }
+    void setSideBySide(bool on);
+    /// Asks the user for a line; empty: they thought better of it.
+    QString askText(const QString& title, const QString& label);
     const Shown* shown() const { return shown_.get(); }
     Actions& actions() { return actions_; }
     MessageBar& messages() const { return *messages_; }
@@ -64,16 +71,16 @@ private:
     void makeDocks();
     void makeStatusBar();
     void update(std::shared_ptr<const Shown> what);
-    void updateBranches();
     void updateStatus();
     void moveBody(std::size_t body, const Pose& pose);
 
     Actions actions_;
     Session* session_;
-    FieldView* field_;
+    SideView* view_;
     TimelineBar* timeline_;
     Inspector* inspector_;
-    QTreeWidget* branches_;
+    BranchPanel* branches_;
+    CommandPanel* command_;
     QComboBox* speed_;
     QLabel *clock_, *factor_, *cursor_, *message_;
     MessageBar* messages_;

@@ -8,6 +8,7 @@ class MainWindow;
 void addFileActions(MainWindow& window);
 void addEditActions(MainWindow& window);
 void addTimeActions(MainWindow& window);
+void addBranchActions(MainWindow& window);
 void addViewActions(MainWindow& window);
 void addLayerActions(MainWindow& window);
 
