@@ -58,6 +58,32 @@ void addFileActions(MainWindow& window) {
                 [&](bool) { window.files().reload(QObject::tr("reloaded")); });
     actions.addSeparator(menu);
     actions.add(menu,
+                {"save_recording", QObject::tr("&Save recording\u2026"), QKeySequence("Ctrl+S"),
+                 QObject::tr("Save the run and all its branches")},
+                Actions::Asking{[&] {
+                                    return askForName(window, QObject::tr("Save recording"),
+                                                      QObject::tr("Recordings (*.mcap)"), ".mcap");
+                                },
+                                [&](const QString& path) { return window.files().saveRecording(path); }});
+    actions.add(menu,
+                {"record_to", QObject::tr("Re&cord to\u2026"), QKeySequence("Ctrl+Shift+R"),
+                 QObject::tr("Write the run to a file while it goes on, with what was before")},
+                Actions::Asking{[&] {
+                                    return askForName(window, QObject::tr("Record to"),
+                                                      QObject::tr("Recordings (*.mcap)"), ".mcap");
+                                },
+                                [&](const QString& path) -> Expected<void> {
+                                    window.files().record(path);
+                                    return {};
+                                }});
+    QAction* stop = actions.add(menu,
+                                {"stop_recording", QObject::tr("S&top recording"), QKeySequence("Ctrl+Shift+E"),
+                                 QObject::tr("Close the file that the run is written to")},
+                                [&](bool) { window.files().record({}); });
+    stop->setEnabled(false);
+    QObject::connect(&window.files(), &WindowFiles::recordingTo, stop,
+                     [stop](const QString& path) { stop->setEnabled(!path.isEmpty()); });
+    actions.add(menu,
                 {"save_image", QObject::tr("Save &picture\u2026"), QKeySequence("Ctrl+P"),
                  QObject::tr("Save the field view as PNG, SVG or PDF")},
                 Actions::Asking{[&] {

@@ -1,5 +1,9 @@
 #include "run_recorder.h"
 
+#include <algorithm>
+
+#include "recording/save_recording.h"
+
 namespace mrose::gui {
 
 Expected<RunRecorder> RunRecorder::begin(const std::filesystem::path& path, const TimeTravel& run,
@@ -12,22 +16,20 @@ Expected<RunRecorder> RunRecorder::begin(const std::filesystem::path& path, cons
         RecordingWriter::create(path, *course.scenario, start->state, course.descriptions, commandLine);
     if (!writer) return tl::unexpected(writer.error());
     RunRecorder recorder(path, std::move(*writer));
-    recorder.branches_.push_back(
-        {run.record(0).coursePointer(), Playback(*course.scenario), std::move(*start)});
+    recorder.branches_.emplace_back(run.record(0).coursePointer(), std::move(*start));
     return recorder;
 }
 
 Expected<void> RunRecorder::open(const TimeTravel& run, std::uint32_t branch) {
     const Branch& begun = run.branches()[branch];
     const CoursePointer& course = run.record(branch).coursePointer();
-    Playback playback(*course->scenario);
-    auto start = playback.reach(begun.timeline, begun.timeline.first());
+    auto start = Playback(*course->scenario).reach(begun.timeline, begun.timeline.first());
     if (!start) return tl::unexpected(start.error());
     if (course == run.record(begun.parent).coursePointer())
         writer_.beginBranch(begun.parent, start->state, begun.name);
     else
         writer_.beginBranch(begun.parent, start->state, begun.name, *course->scenario, course->descriptions);
-    branches_.push_back({course, playback, std::move(*start)});
+    branches_.emplace_back(course, std::move(*start));
     return {};
 }
 
@@ -61,6 +63,20 @@ Expected<void> RunRecorder::finish(const TimeTravel& run) {
     for (std::uint32_t branch = 0; branch < branches_.size(); ++branch)
         writer_.keep(branches_[branch].at.state, branch);
     return writer_.close();
+}
+
+Expected<bool> saveRun(const std::filesystem::path& path, const TimeTravel& run, const std::string& commandLine,
+                       const std::function<bool(double share)>& progress) {
+    std::vector<std::shared_ptr<const Scenario>> scenarios;
+    for (std::uint32_t branch = 0; branch < run.branches().size(); ++branch)
+        scenarios.push_back(run.record(branch).course().scenario);
+    SaveRecordingOptions options;
+    options.overwrite = true;
+    options.commandLine = commandLine;
+    options.progress = [&](std::int64_t done, std::int64_t all) {
+        return progress(static_cast<double>(done) / static_cast<double>(std::max<std::int64_t>(1, all)));
+    };
+    return saveRecording(path, run.branches(), scenarios, run.record(0).course().descriptions, options);
 }
 
 }  // namespace mrose::gui

@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include "recording/playback.h"
@@ -31,6 +32,8 @@ private:
     RunRecorder(std::filesystem::path path, RecordingWriter writer)
         : path_(std::move(path)), writer_(std::move(writer)) {}
     struct Written {
+        Written(CoursePointer of, ReachedState start)
+            : course(std::move(of)), playback(*course->scenario), at(std::move(start)) {}
         CoursePointer course;  ///< which the writer needs
         Playback playback;
         ReachedState at;
@@ -43,5 +46,10 @@ private:
     std::deque<Written> branches_;
     StepTrace trace_;
 };
+
+/// All that a run keeps, with its branches, as a file that replaces what is there. False: `progress`, told the share
+/// that is done, ended it. Error: as of saveRecording().
+Expected<bool> saveRun(const std::filesystem::path& path, const TimeTravel& run, const std::string& commandLine,
+                       const std::function<bool(double share)>& progress);
 
 }  // namespace mrose::gui

@@ -1,6 +1,7 @@
 #include "main_window.h"
 #include "widgets/field_view.h"
 #include "window_actions.h"
+#include "window_memory.h"
 
 namespace mrose::gui {
 namespace {
@@ -39,6 +40,10 @@ void addViewActions(MainWindow& window) {
                  QObject::tr("Select the previous robot or object")},
                 [&](bool) { selectNext(window, -1); });
     actions.addSeparator(menu);
+    actions.add(menu,
+                {"reset_layout", QObject::tr("&Reset layout"), QKeySequence(),
+                 QObject::tr("Panels, tool bars and size as in a new window")},
+                [&](bool) { window.memory().resetLayout(); });
     actions.add(menu,
                 {"dark", QObject::tr("&Dark colours"), QKeySequence("Ctrl+D"),
                  QObject::tr("Dark colours, for dark rooms"), true},

@@ -5,9 +5,11 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QUrl>
+#include <utility>
 
 #include "file_kind.h"
 #include "main_window.h"
+#include "run_recorder.h"
 #include "view_export.h"
 #include "widgets/field_view.h"
 #include "widgets/message_bar.h"
@@ -42,6 +44,7 @@ WindowFiles::Answer askUser(MainWindow& window, const QString& what) {
 WindowFiles::WindowFiles(MainWindow& window, MessageBar& messages)
     : QObject(&window), window_(window), messages_(messages) {
     ask_ = [this](const QString& what) { return askUser(window_, what); };
+    connect(&window.session(), &Session::recordingChanged, this, &WindowFiles::recordingChanged);
     connect(&watch_, &DescriptionWatch::changed, this, [this](const std::vector<std::string>& files) {
         QStringList names;
         for (const std::string& file : files) names << nameOf(text(file));
@@ -174,6 +177,66 @@ Expected<void> WindowFiles::savePicture(const QString& path) {
     return writePicture({field.size(), field.logicalDpiX(), window_.windowTitle(),
                          [&field](QPainter& painter) { field.paint(painter, field.size()); }},
                         path);
+}
+
+Expected<void> WindowFiles::saveRecording(const QString& path) {
+    auto result = std::make_shared<Expected<bool>>(false);
+    const std::string commandLine = "mrose-gui " + (opened_ ? opened_->file : "");
+    window_.session().run(tr("Saving %1").arg(nameOf(path)), [this, path, result, commandLine](
+                                                                 TimeTravel& run, const Session::Progress& progress) {
+        *result = saveRun(path.toStdString(), run, commandLine, progress);
+        const std::size_t branches = run.branches().size();
+        QMetaObject::invokeMethod(
+            this, [this, path, result, branches] { saved(path, *result, branches); }, Qt::QueuedConnection);
+        return QString();
+    });
+    if (!window_.actions().unattended()) return {};
+    window_.session().settle();
+    if (!*result) return tl::unexpected(result->error());
+    return {};
+}
+
+void WindowFiles::saved(const QString& path, const Expected<bool>& done, std::size_t branches) {
+    const auto next = std::exchange(afterSaving_, {});
+    if (!done) {
+        messages_.add({Kind::error,
+                       tr("%1. Nothing is lost: the run is still here. Make room, or save it elsewhere")
+                           .arg(text(done.error().message())),
+                       "save",
+                       {{tr("Save elsewhere\u2026"), tr("Save the recording to another file"),
+                         [this] { window_.actions()["save_recording"].trigger(); }}}});
+        return;
+    }
+    if (!*done) return messages_.add({Kind::note, tr("Not saved: cancelled"), "save"});
+    savedBranches_ = branches;
+    window_.memory().addRecent(QFileInfo(path).absoluteFilePath());
+    messages_.add({Kind::note, tr("Saved %1").arg(path), "save"});
+    if (next) next();
+}
+
+void WindowFiles::record(const QString& path) {
+    if (path.isEmpty()) return window_.session().stopRecording();
+    window_.session().record(path, text("mrose-gui " + (opened_ ? opened_->file : "") + " --record ") + path);
+}
+
+void WindowFiles::recordingChanged(const QString& path, const QString& error) {
+    const QString before = std::exchange(recordedTo_, path);
+    if (!error.isEmpty())
+        messages_.add({Kind::error,
+                       before.isEmpty()
+                           ? tr("%1. Nothing is recorded; choose another file").arg(error)
+                           : tr("%1. The recording ends here, and the run goes on: make room, then save all of it")
+                                 .arg(error),
+                       "record",
+                       {before.isEmpty() ? MessageBar::Button{tr("Record elsewhere\u2026"), tr("Choose another file"),
+                                                              [this] { window_.actions()["record_to"].trigger(); }}
+                                         : MessageBar::Button{tr("Save elsewhere\u2026"),
+                                                              tr("Save the run up to here to another file"), [this] {
+                                                                  window_.actions()["save_recording"].trigger();
+                                                              }}}});
+    else if (path.isEmpty() && !before.isEmpty())
+        messages_.add({Kind::note, tr("Recorded in %1").arg(before), "record"});
+    emit recordingTo(path);
 }
 
 bool WindowFiles::hasUnsaved() const {

@@ -44,6 +44,11 @@ public:
 
     /// The view as the extension says.
     Expected<void> savePicture(const QString& path);
+    /// The run with its branches, in the background. Where nobody attends, it waits. Error: only then.
+    Expected<void> saveRecording(const QString& path);
+    /// Writes the run to a file while it goes on; empty: no more.
+    void record(const QString& path);
+    const QString& recordedTo() const { return recordedTo_; }
 
     /// What a user may answer to the question about what would be lost.
     enum class Answer { save, discard, cancel };
@@ -57,8 +62,13 @@ public:
     RunOpener& opener() { return opener_; }
     DescriptionWatch& watch() { return watch_; }
 
+signals:
+    void recordingTo(const QString& path);  ///< empty: nowhere
+
 private:
     Expected<void> take(Expected<OpenRun> run, std::optional<double> at);
+    void saved(const QString& path, const Expected<bool>& done, std::size_t branches);
+    void recordingChanged(const QString& path, const QString& error);
     void takeReloaded(Expected<OpenRun> run, const QString& why);
     void sayError(const Error& error, const QString& topic);
 
@@ -69,6 +79,7 @@ private:
     std::optional<OpenRequest> opened_;
     std::function<Answer(const QString&)> ask_;
     std::size_t savedBranches_ = 1;
+    QString recordedTo_;
     std::function<void()> afterSaving_;
 };
 
