@@ -144,8 +144,8 @@ MessageBar::MessageBar(QWidget* parent) : QWidget(parent), layout_(new QVBoxLayo
 void MessageBar::add(Message message) {
     for (std::size_t i = lines_.size(); i-- > 0;) {
         const Message& there = lines_[i]->message();
-        const bool same =
-            message.topic.isEmpty() ? there.topic.isEmpty() && there.text == message.text : there.topic == message.topic;
+        const bool same = message.topic.isEmpty() ? there.topic.isEmpty() && there.text == message.text
+                                                  : there.topic == message.topic;
         if (!same) continue;
         // What goes on stays where it is.
         if (message.kind == Kind::progress && there.kind == Kind::progress)
@@ -206,8 +206,7 @@ std::vector<MessageBar::Message> MessageBar::messages() const {
 }
 
 bool MessageBar::has(const QString& topic) const {
-    return std::any_of(lines_.begin(), lines_.end(),
-                       [&](const Line* line) { return line->message().topic == topic; });
+    return std::any_of(lines_.begin(), lines_.end(), [&](const Line* line) { return line->message().topic == topic; });
 }
 
 void MessageBar::setTheme(const Theme& theme) {

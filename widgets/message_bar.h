@@ -1,10 +1,9 @@
 #pragma once
 
-#include <functional>
-#include <vector>
-
 #include <QString>
 #include <QWidget>
+#include <functional>
+#include <vector>
 
 #include "widgets/theme.h"
 

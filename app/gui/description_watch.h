@@ -1,12 +1,11 @@
 #pragma once
 
-#include <map>
-#include <string>
-#include <vector>
-
 #include <QFileSystemWatcher>
 #include <QObject>
 #include <QTimer>
+#include <map>
+#include <string>
+#include <vector>
 
 namespace mrose::gui {
 

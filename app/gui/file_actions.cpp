@@ -65,17 +65,16 @@ void addFileActions(MainWindow& window) {
                                                       QObject::tr("Recordings (*.mcap)"), ".mcap");
                                 },
                                 [&](const QString& path) { return window.files().saveRecording(path); }});
-    actions.add(menu,
-                {"record_to", QObject::tr("Re&cord to\u2026"), QKeySequence("Ctrl+Shift+R"),
-                 QObject::tr("Write the run to a file while it goes on, with what was before")},
-                Actions::Asking{[&] {
-                                    return askForName(window, QObject::tr("Record to"),
-                                                      QObject::tr("Recordings (*.mcap)"), ".mcap");
-                                },
-                                [&](const QString& path) -> Expected<void> {
-                                    window.files().record(path);
-                                    return {};
-                                }});
+    actions.add(
+        menu,
+        {"record_to", QObject::tr("Re&cord to\u2026"), QKeySequence("Ctrl+Shift+R"),
+         QObject::tr("Write the run to a file while it goes on, with what was before")},
+        Actions::Asking{
+            [&] { return askForName(window, QObject::tr("Record to"), QObject::tr("Recordings (*.mcap)"), ".mcap"); },
+            [&](const QString& path) -> Expected<void> {
+                window.files().record(path);
+                return {};
+            }});
     QAction* stop = actions.add(menu,
                                 {"stop_recording", QObject::tr("S&top recording"), QKeySequence("Ctrl+Shift+E"),
                                  QObject::tr("Close the file that the run is written to")},

@@ -21,6 +21,7 @@
 
 #include "branch_panel.h"
 #include "command_panel.h"
+#include "fault_messages.h"
 #include "side_view.h"
 #include "view_export.h"
 #include "widgets/field_view.h"
@@ -104,6 +105,7 @@ MainWindow::MainWindow(QWidget* parent)
     connect(&field(), &FieldView::cursorMoved, this, [this](std::optional<Point> at) {
         cursor_->setText(at ? QString("x %1  y %2 m").arg(at->x, 0, 'f', 2).arg(at->y, 0, 'f', 2) : QString());
     });
+    new FaultMessages(*this, *messages_);
     setTheme(Theme::light());
     memory_->keepAsNew();
 }

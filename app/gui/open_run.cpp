@@ -36,7 +36,8 @@ public:
         if (std::filesystem::is_directory(status)) return fail(path, "is a folder; expected a file");
         if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
             return fail(path, "is no regular file; expected a description");
-        if (std::filesystem::is_regular_file(status) && std::filesystem::file_size(path, ignored) > mostDescriptionBytes)
+        if (std::filesystem::is_regular_file(status) &&
+            std::filesystem::file_size(path, ignored) > mostDescriptionBytes)
             return fail(path, "is larger than any description");
         progress_.reads(path);
         return disk_.text(name);
@@ -161,8 +162,8 @@ std::string shownText(const Recording& recording) {
 Expected<void> checkSize(const std::string& file) {
     std::error_code ignored;
     const std::uintmax_t size = std::filesystem::file_size(file, ignored);
-    const auto memory = static_cast<std::uintmax_t>(::sysconf(_SC_PHYS_PAGES)) *
-                        static_cast<std::uintmax_t>(::sysconf(_SC_PAGE_SIZE));
+    const auto memory =
+        static_cast<std::uintmax_t>(::sysconf(_SC_PHYS_PAGES)) * static_cast<std::uintmax_t>(::sysconf(_SC_PAGE_SIZE));
     if (ignored || size <= memory / 2) return {};
     return fail(file, "has " + std::to_string(size >> 20) + " MB, more than half of this computer's memory");
 }

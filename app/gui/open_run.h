@@ -20,7 +20,7 @@ struct OpenRequest {
     std::uint32_t trial = 0;
     std::optional<std::uint64_t> seed = {};  ///< otherwise the scenario's
     std::string log = {};                    ///< read instead of those that the scenario names
-    double pluginLimit = 10;                 ///< s, for each decision of a plug-in
+    double pluginLimit = 2;                  ///< s, for each decision of a plug-in
 };
 
 /// What the window is given to show.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QObject>
+#include <QTimer>
 #include <atomic>
 #include <condition_variable>
 #include <functional>
@@ -7,9 +9,6 @@
 #include <mutex>
 #include <thread>
 #include <vector>
-
-#include <QObject>
-#include <QTimer>
 
 #include "open_run.h"
 

@@ -222,6 +222,11 @@ void Session::setFrameOptions(const TimeTravel::FrameOptions& options) {
     request([this, options] { frameOptions_ = options; });
 }
 
+bool Session::busy() {
+    const std::lock_guard lock(mutex_);
+    return busy_ || seekTo_ || !requests_.empty();
+}
+
 void Session::settle() {
     std::unique_lock lock(mutex_);
     settled_.wait(lock, [this] { return requests_.empty() && !seekTo_ && !busy_; });
@@ -370,6 +375,19 @@ std::vector<BranchInfo> Session::branchInfos() const {
     return infos;
 }
 
+std::vector<BranchRecord::FirstFault> Session::faults() const {
+    std::vector<BranchRecord::FirstFault> faults;
+    std::int64_t until = run_->tick();
+    for (std::uint32_t at = run_->branch();; at = run_->branches()[at].parent) {
+        for (const BranchRecord::FirstFault& fault : run_->record(at).faults())
+            if (fault.tick <= until) faults.push_back(fault);
+        if (run_->branches()[at].parent == at ||
+            run_->record(at).coursePointer() != run_->record(run_->branches()[at].parent).coursePointer())
+            return faults;
+        until = std::min(until, run_->branches()[at].tick);
+    }
+}
+
 void Session::publish() {
     auto what = std::make_shared<Shown>();
     what->frame = std::make_shared<const FieldFrame>(run_->frame(frameOptions_));
@@ -393,6 +411,7 @@ void Session::publish() {
         marksOf_ = run_->branch();
     }
     what->marks = marks_;
+    what->faults = faults();
     what->playing = playing_;
     what->realTimeFactor = factor_;
     what->message = message_;

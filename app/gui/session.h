@@ -44,12 +44,13 @@ struct Shown {
     std::int64_t first = 0, last = 0;
     std::vector<BranchInfo> branches;
     std::shared_ptr<const std::vector<TimelineMark>> marks;
+    std::vector<BranchRecord::FirstFault> faults;  ///< up to the shown tick
     bool playing = false;
     double realTimeFactor = 0;  ///< achieved; 0 while it stands
     bool canUndo = false, canRedo = false;
     std::optional<std::size_t> subject;  ///< the body that an answer is about: to be selected
-    std::optional<std::int64_t> goal;  ///< it is on its way to this tick
-    QString message;                   ///< why it stopped, or what went wrong; empty: nothing
+    std::optional<std::int64_t> goal;    ///< it is on its way to this tick
+    QString message;                     ///< why it stopped, or what went wrong; empty: nothing
 
     std::int64_t tick() const { return frame->state.tick; }
 };
@@ -92,6 +93,9 @@ public:
     /// Ends what takes long: a job, or the way to a tick.
     void cancel();
 
+    /// Whether something is under way that was asked for, or a tick.
+    bool busy();
+
     /// Blocks until all requests so far have been carried out and shown; for scripts and tests.
     void settle();
 
@@ -112,6 +116,7 @@ private:
     void goTo(std::int64_t tick);
     bool superseded();
     std::vector<BranchInfo> branchInfos() const;
+    std::vector<BranchRecord::FirstFault> faults() const;
     void anchor();
     void stop(const QString& why);
     void publish();

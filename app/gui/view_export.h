@@ -1,10 +1,9 @@
 #pragma once
 
-#include <functional>
-
 #include <QPainter>
 #include <QSize>
 #include <QString>
+#include <functional>
 
 #include "io/error.h"
 

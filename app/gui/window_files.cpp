@@ -120,12 +120,12 @@ void WindowFiles::offerNetwork(const QString& path) {
         if (const auto done = window_.actions().perform("swap_model", path); !done) sayError(done.error(), "network");
         return;
     }
-    messages_.add({Kind::note,
-                   tr("%1 is a network: select a robot first, then use it as this robot's motion model")
-                       .arg(nameOf(path)),
-                   "network",
-                   {{tr("Use for the selected robot"), tr("Swap the motion model of the selected robot"),
-                     [this, path] { offerNetwork(path); }}}});
+    messages_.add(
+        {Kind::note,
+         tr("%1 is a network: select a robot first, then use it as this robot's motion model").arg(nameOf(path)),
+         "network",
+         {{tr("Use for the selected robot"), tr("Swap the motion model of the selected robot"),
+           [this, path] { offerNetwork(path); }}}});
 }
 
 void WindowFiles::reload(const QString& why) {
@@ -222,26 +222,23 @@ void WindowFiles::record(const QString& path) {
 void WindowFiles::recordingChanged(const QString& path, const QString& error) {
     const QString before = std::exchange(recordedTo_, path);
     if (!error.isEmpty())
-        messages_.add({Kind::error,
-                       before.isEmpty()
-                           ? tr("%1. Nothing is recorded; choose another file").arg(error)
-                           : tr("%1. The recording ends here, and the run goes on: make room, then save all of it")
-                                 .arg(error),
-                       "record",
-                       {before.isEmpty() ? MessageBar::Button{tr("Record elsewhere\u2026"), tr("Choose another file"),
-                                                              [this] { window_.actions()["record_to"].trigger(); }}
-                                         : MessageBar::Button{tr("Save elsewhere\u2026"),
-                                                              tr("Save the run up to here to another file"), [this] {
-                                                                  window_.actions()["save_recording"].trigger();
-                                                              }}}});
+        messages_.add(
+            {Kind::error,
+             before.isEmpty()
+                 ? tr("%1. Nothing is recorded; choose another file").arg(error)
+                 : tr("%1. The recording ends here, and the run goes on: make room, then save all of it").arg(error),
+             "record",
+             {before.isEmpty()
+                  ? MessageBar::Button{tr("Record elsewhere\u2026"), tr("Choose another file"),
+                                       [this] { window_.actions()["record_to"].trigger(); }}
+                  : MessageBar::Button{tr("Save elsewhere\u2026"), tr("Save the run up to here to another file"),
+                                       [this] { window_.actions()["save_recording"].trigger(); }}}});
     else if (path.isEmpty() && !before.isEmpty())
         messages_.add({Kind::note, tr("Recorded in %1").arg(before), "record"});
     emit recordingTo(path);
 }
 
-bool WindowFiles::hasUnsaved() const {
-    return window_.shown() && window_.shown()->branches.size() > savedBranches_;
-}
+bool WindowFiles::hasUnsaved() const { return window_.shown() && window_.shown()->branches.size() > savedBranches_; }
 
 bool WindowFiles::mayLeave(const std::function<void()>& then) {
     if (window_.actions().unattended() || !hasUnsaved()) return true;

@@ -1,11 +1,10 @@
 #pragma once
 
+#include <QObject>
+#include <QStringList>
 #include <functional>
 #include <optional>
 #include <vector>
-
-#include <QObject>
-#include <QStringList>
 
 #include "description_watch.h"
 #include "open_run.h"

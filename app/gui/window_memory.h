@@ -1,12 +1,11 @@
 #pragma once
 
-#include <functional>
-#include <memory>
-
 #include <QObject>
 #include <QSettings>
 #include <QSize>
 #include <QStringList>
+#include <functional>
+#include <memory>
 
 class QMenu;
 
