@@ -11,6 +11,7 @@
 #include "recording/recording.h"
 #include "support/full_disk.h"
 #include "support/run_program.h"
+#include "widgets/field_view.h"
 #include "window_files.h"
 #include "world/state_hash.h"
 
@@ -58,7 +59,7 @@ TEST_F(BadInput, ForeignFilesAreNamedAndRefused) {
                 HasSubstr("wrong.toml:3"));
     EXPECT_THAT(refusal(write("open.toml", "[=")), HasSubstr("open.toml:1"));
     EXPECT_THAT(refusal(write("foreign.mcap", "\x89MCAP0\r\n" + random)), HasSubstr("is no recording of mrose"));
-    EXPECT_THAT(refusal(write("cut.mcap", "\x89MCAP0\r")), HasSubstr("foreign"));
+    EXPECT_THAT(refusal(write("cut.mcap", "\x89MCAP0\r")), HasSubstr("is no MCAP file"));
 }
 
 TEST_F(BadInput, WhatIsNoFileIsNeverWaitedFor) {
@@ -154,7 +155,7 @@ TEST_F(BadInput, FullDiskWhileRecordingEndsTheFileAndNotTheRun) {
     settle();
     ASSERT_TRUE(waitFor([&] { return openRecording(path("kept.mcap")).has_value(); }));
     {
-        const FullDisk full(std::filesystem::file_size(path("kept.mcap")) + 3000);
+        const FullDisk full(std::filesystem::file_size(path("kept.mcap")) + 20'000);
         seek(2000);
         ASSERT_TRUE(waitFor([&] { return !errors().empty(); }));
     }
@@ -202,9 +203,9 @@ protected:
         EXPECT_THAT(errors(), IsEmpty());
         seek(100);
         EXPECT_EQ(state().tick, 100);
-        EXPECT_THAT(errors(), ElementsAre(AllOf(HasSubstr("one at 0:00.5"), HasSubstr(what))));
+        EXPECT_THAT(errors(), ElementsAre(AllOf(HasSubstr("one at 0.5"), HasSubstr(what))));
         // The others go on.
-        EXPECT_GT(std::abs(state().robots[1].velocity.v) + std::abs(state().robots[1].velocity.w), 0.01);
+        EXPECT_NE(state().robots[1].pose.x, 1.0);
         // Before it happened there is nothing to say.
         seek(10);
         EXPECT_THAT(errors(), IsEmpty());

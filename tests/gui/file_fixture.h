@@ -1,11 +1,10 @@
 #pragma once
 
+#include <QMimeData>
+#include <QTest>
 #include <functional>
 #include <string>
 #include <vector>
-
-#include <QMimeData>
-#include <QTest>
 
 #include <gtest/gtest.h>
 
