@@ -17,6 +17,7 @@ enum class FieldLayer {
     predicted,
     beliefs,
     ghosts,
+    legend,
     count,
 };
 
@@ -40,6 +41,7 @@ inline constexpr std::array<FieldLayerText, static_cast<std::size_t>(FieldLayer:
      true},
     {FieldLayer::beliefs, "layer_beliefs", "Beliefs", "B", "Where robots think that they and others are", false},
     {FieldLayer::ghosts, "layer_ghosts", "Ghosts", "J", "The same moment in other branches", true},
+    {FieldLayer::legend, "layer_legend", "Legend", "Y", "What the layers' lines and signs stand for", false},
 }};
 
 class FieldLayers {

@@ -1,6 +1,7 @@
 #include "widgets/theme.h"
 
 #include <array>
+#include <cmath>
 
 namespace mrose {
 
@@ -42,6 +43,13 @@ QColor robotColour(std::size_t robot) {
                                                QColor(204, 121, 167), QColor(213, 94, 0),    QColor(0, 158, 115),
                                                QColor(0, 114, 178),  QColor(222, 222, 222)};
     return colours[robot % colours.size()];
+}
+
+QColor setOff(const QColor& colour) {
+    // Relative luminance above which black has the higher contrast (WCAG 2.1), with the channels' gamma taken as 2.2.
+    const double luminance = 0.2126 * std::pow(colour.redF(), 2.2) + 0.7152 * std::pow(colour.greenF(), 2.2) +
+                             0.0722 * std::pow(colour.blueF(), 2.2);
+    return luminance > 0.179 ? QColor(0, 0, 0) : QColor(255, 255, 255);
 }
 
 }  // namespace mrose

@@ -27,6 +27,9 @@ struct Theme {
 /// "Color Universal Design", with a light grey for its black), then again from the first.
 QColor robotColour(std::size_t robot);
 
+/// Black or white, whichever a colour is seen better on.
+QColor setOff(const QColor& colour);
+
 inline QColor toQColor(const Colour& c) { return {c.red, c.green, c.blue}; }
 
 }  // namespace mrose

@@ -14,6 +14,7 @@
 #include <QStatusBar>
 #include <QStyle>
 #include <QToolBar>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
@@ -56,6 +57,7 @@ MainWindow::MainWindow(QWidget* parent)
       branches_(new BranchPanel),
       command_(new CommandPanel),
       speed_(new QComboBox),
+      seed_(new QToolButton),
       clock_(new QLabel),
       factor_(new QLabel),
       cursor_(new QLabel),
@@ -133,6 +135,10 @@ void MainWindow::makeToolBar() {
     factor_->setMinimumWidth(190);
     factor_->setContentsMargins(10, 0, 0, 0);
     bar->addWidget(factor_);
+    bar->addSeparator();
+    seed_->setDefaultAction(&actions_["restart_with_seed"]);
+    seed_->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    bar->addWidget(seed_);
     bar->addSeparator();
     bar->addAction(&actions_["fit"]);
     bar->addAction(&actions_["follow"]);
@@ -233,6 +239,7 @@ void MainWindow::updateStatus() {
     actions_["play"].setIcon(icon(playing ? Icon::pause : Icon::play, theme_));
     actions_["play"].setText(playing ? tr("&Pause") : tr("&Play"));
     if (!shown_) return;
+    seed_->setText(tr("seed %1").arg(shown_->frame->state.seed));
     clock_->setText(
         tr("%1   tick %2").arg(clockText(shown_->frame->scene().timeOf(shown_->tick()))).arg(shown_->tick()));
     factor_->setText(

@@ -11,6 +11,7 @@
 
 class QComboBox;
 class QLabel;
+class QToolButton;
 
 namespace mrose {
 class FieldView;
@@ -82,6 +83,7 @@ private:
     BranchPanel* branches_;
     CommandPanel* command_;
     QComboBox* speed_;
+    QToolButton* seed_;
     QLabel *clock_, *factor_, *cursor_, *message_;
     MessageBar* messages_;
     WindowFiles* files_;

@@ -1,8 +1,8 @@
 #include "side_view.h"
 
-#include <QHBoxLayout>
+#include <QBoxLayout>
 #include <QLabel>
-#include <QVBoxLayout>
+#include <algorithm>
 
 namespace mrose::gui {
 namespace {
@@ -28,12 +28,12 @@ SideView::SideView(QWidget* parent)
       beside_(new FieldView),
       fieldName_(new QLabel),
       besideName_(new QLabel),
-      besidePane_(pane(besideName_, beside_)) {
-    auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(2);
-    layout->addWidget(pane(fieldName_, field_), 1);
-    layout->addWidget(besidePane_, 1);
+      besidePane_(pane(besideName_, beside_)),
+      panes_(new QBoxLayout(QBoxLayout::LeftToRight, this)) {
+    panes_->setContentsMargins(0, 0, 0, 0);
+    panes_->setSpacing(2);
+    panes_->addWidget(pane(fieldName_, field_), 1);
+    panes_->addWidget(besidePane_, 1);
     besidePane_->hide();
     beside_->setAccessibleName(tr("Field of the branch beside"));
     connect(field_, &FieldView::viewChanged, beside_, &FieldView::setView);
@@ -75,8 +75,24 @@ void SideView::refresh() {
     besidePane_->setVisible(both);
     fieldName_->setVisible(both);
     besideName_->setVisible(both);
+    arrange();
     layout()->activate();
     field_->fit();
+}
+
+void SideView::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    arrange();
+}
+
+void SideView::arrange() {
+    const FieldArea area = field_->wholeArea();
+    if (area.empty()) return;
+    const Point size = area.most - area.least;
+    const auto scale = [&](double across, double down) {
+        return std::min(width() / across / size.x, height() / down / size.y);
+    };
+    panes_->setDirection(scale(2, 1) >= scale(1, 2) ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
 }
 
 }  // namespace mrose::gui

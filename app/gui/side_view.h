@@ -5,6 +5,7 @@
 #include "session.h"
 #include "widgets/field_view.h"
 
+class QBoxLayout;
 class QLabel;
 
 namespace mrose::gui {
@@ -23,12 +24,18 @@ public:
     void setShown(const Shown& shown);
     void setTheme(const Theme& theme);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void refresh();
+    /// Beside or below one another: where both are larger.
+    void arrange();
 
     FieldView *field_, *beside_;
     QLabel *fieldName_, *besideName_;
     QWidget* besidePane_;
+    QBoxLayout* panes_;
     bool sideBySide_ = false, hasBeside_ = false;
 };
 

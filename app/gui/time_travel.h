@@ -102,6 +102,7 @@ private:
     void followWithParent();
     void followBeside();
     FieldFrame frameOf(const Cursor& cursor, const FrameOptions& options) const;
+    void addTrails(std::uint32_t branch, std::int64_t tick, std::size_t ticks, Trails& trails) const;
     std::vector<std::vector<Pose>> predictedPaths(const Cursor& cursor, Nanoseconds ahead) const;
     std::vector<Ghost> ghostsOf(const Cursor& cursor, std::size_t trailTicks) const;
 
