@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "branch_panel.h"
 #include "command_panel.h"
@@ -66,6 +67,8 @@ MainWindow::MainWindow(QWidget* parent)
       files_(new WindowFiles(*this, *messages_)),
       memory_(new WindowMemory(*this)),
       progress_(new WorkProgress(*this, *messages_)) {
+    view_->setObjectName("field");
+    timeline_->setObjectName("timeline");
     setWindowTitle("mrose");
     resize(1280, 800);
     setAcceptDrops(true);
@@ -88,8 +91,14 @@ MainWindow::MainWindow(QWidget* parent)
     addViewActions(*this);
     addLayerActions(*this);
     actions_.addSeparator(tr("&View"));
+    int number = 0;
     for (QDockWidget* dock : findChildren<QDockWidget*>())
-        actions_.menu(tr("&View"))->addAction(dock->toggleViewAction());
+        actions_.adopt(
+            tr("&View"),
+            {"show_" + dock->objectName(), dock->windowTitle(), QKeySequence(QString("Ctrl+%1").arg(++number)),
+             tr("Show or hide the panel \u201c%1\u201d").arg(dock->windowTitle())},
+            dock->toggleViewAction());
+    addHelpActions(*this);
     makeToolBar();
     makeStatusBar();
     connect(session_, &Session::shown, this, &MainWindow::update);
@@ -116,6 +125,15 @@ void MainWindow::changeSpeed(int by) {
     speed_->setCurrentIndex(std::clamp(speed_->currentIndex() + by, 0, speed_->count() - 1));
 }
 
+void MainWindow::setSpeed(double speed) {
+    const auto rank = [](double some) { return some > 0 ? some : std::numeric_limits<double>::infinity(); };
+    int at = 0;
+    while (at < speed_->count() && rank(speed_->itemData(at).toDouble()) < rank(speed)) ++at;
+    if (at == speed_->count() || speed_->itemData(at).toDouble() != speed)
+        speed_->insertItem(at, speedName(speed), speed);
+    speed_->setCurrentIndex(at);
+}
+
 void MainWindow::makeToolBar() {
     QToolBar* bar = addToolBar(tr("Time"));
     bar->setObjectName("time_bar");
@@ -131,7 +149,7 @@ void MainWindow::makeToolBar() {
     speed_->setFocusPolicy(Qt::NoFocus);
     bar->addWidget(speed_);
     connect(speed_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
-            [this](int index) { session_->setSpeed(speeds[static_cast<std::size_t>(index)]); });
+            [this](int index) { session_->setSpeed(speed_->itemData(index).toDouble()); });
     factor_->setMinimumWidth(190);
     factor_->setContentsMargins(10, 0, 0, 0);
     bar->addWidget(factor_);
@@ -182,6 +200,8 @@ void MainWindow::setTheme(const Theme& theme) {
     palette.setColor(QPalette::ToolTipBase, theme_.panel);
     palette.setColor(QPalette::ToolTipText, theme_.text);
     palette.setColor(QPalette::Highlight, theme_.accent);
+    palette.setColor(QPalette::Link, theme_.accent);
+    palette.setColor(QPalette::Mid, theme_.line);
     palette.setColor(QPalette::HighlightedText, theme_.dark ? Qt::black : Qt::white);
     for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
         palette.setColor(QPalette::Disabled, role, theme_.quietText);

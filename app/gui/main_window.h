@@ -54,6 +54,8 @@ public:
     WindowMemory& memory() const { return *memory_; }
     WorkProgress& progress() const { return *progress_; }
     void changeSpeed(int by);  ///< steps of the list of speeds
+    /// Simulated seconds per second, one of the list from now on; 0: as fast as possible.
+    void setSpeed(double speed);
     void setTheme(const Theme& theme);
     void say(const QString& text);  ///< in the status bar
     /// All of the window as it is, as PNG, SVG or PDF.

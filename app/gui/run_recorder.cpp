@@ -7,12 +7,12 @@
 namespace mrose::gui {
 
 Expected<RunRecorder> RunRecorder::begin(const std::filesystem::path& path, const TimeTravel& run,
-                                         const std::string& commandLine) {
+                                         const std::string& commandLine, bool overwrite) {
     const Course& course = run.record(0).course();
     const Timeline& timeline = run.branches().front().timeline;
     auto start = Playback(*course.scenario).reach(timeline, timeline.first());
     if (!start) return tl::unexpected(start.error());
-    auto writer = RecordingWriter::create(path, *course.scenario, start->state, course.descriptions, commandLine);
+    auto writer = RecordingWriter::create(path, *course.scenario, start->state, course.descriptions, commandLine, {.overwrite = overwrite});
     if (!writer) return tl::unexpected(writer.error());
     RunRecorder recorder(path, std::move(*writer));
     recorder.branches_.emplace_back(run.record(0).coursePointer(), std::move(*start));

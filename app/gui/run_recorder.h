@@ -15,9 +15,9 @@ namespace mrose::gui {
 /// keeps, and so nobody has to tell it of anything.
 class RunRecorder {
 public:
-    /// Error: there is such a file already; what the system says.
+    /// Error: there is such a file already, unless it may be replaced; what the system says.
     static Expected<RunRecorder> begin(const std::filesystem::path& path, const TimeTravel& run,
-                                       const std::string& commandLine);
+                                       const std::string& commandLine, bool overwrite);
 
     const std::filesystem::path& path() const { return path_; }
     /// At most `ticks` of what is not yet written; whether there are more. Error: the first thing that went wrong; the

@@ -131,11 +131,11 @@ void Session::run(const QString& what, std::function<QString(TimeTravel&, const 
     });
 }
 
-void Session::record(const QString& path, const QString& commandLine) {
-    request([this, path, commandLine] {
+void Session::record(const QString& path, const QString& commandLine, bool overwrite) {
+    request([this, path, commandLine, overwrite] {
         if (!run_) return;
         if (recorder_) endRecording(recorder_->finish(*run_));
-        auto recorder = RunRecorder::begin(path.toStdString(), *run_, commandLine.toStdString());
+        auto recorder = RunRecorder::begin(path.toStdString(), *run_, commandLine.toStdString(), overwrite);
         if (!recorder) {
             emit recordingChanged({}, QString::fromStdString(recorder.error().message()));
             return;

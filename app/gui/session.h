@@ -88,7 +88,7 @@ public:
     /// Long work over the run, in the session's thread: meanwhile nothing is stepped. `job` returns what is to be said.
     void run(const QString& what, std::function<QString(TimeTravel&, const Progress&)> job);
     /// Writes the run to a file from now on, with all that was before; recordingChanged() tells how that goes.
-    void record(const QString& path, const QString& commandLine);
+    void record(const QString& path, const QString& commandLine, bool overwrite);
     void stopRecording();
     /// Ends what takes long: a job, or the way to a tick.
     void cancel();

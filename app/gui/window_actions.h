@@ -11,5 +11,9 @@ void addTimeActions(MainWindow& window);
 void addBranchActions(MainWindow& window);
 void addViewActions(MainWindow& window);
 void addLayerActions(MainWindow& window);
+void addHelpActions(MainWindow& window);
+
+/// At a start without arguments: what to try first, unless somebody has closed it before.
+void showFirstSteps(MainWindow& window);
 
 }  // namespace mrose::gui

@@ -52,13 +52,18 @@ WindowFiles::WindowFiles(MainWindow& window, MessageBar& messages)
     });
 }
 
-void WindowFiles::open(const QString& path) {
+void WindowFiles::open(const QString& path, OpenRequest how, std::optional<double> at) {
+    how.file = path.toStdString();
     const QFileInfo place(path);
-    if (!place.exists()) return open(OpenRequest{path.toStdString()});  // it may ship
-    const auto kind = fileKind(path.toStdString());
+    if (!place.exists()) return open(how, at);  // it may ship
+    const auto kind = fileKind(how.file);
     if (!kind) return sayError(kind.error(), "open");
-    if (*kind == FileKind::network) return offerNetwork(place.absoluteFilePath());
-    open(OpenRequest{place.absoluteFilePath().toStdString()});
+    how.file = place.absoluteFilePath().toStdString();
+    if (*kind != FileKind::network) return open(how, at);
+    // Where nothing is open yet, there is a robot to select afterwards.
+    if (!opened_ && !opener_.busy()) open(OpenRequest{"soccer.toml"});
+    opener_.settle();
+    offerNetwork(place.absoluteFilePath());
 }
 
 void WindowFiles::open(const OpenRequest& request, std::optional<double> at) {
@@ -214,13 +219,15 @@ void WindowFiles::saved(const QString& path, const Expected<bool>& done, std::si
     if (next) next();
 }
 
-void WindowFiles::record(const QString& path) {
+void WindowFiles::record(const QString& path, bool overwrite) {
     if (path.isEmpty()) return window_.session().stopRecording();
-    window_.session().record(path, text("mrose-gui " + (opened_ ? opened_->file : "") + " --record ") + path);
+    const QString commandLine = text("mrose-gui " + (opened_ ? opened_->file : "") + " --record ") + path;
+    window_.session().record(path, commandLine, overwrite);
 }
 
 void WindowFiles::recordingChanged(const QString& path, const QString& error) {
     const QString before = std::exchange(recordedTo_, path);
+    recordingError_ = error;
     if (!error.isEmpty())
         messages_.add(
             {Kind::error,

@@ -29,7 +29,7 @@ public:
     WindowFiles(MainWindow& window, MessageBar& messages);
 
     /// What a file holds, of whatever kind, is opened; a network is offered to the selected robot.
-    void open(const QString& path);
+    void open(const QString& path, OpenRequest how = {}, std::optional<double> at = {});
     void open(const OpenRequest& request, std::optional<double> at = {});
     /// The same, and waits: for scripts. `at` in seconds. Error: it is shown, too.
     Expected<void> openNow(const OpenRequest& request, std::optional<double> at = {});
@@ -45,9 +45,11 @@ public:
     Expected<void> savePicture(const QString& path);
     /// The run with its branches, in the background. Where nobody attends, it waits. Error: only then.
     Expected<void> saveRecording(const QString& path);
-    /// Writes the run to a file while it goes on; empty: no more.
-    void record(const QString& path);
+    /// Writes the run to a file while it goes on; an empty one: no more.
+    void record(const QString& path, bool overwrite = true);
     const QString& recordedTo() const { return recordedTo_; }
+    /// Why the last recording was not begun, or ended too early; empty: nothing went wrong.
+    const QString& recordingError() const { return recordingError_; }
 
     /// What a user may answer to the question about what would be lost.
     enum class Answer { save, discard, cancel };
@@ -78,7 +80,7 @@ private:
     std::optional<OpenRequest> opened_;
     std::function<Answer(const QString&)> ask_;
     std::size_t savedBranches_ = 1;
-    QString recordedTo_;
+    QString recordedTo_, recordingError_;
     std::function<void()> afterSaving_;
 };
 
