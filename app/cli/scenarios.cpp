@@ -24,6 +24,7 @@ Expected<OpenScenario> openScenario(const std::string& name, std::uint32_t trial
     watchPlugins(loaded->parts);
     auto parts = varied(loaded->parts, trial);
     if (!parts) return tl::unexpected(parts.error());
+    keepTrial(loaded->texts, trial);
     sayStartsOutside(parts->scene);
     auto scenario = std::make_shared<const Scenario>(std::move(*parts));
     return OpenScenario{std::move(*loaded), std::move(hashes), std::move(scenario)};

@@ -97,8 +97,7 @@ void addFlags(CLI::App& app, CommandLine& line, std::string& run, std::string& s
     app.add_option("--size", size, "Of the window, pixels: 1280x800")->check(someSize());
     app.add_option("--script", line.script, "Lua file that drives the window; its expect() decides the exit status")
         ->check(someName());
-    app.add_option("--screenshot", line.screenshot,
-                   "Save a picture of the window (.png, .svg or .pdf), and end")
+    app.add_option("--screenshot", line.screenshot, "Save a picture of the window (.png, .svg or .pdf), and end")
         ->check(someName());
     app.add_option("--record", line.record, "Write a recording (MCAP) while the run goes on")->check(someName());
     app.add_flag("--overwrite", line.overwrite, "Replace a recording that is there already");

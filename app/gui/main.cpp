@@ -14,7 +14,10 @@
 #include "shared/plugin_process.h"
 #include "shortcut_sheet.h"
 #include "widgets/field_view.h"
+#include "widgets/message_bar.h"
 #include "window_actions.h"
+#include "window_files.h"
+#include "window_memory.h"
 #include "window_script.h"
 
 namespace {

@@ -6,6 +6,7 @@
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QDropEvent>
+#include <QFileInfo>
 #include <QInputDialog>
 #include <QLabel>
 #include <QMenu>
@@ -184,6 +185,16 @@ void MainWindow::makeStatusBar() {
     message_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     statusBar()->addWidget(clock_);
     statusBar()->addWidget(message_, 1);
+    auto* recording = new QLabel;
+    recording->setObjectName("recording");
+    recording->hide();
+    connect(files_, &WindowFiles::recordingTo, recording, [recording](const QString& path) {
+        recording->setText("<span style='color:#d33'>\u25cf</span> " +
+                           tr("recording %1").arg(QFileInfo(path).fileName().toHtmlEscaped()));
+        recording->setToolTip(path);
+        recording->setVisible(!path.isEmpty());
+    });
+    statusBar()->addPermanentWidget(recording);
     statusBar()->addPermanentWidget(cursor_);
 }
 
@@ -307,10 +318,11 @@ void MainWindow::say(const QString& text) {
     message_->setToolTip(text);
 }
 
-Expected<void> MainWindow::saveImage(const QString& path) {
-    return writePicture({size(), logicalDpiX(), windowTitle(),
-                         [this](QPainter& painter) {
-                             render(&painter, {}, {}, QWidget::DrawWindowBackground | QWidget::DrawChildren);
+Expected<void> MainWindow::saveImage(const QString& path, QWidget* part) {
+    QWidget& drawn = part != nullptr ? *part : *this;
+    return writePicture({drawn.size(), logicalDpiX(), windowTitle(),
+                         [&drawn](QPainter& painter) {
+                             drawn.render(&painter, {}, {}, QWidget::DrawWindowBackground | QWidget::DrawChildren);
                          }},
                         path, 1);
 }

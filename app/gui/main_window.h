@@ -58,8 +58,8 @@ public:
     void setSpeed(double speed);
     void setTheme(const Theme& theme);
     void say(const QString& text);  ///< in the status bar
-    /// All of the window as it is, as PNG, SVG or PDF.
-    Expected<void> saveImage(const QString& path);
+    /// The window as it is, or a part of it, as PNG, SVG or PDF.
+    Expected<void> saveImage(const QString& path, QWidget* part = nullptr);
 
 signals:
     void updated();  ///< another tick is shown

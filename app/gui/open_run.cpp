@@ -88,6 +88,7 @@ Expected<OpenRun> openScenario(const OpenRequest& request, const OpenProgress& p
     addHashes(*loaded, source, files);
     auto parts = varied(loaded->parts, request.trial);
     if (!parts) return tl::unexpected(parts.error());
+    keepTrial(loaded->texts, request.trial);
     std::vector<std::string> notes = startsOutsideText(parts->scene);
     auto scenario = std::make_shared<const Scenario>(std::move(*parts));
     OpenRun run{scenario->parts().name, request, nullptr, scenario->initialState(), {}, std::move(notes), {}};
@@ -117,6 +118,7 @@ Expected<CoursePointer> courseOf(const Recording& recording, std::uint32_t branc
         return std::make_shared<const AbsentPlugin>();
     };
     auto parts = recordedScenario(recording, branch, tolerant);
+    if (parts) parts = asKeptTrial(std::move(*parts), recording.descriptionsOf(branch).texts);
     if (!parts) return tl::unexpected(parts.error());
     const std::vector<RecordingHeader::ControllerNeeds>& needs = recording.layouts[branch].controllers;
     if (parts->controllers.size() != needs.size())

@@ -12,7 +12,8 @@ Expected<RunRecorder> RunRecorder::begin(const std::filesystem::path& path, cons
     const Timeline& timeline = run.branches().front().timeline;
     auto start = Playback(*course.scenario).reach(timeline, timeline.first());
     if (!start) return tl::unexpected(start.error());
-    auto writer = RecordingWriter::create(path, *course.scenario, start->state, course.descriptions, commandLine, {.overwrite = overwrite});
+    auto writer = RecordingWriter::create(path, *course.scenario, start->state, course.descriptions, commandLine,
+                                          {.overwrite = overwrite});
     if (!writer) return tl::unexpected(writer.error());
     RunRecorder recorder(path, std::move(*writer));
     recorder.branches_.emplace_back(run.record(0).coursePointer(), std::move(*start));

@@ -10,6 +10,7 @@
 #include "file_kind.h"
 #include "main_window.h"
 #include "run_recorder.h"
+#include "trial_list.h"
 #include "view_export.h"
 #include "widgets/field_view.h"
 #include "widgets/message_bar.h"
@@ -59,11 +60,12 @@ void WindowFiles::open(const QString& path, OpenRequest how, std::optional<doubl
     const auto kind = fileKind(how.file);
     if (!kind) return sayError(kind.error(), "open");
     how.file = place.absoluteFilePath().toStdString();
+    if (*kind == FileKind::results) return listTrials(place.absoluteFilePath());
     if (*kind != FileKind::network) return open(how, at);
-    // Where nothing is open yet, there is a robot to select afterwards.
-    if (!opened_ && !opener_.busy()) open(OpenRequest{"soccer.toml"});
-    opener_.settle();
-    offerNetwork(place.absoluteFilePath());
+    if (opened_) return offerNetwork(place.absoluteFilePath());
+    // A robot to try it with.
+    network_ = place.absoluteFilePath();
+    open(OpenRequest{"soccer.toml"});
 }
 
 void WindowFiles::open(const OpenRequest& request, std::optional<double> at) {
@@ -90,6 +92,7 @@ Expected<void> WindowFiles::take(Expected<OpenRun> run, std::optional<double> at
     savedBranches_ = std::max<std::size_t>(1, run->branches.size());
     window_.show(*run);
     for (const std::string& note : run->notes) messages_.add({Kind::note, text(note)});
+    if (!network_.isEmpty()) offerNetwork(std::exchange(network_, {}));
     window_.memory().addRecent(text(run->source.file));
     if (!at) return {};
     const Scene& scene = run->course->scene();
@@ -131,6 +134,14 @@ void WindowFiles::offerNetwork(const QString& path) {
          "network",
          {{tr("Use for the selected robot"), tr("Swap the motion model of the selected robot"),
            [this, path] { offerNetwork(path); }}}});
+}
+
+void WindowFiles::listTrials(const QString& path) {
+    auto trials = readTrials(path.toStdString());
+    if (!trials) return sayError(trials.error(), "open");
+    auto* list = new TrialList(path, std::move(*trials), &window_);
+    connect(list, &TrialList::chosen, this, [this](const OpenRequest& request, double at) { open(request, at); });
+    list->show();
 }
 
 void WindowFiles::reload(const QString& why) {

@@ -68,6 +68,7 @@ signals:
 
 private:
     Expected<void> take(Expected<OpenRun> run, std::optional<double> at);
+    void listTrials(const QString& path);
     void saved(const QString& path, const Expected<bool>& done, std::size_t branches);
     void recordingChanged(const QString& path, const QString& error);
     void takeReloaded(Expected<OpenRun> run, const QString& why);
@@ -80,6 +81,7 @@ private:
     std::optional<OpenRequest> opened_;
     std::function<Answer(const QString&)> ask_;
     std::size_t savedBranches_ = 1;
+    QString network_;  ///< to be offered once a run is open
     QString recordedTo_, recordingError_;
     std::function<void()> afterSaving_;
 };

@@ -1,7 +1,9 @@
 #include "shared/opening.h"
 
 #include <algorithm>
+#include <charconv>
 
+#include "experiment/variation.h"
 #include "io/number_text.h"
 #include "scenario/start_check.h"
 
@@ -16,6 +18,9 @@ std::vector<std::filesystem::path> placesOf(const std::filesystem::path& named,
         if (std::find(places.begin(), places.end(), place) == places.end()) places.push_back(place);
     return places;
 }
+
+/// No description has this name.
+constexpr const char* trialName = "mrose:trial";
 
 }  // namespace
 
@@ -48,6 +53,20 @@ PluginLoader findingLoader(const std::filesystem::path& recording, PluginLoader 
         }
         return fail("", "the plug-in is neither " + looked);
     };
+}
+
+void keepTrial(std::map<std::string, std::string>& texts, std::uint32_t trial) {
+    if (trial > 0) texts[trialName] = std::to_string(trial);
+}
+
+Expected<ScenarioParts> asKeptTrial(ScenarioParts parts, const std::map<std::string, std::string>& texts) {
+    const auto kept = texts.find(trialName);
+    if (kept == texts.end()) return parts;
+    std::uint32_t trial = 0;
+    const char* const end = kept->second.data() + kept->second.size();
+    if (std::from_chars(kept->second.data(), end, trial).ptr != end)
+        return fail("", "has no number of a trial: " + kept->second);
+    return varied(parts, trial);
 }
 
 }  // namespace mrose

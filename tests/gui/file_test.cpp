@@ -3,6 +3,7 @@
 
 #include <QDockWidget>
 #include <QSettings>
+#include <QTableWidget>
 #include <filesystem>
 
 #include <gmock/gmock.h>
@@ -84,6 +85,20 @@ TEST_F(FileTest, OpensATrialAtAnInstantAsTheProgramRunsIt) {
     EXPECT_THAT(window.windowTitle().toStdString(), HasSubstr("trial 3"));
 }
 
+/// Friction and masses of a trial are no part of a recording's states.
+TEST_F(FileTest, RecordedTrialIsTheTrial) {
+    const std::string file = writeGame();
+    ASSERT_EQ(runMrose({"run", file, "--trial", "3", "--record", path("trial.mcap"), "--quiet"}).status, 0);
+    const ProgramResult replayed = runMrose({"replay", path("trial.mcap"), "--decide"});
+    EXPECT_EQ(replayed.status, 0) << replayed.out << replayed.err;
+    ASSERT_TRUE(window.files().openNow({file, 3}, 2.5));
+    settle();
+    const StateHash trial = window.shown()->hash;
+    open(path("trial.mcap"), 2.5);
+    EXPECT_EQ(window.shown()->hash, trial);
+    EXPECT_NE(trial, hashAt(*scenarioOf(file), 125));
+}
+
 TEST_F(FileTest, OpensARecordingAtAnInstantAndGoesNoFurtherThanItGoes) {
     const std::string file = writeGame(), recording = path("game.mcap");
     ASSERT_EQ(runMrose({"run", file, "--record", recording, "--quiet"}).status, 0);
@@ -158,6 +173,31 @@ TEST_F(FileTest, RecordingUnderWayCanBeOpened) {
         return recording ? recording->branches[0].timeline.last() : -1;
     };
     EXPECT_TRUE(waitFor([&] { return ticks() == 90; }));
+}
+
+TEST_F(FileTest, RunsOfABatchAreListedAndOpenedWhereTheyEnded) {
+    const std::string file = writeGame();
+    ASSERT_EQ(runMrose({"batch", file, "--trials", "3", "--seeds", "4..5", "--until", "ball.speed > 0.2", "--quiet",
+                        "-o", path("out")})
+                  .status,
+              0);
+    dropFile(path("out/results.csv"));
+    settle();
+    auto* list = window.findChild<QTableWidget*>();
+    ASSERT_NE(list, nullptr);
+    ASSERT_EQ(list->rowCount(), 6);
+    list->sortItems(3, Qt::DescendingOrder);
+    const std::string trial = list->item(0, 0)->text().toStdString(), seed = list->item(0, 1)->text().toStdString();
+    const std::string end = list->item(0, 3)->text().toStdString();
+    emit list->cellActivated(0, 0);
+    settle();
+    const ProgramResult alone = runMrose({"run", file, "--trial", trial, "--seed", seed, "--duration", end, "--quiet"});
+    char hash[40];
+    std::snprintf(hash, sizeof hash, "state %016llx\n", static_cast<unsigned long long>(window.shown()->hash.world));
+    EXPECT_THAT(alone.out, HasSubstr(hash));
+    write("cut.csv", "trial,seed,end,time_s,touches,kicks,hits,faults,driven_m,command\n1,2\n");
+    dropFile(path("cut.csv"));
+    EXPECT_THAT(errors(), ElementsAre(HasSubstr("cut.csv:2")));
 }
 
 class ReloadTest : public FileTest {
