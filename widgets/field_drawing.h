@@ -40,6 +40,8 @@ double impulsePixels(double impulse);
 
 // The layers of the field's picture, from below to above; each leaves smoothing switched on.
 
+/// The floor's colour as it is drawn.
+QColor floorColour(const Environment& environment, const Theme& theme);
 void drawGround(const FieldCanvas& canvas, const Environment& environment);
 /// Lines at round metres, and rulers along two edges.
 void drawGrid(const FieldCanvas& canvas);

@@ -66,14 +66,18 @@ void drawRulers(const FieldCanvas& canvas, double step) {
 
 }  // namespace
 
+QColor floorColour(const Environment& environment, const Theme& theme) {
+    // A dark room does not want a bright floor.
+    const QColor floor = toQColor(environment.floor.colour);
+    return theme.dark ? floor.darker(170) : floor;
+}
+
 void drawGround(const FieldCanvas& canvas, const Environment& environment) {
     QPainter& painter = canvas.painter;
     painter.fillRect(QRectF(QPointF(0, 0), canvas.view.size()), canvas.theme.surround);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);
-    // A dark room does not want a bright floor.
-    const QColor floor = toQColor(environment.floor.colour);
-    painter.setBrush(canvas.theme.dark ? floor.darker(170) : floor);
+    painter.setBrush(floorColour(environment, canvas.theme));
     painter.drawPolygon(canvas.mapped(environment.floor.area, {}));
     painter.setBrush(QColor(255, 255, 255, 40));
     for (const Goal& goal : environment.goals) painter.drawPolygon(canvas.mapped(goal.area, {}));

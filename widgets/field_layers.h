@@ -41,7 +41,7 @@ inline constexpr std::array<FieldLayerText, static_cast<std::size_t>(FieldLayer:
      true},
     {FieldLayer::beliefs, "layer_beliefs", "Beliefs", "B", "Where robots think that they and others are", false},
     {FieldLayer::ghosts, "layer_ghosts", "Ghosts", "J", "The same moment in other branches", true},
-    {FieldLayer::legend, "layer_legend", "Legend", "Y", "What the layers' lines and signs stand for", false},
+    {FieldLayer::legend, "layer_legend", "Legend", "I", "What the layers' lines and signs stand for", false},
 }};
 
 class FieldLayers {

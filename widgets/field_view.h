@@ -60,9 +60,9 @@ signals:
     void bodySelected(std::optional<std::size_t> body);
     void bodyMoved(std::size_t body, const Pose& pose);  ///< it is to be put there
     void cursorMoved(std::optional<Point> metres);
+    void followRequested();
     void viewChanged(const ViewTransform& view);
     void layersChanged(const FieldLayers& layers);
-    void followRequested();
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -92,7 +92,7 @@ private:
     ViewTransform view_;
     FieldFocus focus_;
     mutable LabelPlacer labels_;  ///< where they stood in the last picture
-    bool editable_ = false, following_ = false, fitted_ = true, nudging_ = false;
+    bool editable_ = false, following_ = false, fitted_ = true, nudging_ = false, pressedOnBody_ = false;
     Drag drag_ = Drag::none;
     Qt::MouseButton button_ = Qt::NoButton;
     QPointF pressedAt_, draggedTo_;

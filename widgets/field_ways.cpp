@@ -22,7 +22,11 @@ QVector<QPolygonF> wayOf(const FieldCanvas& canvas, const Trails& trails, std::s
     return way.lines();
 }
 
-void drawFading(const FieldCanvas& canvas, const QVector<QPolygonF>& lines, const QColor& colour, double width) {
+/// Colours that are this near to the floor's are set off from it.
+constexpr double leastContrast = 2;
+
+void drawFading(const FieldCanvas& canvas, const QVector<QPolygonF>& lines, const QColor& colour, double width,
+                bool cased) {
     int points = 0, drawn = 0;
     for (const QPolygonF& line : lines) points += line.size();
     for (const QPolygonF& line : lines) {
@@ -32,7 +36,10 @@ void drawFading(const FieldCanvas& canvas, const QVector<QPolygonF>& lines, cons
             const int alpha = 110 + 130 * (drawn + from + size) / std::max(1, points);
             QPen pen = roundPen(withAlpha(colour, std::min(alpha, 240)), width);
             pen.setCapStyle(Qt::FlatCap);
-            canvas.casedLine(QPolygonF(line.mid(from, size)), pen);
+            pen.setJoinStyle(Qt::BevelJoin);  // the points lie close: a round one costs far more and looks the same
+            const QPolygonF part(line.mid(from, size));
+            canvas.painter.setPen(pen);
+            cased ? canvas.casedLine(part, pen) : canvas.painter.drawPolyline(part);
         }
         drawn += line.size();
     }
@@ -42,12 +49,14 @@ void drawFading(const FieldCanvas& canvas, const QVector<QPolygonF>& lines, cons
 
 void drawTrails(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus) {
     const bool few = frame.trails.bodies() <= mostNames;
+    const QColor floor = floorColour(frame.scene().environment, canvas.theme);
     canvas.painter.setBrush(Qt::NoBrush);
     for (std::size_t body = 0; body < frame.trails.bodies(); ++body) {
         const QVector<QPolygonF> lines = wayOf(canvas, frame.trails, body);
         const QColor colour = wayColour(frame, body);
         if (few || focus.selected == body) {
-            drawFading(canvas, lines, colour, focus.selected == body ? 2.4 : 1.6);
+            drawFading(canvas, lines, colour, focus.selected == body ? 2.4 : 1.6,
+                       contrast(colour, floor) < leastContrast);
             continue;
         }
         canvas.painter.setRenderHint(QPainter::Antialiasing, false);

@@ -12,6 +12,7 @@
 #include "plugin/plugin_host.h"
 #include "qt_messages.h"
 #include "shared/plugin_process.h"
+#include "shared/resources.h"
 #include "shortcut_sheet.h"
 #include "widgets/field_view.h"
 #include "widgets/message_bar.h"
@@ -95,6 +96,14 @@ Expected<void> finishRecording(MainWindow& window) {
     return {};
 }
 
+/// What is asked for of the end; the exit status.
+int finish(MainWindow& window, const CommandLine& line, bool held) {
+    settle(window);
+    if (const auto recorded = finishRecording(window); !recorded) return report(recorded.error());
+    if (line.printHash && window.shown()) std::printf("state %s\n", stateText(*window.shown()).c_str());
+    return held ? 0 : 1;
+}
+
 /// What is done when the run is there, with somebody to work with it.
 void begin(MainWindow& window, const CommandLine& line) {
     look(window, line);
@@ -112,7 +121,9 @@ void begin(MainWindow& window, const CommandLine& line) {
             window.session().seek(end);
         });
     }
-    if (line.file.empty()) window.session().play();
+    if (!line.file.empty()) return;
+    showFirstSteps(window);
+    window.session().play();
 }
 
 int work(MainWindow& window, const CommandLine& line) {
@@ -126,9 +137,8 @@ int work(MainWindow& window, const CommandLine& line) {
         QObject::disconnect(*once);
         begin(window, line);
     });
-    const int status = QApplication::exec();
-    if (const auto recorded = finishRecording(window); !recorded) return report(recorded.error());
-    return status;
+    QApplication::exec();
+    return finish(window, line, true);
 }
 
 /// With nobody: to the end that the command line or the script gives.
@@ -152,9 +162,7 @@ int runAlone(MainWindow& window, const CommandLine& line) {
     if (!line.screenshot.empty())
         if (const auto saved = window.saveImage(QString::fromStdString(line.screenshot)); !saved)
             return report(saved.error());
-    if (const auto recorded = finishRecording(window); !recorded) return report(recorded.error());
-    if (line.printHash) std::printf("state %s\n", stateText(*window.shown()).c_str());
-    return held ? 0 : 1;
+    return finish(window, line, held);
 }
 
 int runWindow(const CommandLine& line) {
@@ -163,6 +171,10 @@ int runWindow(const CommandLine& line) {
     if (!line.record.empty())
         if (const auto free = checkWritable(line.record, line.overwrite); !free) return report(free.error());
     MainWindow window;
+    if (line.printKeys) {
+        std::fputs(shortcutText(shortcutGroups(window.actions())).toUtf8().constData(), stdout);
+        return 0;
+    }
     if (line.interactive() || line.remember) window.memory().restore(WindowMemory::ofUser());
     if (line.size) window.resize(line.size->first, line.size->second);
     if (line.dark && !window.actions()["dark"].isChecked()) window.actions()["dark"].trigger();
@@ -186,6 +198,14 @@ int main(int argc, char** argv) {
     QApplication app(count, argv);
     windowSystemFound();
     QApplication::setStyle("Fusion");
+    if (line.offscreen) {
+        // Pictures are looked at on any screen: no coloured rims of letters.
+        QFont font = QApplication::font();
+        font.setStyleStrategy(QFont::NoSubpixelAntialias);
+        QApplication::setFont(font);
+    }
+    QApplication::setDesktopFileName("mrose");
+    QApplication::setWindowIcon(QIcon(QString::fromStdString((resourceFolder() / "resources" / "mrose.svg").string())));
     QApplication::setOrganizationName("mrose");
     QApplication::setApplicationName("mrose-gui");
     try {

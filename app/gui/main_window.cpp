@@ -255,6 +255,7 @@ void MainWindow::update(std::shared_ptr<const Shown> what) {
     content.end = std::max(plannedTicks_, shown_->last);
     content.tickLength = shown_->frame->scene().tickLength;
     content.marks = shown_->marks;
+    content.scenario = shown_->frame->scenario;
     for (const BranchInfo& branch : shown_->branches)
         if (branch.parent == shown_->branch && branch.departed > 0) content.branches.push_back(branch.departed);
     timeline_->setContent(std::move(content));

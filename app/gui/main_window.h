@@ -40,6 +40,7 @@ public:
     Expected<void> open(const QString& name);
     void show(const OpenRun& run);
     Session& session() { return *session_; }
+    TimelineBar& timeline() const { return *timeline_; }
     FieldView& field() const;
     FieldView& besideField() const;
     CommandPanel& commandPanel() const { return *command_; }

@@ -210,13 +210,15 @@ FieldFrame TimeTravel::frameOf(const Cursor& cursor, const FrameOptions& options
     return frame;
 }
 
-/// Of a branch, and before it of those that it came from.
+/// Of a branch, and before it of those that it came from, where they have the same bodies.
 void TimeTravel::addTrails(std::uint32_t branch, std::int64_t tick, std::size_t ticks, Trails& trails) const {
     const Branch& way = branches()[branch];
+    const PoseTrack& track = records_[branch].track();
     const auto since = static_cast<std::size_t>(std::max<std::int64_t>(0, tick - way.tick));
-    if (way.parent != branch && since < ticks && scenarioOf(way.parent) == scenarioOf(branch))
+    if (way.parent != branch && since < ticks &&
+        scenarioOf(branch)->scene().bodyCount() == scenarioOf(way.parent)->scene().bodyCount())
         addTrails(way.parent, way.tick, ticks - since, trails);
-    records_[branch].track().addTrails(tick, ticks, trails);
+    track.addTrails(tick, ticks, trails);
 }
 
 std::vector<std::vector<Pose>> TimeTravel::predictedPaths(const Cursor& cursor, Nanoseconds ahead) const {
@@ -246,7 +248,8 @@ std::vector<Ghost> TimeTravel::ghostsOf(const Cursor& cursor, std::size_t trailT
         if (!related || !sameClock || cursor.tick() < std::max(departed, track.first())) continue;
         const std::int64_t then = std::min(cursor.tick(), track.last());
         const auto since = static_cast<std::size_t>(std::max<std::int64_t>(0, then - departed));
-        Ghost& ghost = ghosts.emplace_back(Ghost{branches()[other].name, scenarioOf(other), track.posesAt(then), {}});
+        Ghost& ghost =
+            ghosts.emplace_back(Ghost{branches()[other].name, scenarioOf(other), track.posesAt(then), {}});
         track.addTrails(then, std::min(trailTicks, since), ghost.trails);
     }
     return ghosts;

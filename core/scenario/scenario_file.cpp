@@ -32,6 +32,7 @@ private:
     void readObject(TomlTable& table);
     std::string bodyName(TomlTable& table);
     const RobotDescription* robotDescription(TomlTable& table);
+    const RobotDescription* withOwnNetwork(TomlTable& table, const RobotDescription* robot);
     std::uint32_t typeIndex(const RobotDescription& robot, bool person);
     std::uint32_t modelIndex(const RobotDescription& robot, const std::string& motionRobot);
     std::string motionRobot(TomlTable& table, const RobotDescription& robot);
@@ -52,6 +53,7 @@ private:
     std::set<std::string> names_;
     std::shared_ptr<const FloorPlan> walls_;
     std::map<std::string, RobotDescription> descriptions_;
+    std::map<std::pair<const RobotDescription*, const MotionNetwork*>, RobotDescription> moved_;  ///< by own networks
     std::map<std::pair<const RobotDescription*, bool>, std::uint32_t> types_;
     std::map<std::pair<const void*, std::string>, std::uint32_t> models_;
 };
@@ -101,6 +103,17 @@ const RobotDescription* ScenarioReader::robotDescription(TomlTable& table) {
     auto robot = mrose::readRobot(*file, library_);
     if (!robot) return table.adopt(robot.error()), nullptr;
     return &descriptions_.emplace(file->name, std::move(*robot)).first->second;
+}
+
+/// The robot as it is moved by the network that the scenario names for it, if it does.
+const RobotDescription* ScenarioReader::withOwnNetwork(TomlTable& table, const RobotDescription* robot) {
+    if (!table.has("network")) return robot;
+    const MotionNetwork* network = library_.network(table, "network", file_.name);
+    if (network == nullptr) return nullptr;
+    if (const auto found = moved_.find({robot, network}); found != moved_.end()) return &found->second;
+    auto moved = movedBy(*network, *robot, library_);
+    if (!moved) return table.reject("network", moved.error().cause), nullptr;
+    return &moved_.emplace(std::pair(robot, network), std::move(*moved)).first->second;
 }
 
 std::uint32_t ScenarioReader::typeIndex(const RobotDescription& robot, bool person) {
@@ -155,12 +168,14 @@ std::int64_t ScenarioReader::phase(TomlTable& table, const MotionModel& model) {
 void ScenarioReader::readRobot(TomlTable& table, bool person) {
     SceneRobot body;
     body.name = bodyName(table);
-    const RobotDescription* robot = robotDescription(table);
+    const RobotDescription* const kind = robotDescription(table);
+    if (kind == nullptr) return;
+    const RobotDescription* const robot = withOwnNetwork(table, kind);
     if (robot == nullptr) return;
     if (robot->controlPeriod() % scene_.tickLength != 0)
         table.reject("type", "has a control period of " + plainSeconds(robot->controlPeriod()) +
                                  "; expected a multiple of tick_s = " + plainSeconds(scene_.tickLength));
-    body.type = typeIndex(*robot, person);
+    body.type = typeIndex(*kind, person);
     body.model = modelIndex(*robot, motionRobot(table, *robot));
     ControllerSetting setting{noController()};
     if (table.has("controller"))

@@ -14,10 +14,14 @@ namespace {
 
 /// A run that has gone on for as long as trails reach back.
 struct Run {
-    Run(std::uint32_t robots, std::size_t trailTicks)
-        : travel(std::make_shared<const Scenario>(crowd(robots)), crowd(robots).initialState()) {
+    Run(std::uint32_t robots, std::size_t trailTicks) : travel(open(crowd(robots))) {
         options.trailTicks = trailTicks;
         for (std::size_t i = 0; i < trailTicks; ++i) (void)travel.forward();
+    }
+
+    static OpenRun open(Scenario scenario) {
+        const auto shared = std::make_shared<const Scenario>(std::move(scenario));
+        return {"crowd", "", std::make_shared<const Course>(Course{{}, shared}), shared->initialState()};
     }
 
     static Scenario crowd(std::uint32_t robots) {
@@ -80,6 +84,7 @@ void paintTimeline(benchmark::State& state) {
     TimelineBar bar;
     bar.resize(1280, bar.sizeHint().height());
     bar.show();
+    QApplication::processEvents();
     TimelineBar::Content content;
     content.last = content.end = 180'000;
     auto marks = std::make_shared<std::vector<TimelineMark>>();
