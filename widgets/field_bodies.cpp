@@ -53,8 +53,7 @@ void drawMoved(const FieldCanvas& canvas, const FieldFrame& frame, std::size_t b
     if (body < frame.state.robots.size()) canvas.heading(shape, to, colour);
     const Pose& from = frame.poseOf(body);
     if (length(position(to) - position(from)) * canvas.view.scale() < 8) return;
-    canvas.casedLine(canvas.at(position(from)), canvas.at(position(to)),
-                     roundPen(colour, 1.2, Qt::DashLine));
+    canvas.casedLine(canvas.at(position(from)), canvas.at(position(to)), roundPen(colour, 1.2, Qt::DashLine));
 }
 
 }  // namespace

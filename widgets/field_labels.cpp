@@ -1,7 +1,6 @@
+#include <QFontMetricsF>
 #include <algorithm>
 #include <cmath>
-
-#include <QFontMetricsF>
 
 #include "widgets/field_drawing.h"
 #include "widgets/field_readout.h"

@@ -1,10 +1,9 @@
 #include "widgets/field_painter.h"
 
+#include <QObject>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include <QObject>
 
 #include "widgets/field_readout.h"
 #include "widgets/layer_sample.h"

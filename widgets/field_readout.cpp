@@ -1,11 +1,10 @@
 #include "widgets/field_readout.h"
 
+#include <QObject>
+#include <QStringList>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include <QObject>
-#include <QStringList>
 
 namespace mrose {
 namespace {
@@ -40,7 +39,8 @@ QString lengthText(double metres) {
 
 QString poseText(const Pose& pose) {
     return QObject::tr("x %1 m   y %2 m   %3%4")
-        .arg(fixed(pose.x, 2), fixed(pose.y, 2), fixed(wrapAngle(pose.heading) / degree, 1), QString::fromUtf8("\u00b0"));
+        .arg(fixed(pose.x, 2), fixed(pose.y, 2), fixed(wrapAngle(pose.heading) / degree, 1),
+             QString::fromUtf8("\u00b0"));
 }
 
 QString impulseText(double impulse) { return fixed(impulse, impulse < 9.995 ? 2 : 1) + " N s"; }
@@ -59,7 +59,8 @@ QString bodyReadout(const FieldFrame& frame, std::size_t body) {
         return text + QObject::tr("%1 m/s").arg(fixed(std::hypot(velocity.x, velocity.y), 2));
     }
     const Twist& velocity = frame.state.robots[body].velocity_B;
-    text += QObject::tr("%1 m/s ahead, %2%3/s").arg(fixed(velocity.x, 2), fixed(velocity.rotation / degree, 1), QString::fromUtf8("\u00b0"));
+    text += QObject::tr("%1 m/s ahead, %2%3/s")
+                .arg(fixed(velocity.x, 2), fixed(velocity.rotation / degree, 1), QString::fromUtf8("\u00b0"));
     if (std::abs(velocity.y) >= 0.005) text += QObject::tr(", %1 m/s to the left").arg(fixed(velocity.y, 2));
     return text;
 }

@@ -159,8 +159,8 @@ void drawKicks(const FieldCanvas& canvas, const FieldFrame& frame, std::vector<F
         label.key = labelKey(4, kick.robot, kick.manipulator);
         label.at = face.place({shown / canvas.view.scale(), 0});
         label.clearance = 6;
-        label.text = kick.hit ? QObject::tr("kick, %1 m/s").arg(length(kick.speed_W), 0, 'f', 2)
-                              : QObject::tr("kick, missed");
+        label.text =
+            kick.hit ? QObject::tr("kick, %1 m/s").arg(length(kick.speed_W), 0, 'f', 2) : QObject::tr("kick, missed");
         label.colour = canvas.theme.onFloor;
     }
 }

@@ -7,10 +7,10 @@ namespace mrose {
 namespace {
 
 /// Sides in the order in which they are liked: below, above, right, left, then between them.
-constexpr std::array sides{QPointF(0, 1),      QPointF(0, -1),       QPointF(1, 0),        QPointF(-1, 0),
-                           QPointF(0.8, 0.8),  QPointF(-0.8, 0.8),   QPointF(0.8, -0.8),   QPointF(-0.8, -0.8),
-                           QPointF(0.45, 0.9), QPointF(-0.45, 0.9),  QPointF(0.45, -0.9),  QPointF(-0.45, -0.9),
-                           QPointF(0.95, 0.4), QPointF(-0.95, 0.4),  QPointF(0.95, -0.4),  QPointF(-0.95, -0.4)};
+constexpr std::array sides{QPointF(0, 1),      QPointF(0, -1),      QPointF(1, 0),       QPointF(-1, 0),
+                           QPointF(0.8, 0.8),  QPointF(-0.8, 0.8),  QPointF(0.8, -0.8),  QPointF(-0.8, -0.8),
+                           QPointF(0.45, 0.9), QPointF(-0.45, 0.9), QPointF(0.45, -0.9), QPointF(-0.45, -0.9),
+                           QPointF(0.95, 0.4), QPointF(-0.95, 0.4), QPointF(0.95, -0.4), QPointF(-0.95, -0.4)};
 constexpr std::array gaps{4.0, 18.0, 36.0, 58.0};  // pixels
 constexpr int sideCount = sides.size(), slotCount = sideCount * static_cast<int>(gaps.size());
 
@@ -35,8 +35,8 @@ void LabelPlacer::begin(const QRectF& frame) {
 QRectF LabelPlacer::boxOf(const Wanted& wanted, int slot) const {
     const QPointF side = sides[static_cast<std::size_t>(slot % sideCount)];
     const double away = wanted.clearance + gaps[static_cast<std::size_t>(slot / sideCount)];
-    const QPointF middle = wanted.at + QPointF(side.x() * (away + wanted.size.width() / 2),
-                                               side.y() * (away + wanted.size.height() / 2));
+    const QPointF middle =
+        wanted.at + QPointF(side.x() * (away + wanted.size.width() / 2), side.y() * (away + wanted.size.height() / 2));
     return {middle - QPointF(wanted.size.width() / 2, wanted.size.height() / 2), wanted.size};
 }
 

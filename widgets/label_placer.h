@@ -1,11 +1,10 @@
 #pragma once
 
+#include <QRectF>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <vector>
-
-#include <QRectF>
 
 namespace mrose {
 

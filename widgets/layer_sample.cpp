@@ -58,8 +58,8 @@ void drawSample(QPainter& painter, const QRectF& box, FieldLayer layer, const Th
         case FieldLayer::sensors:
             painter.setPen(Qt::NoPen);
             painter.setBrush(withAlpha(colour, 110));
-            painter.drawPie(QRectF(box.left() - box.width() / 2 + inset, box.center().y() - box.width(), 2 * box.width(),
-                                   2 * box.width())
+            painter.drawPie(QRectF(box.left() - box.width() / 2 + inset, box.center().y() - box.width(),
+                                   2 * box.width(), 2 * box.width())
                                 .adjusted(4, 4, -4, -4),
                             -22 * 16, 44 * 16);
             break;

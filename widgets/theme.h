@@ -1,8 +1,7 @@
 #pragma once
 
-#include <cstddef>
-
 #include <QColor>
+#include <cstddef>
 
 #include "geometry/shape.h"
 

@@ -1,14 +1,13 @@
 #include "widgets/timeline_bar.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include <QHelpEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QToolTip>
 #include <QWheelEvent>
+#include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "widgets/timeline_glyphs.h"
 
@@ -25,7 +24,8 @@ constexpr double told = 4;
 
 double secondsBetweenLabels(double pixelsPerSecond) {
     const double least = 90 / std::max(pixelsPerSecond, 1e-9);
-    for (const double step : {0.02, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 30.0, 60.0, 120.0, 300.0, 600.0, 1800.0, 3600.0})
+    for (const double step :
+         {0.02, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 30.0, 60.0, 120.0, 300.0, 600.0, 1800.0, 3600.0})
         if (step >= least) return step;
     return 3600 * std::ceil(least / 3600);
 }
@@ -143,13 +143,10 @@ void TimelineBar::paintEvent(QPaintEvent* /*event*/) {
     painter.setPen(theme_.line);
     painter.drawLine(0, 0, width(), 0);
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.save();
-    painter.setClipRect(QRectF(sideMargin - 7, 0, room() + 14, height()));
     paintTrack(painter);
     paintScale(painter);
     paintMarks(painter);
     paintBranches(painter);
-    painter.restore();
     if (hovered_ && !dragging_) paintFlag(painter, tickAt(*hovered_), false);
     paintFlag(painter, content_.now, true);
 }
@@ -187,7 +184,8 @@ void TimelineBar::paintScale(QPainter& painter) const {
     small.setPointSizeF(8);
     painter.setFont(small);
     const int decimals = step < 0.1 ? 2 : step < 1 ? 1 : 0;
-    for (auto i = static_cast<std::int64_t>(std::ceil(seen / step - 1e-9)); static_cast<double>(i) * step <= until + 1e-9; ++i) {
+    for (auto i = static_cast<std::int64_t>(std::ceil(seen / step - 1e-9));
+         static_cast<double>(i) * step <= until + 1e-9; ++i) {
         const double time = static_cast<double>(i) * step, x = at(time);
         painter.setPen(theme_.line);
         painter.drawLine(QPointF(x, trackTop + trackHeight), QPointF(x, trackTop + trackHeight + 4));
@@ -328,7 +326,8 @@ QString TimelineBar::textAt(double pixel) const {
         const auto i = static_cast<std::size_t>(kind);
         if (counts[i] == 0) continue;
         const auto which = static_cast<TimelineMark::Kind>(kind);
-        text += QString("<br><span style=\"color:%1\">%2</span> %3").arg(colourOf(which, theme_).name(), markLetter(which), markName(which));
+        text += QString("<br><span style=\"color:%1\">%2</span> %3")
+                    .arg(colourOf(which, theme_).name(), markLetter(which), markName(which));
         if (counts[i] > 1) text += QString::fromUtf8(" \u00d7 %1").arg(counts[i]);
         if (!names[i].isEmpty()) text += ": " + names[i].join(", ");
         if (names[i].size() == mostLines) text += QString::fromUtf8(" \u2026");

@@ -1,11 +1,10 @@
 #pragma once
 
+#include <QWidget>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
-
-#include <QWidget>
 
 #include "scenario/scenario.h"
 #include "widgets/theme.h"
@@ -80,8 +79,8 @@ private:
     Content content_;
     Theme theme_ = Theme::light();
     bool dragging_ = false;
-    std::optional<double> hovered_;    ///< pixel
-    double zoom_ = 1, offset_ = 0;     ///< pixels of all ticks that lie left of what is seen
+    std::optional<double> hovered_;  ///< pixel
+    double zoom_ = 1, offset_ = 0;   ///< pixels of all ticks that lie left of what is seen
 };
 
 /// "12.40 s", "1:02.40", "1:00:02.40": an instant of a run.

@@ -1,10 +1,9 @@
 #include "widgets/timeline_glyphs.h"
 
+#include <QObject>
 #include <array>
 #include <cmath>
 #include <numbers>
-
-#include <QObject>
 
 #include "widgets/timeline_bar.h"
 
@@ -48,8 +47,14 @@ void drawMark(QPainter& painter, const QPointF& middle, TimelineMark::Kind kind,
             painter.drawLine(middle - QPointF(3.2, -3.2), middle + QPointF(3.2, -3.2));
             break;
         case TimelineMark::Kind::stop:
-            painter.drawPolygon(at(middle, {{-1.9, -4.5}, {1.9, -4.5}, {4.5, -1.9}, {4.5, 1.9}, {1.9, 4.5},
-                                            {-1.9, 4.5}, {-4.5, 1.9}, {-4.5, -1.9}}));
+            painter.drawPolygon(at(middle, {{-1.9, -4.5},
+                                            {1.9, -4.5},
+                                            {4.5, -1.9},
+                                            {4.5, 1.9},
+                                            {1.9, 4.5},
+                                            {-1.9, 4.5},
+                                            {-4.5, 1.9},
+                                            {-4.5, -1.9}}));
             break;
     }
 }

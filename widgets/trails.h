@@ -35,7 +35,7 @@ struct Trails {
     struct Piece {
         std::shared_ptr<const TrailBlock> block;
         std::uint32_t from = 0, to = 0;  ///< ticks of the block, `to` not among them
-        bool begins = false;             ///< nobody went from the piece before to this one: something was changed between
+        bool begins = false;  ///< nobody went from the piece before to this one: something was changed between
     };
     std::vector<Piece> pieces;
 

@@ -17,9 +17,9 @@ private:
     void keep(const QPointF& point);
 
     QVector<QPolygonF> lines_;
-    QPointF kept_, last_;    ///< the last point of the line, and the last that was added
-    QPointF along_;          ///< from kept_, of length 1, once it is known
-    double reached_ = 0;     ///< of last_, along it
+    QPointF kept_, last_;  ///< the last point of the line, and the last that was added
+    QPointF along_;        ///< from kept_, of length 1, once it is known
+    double reached_ = 0;   ///< of last_, along it
     bool started_ = false, directed_ = false;
 };
 

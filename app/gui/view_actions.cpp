@@ -10,8 +10,8 @@
 namespace mrose::gui {
 namespace {
 
-constexpr double panStep = 60;          // pixels
-constexpr double nudgeStep = 0.01;      // m
+constexpr double panStep = 60;      // pixels
+constexpr double nudgeStep = 0.01;  // m
 constexpr double nudgeTurn = std::numbers::pi / 180;
 constexpr std::array trailSeconds{2, 5, 10, 20, 40, 120, 600};
 constexpr std::size_t usualTrail = 2;
@@ -21,10 +21,11 @@ void addPanActions(MainWindow& window, const QString& menu) {
         const char *name, *text, *key, *tip;
         QPointF by;
     };
-    for (const Way& way : {Way{"pan_left", "Move view &left", "Ctrl+Shift+Left", "Show what lies left", {panStep, 0}},
-                           Way{"pan_right", "Move view &right", "Ctrl+Shift+Right", "Show what lies right", {-panStep, 0}},
-                           Way{"pan_up", "Move view &up", "Ctrl+Shift+Up", "Show what lies above", {0, panStep}},
-                           Way{"pan_down", "Move view &down", "Ctrl+Shift+Down", "Show what lies below", {0, -panStep}}})
+    for (const Way& way :
+         {Way{"pan_left", "Move view &left", "Ctrl+Shift+Left", "Show what lies left", {panStep, 0}},
+          Way{"pan_right", "Move view &right", "Ctrl+Shift+Right", "Show what lies right", {-panStep, 0}},
+          Way{"pan_up", "Move view &up", "Ctrl+Shift+Up", "Show what lies above", {0, panStep}},
+          Way{"pan_down", "Move view &down", "Ctrl+Shift+Down", "Show what lies below", {0, -panStep}}})
         window.actions().add(menu, {way.name, QObject::tr(way.text), QKeySequence(way.key), QObject::tr(way.tip)},
                              [&window, by = way.by](bool) { window.field().panBy(by); });
 }
@@ -54,8 +55,8 @@ void addTrailActions(MainWindow& window, const QString& menu) {
         if (!window.shown() || next >= trailSeconds.size()) return;
         *chosen = next;
         TimeTravel::FrameOptions options;
-        options.trailTicks = static_cast<std::size_t>(
-            window.shown()->frame->scene().ticksOf(trailSeconds[next] * nanosecondsPerSecond));
+        options.trailTicks =
+            static_cast<std::size_t>(window.shown()->frame->scene().ticksOf(trailSeconds[next] * nanosecondsPerSecond));
         window.session().setFrameOptions(options);
         window.say(QObject::tr("Trails of the last %1 s").arg(trailSeconds[next]));
     };
@@ -93,7 +94,9 @@ void addViewActions(MainWindow& window) {
                 {"follow", QObject::tr("&Follow the selected"), QKeySequence("L"),
                  QObject::tr("The view goes along with the selected robot"), true},
                 [&](bool on) { field.setFollowing(on); });
-    QObject::connect(&field, &FieldView::followRequested, &window, [&actions] { actions["follow"].trigger(); });
+    QObject::connect(&field, &FieldView::followRequested, &window, [&actions] {
+        if (!actions["follow"].isChecked()) actions["follow"].trigger();
+    });
     addPanActions(window, menu);
     actions.addSeparator(menu);
     actions.add(menu,

@@ -14,8 +14,7 @@ namespace {
 
 /// A run that has gone on for as long as trails reach back.
 struct Run {
-    Run(std::uint32_t robots, std::size_t trailTicks)
-        : travel(open(crowd(robots))) {
+    Run(std::uint32_t robots, std::size_t trailTicks) : travel(open(crowd(robots))) {
         options.trailTicks = trailTicks;
         for (std::size_t i = 0; i < trailTicks; ++i) (void)travel.forward();
     }
