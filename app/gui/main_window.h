@@ -23,6 +23,7 @@ namespace mrose::gui {
 
 class BranchPanel;
 class CommandPanel;
+class PlotPanel;
 class SideView;
 
 /// The window. It shows what the session shows, and turns what the user does into requests.
@@ -31,6 +32,7 @@ class MainWindow final : public QMainWindow {
 
 public:
     explicit MainWindow(QWidget* parent = nullptr);
+    ~MainWindow() override;
 
     /// Opens a scenario, a recording or one that ships, by its name. Errors are shown, too.
     Expected<void> open(const QString& name);
@@ -39,6 +41,9 @@ public:
     TimelineBar& timeline() const { return *timeline_; }
     FieldView& field() const;
     FieldView& besideField() const;
+    Inspector& inspector() const { return *inspector_; }
+    PlotPanel& plots() const { return *plots_; }
+    void showPlots();  ///< their dock, where it is hidden
     CommandPanel& commandPanel() const { return *command_; }
     BranchPanel& branchPanel() const { return *branches_; }
     void setSideBySide(bool on);
@@ -74,6 +79,7 @@ private:
     SideView* view_;
     TimelineBar* timeline_;
     Inspector* inspector_;
+    PlotPanel* plots_;
     BranchPanel* branches_;
     CommandPanel* command_;
     QComboBox* speed_;

@@ -37,6 +37,7 @@ void Session::request(Request what) {
 void Session::open(const OpenRun& run) {
     request([this, run] {
         run_.emplace(run);
+        ++runs_;
         learning_ = true;
         marks_.reset();
         message_.clear();
@@ -178,6 +179,27 @@ void Session::setFrameOptions(const TimeTravel::FrameOptions& options) {
     request([this, options] { frameOptions_ = options; });
 }
 
+void Session::look(Look what) {
+    {
+        const std::lock_guard lock(mutex_);
+        if (!quit_) {
+            looks_.push_back(std::move(what));
+            wake_.notify_all();
+            return;
+        }
+    }
+    what(nullptr, 0);
+}
+
+void Session::serveLooks() {
+    std::deque<Look> looks;
+    {
+        const std::lock_guard lock(mutex_);
+        looks.swap(looks_);
+    }
+    for (const Look& look : looks) look(run_ && !quit_ ? &*run_ : nullptr, runs_);
+}
+
 void Session::settle() {
     std::unique_lock lock(mutex_);
     settled_.wait(lock, [this] { return requests_.empty() && !seekTo_ && !busy_; });
@@ -192,11 +214,19 @@ void Session::work() {
         if (requests_.empty() && !seekTo_) {
             busy_ = false;
             settled_.notify_all();
+            const auto called = [this] {
+                return quit_ || !requests_.empty() || seekTo_.has_value() || !looks_.empty();
+            };
             if (playing_ || learning_)
-                wake_.wait_until(lock, nextFrame);
+                wake_.wait_until(lock, nextFrame, called);
             else
-                wake_.wait(lock, [this] { return quit_ || !requests_.empty() || seekTo_.has_value(); });
-            if (quit_) return;
+                wake_.wait(lock, called);
+        }
+        if (!looks_.empty()) {
+            lock.unlock();
+            serveLooks();
+            lock.lock();
+            if (requests_.empty() && !seekTo_ && Clock::now() < nextFrame) continue;
         }
         busy_ = true;
         std::deque<Request> requests = std::exchange(requests_, {});
@@ -211,6 +241,8 @@ void Session::work() {
         nextFrame = std::max(Clock::now(), nextFrame + framePeriod);
         lock.lock();
     }
+    lock.unlock();
+    serveLooks();
 }
 
 bool Session::superseded() {
@@ -228,6 +260,7 @@ void Session::goTo(std::int64_t tick) {
         if (run_->tick() % 16 != 0) continue;
         if (superseded()) break;
         if (Clock::now() - shownAt < framePeriod) continue;
+        serveLooks();
         goal_ = tick;
         publish();
         shownAt = Clock::now();
@@ -332,6 +365,7 @@ void Session::publish() {
         what->besideBranch = run_->beside();
     }
     what->course = run_->record(run_->branch()).coursePointer();
+    what->run = runs_;
     what->hash = hashOf(run_->state());
     what->branch = run_->branch();
     what->first = run_->first();
