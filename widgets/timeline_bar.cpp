@@ -165,6 +165,12 @@ void TimelineBar::paintTrack(QPainter& painter) const {
     QColor past = theme_.accent;
     past.setAlpha(70);
     part(begin, pixelOf(content_.now), past);
+    // Before it departed, its past is that of the branch that it came from.
+    if (content_.departed > content_.first) {
+        part(begin, pixelOf(content_.departed), QBrush(theme_.quietText, Qt::BDiagPattern));
+        painter.setBrush(theme_.accent);
+        painter.drawEllipse(QPointF(pixelOf(content_.departed), trackTop + trackHeight / 2), 4.5, 4.5);
+    }
     if (zoom_ <= 1) return;
     // Which part of all is seen.
     painter.setBrush(theme_.quietText);

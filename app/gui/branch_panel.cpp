@@ -92,9 +92,13 @@ QString BranchPanel::nameOf(const Shown& shown, std::uint32_t branch) {
     return name.isEmpty() ? tr("the run") : name;
 }
 
-void BranchPanel::setTheme(const Theme& theme) { theme_ = theme; }
+void BranchPanel::setTheme(const Theme& theme) {
+    theme_ = theme;
+    if (shown_) setShown(*shown_);
+}
 
 void BranchPanel::setShown(const Shown& shown) {
+    shown_ = shown;
     filling_ = true;
     std::vector<std::uint32_t> parents;
     for (const BranchInfo& branch : shown.branches) parents.push_back(branch.parent);

@@ -43,6 +43,7 @@ private:
     QTreeWidget* differences_;
     std::vector<QTreeWidgetItem*> items_;  ///< of each branch
     std::vector<std::uint32_t> parents_;   ///< as the tree shows them
+    std::optional<Shown> shown_;
     bool filling_ = false;
     Theme theme_ = Theme::light();
 };

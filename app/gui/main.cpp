@@ -199,8 +199,9 @@ int main(int argc, char** argv) {
     windowSystemFound();
     QApplication::setStyle("Fusion");
     if (line.offscreen) {
-        // Pictures are looked at on any screen: no coloured rims of letters.
+        // Pictures are looked at on any screen: letters as large as on a desktop, without coloured rims.
         QFont font = QApplication::font();
+        font.setPointSizeF(9.5);
         font.setStyleStrategy(QFont::NoSubpixelAntialias);
         QApplication::setFont(font);
     }

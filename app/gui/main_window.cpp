@@ -183,6 +183,8 @@ void MainWindow::makeDocks() {
     dock("command", tr("Change a command"), command_, Qt::LeftDockWidgetArea);
     dock("inspector", tr("Inspector"), inspector_, Qt::RightDockWidgetArea);
     dock("plots", tr("Plots"), plots_, Qt::BottomDockWidgetArea)->hide();
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     resizeDocks({findChild<QDockWidget*>("branches"), findChild<QDockWidget*>("inspector")}, {250, 330},
                 Qt::Horizontal);
 }
@@ -267,6 +269,7 @@ void MainWindow::update(std::shared_ptr<const Shown> what) {
     content.tickLength = shown_->frame->scene().tickLength;
     content.marks = shown_->marks;
     content.scenario = shown_->frame->scenario;
+    if (shown_->branch != 0) content.departed = shown_->branches[shown_->branch].departed;
     for (const BranchInfo& branch : shown_->branches)
         if (branch.parent == shown_->branch && branch.departed > 0) content.branches.push_back(branch.departed);
     timeline_->setContent(std::move(content));

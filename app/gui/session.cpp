@@ -430,7 +430,7 @@ void Session::publish() {
         what->beside = std::make_shared<const FieldFrame>(std::move(*beside));
         what->besideBranch = run_->beside();
     }
-    what->course = run_->record(run_->branch()).coursePointer();
+    what->course = run_->record(run_->owner()).coursePointer();
     what->run = runs_;
     what->hash = hashOf(run_->state());
     what->branch = run_->branch();
@@ -441,10 +441,12 @@ void Session::publish() {
     what->canRedo = run_->canRedo();
     what->goal = goal_;
     what->subject = std::exchange(subject_, std::nullopt);
-    const std::vector<TimelineMark>& marks = run_->record(run_->branch()).marks();
-    if (!marks_ || marksOf_ != run_->branch() || marks_->size() != marks.size()) {
-        marks_ = std::make_shared<const std::vector<TimelineMark>>(marks);
+    std::size_t known = 0;  // marks of branches never grow but at their ends
+    for (std::uint32_t i = 0; i < run_->branches().size(); ++i) known += run_->record(i).marks().size();
+    if (!marks_ || marksOf_ != run_->branch() || marksKnown_ != known) {
+        marks_ = std::make_shared<const std::vector<TimelineMark>>(run_->marks());
         marksOf_ = run_->branch();
+        marksKnown_ = known;
     }
     what->marks = marks_;
     what->faults = faults();

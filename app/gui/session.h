@@ -149,6 +149,7 @@ private:
     QString message_;
     std::shared_ptr<const std::vector<TimelineMark>> marks_;
     std::uint32_t marksOf_ = 0;
+    std::size_t marksKnown_ = 0;
 
     // Shared.
     std::mutex mutex_;

@@ -1,6 +1,7 @@
 #include "time_travel.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace mrose::gui {
 namespace {
@@ -30,15 +31,58 @@ TimeTravel::TimeTravel(const OpenRun& run) : history_(historyOf(run)), shown_(0,
         records_.emplace_back(recorded.course, recorded.start, std::vector<HandOrder>{});
 }
 
+std::uint32_t TimeTravel::ownerOf(std::uint32_t branch, std::int64_t tick) const {
+    for (;;) {
+        const Branch& way = branches()[branch];
+        const Timeline& before = timelineOf(way.parent);
+        const bool comes = way.parent != branch && way.timeline.first() == way.tick && before.last() >= way.tick &&
+                           firstOf(way.parent) < way.tick;
+        if (tick >= way.timeline.first() || !comes) return branch;
+        branch = way.parent;
+    }
+}
+
+std::int64_t TimeTravel::firstOf(std::uint32_t branch) const {
+    const Branch& way = branches()[branch];
+    if (way.parent == branch || way.timeline.first() != way.tick || timelineOf(way.parent).last() < way.tick)
+        return way.timeline.first();
+    return std::min(way.tick, firstOf(way.parent));
+}
+
+std::vector<TimelineMark> TimeTravel::marks() const {
+    std::vector<std::uint32_t> way{branch_};
+    while (ownerOf(way.back(), branches()[way.back()].tick - 1) != way.back())
+        way.push_back(branches()[way.back()].parent);
+    std::vector<TimelineMark> marks;
+    for (std::size_t i = way.size(); i-- > 0;) {
+        const std::int64_t until = i > 0 ? branches()[way[i - 1]].tick : last();
+        for (const TimelineMark& mark : records_[way[i]].marks())
+            if (mark.tick <= until) marks.push_back(mark);
+    }
+    return marks;
+}
+
+/// One tick on in a branch's course, where it has been.
+Expected<void> TimeTravel::advance(Cursor& cursor, std::uint32_t branch) {
+    const std::uint32_t owner = ownerOf(branch, cursor.tick() + 1);
+    if (owner != cursor.branch()) {
+        Expected<Cursor> there = cursorAt(owner, cursor.tick() + 1);
+        if (!there) return tl::unexpected(there.error());
+        cursor = std::move(*there);
+        return {};
+    }
+    BranchRecord& record = records_[owner];
+    return cursor.advance(*record.course().scenario, record.playback(), timelineOf(owner));
+}
+
 Expected<void> TimeTravel::forward() {
-    BranchRecord& record = records_[branch()];
-    const Scenario& scenario = *record.course().scenario;
     if (tick() < last()) {
-        if (auto advanced = shown_.advance(scenario, record.playback(), timeline()); !advanced) return advanced;
+        if (auto advanced = advance(shown_, branch_); !advanced) return advanced;
     } else {
+        BranchRecord& record = records_[branch_];
         const bool known = record.last() == tick();
-        const StepTrace& trace = shown_.step(scenario, buffers_, record.overrides(state()));
-        history_.add(state(), trace, branch());
+        const StepTrace& trace = shown_.step(*record.course().scenario, buffers_, record.overrides(state()));
+        history_.add(state(), trace, branch_);
         if (known) record.add(state(), trace);
         followWithParent();
     }
@@ -48,9 +92,9 @@ Expected<void> TimeTravel::forward() {
 
 /// What would have happened goes on beside what was changed.
 void TimeTravel::followWithParent() {
-    const std::uint32_t parent = branches()[branch()].parent;
+    const std::uint32_t parent = branches()[branch_].parent;
     BranchRecord& record = records_[parent];
-    if (parent == branch() || record.last() != timelineOf(parent).last()) return;
+    if (parent == branch_ || record.last() != timelineOf(parent).last()) return;
     StepTrace trace;
     while (record.last() < tick()) {
         WorldState state = record.end();
@@ -61,27 +105,28 @@ void TimeTravel::followWithParent() {
 }
 
 void TimeTravel::followBeside() {
-    if (!beside_ || beside_->tick() == tick()) return;
-    const std::uint32_t other = beside_->branch();
-    const std::int64_t there = std::clamp(tick(), timelineOf(other).first(), timelineOf(other).last());
-    if (there == beside_->tick() + 1) {
-        BranchRecord& record = records_[other];
-        if (beside_->advance(*record.course().scenario, record.playback(), timelineOf(other))) return;
-    } else if (there != beside_->tick()) {
-        if (auto cursor = cursorAt(other, there)) beside_ = std::move(*cursor);
-    }
+    if (!beside_ || beside_->at.tick() == tick()) return;
+    const std::uint32_t other = beside_->branch;
+    const std::int64_t there = std::clamp(tick(), firstOf(other), timelineOf(other).last());
+    if (there == beside_->at.tick() + 1 && advance(beside_->at, other)) return;
+    if (there == beside_->at.tick()) return;
+    if (auto cursor = courseAt(other, there)) beside_->at = std::move(*cursor);
 }
 
 Expected<void> TimeTravel::show(std::uint32_t branch, std::int64_t tick) {
-    Expected<Cursor> cursor = cursorAt(branch, tick);
+    Expected<Cursor> cursor = courseAt(branch, tick);
     if (!cursor) return tl::unexpected(cursor.error());
-    const std::uint32_t left = this->branch();
+    const std::uint32_t left = std::exchange(branch_, branch);
     shown_ = std::move(*cursor);
     if (branch != left)
         setBeside(left);
     else
         followBeside();
     return {};
+}
+
+Expected<Cursor> TimeTravel::courseAt(std::uint32_t branch, std::int64_t tick) {
+    return cursorAt(ownerOf(branch, tick), tick);
 }
 
 Expected<Cursor> TimeTravel::cursorAt(std::uint32_t branch, std::int64_t tick) {
@@ -110,14 +155,14 @@ Expected<void> TimeTravel::walk(Cursor& cursor, std::uint32_t branch, std::int64
 }
 
 Expected<void> TimeTravel::branchOff(const Edit& edit) {
-    const std::uint32_t parent = branch();
-    const CoursePointer course = edit.course ? edit.course : records_[parent].coursePointer();
     Cursor at = shown_;
     if (edit.tick && *edit.tick != tick()) {
-        Expected<Cursor> there = cursorAt(parent, *edit.tick);
+        Expected<Cursor> there = courseAt(branch_, *edit.tick);
         if (!there) return tl::unexpected(there.error());
         at = std::move(*there);
     }
+    const std::uint32_t parent = at.branch();
+    const CoursePointer course = edit.course ? edit.course : records_[parent].coursePointer();
     WorldState state = edit.start ? *edit.start : at.state();
     if (edit.change) edit.change(*course->scenario, state);
     if (const std::string wrong = misfit(*course->scenario, state); !wrong.empty())
@@ -128,6 +173,7 @@ Expected<void> TimeTravel::branchOff(const Edit& edit) {
         otherCourse ? std::shared_ptr<const Descriptions>(course, &course->descriptions) : nullptr);
     records_.emplace_back(course, state, edit.orders);
     at.moveTo(made, {std::move(state)});
+    branch_ = made;
     shown_ = std::move(at);
     undone_.clear();
     setBeside(parent);
@@ -173,11 +219,11 @@ std::optional<TimeTravel::KickCause> TimeTravel::causeOfKick() const {
 void TimeTravel::setBeside(std::optional<std::uint32_t> branch) {
     beside_.reset();
     if (!branch || *branch >= branches().size()) return;
-    if (auto cursor = cursorAt(*branch, tick())) beside_ = std::move(*cursor);
+    if (auto cursor = courseAt(*branch, tick())) beside_ = Beside{*branch, std::move(*cursor)};
 }
 
 std::optional<std::uint32_t> TimeTravel::beside() const {
-    return beside_ ? std::optional(beside_->branch()) : std::nullopt;
+    return beside_ ? std::optional(beside_->branch) : std::nullopt;
 }
 
 Expected<bool> TimeTravel::learn(std::int64_t ticks) {
@@ -193,10 +239,10 @@ Expected<bool> TimeTravel::learn(std::int64_t ticks) {
 FieldFrame TimeTravel::frame(const FrameOptions& options) const { return frameOf(shown_, options); }
 
 std::optional<FieldFrame> TimeTravel::besideFrame(const FrameOptions& options) const {
-    if (!beside_ || beside_->tick() != tick()) return {};
+    if (!beside_ || beside_->at.tick() != tick()) return {};
     FrameOptions own = options;
     own.ghosts = false;
-    return frameOf(*beside_, own);
+    return frameOf(beside_->at, own);
 }
 
 FieldFrame TimeTravel::frameOf(const Cursor& cursor, const FrameOptions& options) const {
@@ -248,8 +294,7 @@ std::vector<Ghost> TimeTravel::ghostsOf(const Cursor& cursor, std::size_t trailT
         if (!related || !sameClock || cursor.tick() < std::max(departed, track.first())) continue;
         const std::int64_t then = std::min(cursor.tick(), track.last());
         const auto since = static_cast<std::size_t>(std::max<std::int64_t>(0, then - departed));
-        Ghost& ghost =
-            ghosts.emplace_back(Ghost{branches()[other].name, scenarioOf(other), track.posesAt(then), {}});
+        Ghost& ghost = ghosts.emplace_back(Ghost{branches()[other].name, scenarioOf(other), track.posesAt(then), {}});
         track.addTrails(then, std::min(trailTicks, since), ghost.trails);
     }
     return ghosts;

@@ -30,7 +30,8 @@ struct Edit {
     std::optional<WorldState> start = {};  ///< of another course: begins with this instead of what was
 };
 
-/// A run and its branches, gone through in both directions. It knows no window, no thread and no clock: the session
+/// A run and its branches, gone through in both directions. A branch's course is its own ticks and, before it departed,
+/// those of the branches that it came from. It knows no window, no thread and no clock: the session
 /// (session.h) drives it, and so can a test.
 class TimeTravel {
 public:
@@ -38,12 +39,16 @@ public:
 
     const WorldState& state() const { return shown_.state(); }
     std::int64_t tick() const { return shown_.tick(); }
-    std::uint32_t branch() const { return shown_.branch(); }
+    std::uint32_t branch() const { return branch_; }
+    /// The one that the shown tick belongs to: branch(), or one that it came from.
+    std::uint32_t owner() const { return shown_.branch(); }
     const std::vector<Branch>& branches() const { return history_.branches(); }
     const BranchRecord& record(std::uint32_t branch) const { return records_[branch]; }
-    const Course& course() const { return records_[branch()].course(); }
-    std::int64_t first() const { return timeline().first(); }
-    std::int64_t last() const { return timeline().last(); }
+    const Course& course() const { return records_[owner()].course(); }
+    std::int64_t first() const { return firstOf(branch_); }
+    std::int64_t last() const { return timelineOf(branch_).last(); }
+    /// What happened in the shown branch's course, in the order of time.
+    std::vector<TimelineMark> marks() const;
     /// Why the last tick asks to stop here; empty: it does not.
     const std::string& breakReason() const { return shown_.breakReason(); }
     /// Of the tick that led here; nullptr: none is known.
@@ -54,10 +59,10 @@ public:
     Expected<void> forward();
     /// To a tick of the shown branch between first() and last(), or the nearest of them.
     Expected<void> seek(std::int64_t tick) { return show(branch(), tick); }
-    /// To a tick of another branch.
+    /// To a tick of another branch's course.
     Expected<void> show(std::uint32_t branch, std::int64_t tick);
 
-    /// The same without going there.
+    /// To one of a branch's own ticks, without going there.
     Expected<Cursor> cursorAt(std::uint32_t branch, std::int64_t tick);
 
     /// A branch that begins with what an edit makes of a state; shown from now on. Error: its tick cannot be reached,
@@ -98,7 +103,11 @@ public:
 
 private:
     const Timeline& timelineOf(std::uint32_t branch) const { return history_.branches()[branch].timeline; }
-    const Timeline& timeline() const { return timelineOf(branch()); }
+    /// Whose tick that is in a branch's course.
+    std::uint32_t ownerOf(std::uint32_t branch, std::int64_t tick) const;
+    std::int64_t firstOf(std::uint32_t branch) const;
+    Expected<Cursor> courseAt(std::uint32_t branch, std::int64_t tick);
+    Expected<void> advance(Cursor& cursor, std::uint32_t branch);
     const std::shared_ptr<const Scenario>& scenarioOf(std::uint32_t branch) const {
         return records_[branch].course().scenario;
     }
@@ -112,8 +121,13 @@ private:
 
     History history_;
     std::deque<BranchRecord> records_;  ///< of each branch
-    Cursor shown_;
-    std::optional<Cursor> beside_;
+    std::uint32_t branch_ = 0;
+    Cursor shown_;  ///< in the branch's course
+    struct Beside {
+        std::uint32_t branch;
+        Cursor at;
+    };
+    std::optional<Beside> beside_;
     std::vector<std::uint32_t> undone_;
     StepBuffers buffers_;
 };

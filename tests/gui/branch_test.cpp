@@ -124,6 +124,39 @@ TEST_F(BranchTest, RestartWithASeedIsTheRunOfThatSeed) {
     EXPECT_FALSE(window.actions().perform("restart_with_seed", QString("seven")));
 }
 
+TEST_F(BranchTest, CourseGoesBackBeyondTheBranchsBeginning) {
+    const Scenario& scenario = *window.shown()->frame->scenario;
+    seek(200);
+    drag(pixelOf(8), pixelOf(8) + QPointF(25, 25));
+    seek(230);
+    const StateHash later = window.shown()->hash;
+    seek(150);
+    EXPECT_EQ(window.shown()->branch, 1u);
+    EXPECT_EQ(window.shown()->first, 0);
+    EXPECT_EQ(window.shown()->hash, hashOf(runAlone(scenario, 150, 0, -1, {})));
+    for (int i = 0; i < 80; ++i) window.session().stepBy(1);
+    settle();
+    EXPECT_EQ(state().tick, 230);
+    EXPECT_EQ(window.shown()->hash, later);
+    // What is changed before its beginning departs from the run.
+    seek(100);
+    drag(pixelOf(8), pixelOf(8) + QPointF(-25, 0));
+    EXPECT_EQ(window.shown()->branches[2].parent, 0u);
+}
+
+TEST_F(BranchTest, MarksAreThoseOfTheWholeCourse) {
+    seek(400);
+    const std::vector<TimelineMark> before = *window.shown()->marks;
+    drag(pixelOf(8), pixelOf(8) + QPointF(25, 25));
+    EXPECT_EQ(*window.shown()->marks, before);
+    seek(600);
+    const std::vector<TimelineMark>& after = *window.shown()->marks;
+    ASSERT_GT(after.size(), before.size());
+    EXPECT_TRUE(std::equal(before.begin(), before.end(), after.begin()));
+    EXPECT_TRUE(std::is_sorted(after.begin(), after.end(),
+                               [](const TimelineMark& a, const TimelineMark& b) { return a.tick < b.tick; }));
+}
+
 TEST_F(BranchTest, ScrubbingDraggingAndUndoingLeaveTheRunAsItIs) {
     const Scenario& scenario = *window.shown()->frame->scenario;
     for (const std::int64_t tick : {300, 17, 299, 0, 150}) seek(tick);
