@@ -26,11 +26,6 @@ int report(const Error& error) {
     return 1;
 }
 
-void settle(MainWindow& window) {
-    window.session().settle();
-    QApplication::processEvents();
-}
-
 /// What is there before anything runs: the run, and how it is looked at.
 Expected<void> open(MainWindow& window, const CommandLine& line) {
     if (line.size) window.resize(line.size->first, line.size->second);

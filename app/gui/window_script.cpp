@@ -11,6 +11,7 @@
 
 #include "condition/condition.h"
 #include "main_window.h"
+#include "plot_panel.h"
 #include "script_world.h"
 #include "widgets/field_view.h"
 
@@ -300,6 +301,7 @@ private:
         since.start();
         while (window_.isVisible() && static_cast<double>(since.elapsed()) < 1e3 * seconds)
             QApplication::processEvents(QEventLoop::WaitForMoreEvents | QEventLoop::AllEvents, 20);
+        gui::settle(window_);
         return Value{};
     }
 
@@ -307,6 +309,7 @@ private:
         const QString file = QString::fromStdString(given.text(0));
         const QString what = given.has(1) ? QString::fromStdString(given.text(1)) : "window";
         if (given.error()) return Value{};
+        gui::settle(window_);
         QWidget* widget = what == "window" ? &window_ : window_.findChild<QWidget*>(what);
         if (widget == nullptr) return fail("", what.toStdString() + " is no part of the window");
         const bool saved = widget == &window_ ? window_.saveImage(file) : widget->grab().save(file);
@@ -394,6 +397,13 @@ private:
 };
 
 }  // namespace
+
+void settle(MainWindow& window) {
+    window.session().settle();
+    QApplication::processEvents();
+    window.plots().series().settle();
+    QApplication::processEvents();
+}
 
 std::string stateText(const Shown& shown) {
     return QString("%1").arg(shown.hash.world, 16, 16, QChar('0')).toStdString();
