@@ -62,8 +62,7 @@ void runToEnd(MainWindow& window, const CommandLine& line) {
     if (line.speed.value_or(0) > 0) {
         window.session().play();
         settle(window);
-        while (window.shown()->playing && window.shown()->tick() < end)
-            QApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 20);
+        while (window.shown()->playing && window.shown()->tick() < end) letPass(20);
         window.session().pause();
     }
     window.session().seek(end);

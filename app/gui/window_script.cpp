@@ -2,6 +2,8 @@
 
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QEventLoop>
+#include <QTimer>
 #include <QWindow>
 #include <cmath>
 #include <cstdio>
@@ -297,10 +299,10 @@ private:
     /// Until all is done and shown, and so many seconds.
     Expected<Value> wait(Given& given) {
         const double seconds = given.has(0) ? given.number(0) : 0;
+        if (!(seconds >= 0 && seconds <= 3600)) return fail("", "expected seconds, 3600 at the most");
         QElapsedTimer since;
         since.start();
-        while (window_.isVisible() && static_cast<double>(since.elapsed()) < 1e3 * seconds)
-            QApplication::processEvents(QEventLoop::WaitForMoreEvents | QEventLoop::AllEvents, 20);
+        while (window_.isVisible() && static_cast<double>(since.elapsed()) < 1e3 * seconds) letPass(20);
         gui::settle(window_);
         return Value{};
     }
@@ -403,6 +405,12 @@ void settle(MainWindow& window) {
     QApplication::processEvents();
     window.plots().series().settle();
     QApplication::processEvents();
+}
+
+void letPass(int duration) {
+    QEventLoop loop;
+    QTimer::singleShot(duration, &loop, &QEventLoop::quit);
+    loop.exec();
 }
 
 std::string stateText(const Shown& shown) {

@@ -26,6 +26,9 @@ struct ScriptOutput {
 /// Until all that was asked for is done and shown, plots too.
 void settle(MainWindow& window);
 
+/// Lets the window do its work for so long (ms).
+void letPass(int duration);
+
 /// The shown state's hash as `mrose run` prints it.
 std::string stateText(const Shown& shown);
 
