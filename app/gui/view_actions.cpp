@@ -6,6 +6,7 @@
 #include "widgets/field_view.h"
 #include "widgets/icons.h"
 #include "window_actions.h"
+#include "window_memory.h"
 
 namespace mrose::gui {
 namespace {
@@ -110,6 +111,10 @@ void addViewActions(MainWindow& window) {
     actions.addSeparator(QObject::tr("&Edit"));
     addNudgeActions(window, QObject::tr("&Edit"));
     actions.addSeparator(menu);
+    actions.add(menu,
+                {"reset_layout", QObject::tr("&Reset layout"), QKeySequence(),
+                 QObject::tr("Panels, tool bars and size as in a new window")},
+                [&](bool) { window.memory().resetLayout(); });
     actions.add(menu,
                 {"dark", QObject::tr("Dar&k colours"), QKeySequence("Ctrl+D"),
                  QObject::tr("Dark colours, for dark rooms"), true},
