@@ -150,6 +150,7 @@ private:
     static const std::map<std::string, Function>& functions() {
         static const std::map<std::string, Function> all{
             {"select", &WindowScript::select},
+            {"plot", &WindowScript::plot},
             {"drag", &WindowScript::drag},
             {"pause", &WindowScript::pause},
             {"seek", &WindowScript::seek},
@@ -219,6 +220,17 @@ private:
         const auto which = body(given);
         if (!which) return tl::unexpected(which.error());
         window_.field().setSelected(*which);
+        return Value{};
+    }
+
+    /// A number of the inspector: plot("red 2", "speed").
+    Expected<Value> plot(Given& given) {
+        const auto which = body(given);
+        if (!which) return tl::unexpected(which.error());
+        const std::string quantity = given.text(1), of = given.has(2) ? given.text(2) : "";
+        if (given.error()) return Value{};
+        if (auto added = window_.plots().add({quantity, frame().nameOf(*which), of}); !added)
+            return tl::unexpected(added.error());
         return Value{};
     }
 
