@@ -7,6 +7,7 @@
 #include <QToolButton>
 
 #include "main_window.h"
+#include "plot_panel.h"
 #include "widgets/field_view.h"
 
 namespace mrose::gui {
@@ -50,6 +51,11 @@ FirstSteps::FirstSteps(MainWindow& window) : QFrame(&window.field()), window_(wi
     add({tr("Drag a robot"), tr("a branch; its old course is a ghost")}, {});
     const std::size_t branch = steps_.size() - 1;
     add({key("side_by_side"), tr("both courses side by side")}, {"side_by_side"});
+    add({tr("Click a number"), tr("in the inspector, to plot it")}, {});
+    const std::size_t plot = steps_.size() - 1;
+    connect(&window_.plots(), &PlotPanel::changed, this, [this, plot] {
+        if (!window_.plots().keys().empty()) tick(plot);
+    });
     add({key("undo"), tr("undoes")}, {"undo"});
     add({key("shortcuts"), tr("all keys")}, {"shortcuts"});
     connect(&window_, &MainWindow::updated, this, [this, branch] {

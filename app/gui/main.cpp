@@ -31,11 +31,6 @@ int report(const Error& error) {
     return 1;
 }
 
-void settle(MainWindow& window) {
-    window.session().settle();
-    QApplication::processEvents();
-}
-
 OpenRequest requestOf(const CommandLine& line) {
     return {line.file.empty() ? "soccer.toml" : line.file, line.trial, line.seed, line.log, line.pluginLimit};
 }
@@ -66,8 +61,7 @@ void runToEnd(MainWindow& window, const CommandLine& line) {
     if (line.speed.value_or(0) > 0) {
         window.session().play();
         settle(window);
-        while (window.shown()->playing && window.shown()->tick() < end)
-            QApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 20);
+        while (window.shown()->playing && window.shown()->tick() < end) letPass(20);
         window.session().pause();
     }
     window.session().seek(end);

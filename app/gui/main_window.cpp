@@ -243,6 +243,7 @@ void MainWindow::setTheme(const Theme& theme) {
                                                                     {"fit", Icon::fit},
                                                                     {"follow", Icon::follow}};
     for (const auto& [name, which] : icons) actions_[name].setIcon(icon(which, theme_));
+    if (shown_) branches_->setShown(*shown_);
     updateStatus();
 }
 

@@ -11,7 +11,7 @@
 namespace mrose::gui {
 namespace {
 
-constexpr int mostColumns = 3, gap = 40;
+constexpr int mostColumns = 3, gap = 40;  // pixels
 
 QString plain(QString menuText) { return menuText.remove('&').remove(QString::fromUtf8("\u2026")); }
 
@@ -107,42 +107,34 @@ int ShortcutSheet::fittingColumns(int width) const {
     return std::clamp(width / std::max(1, blockWidth_ + gap), 1, mostColumns);
 }
 
-/// The groups in their order, from column to column, none of them torn.
+/// Each group in the column that is shortest so far.
 void ShortcutSheet::fill() {
-    struct Block {
-        int height;
-        QWidget* widget;
-    };
-    std::vector<Block> blocks;
-    int rows = 0, largest = 0;
+    std::vector<std::pair<int, QWidget*>> blocks;  // heights
     for (ShortcutGroup& group : shortcutGroups(actions_)) {
         std::erase_if(group.shortcuts, [&](const Shortcut& some) { return !hasAll(some, group.title, words_); });
         if (group.shortcuts.empty()) continue;
-        rows += heightOf(group);
-        largest = std::max(largest, heightOf(group));
-        blocks.push_back({heightOf(group), block(group)});
-        blockWidth_ = std::max(blockWidth_, blocks.back().widget->sizeHint().width());
+        blocks.emplace_back(heightOf(group), block(group));
+        blockWidth_ = std::max(blockWidth_, blocks.back().second->sizeHint().width());
     }
     columns_ = fittingColumns(area_->width());
     auto* page = new QWidget;
     auto* across = new QHBoxLayout(page);
-    across->setContentsMargins(0, 0, 0, 0);
+    across->setContentsMargins(0, 0, gap / 3, 0);
     across->setSpacing(gap);
-    const int fair = std::max(largest, (rows + columns_ - 1) / columns_);
-    std::size_t next = 0;
-    for (int column = 0; column < columns_; ++column) {
-        auto* down = new QVBoxLayout;
-        down->setSpacing(18);
-        // The last one takes all that is left.
-        for (int used = 0; next < blocks.size(); ++next) {
-            if (column + 1 < columns_ && used > 0 && used + blocks[next].height > fair) break;
-            used += blocks[next].height;
-            down->addWidget(blocks[next].widget);
-        }
-        down->addStretch(1);
-        across->addLayout(down, 1);
+    std::vector<std::pair<int, QVBoxLayout*>> columns;  // heights
+    for (int i = 0; i < columns_; ++i) {
+        columns.emplace_back(0, new QVBoxLayout);
+        columns.back().second->setSpacing(18);
+        across->addLayout(columns.back().second, 1);
     }
-    if (blocks.empty()) across->insertWidget(0, new QLabel(tr("Nothing has these words")));
+    for (const auto& [height, widget] : blocks) {
+        auto& shortest = *std::min_element(columns.begin(), columns.end(),
+                                           [](const auto& one, const auto& other) { return one.first < other.first; });
+        shortest.first += height;
+        shortest.second->addWidget(widget);
+    }
+    if (blocks.empty()) columns.front().second->addWidget(new QLabel(tr("Nothing has these words")));
+    for (const auto& [height, column] : columns) column->addStretch(1);
     area_->setWidget(page);
 }
 

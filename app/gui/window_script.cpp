@@ -2,6 +2,8 @@
 
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QEventLoop>
+#include <QTimer>
 #include <QWindow>
 #include <cmath>
 #include <cstdio>
@@ -11,6 +13,7 @@
 
 #include "condition/condition.h"
 #include "main_window.h"
+#include "plot_panel.h"
 #include "script_world.h"
 #include "widgets/field_view.h"
 
@@ -147,6 +150,7 @@ private:
     static const std::map<std::string, Function>& functions() {
         static const std::map<std::string, Function> all{
             {"select", &WindowScript::select},
+            {"plot", &WindowScript::plot},
             {"drag", &WindowScript::drag},
             {"pause", &WindowScript::pause},
             {"seek", &WindowScript::seek},
@@ -216,6 +220,17 @@ private:
         const auto which = body(given);
         if (!which) return tl::unexpected(which.error());
         window_.field().setSelected(*which);
+        return Value{};
+    }
+
+    /// A number of the inspector: plot("red 2", "speed").
+    Expected<Value> plot(Given& given) {
+        const auto which = body(given);
+        if (!which) return tl::unexpected(which.error());
+        const std::string quantity = given.text(1), of = given.has(2) ? given.text(2) : "";
+        if (given.error()) return Value{};
+        if (auto added = window_.plots().add({quantity, frame().nameOf(*which), of}); !added)
+            return tl::unexpected(added.error());
         return Value{};
     }
 
@@ -296,10 +311,11 @@ private:
     /// Until all is done and shown, and so many seconds.
     Expected<Value> wait(Given& given) {
         const double seconds = given.has(0) ? given.number(0) : 0;
+        if (!(seconds >= 0 && seconds <= 3600)) return fail("", "expected seconds, 3600 at the most");
         QElapsedTimer since;
         since.start();
-        while (window_.isVisible() && static_cast<double>(since.elapsed()) < 1e3 * seconds)
-            QApplication::processEvents(QEventLoop::WaitForMoreEvents | QEventLoop::AllEvents, 20);
+        while (window_.isVisible() && static_cast<double>(since.elapsed()) < 1e3 * seconds) letPass(20);
+        gui::settle(window_);
         return Value{};
     }
 
@@ -307,6 +323,7 @@ private:
         const QString file = QString::fromStdString(given.text(0));
         const QString what = given.has(1) ? QString::fromStdString(given.text(1)) : "window";
         if (given.error()) return Value{};
+        gui::settle(window_);
         QWidget* widget = what == "window" ? &window_ : window_.findChild<QWidget*>(what);
         if (widget == nullptr) return fail("", what.toStdString() + " is no part of the window");
         if (auto saved = window_.saveImage(file, widget); !saved) return tl::unexpected(saved.error());
@@ -393,6 +410,19 @@ private:
 };
 
 }  // namespace
+
+void settle(MainWindow& window) {
+    window.session().settle();
+    QApplication::processEvents();
+    window.plots().series().settle();
+    QApplication::processEvents();
+}
+
+void letPass(int duration) {
+    QEventLoop loop;
+    QTimer::singleShot(duration, &loop, &QEventLoop::quit);
+    loop.exec();
+}
 
 std::string stateText(const Shown& shown) {
     return QString("%1").arg(shown.hash.world, 16, 16, QChar('0')).toStdString();

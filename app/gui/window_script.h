@@ -23,6 +23,12 @@ struct ScriptOutput {
     std::function<void(const std::string&)> mistaken;  ///< "tour.lua:12: expected ..."
 };
 
+/// Until all that was asked for is done and shown, plots too.
+void settle(MainWindow& window);
+
+/// Lets the window do its work for so long (ms).
+void letPass(int duration);
+
 /// The shown state's hash as `mrose run` prints it.
 std::string stateText(const Shown& shown);
 

@@ -6,8 +6,8 @@ screenshot("game.png")
 -- A robot at work: what it sees, decides and is commanded.
 seek(20)
 select("red 2")
-plot_expression("robot[2].speed")
-plot_expression("ball.speed")
+plot("red 2", "speed")
+plot("ball", "speed")
 screenshot("robot.png")
 
 -- It stands elsewhere: a branch goes on beside what was recorded.

@@ -9,6 +9,7 @@
 
 #include "first_steps.h"
 #include "gui/window_fixture.h"
+#include "plot_panel.h"
 #include "shortcut_sheet.h"
 #include "window_actions.h"
 
@@ -133,6 +134,8 @@ TEST_F(HelpTest, FirstStepsAreTickedOffAsTheyAreDone) {
     key(Qt::Key_K);
     key(Qt::Key_S);
     EXPECT_EQ(doneSteps(*card), 6u);
+    ASSERT_TRUE(window.plots().addExpression("ball.speed"));
+    EXPECT_EQ(doneSteps(*card), 7u);
     key(Qt::Key_F1);
     EXPECT_EQ(doneSteps(*card), card->steps().size());
 }

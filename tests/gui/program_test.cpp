@@ -135,6 +135,7 @@ TEST_F(GuiProgram, WrongUsageIsOneLineAndStatusTwo) {
     const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
         {{"--size", "12"}, "--size"},
         {{"--size", "1000x"}, "--size"},
+        {{"--size", "100x100"}, "--size"},
         {{"--ticks", "3", "soccer.toml"}, "--run"},
         {{"--run", "soccer.toml", "--ticks", "-1"}, "--ticks"},
         {{"--run", "soccer.toml", "--ticks", "3", "--duration", "3"}, "--duration"},

@@ -4,6 +4,7 @@
 #include <QTemporaryDir>
 
 #include "gui/window_fixture.h"
+#include "plot_panel.h"
 #include "simulation/step.h"
 #include "support/run_program.h"
 #include "window_actions.h"
@@ -140,6 +141,13 @@ TEST_F(ScriptTest, NamesFollowTheScenarioThatIsOpened) {
     EXPECT_EQ(said.substr(said.rfind("tour.lua")), "tour.lua:6: this body is of another scenario") << said;
     EXPECT_NE(run("say(ball.x)").find("there is no ball: no object rolls"), std::string::npos);
     EXPECT_EQ(run("open('soccer.toml')\nexpect(#robot == 8 and ball.x == 0)"), "");
+}
+
+TEST_F(ScriptTest, NumbersOfTheInspectorArePlotted) {
+    EXPECT_EQ(run("plot('red 2', 'speed')\nplot('ball', 'speed')\nplot('red 2', 'distance to', 'ball')"), "");
+    const std::vector<ValueKey> expected{{"speed", "red 2"}, {"speed", "ball"}, {"distance to", "red 2", "ball"}};
+    EXPECT_EQ(window.plots().keys(), expected);
+    EXPECT_TRUE(run("plot('red 2', 'mood')").starts_with("tour.lua:1: plot(): "));
 }
 
 TEST_F(ScriptTest, PicturesShowTheWindowOrAPartOfIt) {
