@@ -223,17 +223,17 @@ void TimelineBar::paintMarks(QPainter& painter) const {
             shown.back().kind = std::max(shown.back().kind, mark.kind);
     }
     painter.setRenderHint(QPainter::Antialiasing, false);
-    painter.setPen(QPen(colourOf(TimelineMark::Kind::contact, theme_), 1));
+    const QColor touched = colourOf(TimelineMark::Kind::contact, theme_);
     for (std::size_t x = 0; x < contacts.size(); ++x) {
         if (contacts[x] == 0) continue;
-        const double high = std::min(trackHeight - 2, 5 + 2 * std::log2(contacts[x]));
-        painter.drawLine(QPointF(static_cast<double>(x), trackTop + trackHeight - 1 - high),
-                         QPointF(static_cast<double>(x), trackTop + trackHeight - 2));
+        const int high = std::min(static_cast<int>(trackHeight) - 2, 5 + 2 * std::ilogb(contacts[x]));
+        painter.fillRect(QRect(static_cast<int>(x), static_cast<int>(trackTop + trackHeight) - 1 - high, 1, high),
+                         touched);
     }
     painter.setRenderHint(QPainter::Antialiasing);
     for (const Sign& sign : shown) {
-        painter.setPen(QPen(colourOf(sign.kind, theme_), 1));
-        painter.drawLine(QPointF(sign.x, signs + 4), QPointF(sign.x, trackTop + trackHeight - 2));
+        painter.fillRect(QRectF(sign.x - 0.5, signs + 4, 1, trackTop + trackHeight - signs - 6),
+                         colourOf(sign.kind, theme_));
         drawMark(painter, {sign.x, signs}, sign.kind, theme_);
     }
 }
