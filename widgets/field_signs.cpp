@@ -24,7 +24,8 @@ void drawBeliefs(const FieldCanvas& canvas, const FieldFrame& frame, const Field
         const QColor colour = robotColour(robot);
         if (seen.localised) {
             const Shape& shape = frame.scene().shapeOf(robot);
-            canvas.outline(shape, seen.self, roundPen(withAlpha(setOff(colour), 110), 2.6));
+            if (focus.selected == robot)
+                canvas.outline(shape, seen.self, roundPen(withAlpha(setOff(colour), 110), 2.6));
             canvas.outline(shape, seen.self, roundPen(colour, 1.4, Qt::DashLine));
             canvas.casedLine(canvas.at(position(frame.poseOf(robot))), canvas.at(position(seen.self)),
                              roundPen(colour, 1.2));
