@@ -11,7 +11,7 @@ namespace mrose::gui {
 
 namespace {
 
-Error refusal(const QString& name, const char* cause) { return {"", 0, 0, name.toStdString(), cause}; }
+tl::unexpected<Error> refuse(const char* cause) { return fail("", cause); }
 
 }  // namespace
 
@@ -34,20 +34,27 @@ QAction* Actions::add(const QString& menu, const Text& text, Asking asking) {
 }
 
 QAction* Actions::make(const QString& menu, const Text& text) {
-    auto* action = new QAction(text.text, &window_);
+    auto* action = new QAction(&window_);
+    action->setCheckable(text.checkable);
+    action->setChecked(text.checked);
+    place(menu, text, action);
+    return action;
+}
+
+void Actions::adopt(const QString& menu, const Text& text, QAction* action) { place(menu, text, action); }
+
+void Actions::place(const QString& menu, const Text& text, QAction* action) {
+    action->setText(text.text);
     action->setObjectName(text.name);
     action->setShortcut(text.key);
     action->setToolTip(text.key.isEmpty() ? text.tip
                                           : text.tip + " (" + text.key.toString(QKeySequence::NativeText) + ')');
     action->setStatusTip(text.tip);
-    action->setCheckable(text.checkable);
-    action->setChecked(text.checked);
     window_.addAction(action);
     Group& in = group(menu);
     in.menu->addAction(action);
     in.actions.push_back(action);
     byName_[text.name] = action;
-    return action;
 }
 
 void Actions::addSeparator(const QString& menu) { group(menu).menu->addSeparator(); }
@@ -62,19 +69,21 @@ QAction* Actions::find(const QString& name) const {
 Expected<void> Actions::perform(const QString& name, const Argument& argument) {
     QAction* action = find(name);
     if (action == nullptr) return tl::unexpected(unknown(name));
-    if (!action->isEnabled()) return tl::unexpected(refusal(name, "cannot be done now"));
+    if (!action->isEnabled()) return refuse("cannot be done now");
     if (const auto asking = asking_.find(name); asking != asking_.end()) {
+        const int* number = std::get_if<int>(&argument);
         const QString* text = std::get_if<QString>(&argument);
-        if (text == nullptr || text->isEmpty()) return tl::unexpected(refusal(name, "expected a text"));
-        return asking->second.run(*text);
+        if (number == nullptr && (text == nullptr || text->isEmpty())) return refuse("expected a text");
+        return asking->second.run(number != nullptr ? QString::number(*number) : *text);
     }
-    if (std::holds_alternative<QString>(argument)) return tl::unexpected(refusal(name, "expected no text"));
+    if (std::holds_alternative<QString>(argument)) return refuse("takes no text");
     if (const bool* on = std::get_if<bool>(&argument)) {
-        if (!action->isCheckable()) return tl::unexpected(refusal(name, "is not switched on or off"));
+        if (!action->isCheckable()) return refuse("cannot be switched on or off");
         if (action->isChecked() != *on) action->trigger();
         return {};
     }
     const int* count = std::get_if<int>(&argument);
+    if (count != nullptr && (action->isCheckable() || *count < 0)) return refuse("takes no such number");
     for (int i = 0; i < (count != nullptr ? *count : 1); ++i) action->trigger();
     return {};
 }

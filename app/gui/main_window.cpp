@@ -6,28 +6,37 @@
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QDropEvent>
+#include <QFileInfo>
 #include <QInputDialog>
 #include <QLabel>
 #include <QMenu>
 #include <QMimeData>
+#include <QPainter>
 #include <QStatusBar>
 #include <QStyle>
-#include <QSvgGenerator>
 #include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "branch_panel.h"
 #include "command_panel.h"
+#include "fault_messages.h"
+#include "plot_panel.h"
 #include "side_view.h"
+#include "view_export.h"
 #include "widgets/field_view.h"
 #include "widgets/icons.h"
 #include "widgets/inspector.h"
+#include "widgets/message_bar.h"
 #include "widgets/timeline_bar.h"
 #include "window_actions.h"
+#include "window_files.h"
+#include "window_memory.h"
+#include "work_progress.h"
 
 namespace mrose::gui {
 namespace {
@@ -48,6 +57,7 @@ MainWindow::MainWindow(QWidget* parent)
       view_(new SideView),
       timeline_(new TimelineBar),
       inspector_(new Inspector),
+      plots_(new PlotPanel(*session_)),
       branches_(new BranchPanel),
       command_(new CommandPanel),
       speed_(new QComboBox),
@@ -55,7 +65,13 @@ MainWindow::MainWindow(QWidget* parent)
       clock_(new QLabel),
       factor_(new QLabel),
       cursor_(new QLabel),
-      message_(new QLabel) {
+      message_(new QLabel),
+      messages_(new MessageBar),
+      files_(new WindowFiles(*this, *messages_)),
+      memory_(new WindowMemory(*this)),
+      progress_(new WorkProgress(*this, *messages_)) {
+    view_->setObjectName("field");
+    timeline_->setObjectName("timeline");
     setWindowTitle("mrose");
     resize(1280, 800);
     setAcceptDrops(true);
@@ -63,20 +79,30 @@ MainWindow::MainWindow(QWidget* parent)
     auto* layout = new QVBoxLayout(middle);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
+    layout->addWidget(messages_);
     layout->addWidget(view_, 1);
     layout->addWidget(timeline_);
     setCentralWidget(middle);
     makeDocks();
-    actions_.setErrorHandler([this](const Error& error) { say(QString::fromStdString(error.message())); });
+    actions_.setErrorHandler([this](const Error& error) {
+        messages_->add({MessageBar::Kind::error, QString::fromStdString(error.message())});
+    });
     addFileActions(*this);
     addEditActions(*this);
     addTimeActions(*this);
     addBranchActions(*this);
     addViewActions(*this);
     addLayerActions(*this);
+    addPlotActions(*this);
     actions_.addSeparator(tr("&View"));
+    int number = 0;
     for (QDockWidget* dock : findChildren<QDockWidget*>())
-        actions_.menu(tr("&View"))->addAction(dock->toggleViewAction());
+        actions_.adopt(
+            tr("&View"),
+            {"show_" + dock->objectName(), dock->windowTitle(), QKeySequence(QString("Ctrl+%1").arg(++number)),
+             tr("Show or hide the panel \u201c%1\u201d").arg(dock->windowTitle())},
+            dock->toggleViewAction());
+    addHelpActions(*this);
     makeToolBar();
     makeStatusBar();
     connect(session_, &Session::shown, this, &MainWindow::update);
@@ -94,11 +120,27 @@ MainWindow::MainWindow(QWidget* parent)
     connect(&field(), &FieldView::cursorMoved, this, [this](std::optional<Point> at) {
         cursor_->setText(at ? QString("x %1  y %2 m").arg(at->x, 0, 'f', 2).arg(at->y, 0, 'f', 2) : QString());
     });
+    new FaultMessages(*this, *messages_);
     setTheme(Theme::light());
+    memory_->keepAsNew();
 }
+
+/// The plots' thread looks at the session, and ends before it.
+MainWindow::~MainWindow() { delete plots_; }
+
+void MainWindow::showPlots() { findChild<QDockWidget*>("plots")->show(); }
 
 void MainWindow::changeSpeed(int by) {
     speed_->setCurrentIndex(std::clamp(speed_->currentIndex() + by, 0, speed_->count() - 1));
+}
+
+void MainWindow::setSpeed(double speed) {
+    const auto rank = [](double some) { return some > 0 ? some : std::numeric_limits<double>::infinity(); };
+    int at = 0;
+    while (at < speed_->count() && rank(speed_->itemData(at).toDouble()) < rank(speed)) ++at;
+    if (at == speed_->count() || speed_->itemData(at).toDouble() != speed)
+        speed_->insertItem(at, speedName(speed), speed);
+    speed_->setCurrentIndex(at);
 }
 
 void MainWindow::makeToolBar() {
@@ -116,7 +158,7 @@ void MainWindow::makeToolBar() {
     speed_->setFocusPolicy(Qt::NoFocus);
     bar->addWidget(speed_);
     connect(speed_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
-            [this](int index) { session_->setSpeed(speeds[static_cast<std::size_t>(index)]); });
+            [this](int index) { session_->setSpeed(speed_->itemData(index).toDouble()); });
     factor_->setMinimumWidth(190);
     factor_->setContentsMargins(10, 0, 0, 0);
     bar->addWidget(factor_);
@@ -140,6 +182,7 @@ void MainWindow::makeDocks() {
     dock("branches", tr("Branches"), branches_, Qt::LeftDockWidgetArea);
     dock("command", tr("Change a command"), command_, Qt::LeftDockWidgetArea);
     dock("inspector", tr("Inspector"), inspector_, Qt::RightDockWidgetArea);
+    dock("plots", tr("Plots"), plots_, Qt::BottomDockWidgetArea)->hide();
     resizeDocks({findChild<QDockWidget*>("branches"), findChild<QDockWidget*>("inspector")}, {250, 330},
                 Qt::Horizontal);
 }
@@ -151,6 +194,16 @@ void MainWindow::makeStatusBar() {
     message_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     statusBar()->addWidget(clock_);
     statusBar()->addWidget(message_, 1);
+    auto* recording = new QLabel;
+    recording->setObjectName("recording");
+    recording->hide();
+    connect(files_, &WindowFiles::recordingTo, recording, [recording](const QString& path) {
+        recording->setText("<span style='color:#d33'>\u25cf</span> " +
+                           tr("recording %1").arg(QFileInfo(path).fileName().toHtmlEscaped()));
+        recording->setToolTip(path);
+        recording->setVisible(!path.isEmpty());
+    });
+    statusBar()->addPermanentWidget(recording);
     statusBar()->addPermanentWidget(cursor_);
 }
 
@@ -167,6 +220,8 @@ void MainWindow::setTheme(const Theme& theme) {
     palette.setColor(QPalette::ToolTipBase, theme_.panel);
     palette.setColor(QPalette::ToolTipText, theme_.text);
     palette.setColor(QPalette::Highlight, theme_.accent);
+    palette.setColor(QPalette::Link, theme_.accent);
+    palette.setColor(QPalette::Mid, theme_.line);
     palette.setColor(QPalette::HighlightedText, theme_.dark ? Qt::black : Qt::white);
     for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
         palette.setColor(QPalette::Disabled, role, theme_.quietText);
@@ -174,7 +229,9 @@ void MainWindow::setTheme(const Theme& theme) {
     view_->setTheme(theme_);
     branches_->setTheme(theme_);
     timeline_->setTheme(theme_);
+    messages_->setTheme(theme_);
     inspector_->setTheme(theme_);
+    plots_->setTheme(theme_);
     const std::initializer_list<std::pair<const char*, Icon>> icons{{"tick_forward", Icon::tickForward},
                                                                     {"tick_back", Icon::tickBack},
                                                                     {"period_forward", Icon::periodForward},
@@ -187,15 +244,7 @@ void MainWindow::setTheme(const Theme& theme) {
     updateStatus();
 }
 
-Expected<void> MainWindow::open(const QString& name) {
-    const auto opened = openRun(name.toStdString(), std::nullopt);
-    if (!opened) {
-        say(QString::fromStdString(opened.error().message()));
-        return tl::unexpected(opened.error());
-    }
-    show(*opened);
-    return {};
-}
+Expected<void> MainWindow::open(const QString& name) { return files_->openNow(OpenRequest{name.toStdString()}); }
 
 void MainWindow::show(const OpenRun& run) {
     title_ = QString::fromStdString(run.name);
@@ -209,6 +258,7 @@ void MainWindow::update(std::shared_ptr<const Shown> what) {
     shown_ = std::move(what);
     view_->setShown(*shown_);
     inspector_->setFrame(shown_->frame);
+    plots_->setShown(shown_);
     TimelineBar::Content content;
     content.first = shown_->first;
     content.last = shown_->last;
@@ -280,19 +330,13 @@ void MainWindow::say(const QString& text) {
     message_->setToolTip(text);
 }
 
-bool MainWindow::saveImage(const QString& path) {
-    if (path.endsWith(".svg", Qt::CaseInsensitive)) {
-        QSvgGenerator svg;
-        svg.setFileName(path);
-        svg.setSize(field().size());
-        svg.setViewBox(field().rect());
-        svg.setTitle(title_);
-        QPainter painter;
-        if (!painter.begin(&svg)) return false;
-        field().paint(painter, field().size());
-        return painter.end();
-    }
-    return grab().save(path);
+Expected<void> MainWindow::saveImage(const QString& path, QWidget* part) {
+    QWidget& drawn = part != nullptr ? *part : *this;
+    return writePicture({drawn.size(), logicalDpiX(), windowTitle(),
+                         [&drawn](QPainter& painter) {
+                             drawn.render(&painter, {}, {}, QWidget::DrawWindowBackground | QWidget::DrawChildren);
+                         }},
+                        path, 1);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
@@ -300,14 +344,13 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-    for (const QUrl& url : event->mimeData()->urls())
-        if (url.isLocalFile()) {
-            open(url.toLocalFile());
-            return;
-        }
+    event->acceptProposedAction();
+    files_->drop(*event->mimeData());
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!files_->mayLeave([this] { close(); })) return event->ignore();
+    memory_->save();
     session_->pause();
     QMainWindow::closeEvent(event);
 }

@@ -36,7 +36,9 @@ void Session::request(Request what) {
 
 void Session::open(const OpenRun& run) {
     request([this, run] {
+        if (recorder_) endRecording(recorder_->finish(*run_));
         run_.emplace(run);
+        ++runs_;
         learning_ = true;
         marks_.reset();
         message_.clear();
@@ -130,6 +132,50 @@ void Session::run(const QString& what, std::function<QString(TimeTravel&, const 
     });
 }
 
+void Session::record(const QString& path, const QString& commandLine, bool overwrite) {
+    request([this, path, commandLine, overwrite] {
+        if (!run_) return;
+        if (recorder_) endRecording(recorder_->finish(*run_));
+        auto recorder = RunRecorder::begin(path.toStdString(), *run_, commandLine.toStdString(), overwrite);
+        if (!recorder) {
+            emit recordingChanged({}, QString::fromStdString(recorder.error().message()));
+            return;
+        }
+        recorder_.emplace(std::move(*recorder));
+        nextFlush_ = Clock::now();
+        emit recordingChanged(path, {});
+    });
+}
+
+void Session::stopRecording() {
+    request([this] {
+        if (recorder_) endRecording(recorder_->finish(*run_));
+    });
+}
+
+/// The run goes on, whatever becomes of its file.
+void Session::endRecording(const Expected<void>& done) {
+    recorder_.reset();
+    recording_ = false;
+    emit recordingChanged({}, done ? QString() : QString::fromStdString(done.error().message()));
+}
+
+/// For a frame's time.
+void Session::followRecording() {
+    const auto begin = Clock::now();
+    do {
+        const auto more = recorder_->follow(*run_, 20);
+        if (!more) return endRecording(tl::unexpected(more.error()));
+        recording_ = *more;
+    } while (recording_ && Clock::now() - begin < framePeriod);
+    if (Clock::now() < nextFlush_) {
+        recording_ = true;  // comes back for that
+        return;
+    }
+    recorder_->flush();
+    nextFlush_ = Clock::now() + std::chrono::seconds(1);
+}
+
 void Session::cancel() {
     cancelled_ = true;
     // Any request ends the way to a tick.
@@ -178,6 +224,32 @@ void Session::setFrameOptions(const TimeTravel::FrameOptions& options) {
     request([this, options] { frameOptions_ = options; });
 }
 
+void Session::look(Look what) {
+    {
+        const std::lock_guard lock(mutex_);
+        if (!quit_) {
+            looks_.push_back(std::move(what));
+            wake_.notify_all();
+            return;
+        }
+    }
+    what(nullptr, 0);
+}
+
+void Session::serveLooks() {
+    std::deque<Look> looks;
+    {
+        const std::lock_guard lock(mutex_);
+        looks.swap(looks_);
+    }
+    for (const Look& look : looks) look(run_ && !quit_ ? &*run_ : nullptr, runs_);
+}
+
+bool Session::busy() {
+    const std::lock_guard lock(mutex_);
+    return busy_ || seekTo_ || !requests_.empty();
+}
+
 void Session::settle() {
     std::unique_lock lock(mutex_);
     settled_.wait(lock, [this] { return requests_.empty() && !seekTo_ && !busy_; });
@@ -192,11 +264,20 @@ void Session::work() {
         if (requests_.empty() && !seekTo_) {
             busy_ = false;
             settled_.notify_all();
-            if (playing_ || learning_)
-                wake_.wait_until(lock, nextFrame);
+            const auto called = [this] {
+                return quit_ || !requests_.empty() || seekTo_.has_value() || !looks_.empty();
+            };
+            if (playing_ || learning_ || recording_)
+                wake_.wait_until(lock, nextFrame, called);
             else
-                wake_.wait(lock, [this] { return quit_ || !requests_.empty() || seekTo_.has_value(); });
-            if (quit_) return;
+                wake_.wait(lock, called);
+            if (quit_) break;
+        }
+        if (!looks_.empty()) {
+            lock.unlock();
+            serveLooks();
+            lock.lock();
+            if (requests_.empty() && !seekTo_ && Clock::now() < nextFrame) continue;
         }
         busy_ = true;
         std::deque<Request> requests = std::exchange(requests_, {});
@@ -207,10 +288,14 @@ void Session::work() {
         if (seekTo && run_) goTo(*seekTo);
         if (playing_) changed = playTicks() || changed;
         if (learning_ && run_) changed = learn() || changed;
+        if (recorder_ && (changed || recording_)) followRecording();
         if (changed && run_) publish();
         nextFrame = std::max(Clock::now(), nextFrame + framePeriod);
         lock.lock();
     }
+    lock.unlock();
+    serveLooks();
+    if (recorder_) endRecording(recorder_->finish(*run_));
 }
 
 bool Session::superseded() {
@@ -228,6 +313,7 @@ void Session::goTo(std::int64_t tick) {
         if (run_->tick() % 16 != 0) continue;
         if (superseded()) break;
         if (Clock::now() - shownAt < framePeriod) continue;
+        serveLooks();
         goal_ = tick;
         publish();
         shownAt = Clock::now();
@@ -324,6 +410,19 @@ std::vector<BranchInfo> Session::branchInfos() const {
     return infos;
 }
 
+std::vector<BranchRecord::FirstFault> Session::faults() const {
+    std::vector<BranchRecord::FirstFault> faults;
+    std::int64_t until = run_->tick();
+    for (std::uint32_t at = run_->branch();; at = run_->branches()[at].parent) {
+        for (const BranchRecord::FirstFault& fault : run_->record(at).faults())
+            if (fault.tick <= until) faults.push_back(fault);
+        if (run_->branches()[at].parent == at ||
+            run_->record(at).coursePointer() != run_->record(run_->branches()[at].parent).coursePointer())
+            return faults;
+        until = std::min(until, run_->branches()[at].tick);
+    }
+}
+
 void Session::publish() {
     auto what = std::make_shared<Shown>();
     what->frame = std::make_shared<const FieldFrame>(run_->frame(frameOptions_));
@@ -332,6 +431,7 @@ void Session::publish() {
         what->besideBranch = run_->beside();
     }
     what->course = run_->record(run_->branch()).coursePointer();
+    what->run = runs_;
     what->hash = hashOf(run_->state());
     what->branch = run_->branch();
     what->first = run_->first();
@@ -347,6 +447,7 @@ void Session::publish() {
         marksOf_ = run_->branch();
     }
     what->marks = marks_;
+    what->faults = faults();
     what->playing = playing_;
     what->realTimeFactor = factor_;
     what->message = message_;

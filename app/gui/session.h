@@ -13,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "run_recorder.h"
 #include "time_travel.h"
 #include "world/state_hash.h"
 
@@ -38,17 +39,19 @@ struct Shown {
     std::shared_ptr<const FieldFrame> beside;  ///< another branch at the same tick; may be nothing
     std::optional<std::uint32_t> besideBranch;
     CoursePointer course;
+    std::uint64_t run = 0;  ///< how many runs were opened before, and this one
     StateHash hash;
     std::uint32_t branch = 0;
     std::int64_t first = 0, last = 0;
     std::vector<BranchInfo> branches;
     std::shared_ptr<const std::vector<TimelineMark>> marks;
+    std::vector<BranchRecord::FirstFault> faults;  ///< up to the shown tick
     bool playing = false;
     double realTimeFactor = 0;  ///< achieved; 0 while it stands
     bool canUndo = false, canRedo = false;
     std::optional<std::size_t> subject;  ///< the body that an answer is about: to be selected
-    std::optional<std::int64_t> goal;  ///< it is on its way to this tick
-    QString message;                   ///< why it stopped, or what went wrong; empty: nothing
+    std::optional<std::int64_t> goal;    ///< it is on its way to this tick
+    QString message;                     ///< why it stopped, or what went wrong; empty: nothing
 
     std::int64_t tick() const { return frame->state.tick; }
 };
@@ -85,8 +88,19 @@ public:
     using Progress = std::function<bool(double share)>;
     /// Long work over the run, in the session's thread: meanwhile nothing is stepped. `job` returns what is to be said.
     void run(const QString& what, std::function<QString(TimeTravel&, const Progress&)> job);
+    /// Writes the run to a file from now on, with all that was before; recordingChanged() tells how that goes.
+    void record(const QString& path, const QString& commandLine, bool overwrite);
+    void stopRecording();
     /// Ends what takes long: a job, or the way to a tick.
     void cancel();
+
+    /// Lets another thread look at the run between two ticks, in the session's thread and for at most some
+    /// milliseconds, however busy it is. `run` counts openings. Nothing is given where there is no run, or the session
+    /// ends.
+    using Look = std::function<void(TimeTravel* travel, std::uint64_t run)>;
+    void look(Look what);
+    /// Whether something is under way that was asked for, or a tick.
+    bool busy();
 
     /// Blocks until all requests so far have been carried out and shown; for scripts and tests.
     void settle();
@@ -94,6 +108,8 @@ public:
 signals:
     void shown(std::shared_ptr<const Shown> what);
     void working(const QString& what, double share);  ///< share 1: it has ended
+    /// The file that is written now; empty: none. `error`: why one was not begun, or ended before it was asked to.
+    void recordingChanged(const QString& path, const QString& error);
 
 private:
     using Request = std::function<void()>;
@@ -101,9 +117,13 @@ private:
     void work();
     bool playTicks();
     bool learn();
+    void followRecording();
+    void endRecording(const Expected<void>& done);
     void goTo(std::int64_t tick);
     bool superseded();
+    void serveLooks();
     std::vector<BranchInfo> branchInfos() const;
+    std::vector<BranchRecord::FirstFault> faults() const;
     void anchor();
     void stop(const QString& why);
     void publish();
@@ -111,7 +131,11 @@ private:
 
     // The worker's own.
     std::optional<TimeTravel> run_;
-    bool learning_ = false;  ///< there are ticks of a file that nobody has looked at
+    std::uint64_t runs_ = 0;  ///< opened so far
+    bool learning_ = false;   ///< there are ticks of a file that nobody has looked at
+    std::optional<RunRecorder> recorder_;
+    bool recording_ = false;  ///< there are ticks that it has not yet written
+    std::chrono::steady_clock::time_point nextFlush_;
     std::optional<std::int64_t> goal_;
     std::optional<std::size_t> subject_;
     TimeTravel::FrameOptions frameOptions_;
@@ -130,6 +154,7 @@ private:
     std::mutex mutex_;
     std::condition_variable wake_, settled_;
     std::deque<Request> requests_;
+    std::deque<Look> looks_;
     std::optional<std::int64_t> seekTo_;
     std::atomic<bool> quit_ = false;
     bool busy_ = false;

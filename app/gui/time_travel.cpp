@@ -15,10 +15,19 @@ std::int64_t ticksToLookBack(const Scene& scene) {
     return most;
 }
 
+History historyOf(const OpenRun& run) {
+    if (!run.recorded()) return History(run.start);
+    std::vector<Branch> branches;
+    for (const OpenRun::Recorded& recorded : run.branches) branches.push_back(recorded.branch);
+    return History(std::move(branches));
+}
+
 }  // namespace
 
-TimeTravel::TimeTravel(const OpenRun& run) : history_(run.start), shown_(0, {run.start}) {
-    records_.emplace_back(run.course, run.start, std::vector<HandOrder>{});
+TimeTravel::TimeTravel(const OpenRun& run) : history_(historyOf(run)), shown_(0, {run.start}) {
+    if (!run.recorded()) records_.emplace_back(run.course, run.start, std::vector<HandOrder>{});
+    for (const OpenRun::Recorded& recorded : run.branches)
+        records_.emplace_back(recorded.course, recorded.start, std::vector<HandOrder>{});
 }
 
 Expected<void> TimeTravel::forward() {

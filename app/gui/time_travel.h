@@ -46,6 +46,8 @@ public:
     std::int64_t last() const { return timeline().last(); }
     /// Why the last tick asks to stop here; empty: it does not.
     const std::string& breakReason() const { return shown_.breakReason(); }
+    /// Of the tick that led here; nullptr: none is known.
+    const StepTrace* trace() const { return shown_.trace(); }
     std::size_t memory() const { return history_.size(); }  ///< bytes of the timelines, roughly
 
     /// One tick on: along the branch where it has been before, otherwise into what has not yet happened.
@@ -54,6 +56,9 @@ public:
     Expected<void> seek(std::int64_t tick) { return show(branch(), tick); }
     /// To a tick of another branch.
     Expected<void> show(std::uint32_t branch, std::int64_t tick);
+
+    /// The same without going there.
+    Expected<Cursor> cursorAt(std::uint32_t branch, std::int64_t tick);
 
     /// A branch that begins with what an edit makes of a state; shown from now on. Error: its tick cannot be reached,
     /// or the state does not fit; then nothing has changed.
@@ -97,7 +102,6 @@ private:
     const std::shared_ptr<const Scenario>& scenarioOf(std::uint32_t branch) const {
         return records_[branch].course().scenario;
     }
-    Expected<Cursor> cursorAt(std::uint32_t branch, std::int64_t tick);
     Expected<void> walk(Cursor& cursor, std::uint32_t branch, std::int64_t from, std::int64_t to);
     void followWithParent();
     void followBeside();

@@ -6,6 +6,7 @@
 #include "widgets/field_view.h"
 #include "widgets/icons.h"
 #include "window_actions.h"
+#include "window_memory.h"
 
 namespace mrose::gui {
 namespace {
@@ -111,11 +112,15 @@ void addViewActions(MainWindow& window) {
     addNudgeActions(window, QObject::tr("&Edit"));
     actions.addSeparator(menu);
     actions.add(menu,
-                {"dark", QObject::tr("&Dark colours"), QKeySequence("Ctrl+D"),
+                {"reset_layout", QObject::tr("&Reset layout"), QKeySequence(),
+                 QObject::tr("Panels, tool bars and size as in a new window")},
+                [&](bool) { window.memory().resetLayout(); });
+    actions.add(menu,
+                {"dark", QObject::tr("Dar&k colours"), QKeySequence("Ctrl+D"),
                  QObject::tr("Dark colours, for dark rooms"), true},
                 [&](bool on) { window.setTheme(on ? Theme::darkOne() : Theme::light()); });
     actions.add(menu,
-                {"full_screen", QObject::tr("F&ull screen"), QKeySequence("F11"),
+                {"full_screen", QObject::tr("Full &screen"), QKeySequence("F11"),
                  QObject::tr("The window on all of the screen"), true},
                 [&](bool on) { window.setWindowState(window.windowState().setFlag(Qt::WindowFullScreen, on)); });
 }
