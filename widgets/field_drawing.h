@@ -33,10 +33,10 @@ constexpr std::size_t mostSmooth = 200;
 /// Names and numbers of more than these would hide the picture.
 constexpr std::size_t mostNames = 80;
 
-/// The length, in pixels, of the arrow of an impulse in N s: weak and strong ones are told apart, and none is longer
-/// than longestImpulse.
+/// The length, in pixels, of the arrow of an impulse in N s at so many pixels a metre: weak and strong ones are told
+/// apart, and none is longer than longestImpulse, or than 0.6 m where robots are small.
 constexpr double longestImpulse = 44;
-double impulsePixels(double impulse);
+double impulsePixels(double impulse, double scale);
 
 // The layers of the field's picture, from below to above; each leaves smoothing switched on.
 

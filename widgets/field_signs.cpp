@@ -13,46 +13,7 @@ std::uint64_t labelKey(std::uint64_t kind, std::uint64_t first, std::uint64_t se
     return kind << 56 | (first & 0xffffff) << 28 | (second & 0xffffff);
 }
 
-/// How wide and far one looks for others; nothing: it does not, or everywhere.
-const BodySight* sightOf(const Perception& perception) {
-    for (const BodySight* sight : {&perception.objects, &perception.robots})
-        if (sight->present && (sight->range > 0 || sight->fieldOfView < 2 * std::numbers::pi - 1e-6)) return sight;
-    return nullptr;
-}
-
-void drawSight(const FieldCanvas& canvas, const BodySight& sight, const Pose& pose, const QColor& colour, bool strong) {
-    constexpr double farthest = 4;  // m: what has no limit fades towards there
-    const double range = sight.range > 0 ? sight.range : farthest, reach = canvas.pixels(range);
-    if (!canvas.visible(position(pose), range)) return;
-    const QPointF at = canvas.at(position(pose));
-    const int strength = strong ? 90 : 46;
-    QPainter& painter = canvas.painter;
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(withAlpha(colour, strength));
-    if (sight.range == 0) {
-        QRadialGradient fading(at, reach);
-        fading.setColorAt(0, withAlpha(colour, strength));
-        fading.setColorAt(1, withAlpha(colour, 0));
-        painter.setBrush(fading);
-    }
-    const QRectF box(at.x() - reach, at.y() - reach, 2 * reach, 2 * reach);
-    const double sixteenth = 16 * 180 / std::numbers::pi;
-    if (sight.fieldOfView > 2 * std::numbers::pi - 1e-6)
-        painter.drawEllipse(box);
-    else
-        painter.drawPie(box, static_cast<int>(sixteenth * (wrapAngle(pose.heading) - sight.fieldOfView / 2)),
-                        static_cast<int>(sixteenth * sight.fieldOfView));
-}
-
 }  // namespace
-
-void drawSensors(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus) {
-    canvas.painter.setRenderHint(QPainter::Antialiasing, false);
-    for (std::size_t robot = 0; robot < frame.state.robots.size(); ++robot)
-        if (const BodySight* sight = sightOf(frame.scene().typeOf(robot).perception))
-            drawSight(canvas, *sight, frame.poseOf(robot), robotColour(robot), focus.selected == robot);
-    canvas.painter.setRenderHint(QPainter::Antialiasing);
-}
 
 void drawBeliefs(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus) {
     const bool few = frame.insights.size() <= mostNames;
@@ -63,7 +24,8 @@ void drawBeliefs(const FieldCanvas& canvas, const FieldFrame& frame, const Field
         const QColor colour = robotColour(robot);
         if (seen.localised) {
             const Shape& shape = frame.scene().shapeOf(robot);
-            canvas.outline(shape, seen.self, roundPen(withAlpha(setOff(colour), 110), 2.6));
+            if (focus.selected == robot)
+                canvas.outline(shape, seen.self, roundPen(withAlpha(setOff(colour), 110), 2.6));
             canvas.outline(shape, seen.self, roundPen(colour, 1.4, Qt::DashLine));
             canvas.casedLine(canvas.at(position(frame.poseOf(robot))), canvas.at(position(seen.self)),
                              roundPen(colour, 1.2));
@@ -114,9 +76,9 @@ void drawNotes(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFo
     }
 }
 
-double impulsePixels(double impulse) {
+double impulsePixels(double impulse, double scale) {
     constexpr double half = 1.5;  // N s at which the arrow has half of its greatest length
-    return longestImpulse * impulse / (impulse + half);
+    return std::clamp(0.6 * scale, 12.0, longestImpulse) * impulse / (impulse + half);
 }
 
 void drawContacts(const FieldCanvas& canvas, const FieldFrame& frame, std::vector<FieldLabel>& labels) {
@@ -125,7 +87,7 @@ void drawContacts(const FieldCanvas& canvas, const FieldFrame& frame, std::vecto
     for (const ContactReport& contact : frame.contacts) {
         if (!canvas.visible(contact.position, 0.5)) continue;
         const QPointF at = canvas.at(contact.position), along(contact.normal.x, -contact.normal.y);
-        const double size = impulsePixels(contact.impulse);
+        const double size = impulsePixels(contact.impulse, canvas.view.scale());
         // Each of the two is pushed away from the other.
         for (const double way : {1.0, -1.0})
             if (size >= 5) canvas.arrow(at, at + way * size * along, canvas.theme.contact, 3);

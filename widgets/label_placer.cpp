@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace mrose {
 namespace {
@@ -16,6 +17,9 @@ constexpr int sideCount = sides.size(), slotCount = sideCount * static_cast<int>
 
 /// What covering a body wholly costs, in pixels of distance; and how much better another place must be to move there.
 constexpr double bodyCost = 120, patience = 45;
+
+/// Of a place that covers nothing; ascends with the slot.
+double baseCost(int slot) { return gaps[static_cast<std::size_t>(slot / sideCount)] + 0.8 * (slot % sideCount); }
 
 double covered(const QRectF& box, const QRectF& other) {
     const QRectF both = box & other;
@@ -46,7 +50,7 @@ bool LabelPlacer::fits(const QRectF& box) const {
 }
 
 double LabelPlacer::cost(const QRectF& box, int slot) const {
-    double sum = gaps[static_cast<std::size_t>(slot / sideCount)] + 0.8 * (slot % sideCount);
+    double sum = baseCost(slot);
     for (const QRectF& body : bodies_)
         sum += bodyCost * covered(box, body) / std::min(box.width() * box.height(), body.width() * body.height());
     return sum;
@@ -56,15 +60,17 @@ std::optional<LabelPlacer::Placed> LabelPlacer::place(const Wanted& wanted) {
     const auto known = before_.find(wanted.key);
     const int before = known == before_.end() ? -1 : known->second;
     int best = -1;
-    double least = 0;
-    for (int slot = 0; slot < slotCount; ++slot) {
+    double least = std::numeric_limits<double>::infinity();
+    const auto consider = [&](int slot, double bonus) {
         const QRectF box = boxOf(wanted, slot);
-        if (!fits(box)) continue;
-        const double now = cost(box, slot) - (slot == before ? patience : 0);
-        if (best >= 0 && now >= least) continue;
+        if (!fits(box)) return;
+        const double now = cost(box, slot) - bonus;
+        if (now >= least) return;
         best = slot;
         least = now;
-    }
+    };
+    if (before >= 0) consider(before, patience);
+    for (int slot = 0; slot < slotCount && baseCost(slot) < least; ++slot) consider(slot, 0);
     if (best < 0) return std::nullopt;
     const QRectF box = boxOf(wanted, best);
     taken_.push_back(box);

@@ -121,20 +121,16 @@ void TimelineBar::zoom(double factor, double pixel) {
 void TimelineBar::pan(double pixels) { setOffset(offset_ + pixels); }
 
 std::optional<std::int64_t> TimelineBar::nextMark(bool contacts) const {
-    if (content_.marks)
-        for (const TimelineMark& mark : *content_.marks)
-            if (mark.tick > content_.now && (contacts || mark.kind != TimelineMark::Kind::contact)) return mark.tick;
+    for (const TimelineMark& mark : marksBetween(content_.now + 1, content_.end))
+        if (contacts || mark.kind != TimelineMark::Kind::contact) return mark.tick;
     return std::nullopt;
 }
 
 std::optional<std::int64_t> TimelineBar::previousMark(bool contacts) const {
-    std::optional<std::int64_t> found;
-    if (content_.marks)
-        for (const TimelineMark& mark : *content_.marks)
-            if (mark.tick < content_.now && mark.tick >= content_.first &&
-                (contacts || mark.kind != TimelineMark::Kind::contact))
-                found = mark.tick;
-    return found;
+    const auto marks = marksBetween(content_.first, content_.now - 1);
+    for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark)
+        if (contacts || mark->kind != TimelineMark::Kind::contact) return mark->tick;
+    return std::nullopt;
 }
 
 void TimelineBar::paintEvent(QPaintEvent* /*event*/) {
@@ -201,8 +197,17 @@ void TimelineBar::paintScale(QPainter& painter) const {
     }
 }
 
+/// Those from one tick to another, both among them.
+std::span<const TimelineMark> TimelineBar::marksBetween(std::int64_t from, std::int64_t to) const {
+    if (!content_.marks) return {};
+    const auto begin = std::lower_bound(content_.marks->begin(), content_.marks->end(), from,
+                                        [](const TimelineMark& mark, std::int64_t tick) { return mark.tick < tick; });
+    const auto end = std::upper_bound(begin, content_.marks->end(), to,
+                                      [](std::int64_t tick, const TimelineMark& mark) { return tick < mark.tick; });
+    return {begin, end};
+}
+
 void TimelineBar::paintMarks(QPainter& painter) const {
-    if (!content_.marks) return;
     // Contacts are many: a line in each pixel, the higher the more there are. Of other marks that lie too near to one
     // another the rarest kind is seen.
     std::vector<int> contacts(static_cast<std::size_t>(std::max(width(), 1)), 0);
@@ -211,9 +216,11 @@ void TimelineBar::paintMarks(QPainter& painter) const {
         TimelineMark::Kind kind;
     };
     std::vector<Sign> shown;
-    for (const TimelineMark& mark : *content_.marks) {
-        const double x = pixelOf(mark.tick);
-        if (mark.tick < content_.first || x < 0 || x >= width()) continue;
+    const double origin = pixelOf(0), perTick = pixelOf(1) - origin;
+    const auto marks = marksBetween(tickAt(-1), tickAt(width()));
+    for (const TimelineMark& mark : marks) {
+        const double x = origin + perTick * static_cast<double>(mark.tick);
+        if (x < 0 || x >= width()) continue;
         if (mark.kind == TimelineMark::Kind::contact)
             ++contacts[static_cast<std::size_t>(x)];
         else if (shown.empty() || x - shown.back().x >= leastSignGap)
@@ -222,17 +229,17 @@ void TimelineBar::paintMarks(QPainter& painter) const {
             shown.back().kind = std::max(shown.back().kind, mark.kind);
     }
     painter.setRenderHint(QPainter::Antialiasing, false);
-    painter.setPen(QPen(colourOf(TimelineMark::Kind::contact, theme_), 1));
+    const QColor touched = colourOf(TimelineMark::Kind::contact, theme_);
     for (std::size_t x = 0; x < contacts.size(); ++x) {
         if (contacts[x] == 0) continue;
-        const double high = std::min(trackHeight - 2, 5 + 2 * std::log2(contacts[x]));
-        painter.drawLine(QPointF(static_cast<double>(x), trackTop + trackHeight - 1 - high),
-                         QPointF(static_cast<double>(x), trackTop + trackHeight - 2));
+        const int high = std::min(static_cast<int>(trackHeight) - 2, 5 + 2 * std::ilogb(contacts[x]));
+        painter.fillRect(QRect(static_cast<int>(x), static_cast<int>(trackTop + trackHeight) - 1 - high, 1, high),
+                         touched);
     }
     painter.setRenderHint(QPainter::Antialiasing);
     for (const Sign& sign : shown) {
-        painter.setPen(QPen(colourOf(sign.kind, theme_), 1));
-        painter.drawLine(QPointF(sign.x, signs + 4), QPointF(sign.x, trackTop + trackHeight - 2));
+        painter.fillRect(QRectF(sign.x - 0.5, signs + 4, 1, trackTop + trackHeight - signs - 6),
+                         colourOf(sign.kind, theme_));
         drawMark(painter, {sign.x, signs}, sign.kind, theme_);
     }
 }
@@ -320,14 +327,13 @@ QString TimelineBar::textAt(double pixel) const {
     QString text = tr("%1, tick %2").arg(clockText(tick * content_.tickLength)).arg(tick);
     std::array<int, markKinds> counts{};
     std::array<QStringList, markKinds> names;
-    if (content_.marks)
-        for (const TimelineMark& mark : *content_.marks) {
-            if (mark.tick < content_.first || std::abs(pixelOf(mark.tick) - pixel) > told) continue;
-            const auto kind = static_cast<std::size_t>(mark.kind);
-            ++counts[kind];
-            const QString name = nameOf(mark).toHtmlEscaped();
-            if (!name.isEmpty() && names[kind].size() < mostLines && !names[kind].contains(name)) names[kind] += name;
-        }
+    for (const TimelineMark& mark : marksBetween(tickAt(pixel - told - 1), tickAt(pixel + told + 1))) {
+        if (std::abs(pixelOf(mark.tick) - pixel) > told) continue;
+        const auto kind = static_cast<std::size_t>(mark.kind);
+        ++counts[kind];
+        const QString name = nameOf(mark).toHtmlEscaped();
+        if (!name.isEmpty() && names[kind].size() < mostLines && !names[kind].contains(name)) names[kind] += name;
+    }
     for (int kind = markKinds - 1; kind >= 0; --kind) {
         const auto i = static_cast<std::size_t>(kind);
         if (counts[i] == 0) continue;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "scenario/scenario.h"
@@ -74,6 +75,7 @@ private:
     void paintMarks(QPainter& painter) const;
     void paintBranches(QPainter& painter) const;
     void paintFlag(QPainter& painter, std::int64_t tick, bool now) const;
+    std::span<const TimelineMark> marksBetween(std::int64_t from, std::int64_t to) const;
     QString nameOf(const TimelineMark& mark) const;
 
     Content content_;

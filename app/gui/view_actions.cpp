@@ -23,10 +23,10 @@ void addPanActions(MainWindow& window, const QString& menu) {
         QPointF by;
     };
     for (const Way& way :
-         {Way{"pan_left", "Move view &left", "Ctrl+Shift+Left", "Show what lies left", {panStep, 0}},
-          Way{"pan_right", "Move view &right", "Ctrl+Shift+Right", "Show what lies right", {-panStep, 0}},
-          Way{"pan_up", "Move view &up", "Ctrl+Shift+Up", "Show what lies above", {0, panStep}},
-          Way{"pan_down", "Move view &down", "Ctrl+Shift+Down", "Show what lies below", {0, -panStep}}})
+         {Way{"pan_left", "Move view left", "Ctrl+Shift+Left", "Show what lies left", {panStep, 0}},
+          Way{"pan_right", "Move view right", "Ctrl+Shift+Right", "Show what lies right", {-panStep, 0}},
+          Way{"pan_up", "Move view up", "Ctrl+Shift+Up", "Show what lies above", {0, panStep}},
+          Way{"pan_down", "Move view down", "Ctrl+Shift+Down", "Show what lies below", {0, -panStep}}})
         window.actions().add(menu, {way.name, QObject::tr(way.text), QKeySequence(way.key), QObject::tr(way.tip)},
                              [&window, by = way.by](bool) { window.field().panBy(by); });
 }

@@ -21,7 +21,11 @@ struct Run {
 
     static OpenRun open(Scenario scenario) {
         const auto shared = std::make_shared<const Scenario>(std::move(scenario));
-        return {"crowd", "", std::make_shared<const Course>(Course{{}, shared}), shared->initialState()};
+        OpenRun run;
+        run.name = "crowd";
+        run.course = std::make_shared<const Course>(Course{{}, shared});
+        run.start = shared->initialState();
+        return run;
     }
 
     static Scenario crowd(std::uint32_t robots) {

@@ -112,12 +112,13 @@ TEST(FieldLayers, GridLinesLieAtRoundMetres) {
 TEST(FieldLayers, SensorFieldEndsAtRangeAndAngle) {
     constexpr double degree = std::numbers::pi / 180;
     FieldOptions options;
-    options.robots = 1;
+    options.robots = 32;                         // a field of 20 m x 10 m
     options.perception = cameraPerception(1.5);  // 90 degrees wide
     FieldFrame frame;
     frame.scenario = std::make_shared<const Scenario>(fieldScenario(options));
     frame.state = frame.scenario->initialState();
-    frame.state.robots[0].pose = {1, 1, 30 * degree};
+    for (RobotState& robot : frame.state.robots) robot.pose = {18, 8, 0};
+    frame.state.robots[0].pose = {3, 3, 30 * degree};
     FieldView view;
     view.resize(800, 640);
     view.setFrame(std::make_shared<const FieldFrame>(frame));
@@ -127,19 +128,31 @@ TEST(FieldLayers, SensorFieldEndsAtRangeAndAngle) {
     const QImage with = rendered(view);
     const auto seen = [&](double angle, double range) {
         const QPoint p = view.transform()
-                             .toPixels({1 + range * std::cos(angle * degree), 1 + range * std::sin(angle * degree)})
+                             .toPixels({3 + range * std::cos(angle * degree), 3 + range * std::sin(angle * degree)})
                              .toPoint();
         return nothing.pixel(p) != with.pixel(p);
     };
     EXPECT_TRUE(seen(30, 1.4) && seen(-12, 1.4) && seen(72, 1.4));
     EXPECT_FALSE(seen(30, 1.6) || seen(-18, 1.4) || seen(78, 1.4) || seen(210, 1));
+
+    // Towards the south wall, whose inner edge is the x axis, it sees that far.
+    frame.state.robots[0].pose = {3, 1, -90 * degree};
+    view.setFrame(std::make_shared<const FieldFrame>(frame));
+    const QImage there = rendered(view);
+    const auto changed = [&](const Point& at) {
+        const QPoint p = view.transform().toPixels(at).toPoint();
+        return there.pixel(p) != nothing.pixel(p);
+    };
+    EXPECT_TRUE(changed({3, 0.05}) && changed({3.6, 0.2}));
+    EXPECT_FALSE(changed({3, -0.35}) || changed({3.3, -0.3}));
 }
 
 TEST(FieldLayers, ArrowsOfImpulsesStayShort) {
     double before = 0;
     for (const double impulse : {0.01, 0.5, 2.0, 13.0, 500.0}) {
-        EXPECT_GT(impulsePixels(impulse), before);
-        EXPECT_LT(before = impulsePixels(impulse), longestImpulse);
+        EXPECT_GT(impulsePixels(impulse, 300), before);
+        EXPECT_LT(before = impulsePixels(impulse, 300), longestImpulse);
+        EXPECT_LT(impulsePixels(impulse, 30), 0.6 * 30) << "as small as the robots";
     }
     FieldFrame frame = frameOfDiscs({{-4, -3, 0}});
     frame.contacts = {{0, noBody, 0, {0, 0}, {0, 1}, 500}};

@@ -88,6 +88,15 @@ TEST_F(FieldViewTest, ArrowPointsWhereTheRobotFaces) {
         ASSERT_GT(arrow.pixels, 50);
         const QPointF along = arrow.middle - pixelOf({0.5, 0.2});
         EXPECT_NEAR(wrapAngle(std::atan2(-along.y(), along.x()) - heading * degree), 0, 3 * degree) << heading;
+        // Its head is wider than its tail.
+        const QImage image = rendered(view);
+        const auto white = [&](double ahead) {
+            const QPointF at =
+                pixelOf({0.5 + ahead * std::cos(heading * degree), 0.2 + ahead * std::sin(heading * degree)});
+            return blobOf(image.copy(QRect(at.toPoint() - QPoint(15, 15), QSize(31, 31))), QColor(255, 255, 255), 4)
+                .pixels;
+        };
+        EXPECT_GT(white(0.2), 1.4 * white(-0.05)) << heading;
     }
 }
 

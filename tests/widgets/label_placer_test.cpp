@@ -67,6 +67,30 @@ TEST(LabelPlacer, LabelsGoAlongWithBodiesThatPassOneAnother) {
     EXPECT_LE(jumps, 12) << "in 300 pictures";
 }
 
+TEST(LabelPlacer, LabelsOfATremblingCrowdStay) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> close(-60, 60), tremble(-1.5, 1.5);
+    int jumps = 0;
+    for (int crowd = 0; crowd < 10; ++crowd) {
+        std::vector<QPointF> middles;
+        for (int i = 0; i < 7; ++i) middles.push_back(QPointF(400, 300) + QPointF(close(random), close(random)));
+        LabelPlacer placer;
+        std::vector<QPointF> offsets(middles.size());
+        for (int picture = 0; picture < 100; ++picture) {
+            std::vector<QPointF> bodies;
+            for (const QPointF& at : middles) bodies.push_back(at + QPointF(tremble(random), tremble(random)));
+            const auto labels = placed(placer, bodies);
+            ASSERT_EQ(labels.size(), bodies.size());
+            for (std::size_t i = 0; i < bodies.size(); ++i) {
+                const QPointF offset = labels[i].box.center() - bodies[i];
+                jumps += picture > 0 && QLineF(offset, offsets[i]).length() > 1 ? 1 : 0;
+                offsets[i] = offset;
+            }
+        }
+    }
+    EXPECT_LE(jumps, 70) << "in 7000 places";
+}
+
 TEST(LabelPlacer, WhereThereIsNoRoomThereIsNoLabel) {
     LabelPlacer placer;
     placer.begin({0, 0, 50, 20});
