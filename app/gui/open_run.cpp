@@ -21,7 +21,8 @@ Expected<OpenRun> openRun(const std::string& name, std::optional<std::uint64_t> 
     if (!loaded) return tl::unexpected(loaded.error());
     auto scenario = std::make_shared<const Scenario>(std::move(loaded->parts));
     const WorldState start = seed ? scenario->initialState(*seed) : scenario->initialState();
-    return OpenRun{scenario->parts().name, scenario, start};
+    auto course = std::make_shared<const Course>(Course{{loaded->name, std::move(loaded->texts)}, scenario});
+    return OpenRun{scenario->parts().name, name, std::move(course), start};
 }
 
 }  // namespace mrose::gui

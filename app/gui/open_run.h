@@ -1,19 +1,22 @@
 #pragma once
 
-#include <memory>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "course.h"
 #include "io/error.h"
-#include "scenario/scenario.h"
 
 namespace mrose::gui {
 
 /// What the window is given to show.
 struct OpenRun {
-    std::string name;  ///< for the title
-    std::shared_ptr<const Scenario> scenario;
+    std::string name;    ///< for the title
+    std::string source;  ///< as it was opened
+    CoursePointer course;
     WorldState start;
+    std::vector<std::string> notes = {};  ///< what the user should know of it, a sentence each
 };
 
 /// Opens a scenario file, or the one of that name that ships.

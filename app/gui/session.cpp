@@ -34,9 +34,10 @@ void Session::request(Request what) {
     wake_.notify_all();
 }
 
-void Session::open(std::shared_ptr<const Scenario> scenario, const WorldState& start) {
-    request([this, scenario = std::move(scenario), start] {
-        run_.emplace(scenario, start);
+void Session::open(const OpenRun& run) {
+    request([this, run] {
+        run_.emplace(run);
+        learning_ = true;
         marks_.reset();
         message_.clear();
         playing_ = false;
@@ -87,16 +88,71 @@ void Session::seek(std::int64_t tick) {
 void Session::show(std::uint32_t branch, std::int64_t tick) {
     request([this, branch, tick] {
         if (!run_ || branch >= run_->branches().size()) return;
+        message_.clear();
         if (auto done = run_->show(branch, tick); !done) message_ = QString::fromStdString(done.error().message());
         anchor();
     });
 }
 
-void Session::branchOff(const QString& name, std::function<void(const Scenario&, WorldState&)> change) {
-    request([this, name = name.toStdString(), change = std::move(change)] {
+void Session::branchOff(const Edit& edit, std::optional<std::int64_t> seek) {
+    request([this, edit, seek] {
         if (!run_) return;
-        run_->branchOff(name, change);
+        stop(QString());
+        if (auto done = run_->branchOff(edit); !done)
+            message_ = QString::fromStdString(done.error().message());
+        else if (seek)
+            goTo(*seek);
+    });
+}
+
+void Session::showBeside(std::optional<std::uint32_t> branch) {
+    request([this, branch] {
+        if (run_) run_->setBeside(branch);
+    });
+}
+
+void Session::run(const QString& what, std::function<QString(TimeTravel&, const Progress&)> job) {
+    request([this, what, job = std::move(job)] {
+        if (!run_) return;
+        cancelled_ = false;
+        emit working(what, 0);
+        auto toldAt = Clock::now();
+        const QString said = job(*run_, [&](double share) {
+            if (Clock::now() - toldAt >= 2 * framePeriod) {
+                emit working(what, share);
+                toldAt = Clock::now();
+            }
+            return !cancelled_ && !quit_;
+        });
+        emit working(what, 1);
+        message_ = said;
         anchor();
+    });
+}
+
+void Session::cancel() {
+    cancelled_ = true;
+    // Any request ends the way to a tick.
+    request([] {});
+}
+
+void Session::showCauseOfKick() {
+    request([this] {
+        if (!run_) return;
+        const auto cause = run_->causeOfKick();
+        stop(cause ? QString() : tr("Nobody has kicked up to here: let it play, or go to a kick on the timeline"));
+        if (!cause) return;
+        // The state after the decision is the first that shows it.
+        if (auto done = run_->seek(cause->order.tick + 1); !done) {
+            message_ = QString::fromStdString(done.error().message());
+            return;
+        }
+        const Scene& scene = run_->course().scene();
+        const SceneRobot& robot = scene.robots[cause->order.robot];
+        message_ = tr("%1 decided here to kick; the kick of %2 s is its work")
+                       .arg(QString::fromStdString(robot.name))
+                       .arg(toSeconds(scene.timeOf(cause->kicked)), 0, 'f', 2);
+        subject_ = cause->order.robot;
     });
 }
 
@@ -136,7 +192,7 @@ void Session::work() {
         if (requests_.empty() && !seekTo_) {
             busy_ = false;
             settled_.notify_all();
-            if (playing_)
+            if (playing_ || learning_)
                 wake_.wait_until(lock, nextFrame);
             else
                 wake_.wait(lock, [this] { return quit_ || !requests_.empty() || seekTo_.has_value(); });
@@ -150,6 +206,7 @@ void Session::work() {
         for (const Request& request : requests) request();
         if (seekTo && run_) goTo(*seekTo);
         if (playing_) changed = playTicks() || changed;
+        if (learning_ && run_) changed = learn() || changed;
         if (changed && run_) publish();
         nextFrame = std::max(Clock::now(), nextFrame + framePeriod);
         lock.lock();
@@ -163,6 +220,7 @@ bool Session::superseded() {
 
 /// To a tick that has been, or by simulating up to one that has not; whatever is asked for meanwhile ends that.
 void Session::goTo(std::int64_t tick) {
+    message_.clear();
     Expected<void> done = run_->seek(tick);
     auto shownAt = Clock::now();
     while (done && run_->tick() < tick) {
@@ -170,9 +228,11 @@ void Session::goTo(std::int64_t tick) {
         if (run_->tick() % 16 != 0) continue;
         if (superseded()) break;
         if (Clock::now() - shownAt < framePeriod) continue;
+        goal_ = tick;
         publish();
         shownAt = Clock::now();
     }
+    goal_.reset();
     if (!done) message_ = QString::fromStdString(done.error().message());
     anchor();
 }
@@ -183,10 +243,29 @@ void Session::anchor() {
     factor_ = 0;
 }
 
+/// Looks through a file's ticks for a frame's time; whether there is something new to show.
+bool Session::learn() {
+    const auto begin = Clock::now();
+    learning_ = false;
+    bool any = false;
+    while (Clock::now() - begin < framePeriod) {
+        const std::size_t marks = run_->record(run_->branch()).marks().size();
+        const auto more = run_->learn(50);
+        if (!more) {
+            message_ = QString::fromStdString(more.error().message());
+            return true;
+        }
+        any = any || *more || marks != run_->record(run_->branch()).marks().size();
+        learning_ = *more;
+        if (!*more) break;
+    }
+    return any;
+}
+
 /// As many ticks as are due, for one frame's time at the most; whether there were any.
 bool Session::playTicks() {
     const auto begin = Clock::now();
-    const Nanoseconds tickLength = run_->scenario()->scene().tickLength;
+    const Nanoseconds tickLength = run_->course().scene().tickLength;
     const auto due = [&](std::int64_t tick) {
         const double wait = speed_ > 0 ? static_cast<double>((tick - anchorTick_) * tickLength) / speed_ : 0;
         return anchor_ + std::chrono::nanoseconds(static_cast<std::int64_t>(wait));
@@ -217,18 +296,54 @@ void Session::stop(const QString& why) {
     message_ = why;
 }
 
+std::vector<BranchInfo> Session::branchInfos() const {
+    std::vector<BranchInfo> infos;
+    const auto count = [&](std::uint32_t branch, std::int64_t until) {
+        BranchInfo::Events events;
+        for (const TimelineMark& mark : run_->record(branch).marks()) {
+            if (mark.tick > until) break;
+            events.kicks += mark.kind == TimelineMark::Kind::kick ? 1 : 0;
+            events.contacts += mark.kind == TimelineMark::Kind::contact ? 1 : 0;
+        }
+        return events;
+    };
+    for (std::uint32_t i = 0; i < run_->branches().size(); ++i) {
+        const Branch& branch = run_->branches()[i];
+        BranchInfo info{QString::fromStdString(branch.name), branch.parent, branch.tick, branch.timeline.first(),
+                        branch.timeline.last()};
+        std::int64_t until = run_->tick();
+        for (std::uint32_t at = i;; at = run_->branches()[at].parent) {
+            const BranchInfo::Events events = count(at, until);
+            info.events.kicks += events.kicks;
+            info.events.contacts += events.contacts;
+            if (run_->branches()[at].parent == at) break;
+            until = std::min(until, run_->branches()[at].tick);
+        }
+        infos.push_back(std::move(info));
+    }
+    return infos;
+}
+
 void Session::publish() {
     auto what = std::make_shared<Shown>();
     what->frame = std::make_shared<const FieldFrame>(run_->frame(frameOptions_));
+    if (auto beside = run_->besideFrame(frameOptions_)) {
+        what->beside = std::make_shared<const FieldFrame>(std::move(*beside));
+        what->besideBranch = run_->beside();
+    }
+    what->course = run_->record(run_->branch()).coursePointer();
     what->hash = hashOf(run_->state());
     what->branch = run_->branch();
     what->first = run_->first();
     what->last = run_->last();
-    for (const Branch& branch : run_->branches())
-        what->branches.push_back({QString::fromStdString(branch.name), branch.parent, branch.tick,
-                                  branch.timeline.first(), branch.timeline.last()});
-    if (!marks_ || marksOf_ != run_->branch() || marks_->size() != run_->marks().size()) {
-        marks_ = std::make_shared<const std::vector<TimelineMark>>(run_->marks());
+    what->branches = branchInfos();
+    what->canUndo = run_->canUndo();
+    what->canRedo = run_->canRedo();
+    what->goal = goal_;
+    what->subject = std::exchange(subject_, std::nullopt);
+    const std::vector<TimelineMark>& marks = run_->record(run_->branch()).marks();
+    if (!marks_ || marksOf_ != run_->branch() || marks_->size() != marks.size()) {
+        marks_ = std::make_shared<const std::vector<TimelineMark>>(marks);
         marksOf_ = run_->branch();
     }
     what->marks = marks_;
@@ -236,6 +351,8 @@ void Session::publish() {
     what->realTimeFactor = factor_;
     what->message = message_;
     const std::lock_guard lock(mutex_);
+    // What nobody has seen yet must not get lost.
+    if (ready_ && !what->subject) what->subject = ready_->subject;
     ready_ = std::move(what);
     if (std::exchange(deliveryPending_, true)) return;
     QMetaObject::invokeMethod(this, &Session::deliver, Qt::QueuedConnection);

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <QObject>
+#include <QString>
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <deque>
@@ -10,24 +13,31 @@
 #include <thread>
 #include <vector>
 
-#include <QObject>
-#include <QString>
-
 #include "time_travel.h"
 #include "world/state_hash.h"
 
 namespace mrose::gui {
 
+/// A branch as lists show it.
 struct BranchInfo {
     QString name;
     std::uint32_t parent = 0;
     std::int64_t departed = 0, first = 0, last = 0;  ///< ticks
+    /// What happened in it, and before it in those that it came from, up to the shown tick.
+    struct Events {
+        int kicks = 0, contacts = 0;
+        bool operator==(const Events&) const = default;
+    };
+    Events events;
     bool operator==(const BranchInfo&) const = default;
 };
 
 /// What the window shows at a moment: all of one tick.
 struct Shown {
     std::shared_ptr<const FieldFrame> frame;
+    std::shared_ptr<const FieldFrame> beside;  ///< another branch at the same tick; may be nothing
+    std::optional<std::uint32_t> besideBranch;
+    CoursePointer course;
     StateHash hash;
     std::uint32_t branch = 0;
     std::int64_t first = 0, last = 0;
@@ -35,7 +45,10 @@ struct Shown {
     std::shared_ptr<const std::vector<TimelineMark>> marks;
     bool playing = false;
     double realTimeFactor = 0;  ///< achieved; 0 while it stands
-    QString message;            ///< why it stopped, or what went wrong; empty: nothing
+    bool canUndo = false, canRedo = false;
+    std::optional<std::size_t> subject;  ///< the body that an answer is about: to be selected
+    std::optional<std::int64_t> goal;    ///< it is on its way to this tick
+    QString message;                     ///< why it stopped, or what went wrong; empty: nothing
 
     std::int64_t tick() const { return frame->state.tick; }
 };
@@ -50,7 +63,7 @@ public:
     ~Session() override;
 
     /// Another run, standing at its start.
-    void open(std::shared_ptr<const Scenario> scenario, const WorldState& start);
+    void open(const OpenRun& run);
     void play();
     void pause();
     /// Simulated seconds per second; 0: as fast as possible.
@@ -58,25 +71,39 @@ public:
     void stepBy(std::int64_t ticks);  ///< and stand there; backwards where negative
     void seek(std::int64_t tick);     ///< goes on playing if it was
     void show(std::uint32_t branch, std::int64_t tick);
-    void branchOff(const QString& name, std::function<void(const Scenario&, WorldState&)> change);
+    /// A branch, which stands at its beginning; then to `seek`, if that is later. What goes wrong is in Shown::message.
+    void branchOff(const Edit& edit, std::optional<std::int64_t> seek = {});
+    void showBeside(std::optional<std::uint32_t> branch);
     void rename(std::uint32_t branch, const QString& name);
     void undo();
     void redo();
+    /// To where the controller decided the last kick; Shown::subject is its robot.
+    void showCauseOfKick();
     void setFrameOptions(const TimeTravel::FrameOptions& options);
+
+    /// Told now and then which share is done; false: it is to end.
+    using Progress = std::function<bool(double share)>;
+    /// Long work over the run, in the session's thread: meanwhile nothing is stepped. `job` returns what is to be said.
+    void run(const QString& what, std::function<QString(TimeTravel&, const Progress&)> job);
+    /// Ends what takes long: a job, or the way to a tick.
+    void cancel();
 
     /// Blocks until all requests so far have been carried out and shown; for scripts and tests.
     void settle();
 
 signals:
     void shown(std::shared_ptr<const Shown> what);
+    void working(const QString& what, double share);  ///< share 1: it has ended
 
 private:
     using Request = std::function<void()>;
     void request(Request what);
     void work();
     bool playTicks();
+    bool learn();
     void goTo(std::int64_t tick);
     bool superseded();
+    std::vector<BranchInfo> branchInfos() const;
     void anchor();
     void stop(const QString& why);
     void publish();
@@ -84,6 +111,9 @@ private:
 
     // The worker's own.
     std::optional<TimeTravel> run_;
+    bool learning_ = false;  ///< there are ticks of a file that nobody has looked at
+    std::optional<std::int64_t> goal_;
+    std::optional<std::size_t> subject_;
     TimeTravel::FrameOptions frameOptions_;
     bool playing_ = false;
     double speed_ = 1;
@@ -101,7 +131,9 @@ private:
     std::condition_variable wake_, settled_;
     std::deque<Request> requests_;
     std::optional<std::int64_t> seekTo_;
-    bool quit_ = false, busy_ = false;
+    std::atomic<bool> quit_ = false;
+    bool busy_ = false;
+    std::atomic<bool> cancelled_ = false;
     std::shared_ptr<const Shown> ready_;
     bool deliveryPending_ = false;
 

@@ -5,11 +5,10 @@
 namespace mrose::gui {
 namespace {
 
-/// So long a kick is shown (s).
-constexpr Nanoseconds kickShown = nanosecondsPerSecond * 3 / 10;
 /// Predicted paths have a point every so many ticks.
 constexpr std::int64_t predictedEvery = 5;
 
+/// So many ticks before it, every robot has decided once, and kicks that are still shown have happened.
 std::int64_t ticksToLookBack(const Scene& scene) {
     std::int64_t most = scene.ticksOf(kickShown);
     for (std::size_t robot = 0; robot < scene.robots.size(); ++robot) most = std::max(most, scene.periodTicks(robot));
@@ -18,87 +17,118 @@ std::int64_t ticksToLookBack(const Scene& scene) {
 
 }  // namespace
 
-TimeTravel::TimeTravel(std::shared_ptr<const Scenario> scenario, const WorldState& start)
-    : scenario_(std::move(scenario)),
-      history_(start),
-      playback_(*scenario_),
-      at_{start},
-      lookBack_(ticksToLookBack(scenario_->scene())) {
-    known_.push_back({PoseTrack(start), {}, TouchCounter(scenario_->scene().tickLength), start});
-    forgetNotes();
+TimeTravel::TimeTravel(const OpenRun& run) : history_(run.start), shown_(0, {run.start}) {
+    records_.emplace_back(run.course, run.start, std::vector<HandOrder>{});
 }
 
 Expected<void> TimeTravel::forward() {
+    BranchRecord& record = records_[branch()];
+    const Scenario& scenario = *record.course().scenario;
     if (tick() < last()) {
-        if (auto advanced = playback_.advance(timeline(), at_, trace_); !advanced) return advanced;
+        if (auto advanced = shown_.advance(scenario, record.playback(), timeline()); !advanced) return advanced;
     } else {
-        step(*scenario_, at_.state, buffers_, {}, &trace_);
-        history_.add(at_.state, trace_, branch_);
-        at_.worldSame = at_.mindsSame = true;
-        learn(branch_, at_.state, trace_);
+        const bool known = record.last() == tick();
+        const StepTrace& trace = shown_.step(scenario, buffers_, record.overrides(state()));
+        history_.add(state(), trace, branch());
+        if (known) record.add(state(), trace);
         followWithParent();
     }
-    note(trace_);
+    followBeside();
     return {};
 }
 
 /// What would have happened goes on beside what was changed.
 void TimeTravel::followWithParent() {
-    const std::uint32_t parent = branches()[branch_].parent;
-    if (parent == branch_) return;
-    WorldState& end = known_[parent].end;
-    if (end.tick != branches()[parent].timeline.last()) return;
+    const std::uint32_t parent = branches()[branch()].parent;
+    BranchRecord& record = records_[parent];
+    if (parent == branch() || record.last() != timelineOf(parent).last()) return;
     StepTrace trace;
-    while (end.tick < tick()) {
-        step(*scenario_, end, buffers_, {}, &trace);
-        history_.add(end, trace, parent);
-        learn(parent, end, trace);
+    while (record.last() < tick()) {
+        WorldState state = record.end();
+        step(*record.course().scenario, state, buffers_, record.overrides(state), &trace);
+        history_.add(state, trace, parent);
+        record.add(state, trace);
     }
 }
 
-Expected<void> TimeTravel::seek(std::int64_t tick) { return show(branch_, tick); }
+void TimeTravel::followBeside() {
+    if (!beside_ || beside_->tick() == tick()) return;
+    const std::uint32_t other = beside_->branch();
+    const std::int64_t there = std::clamp(tick(), timelineOf(other).first(), timelineOf(other).last());
+    if (there == beside_->tick() + 1) {
+        BranchRecord& record = records_[other];
+        if (beside_->advance(*record.course().scenario, record.playback(), timelineOf(other))) return;
+    } else if (there != beside_->tick()) {
+        if (auto cursor = cursorAt(other, there)) beside_ = std::move(*cursor);
+    }
+}
 
 Expected<void> TimeTravel::show(std::uint32_t branch, std::int64_t tick) {
-    const Timeline& target = branches()[branch].timeline;
-    tick = std::clamp(tick, target.first(), target.last());
-    forgetNotes();
-    // From a little earlier, so that what robots saw and decided is known.
-    return walk(branch, tick - lookBack_, tick);
-}
-
-Expected<void> TimeTravel::walk(std::uint32_t branch, std::int64_t from, std::int64_t to) {
-    const Branch& way = branches()[branch];
-    if (from < way.timeline.first() && way.parent != branch && branches()[way.parent].timeline.last() >= way.tick)
-        if (auto walked = walk(way.parent, from, way.tick); !walked) return walked;
-    Expected<ReachedState> reached = playback_.reach(way.timeline, std::clamp(from, way.timeline.first(), to));
-    if (!reached) return tl::unexpected(reached.error());
-    branch_ = branch;
-    at_ = std::move(*reached);
-    while (tick() < to) {
-        if (auto advanced = playback_.advance(way.timeline, at_, trace_); !advanced) return advanced;
-        note(trace_);
-    }
+    Expected<Cursor> cursor = cursorAt(branch, tick);
+    if (!cursor) return tl::unexpected(cursor.error());
+    const std::uint32_t left = this->branch();
+    shown_ = std::move(*cursor);
+    if (branch != left)
+        setBeside(left);
+    else
+        followBeside();
     return {};
 }
 
-void TimeTravel::branchOff(const std::string& name, const std::function<void(const Scenario&, WorldState&)>& change) {
-    WorldState state = at_.state;
-    change(*scenario_, state);
-    const std::uint32_t parent = branch_;
-    branch_ = history_.beginBranch(parent, state, name);
-    known_.push_back({PoseTrack(state), {}, TouchCounter(scenario_->scene().tickLength), state});
-    at_ = {std::move(state)};
-    undone_.clear();
-    hasTrace_ = false;
-    breakReason_.clear();
+Expected<Cursor> TimeTravel::cursorAt(std::uint32_t branch, std::int64_t tick) {
+    tick = std::clamp(tick, timelineOf(branch).first(), timelineOf(branch).last());
+    Cursor cursor(branch, {});
+    // From a little earlier, so that what robots saw and decided is known.
+    const std::int64_t from = tick - ticksToLookBack(records_[branch].course().scene());
+    if (auto walked = walk(cursor, branch, from, tick); !walked) return tl::unexpected(walked.error());
+    return cursor;
 }
 
-void TimeTravel::rename(std::uint32_t branch, const std::string& name) { history_.rename(branch, name); }
+Expected<void> TimeTravel::walk(Cursor& cursor, std::uint32_t branch, std::int64_t from, std::int64_t to) {
+    const Branch& way = branches()[branch];
+    const bool fromParent = from < way.timeline.first() && way.parent != branch &&
+                            timelineOf(way.parent).first() < way.tick && timelineOf(way.parent).last() >= way.tick &&
+                            scenarioOf(way.parent) == scenarioOf(branch);
+    if (fromParent)
+        if (auto walked = walk(cursor, way.parent, from, way.tick); !walked) return walked;
+    BranchRecord& record = records_[branch];
+    Expected<ReachedState> reached = record.playback().reach(way.timeline, std::clamp(from, way.timeline.first(), to));
+    if (!reached) return tl::unexpected(reached.error());
+    cursor.moveTo(branch, std::move(*reached));
+    while (cursor.tick() < to)
+        if (auto done = cursor.advance(*record.course().scenario, record.playback(), way.timeline); !done) return done;
+    return {};
+}
+
+Expected<void> TimeTravel::branchOff(const Edit& edit) {
+    const std::uint32_t parent = branch();
+    const CoursePointer course = edit.course ? edit.course : records_[parent].coursePointer();
+    Cursor at = shown_;
+    if (edit.tick && *edit.tick != tick()) {
+        Expected<Cursor> there = cursorAt(parent, *edit.tick);
+        if (!there) return tl::unexpected(there.error());
+        at = std::move(*there);
+    }
+    WorldState state = edit.start ? *edit.start : at.state();
+    if (edit.change) edit.change(*course->scenario, state);
+    if (const std::string wrong = misfit(*course->scenario, state); !wrong.empty())
+        return tl::unexpected(Error{"", 0, 0, "", "the state does not fit the scenario: " + wrong});
+    const bool otherCourse = course != records_[parent].coursePointer();
+    const std::uint32_t made = history_.beginBranch(
+        parent, state, edit.name,
+        otherCourse ? std::shared_ptr<const Descriptions>(course, &course->descriptions) : nullptr);
+    records_.emplace_back(course, state, edit.orders);
+    at.moveTo(made, {std::move(state)});
+    shown_ = std::move(at);
+    undone_.clear();
+    setBeside(parent);
+    return {};
+}
 
 bool TimeTravel::undo() {
-    const Branch& left = branches()[branch_];
-    if (branch_ == 0) return false;
-    const std::uint32_t from = branch_;
+    const Branch& left = branches()[branch()];
+    if (branch() == 0) return false;
+    const std::uint32_t from = branch();
     if (!show(left.parent, left.tick)) return false;
     undone_.push_back(from);
     return true;
@@ -112,93 +142,106 @@ bool TimeTravel::redo() {
     return true;
 }
 
-/// Ticks that are new on their branch.
-void TimeTravel::learn(std::uint32_t branch, const WorldState& after, const StepTrace& trace) {
-    Known& known = known_[branch];
-    known.track.add(after);
-    known.end = after;
-    const auto mark = [&](TimelineMark::Kind kind, std::uint32_t body, std::uint32_t other) {
-        known.marks.push_back({after.tick, kind, body, other});
-    };
-    for (const TouchCounter::Pair& pair : known.touches.add(trace))
-        mark(TimelineMark::Kind::contact, pair.first, pair.second);
-    for (const StepTrace::Kicked& kick : trace.kicks)
-        mark(TimelineMark::Kind::kick, kick.robot, kick.hit ? kick.object : noBody);
-    for (const std::uint32_t goal : trace.goals) mark(TimelineMark::Kind::goal, 0, goal);
-    for (const StepTrace::Fault& fault : trace.faults) mark(TimelineMark::Kind::fault, fault.robot, noBody);
-    for (std::uint32_t robot = 0; robot < trace.robots.size(); ++robot)
-        if (trace.robots[robot].decided && !trace.robots[robot].decision.breakReason.empty())
-            mark(TimelineMark::Kind::stop, robot, noBody);
+std::optional<TimeTravel::KickCause> TimeTravel::causeOfKick() const {
+    std::int64_t until = tick();
+    for (std::uint32_t at = branch();; at = branches()[at].parent) {
+        const BranchRecord& record = records_[at];
+        for (auto mark = record.marks().rbegin(); mark != record.marks().rend(); ++mark) {
+            if (mark->kind != TimelineMark::Kind::kick || mark->tick > until) continue;
+            const Nanoseconds end = record.course().scene().timeOf(mark->tick);
+            for (std::uint32_t from = at;; from = branches()[from].parent) {
+                const std::vector<KickOrder>& orders = records_[from].kickOrders();
+                for (auto order = orders.rbegin(); order != orders.rend(); ++order)
+                    if (order->robot == mark->body && order->due < end) return KickCause{*order, mark->tick};
+                if (branches()[from].parent == from) break;
+            }
+        }
+        if (branches()[at].parent == at) return {};
+        until = std::min(until, branches()[at].tick);
+    }
 }
 
-/// What the window shows of the last ticks.
-void TimeTravel::note(const StepTrace& trace) {
-    hasTrace_ = true;
-    breakReason_.clear();
-    for (std::uint32_t robot = 0; robot < trace.robots.size(); ++robot) {
-        const StepTrace::Robot& told = trace.robots[robot];
-        if (!told.decided) continue;
-        insights_[robot] = {tick() - 1, told.observed, told.observation, told.decision, told.predicted};
-        if (!told.decision.breakReason.empty())
-            breakReason_ = scenario_->scene().robots[robot].name + ": " + told.decision.breakReason;
-    }
-    const std::int64_t oldest = tick() - scenario_->scene().ticksOf(kickShown);
-    std::erase_if(kicks_, [&](const SeenKick& seen) { return seen.tick < oldest; });
-    for (const StepTrace::Kicked& kick : trace.kicks) kicks_.push_back({tick(), kick});
+void TimeTravel::setBeside(std::optional<std::uint32_t> branch) {
+    beside_.reset();
+    if (!branch || *branch >= branches().size()) return;
+    if (auto cursor = cursorAt(*branch, tick())) beside_ = std::move(*cursor);
 }
 
-void TimeTravel::forgetNotes() {
-    insights_.assign(at_.state.robots.size(), {});
-    kicks_.clear();
-    breakReason_.clear();
-    hasTrace_ = false;
+std::optional<std::uint32_t> TimeTravel::beside() const {
+    return beside_ ? std::optional(beside_->branch()) : std::nullopt;
 }
 
-FieldFrame TimeTravel::frame(const FrameOptions& options) const {
-    FieldFrame frame;
-    frame.scenario = scenario_;
-    frame.state = at_.state;
-    frame.insights = insights_;
-    if (hasTrace_) {
-        frame.lastTick = trace_.robots;
-        frame.contacts = trace_.contacts;
+Expected<bool> TimeTravel::learn(std::int64_t ticks) {
+    for (std::uint32_t branch = 0; branch < records_.size(); ++branch)
+        if (records_[branch].last() < timelineOf(branch).last()) {
+            auto more = records_[branch].learn(timelineOf(branch), ticks);
+            if (!more || *more) return more;
+            return learn(0);
+        }
+    return false;
+}
+
+FieldFrame TimeTravel::frame(const FrameOptions& options) const { return frameOf(shown_, options); }
+
+std::optional<FieldFrame> TimeTravel::besideFrame(const FrameOptions& options) const {
+    if (!beside_ || beside_->tick() != tick()) return {};
+    FrameOptions own = options;
+    own.ghosts = false;
+    return frameOf(*beside_, own);
+}
+
+FieldFrame TimeTravel::frameOf(const Cursor& cursor, const FrameOptions& options) const {
+    FieldFrame frame = cursor.frame(scenarioOf(cursor.branch()));
+    addTrails(cursor.branch(), cursor.tick(), options.trailTicks, frame.trails);
+    if (options.ahead > 0 && frame.scene().bodyCount() <= options.mostBodiesAhead) {
+        frame.predicted = predictedPaths(cursor, options.ahead);
+        frame.predictedStep = predictedEvery * frame.scene().tickLength;
     }
-    for (const SeenKick& seen : kicks_) frame.kicks.push_back(seen.kick);
-    frame.trails = known_[branch_].track.trails(tick(), options.trailTicks);
-    if (options.ahead > 0 && scenario_->scene().bodyCount() <= options.mostBodiesAhead) {
-        frame.predicted = predictedPaths(options.ahead);
-        frame.predictedStep = predictedEvery * scenario_->scene().tickLength;
-    }
-    if (options.ghosts) frame.ghosts = ghostsAt(options.trailTicks);
+    if (options.ghosts) frame.ghosts = ghostsOf(cursor, options.trailTicks);
     return frame;
 }
 
-std::vector<std::vector<Pose>> TimeTravel::predictedPaths(Nanoseconds ahead) const {
-    std::vector<std::vector<Pose>> paths(at_.state.robots.size());
-    WorldState state = at_.state;
+/// Of a branch, and before it of those that it came from, where they have the same bodies.
+void TimeTravel::addTrails(std::uint32_t branch, std::int64_t tick, std::size_t ticks, Trails& trails) const {
+    const Branch& way = branches()[branch];
+    const PoseTrack& track = records_[branch].track();
+    const auto since = static_cast<std::size_t>(std::max<std::int64_t>(0, tick - way.tick));
+    if (way.parent != branch && since < ticks &&
+        scenarioOf(branch)->scene().bodyCount() == scenarioOf(way.parent)->scene().bodyCount())
+        addTrails(way.parent, way.tick, ticks - since, trails);
+    track.addTrails(tick, ticks, trails);
+}
+
+std::vector<std::vector<Pose>> TimeTravel::predictedPaths(const Cursor& cursor, Nanoseconds ahead) const {
+    const Scenario& scenario = *scenarioOf(cursor.branch());
+    WorldState state = cursor.state();
+    std::vector<std::vector<Pose>> paths(state.robots.size());
     StepBuffers buffers;
-    const std::int64_t end = tick() + scenario_->scene().ticksOf(ahead);
+    const std::int64_t end = cursor.tick() + scenario.scene().ticksOf(ahead);
     for (;;) {
         for (std::size_t robot = 0; robot < paths.size(); ++robot) paths[robot].push_back(state.robots[robot].pose);
         if (state.tick >= end) return paths;
-        for (std::int64_t i = 0; i < predictedEvery; ++i) step(*scenario_, state, buffers, {{}, false});
+        for (std::int64_t i = 0; i < predictedEvery; ++i) step(scenario, state, buffers, {{}, false});
     }
 }
 
-/// The branch from which the shown one departed, and those that departed from it: what was changed is seen beside it.
-std::vector<Ghost> TimeTravel::ghostsAt(std::size_t trailTicks) const {
+/// The branch from which the shown one departed, those that departed from it, and the one beside: what was changed is
+/// seen with what was before.
+std::vector<Ghost> TimeTravel::ghostsOf(const Cursor& cursor, std::size_t trailTicks) const {
     std::vector<Ghost> ghosts;
+    const std::uint32_t own = cursor.branch();
     for (std::uint32_t other = 0; other < branches().size(); ++other) {
         const bool related =
-            other != branch_ && (branches()[branch_].parent == other || branches()[other].parent == branch_);
-        const PoseTrack& track = known_[other].track;
-        if (!related || tick() < branches()[other].tick || tick() < track.first()) continue;
-        const std::int64_t departed = std::max(branches()[other].tick, branches()[branch_].tick);
-        if (tick() < departed) continue;
-        const std::int64_t then = std::min(tick(), track.last());
+            other != own && (branches()[own].parent == other || branches()[other].parent == own || beside() == other);
+        const PoseTrack& track = records_[other].track();
+        const bool sameClock = scenarioOf(other)->scene().tickLength == scenarioOf(own)->scene().tickLength;
+        const std::int64_t departed = std::max(branches()[other].tick, branches()[own].tick);
+        if (!related || !sameClock || cursor.tick() < std::max(departed, track.first())) continue;
+        const std::int64_t then = std::min(cursor.tick(), track.last());
         const auto since = static_cast<std::size_t>(std::max<std::int64_t>(0, then - departed));
-        ghosts.push_back(
-            {branches()[other].name, track.posesAt(then), track.trails(then, std::min(trailTicks, since))});
+        Ghost& ghost =
+            ghosts.emplace_back(Ghost{branches()[other].name, scenarioOf(other), track.posesAt(then), {}});
+        track.addTrails(then, std::min(trailTicks, since), ghost.trails);
     }
     return ghosts;
 }

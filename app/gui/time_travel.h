@@ -1,51 +1,86 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "experiment/touch_counter.h"
+#include "branch_record.h"
+#include "course.h"
+#include "cursor.h"
 #include "io/error.h"
-#include "pose_track.h"
+#include "open_run.h"
 #include "recording/history.h"
-#include "recording/playback.h"
 #include "widgets/field_frame.h"
 #include "widgets/timeline_mark.h"
 
 namespace mrose::gui {
 
+/// What is changed by hand at a tick. It begins a branch.
+struct Edit {
+    std::string name;  ///< of the branch
+    /// Nothing: the shown tick. Before it: the branch begins there, where the shown branch was then.
+    std::optional<std::int64_t> tick = {};
+    std::function<void(const Scenario&, WorldState&)> change = {};  ///< of the state there; may be empty
+    std::vector<HandOrder> orders = {};
+    CoursePointer course = {};             ///< another one; nothing: as before
+    std::optional<WorldState> start = {};  ///< of another course: begins with this instead of what was
+};
+
 /// A run and its branches, gone through in both directions. It knows no window, no thread and no clock: the session
 /// (session.h) drives it, and so can a test.
 class TimeTravel {
 public:
-    TimeTravel(std::shared_ptr<const Scenario> scenario, const WorldState& start);
+    explicit TimeTravel(const OpenRun& run);
 
-    const std::shared_ptr<const Scenario>& scenario() const { return scenario_; }
-    const WorldState& state() const { return at_.state; }
-    std::int64_t tick() const { return at_.state.tick; }
-    std::uint32_t branch() const { return branch_; }
+    const WorldState& state() const { return shown_.state(); }
+    std::int64_t tick() const { return shown_.tick(); }
+    std::uint32_t branch() const { return shown_.branch(); }
     const std::vector<Branch>& branches() const { return history_.branches(); }
+    const BranchRecord& record(std::uint32_t branch) const { return records_[branch]; }
+    const Course& course() const { return records_[branch()].course(); }
     std::int64_t first() const { return timeline().first(); }
     std::int64_t last() const { return timeline().last(); }
-    const std::vector<TimelineMark>& marks() const { return known_[branch_].marks; }
     /// Why the last tick asks to stop here; empty: it does not.
-    const std::string& breakReason() const { return breakReason_; }
+    const std::string& breakReason() const { return shown_.breakReason(); }
+    /// Of the tick that led here; nullptr: none is known.
+    const StepTrace* trace() const { return shown_.trace(); }
+    std::size_t memory() const { return history_.size(); }  ///< bytes of the timelines, roughly
 
     /// One tick on: along the branch where it has been before, otherwise into what has not yet happened.
     Expected<void> forward();
     /// To a tick of the shown branch between first() and last(), or the nearest of them.
-    Expected<void> seek(std::int64_t tick);
+    Expected<void> seek(std::int64_t tick) { return show(branch(), tick); }
     /// To a tick of another branch.
     Expected<void> show(std::uint32_t branch, std::int64_t tick);
 
-    /// A branch at the shown tick that begins with the state as `change` makes it; shown from now on.
-    void branchOff(const std::string& name, const std::function<void(const Scenario&, WorldState&)>& change);
-    void rename(std::uint32_t branch, const std::string& name);
+    /// A branch that begins with what an edit makes of a state; shown from now on. Error: its tick cannot be reached,
+    /// or the state does not fit; then nothing has changed.
+    Expected<void> branchOff(const Edit& edit);
+    void rename(std::uint32_t branch, const std::string& name) { history_.rename(branch, name); }
     /// From a branch's beginning back to where it departed, and again there; false where there is nothing.
     bool undo();
     bool redo();
+    bool canUndo() const { return branch() != 0; }
+    bool canRedo() const { return !undone_.empty(); }
+
+    /// The decision that led to a kick: where, and when it came about.
+    struct KickCause {
+        KickOrder order;
+        std::int64_t kicked = 0;  ///< tick of the state after it
+    };
+    /// Of the last kick up to the shown tick; nothing: there was none.
+    std::optional<KickCause> causeOfKick() const;
+
+    /// Another branch to be shown beside, at the same tick; nothing: none. Of itself it is the one shown before.
+    void setBeside(std::optional<std::uint32_t> branch);
+    std::optional<std::uint32_t> beside() const;
+
+    /// Of branches that came from a file: looks at so many of their ticks for trails and marks; whether there are more.
+    Expected<bool> learn(std::int64_t ticks);
 
     struct FrameOptions {
         std::size_t trailTicks = 500;
@@ -55,44 +90,30 @@ public:
     };
     FieldFrame frame(const FrameOptions& options) const;
     FieldFrame frame() const { return frame(FrameOptions{}); }
+    /// Of the branch beside; nothing where there is none, or it has not been at this tick.
+    std::optional<FieldFrame> besideFrame(const FrameOptions& options) const;
 
 private:
-    /// What is known of a branch beside its timeline.
-    struct Known {
-        PoseTrack track;
-        std::vector<TimelineMark> marks;
-        TouchCounter touches;
-        WorldState end;  ///< at its last tick
-    };
-    const Timeline& timeline() const { return history_.branches()[branch_].timeline; }
-    Expected<void> walk(std::uint32_t branch, std::int64_t from, std::int64_t to);
+    const Timeline& timelineOf(std::uint32_t branch) const { return history_.branches()[branch].timeline; }
+    const Timeline& timeline() const { return timelineOf(branch()); }
+    const std::shared_ptr<const Scenario>& scenarioOf(std::uint32_t branch) const {
+        return records_[branch].course().scenario;
+    }
+    Expected<Cursor> cursorAt(std::uint32_t branch, std::int64_t tick);
+    Expected<void> walk(Cursor& cursor, std::uint32_t branch, std::int64_t from, std::int64_t to);
     void followWithParent();
-    void learn(std::uint32_t branch, const WorldState& after, const StepTrace& trace);
-    void note(const StepTrace& trace);
-    void forgetNotes();
-    std::vector<std::vector<Pose>> predictedPaths(Nanoseconds ahead) const;
-    std::vector<Ghost> ghostsAt(std::size_t trailTicks) const;
+    void followBeside();
+    FieldFrame frameOf(const Cursor& cursor, const FrameOptions& options) const;
+    void addTrails(std::uint32_t branch, std::int64_t tick, std::size_t ticks, Trails& trails) const;
+    std::vector<std::vector<Pose>> predictedPaths(const Cursor& cursor, Nanoseconds ahead) const;
+    std::vector<Ghost> ghostsOf(const Cursor& cursor, std::size_t trailTicks) const;
 
-    std::shared_ptr<const Scenario> scenario_;
     History history_;
-    Playback playback_;
-    std::vector<Known> known_;  ///< of each branch
-    ReachedState at_;
-    std::uint32_t branch_ = 0;
+    std::deque<BranchRecord> records_;  ///< of each branch
+    Cursor shown_;
+    std::optional<Cursor> beside_;
     std::vector<std::uint32_t> undone_;
-    StepTrace trace_;
     StepBuffers buffers_;
-    std::int64_t lookBack_ = 0;  ///< ticks in which every robot decided once
-
-    // What the last ticks told of the shown state.
-    std::vector<RobotInsight> insights_;
-    struct SeenKick {
-        std::int64_t tick;
-        StepTrace::Kicked kick;
-    };
-    std::vector<SeenKick> kicks_;
-    bool hasTrace_ = false;
-    std::string breakReason_;
 };
 
 }  // namespace mrose::gui

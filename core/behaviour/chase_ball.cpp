@@ -8,6 +8,7 @@
 #include "behaviour/back_off.h"
 #include "behaviour/ball_belief.h"
 #include "behaviour/dice.h"
+#include "behaviour/memory_entries.h"
 #include "behaviour/pushing_way.h"
 #include "behaviour/steering.h"
 #include "geometry/direction.h"
@@ -196,6 +197,21 @@ void ChaseBall::annotate(const Memory& memory, Decision& decision) const {
     decision.annotations.push_back({.kind = Annotation::Kind::point, .label = "aim", .points = {memory.aim}});
     decision.annotations.push_back(
         {.kind = Annotation::Kind::line, .label = "shot", .points = {ball, options_.target}});
+}
+
+std::vector<MemoryEntry> ChaseBall::explain(std::span<const std::byte> bytes) const {
+    const Memory& memory = as<Memory>(bytes);
+    const Nanoseconds now = memory.motion.now();
+    std::vector<MemoryEntry> entries{{.name = "state", .text = phaseNames[static_cast<std::size_t>(memory.phase)]}};
+    entries.push_back({"state lasts for", toSeconds(std::max<Nanoseconds>(0, memory.phaseEnd - now)), "s"});
+    entries.push_back({"may kick in", toSeconds(std::max<Nanoseconds>(0, memory.nextKick - now)), "s"});
+    entries.push_back({"aim x", memory.aim.x, "m"});
+    entries.push_back({"aim y", memory.aim.y, "m"});
+    entries.push_back({.name = "turns to the", .text = memory.turn < 0 ? "right" : "left"});
+    explainBall(memory.ball, now, entries);
+    explainSelf(memory.self, now, entries);
+    explainBackOff(memory.backOff, now, entries);
+    return entries;
 }
 
 void ChaseBall::decide(const Observation& observation, std::span<std::byte> bytes, Decision& decision) const {

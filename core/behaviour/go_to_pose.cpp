@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "behaviour/back_off.h"
+#include "behaviour/memory_entries.h"
 #include "behaviour/own_belief.h"
 #include "behaviour/pushing_way.h"
 #include "behaviour/steering.h"
@@ -145,6 +146,24 @@ void GoToPose::annotate(const Memory& memory, Decision& decision) const {
     decision.annotations.push_back({.kind = Annotation::Kind::text,
                                     .label = "state",
                                     .text = Going::names[static_cast<std::size_t>(memory.phase)]});
+}
+
+std::vector<MemoryEntry> GoToPose::explain(std::span<const std::byte> bytes) const {
+    const Memory& memory = as<Memory>(bytes);
+    const Nanoseconds now = memory.motion.now();
+    std::vector<MemoryEntry> entries{{.name = "state", .text = Going::names[static_cast<std::size_t>(memory.phase)]}};
+    entries.push_back({"target number", static_cast<double>(memory.target + 1)});
+    if (!options_.targets.empty()) {
+        entries.push_back({"target x", target(memory).x, "m"});
+        entries.push_back({"target y", target(memory).y, "m"});
+        entries.push_back({"target heading", target(memory).heading, "rad"});
+    }
+    entries.push_back({.name = "drives", .text = memory.tailFirst != 0 ? "tail first" : "forwards"});
+    entries.push_back({"detour heading", memory.detour, "rad"});
+    entries.push_back({"detour lasts for", toSeconds(std::max<Nanoseconds>(0, memory.detourEnd - now)), "s"});
+    explainSelf(memory.self, now, entries);
+    explainBackOff(memory.backOff, now, entries);
+    return entries;
 }
 
 void GoToPose::decide(const Observation& observation, std::span<std::byte> bytes, Decision& decision) const {

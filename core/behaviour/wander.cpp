@@ -4,6 +4,7 @@
 
 #include "behaviour/back_off.h"
 #include "behaviour/dice.h"
+#include "behaviour/memory_entries.h"
 #include "behaviour/own_belief.h"
 #include "behaviour/steering.h"
 
@@ -66,6 +67,20 @@ Command Wander::stroll(const Observation& observation, Memory& memory) const {
     const Evasion objects = evade(observation.objects, memory.motion, options_.deadTime);
     if (objects.share < evasion.share || evasion.turn == 0) evasion = objects;
     return evading(alongWalls({options_.speed, memory.turning}, memory), evasion, {options_.speed, options_.rotation});
+}
+
+std::vector<MemoryEntry> Wander::explain(std::span<const std::byte> bytes) const {
+    const Memory& memory = as<Memory>(bytes);
+    const Nanoseconds now = memory.motion.now();
+    std::vector<MemoryEntry> entries{{"curve wanted", memory.curve, "rad/s"}, {"curve told", memory.turning, "rad/s"}};
+    entries.push_back({"another curve in", toSeconds(std::max<Nanoseconds>(0, memory.change - now)), "s"});
+    entries.push_back({.name = "turns before a wall",
+                       .text = memory.side == 0  ? "no wall ahead"
+                               : memory.side < 0 ? "right"
+                                                 : "left"});
+    explainSelf(memory.self, now, entries);
+    explainBackOff(memory.backOff, now, entries);
+    return entries;
 }
 
 void Wander::decide(const Observation& observation, std::span<std::byte> bytes, Decision& decision) const {

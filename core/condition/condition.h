@@ -11,6 +11,8 @@
 
 namespace mrose {
 
+class WorldExpression;
+
 /// A question about the world, as a Lua expression: "robot[2].speed > 0.5 and distance(robot[2], ball) < 0.3".
 /// README.md lists the names. It is answered from a state and the step that led to it, and remembers nothing, so that a
 /// run and its replay agree. For one thread at a time; another thread compiles its own from the same text.
@@ -30,10 +32,9 @@ public:
 
 private:
     friend Expected<Condition> compileCondition(std::string_view, const Scenario&, const std::string&);
-    struct Compiled;
-    explicit Condition(std::unique_ptr<Compiled> compiled);
+    explicit Condition(std::unique_ptr<WorldExpression> expression);
 
-    std::unique_ptr<Compiled> compiled_;
+    std::unique_ptr<WorldExpression> expression_;
 };
 
 /// Error: `source` in the file's place, line and column in the text, and what is wrong: no expression, a name or a body
@@ -41,5 +42,28 @@ private:
 /// may have names of their own, so that unknown ones there may come to light only in holds().
 Expected<Condition> compileCondition(std::string_view text, const Scenario& scenario,
                                      const std::string& source = "condition");
+
+/// A number of the world, as such an expression: "distance(robot[2], ball)". True is 1, false is 0.
+class WorldValue {
+public:
+    WorldValue(WorldValue&&) noexcept;
+    WorldValue& operator=(WorldValue&&) noexcept;
+    ~WorldValue();
+
+    const std::string& text() const;
+
+    /// Arguments and errors as of Condition::holds(); it may be infinite or no number, as Lua computes.
+    Expected<double> value(const Scenario& scenario, const WorldState& state, const StepTrace* trace);
+
+private:
+    friend Expected<WorldValue> compileWorldValue(std::string_view, const Scenario&, const std::string&);
+    explicit WorldValue(std::unique_ptr<WorldExpression> expression);
+
+    std::unique_ptr<WorldExpression> expression_;
+};
+
+/// Errors as of compileCondition().
+Expected<WorldValue> compileWorldValue(std::string_view text, const Scenario& scenario,
+                                       const std::string& source = "expression");
 
 }  // namespace mrose

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "simulation/small_world.h"
@@ -251,6 +252,32 @@ TEST_F(Conditions, AreLimitedInLargeScenesToo) {
     EXPECT_TRUE(holds("robot[10000].x == 9999 and robot['robot number 77'].x == 76"));
     EXPECT_NE(refusal("(function() local s = 'x' while true do s = s .. s end end)()").find("memory"),
               std::string::npos);
+}
+
+TEST_F(Conditions, GiveNumbersTooWhereThoseAreAskedFor) {
+    auto far = compileWorldValue("distance(robot.keeper, ball)", scenario_);
+    ASSERT_TRUE(far) << far.error().message();
+    auto near = compileWorldValue("distance(robot.keeper, ball) < 2", scenario_);
+    ASSERT_TRUE(near);
+    for (int i = 0; i < 60; ++i) {
+        runTicks(1);
+        const Pose &a = state_.robots[0].pose, &b = state_.objects[1].pose;
+        const double expected = std::hypot(a.x - b.x, a.y - b.y);
+        EXPECT_NEAR(*far->value(scenario_, state_, &trace_), expected, 1e-12);
+        EXPECT_EQ(*near->value(scenario_, state_, &trace_), expected < 2 ? 1 : 0);
+    }
+    EXPECT_EQ(far->text(), "distance(robot.keeper, ball)");
+}
+
+TEST_F(Conditions, SayWhatIsNoNumber) {
+    const auto refusal = [&](const char* text) {
+        const auto value = compileWorldValue(text, scenario_);
+        return value ? std::string() : value.error().message();
+    };
+    EXPECT_EQ(refusal("robot[1]"), "expression: gives a value of type robot; expected a number, or true or false");
+    EXPECT_EQ(refusal("'a'"), "expression: gives a text; expected a number, or true or false");
+    EXPECT_THAT(refusal("robot[9].x"), testing::HasSubstr("expression:1:1: there is no robot 9"));
+    EXPECT_THAT(refusal("1 +"), testing::HasSubstr("expression:1:"));
 }
 
 }  // namespace

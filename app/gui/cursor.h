@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "recording/playback.h"
+#include "widgets/field_frame.h"
+
+namespace mrose::gui {
+
+/// A place in a branch, and what the last ticks told there: what robots saw and decided, kicks, contacts.
+class Cursor {
+public:
+    Cursor(std::uint32_t branch, ReachedState at);
+
+    std::uint32_t branch() const { return branch_; }
+    std::int64_t tick() const { return at_.state.tick; }
+    const WorldState& state() const { return at_.state; }
+    /// Why the last tick asks to stop here; empty: it does not.
+    const std::string& breakReason() const { return breakReason_; }
+
+    /// Of the tick that led here; nullptr: none is known.
+    const StepTrace* trace() const { return hasTrace_ ? &trace_ : nullptr; }
+
+    /// One tick on along a timeline where it has been before.
+    Expected<void> advance(const Scenario& scenario, Playback& playback, const Timeline& timeline);
+    /// One tick on that has never been.
+    const StepTrace& step(const Scenario& scenario, StepBuffers& buffers, const Overrides& overrides);
+    /// The same state as that of another branch.
+    void moveTo(std::uint32_t branch, ReachedState at);
+
+    /// State, insights, contacts and kicks; nothing of other ticks.
+    FieldFrame frame(std::shared_ptr<const Scenario> scenario) const;
+
+private:
+    void note(const Scenario& scenario);
+    void forgetNotes();
+
+    std::uint32_t branch_;
+    ReachedState at_;
+    StepTrace trace_;
+    bool hasTrace_ = false;
+    std::vector<RobotInsight> insights_;
+    struct SeenKick {
+        std::int64_t tick;
+        StepTrace::Kicked kick;
+    };
+    std::vector<SeenKick> kicks_;
+    std::string breakReason_;
+};
+
+/// So long a kick is shown.
+inline constexpr Nanoseconds kickShown = nanosecondsPerSecond * 3 / 10;
+
+}  // namespace mrose::gui

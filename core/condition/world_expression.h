@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "condition/world_names.h"
+#include "io/error.h"
+#include "script/lua_sandbox.h"
+
+namespace mrose {
+
+/// A Lua expression over the world's names, in an interpreter of its own, and what it gives.
+class WorldExpression {
+public:
+    WorldExpression(std::string_view text, const std::string& source) : text_(text), source_(source) {}
+    WorldExpression(const WorldExpression&) = delete;
+    WorldExpression& operator=(const WorldExpression&) = delete;
+
+    const std::string& text() const { return text_; }
+    /// Once, first. Error: as of compileCondition().
+    Expected<void> compile(const Scenario& scenario);
+    Expected<LuaValue> evaluate(const WorldView& view);
+    /// Says that it gives another kind of value than was asked for.
+    tl::unexpected<Error> unfit(const LuaValue& value, const char* expected) const;
+
+private:
+    Expected<void> checkPaths();
+
+    std::string text_, source_;
+    WorldView view_;
+    LuaSandbox sandbox_;
+    LuaSandbox::Expression expression_;
+};
+
+}  // namespace mrose

@@ -1,0 +1,268 @@
+#include "widgets/value_catalogue.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "widgets/command_queue.h"
+
+namespace mrose {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+/// What a quantity is read of.
+struct Subject {
+    const Moment& at;
+    std::uint32_t body;
+    std::uint32_t other;  ///< the body that `of` names
+    const ValueKey& key;
+
+    const RobotState& robot() const { return at.state.robots[body]; }
+    const ObjectState& object() const { return at.state.objects[body - at.state.robots.size()]; }
+    bool isRobot() const { return body < at.state.robots.size(); }
+    const Pose& pose() const { return Scenario::poseOf(at.state, body); }
+    const Pose& otherPose() const { return Scenario::poseOf(at.state, other); }
+    const RobotInsight* insight() const {
+        return body < at.insights.size() && at.insights[body].tick >= 0 ? &at.insights[body] : nullptr;
+    }
+};
+
+double degrees(double radians) { return wrapAngle(radians) * 180 / std::numbers::pi; }
+
+Command issuedLast(const Subject& s) { return s.at.scenario.commandsOf(s.at.state, s.body).at(s.at.now()); }
+Command inEffect(const Subject& s) { return commandsOnTheWay(commandsOf(s.at.scenario, s.at.state, s.body)).active; }
+
+Pose predictedEnd(const Subject& s) { return s.robot().segment.start * s.robot().segment.increment; }
+
+/// What contact changed in the last tick, in the frame of where the body would have been.
+std::optional<Pose> pushedBy(const Subject& s) {
+    if (s.body >= s.at.lastTick.size()) return std::nullopt;
+    const StepTrace::Robot& told = s.at.lastTick[s.body];
+    return told.touched ? relative(told.planned, s.pose()) : Pose{};
+}
+
+double impulse(const Subject& s, bool anybody) {
+    double sum = 0;
+    for (const ContactReport& contact : s.at.contacts) {
+        const bool first = contact.bodyA == s.body, second = contact.bodyB == s.body;
+        if ((first || second) && (anybody || (first ? contact.bodyB : contact.bodyA) == s.other)) sum += contact.impulse;
+    }
+    return sum;
+}
+
+std::size_t manipulatorOf(const Subject& s) {
+    const std::vector<Manipulator>& all = s.at.scene().typeOf(s.body).manipulators;
+    return static_cast<std::size_t>(
+        std::find_if(all.begin(), all.end(), [&](const Manipulator& m) { return m.name == s.key.of; }) - all.begin());
+}
+
+double readyIn(const Subject& s) {
+    const std::size_t which = manipulatorOf(s);
+    if (which >= s.at.scene().typeOf(s.body).manipulators.size()) return unknown;
+    return toSeconds(std::max<Nanoseconds>(0, s.robot().ready[which] - s.at.now()));
+}
+
+double kickDueIn(const Subject& s) {
+    for (const PendingKick& kick : s.at.state.kicks)
+        if (kick.robot == s.body && kick.manipulator == manipulatorOf(s)) return toSeconds(kick.due - s.at.now());
+    return unknown;
+}
+
+const Observation* observation(const Subject& s) {
+    return s.insight() != nullptr && s.insight()->observed ? &s.insight()->observation : nullptr;
+}
+
+const SeenBody* seen(const Subject& s) {
+    const Observation* const all = observation(s);
+    if (all == nullptr) return nullptr;
+    const auto robots = static_cast<std::uint32_t>(s.at.state.robots.size());
+    const std::vector<SeenBody>& bodies = s.other < robots ? all->robots : all->objects;
+    const std::uint32_t index = s.other < robots ? s.other : s.other - robots;
+    const auto found =
+        std::find_if(bodies.begin(), bodies.end(), [&](const SeenBody& body) { return body.index == index; });
+    return found == bodies.end() ? nullptr : &*found;
+}
+
+/// Where the robot takes what it sees to be, by the pose that it measured.
+std::optional<Point> seenAt(const Subject& s) {
+    const SeenBody* const body = seen(s);
+    const Observation* const all = observation(s);
+    if (body == nullptr || !all->localised) return std::nullopt;
+    return Placement(all->self).place(body->position_B);
+}
+
+std::optional<Pose> measuredSelf(const Subject& s) {
+    const Observation* const all = observation(s);
+    return all != nullptr && all->localised ? std::optional(all->self) : std::nullopt;
+}
+
+const Annotation* note(const Subject& s) {
+    if (s.insight() == nullptr) return nullptr;
+    for (const Annotation& note : s.insight()->decision.annotations)
+        if (note.label == s.key.of) return &note;
+    return nullptr;
+}
+
+double notedPoint(const Subject& s, double Point::*axis) {
+    const Annotation* const found = note(s);
+    return found != nullptr && !found->points.empty() ? found->points.front().*axis : unknown;
+}
+
+double remembered(const Subject& s) {
+    for (const MemoryEntry& entry : s.at.scenario.controller(s.body).explain(s.at.scenario.memoryOf(s.at.state, s.body)))
+        if (entry.name == s.key.of && entry.text.empty())
+            return entry.unit == std::string_view("rad") ? degrees(entry.value) : entry.value;
+    return unknown;
+}
+
+double speedOf(const Subject& s) {
+    return s.isRobot() ? std::hypot(s.robot().velocity_B.x, s.robot().velocity_B.y)
+                       : std::hypot(s.object().velocity_W.x, s.object().velocity_W.y);
+}
+
+double slip(const Subject& s) {
+    return length(Point{s.object().velocity_W.x, s.object().velocity_W.y} - s.object().roll_W);
+}
+
+double or0(const std::optional<Pose>& pose, double Pose::*part) { return pose ? (*pose).*part : unknown; }
+
+struct Quantity {
+    enum class Whose { robot, object, body };
+    const char *name, *unit;
+    int decimals;
+    Whose whose;
+    double (*read)(const Subject&);
+};
+using Whose = Quantity::Whose;
+
+constexpr Quantity quantities[] = {
+    {"x", "m", 3, Whose::body, [](const Subject& s) { return s.pose().x; }},
+    {"y", "m", 3, Whose::body, [](const Subject& s) { return s.pose().y; }},
+    {"heading", "\u00b0", 1, Whose::body, [](const Subject& s) { return degrees(s.pose().heading); }},
+    {"speed", "m/s", 3, Whose::body, speedOf},
+    {"forward", "m/s", 3, Whose::robot, [](const Subject& s) { return s.robot().velocity_B.x; }},
+    {"sideways", "m/s", 3, Whose::robot, [](const Subject& s) { return s.robot().velocity_B.y; }},
+    {"turning", "rad/s", 3, Whose::robot, [](const Subject& s) { return s.robot().velocity_B.rotation; }},
+    {"direction", "\u00b0", 1, Whose::object,
+     [](const Subject& s) {
+         return speedOf(s) > 0 ? degrees(std::atan2(s.object().velocity_W.y, s.object().velocity_W.x)) : unknown;
+     }},
+    {"spin", "rad/s", 3, Whose::object, [](const Subject& s) { return s.object().velocity_W.rotation; }},
+    {"slip", "m/s", 3, Whose::object, slip},
+    {"commanded forward", "m/s", 3, Whose::robot, [](const Subject& s) { return issuedLast(s).v; }},
+    {"commanded turning", "rad/s", 3, Whose::robot, [](const Subject& s) { return issuedLast(s).w; }},
+    {"forward in effect", "m/s", 3, Whose::robot, [](const Subject& s) { return inEffect(s).v; }},
+    {"turning in effect", "rad/s", 3, Whose::robot, [](const Subject& s) { return inEffect(s).w; }},
+    {"ready in", "s", 2, Whose::robot, readyIn},
+    {"kick due in", "s", 2, Whose::robot, kickDueIn},
+    {"predicted x", "m", 3, Whose::robot, [](const Subject& s) { return predictedEnd(s).x; }},
+    {"predicted y", "m", 3, Whose::robot, [](const Subject& s) { return predictedEnd(s).y; }},
+    {"predicted heading", "\u00b0", 1, Whose::robot, [](const Subject& s) { return degrees(predictedEnd(s).heading); }},
+    {"predicted forward", "m/s", 3, Whose::robot, [](const Subject& s) { return s.robot().segment.endVelocity.v; }},
+    {"predicted turning", "rad/s", 3, Whose::robot, [](const Subject& s) { return s.robot().segment.endVelocity.w; }},
+    {"pushed ahead", "m", 4, Whose::robot, [](const Subject& s) { return or0(pushedBy(s), &Pose::x); }},
+    {"pushed left", "m", 4, Whose::robot, [](const Subject& s) { return or0(pushedBy(s), &Pose::y); }},
+    {"pushed round", "\u00b0", 2, Whose::robot,
+     [](const Subject& s) { return degrees(or0(pushedBy(s), &Pose::heading)); }},
+    {"recovers", "", 0, Whose::robot, [](const Subject& s) { return s.robot().pushed ? 1.0 : 0.0; }},
+    {"impulse", "N s", 2, Whose::body, [](const Subject& s) { return impulse(s, true); }},
+    {"impulse from", "N s", 2, Whose::body, [](const Subject& s) { return impulse(s, false); }},
+    {"distance to", "m", 3, Whose::body,
+     [](const Subject& s) { return distance(position(s.pose()), position(s.otherPose())); }},
+    {"bearing of", "\u00b0", 1, Whose::body,
+     [](const Subject& s) {
+         const Point way = Placement(s.pose()).placeBack(position(s.otherPose()));
+         return degrees(std::atan2(way.y, way.x));
+     }},
+    {"sees x of", "m", 3, Whose::robot, [](const Subject& s) { return seenAt(s) ? seenAt(s)->x : unknown; }},
+    {"sees y of", "m", 3, Whose::robot, [](const Subject& s) { return seenAt(s) ? seenAt(s)->y : unknown; }},
+    {"error in seeing", "m", 3, Whose::robot,
+     [](const Subject& s) { return seenAt(s) ? distance(*seenAt(s), position(s.otherPose())) : unknown; }},
+    {"age of sight of", "s", 3, Whose::robot,
+     [](const Subject& s) { return seen(s) != nullptr ? toSeconds(s.at.now() - seen(s)->measured) : unknown; }},
+    {"measured x", "m", 3, Whose::robot, [](const Subject& s) { return or0(measuredSelf(s), &Pose::x); }},
+    {"measured y", "m", 3, Whose::robot, [](const Subject& s) { return or0(measuredSelf(s), &Pose::y); }},
+    {"measured heading", "\u00b0", 1, Whose::robot,
+     [](const Subject& s) { return degrees(or0(measuredSelf(s), &Pose::heading)); }},
+    {"error of own place", "m", 3, Whose::robot,
+     [](const Subject& s) {
+         return measuredSelf(s) ? distance(position(*measuredSelf(s)), position(s.pose())) : unknown;
+     }},
+    {"error of own heading", "\u00b0", 1, Whose::robot,
+     [](const Subject& s) { return degrees(or0(measuredSelf(s), &Pose::heading) - s.pose().heading); }},
+    {"age of own pose", "s", 3, Whose::robot,
+     [](const Subject& s) { return measuredSelf(s) ? toSeconds(s.at.now() - observation(s)->selfMeasured) : unknown; }},
+    {"odometry forward", "m/s", 3, Whose::robot,
+     [](const Subject& s) { return observation(s) != nullptr ? observation(s)->velocity.v : unknown; }},
+    {"odometry turning", "rad/s", 3, Whose::robot,
+     [](const Subject& s) { return observation(s) != nullptr ? observation(s)->velocity.w : unknown; }},
+    {"note", "", 3, Whose::robot,
+     [](const Subject& s) {
+         const Annotation* const found = note(s);
+         return found != nullptr && found->kind == Annotation::Kind::value ? found->value : unknown;
+     }},
+    {"x of note", "m", 3, Whose::robot, [](const Subject& s) { return notedPoint(s, &Point::x); }},
+    {"y of note", "m", 3, Whose::robot, [](const Subject& s) { return notedPoint(s, &Point::y); }},
+    {"remembers", "", 3, Whose::robot, remembered},
+};
+
+const Quantity* quantityNamed(const std::string& name) {
+    const auto* const found = std::find_if(std::begin(quantities), std::end(quantities),
+                                           [&](const Quantity& quantity) { return quantity.name == name; });
+    return found == std::end(quantities) ? nullptr : found;
+}
+
+bool fits(Whose whose, const Scene& scene, std::uint32_t body) {
+    if (body >= scene.bodyCount()) return false;
+    return whose == Whose::body || (whose == Whose::robot) == (body < scene.robots.size());
+}
+
+}  // namespace
+
+Moment momentOf(const FieldFrame& frame) {
+    return {*frame.scenario, frame.state, frame.lastTick, frame.contacts, frame.insights};
+}
+
+std::uint32_t bodyNamed(const Scene& scene, const std::string& name) {
+    for (std::size_t i = 0; i < scene.bodyCount(); ++i)
+        if ((i < scene.robots.size() ? scene.robots[i].name : scene.objects[i - scene.robots.size()].name) == name)
+            return static_cast<std::uint32_t>(i);
+    return noBody;
+}
+
+std::optional<PlottedValue> plottedValue(const Scene& scene, const ValueKey& key) {
+    const Quantity* const quantity = quantityNamed(key.quantity);
+    if (quantity == nullptr || !fits(quantity->whose, scene, key.body)) return std::nullopt;
+    PlottedValue value;
+    const bool robot = key.body < scene.robots.size();
+    value.body = QString::fromStdString(robot ? scene.robots[key.body].name
+                                              : scene.objects[key.body - scene.robots.size()].name);
+    value.name = value.body + "  " + QObject::tr(quantity->name);
+    if (!key.of.empty()) value.name += ' ' + QString::fromStdString(key.of);
+    value.unit = key.unit.empty() ? QString::fromUtf8(quantity->unit)
+                                  : key.unit == "rad" ? QString::fromUtf8("\u00b0") : QString::fromStdString(key.unit);
+    value.decimals = quantity->decimals;
+    value.angle = value.unit == QString::fromUtf8("\u00b0");
+    if (robot) value.colourOf = key.body;
+    value.read = [key, read = quantity->read, other = bodyNamed(scene, key.of)](const Moment& at) {
+        return read({at, key.body, other, key});
+    };
+    return value;
+}
+
+double readValue(const Moment& moment, const ValueKey& key) {
+    const Quantity* const quantity = quantityNamed(key.quantity);
+    if (quantity == nullptr || !fits(quantity->whose, moment.scene(), key.body)) return unknown;
+    return quantity->read({moment, key.body, bodyNamed(moment.scene(), key.of), key});
+}
+
+QString fixedText(double value, int decimals) {
+    if (!std::isfinite(value)) return QString::fromUtf8("\u2013");
+    const double rounding = 0.5 * std::pow(10, -decimals);
+    return QString::number(std::abs(value) < rounding ? 0.0 : value, 'f', decimals);
+}
+
+}  // namespace mrose
