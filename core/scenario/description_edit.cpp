@@ -2,8 +2,8 @@
 
 #include <limits>
 
+#include "io/toml_edit.h"
 #include "scenario/description_source.h"
-#include "scenario/toml_edit.h"
 
 namespace mrose {
 Expected<Descriptions> withNetwork(const Descriptions& descriptions, const std::string& robot,

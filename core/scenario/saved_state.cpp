@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "io/base64.h"
+#include "io/toml_edit.h"
 #include "io/toml_table.h"
 #include "scenario/carry_over.h"
-#include "scenario/toml_edit.h"
 #include "world/plain_seconds.h"
 #include "world/state_bytes.h"
 

@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "io/file.h"
+#include "io/toml_edit.h"
 #include "scenario/description_edit.h"
 #include "scenario/description_source.h"
 #include "scenario/saved_state.h"
 #include "scenario/scenario_file.h"
-#include "scenario/toml_edit.h"
 #include "world/state_hash.h"
 
 namespace mrose {

@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include "io/toml_edit.h"
 #include "motion/learned_model.h"
 #include "motion/network_fixture.h"
 #include "motion/same_motion.h"
 #include "scenario/descriptions.h"
-#include "scenario/toml_edit.h"
 
 namespace mrose {
 namespace {

@@ -1,4 +1,4 @@
-#include "scenario/toml_edit.h"
+#include "io/toml_edit.h"
 
 #include <algorithm>
 #include <cstdio>
