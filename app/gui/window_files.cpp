@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QTimer>
 #include <QUrl>
 #include <utility>
 
@@ -117,7 +118,8 @@ void WindowFiles::drop(const QMimeData& what) {
         return messages_.add({Kind::note, tr("Only files of this computer can be opened; save it first"), "open"});
     if (files.size() > 1)
         messages_.add({Kind::note, tr("%1 files were dropped; opening %2").arg(files.size()).arg(nameOf(files[0]))});
-    open(files[0]);
+    // Later: who drops waits for the answer, and there may be a question to the user first.
+    QTimer::singleShot(0, this, [this, file = files[0]] { open(file); });
 }
 
 void WindowFiles::offerNetwork(const QString& path) {
@@ -177,6 +179,7 @@ void WindowFiles::takeReloaded(Expected<OpenRun> run, const QString& why) {
     edit.course = run->course;
     edit.start = std::move(run->start);
     const bool goesOn = shown->playing;
+    ++savedBranches_;  // nobody's work
     window_.session().branchOff(edit, shown->tick());
     if (goesOn) window_.session().play();
     messages_.add({Kind::note,
@@ -195,7 +198,14 @@ Expected<void> WindowFiles::savePicture(const QString& path) {
                         path);
 }
 
+/// What the run is made from must not be written over.
+Expected<void> WindowFiles::checkNotRead(const QString& path) const {
+    if (!watch_.watches(path.toStdString())) return {};
+    return fail(path.toStdString(), "is a file that the run is made from; expected another name");
+}
+
 Expected<void> WindowFiles::saveRecording(const QString& path) {
+    if (auto other = checkNotRead(path); !other) return other;
     auto result = std::make_shared<Expected<bool>>(false);
     const std::string commandLine = "mrose-gui " + (opened_ ? opened_->file : "");
     window_.session().run(tr("Saving %1").arg(nameOf(path)), [this, path, result, commandLine](
@@ -232,6 +242,10 @@ void WindowFiles::saved(const QString& path, const Expected<bool>& done, std::si
 
 void WindowFiles::record(const QString& path, bool overwrite) {
     if (path.isEmpty()) return window_.session().stopRecording();
+    if (const auto other = checkNotRead(path); !other) {
+        recordingError_ = text(other.error().message());
+        return sayError(other.error(), "record");
+    }
     const QString commandLine = text("mrose-gui " + (opened_ ? opened_->file : "") + " --record ") + path;
     window_.session().record(path, commandLine, overwrite);
 }
@@ -251,8 +265,10 @@ void WindowFiles::recordingChanged(const QString& path, const QString& error) {
                                        [this] { window_.actions()["record_to"].trigger(); }}
                   : MessageBar::Button{tr("Save elsewhere\u2026"), tr("Save the run up to here to another file"),
                                        [this] { window_.actions()["save_recording"].trigger(); }}}});
-    else if (path.isEmpty() && !before.isEmpty())
+    else if (path.isEmpty() && !before.isEmpty()) {
+        if (window_.shown()) savedBranches_ = window_.shown()->branches.size();
         messages_.add({Kind::note, tr("Recorded in %1").arg(before), "record"});
+    }
     emit recordingTo(path);
 }
 

@@ -69,6 +69,7 @@ signals:
 private:
     Expected<void> take(Expected<OpenRun> run, std::optional<double> at);
     void listTrials(const QString& path);
+    Expected<void> checkNotRead(const QString& path) const;
     void saved(const QString& path, const Expected<bool>& done, std::size_t branches);
     void recordingChanged(const QString& path, const QString& error);
     void takeReloaded(Expected<OpenRun> run, const QString& why);
