@@ -201,6 +201,7 @@ TEST_F(FileTest, RunsOfABatchAreListedAndOpenedWhereTheyEnded) {
     EXPECT_THAT(alone.out, HasSubstr(hash));
     write("cut.csv", "trial,seed,end,time_s,touches,kicks,hits,faults,driven_m,command\n1,2\n");
     dropFile(path("cut.csv"));
+    settle();
     EXPECT_THAT(errors(), ElementsAre(HasSubstr("cut.csv:2")));
 }
 
