@@ -1,17 +1,19 @@
 #pragma once
 
+#include <QWidget>
+#include <optional>
 #include <vector>
 
-#include <QWidget>
-
 #include "motion/motion_model.h"
+#include "scenario/scenario.h"
 #include "widgets/theme.h"
 #include "world/command.h"
 
 namespace mrose {
 
-/// The commands of one robot on their way: each travels from "issued" on the right to "takes effect" on the left, where
-/// the one in force has arrived. Two lanes, of forward speed and of rotation, since their dead times may differ.
+/// The commands of one robot on their way: each travels from where it was issued, at the right, to "now" at the left,
+/// where it takes effect. Two lanes over one scale of time, of forward speed and of rotation, since their dead times
+/// may differ.
 class CommandQueue final : public QWidget {
     Q_OBJECT
 
@@ -21,24 +23,61 @@ public:
         Command before;                        ///< in force before those
         Nanoseconds now = 0;
         MotionModel::DeadTimes deadTimes;
+        Nanoseconds period = 0;       ///< between control instants; 0: unknown
+        Nanoseconds lastInstant = 0;  ///< the last one
+        QColor colour = {};           ///< the robot's
     };
     explicit CommandQueue(QWidget* parent = nullptr);
 
     void setContent(Content content);
     void setTheme(const Theme& theme);
 
-    QSize sizeHint() const override { return {260, 92}; }
-    QSize minimumSizeHint() const override { return {160, 92}; }
+    /// What was told at one instant, newly or to go on as before.
+    struct Instant {
+        Nanoseconds issued = 0;
+        Command command;
+        Nanoseconds untilV = 0, untilW = 0;  ///< takes effect in so long; 0 and less: it has
+    };
+    /// Oldest first: the one in effect, those on their way.
+    const std::vector<Instant>& instants() const { return instants_; }
+    /// Where what takes effect in so long lies, from the left.
+    double pixelOf(Nanoseconds until) const;
+    /// The instant that is on its way at a place; nothing: none there.
+    std::optional<std::size_t> instantAt(const QPointF& place) const;
+    QString textOf(const Instant& instant) const;
+
+    QSize sizeHint() const override { return {290, 118}; }
+    QSize minimumSizeHint() const override { return {160, 118}; }
+
+signals:
+    /// Asked for by a double click or Enter: the command told at this instant.
+    void commandActivated(qint64 issued);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    bool event(QEvent* event) override;
 
 private:
-    void lane(QPainter& painter, const QRectF& box, bool rotation);
+    struct Lane;
+    Nanoseconds scaleEnd() const;
+    QRectF laneBox(bool rotation) const;
+    void paintLane(QPainter& painter, bool rotation) const;
+    void paintScale(QPainter& painter) const;
+    double highest(bool rotation) const;
+    void mark(std::optional<std::size_t> instant);
 
     Content content_;
+    std::vector<Instant> instants_;
+    std::optional<Nanoseconds> marked_;  ///< the issue time of the instant under the mouse, or chosen by keys
     Theme theme_ = Theme::light();
 };
+
+/// Of a robot at a state.
+CommandQueue::Content commandsOf(const Scenario& scenario, const WorldState& state, std::size_t robot);
 
 /// The command that takes effect now, and those still on their way with the time until they do, in order.
 struct CommandsOnTheWay {

@@ -18,6 +18,7 @@ struct RobotInsight {
     Observation observation;
     Decision decision;
     MotionStep predicted;
+    std::vector<std::byte> memoryBefore;  ///< its controller's, before it decided
 };
 
 /// Where the bodies were at the shown tick in another branch.

@@ -1,15 +1,31 @@
 #include "widgets/inspector.h"
 
+#include <QApplication>
+#include <QClipboard>
 #include <QFontDatabase>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLabel>
+#include <QMenu>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <utility>
 
-#include "widgets/inspector_rows.h"
+#include "widgets/inspector_delegate.h"
 
 namespace mrose {
+namespace {
+
+using Delegate = InspectorDelegate;
+constexpr double largestFont = 9.5;  // points
+
+QFont smallFont(QFont font) {
+    font.setPointSizeF(std::min(largestFont, font.pointSizeF()));
+    return font;
+}
+
+}  // namespace
 
 Inspector::Inspector(QWidget* parent)
     : QWidget(parent),
@@ -18,37 +34,69 @@ Inspector::Inspector(QWidget* parent)
       hint_(new QLabel(tr("Click a robot or the ball to see all about it."))),
       queue_(new CommandQueue),
       tree_(new QTreeWidget) {
+    setFont(smallFont(font()));
     auto* head = new QHBoxLayout;
     chip_->setFixedSize(14, 14);
-    QFont bold = font();
+    QFont bold = smallFont(font());
+    bold.setPointSizeF(bold.pointSizeF() + 1);
     bold.setBold(true);
     title_->setFont(bold);
     title_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     head->addWidget(chip_);
     head->addWidget(title_, 1);
     auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 8, 8, 4);
+    layout->setContentsMargins(8, 8, 4, 4);
     layout->setSpacing(6);
     layout->addLayout(head);
     hint_->setWordWrap(true);
     layout->addWidget(hint_);
     layout->addWidget(queue_);
-    tree_->setColumnCount(2);
+    tree_->setColumnCount(3);
     tree_->setHeaderHidden(true);
-    tree_->setRootIsDecorated(true);
-    tree_->setIndentation(12);
-    tree_->setUniformRowHeights(true);
+    tree_->setIndentation(11);
     tree_->setFrameShape(QFrame::NoFrame);
+    tree_->setFont(smallFont(font()));
+    tree_->setExpandsOnDoubleClick(false);
+    tree_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    tree_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    tree_->setContextMenuPolicy(Qt::CustomContextMenu);
     tree_->setAccessibleName(tr("Values of the selected body"));
-    tree_->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
-    tree_->header()->setStretchLastSection(true);
+    tree_->setItemDelegate(new Delegate(tree_));
+    tree_->header()->setStretchLastSection(false);
+    tree_->header()->setMinimumSectionSize(20);
+    tree_->header()->setSectionResizeMode(Delegate::nameColumn, QHeaderView::Interactive);
+    tree_->header()->setSectionResizeMode(Delegate::valueColumn, QHeaderView::Stretch);
+    tree_->header()->setSectionResizeMode(Delegate::plotColumn, QHeaderView::Fixed);
+    tree_->header()->resizeSection(Delegate::nameColumn, 148);
+    tree_->header()->resizeSection(Delegate::plotColumn, Delegate::markWidth);
+    tree_->installEventFilter(this);
     layout->addWidget(tree_, 1);
+    const auto pathOf = [](const QTreeWidgetItem* item) { return item->data(0, Delegate::pathRole).toString(); };
+    connect(tree_, &QTreeWidget::itemExpanded, this, [this, pathOf](QTreeWidgetItem* item) {
+        open_.insert(pathOf(item));
+        if (!syncing_) refresh();
+    });
+    connect(tree_, &QTreeWidget::itemCollapsed, this,
+            [this, pathOf](QTreeWidgetItem* item) { open_.remove(pathOf(item)); });
+    connect(tree_, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item, int column) {
+        if (column == Delegate::plotColumn) askForPlot(item);
+    });
+    connect(tree_, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* item, int column) {
+        if (column != Delegate::plotColumn) askForPlot(item);
+    });
+    connect(tree_, &QTreeWidget::customContextMenuRequested, this, &Inspector::showMenu);
+    connect(queue_, &CommandQueue::commandActivated, this, &Inspector::commandActivated);
     refresh();
 }
 
 void Inspector::setFrame(std::shared_ptr<const FieldFrame> frame) {
     frame_ = std::move(frame);
     if (isVisible()) refresh();
+}
+
+void Inspector::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    refresh();
 }
 
 void Inspector::setBody(std::optional<std::size_t> body) {
@@ -59,7 +107,83 @@ void Inspector::setBody(std::optional<std::size_t> body) {
 void Inspector::setTheme(const Theme& theme) {
     theme_ = theme;
     queue_->setTheme(theme);
+    static_cast<Delegate*>(tree_->itemDelegate())->setTheme(theme);
     refresh();
+}
+
+void Inspector::setPlotted(std::map<ValueKey, QColor> plotted) {
+    plotted_ = std::move(plotted);
+    refresh();
+}
+
+std::optional<ValueKey> Inspector::valueOf(const QTreeWidgetItem* item) const {
+    if (item == nullptr || !item->data(0, Delegate::plottableRole).toBool()) return {};
+    const QStringList parts = item->data(0, Delegate::keyRole).toStringList();
+    return ValueKey{parts[0].toStdString(), parts[1].toStdString(), parts[2].toStdString(), parts[3].toStdString()};
+}
+
+std::optional<ValueKey> Inspector::currentValue() const { return valueOf(tree_->currentItem()); }
+
+void Inspector::askForPlot(const QTreeWidgetItem* item) {
+    if (const auto key = valueOf(item)) emit plotRequested(*key);
+}
+
+void Inspector::showMenu(const QPoint& place) {
+    QTreeWidgetItem* item = tree_->itemAt(place);
+    if (item == nullptr) return;
+    QMenu menu(this);
+    if (const auto key = valueOf(item)) {
+        menu.addAction(plotted_.count(*key) != 0 ? tr("&Remove from the plot") : tr("&Plot"), this,
+                       [this, key] { emit plotRequested(*key); });
+        menu.addAction(tr("Plot of &all robots"), this, [this, key] { emit plotOfAllRequested(*key); });
+        menu.addSeparator();
+    }
+    const QString text =
+        (item->text(Delegate::valueColumn) + ' ' + item->data(Delegate::valueColumn, Delegate::unitRole).toString())
+            .trimmed();
+    menu.addAction(tr("&Copy"), this, [text] { QApplication::clipboard()->setText(text); });
+    menu.exec(tree_->viewport()->mapToGlobal(place));
+}
+
+bool Inspector::eventFilter(QObject* watched, QEvent* event) {
+    if (watched != tree_ || tree_->currentItem() == nullptr) return QWidget::eventFilter(watched, event);
+    QTreeWidgetItem* item = tree_->currentItem();
+    const auto key = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride
+                         ? static_cast<QKeyEvent*>(event)->key()
+                         : 0;
+    const bool fold = (key == Qt::Key_Left || key == Qt::Key_Right) && item->childCount() > 0;
+    const bool enter = key == Qt::Key_Return || key == Qt::Key_Enter;
+    if (event->type() == QEvent::ShortcutOverride && (fold || enter)) {
+        // The arrows fold what can be folded; on any other row they step.
+        event->accept();
+        return true;
+    }
+    if (event->type() == QEvent::KeyPress && fold) {
+        item->setExpanded(key == Qt::Key_Right);
+        return true;
+    }
+    if (event->type() == QEvent::KeyPress && enter) {
+        if (valueOf(item))
+            askForPlot(item);
+        else
+            item->setExpanded(!item->isExpanded());
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void Inspector::refreshHead(bool robot) {
+    const Scene& scene = frame_->scene();
+    const QString type = QString::fromStdString(robot ? scene.typeOf(*body_).name
+                                                      : scene.typeOfObject(*body_ - scene.robots.size()).name);
+    const QString name = QString::fromStdString(frame_->nameOf(*body_));
+    title_->setText(type.compare(name, Qt::CaseInsensitive) == 0 ? name : name + "  \u00b7  " + type);
+    if (!robot) return;
+    chip_->setStyleSheet(QString("background:%1;border:1px solid %2;border-radius:7px")
+                             .arg(robotColour(*body_).name(), theme_.line.name()));
+    CommandQueue::Content content = commandsOf(*frame_->scenario, frame_->state, *body_);
+    content.colour = robotColour(*body_);
+    queue_->setContent(std::move(content));
 }
 
 void Inspector::refresh() {
@@ -71,48 +195,77 @@ void Inspector::refresh() {
     tree_->setVisible(some);
     queue_->setVisible(robot);
     if (!some) return;
-    const Scene& scene = frame_->scene();
-    const QString type = QString::fromStdString(robot ? scene.typeOf(*body_).name
-                                                      : scene.typeOfObject(*body_ - scene.robots.size()).name);
-    const QString name = QString::fromStdString(frame_->nameOf(*body_));
-    title_->setText(type.compare(name, Qt::CaseInsensitive) == 0 ? name : name + "  \u00b7  " + type);
-    if (robot) {
-        chip_->setStyleSheet(QString("background:%1;border:1px solid %2;border-radius:7px")
-                                 .arg(robotColour(*body_).name(), theme_.line.name()));
-        const CommandView view = frame_->scenario->commandsOf(frame_->state, *body_);
-        CommandQueue::Content content{{}, view.beforeFirst(), scene.timeOf(frame_->state.tick),
-                                      scene.modelOf(*body_).deadTimes()};
-        for (std::size_t i = 0; i < view.size(); ++i) content.commands.push_back({view.issueTime(i), view.command(i)});
-        queue_->setContent(std::move(content));
-    }
-    // Rows are written over, not made anew, so that nothing jumps or closes while playing.
-    const std::vector<InspectorSection> sections = inspectorSections(*frame_, *body_);
-    while (tree_->topLevelItemCount() > static_cast<int>(sections.size())) delete tree_->takeTopLevelItem(tree_->topLevelItemCount() - 1);
-    for (int s = 0; s < static_cast<int>(sections.size()); ++s) {
-        const InspectorSection& section = sections[static_cast<std::size_t>(s)];
-        QTreeWidgetItem* top = tree_->topLevelItem(s);
-        if (top == nullptr) {
-            top = new QTreeWidgetItem(tree_);
-            top->setFirstColumnSpanned(true);
-            top->setExpanded(true);
-            QFont bold = font();
-            bold.setBold(true);
-            top->setFont(0, bold);
+    refreshHead(robot);
+    syncing_ = true;
+    const auto isOpen = [this](const QString& path) { return open_.contains(path); };
+    sync(tree_->invisibleRootItem(), {}, inspectorRows(*frame_, *body_, isOpen));
+    syncing_ = false;
+}
+
+/// Makes items the rows' images: those that are there keep their places and states, whatever comes and goes.
+void Inspector::sync(QTreeWidgetItem* parent, const QString& path, const std::vector<InspectorRow>& rows) {
+    for (int i = 0; i < static_cast<int>(rows.size()); ++i) {
+        const InspectorRow& row = rows[static_cast<std::size_t>(i)];
+        const QString own = path.isEmpty() ? row.id : path + '/' + row.id;
+        int found = i;
+        while (found < parent->childCount() && parent->child(found)->data(0, Delegate::pathRole) != own) ++found;
+        QTreeWidgetItem* item = nullptr;
+        if (found < parent->childCount()) {
+            // Those between are of no row any more, or come later again.
+            for (; found > i; --found) delete parent->takeChild(i);
+            item = parent->child(i);
+        } else {
+            item = new QTreeWidgetItem;
+            item->setData(0, Delegate::pathRole, own);
+            parent->insertChild(i, item);
+            if (path.isEmpty()) {
+                QFont bold = tree_->font();
+                bold.setBold(true);
+                item->setFont(0, bold);
+                item->setData(0, Delegate::headRole, true);
+            }
         }
-        top->setText(0, section.title);
-        while (top->childCount() > static_cast<int>(section.rows.size())) delete top->takeChild(top->childCount() - 1);
-        for (int r = 0; r < static_cast<int>(section.rows.size()); ++r) {
-            const InspectorSection::Row& row = section.rows[static_cast<std::size_t>(r)];
-            QTreeWidgetItem* item = top->child(r);
-            if (item == nullptr) item = new QTreeWidgetItem(top);
-            item->setText(0, row.name);
-            item->setText(1, row.value);
-            item->setToolTip(0, row.tip);
-            item->setToolTip(1, row.value);
-            item->setForeground(0, theme_.quietText);
-            item->setForeground(1, row.notable ? theme_.contact : theme_.text);
-        }
+        write(item, row);
+        sync(item, own, row.children);
+        if (row.open && item->data(0, Delegate::unitRole).isNull()) item->setExpanded(true);
+        item->setData(0, Delegate::unitRole, true);  // from now on as the user has it
     }
+    while (parent->childCount() > static_cast<int>(rows.size())) delete parent->takeChild(parent->childCount() - 1);
+}
+
+void Inspector::write(QTreeWidgetItem* item, const InspectorRow& row) {
+    item->setText(Delegate::nameColumn, row.wide ? row.name.rightJustified(5) + "  " + row.value : row.name);
+    if (row.wide && !item->isFirstColumnSpanned()) {
+        item->setFirstColumnSpanned(true);
+        QFont digits = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+        digits.setPointSizeF(tree_->font().pointSizeF() - 0.5);
+        item->setFont(0, digits);
+    }
+    item->setText(Delegate::valueColumn, row.value);
+    item->setData(Delegate::valueColumn, Delegate::unitRole, row.unit);
+    item->setToolTip(Delegate::nameColumn, row.wide            ? row.tip
+                                           : row.tip.isEmpty() ? row.name
+                                                               : row.name + ": " + row.tip);
+    item->setToolTip(Delegate::valueColumn, (row.value + ' ' + row.unit).trimmed());
+    const bool head = item->data(0, Delegate::headRole).toBool();
+    item->setForeground(Delegate::nameColumn, row.wide && row.notable ? theme_.contact
+                                              : head                  ? theme_.text
+                                                                      : theme_.quietText);
+    item->setForeground(Delegate::valueColumn, row.notable ? theme_.contact
+                                               : row.quiet ? theme_.quietText
+                                                           : theme_.text);
+    item->setData(0, Delegate::plottableRole, row.plot.has_value());
+    item->setData(Delegate::plotColumn, Delegate::plottableRole, row.plot.has_value());
+    if (!row.plot) return;
+    const auto text = [](const std::string& word) { return QString::fromStdString(word); };
+    item->setData(
+        0, Delegate::keyRole,
+        QStringList{text(row.plot->quantity), text(row.plot->body), text(row.plot->of), text(row.plot->unit)});
+    const auto plotted = plotted_.find(*row.plot);
+    item->setData(Delegate::plotColumn, Delegate::plottedRole,
+                  plotted == plotted_.end() ? QVariant() : QVariant(plotted->second));
+    item->setToolTip(Delegate::plotColumn,
+                     plotted == plotted_.end() ? tr("Plot over time") : tr("Remove from the plot"));
 }
 
 }  // namespace mrose

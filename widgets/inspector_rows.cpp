@@ -1,7 +1,6 @@
 #include "widgets/inspector_rows.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "widgets/command_queue.h"
 #include "widgets/timeline_bar.h"
@@ -9,160 +8,201 @@
 namespace mrose {
 namespace {
 
-using Rows = std::vector<InspectorSection::Row>;
-
-QString number(double value, int decimals, const char* unit) {
-    // No "-0.00": it would flicker.
-    const double rounding = 0.5 * std::pow(10, -decimals);
-    return QString::number(std::abs(value) < rounding ? 0.0 : value, 'f', decimals) + ' ' + unit;
-}
-
-QString degrees(double radians) {
-    return number(wrapAngle(radians) * 180 / std::numbers::pi, 1, "\u00b0").replace(" \u00b0", "\u00b0");
-}
-
-QString placeText(const Point& point) { return number(point.x, 3, "m").remove(" m") + ", " + number(point.y, 3, "m"); }
-QString poseText(const Pose& pose) { return placeText({pose.x, pose.y}) + ", " + degrees(pose.heading); }
-QString motionText(double v, double w) { return number(v, 3, "m/s") + ", " + number(w, 3, "rad/s"); }
-
-/// How far apart, in the frame of the first: what was off, ahead and to the left.
-QString offText(const Pose& from, const Pose& to) {
-    const Pose off = relative(from, to);
-    return number(100 * off.x, 1, "cm ahead") + ", " + number(100 * off.y, 1, "cm left") + ", " + degrees(off.heading);
-}
-
-InspectorSection whereabouts(const FieldFrame& frame, std::size_t body) {
-    InspectorSection section{QObject::tr("Now"), {}};
-    section.rows.push_back({QObject::tr("Pose"), poseText(frame.poseOf(body)), QObject::tr("x, y, heading in the world")});
-    if (body < frame.state.robots.size()) {
-        const Twist& v = frame.state.robots[body].velocity_B;
-        section.rows.push_back({QObject::tr("Velocity"), motionText(v.x, v.rotation), QObject::tr("forward, turning")});
-        section.rows.push_back({QObject::tr("Sideways"), number(v.y, 3, "m/s"), QObject::tr("to the left")});
-    } else {
-        const ObjectState& object = frame.state.objects[body - frame.state.robots.size()];
-        section.rows.push_back(
-            {QObject::tr("Speed"), number(std::hypot(object.velocity_W.x, object.velocity_W.y), 3, "m/s"), {}});
-        section.rows.push_back({QObject::tr("Direction"), degrees(std::atan2(object.velocity_W.y, object.velocity_W.x)), {}});
-        if (frame.scene().typeOfObject(body - frame.state.robots.size()).rolls)
-            section.rows.push_back({QObject::tr("Slip"),
-                                    number(length(Point{object.velocity_W.x, object.velocity_W.y} - object.roll_W), 3, "m/s"),
-                                    QObject::tr("speed of its lowest point over the floor: 0 where it rolls")});
-    }
-    return section;
-}
-
-InspectorSection commands(const FieldFrame& frame, std::size_t robot) {
-    const CommandView view = frame.scenario->commandsOf(frame.state, robot);
-    CommandQueue::Content content{{}, view.beforeFirst(), frame.scene().timeOf(frame.state.tick),
-                                  frame.scene().modelOf(robot).deadTimes()};
-    for (std::size_t i = 0; i < view.size(); ++i) content.commands.push_back({view.issueTime(i), view.command(i)});
-    const CommandsOnTheWay way = commandsOnTheWay(content);
-    InspectorSection section{QObject::tr("Commands"), {}};
-    section.rows.push_back({QObject::tr("In effect"), motionText(way.active.v, way.active.w),
-                            QObject::tr("issued a dead time ago")});
-    const Command last = view.at(content.now);
-    section.rows.push_back({QObject::tr("Issued last"), motionText(last.v, last.w), {}});
-    section.rows.push_back({QObject::tr("Dead time"), number(toSeconds(content.deadTimes.v) * 1e3, 0, "ms") + ", " +
-                                                          number(toSeconds(content.deadTimes.w) * 1e3, 0, "ms"),
-                            QObject::tr("of forward speed, of rotation")});
-    const std::vector<Manipulator>& manipulators = frame.scene().typeOf(robot).manipulators;
-    for (std::size_t m = 0; m < manipulators.size(); ++m) {
-        const Nanoseconds wait = frame.state.robots[robot].ready[m] - content.now;
-        section.rows.push_back({QString::fromStdString(manipulators[m].name),
-                                wait <= 0 ? QObject::tr("ready") : number(toSeconds(wait), 2, "s until ready"), {}});
-    }
-    return section;
-}
-
-InspectorSection motion(const FieldFrame& frame, std::size_t robot) {
-    InspectorSection section{QObject::tr("Motion model"), {}};
-    const MotionSegment& segment = frame.state.robots[robot].segment;
-    const Pose end = segment.start * segment.increment;
-    section.rows.push_back({QObject::tr("Predicted"), poseText(end), QObject::tr("where it will be at its next control instant")});
-    section.rows.push_back({QObject::tr("with velocity"), motionText(segment.endVelocity.v, segment.endVelocity.w), {}});
-    if (robot < frame.lastTick.size()) {
-        const StepTrace::Robot& told = frame.lastTick[robot];
-        section.rows.push_back({QObject::tr("Contact"),
-                                told.touched ? offText(told.planned, frame.poseOf(robot)) : QObject::tr("none"),
-                                QObject::tr("what it changed in the last tick, beside the planned way"), told.touched});
-    }
-    section.rows.push_back({QObject::tr("On its way"), frame.state.robots[robot].pushed
-                                                           ? QObject::tr("pushed off, wheels recover")
-                                                           : QObject::tr("yes"),
-                            {}, frame.state.robots[robot].pushed});
-    return section;
-}
-
-void seenRows(const FieldFrame& frame, const RobotInsight& insight, bool robots, Rows& rows) {
-    const std::vector<SeenBody>& seen = robots ? insight.observation.robots : insight.observation.objects;
-    for (const SeenBody& body : seen) {
-        const std::size_t index = robots ? body.index : frame.state.robots.size() + body.index;
-        const Point believed = Placement(insight.observation.self).place(body.position_B);
-        const double off = length(believed - position(frame.poseOf(index)));
-        rows.push_back({QString::fromStdString(frame.nameOf(index)),
-                        placeText(believed) + QObject::tr(", off by ") + number(100 * off, 0, "cm"),
-                        QObject::tr("where it thinks this is, and how far from where it is now")});
-    }
-}
-
-InspectorSection perception(const FieldFrame& frame, std::size_t robot) {
-    InspectorSection section{QObject::tr("Sees"), {}};
-    const RobotInsight& insight = frame.insights[robot];
-    if (!insight.observed) return section;
-    const Observation& seen = insight.observation;
-    const Nanoseconds now = frame.scene().timeOf(frame.state.tick);
-    section.rows.push_back({QObject::tr("Itself"), seen.localised ? poseText(seen.self) : QObject::tr("not yet"), {}});
-    if (seen.localised) {
-        section.rows.push_back({QObject::tr("off by"), offText(frame.poseOf(robot), seen.self), {}});
-        section.rows.push_back({QObject::tr("measured"), number(toSeconds(now - seen.selfMeasured) * 1e3, 0, "ms ago"), {}});
-    }
-    seenRows(frame, insight, false, section.rows);
-    seenRows(frame, insight, true, section.rows);
-    return section;
-}
-
-InspectorSection controller(const FieldFrame& frame, std::size_t robot) {
-    InspectorSection section{QObject::tr("Controller"), {}};
-    const RobotInsight& insight = frame.insights[robot];
-    if (insight.tick < 0) {
-        section.rows.push_back({QObject::tr("Decided"), QObject::tr("not yet"), {}});
+InspectorRow motionRows(const RowWriter& write) {
+    InspectorRow section = RowWriter::section(QObject::tr("Motion"));
+    const bool robot = write.body < write.frame.state.robots.size();
+    const auto add = [&](const QString& name, const char* quantity, const QString& tip) {
+        section.children.push_back(write.number(name, quantity, tip));
+    };
+    add(QObject::tr("x"), "x", QObject::tr("of the reference point, in the world"));
+    add(QObject::tr("y"), "y", QObject::tr("of the reference point, in the world"));
+    add(QObject::tr("Heading"), "heading", QObject::tr("counter-clockwise from the x axis"));
+    add(QObject::tr("Speed"), "speed", QObject::tr("in whatever direction"));
+    if (robot) {
+        add(QObject::tr("Forward"), "forward", QObject::tr("its velocity along its heading"));
+        add(QObject::tr("Sideways"), "sideways", QObject::tr("its velocity to its left: where it is pushed"));
+        add(QObject::tr("Turning"), "turning", QObject::tr("counter-clockwise"));
         return section;
     }
-    const Decision& decision = insight.decision;
-    section.rows.push_back({QObject::tr("Decided"), clockText(frame.scene().timeOf(insight.tick)), {}});
-    section.rows.push_back({QObject::tr("Command"), decision.command ? motionText(decision.command->v, decision.command->w)
-                                                                     : QObject::tr("goes on"),
-                            {}});
-    for (const Kick& kick : decision.kicks)
-        section.rows.push_back({QObject::tr("Kick"), number(100 * kick.power, 0, "% of power"), {}, true});
-    for (const Annotation& note : decision.annotations) {
-        QString value;
-        if (note.kind == Annotation::Kind::value) value = QString::number(note.value, 'f', 3);
-        if (note.kind == Annotation::Kind::text) value = QString::fromStdString(note.text);
-        if (note.kind == Annotation::Kind::point && !note.points.empty()) value = placeText(note.points.front());
-        if (note.kind == Annotation::Kind::line && !note.points.empty())
-            value = placeText(note.points.front()) + " \u2192 " + placeText(note.points.back());
-        section.rows.push_back({QString::fromStdString(note.label), value, QObject::tr("the controller's own note")});
+    add(QObject::tr("Direction"), "direction", QObject::tr("in which it moves"));
+    add(QObject::tr("Spin"), "spin", QObject::tr("about the vertical"));
+    if (write.frame.scene().typeOfObject(write.body - write.frame.state.robots.size()).rolls)
+        add(QObject::tr("Slip"), "slip", QObject::tr("speed of its lowest point over the floor: 0 where it rolls"));
+    return section;
+}
+
+InspectorRow comingCommand(const CommandsOnTheWay::Coming& coming) {
+    const auto wait = [](Nanoseconds until) {
+        return until == 0 ? QObject::tr("now") : QObject::tr("in %1 ms").arg(fixedText(toSeconds(until) * 1e3, 0));
+    };
+    InspectorRow row = RowWriter::text(
+        clockText(coming.issued.time),
+        QString("%1 m/s, %2 rad/s").arg(fixedText(coming.issued.command.v, 2), fixedText(coming.issued.command.w, 2)),
+        QObject::tr("forward speed takes effect %1, rotation %2").arg(wait(coming.untilV), wait(coming.untilW)));
+    row.id = QString::number(coming.issued.time);
+    return row;
+}
+
+InspectorRow commandRows(const RowWriter& write) {
+    InspectorRow section = RowWriter::section(QObject::tr("Commands"));
+    auto& rows = section.children;
+    const QString active = QObject::tr("issued a dead time ago: what it does now");
+    rows.push_back(write.number(QObject::tr("In effect, forward"), "forward in effect", active));
+    rows.push_back(write.number(QObject::tr("In effect, turning"), "turning in effect", active));
+    const QString last = QObject::tr("takes effect a dead time from its issue");
+    rows.push_back(write.number(QObject::tr("Issued, forward"), "commanded forward", last));
+    rows.push_back(write.number(QObject::tr("Issued, turning"), "commanded turning", last));
+    const CommandQueue::Content content = commandsOf(*write.frame.scenario, write.frame.state, write.body);
+    const CommandsOnTheWay way = commandsOnTheWay(content);
+    InspectorRow coming = RowWriter::text(QObject::tr("On their way"), QString::number(way.coming.size()),
+                                          QObject::tr("commands that differ from the one before"));
+    for (const CommandsOnTheWay::Coming& one : way.coming) coming.children.push_back(comingCommand(one));
+    rows.push_back(std::move(coming));
+    const auto deadTime = [&](const QString& name, Nanoseconds time) {
+        InspectorRow row = RowWriter::text(name, fixedText(toSeconds(time), 3),
+                                           QObject::tr("from a command's issue to its effect, as identified"));
+        row.unit = "s";
+        rows.push_back(std::move(row));
+    };
+    deadTime(QObject::tr("Dead time, forward"), content.deadTimes.v);
+    deadTime(QObject::tr("Dead time, turning"), content.deadTimes.w);
+    return section;
+}
+
+InspectorRow kickRows(const RowWriter& write) {
+    InspectorRow section = RowWriter::section(QObject::tr("Kicks"));
+    const std::vector<Manipulator>& manipulators = write.frame.scene().typeOf(write.body).manipulators;
+    for (std::size_t m = 0; m < manipulators.size(); ++m) {
+        const QString name = QString::fromStdString(manipulators[m].name);
+        InspectorRow ready = write.number(QObject::tr("%1 ready in").arg(name), "ready in",
+                                          QObject::tr("until it can act again"), manipulators[m].name);
+        InspectorRow due =
+            write.number(QObject::tr("%1 kicks in").arg(name), "kick due in",
+                         QObject::tr("a kick on its way: until it is carried out"), manipulators[m].name);
+        due.quiet = true;
+        for (const PendingKick& kick : write.frame.state.kicks) {
+            if (kick.robot != write.body || kick.manipulator != m) continue;
+            due.quiet = false;
+            due.notable = true;
+            due.tip += QObject::tr("; with %1 % of its power").arg(fixedText(100 * kick.power, 0));
+        }
+        section.children.push_back(std::move(ready));
+        section.children.push_back(std::move(due));
     }
-    if (!decision.breakReason.empty())
-        section.rows.push_back({QObject::tr("Stop"), QString::fromStdString(decision.breakReason), {}, true});
-    if (!decision.fault.empty())
-        section.rows.push_back({QObject::tr("Failed"), QString::fromStdString(decision.fault), {}, true});
-    const std::size_t memory = frame.scenario->memoryOf(frame.state, robot).size();
-    if (memory > 0) section.rows.push_back({QObject::tr("Memory"), QObject::tr("%1 bytes").arg(memory), {}});
+    return section;
+}
+
+/// How a body came to be where it is not planned to be.
+void contactRows(const RowWriter& write, std::vector<InspectorRow>& rows) {
+    std::vector<std::uint32_t> others;
+    for (const ContactReport& contact : write.frame.contacts) {
+        const bool first = contact.bodyA == write.body;
+        if (!first && contact.bodyB != write.body) continue;
+        const std::uint32_t other = first ? contact.bodyB : contact.bodyA;
+        if (std::find(others.begin(), others.end(), other) == others.end()) others.push_back(other);
+    }
+    InspectorRow all = write.number(QObject::tr("Contact"), "impulse", QObject::tr("of all touches in the last tick"));
+    all.notable = !others.empty();
+    all.quiet = others.empty();
+    all.open = true;
+    for (const std::uint32_t other : others) {
+        const std::string of = other == noBody ? wallName : write.frame.nameOf(other);
+        InspectorRow row = write.number(QObject::tr("with %1").arg(QString::fromStdString(of)), "impulse from",
+                                        QObject::tr("along the normal, in the last tick"), of);
+        row.notable = true;
+        all.children.push_back(std::move(row));
+    }
+    rows.push_back(std::move(all));
+}
+
+InspectorRow predictionRows(const RowWriter& write) {
+    InspectorRow section = RowWriter::section(QObject::tr("Motion model"));
+    auto& rows = section.children;
+    const QString end = QObject::tr("predicted for the end of its control period, if nothing touches it");
+    rows.push_back(write.number(QObject::tr("Predicted x"), "predicted x", end));
+    rows.push_back(write.number(QObject::tr("Predicted y"), "predicted y", end));
+    rows.push_back(write.number(QObject::tr("Predicted heading"), "predicted heading", end));
+    rows.push_back(write.number(QObject::tr("Predicted forward"), "predicted forward", end));
+    rows.push_back(write.number(QObject::tr("Predicted turning"), "predicted turning", end));
+    contactRows(write, rows);
+    const bool touched = write.body < write.frame.lastTick.size() && write.frame.lastTick[write.body].touched;
+    const QString off =
+        QObject::tr("where contact put it in the last tick, as seen from where the model had planned it");
+    for (const auto& [name, quantity] : {std::pair{QObject::tr("Put ahead by"), "pushed ahead"},
+                                         {QObject::tr("Put to the left by"), "pushed left"},
+                                         {QObject::tr("Turned by"), "pushed round"}}) {
+        rows.push_back(write.number(name, quantity, off));
+        rows.back().notable = touched;
+        rows.back().quiet = !touched;
+    }
+    const bool pushed = write.frame.state.robots[write.body].pushed;
+    rows.push_back(RowWriter::text(QObject::tr("Wheels"),
+                                   pushed ? QObject::tr("bring it back to its way") : QObject::tr("follow the model"),
+                                   QObject::tr("a pushed robot returns to its way as fast as traction allows")));
+    rows.back().notable = pushed;
+    rows.back().plot = ValueKey{"recovers", write.bodyName};
+    return section;
+}
+
+InspectorRow touchRows(const RowWriter& write) {
+    InspectorRow section = RowWriter::section(QObject::tr("Touched by"));
+    contactRows(write, section.children);
     return section;
 }
 
 }  // namespace
 
-std::vector<InspectorSection> inspectorSections(const FieldFrame& frame, std::size_t body) {
-    std::vector<InspectorSection> sections{whereabouts(frame, body)};
-    if (body >= frame.state.robots.size()) return sections;
-    sections.push_back(commands(frame, body));
-    sections.push_back(motion(frame, body));
-    sections.push_back(controller(frame, body));
-    if (InspectorSection seen = perception(frame, body); !seen.rows.empty()) sections.push_back(std::move(seen));
-    return sections;
+RowWriter::RowWriter(const FieldFrame& shown, std::size_t which)
+    : frame(shown), body(which), at(momentOf(shown)), bodyName(shown.nameOf(which)) {}
+
+InspectorRow RowWriter::number(const QString& name, const ValueKey& key, const QString& tip) const {
+    const QuantityText* const text = quantityText(key.quantity);
+    InspectorRow row;
+    row.id = QString::fromStdString(key.quantity + ' ' + key.of);
+    row.name = name;
+    const double value = readValue(at, key, static_cast<std::uint32_t>(body));
+    row.value = fixedText(value, text->decimals);
+    row.unit = key.unit == "rad" ? QString::fromUtf8("\u00b0")
+                                 : QString::fromUtf8(key.unit.empty() ? text->unit : key.unit.c_str());
+    row.tip = tip;
+    row.plot = key;
+    row.quiet = !std::isfinite(value);
+    return row;
+}
+
+InspectorRow RowWriter::number(const QString& label, const char* quantity, const QString& tip,
+                               const std::string& of) const {
+    return number(label, ValueKey{quantity, bodyName, of}, tip);
+}
+
+InspectorRow RowWriter::text(const QString& name, const QString& value, const QString& tip) {
+    InspectorRow row;
+    row.id = row.name = name;
+    row.value = value;
+    row.tip = tip;
+    return row;
+}
+
+InspectorRow RowWriter::section(const QString& name, bool open) {
+    InspectorRow row = text(name, {});
+    row.open = open;
+    return row;
+}
+
+std::vector<InspectorRow> inspectorRows(const FieldFrame& frame, std::size_t body, const RowIsOpen& isOpen) {
+    const RowWriter write(frame, body);
+    std::vector<InspectorRow> rows{motionRows(write)};
+    if (body >= frame.state.robots.size()) {
+        rows.push_back(touchRows(write));
+        return rows;
+    }
+    rows.push_back(commandRows(write));
+    if (InspectorRow kicks = kickRows(write); !kicks.children.empty()) rows.push_back(std::move(kicks));
+    rows.push_back(predictionRows(write));
+    rows.push_back(controllerRows(write));
+    rows.push_back(perceptionRows(write));
+    rows.push_back(memoryRows(write, isOpen));
+    return rows;
 }
 
 }  // namespace mrose

@@ -1,22 +1,57 @@
 #pragma once
 
+#include <QString>
+#include <functional>
+#include <optional>
 #include <vector>
 
-#include <QString>
-
 #include "widgets/field_frame.h"
+#include "widgets/value_catalogue.h"
 
 namespace mrose {
 
-/// What is known of a body at the shown tick, as a person reads it: every number with its unit.
-struct InspectorSection {
-    struct Row {
-        QString name, value, tip;
-        bool notable = false;  ///< contact changed something, a controller failed
-    };
-    QString title;
-    std::vector<Row> rows;
+/// A line of the inspector. `id` is its own among its brothers and stays from tick to tick, whatever its value.
+struct InspectorRow {
+    QString id, name;
+    QString value;  ///< a number has its digits here and its unit beside
+    QString unit;
+    QString tip;
+    std::optional<ValueKey> plot;  ///< what can be plotted of it
+    bool notable = false;          ///< contact changed something, a controller failed
+    bool quiet = false;            ///< nothing there just now
+    bool open = false;             ///< shows its children at first
+    bool wide = false;             ///< name and value are one text, in digits of equal width
+    std::vector<InspectorRow> children = {};
 };
-std::vector<InspectorSection> inspectorSections(const FieldFrame& frame, std::size_t body);
+
+/// Whether a row's children are shown; rows whose children are costly have them only then. `path` has the ids of the
+/// row and those above it, with '/' between.
+using RowIsOpen = std::function<bool(const QString& path)>;
+
+/// What is known of a body at the shown tick, as a person reads it: every number with its unit.
+std::vector<InspectorRow> inspectorRows(const FieldFrame& frame, std::size_t body, const RowIsOpen& isOpen);
+
+/// What the inspector writes rows with: values of the catalogue by their names.
+class RowWriter {
+public:
+    RowWriter(const FieldFrame& frame, std::size_t body);
+
+    /// A number of the catalogue.
+    InspectorRow number(const QString& name, const ValueKey& key, const QString& tip = {}) const;
+    InspectorRow number(const QString& name, const char* quantity, const QString& tip = {},
+                        const std::string& of = {}) const;
+    static InspectorRow text(const QString& name, const QString& value, const QString& tip = {});
+    static InspectorRow section(const QString& name, bool open = true);
+
+    const FieldFrame& frame;
+    const std::size_t body;
+    const Moment at;
+    const std::string& bodyName;
+};
+
+// The parts of it.
+InspectorRow controllerRows(const RowWriter& write);
+InspectorRow memoryRows(const RowWriter& write, const RowIsOpen& isOpen);
+InspectorRow perceptionRows(const RowWriter& write);
 
 }  // namespace mrose

@@ -1,17 +1,19 @@
 #include "widgets/value_catalogue.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string_view>
 
+#include "condition/condition.h"
 #include "widgets/command_queue.h"
 
 namespace mrose {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr const char* degreeSign = "\u00b0";
 
 /// What a quantity is read of.
 struct Subject {
@@ -24,7 +26,9 @@ struct Subject {
     const ObjectState& object() const { return at.state.objects[body - at.state.robots.size()]; }
     bool isRobot() const { return body < at.state.robots.size(); }
     const Pose& pose() const { return Scenario::poseOf(at.state, body); }
-    const Pose& otherPose() const { return Scenario::poseOf(at.state, other); }
+    Pose otherPose() const {
+        return other < at.scene().bodyCount() ? Scenario::poseOf(at.state, other) : Pose{unknown, unknown, unknown};
+    }
     const RobotInsight* insight() const {
         return body < at.insights.size() && at.insights[body].tick >= 0 ? &at.insights[body] : nullptr;
     }
@@ -48,7 +52,8 @@ double impulse(const Subject& s, bool anybody) {
     double sum = 0;
     for (const ContactReport& contact : s.at.contacts) {
         const bool first = contact.bodyA == s.body, second = contact.bodyB == s.body;
-        if ((first || second) && (anybody || (first ? contact.bodyB : contact.bodyA) == s.other)) sum += contact.impulse;
+        if ((first || second) && (anybody || (first ? contact.bodyB : contact.bodyA) == s.other))
+            sum += contact.impulse;
     }
     return sum;
 }
@@ -112,7 +117,8 @@ double notedPoint(const Subject& s, double Point::*axis) {
 }
 
 double remembered(const Subject& s) {
-    for (const MemoryEntry& entry : s.at.scenario.controller(s.body).explain(s.at.scenario.memoryOf(s.at.state, s.body)))
+    for (const MemoryEntry& entry :
+         s.at.scenario.controller(s.body).explain(s.at.scenario.memoryOf(s.at.state, s.body)))
         if (entry.name == s.key.of && entry.text.empty())
             return entry.unit == std::string_view("rad") ? degrees(entry.value) : entry.value;
     return unknown;
@@ -131,82 +137,111 @@ double or0(const std::optional<Pose>& pose, double Pose::*part) { return pose ? 
 
 struct Quantity {
     enum class Whose { robot, object, body };
-    const char *name, *unit;
-    int decimals;
+    const char* name;
+    QuantityText text;
     Whose whose;
     double (*read)(const Subject&);
 };
 using Whose = Quantity::Whose;
 
 constexpr Quantity quantities[] = {
-    {"x", "m", 3, Whose::body, [](const Subject& s) { return s.pose().x; }},
-    {"y", "m", 3, Whose::body, [](const Subject& s) { return s.pose().y; }},
-    {"heading", "\u00b0", 1, Whose::body, [](const Subject& s) { return degrees(s.pose().heading); }},
-    {"speed", "m/s", 3, Whose::body, speedOf},
-    {"forward", "m/s", 3, Whose::robot, [](const Subject& s) { return s.robot().velocity_B.x; }},
-    {"sideways", "m/s", 3, Whose::robot, [](const Subject& s) { return s.robot().velocity_B.y; }},
-    {"turning", "rad/s", 3, Whose::robot, [](const Subject& s) { return s.robot().velocity_B.rotation; }},
-    {"direction", "\u00b0", 1, Whose::object,
+    {"x", {"m", 3}, Whose::body, [](const Subject& s) { return s.pose().x; }},
+    {"y", {"m", 3}, Whose::body, [](const Subject& s) { return s.pose().y; }},
+    {"heading", {degreeSign, 1}, Whose::body, [](const Subject& s) { return degrees(s.pose().heading); }},
+    {"speed", {"m/s", 3}, Whose::body, speedOf},
+    {"forward", {"m/s", 3}, Whose::robot, [](const Subject& s) { return s.robot().velocity_B.x; }},
+    {"sideways", {"m/s", 3}, Whose::robot, [](const Subject& s) { return s.robot().velocity_B.y; }},
+    {"turning", {"rad/s", 3}, Whose::robot, [](const Subject& s) { return s.robot().velocity_B.rotation; }},
+    {"direction",
+     {degreeSign, 1},
+     Whose::object,
      [](const Subject& s) {
          return speedOf(s) > 0 ? degrees(std::atan2(s.object().velocity_W.y, s.object().velocity_W.x)) : unknown;
      }},
-    {"spin", "rad/s", 3, Whose::object, [](const Subject& s) { return s.object().velocity_W.rotation; }},
-    {"slip", "m/s", 3, Whose::object, slip},
-    {"commanded forward", "m/s", 3, Whose::robot, [](const Subject& s) { return issuedLast(s).v; }},
-    {"commanded turning", "rad/s", 3, Whose::robot, [](const Subject& s) { return issuedLast(s).w; }},
-    {"forward in effect", "m/s", 3, Whose::robot, [](const Subject& s) { return inEffect(s).v; }},
-    {"turning in effect", "rad/s", 3, Whose::robot, [](const Subject& s) { return inEffect(s).w; }},
-    {"ready in", "s", 2, Whose::robot, readyIn},
-    {"kick due in", "s", 2, Whose::robot, kickDueIn},
-    {"predicted x", "m", 3, Whose::robot, [](const Subject& s) { return predictedEnd(s).x; }},
-    {"predicted y", "m", 3, Whose::robot, [](const Subject& s) { return predictedEnd(s).y; }},
-    {"predicted heading", "\u00b0", 1, Whose::robot, [](const Subject& s) { return degrees(predictedEnd(s).heading); }},
-    {"predicted forward", "m/s", 3, Whose::robot, [](const Subject& s) { return s.robot().segment.endVelocity.v; }},
-    {"predicted turning", "rad/s", 3, Whose::robot, [](const Subject& s) { return s.robot().segment.endVelocity.w; }},
-    {"pushed ahead", "m", 4, Whose::robot, [](const Subject& s) { return or0(pushedBy(s), &Pose::x); }},
-    {"pushed left", "m", 4, Whose::robot, [](const Subject& s) { return or0(pushedBy(s), &Pose::y); }},
-    {"pushed round", "\u00b0", 2, Whose::robot,
+    {"spin", {"rad/s", 3}, Whose::object, [](const Subject& s) { return s.object().velocity_W.rotation; }},
+    {"slip", {"m/s", 3}, Whose::object, slip},
+    {"commanded forward", {"m/s", 3}, Whose::robot, [](const Subject& s) { return issuedLast(s).v; }},
+    {"commanded turning", {"rad/s", 3}, Whose::robot, [](const Subject& s) { return issuedLast(s).w; }},
+    {"forward in effect", {"m/s", 3}, Whose::robot, [](const Subject& s) { return inEffect(s).v; }},
+    {"turning in effect", {"rad/s", 3}, Whose::robot, [](const Subject& s) { return inEffect(s).w; }},
+    {"ready in", {"s", 2}, Whose::robot, readyIn},
+    {"kick due in", {"s", 2}, Whose::robot, kickDueIn},
+    {"predicted x", {"m", 3}, Whose::robot, [](const Subject& s) { return predictedEnd(s).x; }},
+    {"predicted y", {"m", 3}, Whose::robot, [](const Subject& s) { return predictedEnd(s).y; }},
+    {"predicted heading",
+     {degreeSign, 1},
+     Whose::robot,
+     [](const Subject& s) { return degrees(predictedEnd(s).heading); }},
+    {"predicted forward", {"m/s", 3}, Whose::robot, [](const Subject& s) { return s.robot().segment.endVelocity.v; }},
+    {"predicted turning", {"rad/s", 3}, Whose::robot, [](const Subject& s) { return s.robot().segment.endVelocity.w; }},
+    {"pushed ahead", {"m", 4}, Whose::robot, [](const Subject& s) { return or0(pushedBy(s), &Pose::x); }},
+    {"pushed left", {"m", 4}, Whose::robot, [](const Subject& s) { return or0(pushedBy(s), &Pose::y); }},
+    {"pushed round",
+     {degreeSign, 2},
+     Whose::robot,
      [](const Subject& s) { return degrees(or0(pushedBy(s), &Pose::heading)); }},
-    {"recovers", "", 0, Whose::robot, [](const Subject& s) { return s.robot().pushed ? 1.0 : 0.0; }},
-    {"impulse", "N s", 2, Whose::body, [](const Subject& s) { return impulse(s, true); }},
-    {"impulse from", "N s", 2, Whose::body, [](const Subject& s) { return impulse(s, false); }},
-    {"distance to", "m", 3, Whose::body,
+    {"recovers", {"", 0}, Whose::robot, [](const Subject& s) { return s.robot().pushed ? 1.0 : 0.0; }},
+    {"impulse", {"N s", 2}, Whose::body, [](const Subject& s) { return impulse(s, true); }},
+    {"impulse from", {"N s", 2}, Whose::body, [](const Subject& s) { return impulse(s, false); }},
+    {"distance to",
+     {"m", 3},
+     Whose::body,
      [](const Subject& s) { return distance(position(s.pose()), position(s.otherPose())); }},
-    {"bearing of", "\u00b0", 1, Whose::body,
+    {"bearing of",
+     {degreeSign, 1},
+     Whose::body,
      [](const Subject& s) {
          const Point way = Placement(s.pose()).placeBack(position(s.otherPose()));
          return degrees(std::atan2(way.y, way.x));
      }},
-    {"sees x of", "m", 3, Whose::robot, [](const Subject& s) { return seenAt(s) ? seenAt(s)->x : unknown; }},
-    {"sees y of", "m", 3, Whose::robot, [](const Subject& s) { return seenAt(s) ? seenAt(s)->y : unknown; }},
-    {"error in seeing", "m", 3, Whose::robot,
+    {"sees x of", {"m", 3}, Whose::robot, [](const Subject& s) { return seenAt(s) ? seenAt(s)->x : unknown; }},
+    {"sees y of", {"m", 3}, Whose::robot, [](const Subject& s) { return seenAt(s) ? seenAt(s)->y : unknown; }},
+    {"error in seeing",
+     {"m", 3},
+     Whose::robot,
      [](const Subject& s) { return seenAt(s) ? distance(*seenAt(s), position(s.otherPose())) : unknown; }},
-    {"age of sight of", "s", 3, Whose::robot,
+    {"age of sight of",
+     {"s", 3},
+     Whose::robot,
      [](const Subject& s) { return seen(s) != nullptr ? toSeconds(s.at.now() - seen(s)->measured) : unknown; }},
-    {"measured x", "m", 3, Whose::robot, [](const Subject& s) { return or0(measuredSelf(s), &Pose::x); }},
-    {"measured y", "m", 3, Whose::robot, [](const Subject& s) { return or0(measuredSelf(s), &Pose::y); }},
-    {"measured heading", "\u00b0", 1, Whose::robot,
+    {"measured x", {"m", 3}, Whose::robot, [](const Subject& s) { return or0(measuredSelf(s), &Pose::x); }},
+    {"measured y", {"m", 3}, Whose::robot, [](const Subject& s) { return or0(measuredSelf(s), &Pose::y); }},
+    {"measured heading",
+     {degreeSign, 1},
+     Whose::robot,
      [](const Subject& s) { return degrees(or0(measuredSelf(s), &Pose::heading)); }},
-    {"error of own place", "m", 3, Whose::robot,
+    {"error of own place",
+     {"m", 3},
+     Whose::robot,
      [](const Subject& s) {
          return measuredSelf(s) ? distance(position(*measuredSelf(s)), position(s.pose())) : unknown;
      }},
-    {"error of own heading", "\u00b0", 1, Whose::robot,
+    {"error of own heading",
+     {degreeSign, 1},
+     Whose::robot,
      [](const Subject& s) { return degrees(or0(measuredSelf(s), &Pose::heading) - s.pose().heading); }},
-    {"age of own pose", "s", 3, Whose::robot,
+    {"age of own pose",
+     {"s", 3},
+     Whose::robot,
      [](const Subject& s) { return measuredSelf(s) ? toSeconds(s.at.now() - observation(s)->selfMeasured) : unknown; }},
-    {"odometry forward", "m/s", 3, Whose::robot,
+    {"odometry forward",
+     {"m/s", 3},
+     Whose::robot,
      [](const Subject& s) { return observation(s) != nullptr ? observation(s)->velocity.v : unknown; }},
-    {"odometry turning", "rad/s", 3, Whose::robot,
+    {"odometry turning",
+     {"rad/s", 3},
+     Whose::robot,
      [](const Subject& s) { return observation(s) != nullptr ? observation(s)->velocity.w : unknown; }},
-    {"note", "", 3, Whose::robot,
+    {"note",
+     {"", 3},
+     Whose::robot,
      [](const Subject& s) {
          const Annotation* const found = note(s);
          return found != nullptr && found->kind == Annotation::Kind::value ? found->value : unknown;
      }},
-    {"x of note", "m", 3, Whose::robot, [](const Subject& s) { return notedPoint(s, &Point::x); }},
-    {"y of note", "m", 3, Whose::robot, [](const Subject& s) { return notedPoint(s, &Point::y); }},
-    {"remembers", "", 3, Whose::robot, remembered},
+    {"x of note", {"m", 3}, Whose::robot, [](const Subject& s) { return notedPoint(s, &Point::x); }},
+    {"y of note", {"m", 3}, Whose::robot, [](const Subject& s) { return notedPoint(s, &Point::y); }},
+    {"remembers", {"", 3}, Whose::robot, remembered},
 };
 
 const Quantity* quantityNamed(const std::string& name) {
@@ -233,30 +268,53 @@ std::uint32_t bodyNamed(const Scene& scene, const std::string& name) {
     return noBody;
 }
 
-std::optional<PlottedValue> plottedValue(const Scene& scene, const ValueKey& key) {
-    const Quantity* const quantity = quantityNamed(key.quantity);
-    if (quantity == nullptr || !fits(quantity->whose, scene, key.body)) return std::nullopt;
+namespace {
+
+Expected<PlottedValue> expressionValue(const Scenario& scenario, const ValueKey& key) {
+    auto compiled = compileWorldValue(key.of, scenario);
+    if (!compiled) return tl::unexpected(compiled.error());
     PlottedValue value;
-    const bool robot = key.body < scene.robots.size();
-    value.body = QString::fromStdString(robot ? scene.robots[key.body].name
-                                              : scene.objects[key.body - scene.robots.size()].name);
-    value.name = value.body + "  " + QObject::tr(quantity->name);
-    if (!key.of.empty()) value.name += ' ' + QString::fromStdString(key.of);
-    value.unit = key.unit.empty() ? QString::fromUtf8(quantity->unit)
-                                  : key.unit == "rad" ? QString::fromUtf8("\u00b0") : QString::fromStdString(key.unit);
-    value.decimals = quantity->decimals;
-    value.angle = value.unit == QString::fromUtf8("\u00b0");
-    if (robot) value.colourOf = key.body;
-    value.read = [key, read = quantity->read, other = bodyNamed(scene, key.of)](const Moment& at) {
-        return read({at, key.body, other, key});
+    value.name = QString::fromStdString(key.of);
+    value.unit = QString::fromStdString(key.unit);
+    value.read = [expression = std::make_shared<WorldValue>(std::move(*compiled))](const Moment& at) {
+        return expression->value(at.scenario, at.state, at.trace).value_or(unknown);
     };
     return value;
 }
 
-double readValue(const Moment& moment, const ValueKey& key) {
+}  // namespace
+
+Expected<PlottedValue> plottedValue(const Scenario& scenario, const ValueKey& key) {
+    if (key.quantity == expressionQuantity) return expressionValue(scenario, key);
+    const Scene& scene = scenario.scene();
     const Quantity* const quantity = quantityNamed(key.quantity);
-    if (quantity == nullptr || !fits(quantity->whose, moment.scene(), key.body)) return unknown;
-    return quantity->read({moment, key.body, bodyNamed(moment.scene(), key.of), key});
+    const std::uint32_t body = bodyNamed(scene, key.body);
+    if (quantity == nullptr || !fits(quantity->whose, scene, body))
+        return fail({}, "there is no " + key.quantity + " of " + key.body);
+    PlottedValue value;
+    value.name = QString::fromStdString(key.body) + "  " + QObject::tr(quantity->name);
+    if (!key.of.empty()) value.name += ' ' + QString::fromStdString(key.of);
+    const char* const unit = key.unit.empty() ? quantity->text.unit : key.unit.c_str();
+    value.angle = unit == std::string_view("rad") || unit == std::string_view(degreeSign);
+    value.unit = QString::fromUtf8(value.angle ? degreeSign : unit);
+    value.decimals = quantity->text.decimals;
+    if (body < scene.robots.size()) value.colourOf = body;
+    value.read = [key, body, read = quantity->read, other = bodyNamed(scene, key.of)](const Moment& at) {
+        return read({at, body, other, key});
+    };
+    return value;
+}
+
+double readValue(const Moment& moment, const ValueKey& key, std::uint32_t body) {
+    const Quantity* const quantity = quantityNamed(key.quantity);
+    if (quantity == nullptr || !fits(quantity->whose, moment.scene(), body)) return unknown;
+    const std::uint32_t other = key.of.empty() ? noBody : bodyNamed(moment.scene(), key.of);
+    return quantity->read({moment, body, other, key});
+}
+
+const QuantityText* quantityText(const std::string& quantity) {
+    const Quantity* const found = quantityNamed(quantity);
+    return found == nullptr ? nullptr : &found->text;
 }
 
 QString fixedText(double value, int decimals) {

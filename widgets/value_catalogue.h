@@ -1,15 +1,14 @@
 #pragma once
 
+#include <QString>
 #include <compare>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
-#include <QString>
-
+#include "io/error.h"
 #include "widgets/field_frame.h"
 
 namespace mrose {
@@ -30,29 +29,39 @@ Moment momentOf(const FieldFrame& frame);
 
 /// Which number is meant, in words that mean the same tomorrow.
 struct ValueKey {
-    std::string quantity;    ///< one of the catalogue
-    std::uint32_t body = 0;  ///< whose
-    std::string of = {};     ///< another body, a manipulator, a note's label ..., where the quantity asks for one
-    std::string unit = {};   ///< where the quantity does not say it
+    std::string quantity;   ///< one of the catalogue, or expressionQuantity
+    std::string body = {};  ///< the name of whose it is; of an expression empty
+    std::string of = {};    ///< another body, a manipulator, a note's label ..., where the quantity asks for one
+    std::string unit = {};  ///< where the quantity does not say it
     auto operator<=>(const ValueKey&) const = default;
 };
 
 /// A number that changes with time. read() gives no number (NaN) where nothing is known.
 struct PlottedValue {
-    QString name;   ///< "red 1  speed"
-    QString unit;   ///< "m/s"; empty: it has none
-    QString body;   ///< whose; empty: nobody's
+    QString name;  ///< "red 1  speed"
+    QString unit;  ///< "m/s"; empty: it has none
     int decimals = 3;
-    bool angle = false;  ///< degrees that go round from 180 to -180
+    bool angle = false;                     ///< degrees that go round from 180 to -180
     std::optional<std::uint32_t> colourOf;  ///< the robot whose colour it has
     std::function<double(const Moment&)> read;
 };
 
-/// Nothing: there is no such quantity or body.
-std::optional<PlottedValue> plottedValue(const Scene& scene, const ValueKey& key);
+/// The quantity whose `of` is a Lua expression over the world (core/condition/README.md).
+inline constexpr const char* expressionQuantity = "expression";
 
-/// Its number at a moment; NaN where it is unknown.
-double readValue(const Moment& moment, const ValueKey& key);
+/// Error: there is no such quantity or body; what is wrong with the expression. read() is for one thread at a time, and
+/// for scenarios with the same bodies.
+Expected<PlottedValue> plottedValue(const Scenario& scenario, const ValueKey& key);
+
+/// The number of a quantity of the catalogue at a moment; NaN where it is unknown. `body` is the one that the key
+/// names.
+double readValue(const Moment& moment, const ValueKey& key, std::uint32_t body);
+/// Its unit and digits; nullptr: there is no such quantity.
+struct QuantityText {
+    const char* unit;
+    int decimals;
+};
+const QuantityText* quantityText(const std::string& quantity);
 
 /// A number as the window writes it, with a fixed number of digits and never "-0.00"; a dash where it is unknown.
 QString fixedText(double value, int decimals);

@@ -99,7 +99,7 @@ void addBranchActions(MainWindow& window) {
     actions.addSeparator(menu);
     actions.add(
         menu,
-        {"rename_branch", QObject::tr("Rena&me\u2026"), QKeySequence("F2"),
+        {"rename_branch", QObject::tr("Ren&ame\u2026"), QKeySequence("F2"),
          QObject::tr("Another name for the branch that is shown")},
         Actions::Asking{[&] { return window.askText(QObject::tr("Rename"), QObject::tr("Name of the branch:")); },
                         [&](const QString& text) -> Expected<void> {

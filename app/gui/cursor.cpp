@@ -7,12 +7,14 @@ namespace mrose::gui {
 Cursor::Cursor(std::uint32_t branch, ReachedState at) : branch_(branch), at_(std::move(at)) { forgetNotes(); }
 
 Expected<void> Cursor::advance(const Scenario& scenario, Playback& playback, const Timeline& timeline) {
+    memoryBefore_ = at_.state.memory;
     if (auto advanced = playback.advance(timeline, at_, trace_); !advanced) return advanced;
     note(scenario);
     return {};
 }
 
 const StepTrace& Cursor::step(const Scenario& scenario, StepBuffers& buffers, const Overrides& overrides) {
+    memoryBefore_ = at_.state.memory;
     mrose::step(scenario, at_.state, buffers, overrides, &trace_);
     at_.worldSame = at_.mindsSame = true;
     note(scenario);
@@ -34,7 +36,9 @@ void Cursor::note(const Scenario& scenario) {
     for (std::uint32_t robot = 0; robot < trace_.robots.size(); ++robot) {
         const StepTrace::Robot& told = trace_.robots[robot];
         if (!told.decided) continue;
-        insights_[robot] = {tick() - 1, told.observed, told.observation, told.decision, told.predicted};
+        const auto before = scenario.memoryOf(memoryBefore_, robot);
+        insights_[robot] = {tick() - 1,    told.observed,  told.observation,
+                            told.decision, told.predicted, {before.begin(), before.end()}};
         if (!told.decision.breakReason.empty())
             breakReason_ = scenario.scene().robots[robot].name + ": " + told.decision.breakReason;
     }
@@ -61,6 +65,11 @@ FieldFrame Cursor::frame(std::shared_ptr<const Scenario> scenario) const {
     }
     for (const SeenKick& seen : kicks_) frame.kicks.push_back(seen.kick);
     return frame;
+}
+
+Moment Cursor::moment(const Scenario& scenario) const {
+    if (!hasTrace_) return {scenario, at_.state, {}, {}, insights_};
+    return {scenario, at_.state, trace_.robots, trace_.contacts, insights_, &trace_};
 }
 
 }  // namespace mrose::gui

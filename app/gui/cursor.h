@@ -6,6 +6,7 @@
 
 #include "recording/playback.h"
 #include "widgets/field_frame.h"
+#include "widgets/value_catalogue.h"
 
 namespace mrose::gui {
 
@@ -32,6 +33,8 @@ public:
 
     /// State, insights, contacts and kicks; nothing of other ticks.
     FieldFrame frame(std::shared_ptr<const Scenario> scenario) const;
+    /// The same for who reads numbers; valid until the next tick.
+    Moment moment(const Scenario& scenario) const;
 
 private:
     void note(const Scenario& scenario);
@@ -40,6 +43,7 @@ private:
     std::uint32_t branch_;
     ReachedState at_;
     StepTrace trace_;
+    std::vector<std::byte> memoryBefore_;  ///< of all controllers, before the last tick
     bool hasTrace_ = false;
     std::vector<RobotInsight> insights_;
     struct SeenKick {

@@ -92,7 +92,7 @@ void addFileActions(MainWindow& window) {
                                 [&](const QString& path) { return window.files().savePicture(path); }});
     actions.addSeparator(menu);
     actions.add(menu,
-                {"cancel", QObject::tr("&Cancel or dismiss"), QKeySequence(Qt::Key_Escape),
+                {"cancel", QObject::tr("C&ancel or dismiss"), QKeySequence(Qt::Key_Escape),
                  QObject::tr("End what takes long; otherwise dismiss the newest message")},
                 [&](bool) { window.progress().cancel(); });
     actions.add(menu, {"quit", QObject::tr("&Quit"), QKeySequence("Ctrl+Q"), QObject::tr("End the program")},

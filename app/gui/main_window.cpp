@@ -25,6 +25,7 @@
 #include "branch_panel.h"
 #include "command_panel.h"
 #include "fault_messages.h"
+#include "plot_panel.h"
 #include "side_view.h"
 #include "view_export.h"
 #include "widgets/field_view.h"
@@ -56,6 +57,7 @@ MainWindow::MainWindow(QWidget* parent)
       view_(new SideView),
       timeline_(new TimelineBar),
       inspector_(new Inspector),
+      plots_(new PlotPanel(*session_)),
       branches_(new BranchPanel),
       command_(new CommandPanel),
       speed_(new QComboBox),
@@ -91,6 +93,7 @@ MainWindow::MainWindow(QWidget* parent)
     addBranchActions(*this);
     addViewActions(*this);
     addLayerActions(*this);
+    addPlotActions(*this);
     actions_.addSeparator(tr("&View"));
     int number = 0;
     for (QDockWidget* dock : findChildren<QDockWidget*>())
@@ -121,6 +124,11 @@ MainWindow::MainWindow(QWidget* parent)
     setTheme(Theme::light());
     memory_->keepAsNew();
 }
+
+/// The plots' thread looks at the session, and ends before it.
+MainWindow::~MainWindow() { delete plots_; }
+
+void MainWindow::showPlots() { findChild<QDockWidget*>("plots")->show(); }
 
 void MainWindow::changeSpeed(int by) {
     speed_->setCurrentIndex(std::clamp(speed_->currentIndex() + by, 0, speed_->count() - 1));
@@ -174,6 +182,7 @@ void MainWindow::makeDocks() {
     dock("branches", tr("Branches"), branches_, Qt::LeftDockWidgetArea);
     dock("command", tr("Change a command"), command_, Qt::LeftDockWidgetArea);
     dock("inspector", tr("Inspector"), inspector_, Qt::RightDockWidgetArea);
+    dock("plots", tr("Plots"), plots_, Qt::BottomDockWidgetArea)->hide();
     resizeDocks({findChild<QDockWidget*>("branches"), findChild<QDockWidget*>("inspector")}, {250, 330},
                 Qt::Horizontal);
 }
@@ -222,6 +231,7 @@ void MainWindow::setTheme(const Theme& theme) {
     timeline_->setTheme(theme_);
     messages_->setTheme(theme_);
     inspector_->setTheme(theme_);
+    plots_->setTheme(theme_);
     const std::initializer_list<std::pair<const char*, Icon>> icons{{"tick_forward", Icon::tickForward},
                                                                     {"tick_back", Icon::tickBack},
                                                                     {"period_forward", Icon::periodForward},
@@ -248,6 +258,7 @@ void MainWindow::update(std::shared_ptr<const Shown> what) {
     shown_ = std::move(what);
     view_->setShown(*shown_);
     inspector_->setFrame(shown_->frame);
+    plots_->setShown(shown_);
     TimelineBar::Content content;
     content.first = shown_->first;
     content.last = shown_->last;

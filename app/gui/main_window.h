@@ -24,6 +24,7 @@ namespace mrose::gui {
 
 class BranchPanel;
 class CommandPanel;
+class PlotPanel;
 class SideView;
 class WindowFiles;
 class WindowMemory;
@@ -35,6 +36,7 @@ class MainWindow final : public QMainWindow {
 
 public:
     explicit MainWindow(QWidget* parent = nullptr);
+    ~MainWindow() override;
 
     /// Opens a scenario, a recording or one that ships, by its name. Errors are shown, too.
     Expected<void> open(const QString& name);
@@ -43,6 +45,9 @@ public:
     TimelineBar& timeline() const { return *timeline_; }
     FieldView& field() const;
     FieldView& besideField() const;
+    Inspector& inspector() const { return *inspector_; }
+    PlotPanel& plots() const { return *plots_; }
+    void showPlots();  ///< their dock, where it is hidden
     CommandPanel& commandPanel() const { return *command_; }
     BranchPanel& branchPanel() const { return *branches_; }
     void setSideBySide(bool on);
@@ -83,6 +88,7 @@ private:
     SideView* view_;
     TimelineBar* timeline_;
     Inspector* inspector_;
+    PlotPanel* plots_;
     BranchPanel* branches_;
     CommandPanel* command_;
     QComboBox* speed_;

@@ -38,6 +38,7 @@ void Session::open(const OpenRun& run) {
     request([this, run] {
         if (recorder_) endRecording(recorder_->finish(*run_));
         run_.emplace(run);
+        ++runs_;
         learning_ = true;
         marks_.reset();
         message_.clear();
@@ -223,6 +224,27 @@ void Session::setFrameOptions(const TimeTravel::FrameOptions& options) {
     request([this, options] { frameOptions_ = options; });
 }
 
+void Session::look(Look what) {
+    {
+        const std::lock_guard lock(mutex_);
+        if (!quit_) {
+            looks_.push_back(std::move(what));
+            wake_.notify_all();
+            return;
+        }
+    }
+    what(nullptr, 0);
+}
+
+void Session::serveLooks() {
+    std::deque<Look> looks;
+    {
+        const std::lock_guard lock(mutex_);
+        looks.swap(looks_);
+    }
+    for (const Look& look : looks) look(run_ && !quit_ ? &*run_ : nullptr, runs_);
+}
+
 bool Session::busy() {
     const std::lock_guard lock(mutex_);
     return busy_ || seekTo_ || !requests_.empty();
@@ -242,11 +264,20 @@ void Session::work() {
         if (requests_.empty() && !seekTo_) {
             busy_ = false;
             settled_.notify_all();
+            const auto called = [this] {
+                return quit_ || !requests_.empty() || seekTo_.has_value() || !looks_.empty();
+            };
             if (playing_ || learning_ || recording_)
-                wake_.wait_until(lock, nextFrame);
+                wake_.wait_until(lock, nextFrame, called);
             else
-                wake_.wait(lock, [this] { return quit_ || !requests_.empty() || seekTo_.has_value(); });
+                wake_.wait(lock, called);
             if (quit_) break;
+        }
+        if (!looks_.empty()) {
+            lock.unlock();
+            serveLooks();
+            lock.lock();
+            if (requests_.empty() && !seekTo_ && Clock::now() < nextFrame) continue;
         }
         busy_ = true;
         std::deque<Request> requests = std::exchange(requests_, {});
@@ -263,6 +294,7 @@ void Session::work() {
         lock.lock();
     }
     lock.unlock();
+    serveLooks();
     if (recorder_) endRecording(recorder_->finish(*run_));
 }
 
@@ -281,6 +313,7 @@ void Session::goTo(std::int64_t tick) {
         if (run_->tick() % 16 != 0) continue;
         if (superseded()) break;
         if (Clock::now() - shownAt < framePeriod) continue;
+        serveLooks();
         goal_ = tick;
         publish();
         shownAt = Clock::now();
@@ -398,6 +431,7 @@ void Session::publish() {
         what->besideBranch = run_->beside();
     }
     what->course = run_->record(run_->branch()).coursePointer();
+    what->run = runs_;
     what->hash = hashOf(run_->state());
     what->branch = run_->branch();
     what->first = run_->first();

@@ -39,6 +39,7 @@ struct Shown {
     std::shared_ptr<const FieldFrame> beside;  ///< another branch at the same tick; may be nothing
     std::optional<std::uint32_t> besideBranch;
     CoursePointer course;
+    std::uint64_t run = 0;  ///< how many runs were opened before, and this one
     StateHash hash;
     std::uint32_t branch = 0;
     std::int64_t first = 0, last = 0;
@@ -93,6 +94,11 @@ public:
     /// Ends what takes long: a job, or the way to a tick.
     void cancel();
 
+    /// Lets another thread look at the run between two ticks, in the session's thread and for at most some
+    /// milliseconds, however busy it is. `run` counts openings. Nothing is given where there is no run, or the session
+    /// ends.
+    using Look = std::function<void(TimeTravel* travel, std::uint64_t run)>;
+    void look(Look what);
     /// Whether something is under way that was asked for, or a tick.
     bool busy();
 
@@ -115,6 +121,7 @@ private:
     void endRecording(const Expected<void>& done);
     void goTo(std::int64_t tick);
     bool superseded();
+    void serveLooks();
     std::vector<BranchInfo> branchInfos() const;
     std::vector<BranchRecord::FirstFault> faults() const;
     void anchor();
@@ -124,7 +131,8 @@ private:
 
     // The worker's own.
     std::optional<TimeTravel> run_;
-    bool learning_ = false;  ///< there are ticks of a file that nobody has looked at
+    std::uint64_t runs_ = 0;  ///< opened so far
+    bool learning_ = false;   ///< there are ticks of a file that nobody has looked at
     std::optional<RunRecorder> recorder_;
     bool recording_ = false;  ///< there are ticks that it has not yet written
     std::chrono::steady_clock::time_point nextFlush_;
@@ -146,6 +154,7 @@ private:
     std::mutex mutex_;
     std::condition_variable wake_, settled_;
     std::deque<Request> requests_;
+    std::deque<Look> looks_;
     std::optional<std::int64_t> seekTo_;
     std::atomic<bool> quit_ = false;
     bool busy_ = false;

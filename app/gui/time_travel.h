@@ -57,6 +57,9 @@ public:
     /// To a tick of another branch.
     Expected<void> show(std::uint32_t branch, std::int64_t tick);
 
+    /// The same without going there.
+    Expected<Cursor> cursorAt(std::uint32_t branch, std::int64_t tick);
+
     /// A branch that begins with what an edit makes of a state; shown from now on. Error: its tick cannot be reached,
     /// or the state does not fit; then nothing has changed.
     Expected<void> branchOff(const Edit& edit);
@@ -99,7 +102,6 @@ private:
     const std::shared_ptr<const Scenario>& scenarioOf(std::uint32_t branch) const {
         return records_[branch].course().scenario;
     }
-    Expected<Cursor> cursorAt(std::uint32_t branch, std::int64_t tick);
     Expected<void> walk(Cursor& cursor, std::uint32_t branch, std::int64_t from, std::int64_t to);
     void followWithParent();
     void followBeside();

@@ -112,7 +112,7 @@ void addViewActions(MainWindow& window) {
     addNudgeActions(window, QObject::tr("&Edit"));
     actions.addSeparator(menu);
     actions.add(menu,
-                {"reset_layout", QObject::tr("&Reset layout"), QKeySequence(),
+                {"reset_layout", QObject::tr("Reset la&yout"), QKeySequence("Ctrl+Shift+L"),
                  QObject::tr("Panels, tool bars and size as in a new window")},
                 [&](bool) { window.memory().resetLayout(); });
     actions.add(menu,

@@ -11,6 +11,7 @@ void addTimeActions(MainWindow& window);
 void addBranchActions(MainWindow& window);
 void addViewActions(MainWindow& window);
 void addLayerActions(MainWindow& window);
+void addPlotActions(MainWindow& window);
 void addHelpActions(MainWindow& window);
 
 /// At a start without arguments: what to try first, unless somebody has closed it before.

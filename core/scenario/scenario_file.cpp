@@ -6,7 +6,9 @@
 #include "scenario/controller_file.h"
 #include "scenario/description_reader.h"
 #include "scenario/environment_file.h"
+#include "scenario/misfit.h"
 #include "scenario/robot_file.h"
+#include "scenario/saved_state.h"
 #include "scenario/start_check.h"
 #include "world/plain_seconds.h"
 
@@ -42,6 +44,7 @@ private:
     void ballsFirst();
     double ballRadius() const;
     void checkStarts();
+    void readSavedState();
 
     const File& file_;
     DescriptionLibrary& library_;
@@ -273,6 +276,24 @@ void ScenarioReader::checkStarts() {
                               " mm; expected room between them");
 }
 
+/// What the bodies' starts are then is where the state has them; after a goal the objects still go where the file says.
+void ScenarioReader::readSavedState() {
+    const File* const file = library_.file(root_, "initial_state", file_.name, "resources/scenarios");
+    if (file == nullptr || root_.failed()) return;
+    auto saved = parseSavedState(file->text, file->shown);
+    if (!saved) return root_.adopt(saved.error());
+    if (!loading_.playLogs) return;
+    if (const std::string wrong = unfit(*saved, scene_); !wrong.empty()) return root_.reject("initial_state", wrong);
+    for (const SceneObject& object : scene_.objects) parts_.kickOffPoses.push_back(object.start);
+    for (std::size_t i = 0; i < scene_.robots.size(); ++i) scene_.robots[i].start = saved->state.robots[i].pose;
+    for (std::size_t i = 0; i < scene_.objects.size(); ++i) scene_.objects[i].start = saved->state.objects[i].pose;
+    if (!root_.has("seed")) parts_.seed = saved->state.seed;
+    parts_.saved = std::make_shared<const SavedState>(std::move(*saved));
+    const Scenario scenario(parts_);
+    if (const std::string wrong = misfit(scenario, scenario.initialState()); !wrong.empty())
+        root_.reject("initial_state", "does not fit the scenario: it has " + wrong);
+}
+
 Expected<ScenarioParts> ScenarioReader::read() {
     readRun();
     readEnvironment();
@@ -282,8 +303,10 @@ Expected<ScenarioParts> ScenarioReader::read() {
     for (const auto& [key, person] : {std::pair("robot", false), std::pair("person", true)})
         for (TomlTable& table : root_.tablesOrNone(key))
             if (!root_.failed()) readRobot(table, person);
+    const bool goesOn = root_.has("initial_state");
+    if (goesOn && !root_.failed()) readSavedState();
     root_.rejectUnknown();
-    if (!root_.failed()) checkStarts();
+    if (!root_.failed() && !goesOn) checkStarts();
     if (root_.failed()) return tl::unexpected(root_.error());
     return std::move(parts_);
 }

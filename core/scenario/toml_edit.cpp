@@ -1,5 +1,6 @@
 #include "scenario/toml_edit.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <sstream>
 
@@ -35,55 +36,93 @@ std::size_t offsetOf(const std::string& text, const toml::source_position& posit
     return at;
 }
 
-/// A line of its own below another one, with the same kind of end.
-void insertBelow(std::string& text, toml::source_index line, const std::string& content) {
+std::string lineEnd(const std::string& text) {
     const std::size_t first = text.find('\n');
-    const std::string end = first != std::string::npos && first > 0 && text[first - 1] == '\r' ? "\r\n" : "\n";
-    const std::size_t at = lineStart(text, line + 1);
-    const bool unended = at == text.size() && !text.empty() && text.back() != '\n';
-    text.insert(at, (unended ? end : "") + content + end);
+    return first != std::string::npos && first > 0 && text[first - 1] == '\r' ? "\r\n" : "\n";
 }
 
-void insertKey(std::string& text, const toml::table& table, const TomlPlace& place, const std::string& value) {
-    const std::string content = place.key + " = " + value;
-    if (table.is_inline())
-        text.insert(offsetOf(text, table.source().begin) + 1, ' ' + content + ',');
-    else if (const toml::node* const above = table.get(place.after))
-        insertBelow(text, above->source().end.line, content);
-    else
-        insertBelow(text, place.table.empty() ? 0 : table.source().begin.line, content);
+/// One piece of a text to be replaced by another.
+struct Patch {
+    std::size_t begin = 0, end = 0;
+    std::string by;
+};
+
+Patch newKey(const std::string& text, const toml::table& table, const TomlEdit& edit) {
+    const std::string content = edit.place.key + " = " + edit.value;
+    if (table.is_inline()) {
+        const std::size_t at = offsetOf(text, table.source().begin) + 1;
+        return {at, at, ' ' + content + ','};
+    }
+    const toml::node* const above = table.get(edit.place.after);
+    const toml::source_index line = above != nullptr           ? above->source().end.line
+                                    : edit.place.table.empty() ? 0
+                                                               : table.source().begin.line;
+    const std::size_t at = lineStart(text, line + 1);
+    const bool unended = at == text.size() && !text.empty() && text.back() != '\n';
+    return {at, at, (unended ? lineEnd(text) : "") + content + lineEnd(text)};
+}
+
+const toml::table* tableAt(const toml::table& root, const std::string& path) {
+    return path.empty() ? &root : toml::at_path(root, path).as_table();
+}
+
+std::string shownToml(const toml::node& node) {
+    std::ostringstream out;
+    node.visit([&](const auto& shown) { out << shown; });
+    return out.str();
+}
+
+/// The tables that a path such as "robot[].controller" names.
+std::vector<std::string> tablesAt(const toml::table& root, const std::string& path) {
+    const std::size_t each = path.find("[]");
+    if (each == std::string::npos) return {path};
+    const toml::array* const array = toml::at_path(root, path.substr(0, each)).as_array();
+    std::vector<std::string> all;
+    for (std::size_t i = 0; array != nullptr && i < array->size(); ++i)
+        all.push_back(path.substr(0, each + 1) + std::to_string(i) + path.substr(each + 1));
+    return all;
 }
 
 }  // namespace
 
-Expected<std::string> withTomlValue(const std::string& text, const std::string& file, const TomlPlace& place,
-                                    const std::string& value) {
+Expected<std::string> withTomlValues(const std::string& text, const std::string& file,
+                                     std::span<const TomlEdit> edits) {
     const auto root = parsedToml(text, file);
     if (!root) return tl::unexpected(root.error());
-    const toml::table* const table = place.table.empty() ? &*root : toml::at_path(*root, place.table).as_table();
-    if (table == nullptr) return fail(file, "has no " + place.table);
-    std::string edited = text;
-    if (const toml::node* const there = table->get(place.key)) {
-        const std::size_t begin = offsetOf(text, there->source().begin), end = offsetOf(text, there->source().end);
-        edited.replace(begin, end - begin, value);
-    } else {
-        insertKey(edited, *table, place, value);
+    std::vector<Patch> patches;
+    for (const TomlEdit& edit : edits) {
+        const toml::table* const table = tableAt(*root, edit.place.table);
+        if (table == nullptr) return fail(file, "has no " + edit.place.table);
+        if (const toml::node* const there = table->get(edit.place.key))
+            patches.push_back({offsetOf(text, there->source().begin), offsetOf(text, there->source().end), edit.value});
+        else
+            patches.push_back(newKey(text, *table, edit));
     }
-    const auto wanted = parsedToml("value = " + value, file), found = parsedToml(edited, file);
-    const toml::table* const now = !found                ? nullptr
-                                   : place.table.empty() ? &*found
-                                                         : toml::at_path(*found, place.table).as_table();
-    const toml::node* const node = now == nullptr ? nullptr : now->get(place.key);
-    const auto textOf = [](const toml::node& of) {
-        return of.visit([](const auto& shown) {
-            std::ostringstream out;
-            out << shown;
-            return out.str();
-        });
-    };
-    if (!wanted || node == nullptr || textOf(*node) != textOf(*wanted->get("value")))
-        return fail(file, place.key + " cannot be written into its text", 0, place.table);
+    std::stable_sort(patches.begin(), patches.end(), [](const Patch& a, const Patch& b) { return a.begin > b.begin; });
+    std::string edited = text;
+    for (const Patch& patch : patches) edited.replace(patch.begin, patch.end - patch.begin, patch.by);
+    const auto found = parsedToml(edited, file);
+    for (const TomlEdit& edit : edits) {
+        const auto wanted = parsedToml("value = " + edit.value, file);
+        const toml::table* const table = found ? tableAt(*found, edit.place.table) : nullptr;
+        const toml::node* const node = table != nullptr ? table->get(edit.place.key) : nullptr;
+        if (!wanted || node == nullptr || shownToml(*node) != shownToml(*wanted->get("value")))
+            return fail(file, edit.place.key + " cannot be written into its text", 0, edit.place.table);
+    }
     return edited;
+}
+
+Expected<std::vector<TomlString>> tomlStrings(const std::string& text, const std::string& file, std::string_view path) {
+    const auto root = parsedToml(text, file);
+    if (!root) return tl::unexpected(root.error());
+    const std::size_t dot = path.rfind('.');
+    const bool inTable = dot != std::string_view::npos;
+    const std::string key(inTable ? path.substr(dot + 1) : path);
+    std::vector<TomlString> strings;
+    for (const std::string& place : tablesAt(*root, std::string(inTable ? path.substr(0, dot) : "")))
+        if (const toml::table* const table = tableAt(*root, place))
+            if (const auto value = (*table)[key].value<std::string>()) strings.push_back({{place, key}, *value});
+    return strings;
 }
 
 Expected<std::string> tomlTableNamed(const std::string& text, const std::string& file,

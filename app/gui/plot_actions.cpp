@@ -1,0 +1,63 @@
+#include <QDockWidget>
+
+#include "main_window.h"
+#include "plot_panel.h"
+#include "widgets/inspector.h"
+#include "window_actions.h"
+
+namespace mrose::gui {
+
+void addPlotActions(MainWindow& window) {
+    Actions& actions = window.actions();
+    PlotPanel& plots = window.plots();
+    Inspector& inspector = window.inspector();
+    const QString menu = QObject::tr("&Plot");
+    const auto current = [&window, &inspector] {
+        const auto key = inspector.currentValue();
+        if (!key) window.say(QObject::tr("Choose a number in the inspector first"));
+        return key;
+    };
+    actions.add(menu,
+                {"plot_value", QObject::tr("Plot the inspector's &value"), QKeySequence("U"),
+                 QObject::tr("The number chosen in the inspector over time, or no longer")},
+                [&plots, current](bool) {
+                    if (const auto key = current()) plots.toggle(*key);
+                });
+    actions.add(menu,
+                {"plot_value_of_all", QObject::tr("Plot it of all &robots"), QKeySequence("Shift+U"),
+                 QObject::tr("The number chosen in the inspector, of every robot")},
+                [&plots, current](bool) {
+                    if (const auto key = current()) plots.toggleOfAll(*key);
+                });
+    actions.add(menu,
+                {"plot_expression", QObject::tr("Plot an &expression\u2026"), QKeySequence("Ctrl+U"),
+                 QObject::tr("Any number of the world over time, such as distance(robot[2], ball)")},
+                Actions::Asking{[&window, &plots] {
+                                    window.showPlots();
+                                    plots.askForExpression();
+                                    return QString();
+                                },
+                                [&plots](const QString& text) { return plots.addExpression(text); }});
+    actions.addSeparator(menu);
+    actions.add(menu,
+                {"plot_all_time", QObject::tr("Show &all of the time"), QKeySequence("Ctrl+0"),
+                 QObject::tr("The plots from the run's start to where it has come")},
+                [&plots](bool) { plots.view().showAll(); });
+    actions.add(menu,
+                {"stop_plots", QObject::tr("&Stop computing the past"), QKeySequence("Ctrl+Shift+C"),
+                 QObject::tr("Leave out what has not been computed of the plots' past")},
+                [&plots](bool) { plots.cancel(); });
+    actions.add(
+        menu,
+        {"clear_plots", QObject::tr("&Clear"), QKeySequence("Ctrl+Shift+U"), QObject::tr("Plot nothing any more")},
+        [&plots](bool) { plots.clear(); });
+    QObject::connect(&inspector, &Inspector::plotRequested, &plots, &PlotPanel::toggle);
+    QObject::connect(&inspector, &Inspector::plotOfAllRequested, &plots, &PlotPanel::toggleOfAll);
+    QObject::connect(&plots, &PlotPanel::tickRequested, &window.session(), &Session::seek);
+    QObject::connect(&plots, &PlotPanel::changed, &window, [&window, &plots, &inspector] {
+        inspector.setPlotted(plots.plotted());
+        if (!plots.keys().empty()) window.showPlots();
+    });
+}
+
+}  // namespace mrose::gui

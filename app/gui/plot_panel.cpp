@@ -1,0 +1,412 @@
+#include "plot_panel.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QProgressBar>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mrose::gui {
+namespace {
+
+constexpr int sideWidth = 320;
+constexpr std::int64_t worthABar = 2000;  // ticks to be computed
+constexpr double leastContrast = 45;      // of lightness, of a curve and its background
+
+/// As the robot is known by, but to be seen on the plot's ground.
+QColor visible(QColor colour, const Theme& theme) {
+    const int ground = theme.dark ? 30 : 255;
+    for (int i = 0; i < 8 && std::abs(qGray(colour.rgb()) - ground) < leastContrast; ++i)
+        colour = theme.dark ? colour.lighter(115) : colour.darker(115);
+    return colour;
+}
+
+/// The second and third curve of one robot on one axis.
+QColor variant(const QColor& colour, int which, const Theme& theme) {
+    if (which == 0) return colour;
+    return theme.dark ? colour.lighter(100 + 30 * which) : colour.darker(100 + 45 * which);
+}
+
+}  // namespace
+
+/// Ticks of a branch that are those of a course: it, and before it what it came from.
+struct PlotPanel::Piece {
+    std::uint32_t branch = 0;
+    std::int64_t from = 0, to = 0;
+};
+
+PlotPanel::PlotPanel(Session& session, QWidget* parent)
+    : QWidget(parent),
+      series_(std::make_unique<ValueSeries>(session)),
+      view_(new PlotView),
+      hint_(new QLabel(tr("Nothing is plotted. Click the small curve beside a number in the inspector, or write an "
+                          "expression at the right."))),
+      list_(new QTreeWidget),
+      expression_(new QLineEdit),
+      error_(new QLabel),
+      progress_(new QWidget),
+      bar_(new QProgressBar) {
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(hint_, 1);
+    layout->addWidget(view_, 1);
+    layout->addWidget(makeSide());
+    hint_->setAlignment(Qt::AlignCenter);
+    hint_->setWordWrap(true);
+    connect(view_, &PlotView::tickRequested, this, &PlotPanel::tickRequested);
+    connect(view_, &PlotView::hovered, this, [this](std::optional<std::int64_t> tick) {
+        hovered_ = tick;
+        updateNumbers();
+    });
+    connect(series_.get(), &ValueSeries::grown, this, [this] {
+        view_->refresh();
+        updateNumbers();
+        updateProgress();
+    });
+    rebuild();
+}
+
+PlotPanel::~PlotPanel() = default;
+
+QWidget* PlotPanel::makeSide() {
+    auto* side = new QWidget;
+    side->setFixedWidth(sideWidth);
+    QFont small = font();
+    small.setPointSizeF(std::min(9.5, small.pointSizeF()));
+    side->setFont(small);
+    auto* layout = new QVBoxLayout(side);
+    layout->setContentsMargins(4, 2, 6, 4);
+    layout->setSpacing(3);
+    list_->setColumnCount(3);
+    list_->setHeaderHidden(true);
+    list_->setRootIsDecorated(false);
+    list_->setUniformRowHeights(true);
+    list_->setFrameShape(QFrame::NoFrame);
+    list_->setFont(small);
+    list_->setAccessibleName(tr("Curves"));
+    list_->header()->setStretchLastSection(false);
+    list_->header()->setMinimumSectionSize(20);
+    list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    list_->header()->setSectionResizeMode(1, QHeaderView::Fixed);
+    list_->header()->setSectionResizeMode(2, QHeaderView::Fixed);
+    list_->header()->resizeSection(1, 66);
+    list_->header()->resizeSection(2, 44);
+    list_->setContextMenuPolicy(Qt::CustomContextMenu);
+    list_->installEventFilter(this);
+    connect(list_, &QTreeWidget::customContextMenuRequested, this, [this](const QPoint& place) {
+        const int row = list_->indexOfTopLevelItem(list_->itemAt(place));
+        QMenu menu(this);
+        if (row >= 0)
+            menu.addAction(tr("&Remove"), this, [this, row] { remove(keys_[static_cast<std::size_t>(row)]); });
+        menu.addAction(tr("Remove &all"), this, &PlotPanel::clear);
+        menu.exec(list_->viewport()->mapToGlobal(place));
+    });
+    layout->addWidget(list_, 1);
+    auto* bar = new QHBoxLayout(progress_);
+    bar->setContentsMargins(0, 0, 0, 0);
+    bar_->setTextVisible(true);
+    bar_->setFormat(tr("the past: %p %"));
+    bar_->setFixedHeight(16);
+    auto* stop = new QToolButton;
+    stop->setText(tr("Stop"));
+    stop->setToolTip(tr("Leave out what has not been computed of the past"));
+    connect(stop, &QToolButton::clicked, this, &PlotPanel::cancel);
+    bar->addWidget(bar_, 1);
+    bar->addWidget(stop);
+    progress_->hide();
+    layout->addWidget(progress_);
+    error_->setWordWrap(false);
+    error_->hide();
+    layout->addWidget(error_);
+    expression_->setFont(small);
+    expression_->setPlaceholderText(tr("Expression: distance(robot[2], ball)"));
+    expression_->setToolTip(
+        tr("A number of the world to plot, such as robot[2].speed, robot[\"red 1\"].x or "
+           "distance(robot[2], ball); Enter plots it"));
+    expression_->setAccessibleName(tr("Expression to plot"));
+    connect(expression_, &QLineEdit::returnPressed, this, [this] {
+        if (addExpression(expression_->text())) expression_->clear();
+    });
+    connect(expression_, &QLineEdit::textEdited, error_, &QLabel::hide);
+    layout->addWidget(expression_);
+    return side;
+}
+
+void PlotPanel::setTheme(const Theme& theme) {
+    theme_ = theme;
+    QPalette palette = error_->palette();
+    palette.setColor(QPalette::WindowText, theme.warning);
+    error_->setPalette(palette);
+    palette.setColor(QPalette::WindowText, theme.quietText);
+    hint_->setPalette(palette);
+    view_->setTheme(theme);
+    rebuild();
+    emit changed();
+}
+
+void PlotPanel::askForExpression() {
+    expression_->setFocus(Qt::ShortcutFocusReason);
+    expression_->selectAll();
+}
+
+Expected<void> PlotPanel::add(const ValueKey& key) {
+    if (!shown_) return fail({}, "nothing is open");
+    if (auto value = plottedValue(*shown_->frame->scenario, key); !value) return tl::unexpected(value.error());
+    if (std::find(keys_.begin(), keys_.end(), key) != keys_.end()) return {};
+    keys_.push_back(key);
+    rebuild();
+    emit changed();
+    return {};
+}
+
+Expected<void> PlotPanel::addExpression(const QString& text) {
+    const Expected<void> added = add({expressionQuantity, {}, text.trimmed().toStdString()});
+    error_->setVisible(!added);
+    if (added) return added;
+    const QString message = QString::fromStdString(added.error().message());
+    error_->setText(error_->fontMetrics().elidedText(message, Qt::ElideRight, sideWidth - 14));
+    error_->setToolTip(message);
+    return added;
+}
+
+void PlotPanel::toggle(const ValueKey& key) {
+    if (std::find(keys_.begin(), keys_.end(), key) != keys_.end())
+        remove(key);
+    else
+        add(key);
+}
+
+void PlotPanel::toggleOfAll(const ValueKey& key) {
+    if (!shown_) return;
+    std::vector<ValueKey> all;
+    for (const SceneRobot& robot : shown_->frame->scene().robots)
+        if (robot.name != key.of) all.push_back({key.quantity, robot.name, key.of, key.unit});
+    const auto isPlotted = [&](const ValueKey& one) {
+        return std::find(keys_.begin(), keys_.end(), one) != keys_.end();
+    };
+    if (std::all_of(all.begin(), all.end(), isPlotted)) {
+        std::erase_if(keys_, [&](const ValueKey& one) { return std::find(all.begin(), all.end(), one) != all.end(); });
+    } else {
+        std::erase_if(all, isPlotted);
+        keys_.insert(keys_.end(), all.begin(), all.end());
+    }
+    rebuild();
+    emit changed();
+}
+
+void PlotPanel::remove(const ValueKey& key) {
+    std::erase(keys_, key);
+    rebuild();
+    emit changed();
+}
+
+void PlotPanel::clear() {
+    keys_.clear();
+    rebuild();
+    emit changed();
+}
+
+std::map<ValueKey, QColor> PlotPanel::plotted() const {
+    std::map<ValueKey, QColor> plotted;
+    for (std::size_t i = 0; i < keys_.size(); ++i) plotted.emplace(keys_[i], colours_[i]);
+    return plotted;
+}
+
+std::optional<std::uint32_t> PlotPanel::ghostBranch() const {
+    if (shown_->besideBranch) return shown_->besideBranch;
+    const std::uint32_t parent = shown_->branches[shown_->branch].parent;
+    return parent == shown_->branch ? std::nullopt : std::optional(parent);
+}
+
+void PlotPanel::setShown(std::shared_ptr<const Shown> shown) {
+    const auto courses = [this] { return std::pair(shown_->branch, ghostBranch()); };
+    const bool same = shown_ && shown_->run == shown->run && shown_->branches.size() == shown->branches.size();
+    const auto before = same ? std::optional(courses()) : std::nullopt;
+    const bool sameRun = shown_ && shown_->run == shown->run;
+    shown_ = std::move(shown);
+    if (!sameRun) {
+        dropUnknown();
+        view_->showAll();
+    }
+    if (!before || *before != courses())
+        rebuild();
+    else
+        follow();
+    updateNumbers();
+}
+
+/// Another run may have other bodies.
+void PlotPanel::dropUnknown() {
+    const auto unknown = [&](const ValueKey& key) { return !plottedValue(*shown_->frame->scenario, key); };
+    if (std::erase_if(keys_, unknown) > 0) emit changed();
+}
+
+std::vector<PlotPanel::Piece> PlotPanel::courseOf(std::uint32_t branch) const {
+    std::vector<Piece> course;
+    std::int64_t to = std::numeric_limits<std::int64_t>::max();
+    for (std::uint32_t at = branch;; at = shown_->branches[at].parent) {
+        const BranchInfo& info = shown_->branches[at];
+        const bool root = info.parent == at;
+        course.insert(course.begin(), Piece{at, root ? info.first : info.departed, to});
+        if (root) return course;
+        to = info.departed - 1;
+    }
+}
+
+/// Tells which ticks are wanted, the shown course's first, and how far time has come.
+void PlotPanel::follow() {
+    std::vector<ValueSeries::Way> ways;
+    std::int64_t first = shown_->first, last = shown_->last;
+    const auto want = [&](const Piece& piece, bool ghost) {
+        const BranchInfo& info = shown_->branches[piece.branch];
+        const std::int64_t end = std::min(piece.to, info.last);
+        const auto known = std::find_if(ways.begin(), ways.end(),
+                                        [&](const ValueSeries::Way& way) { return way.branch == piece.branch; });
+        if (known == ways.end())
+            ways.push_back({piece.branch, info.first, end});
+        else
+            known->last = std::max(known->last, end);
+        first = std::min(first, std::max(piece.from, info.first));
+        if (ghost) last = std::max(last, end);
+    };
+    const std::vector<Piece> course = courseOf(shown_->branch);
+    for (auto piece = course.rbegin(); piece != course.rend(); ++piece) want(*piece, false);
+    if (const auto ghost = ghostBranch())
+        for (const Piece& piece : courseOf(*ghost)) want(piece, true);
+    std::erase_if(ways, [](const ValueSeries::Way& way) { return way.last < way.first; });
+    series_->follow(shown_->run, keys_.empty() ? std::vector<ValueSeries::Way>{} : std::move(ways));
+    view_->setTime({first, last, shown_->tick(), shown_->frame->scene().tickLength});
+    updateProgress();
+}
+
+PlotCurve PlotPanel::curveOf(const ValueKey& key, const PlottedValue& value, const std::vector<Piece>& course) const {
+    PlotCurve curve;
+    curve.id = QString::fromStdString(key.quantity + '\n' + key.body + '\n' + key.of);
+    curve.name = value.name;
+    curve.unit = value.unit;
+    curve.decimals = value.decimals;
+    ValueSeries* series = series_.get();
+    curve.sample = [series, key, course, angle = value.angle](std::int64_t from, std::int64_t to, std::int64_t step,
+                                                              QVector<QPointF>& points) {
+        for (const Piece& piece : course)
+            series->read(piece.branch, key, [&](const TickNumbers& numbers) {
+                sampleCurve(numbers, std::max(from, piece.from), std::min(to, piece.to), step, angle, points);
+            });
+    };
+    curve.at = [series, key, course](std::int64_t tick) {
+        double found = std::numeric_limits<double>::quiet_NaN();
+        for (const Piece& piece : course)
+            if (tick >= piece.from && tick <= piece.to)
+                series->read(piece.branch, key,
+                             [&](const TickNumbers& numbers) { found = static_cast<double>(numbers.at(tick)); });
+        return found;
+    };
+    return curve;
+}
+
+/// A robot's colour; more curves of one robot on one axis differ in lightness.
+std::vector<QColor> PlotPanel::coloursOf(const std::vector<PlottedValue>& values) const {
+    std::vector<QColor> colours;
+    std::map<std::pair<std::int64_t, QString>, int> used;
+    for (const PlottedValue& value : values) {
+        const std::int64_t whose = value.colourOf ? static_cast<std::int64_t>(*value.colourOf) : -1;
+        const QColor base = value.colourOf ? visible(robotColour(*value.colourOf), theme_) : theme_.text;
+        colours.push_back(variant(base, used[{whose, value.unit}]++ % 3, theme_));
+    }
+    return colours;
+}
+
+void PlotPanel::rebuild() {
+    hint_->setVisible(keys_.empty());
+    view_->setVisible(!keys_.empty());
+    std::vector<PlottedValue> values;
+    if (shown_)
+        for (const ValueKey& key : keys_)
+            values.push_back(plottedValue(*shown_->frame->scenario, key).value_or(PlottedValue{}));
+    colours_ = coloursOf(values);
+    std::vector<PlotCurve> curves;
+    const auto addCurves = [&](std::uint32_t branch, bool ghost) {
+        const std::vector<Piece> course = courseOf(branch);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            PlotCurve curve = curveOf(keys_[i], values[i], course);
+            curve.colour = colours_[i];
+            curve.ghost = ghost;
+            if (ghost) curve.id += "\nghost";
+            curves.push_back(std::move(curve));
+        }
+    };
+    QString ghostName;
+    if (shown_ && !keys_.empty()) {
+        if (const auto ghost = ghostBranch()) {
+            addCurves(*ghost, true);
+            ghostName = *ghost == 0 ? tr("the run") : shown_->branches[*ghost].name;
+        }
+        addCurves(shown_->branch, false);
+    }
+    series_->want(keys_);
+    view_->setCurves(std::move(curves), ghostName);
+    updateList();
+    if (shown_) follow();
+}
+
+void PlotPanel::updateList() {
+    while (list_->topLevelItemCount() > static_cast<int>(keys_.size()))
+        delete list_->takeTopLevelItem(list_->topLevelItemCount() - 1);
+    for (int i = 0; shown_ && i < static_cast<int>(keys_.size()); ++i) {
+        QTreeWidgetItem* item = list_->topLevelItem(i);
+        if (item == nullptr) item = new QTreeWidgetItem(list_);
+        const auto value = plottedValue(*shown_->frame->scenario, keys_[static_cast<std::size_t>(i)]);
+        QPixmap chip(12, 12);
+        chip.fill(colours_[static_cast<std::size_t>(i)]);
+        item->setIcon(0, chip);
+        item->setText(0, value ? value->name : QString());
+        item->setToolTip(0, item->text(0));
+        item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+        item->setText(2, value ? value->unit : QString());
+        item->setForeground(2, theme_.quietText);
+    }
+    updateNumbers();
+}
+
+/// At the mouse, or now.
+void PlotPanel::updateNumbers() {
+    if (!shown_ || !isVisible()) return;
+    const std::int64_t tick = hovered_.value_or(shown_->tick());
+    for (const PlotCurve& curve : view_->curves()) {
+        if (curve.ghost) continue;
+        const auto row = static_cast<int>(&curve - view_->curves().data()) %
+                         static_cast<int>(std::max<std::size_t>(keys_.size(), 1));
+        if (QTreeWidgetItem* item = list_->topLevelItem(row))
+            item->setText(1, fixedText(curve.at(tick), curve.decimals));
+    }
+}
+
+void PlotPanel::updateProgress() {
+    const std::int64_t behind = series_->behind();
+    if (behind == 0) mostBehind_ = 0;
+    mostBehind_ = std::max(mostBehind_, behind);
+    progress_->setVisible(mostBehind_ > worthABar);
+    if (mostBehind_ <= worthABar) return;
+    bar_->setRange(0, 1000);
+    bar_->setValue(static_cast<int>(1000 * (mostBehind_ - behind) / mostBehind_));
+}
+
+bool PlotPanel::eventFilter(QObject* watched, QEvent* event) {
+    if (watched != list_ || event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    const int row = list_->indexOfTopLevelItem(list_->currentItem());
+    if ((key != Qt::Key_Delete && key != Qt::Key_Backspace) || row < 0) return QWidget::eventFilter(watched, event);
+    remove(keys_[static_cast<std::size_t>(row)]);
+    return true;
+}
+
+}  // namespace mrose::gui

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <QWidget>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "session.h"
+#include "value_series.h"
+#include "widgets/plot_view.h"
+#include "widgets/theme.h"
+#include "widgets/value_catalogue.h"
+
+class QLabel;
+class QLineEdit;
+class QProgressBar;
+class QToolButton;
+class QTreeWidget;
+
+namespace mrose::gui {
+
+/// What is plotted over the time of the shown branch, with the course beside it as ghosts; the list of the curves with
+/// their numbers; and a line for expressions.
+class PlotPanel final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit PlotPanel(Session& session, QWidget* parent = nullptr);
+    ~PlotPanel() override;
+
+    void setShown(std::shared_ptr<const Shown> shown);
+    void setTheme(const Theme& theme);
+
+    /// Error: the scenario has nothing like that.
+    Expected<void> add(const ValueKey& key);
+    Expected<void> addExpression(const QString& text);
+    /// Adds it, or removes it where it is plotted.
+    void toggle(const ValueKey& key);
+    /// Of every robot, where not all are plotted; otherwise removes them.
+    void toggleOfAll(const ValueKey& key);
+    void remove(const ValueKey& key);
+    void clear();
+    void askForExpression();  ///< the keyboard goes to its line
+    void cancel() { series_->cancel(); }
+
+    const std::vector<ValueKey>& keys() const { return keys_; }
+    std::map<ValueKey, QColor> plotted() const;
+    PlotView& view() const { return *view_; }
+    ValueSeries& series() const { return *series_; }
+
+    QSize sizeHint() const override { return {1000, 230}; }
+
+signals:
+    void tickRequested(std::int64_t tick);
+    void changed();  ///< of what is plotted
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    struct Piece;  ///< of a course: some ticks of a branch
+    QWidget* makeSide();
+    void rebuild();
+    void dropUnknown();
+    std::vector<Piece> courseOf(std::uint32_t branch) const;
+    PlotCurve curveOf(const ValueKey& key, const PlottedValue& value, const std::vector<Piece>& course) const;
+    std::optional<std::uint32_t> ghostBranch() const;
+    void follow();
+    void updateList();
+    void updateNumbers();
+    void updateProgress();
+    std::vector<QColor> coloursOf(const std::vector<PlottedValue>& values) const;
+
+    std::unique_ptr<ValueSeries> series_;
+    std::shared_ptr<const Shown> shown_;
+    std::vector<ValueKey> keys_;  ///< in the order in which they were added
+    std::vector<QColor> colours_;
+    std::optional<std::int64_t> hovered_;
+    std::int64_t mostBehind_ = 0;
+    Theme theme_ = Theme::light();
+
+    PlotView* view_;
+    QLabel* hint_;
+    QTreeWidget* list_;
+    QLineEdit* expression_;
+    QLabel* error_;
+    QWidget* progress_;
+    QProgressBar* bar_;
+};
+
+}  // namespace mrose::gui

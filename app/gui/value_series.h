@@ -1,0 +1,91 @@
+#pragma once
+
+#include <QObject>
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "session.h"
+#include "widgets/curve_sampling.h"
+#include "widgets/value_catalogue.h"
+
+namespace mrose::gui {
+
+/// The past of values that are plotted: their numbers at every tick of the branches that are shown. A thread of its own
+/// goes over the run's timeline and follows it as it grows; it steps beside the session and holds nobody up. Numbers
+/// that are there already are to be had at any time.
+class ValueSeries final : public QObject {
+    Q_OBJECT
+
+public:
+    /// Must end before the session does.
+    explicit ValueSeries(Session& session);
+    ~ValueSeries() override;
+
+    /// The numbers of all others are forgotten.
+    void want(std::vector<ValueKey> values);
+    /// The branches of which they are wanted, the most urgent first, and how far each is known.
+    struct Way {
+        std::uint32_t branch = 0;
+        std::int64_t first = 0, last = 0;  ///< ticks
+    };
+    void follow(std::uint64_t run, std::vector<Way> ways);
+    /// Leaves out what has not been computed of the past. What comes is computed as ever.
+    void cancel();
+    /// Blocks until all that is wanted is known; for scripts and tests.
+    void settle();
+
+    /// Lets `read` see the numbers so far; not called where there are none. Quick, please: the thread waits.
+    void read(std::uint32_t branch, const ValueKey& key, const std::function<void(const TickNumbers&)>& read) const;
+    /// Ticks that are still to be computed.
+    std::int64_t behind() const;
+
+signals:
+    void grown();
+
+private:
+    struct Walker;
+    struct Task {
+        std::uint64_t run = 0;
+        std::uint32_t branch = 0;
+        std::int64_t tick = 0, last = 0;
+        std::vector<ValueKey> values;
+    };
+    using Series = std::map<std::pair<std::uint32_t, ValueKey>, TickNumbers>;
+
+    void work();
+    std::optional<Task> nextTask() const;
+    void go(const Task& task);
+    struct Answer;
+    std::optional<Answer> ask(const Walker& walker, const Task& task) const;
+    bool prepare(Walker& walker, const Task& task);
+    bool tell(Walker& walker, const Task& task);
+    void append(const Task& task, std::int64_t first, const std::vector<std::vector<float>>& columns);
+    void giveUp(const Task& task, std::int64_t last);
+    std::int64_t behindNow() const;
+    void announce();
+
+    Session& session_;
+    std::map<std::uint32_t, std::unique_ptr<Walker>> walkers_;  ///< of the thread: one for each branch
+    std::uint64_t walkersOf_ = 0;                               ///< the run in which they walk
+
+    mutable std::mutex mutex_;
+    std::condition_variable wake_, settled_;
+    std::uint64_t run_ = 0;
+    std::vector<Way> ways_;
+    std::vector<ValueKey> values_;
+    Series series_;
+    std::atomic<bool> quit_ = false;
+    std::atomic<std::uint64_t> version_ = 0;  ///< of what is wanted
+    bool announced_ = false;
+
+    std::thread worker_;
+};
+
+}  // namespace mrose::gui

@@ -1,0 +1,75 @@
+#include "widgets/inspector_delegate.h"
+
+#include <QApplication>
+#include <QPainter>
+
+namespace mrose {
+
+QSize InspectorDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
+    const int more = index.siblingAtColumn(nameColumn).data(headRole).toBool() ? 8 : 3;
+    return {QStyledItemDelegate::sizeHint(option, index).width(), option.fontMetrics.height() + more};
+}
+
+void InspectorDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
+    if (index.column() == nameColumn) {
+        QStyledItemDelegate::paint(painter, option, index);
+        return;
+    }
+    QStyleOptionViewItem bare = option;
+    initStyleOption(&bare, index);
+    bare.text.clear();
+    QApplication::style()->drawControl(QStyle::CE_ItemViewItem, &bare, painter, bare.widget);
+    painter->save();
+    if (index.column() == valueColumn)
+        paintValue(*painter, bare, index);
+    else
+        paintMark(*painter, option.rect, index);
+    painter->restore();
+}
+
+void InspectorDelegate::paintValue(QPainter& painter, const QStyleOptionViewItem& option,
+                                   const QModelIndex& index) const {
+    const QString value = index.data(Qt::DisplayRole).toString(), unit = index.data(unitRole).toString();
+    const QFontMetrics& metrics = option.fontMetrics;
+    const QRect box = option.rect.adjusted(2, 0, -2, 0);
+    const bool selected = option.state.testFlag(QStyle::State_Selected);
+    const QColor ink = selected ? option.palette.color(QPalette::HighlightedText)
+                                : index.data(Qt::ForegroundRole).value<QBrush>().color();
+    bool numeric = false;
+    value.toDouble(&numeric);
+    painter.setFont(option.font);
+    painter.setPen(ink);
+    if (!numeric && value != QString::fromUtf8("\u2013")) {
+        // Where there is no mark, there is room for more words.
+        const int more = index.siblingAtColumn(plotColumn).data(plottableRole).toBool() ? 0 : markWidth - 4;
+        const QRect room = box.adjusted(0, 0, more, 0);
+        painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
+                         metrics.elidedText(value, Qt::ElideRight, room.width()));
+        return;
+    }
+    const int unitWidth = metrics.horizontalAdvance("rad/s") + 5;
+    painter.drawText(box.adjusted(0, 0, -unitWidth, 0), Qt::AlignRight | Qt::AlignVCenter, value);
+    if (!selected) painter.setPen(theme_.quietText);
+    painter.drawText(QRect(box.right() - unitWidth + 5, box.top(), unitWidth, box.height()),
+                     Qt::AlignLeft | Qt::AlignVCenter, unit);
+}
+
+/// A small curve.
+void InspectorDelegate::paintMark(QPainter& painter, const QRect& box, const QModelIndex& index) const {
+    if (!index.data(plottableRole).toBool()) return;
+    const QColor plotted = index.data(plottedRole).value<QColor>();
+    const QPointF middle = QRectF(box).center();
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (plotted.isValid()) {
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(plotted);
+        painter.drawRoundedRect(QRectF(middle.x() - 8, middle.y() - 6, 16, 12), 3, 3);
+    }
+    const QColor ink =
+        plotted.isValid() ? (plotted.lightness() > 140 ? Qt::black : Qt::white) : theme_.line.darker(115);
+    painter.setPen(QPen(ink, 1.3));
+    painter.drawPolyline(QPolygonF(
+        {middle + QPointF(-5, 3), middle + QPointF(-2, -2), middle + QPointF(1, 1), middle + QPointF(5, -4)}));
+}
+
+}  // namespace mrose

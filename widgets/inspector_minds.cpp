@@ -1,0 +1,202 @@
+// What a robot thinks: its controller's decision and memory, and what it perceives.
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <span>
+
+#include "widgets/inspector_rows.h"
+#include "widgets/timeline_bar.h"
+
+namespace mrose {
+namespace {
+
+/// Of more robots only those in sight are listed.
+constexpr std::size_t mostListed = 24;
+constexpr std::size_t mostHexBytes = 4096, bytesInRow = 8;
+
+QString pointText(const Point& point) { return QString("%1, %2 m").arg(fixedText(point.x, 2), fixedText(point.y, 2)); }
+
+InspectorRow noteRow(const RowWriter& write, const Annotation& note) {
+    const QString tip = QObject::tr("the controller's own note");
+    const QString name = QString::fromStdString(note.label);
+    InspectorRow row = RowWriter::text(name, {}, tip);
+    switch (note.kind) {
+        case Annotation::Kind::value:
+            return write.number(name, "note", tip, note.label);
+        case Annotation::Kind::text:
+            row.value = QString::fromStdString(note.text);
+            return row;
+        case Annotation::Kind::point:
+        case Annotation::Kind::line:
+            break;
+    }
+    if (note.points.empty()) return row;
+    row.value = pointText(note.points.front());
+    if (note.kind == Annotation::Kind::line) row.value += QString::fromUtf8(" \u2192 ") + pointText(note.points.back());
+    row.children.push_back(write.number(QObject::tr("x"), "x of note", tip, note.label));
+    row.children.push_back(write.number(QObject::tr("y"), "y of note", tip, note.label));
+    return row;
+}
+
+InspectorRow entryRow(const RowWriter& write, const MemoryEntry& entry) {
+    const QString name = QString::fromStdString(entry.name);
+    if (!entry.text.empty()) return RowWriter::text(name, QString::fromStdString(entry.text));
+    return write.number(name, ValueKey{"remembers", write.bodyName, entry.name, entry.unit});
+}
+
+QString hexText(std::span<const std::byte> bytes) {
+    QString text;
+    for (const std::byte byte : bytes) text += QString("%1 ").arg(std::to_integer<int>(byte), 2, 16, QChar('0'));
+    return text.trimmed();
+}
+
+/// Eight bytes may be a number of either kind.
+QString readingsText(std::span<const std::byte> bytes) {
+    if (bytes.size() < bytesInRow) return {};
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, bytes.data(), bytesInRow);
+    return QObject::tr("as a floating-point number %1\nas an integer %2")
+        .arg(std::bit_cast<double>(bits), 0, 'g', 10)
+        .arg(static_cast<qint64>(bits));
+}
+
+std::vector<InspectorRow> hexRows(std::span<const std::byte> memory, std::span<const std::byte> before) {
+    std::vector<InspectorRow> rows;
+    const std::size_t shown = std::min(memory.size(), mostHexBytes);
+    for (std::size_t begin = 0; begin < shown; begin += bytesInRow) {
+        const auto bytes = memory.subspan(begin, std::min(bytesInRow, memory.size() - begin));
+        InspectorRow row = RowWriter::text(QString::number(begin), hexText(bytes), readingsText(bytes));
+        row.wide = true;
+        row.notable = before.size() == memory.size() &&
+                      !std::equal(bytes.begin(), bytes.end(), before.begin() + static_cast<std::ptrdiff_t>(begin));
+        rows.push_back(std::move(row));
+    }
+    if (shown < memory.size())
+        rows.push_back(RowWriter::text(QObject::tr("more"), QObject::tr("%1 bytes").arg(memory.size() - shown)));
+    return rows;
+}
+
+InspectorRow seenRow(const RowWriter& write, std::size_t other) {
+    const std::string& of = write.frame.nameOf(other);
+    const ValueKey error{"error in seeing", write.bodyName, of};
+    InspectorRow row =
+        write.number(QString::fromStdString(of), error,
+                     QObject::tr("how far off it sees this body: measured then, against where it is now"));
+    row.id = QString::fromStdString(of);
+    if (row.quiet) {
+        row.value = QObject::tr("not in sight");
+        row.unit.clear();
+    }
+    const auto add = [&](const QString& name, const char* quantity, const QString& tip = {}) {
+        row.children.push_back(write.number(name, quantity, tip, of));
+    };
+    add(QObject::tr("Measured x"), "sees x of", QObject::tr("with the pose that it takes itself to have"));
+    add(QObject::tr("Measured y"), "sees y of", QObject::tr("with the pose that it takes itself to have"));
+    const auto truth = [&](const QString& name, const char* quantity) {
+        const ValueKey key{quantity, of};
+        const RowWriter theirs(write.frame, other);
+        row.children.push_back(theirs.number(name, key));
+    };
+    truth(QObject::tr("True x"), "x");
+    truth(QObject::tr("True y"), "y");
+    add(QObject::tr("Age"), "age of sight of", QObject::tr("since the measurement"));
+    add(QObject::tr("True distance"), "distance to", QObject::tr("between the reference points"));
+    add(QObject::tr("True bearing"), "bearing of", QObject::tr("from its heading; left is positive"));
+    return row;
+}
+
+bool inSight(const RowWriter& write, std::size_t robot) {
+    const std::vector<SeenBody>& seen = write.frame.insights[write.body].observation.robots;
+    return std::any_of(seen.begin(), seen.end(), [&](const SeenBody& body) { return body.index == robot; });
+}
+
+}  // namespace
+
+InspectorRow controllerRows(const RowWriter& write) {
+    InspectorRow section = RowWriter::section(QObject::tr("Controller"));
+    auto& rows = section.children;
+    const RobotInsight& insight = write.frame.insights[write.body];
+    const QString decided =
+        insight.tick < 0 ? QObject::tr("not yet") : clockText(write.frame.scene().timeOf(insight.tick));
+    rows.push_back(RowWriter::text(QObject::tr("Decided at"), decided, QObject::tr("its last control instant")));
+    const Decision& decision = insight.decision;
+    rows.push_back(RowWriter::text(
+        QObject::tr("Told to"),
+        insight.tick < 0 ? QString::fromUtf8("\u2013")
+        : !decision.command
+            ? QObject::tr("go on as before")
+            : QString("%1 m/s, %2 rad/s").arg(fixedText(decision.command->v, 2), fixedText(decision.command->w, 2))));
+    const auto notable = [&](const QString& name, const QString& value) {
+        rows.push_back(RowWriter::text(name, value));
+        rows.back().notable = true;
+    };
+    for (const Kick& kick : decision.kicks)
+        notable(QObject::tr("Kick"), QObject::tr("with %1 % of its power").arg(fixedText(100 * kick.power, 0)));
+    for (const Annotation& note : decision.annotations) rows.push_back(noteRow(write, note));
+    if (!decision.breakReason.empty()) notable(QObject::tr("Stop"), QString::fromStdString(decision.breakReason));
+    if (!decision.fault.empty()) notable(QObject::tr("Failed"), QString::fromStdString(decision.fault));
+    return section;
+}
+
+InspectorRow memoryRows(const RowWriter& write, const RowIsOpen& isOpen) {
+    InspectorRow section = RowWriter::section(QObject::tr("Memory"), false);
+    const std::span<const std::byte> memory = write.at.scenario.memoryOf(write.at.state, write.body);
+    const std::vector<std::byte>& before = write.frame.insights[write.body].memoryBefore;
+    std::size_t changed = 0;
+    if (before.size() == memory.size())
+        for (std::size_t i = 0; i < memory.size(); ++i) changed += memory[i] != before[i] ? 1 : 0;
+    section.value =
+        memory.empty() ? QObject::tr("none") : QObject::tr("%1 bytes, %2 changed").arg(memory.size()).arg(changed);
+    section.tip = QObject::tr("what its controller keeps, and how many bytes of it the last decision changed");
+    section.quiet = memory.empty();
+    if (memory.empty()) return section;
+    const Controller& controller = write.at.scenario.controller(write.body);
+    const bool open = isOpen(section.id);
+    const std::vector<MemoryEntry> entries = controller.explain(memory);
+    const std::vector<MemoryEntry> old = before.size() == memory.size() ? controller.explain(before) : entries;
+    for (std::size_t i = 0; open && i < entries.size(); ++i) {
+        section.children.push_back(entryRow(write, entries[i]));
+        const bool same = i < old.size() && old[i].name == entries[i].name && old[i].text == entries[i].text;
+        section.children.back().notable = !same;
+    }
+    InspectorRow bytes = RowWriter::text(QObject::tr("Bytes"), QObject::tr("hexadecimal"));
+    bytes.children = isOpen(section.id + '/' + bytes.id) ? hexRows(memory, before)
+                                                         : std::vector{RowWriter::text(QString(), QString())};
+    section.children.push_back(std::move(bytes));
+    return section;
+}
+
+InspectorRow perceptionRows(const RowWriter& write) {
+    InspectorRow section = RowWriter::section(QObject::tr("Sees"));
+    auto& rows = section.children;
+    const RobotInsight& insight = write.frame.insights[write.body];
+    if (!insight.observed) {
+        section.value = QObject::tr("nothing yet");
+        section.quiet = true;
+    }
+    InspectorRow self =
+        write.number(QObject::tr("Itself"), "error of own place",
+                     QObject::tr("how far off it takes itself to be: as measured, against where it is now"));
+    if (self.quiet) {
+        self.value = QObject::tr("not yet");
+        self.unit.clear();
+    }
+    for (const auto& [name, quantity] : {std::pair{QObject::tr("Measured x"), "measured x"},
+                                         {QObject::tr("Measured y"), "measured y"},
+                                         {QObject::tr("Measured heading"), "measured heading"},
+                                         {QObject::tr("Error of heading"), "error of own heading"},
+                                         {QObject::tr("Age"), "age of own pose"},
+                                         {QObject::tr("Forward, odometry"), "odometry forward"},
+                                         {QObject::tr("Turning, odometry"), "odometry turning"}})
+        self.children.push_back(write.number(name, quantity));
+    rows.push_back(std::move(self));
+    const std::size_t robots = write.frame.state.robots.size();
+    for (std::size_t other = robots; other < write.frame.scene().bodyCount(); ++other)
+        rows.push_back(seenRow(write, other));
+    for (std::size_t other = 0; other < robots; ++other)
+        if (other != write.body && (robots <= mostListed || inSight(write, other)))
+            rows.push_back(seenRow(write, other));
+    return section;
+}
+
+}  // namespace mrose

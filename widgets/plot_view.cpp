@@ -1,0 +1,406 @@
+#include "widgets/plot_view.h"
+
+#include <QLabel>
+#include <QMouseEvent>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <qcustomplot.h>
+
+#include "widgets/timeline_bar.h"
+#include "widgets/value_catalogue.h"
+
+namespace mrose {
+namespace {
+
+constexpr int leftMargin = 66, rightMargin = 12;
+constexpr double shortestView = 10;  // ticks
+constexpr double growth = 1.15;      // of the view, when the known time outgrows it
+
+QString unitLabel(const QString& unit) { return unit.isEmpty() ? QObject::tr("number") : unit; }
+
+/// The least range that an axis shows, so that noise of the last digit does not fill it.
+double leastSpan(const QString& unit) { return unit == QString::fromUtf8("\u00b0") ? 4 : 0.02; }
+
+}  // namespace
+
+struct PlotView::Band {
+    QString unit;
+    QCPAxisRect* rect = nullptr;
+    QCPItemLine *now = nullptr, *mouse = nullptr;
+    QCPItemRect* unknown = nullptr;
+    std::vector<std::pair<std::size_t, QCPGraph*>> graphs;  ///< with the curve's index
+
+    QCPAxis* time() const { return rect->axis(QCPAxis::atBottom); }
+    QCPAxis* value() const { return rect->axis(QCPAxis::atLeft); }
+};
+
+PlotView::PlotView(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot), readOut_(new QLabel(this)) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(plot_);
+    plot_->setPlottingHint(QCP::phFastPolylines);
+    plot_->setNoAntialiasingOnDrag(true);
+    plot_->layer("overlay")->setMode(QCPLayer::lmBuffered);
+    plot_->installEventFilter(this);
+    plot_->setMouseTracking(true);
+    plot_->setCursor(Qt::PointingHandCursor);
+    plot_->setAccessibleName(tr("Plots over time"));
+    plot_->plotLayout()->setRowSpacing(2);
+    readOut_->setAttribute(Qt::WA_TransparentForMouseEvents);
+    readOut_->setTextFormat(Qt::RichText);
+    readOut_->setMargin(5);
+    readOut_->hide();
+    connect(plot_, &QCustomPlot::beforeReplot, this, [this] {
+        if (std::exchange(dirty_, false)) fill();
+    });
+}
+
+PlotView::~PlotView() = default;
+
+double PlotView::seconds(double tick) const { return tick * toSeconds(time_.tickLength); }
+
+void PlotView::setCurves(std::vector<PlotCurve> curves, const QString& ghostName) {
+    ghostName_ = ghostName;
+    curves_ = std::move(curves);
+    layOut();
+    refresh();
+}
+
+void PlotView::layOut() {
+    plot_->clearGraphs();
+    plot_->clearItems();
+    plot_->plotLayout()->clear();
+    bands_.clear();
+    for (std::size_t i = 0; i < curves_.size(); ++i) {
+        const auto same = [&](const std::unique_ptr<Band>& band) { return band->unit == curves_[i].unit; };
+        auto band = std::find_if(bands_.begin(), bands_.end(), same);
+        if (band == bands_.end()) {
+            addBand(curves_[i].unit, static_cast<int>(bands_.size()));
+            band = bands_.end() - 1;
+        }
+        (*band)->graphs.emplace_back(i, plot_->addGraph((*band)->time(), (*band)->value()));
+    }
+    for (const auto& band : bands_) {
+        const bool bottom = band == bands_.back();
+        band->time()->setTickLabels(bottom);
+        band->rect->setMargins({leftMargin, 4, rightMargin, bottom ? 34 : 4});
+        if (bottom) band->time()->setLabel(tr("time (s)"));
+    }
+    paintTheme();
+}
+
+void PlotView::addBand(const QString& unit, int row) {
+    auto band = std::make_unique<Band>();
+    band->unit = unit;
+    band->rect = new QCPAxisRect(plot_);
+    // The margins are fixed: nothing moves when labels get longer.
+    band->rect->setAutoMargins(QCP::msNone);
+    plot_->plotLayout()->addElement(row, 0, band->rect);
+    for (QCPAxis* axis : band->rect->axes()) {
+        axis->setLayer("axes");
+        axis->grid()->setLayer("grid");
+    }
+    band->value()->setLabel(unitLabel(unit));
+    band->value()->setNumberFormat("gb");
+    band->value()->setRange(0, 0);
+    const auto line = [&](QCPItemLine*& item) {
+        item = new QCPItemLine(plot_);
+        item->setLayer("overlay");
+        item->setClipAxisRect(band->rect);
+        for (QCPItemPosition* end : {item->start, item->end}) {
+            end->setAxisRect(band->rect);
+            end->setAxes(band->time(), band->value());
+            end->setTypeX(QCPItemPosition::ptPlotCoords);
+            end->setTypeY(QCPItemPosition::ptAxisRectRatio);
+        }
+    };
+    line(band->now);
+    line(band->mouse);
+    band->mouse->setVisible(false);
+    band->unknown = new QCPItemRect(plot_);
+    band->unknown->setLayer("grid");
+    band->unknown->setClipAxisRect(band->rect);
+    for (QCPItemPosition* corner : {band->unknown->topLeft, band->unknown->bottomRight}) {
+        corner->setAxisRect(band->rect);
+        corner->setAxes(band->time(), band->value());
+        corner->setTypeX(QCPItemPosition::ptPlotCoords);
+        corner->setTypeY(QCPItemPosition::ptAxisRectRatio);
+    }
+    bands_.push_back(std::move(band));
+}
+
+void PlotView::setTheme(const Theme& theme) {
+    theme_ = theme;
+    paintTheme();
+    plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void PlotView::paintTheme() {
+    plot_->setBackground(theme_.panel);
+    readOut_->setStyleSheet(QString("background:%1;color:%2;border:1px solid %3")
+                                .arg(theme_.panel.name(), theme_.text.name(), theme_.line.name()));
+    QFont small = font();
+    small.setPointSizeF(8);
+    readOut_->setFont(small);
+    QColor grid = theme_.line;
+    grid.setAlpha(theme_.dark ? 150 : 130);
+    for (const auto& band : bands_) {
+        band->rect->setBackground(theme_.dark ? theme_.surround : QColor(Qt::white));
+        for (QCPAxis* axis : {band->time(), band->value()}) {
+            axis->setBasePen(theme_.line);
+            axis->setTickPen(theme_.line);
+            axis->setSubTickPen(Qt::NoPen);
+            axis->setTickLabelColor(theme_.quietText);
+            axis->setLabelColor(theme_.text);
+            axis->setTickLabelFont(small);
+            axis->setLabelFont(small);
+            axis->grid()->setPen(QPen(grid, 0));
+            axis->grid()->setZeroLinePen(QPen(theme_.line, 0));
+        }
+        band->now->setPen(QPen(theme_.accent, 2));
+        band->mouse->setPen(QPen(theme_.quietText, 0, Qt::DotLine));
+        band->unknown->setPen(Qt::NoPen);
+        band->unknown->setBrush(theme_.dark ? theme_.panel.lighter(115) : theme_.surround);
+        for (const auto& [curve, graph] : band->graphs) {
+            const PlotCurve& of = curves_[curve];
+            QPen pen(of.colour, of.ghost ? 1 : 1.6, of.ghost ? Qt::DashLine : of.dotted ? Qt::DotLine : Qt::SolidLine);
+            graph->setPen(pen);
+        }
+    }
+}
+
+void PlotView::setTime(const Time& time) {
+    if (time == time_) return;
+    const bool moved = time.now != time_.now && time.first == time_.first && time.last == time_.last;
+    time_ = time;
+    const double from = from_, to = to_;
+    if (all_) {
+        const auto first = static_cast<double>(time_.first), last = static_cast<double>(time_.last);
+        // Some room at the right, so that the scale does not change at each tick.
+        const bool fits = from_ == first && to_ >= last && last - first > 0.6 * (to_ - from_);
+        if (!fits) setRange(first, std::max(first + (last - first) * growth, first + 250));
+    } else {
+        keepNowInView();
+    }
+    if (moved && from == from_ && to == to_) {
+        moveCursor();
+        plot_->layer("overlay")->replot();
+        return;
+    }
+    refresh();
+}
+
+/// A view of a part goes along when the cursor leaves it.
+void PlotView::keepNowInView() {
+    const auto now = static_cast<double>(time_.now);
+    const double length = to_ - from_;
+    if (now >= from_ && now <= to_) return;
+    setRange(now > to_ ? now - 0.1 * length : now - 0.9 * length, now > to_ ? now + 0.9 * length : now + 0.1 * length);
+}
+
+void PlotView::setRange(double from, double to) {
+    from_ = from;
+    to_ = std::max(to, from + shortestView);
+}
+
+void PlotView::showAll() {
+    all_ = true;
+    const auto first = static_cast<double>(time_.first), last = static_cast<double>(time_.last);
+    setRange(first, last);
+    refresh();
+}
+
+void PlotView::zoom(double factor, double aboutPixel) {
+    const double width = std::max(1, plot_->width() - leftMargin - rightMargin);
+    const double share = std::clamp((aboutPixel - leftMargin) / width, 0.0, 1.0);
+    const double about = from_ + share * (to_ - from_);
+    const double known = static_cast<double>(time_.last - time_.first) * growth + 250;
+    const double length = std::clamp((to_ - from_) / factor, shortestView, std::max(known, shortestView));
+    double from = about - share * length;
+    from = std::clamp(from, static_cast<double>(time_.first) - 0.5 * length, static_cast<double>(time_.last));
+    all_ = false;
+    setRange(from, from + length);
+    refresh();
+}
+
+double PlotView::pixelOf(double tick) const {
+    const double width = plot_->width() - leftMargin - rightMargin;
+    return leftMargin + width * (tick - from_) / (to_ - from_);
+}
+
+std::int64_t PlotView::tickAt(double pixel) const {
+    const double width = std::max(1, plot_->width() - leftMargin - rightMargin);
+    const auto tick = std::llround(from_ + (pixel - leftMargin) / width * (to_ - from_));
+    return std::max<std::int64_t>(tick, time_.first);
+}
+
+std::optional<QPointF> PlotView::placeOf(const QString& curve, double tick, double number) const {
+    for (const auto& band : bands_)
+        for (const auto& [index, graph] : band->graphs)
+            if (curves_[index].id == curve)
+                return QPointF(band->time()->coordToPixel(seconds(tick)), band->value()->coordToPixel(number));
+    return {};
+}
+
+void PlotView::refresh() {
+    dirty_ = true;
+    plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void PlotView::fill() {
+    for (const auto& band : bands_) fillBand(*band);
+    moveCursor();
+}
+
+void PlotView::fillBand(Band& band) {
+    const double width = std::max(100, plot_->width() - leftMargin - rightMargin);
+    const auto step = static_cast<std::int64_t>((to_ - from_) / width);
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    QVector<QPointF> points;
+    for (const auto& [index, graph] : band.graphs) {
+        points.clear();
+        const auto from = static_cast<std::int64_t>(std::floor(from_)) - 1;
+        curves_[index].sample(from, static_cast<std::int64_t>(std::ceil(to_)) + 1, step, points);
+        QVector<QCPGraphData> drawn;
+        drawn.reserve(points.size());
+        for (const QPointF& point : points) {
+            drawn.append({seconds(point.x()), point.y()});
+            if (!std::isfinite(point.y())) continue;
+            least = std::min(least, point.y());
+            most = std::max(most, point.y());
+        }
+        graph->data()->set(drawn, true);
+    }
+    band.time()->setRange(seconds(from_), seconds(to_));
+    band.value()->ticker()->setTickCount(std::clamp(band.rect->height() / 26, 1, 6));
+    if (least > most) return;
+    const double middle = (least + most) / 2, span = std::max(most - least, leastSpan(band.unit));
+    const QCPRange now = band.value()->range();
+    // A range that fits stays.
+    const double low = middle - 0.5 * span, high = middle + 0.5 * span;
+    if (low >= now.lower && high <= now.upper && span > 0.6 * now.size()) return;
+    band.value()->setRange(low - 0.08 * span, high + 0.08 * span);
+}
+
+void PlotView::moveCursor() {
+    const double now = seconds(static_cast<double>(time_.now)), last = seconds(static_cast<double>(time_.last));
+    for (const auto& band : bands_) {
+        band->now->start->setCoords(now, 0);
+        band->now->end->setCoords(now, 1);
+        band->unknown->topLeft->setCoords(last, 0);
+        band->unknown->bottomRight->setCoords(std::max(last, seconds(to_)), 1);
+    }
+}
+
+QString PlotView::textAt(std::int64_t tick) const {
+    QString text = QString("<b>%1</b>&nbsp;&nbsp;%2<table cellspacing=0>")
+                       .arg(clockText(tick * time_.tickLength), tr("tick %1").arg(tick));
+    const auto number = [](const QString& digits) { return "<td align=right>&nbsp;&nbsp;" + digits + "</td>"; };
+    bool ghosts = false;
+    QString rows;
+    for (const PlotCurve& curve : curves_) {
+        if (curve.ghost) continue;
+        const auto ghost = std::find_if(curves_.begin(), curves_.end(), [&](const PlotCurve& other) {
+            return other.ghost && other.name == curve.name;
+        });
+        rows += QString("<tr><td><font color='%1'>%2</font>&nbsp;</td><td>%3</td>")
+                    .arg(curve.colour.name(), QString::fromUtf8("\u2501\u2501"), curve.name.toHtmlEscaped());
+        rows += number(fixedText(curve.at(tick), curve.decimals));
+        if (ghost != curves_.end()) rows += number(fixedText(ghost->at(tick), curve.decimals));
+        rows += "<td>&nbsp;" + curve.unit.toHtmlEscaped() + "</td></tr>";
+        ghosts = ghosts || ghost != curves_.end();
+    }
+    if (ghosts)
+        text +=
+            QString("<tr><td></td><td></td><td align=right>&nbsp;&nbsp;%1</td><td align=right>&nbsp;&nbsp;%2</td></tr>")
+                .arg(tr("here"), ghostName_.toHtmlEscaped());
+    return text + rows + "</table>";
+}
+
+void PlotView::hover(std::optional<double> pixel, const QPoint& place) {
+    const bool inside = pixel && !bands_.empty() && *pixel >= leftMargin && *pixel <= plot_->width() - rightMargin;
+    std::optional<std::int64_t> tick;
+    if (inside) tick = tickAt(*pixel);
+    for (const auto& band : bands_) {
+        band->mouse->setVisible(inside);
+        if (!inside) continue;
+        const double at = seconds(static_cast<double>(*tick));
+        band->mouse->start->setCoords(at, 0);
+        band->mouse->end->setCoords(at, 1);
+    }
+    plot_->layer("overlay")->replot();
+    readOut_->setVisible(inside);
+    if (inside) {
+        readOut_->setText(textAt(*tick));
+        readOut_->adjustSize();
+        const bool right = place.x() + 16 + readOut_->width() > width();
+        readOut_->move(right ? place.x() - 12 - readOut_->width() : place.x() + 14,
+                       std::clamp(place.y() - readOut_->height() / 2, 0, std::max(0, height() - readOut_->height())));
+        readOut_->raise();
+    }
+    emit hovered(tick);
+}
+
+bool PlotView::press(const QMouseEvent& event) {
+    if (event.button() == Qt::LeftButton && !bands_.empty()) {
+        seeking_ = true;
+        emit tickRequested(tickAt(event.localPos().x()));
+    } else if (event.button() == Qt::RightButton || event.button() == Qt::MiddleButton) {
+        panFrom_ = event.localPos().x();
+    }
+    return true;
+}
+
+bool PlotView::move(const QMouseEvent& event) {
+    const double pixel = event.localPos().x();
+    if (seeking_) emit tickRequested(tickAt(pixel));
+    if (panFrom_) {
+        const double width = std::max(1, plot_->width() - leftMargin - rightMargin);
+        const double by = (*panFrom_ - pixel) / width * (to_ - from_), length = to_ - from_;
+        const double from =
+            std::clamp(from_ + by, static_cast<double>(time_.first) - 0.5 * length, static_cast<double>(time_.last));
+        panFrom_ = pixel;
+        all_ = false;
+        setRange(from, from + length);
+        refresh();
+    }
+    hover(pixel, event.pos());
+    return true;
+}
+
+bool PlotView::eventFilter(QObject* watched, QEvent* event) {
+    if (watched != plot_) return QWidget::eventFilter(watched, event);
+    switch (event->type()) {
+        case QEvent::MouseButtonPress:
+            return press(*static_cast<QMouseEvent*>(event));
+        case QEvent::MouseMove:
+            return move(*static_cast<QMouseEvent*>(event));
+        case QEvent::MouseButtonRelease:
+            seeking_ = false;
+            panFrom_.reset();
+            return true;
+        case QEvent::MouseButtonDblClick:
+            showAll();
+            return true;
+        case QEvent::Wheel: {
+            const auto* wheel = static_cast<QWheelEvent*>(event);
+            zoom(std::pow(1.2, wheel->angleDelta().y() / 120.0), wheel->position().x());
+            event->accept();
+            return true;
+        }
+        case QEvent::Leave:
+            hover({}, {});
+            break;
+        case QEvent::Resize:
+            dirty_ = true;
+            break;
+        default:
+            break;
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace mrose

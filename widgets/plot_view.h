@@ -1,0 +1,110 @@
+#pragma once
+
+#include <QColor>
+#include <QPointF>
+#include <QString>
+#include <QVector>
+#include <QWidget>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "widgets/theme.h"
+#include "world/time.h"
+
+class QCustomPlot;
+class QLabel;
+
+namespace mrose {
+
+/// Some number over the ticks. Who draws it asks for as much as is seen.
+struct PlotCurve {
+    QString id;    ///< its own
+    QString name;  ///< "red 1  speed"
+    QString unit;  ///< curves of one unit share an axis
+    QColor colour;
+    bool ghost = false;  ///< of another course: thin and dashed, beside the curve of the same name
+    bool dotted = false;
+    int decimals = 3;
+    /// Points (tick, number) between two ticks, of each `step` of them a few (curve_sampling.h).
+    std::function<void(std::int64_t from, std::int64_t to, std::int64_t step, QVector<QPointF>& points)> sample;
+    std::function<double(std::int64_t tick)> at;  ///< NaN: unknown
+};
+
+/// Curves over one axis of time, a stack of axes for the units. It shows the tick of the timeline; press or drag asks
+/// for another. The wheel zooms the time at the mouse, the right or middle button drags it, a double click shows all.
+class PlotView final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit PlotView(QWidget* parent = nullptr);
+    ~PlotView() override;
+
+    /// `ghostName` is that of the other course, for the read-out.
+    void setCurves(std::vector<PlotCurve> curves, const QString& ghostName = {});
+    const std::vector<PlotCurve>& curves() const { return curves_; }
+    struct Time {
+        std::int64_t first = 0, last = 0;  ///< ticks that are known
+        std::int64_t now = 0;
+        Nanoseconds tickLength = 20'000'000;
+        bool operator==(const Time&) const = default;
+    };
+    void setTime(const Time& time);
+    /// The curves have grown.
+    void refresh();
+    void setTheme(const Theme& theme);
+
+    void showAll();                               ///< all that is known, also as it grows
+    void zoom(double factor, double aboutPixel);  ///< larger than 1: closer
+    bool showsAll() const { return all_; }
+    /// What is seen of the time, in ticks.
+    double from() const { return from_; }
+    double to() const { return to_; }
+    double pixelOf(double tick) const;  ///< from the left of this widget
+    std::int64_t tickAt(double pixel) const;
+    /// Where a number of a curve is drawn; nothing: there is no such curve.
+    std::optional<QPointF> placeOf(const QString& curve, double tick, double number) const;
+    /// What the read-out says of a tick.
+    QString textAt(std::int64_t tick) const;
+
+    QSize sizeHint() const override { return {900, 200}; }
+    QSize minimumSizeHint() const override { return {200, 90}; }
+
+signals:
+    void tickRequested(std::int64_t tick);
+    void hovered(std::optional<std::int64_t> tick);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    struct Band;  ///< of one unit
+    void layOut();
+    void addBand(const QString& unit, int row);
+    void paintTheme();
+    void fill();
+    void fillBand(Band& band);
+    void moveCursor();
+    void setRange(double from, double to);
+    void keepNowInView();
+    void hover(std::optional<double> pixel, const QPoint& place);
+    bool press(const QMouseEvent& event);
+    bool move(const QMouseEvent& event);
+    double seconds(double tick) const;
+
+    QCustomPlot* plot_;
+    QLabel* readOut_;
+    std::vector<PlotCurve> curves_;
+    QString ghostName_;
+    std::vector<std::unique_ptr<Band>> bands_;
+    Time time_;
+    Theme theme_ = Theme::light();
+    double from_ = 0, to_ = 1;
+    bool all_ = true, dirty_ = false;
+    bool seeking_ = false;
+    std::optional<double> panFrom_;  ///< pixel
+};
+
+}  // namespace mrose
