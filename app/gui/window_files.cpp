@@ -11,6 +11,7 @@
 #include "file_kind.h"
 #include "main_window.h"
 #include "run_recorder.h"
+#include "scenario/state_scenario.h"
 #include "trial_list.h"
 #include "view_export.h"
 #include "widgets/field_view.h"
@@ -238,6 +239,31 @@ void WindowFiles::saved(const QString& path, const Expected<bool>& done, std::si
     window_.memory().addRecent(QFileInfo(path).absoluteFilePath());
     messages_.add({Kind::note, tr("Saved %1").arg(path), "save"});
     if (next) next();
+}
+
+Expected<void> WindowFiles::saveScenario(const QString& path) {
+    if (auto other = checkNotRead(path); !other) return other;
+    auto result = std::make_shared<Expected<void>>();
+    window_.session().run(
+        tr("Saving %1").arg(nameOf(path)), [this, path, result](TimeTravel& run, const Session::Progress&) {
+            const Course& course = run.course();
+            *result = saveStateAsScenario(path.toStdString(), course.descriptions, *course.scenario, run.state());
+            QMetaObject::invokeMethod(
+                this, [this, path, result] { savedScenario(path, *result); }, Qt::QueuedConnection);
+            return QString();
+        });
+    if (!window_.actions().unattended()) return {};
+    window_.session().settle();
+    return *result;
+}
+
+void WindowFiles::savedScenario(const QString& path, const Expected<void>& done) {
+    if (!done) return sayError(done.error(), "save");
+    window_.memory().addRecent(QFileInfo(path).absoluteFilePath());
+    messages_.add({Kind::note,
+                   tr("Saved %1, with its state beside it").arg(path),
+                   "save",
+                   {{tr("Open"), tr("Open the scenario that was saved"), [this, path] { open(path); }}}});
 }
 
 void WindowFiles::record(const QString& path, bool overwrite) {

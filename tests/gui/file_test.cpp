@@ -142,6 +142,26 @@ TEST_F(FileTest, RunWithBranchesIsSavedAndOpenedAgain) {
     EXPECT_EQ(window.shown()->hash, thrown);
 }
 
+TEST_F(FileTest, SavedStateGoesOnAsTheRunWould) {
+    open(writeGame());
+    seek(70);
+    throwBall();
+    seek(90);
+    ASSERT_TRUE(window.actions().perform("save_scenario", qPath("later.toml")));
+    ASSERT_TRUE(waitFor([&] { return !notes().empty(); }));
+    EXPECT_THAT(notes(), ElementsAre(HasSubstr("later.toml")));
+    const StateHash then = window.shown()->hash;
+    seek(130);
+    const StateHash later = window.shown()->hash;
+    open(path("later.toml"));
+    EXPECT_EQ(state().tick, 90);
+    EXPECT_EQ(window.shown()->hash, then);
+    seek(130);
+    EXPECT_EQ(window.shown()->hash, later);
+    // Not over what the run is made from.
+    EXPECT_FALSE(window.actions().perform("save_scenario", qPath("later.toml")));
+}
+
 TEST_F(FileTest, RecordsFromTheStartWhereverItBegins) {
     open(writeGame());
     seek(60);
