@@ -119,6 +119,7 @@ private:
     void addButton(QHBoxLayout& layout, const Button& button) {
         auto* made = new QPushButton(button.text, this);
         made->setToolTip(button.tip);
+        made->setMinimumWidth(made->sizeHint().width() + 16);
         // A copy: what it does may well remove this line.
         QObject::connect(made, &QPushButton::clicked, this, [run = button.run] {
             const std::function<void()> once = run;

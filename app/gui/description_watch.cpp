@@ -1,5 +1,6 @@
 #include "description_watch.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "io/file.h"
@@ -25,6 +26,13 @@ void DescriptionWatch::watch(std::map<std::string, std::string> hashes) {
     hashes_ = std::move(hashes);
     if (const QStringList old = watcher_.files() + watcher_.directories(); !old.isEmpty()) watcher_.removePaths(old);
     watchPlaces();
+}
+
+bool DescriptionWatch::watches(const std::string& file) const {
+    return std::any_of(hashes_.begin(), hashes_.end(), [&](const auto& watched) {
+        std::error_code ignored;
+        return std::filesystem::equivalent(watched.first, file, ignored);
+    });
 }
 
 /// The files, and their folders: a file that was replaced is another one, which the folder alone tells.

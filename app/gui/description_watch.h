@@ -19,6 +19,8 @@ public:
 
     /// These files from now on, by their paths, with the hashes (contentHash()) of what was read from them.
     void watch(std::map<std::string, std::string> hashes);
+    /// Whether it is one of them, by whatever name.
+    bool watches(const std::string& file) const;
     /// Compares now; otherwise a little after the last change, when who writes is done.
     void check();
 

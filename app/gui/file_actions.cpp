@@ -83,6 +83,14 @@ void addFileActions(MainWindow& window) {
     QObject::connect(&window.files(), &WindowFiles::recordingTo, stop,
                      [stop](const QString& path) { stop->setEnabled(!path.isEmpty()); });
     actions.add(menu,
+                {"save_scenario", QObject::tr("Sa&ve state as scenario\u2026"), QKeySequence("Ctrl+Shift+S"),
+                 QObject::tr("Save a scenario that goes on from the shown tick")},
+                Actions::Asking{[&] {
+                                    return askForName(window, QObject::tr("Save state as scenario"),
+                                                      QObject::tr("Scenarios (*.toml)"), ".toml");
+                                },
+                                [&](const QString& path) { return window.files().saveScenario(path); }});
+    actions.add(menu,
                 {"save_image", QObject::tr("Save &picture\u2026"), QKeySequence("Ctrl+P"),
                  QObject::tr("Save the field view as PNG, SVG or PDF")},
                 Actions::Asking{[&] {

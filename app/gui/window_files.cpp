@@ -4,12 +4,14 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QTimer>
 #include <QUrl>
 #include <utility>
 
 #include "file_kind.h"
 #include "main_window.h"
 #include "run_recorder.h"
+#include "scenario/state_scenario.h"
 #include "trial_list.h"
 #include "view_export.h"
 #include "widgets/field_view.h"
@@ -117,7 +119,8 @@ void WindowFiles::drop(const QMimeData& what) {
         return messages_.add({Kind::note, tr("Only files of this computer can be opened; save it first"), "open"});
     if (files.size() > 1)
         messages_.add({Kind::note, tr("%1 files were dropped; opening %2").arg(files.size()).arg(nameOf(files[0]))});
-    open(files[0]);
+    // Later: who drops waits for the answer, and there may be a question to the user first.
+    QTimer::singleShot(0, this, [this, file = files[0]] { open(file); });
 }
 
 void WindowFiles::offerNetwork(const QString& path) {
@@ -177,6 +180,7 @@ void WindowFiles::takeReloaded(Expected<OpenRun> run, const QString& why) {
     edit.course = run->course;
     edit.start = std::move(run->start);
     const bool goesOn = shown->playing;
+    ++savedBranches_;  // nobody's work
     window_.session().branchOff(edit, shown->tick());
     if (goesOn) window_.session().play();
     messages_.add({Kind::note,
@@ -195,7 +199,14 @@ Expected<void> WindowFiles::savePicture(const QString& path) {
                         path);
 }
 
+/// What the run is made from must not be written over.
+Expected<void> WindowFiles::checkNotRead(const QString& path) const {
+    if (!watch_.watches(path.toStdString())) return {};
+    return fail(path.toStdString(), "is a file that the run is made from; expected another name");
+}
+
 Expected<void> WindowFiles::saveRecording(const QString& path) {
+    if (auto other = checkNotRead(path); !other) return other;
     auto result = std::make_shared<Expected<bool>>(false);
     const std::string commandLine = "mrose-gui " + (opened_ ? opened_->file : "");
     window_.session().run(tr("Saving %1").arg(nameOf(path)), [this, path, result, commandLine](
@@ -230,8 +241,37 @@ void WindowFiles::saved(const QString& path, const Expected<bool>& done, std::si
     if (next) next();
 }
 
+Expected<void> WindowFiles::saveScenario(const QString& path) {
+    if (auto other = checkNotRead(path); !other) return other;
+    auto result = std::make_shared<Expected<void>>();
+    window_.session().run(
+        tr("Saving %1").arg(nameOf(path)), [this, path, result](TimeTravel& run, const Session::Progress&) {
+            const Course& course = run.course();
+            *result = saveStateAsScenario(path.toStdString(), course.descriptions, *course.scenario, run.state());
+            QMetaObject::invokeMethod(
+                this, [this, path, result] { savedScenario(path, *result); }, Qt::QueuedConnection);
+            return QString();
+        });
+    if (!window_.actions().unattended()) return {};
+    window_.session().settle();
+    return *result;
+}
+
+void WindowFiles::savedScenario(const QString& path, const Expected<void>& done) {
+    if (!done) return sayError(done.error(), "save");
+    window_.memory().addRecent(QFileInfo(path).absoluteFilePath());
+    messages_.add({Kind::note,
+                   tr("Saved %1, with its state beside it").arg(path),
+                   "save",
+                   {{tr("Open"), tr("Open the scenario that was saved"), [this, path] { open(path); }}}});
+}
+
 void WindowFiles::record(const QString& path, bool overwrite) {
     if (path.isEmpty()) return window_.session().stopRecording();
+    if (const auto other = checkNotRead(path); !other) {
+        recordingError_ = text(other.error().message());
+        return sayError(other.error(), "record");
+    }
     const QString commandLine = text("mrose-gui " + (opened_ ? opened_->file : "") + " --record ") + path;
     window_.session().record(path, commandLine, overwrite);
 }
@@ -251,8 +291,10 @@ void WindowFiles::recordingChanged(const QString& path, const QString& error) {
                                        [this] { window_.actions()["record_to"].trigger(); }}
                   : MessageBar::Button{tr("Save elsewhere\u2026"), tr("Save the run up to here to another file"),
                                        [this] { window_.actions()["save_recording"].trigger(); }}}});
-    else if (path.isEmpty() && !before.isEmpty())
+    else if (path.isEmpty() && !before.isEmpty()) {
+        if (window_.shown()) savedBranches_ = window_.shown()->branches.size();
         messages_.add({Kind::note, tr("Recorded in %1").arg(before), "record"});
+    }
     emit recordingTo(path);
 }
 

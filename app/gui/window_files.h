@@ -45,6 +45,8 @@ public:
     Expected<void> savePicture(const QString& path);
     /// The run with its branches, in the background. Where nobody attends, it waits. Error: only then.
     Expected<void> saveRecording(const QString& path);
+    /// The shown state as a scenario that goes on from there; otherwise as saveRecording().
+    Expected<void> saveScenario(const QString& path);
     /// Writes the run to a file while it goes on; an empty one: no more.
     void record(const QString& path, bool overwrite = true);
     const QString& recordedTo() const { return recordedTo_; }
@@ -69,7 +71,9 @@ signals:
 private:
     Expected<void> take(Expected<OpenRun> run, std::optional<double> at);
     void listTrials(const QString& path);
+    Expected<void> checkNotRead(const QString& path) const;
     void saved(const QString& path, const Expected<bool>& done, std::size_t branches);
+    void savedScenario(const QString& path, const Expected<void>& done);
     void recordingChanged(const QString& path, const QString& error);
     void takeReloaded(Expected<OpenRun> run, const QString& why);
     void sayError(const Error& error, const QString& topic);

@@ -1,4 +1,5 @@
 // What is wrong with a file, a disk or a plug-in is said in the window, and it goes on.
+#include <algorithm>
 #include <filesystem>
 
 #include <fcntl.h>
@@ -181,6 +182,15 @@ TEST_F(BadInput, RecordingToADeviceIsRefused) {
     EXPECT_EQ(window.shown()->hash, before_);
 }
 
+TEST_F(BadInput, WhatTheRunIsMadeFromIsNotWrittenOver) {
+    EXPECT_FALSE(window.actions().perform("save_recording", qPath("./mine.toml")));
+    window.files().record(qPath("game.toml"));
+    EXPECT_THAT(errors(), ElementsAre(HasSubstr("is a file that the run is made from")));
+    settle();
+    EXPECT_EQ(readFile(path("mine.toml")).value_or(""), robot());
+    EXPECT_EQ(readFile(path("game.toml")).value_or(""), game());
+}
+
 class BadPlugin : public FileTest {
 protected:
     /// A game in which "one" is driven by the plug-in that misbehaves so from 0.5 s on.
@@ -214,6 +224,25 @@ protected:
 
 TEST_F(BadPlugin, ThatCrashesStopsItsRobotAndIsNamed) { expectNamed("crash", "misbehaving.so"); }
 TEST_F(BadPlugin, ThatHangsStopsItsRobotAndIsNamed) { expectNamed("loop", "misbehaving.so"); }
+/// While it hangs the window is alive and says for whom it waits.
+TEST_F(BadPlugin, ThatHangsIsWaitedForInTheBackground) {
+    OpenRequest request = misbehaving("loop");
+    request.pluginLimit = 2.5;
+    ASSERT_TRUE(window.files().openNow(request));
+    settle();
+    window.session().seek(100);
+    const auto waits = [&] {
+        const std::vector<std::string> lines = said(MessageBar::Kind::progress);
+        return std::any_of(lines.begin(), lines.end(), [](const std::string& line) {
+            return line.find("Waiting for a decision of misbehaving.so") != line.npos;
+        });
+    };
+    ASSERT_TRUE(waitFor(waits));
+    ASSERT_TRUE(waitFor([&] { return !errors().empty(); }));
+    EXPECT_THAT(errors(), ElementsAre(HasSubstr("misbehaving.so took longer than 2.5 s")));
+    EXPECT_FALSE(waits());
+}
+
 TEST_F(BadPlugin, ThatThrowsIsNamed) { expectNamed("throw", "index 7"); }
 
 TEST_F(BadPlugin, ThatCrashesWhileLoadingIsNamed) {

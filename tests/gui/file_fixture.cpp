@@ -78,6 +78,7 @@ StateHash FileTest::hashAt(const Scenario& scenario, std::int64_t tick) {
 }
 
 void FileTest::settle() {
+    QApplication::processEvents();
     window.files().opener().settle();
     window.session().settle();
     QApplication::processEvents();

@@ -1,9 +1,13 @@
 // Runs are opened, opened again when a description changes, saved and recorded.
 #include "io/file.h"
 
+#include <QApplication>
 #include <QDockWidget>
+#include <QFileDialog>
 #include <QSettings>
 #include <QTableWidget>
+#include <QTimer>
+#include <csignal>
 #include <filesystem>
 
 #include <gmock/gmock.h>
@@ -138,6 +142,26 @@ TEST_F(FileTest, RunWithBranchesIsSavedAndOpenedAgain) {
     EXPECT_EQ(window.shown()->hash, thrown);
 }
 
+TEST_F(FileTest, SavedStateGoesOnAsTheRunWould) {
+    open(writeGame());
+    seek(70);
+    throwBall();
+    seek(90);
+    ASSERT_TRUE(window.actions().perform("save_scenario", qPath("later.toml")));
+    ASSERT_TRUE(waitFor([&] { return !notes().empty(); }));
+    EXPECT_THAT(notes(), ElementsAre(HasSubstr("later.toml")));
+    const StateHash then = window.shown()->hash;
+    seek(130);
+    const StateHash later = window.shown()->hash;
+    open(path("later.toml"));
+    EXPECT_EQ(state().tick, 90);
+    EXPECT_EQ(window.shown()->hash, then);
+    seek(130);
+    EXPECT_EQ(window.shown()->hash, later);
+    // Not over what the run is made from.
+    EXPECT_FALSE(window.actions().perform("save_scenario", qPath("later.toml")));
+}
+
 TEST_F(FileTest, RecordsFromTheStartWhereverItBegins) {
     open(writeGame());
     seek(60);
@@ -197,7 +221,40 @@ TEST_F(FileTest, RunsOfABatchAreListedAndOpenedWhereTheyEnded) {
     EXPECT_THAT(alone.out, HasSubstr(hash));
     write("cut.csv", "trial,seed,end,time_s,touches,kicks,hits,faults,driven_m,command\n1,2\n");
     dropFile(path("cut.csv"));
+    settle();
     EXPECT_THAT(errors(), ElementsAre(HasSubstr("cut.csv:2")));
+}
+
+/// A kill loses no more than the last second.
+TEST_F(FileTest, RecordingOutlivesAKill) {
+    const std::string file = writeGame(), recording = path("killed.mcap");
+    RunningProgram program({mroseProgram() + "-gui", "--offscreen", "--run", file, "--duration", "100000", "--speed",
+                            "20", "--record", recording});
+    const auto ticks = [&] {
+        const auto kept = openRecording(recording);
+        return kept ? kept->branches[0].timeline.last() : -1;
+    };
+    EXPECT_TRUE(waitFor([&] { return ticks() > 300; }));
+    program.send(SIGKILL);
+    program.finish();
+    EXPECT_GT(ticks(), 300);
+    const ProgramResult replayed = runMrose({"replay", recording, "--decide"});
+    EXPECT_EQ(replayed.status, 0) << replayed.out << replayed.err;
+}
+
+TEST_F(FileTest, EscapeEndsALongWayToATick) {
+    open(writeGame());
+    window.session().seek(100'000'000);
+    const auto said = [&](const std::string& text) {
+        const std::vector<std::string> lines = this->said(MessageBar::Kind::progress);
+        return lines.size() == 1 && lines[0].find(text) != text.npos;
+    };
+    ASSERT_TRUE(waitFor([&] { return said("Simulating up to 2000000.00 s"); }));
+    QTest::keyClick(&window, Qt::Key_Escape);
+    ASSERT_TRUE(waitFor([&] { return !window.session().busy(); }));
+    QApplication::processEvents();
+    EXPECT_LT(state().tick, 100'000'000);
+    EXPECT_THAT(this->said(MessageBar::Kind::progress), IsEmpty());
 }
 
 class ReloadTest : public FileTest {
@@ -309,6 +366,27 @@ TEST_F(UnsavedTest, BranchesAreAskedAboutBeforeTheyGo) {
     window.close();
     EXPECT_FALSE(window.isVisible());
     EXPECT_EQ(questions_.size(), 3u);
+}
+
+/// Types a name into the next file dialogue.
+void answerFileDialogue(const QString& path) {
+    QTimer::singleShot(0, [path] {
+        auto* dialogue = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+        if (dialogue == nullptr) return answerFileDialogue(path);
+        dialogue->selectFile(path);
+        QMetaObject::invokeMethod(dialogue, "accept");
+    });
+}
+
+TEST_F(UnsavedTest, SavingComesFirstAndThenWhatWasAskedFor) {
+    answer_ = WindowFiles::Answer::save;
+    answerFileDialogue(qPath("saved.mcap"));
+    window.files().open(qPath("other.toml"));
+    ASSERT_TRUE(waitFor([&] { return window.files().opened()->file == path("other.toml"); }));
+    EXPECT_EQ(questions_.size(), 1u);
+    const auto saved = openRecording(path("saved.mcap"));
+    ASSERT_TRUE(saved) << saved.error().message();
+    EXPECT_EQ(saved->branches.size(), 2u);
 }
 
 TEST_F(UnsavedTest, NobodyIsAskedWhereNobodyAttends) {

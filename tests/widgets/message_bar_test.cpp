@@ -1,0 +1,109 @@
+#include "widgets/message_bar.h"
+
+#include <QApplication>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTest>
+#include <QToolButton>
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+namespace mrose {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using Kind = MessageBar::Kind;
+
+class MessageBarTest : public testing::Test {
+protected:
+    MessageBarTest() {
+        bar.resize(900, 200);
+        bar.show();
+    }
+    std::vector<std::string> texts() const {
+        std::vector<std::string> texts;
+        for (const MessageBar::Message& message : bar.messages()) texts.push_back(message.text.toStdString());
+        return texts;
+    }
+    MessageBar bar;
+};
+
+TEST_F(MessageBarTest, TakesRoomOnlyWhileThereIsSomethingToSay) {
+    MessageBar empty;
+    EXPECT_TRUE(empty.isHidden());
+    empty.add({Kind::note, "a"});
+    EXPECT_FALSE(empty.isHidden());
+    EXPECT_TRUE(empty.dismiss());
+    EXPECT_TRUE(empty.isHidden());
+    EXPECT_FALSE(empty.dismiss());
+}
+
+TEST_F(MessageBarTest, OneOfTheSameTopicTakesTheOldOnesPlace) {
+    bar.add({Kind::error, "a", "reload"});
+    bar.add({Kind::note, "b"});
+    bar.add({Kind::note, "b"});
+    bar.add({Kind::error, "c", "reload"});
+    EXPECT_THAT(texts(), ElementsAre("b", "c"));
+    bar.remove("reload");
+    EXPECT_THAT(texts(), ElementsAre("b"));
+}
+
+TEST_F(MessageBarTest, NotesGiveWayBeforeErrorsAndTheNewestStays) {
+    for (const char* text : {"e1", "e2", "e3"}) bar.add({Kind::error, text});
+    bar.add({Kind::note, "n"});
+    bar.add({Kind::error, "e4"});
+    EXPECT_THAT(texts(), ElementsAre("e1", "e2", "e3", "e4"));
+    bar.add({Kind::note, "last"});
+    EXPECT_THAT(texts(), ElementsAre("e2", "e3", "e4", "last"));
+}
+
+TEST_F(MessageBarTest, ProgressGoesOnInItsLineAndIsNotDismissed) {
+    bar.add({Kind::progress, "Saving", "work", {}, 0.25});
+    auto* progress = bar.findChild<QProgressBar*>();
+    ASSERT_NE(progress, nullptr);
+    EXPECT_EQ(progress->value() * 4, progress->maximum());
+    bar.add({Kind::progress, "Saving", "work", {}, 0.5});
+    EXPECT_EQ(bar.findChild<QProgressBar*>(), progress);
+    EXPECT_EQ(progress->value() * 2, progress->maximum());
+    EXPECT_FALSE(bar.dismiss());
+}
+
+TEST_F(MessageBarTest, ButtonsActAndTheCrossDismisses) {
+    int pressed = 0;
+    bar.add({Kind::error, "broken", "", {{"Again", "Try it again", [&] {
+                                              ++pressed;
+                                              bar.clear();
+                                          }}}});
+    QTest::mouseClick(bar.findChild<QPushButton*>(), Qt::LeftButton);
+    EXPECT_EQ(pressed, 1);
+    EXPECT_THAT(texts(), IsEmpty());
+    QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    bar.add({Kind::note, "read me"});
+    EXPECT_TRUE(bar.findChild<QLabel*>("message_text")->textInteractionFlags().testFlag(Qt::TextSelectableByMouse));
+    QTest::mouseClick(bar.findChild<QToolButton*>("dismiss"), Qt::LeftButton);
+    EXPECT_THAT(texts(), IsEmpty());
+}
+
+/// Each line of text and the sign beside it are readable on both themes: WCAG 2.1 asks for 4.5 to 1.
+TEST_F(MessageBarTest, TextStandsOutFromItsGround) {
+    const auto luminance = [](const QColor& colour) {
+        const auto part = [](double x) { return x <= 0.03928 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4); };
+        return 0.2126 * part(colour.redF()) + 0.7152 * part(colour.greenF()) + 0.0722 * part(colour.blueF());
+    };
+    for (const Theme& theme : {Theme::light(), Theme::darkOne()})
+        for (const Kind kind : {Kind::note, Kind::error}) {
+            bar.clear();
+            bar.setTheme(theme);
+            bar.add({kind, "text"});
+            QApplication::processEvents();
+            const QImage image = bar.grab().toImage();
+            const double ground = luminance(image.pixelColor(image.width() / 2, 3)), text = luminance(theme.text);
+            EXPECT_GT((std::max(ground, text) + 0.05) / (std::min(ground, text) + 0.05), 4.5);
+        }
+}
+
+}  // namespace
+}  // namespace mrose
