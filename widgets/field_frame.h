@@ -7,6 +7,7 @@
 
 #include "scenario/scenario.h"
 #include "simulation/step.h"
+#include "widgets/trails.h"
 
 namespace mrose {
 
@@ -25,7 +26,7 @@ struct Ghost {
     std::string name;
     std::shared_ptr<const Scenario> scenario;  ///< of that branch: may have other bodies
     std::vector<Pose> bodies;                  ///< robots first, then objects
-    std::vector<std::vector<Point>> trails;    ///< of each body, oldest first; may be empty
+    Trails trails;                             ///< since the branches parted; may be empty
 };
 
 /// All that is known of the shown tick: what view, inspector and plots draw. A value; `scenario` is constant.
@@ -36,7 +37,7 @@ struct FieldFrame {
     std::vector<StepTrace::Robot> lastTick;    ///< what the tick that led here told of each robot; empty at a beginning
     std::vector<ContactReport> contacts;       ///< of that tick
     std::vector<StepTrace::Kicked> kicks;      ///< of the last moments
-    std::vector<std::vector<Point>> trails;    ///< of each body up to here, oldest first
+    Trails trails;                             ///< up to here
     std::vector<std::vector<Pose>> predicted;  ///< of each robot, if all go on as commanded; may be empty
     Nanoseconds predictedStep = 0;             ///< between those
     std::vector<Ghost> ghosts;

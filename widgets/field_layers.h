@@ -17,6 +17,7 @@ enum class FieldLayer {
     predicted,
     beliefs,
     ghosts,
+    legend,
     count,
 };
 
@@ -40,12 +41,18 @@ inline constexpr std::array<FieldLayerText, static_cast<std::size_t>(FieldLayer:
      true},
     {FieldLayer::beliefs, "layer_beliefs", "Beliefs", "B", "Where robots think that they and others are", false},
     {FieldLayer::ghosts, "layer_ghosts", "Ghosts", "J", "The same moment in other branches", true},
+    {FieldLayer::legend, "layer_legend", "Legend", "I", "What the layers' lines and signs stand for", false},
 }};
 
 class FieldLayers {
 public:
     FieldLayers() {
         for (const FieldLayerText& text : fieldLayerTexts) set(text.layer, text.shown);
+    }
+    static FieldLayers none() {
+        FieldLayers layers;
+        layers.bits_.reset();
+        return layers;
     }
     bool has(FieldLayer layer) const { return bits_[static_cast<std::size_t>(layer)]; }
     void set(FieldLayer layer, bool on) { bits_[static_cast<std::size_t>(layer)] = on; }

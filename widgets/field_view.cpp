@@ -1,17 +1,26 @@
 #include "widgets/field_view.h"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
+#include <QGuiApplication>
+#include <QHelpEvent>
 #include <QMouseEvent>
 #include <QPaintEvent>
+#include <QToolTip>
 #include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "widgets/field_readout.h"
 
 namespace mrose {
 namespace {
 
 constexpr double fitMargin = 16, grabPixels = 6, dragPixels = 4;
+/// What Ctrl rounds moves and turns to.
+constexpr double roundMetres = 0.1, roundTurn = std::numbers::pi / 12;
+
+double rounded(double value, double step) { return step * std::round(value / step); }
 
 }  // namespace
 
@@ -29,12 +38,16 @@ void FieldView::setFrame(std::shared_ptr<const FieldFrame> frame) {
         const std::size_t bodies = frame_ ? frame_->scene().bodyCount() : 0;
         if (focus_.selected && *focus_.selected >= bodies) setSelected(std::nullopt);
         focus_.hovered.reset();
-        drag_ = Drag::none;
-        focus_.moved.reset();
+        cancelDrag();
         fit();
     }
     followSelected();
     update();
+}
+
+void FieldView::setEditable(bool editable) {
+    editable_ = editable;
+    if (!editable && focus_.moved) cancelDrag();
 }
 
 void FieldView::setTheme(const Theme& theme) {
@@ -47,10 +60,12 @@ void FieldView::setLayers(const FieldLayers& layers) {
     layers_ = layers;
     place_ = {};
     update();
+    emit layersChanged(layers);
 }
 
 void FieldView::setSelected(std::optional<std::size_t> body) {
     if (body == focus_.selected) return;
+    finishNudge();
     focus_.selected = body;
     emit bodySelected(body);
     followSelected();
@@ -70,6 +85,7 @@ void FieldView::followSelected() {
 }
 
 FieldArea FieldView::wholeArea() const {
+    if (!frame_) return {{0, 0}, {-1, -1}};
     const FieldArea place = areaOf(frame_->scene().environment);
     return place.empty() ? areaOf(*frame_) : place;
 }
@@ -78,6 +94,15 @@ void FieldView::fit() {
     if (!frame_) return;
     view_.fit(wholeArea(), fitMargin);
     fitted_ = true;
+    update();
+}
+
+void FieldView::setView(const ViewTransform& view) {
+    ViewTransform like = view_;
+    like.showLike(view);
+    if (like == view_) return;
+    view_ = toldView_ = like;
+    fitted_ = false;
     update();
 }
 
@@ -109,8 +134,7 @@ std::optional<std::size_t> FieldView::bodyAt(const QPointF& pixels) const {
     return std::nullopt;
 }
 
-void FieldView::drawPlace() {
-    const double ratio = devicePixelRatioF();
+void FieldView::drawPlace(double ratio) {
     place_ = QPixmap(size() * ratio);
     place_.setDevicePixelRatio(ratio);
     placeView_ = view_;
@@ -126,13 +150,15 @@ void FieldView::paintEvent(QPaintEvent* /*event*/) {
         painter.fillRect(rect(), theme_.surround);
         return;
     }
+    const double ratio = painter.device()->devicePixelRatioF();
     if (place_.isNull() || !(placeView_ == view_) || placeOf_ != frame_->scenario.get() ||
-        place_.devicePixelRatio() != devicePixelRatioF())
-        drawPlace();
+        place_.devicePixelRatio() != ratio)
+        drawPlace(ratio);
     painter.drawPixmap(0, 0, place_);
     FieldPainter field(painter, view_, theme_, layers_);
-    field.frame(*frame_, focus_);
-    field.ruler();
+    field.frame(*frame_, focus_, labels_);
+    field.corners();
+    if (!(toldView_ == view_)) emit viewChanged(toldView_ = view_);
     if (drag_ == Drag::measure) field.measure(view_.toMetres(pressedAt_), view_.toMetres(draggedTo_));
 }
 
@@ -143,8 +169,9 @@ void FieldView::paint(QPainter& painter, const QSizeF& size) const {
     view.fit(view_.shown(), 0);  // as much as the window shows
     FieldPainter field(painter, view, theme_, layers_);
     field.place(frame_->scene().environment);
-    field.frame(*frame_, focus_);
-    field.ruler();
+    LabelPlacer labels = labels_;
+    field.frame(*frame_, focus_, labels);
+    field.corners();
 }
 
 void FieldView::resizeEvent(QResizeEvent* event) {
@@ -162,6 +189,7 @@ void FieldView::wheelEvent(QWheelEvent* event) {
 
 void FieldView::mousePressEvent(QMouseEvent* event) {
     setFocus();
+    finishNudge();
     if (drag_ != Drag::none || !frame_) return;
     button_ = event->button();
     pressedAt_ = draggedTo_ = event->localPos();
@@ -171,11 +199,16 @@ void FieldView::mousePressEvent(QMouseEvent* event) {
     if (!measuring && body) setSelected(body);
 }
 
+void FieldView::mouseDoubleClickEvent(QMouseEvent* event) {
+    mousePressEvent(event);
+    if (event->button() == Qt::LeftButton && bodyAt(event->localPos())) emit followRequested();
+}
+
 void FieldView::mouseMoveEvent(QMouseEvent* event) {
     const QPointF at = event->localPos();
     emit cursorMoved(view_.toMetres(at));
     if (drag_ != Drag::none) {
-        drag(at);
+        drag(at, event->modifiers().testFlag(Qt::ControlModifier));
         return;
     }
     const std::optional<std::size_t> body = bodyAt(at);
@@ -185,35 +218,52 @@ void FieldView::mouseMoveEvent(QMouseEvent* event) {
     update();
 }
 
-void FieldView::drag(const QPointF& at) {
+/// A press has become a drag: of what?
+void FieldView::beginDrag() {
+    const bool onBody = focus_.selected && bodyAt(pressedAt_) == focus_.selected;
+    drag_ = Drag::pan;
+    if (onBody && editable_ && button_ != Qt::MiddleButton)
+        drag_ = button_ == Qt::RightButton ? Drag::turn : Drag::move;
+    else if (button_ == Qt::RightButton)
+        drag_ = Drag::none;
+}
+
+Pose FieldView::draggedPose(const QPointF& at, bool round) const {
+    Pose pose = frame_->poseOf(*focus_.selected);
+    if (drag_ == Drag::move) {
+        const Point to = position(pose) + view_.toMetres(at) - view_.toMetres(pressedAt_);
+        pose.x = round ? rounded(to.x, roundMetres) : to.x;
+        pose.y = round ? rounded(to.y, roundMetres) : to.y;
+        return pose;
+    }
+    const Point to = view_.toMetres(at) - position(pose), from = view_.toMetres(pressedAt_) - position(pose);
+    // From near its middle a body is turned to face the cursor, otherwise along with where it was taken.
+    const double turned = std::atan2(to.y, to.x) -
+                          (length(from) * view_.scale() < 2 * grabPixels ? pose.heading : std::atan2(from.y, from.x));
+    const double heading = pose.heading + turned;
+    pose.heading = wrapAngle(round ? rounded(heading, roundTurn) : heading);
+    return pose;
+}
+
+void FieldView::drag(const QPointF& at, bool round) {
     if (drag_ == Drag::pressed) {
         if ((at - pressedAt_).manhattanLength() < dragPixels) return;
-        const bool onBody = focus_.selected && bodyAt(pressedAt_) == focus_.selected;
-        drag_ = Drag::pan;
-        if (onBody && editable_ && button_ != Qt::MiddleButton)
-            drag_ = button_ == Qt::RightButton ? Drag::turn : Drag::move;
-        else if (button_ == Qt::RightButton)
-            drag_ = Drag::none;
+        beginDrag();
     }
     if (drag_ == Drag::pan) {
         view_.pan(draggedTo_, at);
         fitted_ = false;
-    } else if (drag_ == Drag::move && focus_.selected) {
-        Pose pose = frame_->poseOf(*focus_.selected);
-        const Point by = view_.toMetres(at) - view_.toMetres(pressedAt_);
-        pose.x += by.x;
-        pose.y += by.y;
-        focus_.moved = pose;
-    } else if (drag_ == Drag::turn && focus_.selected) {
-        Pose pose = frame_->poseOf(*focus_.selected);
-        const Point to = view_.toMetres(at) - position(pose), from = view_.toMetres(pressedAt_) - position(pose);
-        // From near its middle a body is turned to face the cursor, otherwise along with where it was taken.
-        const double turned = std::atan2(to.y, to.x) -
-                              (length(from) * view_.scale() < 2 * grabPixels ? pose.heading : std::atan2(from.y, from.x));
-        pose.heading = wrapAngle(pose.heading + turned);
-        focus_.moved = pose;
+    } else if ((drag_ == Drag::move || drag_ == Drag::turn) && focus_.selected) {
+        focus_.moved = draggedPose(at, round);
     }
     draggedTo_ = at;
+    update();
+}
+
+void FieldView::cancelDrag() {
+    drag_ = Drag::none;
+    if (std::exchange(nudging_, false)) QCoreApplication::instance()->removeEventFilter(this);
+    focus_.moved.reset();
     update();
 }
 
@@ -226,10 +276,59 @@ void FieldView::mouseReleaseEvent(QMouseEvent* event) {
     update();
 }
 
+void FieldView::nudge(const Pose& by) {
+    if (!editable_ || !frame_ || !focus_.selected || drag_ != Drag::none) return;
+    Pose pose = focus_.moved.value_or(frame_->poseOf(*focus_.selected));
+    pose = {pose.x + by.x, pose.y + by.y, wrapAngle(pose.heading + by.heading)};
+    focus_.moved = pose;
+    update();
+    if (!std::exchange(nudging_, true)) QCoreApplication::instance()->installEventFilter(this);
+    if (!QGuiApplication::keyboardModifiers().testFlag(Qt::AltModifier)) finishNudge();
+}
+
+void FieldView::finishNudge() {
+    if (!std::exchange(nudging_, false)) return;
+    QCoreApplication::instance()->removeEventFilter(this);
+    const std::optional<Pose> moved = std::exchange(focus_.moved, std::nullopt);
+    if (moved && focus_.selected) emit bodyMoved(*focus_.selected, *moved);
+    update();
+}
+
+/// While nudges add up: of the whole program's events those that end that.
+bool FieldView::eventFilter(QObject* watched, QEvent* event) {
+    const bool released = event->type() == QEvent::KeyRelease && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Alt;
+    if (released || event->type() == QEvent::ApplicationDeactivate) finishNudge();
+    return QWidget::eventFilter(watched, event);
+}
+
 void FieldView::leaveEvent(QEvent* /*event*/) {
     focus_.hovered.reset();
     emit cursorMoved(std::nullopt);
     update();
+}
+
+QString FieldView::readoutAt(const QPointF& pixels) const {
+    if (!frame_) return {};
+    const QString signs = signReadout(*frame_, view_.toMetres(pixels), grabPixels / view_.scale());
+    const std::optional<std::size_t> body = bodyAt(pixels);
+    if (!body) return signs;
+    return signs.isEmpty() ? bodyReadout(*frame_, *body) : bodyReadout(*frame_, *body) + '\n' + signs;
+}
+
+bool FieldView::event(QEvent* event) {
+    if (event->type() == QEvent::ToolTip) {
+        const auto* help = static_cast<QHelpEvent*>(event);
+        QToolTip::showText(help->globalPos(), readoutAt(help->pos()), this);
+        return true;
+    }
+    // Escape belongs to whoever is dragging, whatever it does elsewhere.
+    const bool key = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
+    if (key && (drag_ != Drag::none || nudging_) && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+        if (event->type() == QEvent::KeyPress) cancelDrag();
+        event->accept();
+        return true;
+    }
+    return QWidget::event(event);
 }
 
 }  // namespace mrose

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <memory>
-#include <optional>
-
 #include <QPixmap>
 #include <QWidget>
+#include <memory>
+#include <optional>
 
 #include "widgets/field_frame.h"
 #include "widgets/field_painter.h"
@@ -15,7 +14,8 @@ namespace mrose {
 /// to them it asks for by signals.
 ///
 /// Wheel: zoom at the cursor. Left drag: of a body while editing is allowed, moves it; elsewhere, moves the view; with
-/// Shift, measures. Right drag of a body: turns it. Click: selects.
+/// Shift, measures. Right drag of a body: turns it. With Ctrl both go by round numbers; Escape takes them back. Click:
+/// selects. Double click on a body: follows it. Resting on something: tells of it.
 class FieldView final : public QWidget {
     Q_OBJECT
 
@@ -26,10 +26,13 @@ public:
     void setTheme(const Theme& theme);
     void setLayers(const FieldLayers& layers);
     /// Whether bodies can be dragged: while the run stands.
-    void setEditable(bool editable) { editable_ = editable; }
+    void setEditable(bool editable);
     void setSelected(std::optional<std::size_t> body);
     /// The view goes along with the selected body.
     void setFollowing(bool following);
+
+    /// Shows the same part of the field as another view.
+    void setView(const ViewTransform& view);
 
     const FieldLayers& layers() const { return layers_; }
     const ViewTransform& transform() const { return view_; }
@@ -37,9 +40,16 @@ public:
     /// The uppermost body there, within a few pixels.
     std::optional<std::size_t> bodyAt(const QPointF& pixels) const;
 
+    /// All of the place; empty where nothing is shown.
+    FieldArea wholeArea() const;
     void fit();
     void zoom(double factor);  ///< about the middle
     void panBy(const QPointF& pixels);
+    /// Moves the selected body by metres and radians, if that is allowed. While the Alt key is held the moves add up,
+    /// and are asked for when it is released.
+    void nudge(const Pose& by);
+    /// What is told of a place in pixels; empty: there is nothing.
+    QString readoutAt(const QPointF& pixels) const;
     /// The same picture for a file of another size.
     void paint(QPainter& painter, const QSizeF& size) const;
 
@@ -50,6 +60,9 @@ signals:
     void bodySelected(std::optional<std::size_t> body);
     void bodyMoved(std::size_t body, const Pose& pose);  ///< it is to be put there
     void cursorMoved(std::optional<Point> metres);
+    void followRequested();
+    void viewChanged(const ViewTransform& view);
+    void layersChanged(const FieldLayers& layers);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -58,27 +71,34 @@ protected:
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    bool event(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     enum class Drag { none, pressed, pan, move, turn, measure };
-    void drag(const QPointF& at);
-    void drawPlace();
+    void drag(const QPointF& at, bool round);
+    void beginDrag();
+    Pose draggedPose(const QPointF& at, bool round) const;
+    void cancelDrag();
+    void finishNudge();
+    void drawPlace(double ratio);
     void followSelected();
-    FieldArea wholeArea() const;
 
     std::shared_ptr<const FieldFrame> frame_;
     Theme theme_ = Theme::light();
     FieldLayers layers_;
     ViewTransform view_;
     FieldFocus focus_;
-    bool editable_ = false, following_ = false, fitted_ = true;
+    mutable LabelPlacer labels_;  ///< where they stood in the last picture
+    bool editable_ = false, following_ = false, fitted_ = true, nudging_ = false;
     Drag drag_ = Drag::none;
     Qt::MouseButton button_ = Qt::NoButton;
     QPointF pressedAt_, draggedTo_;
 
     QPixmap place_;  ///< what does not change from tick to tick, for placeView_
-    ViewTransform placeView_;
+    ViewTransform placeView_, toldView_;
     const Scenario* placeOf_ = nullptr;
 };
 

@@ -247,7 +247,12 @@ std::optional<QPointF> PlotView::placeOf(const QString& curve, double tick, doub
 
 void PlotView::refresh() {
     dirty_ = true;
-    plot_->replot(QCustomPlot::rpQueuedReplot);
+    if (isVisible()) plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void PlotView::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    refresh();
 }
 
 void PlotView::fill() {
@@ -275,7 +280,7 @@ void PlotView::fillBand(Band& band) {
         graph->data()->set(drawn, true);
     }
     band.time()->setRange(seconds(from_), seconds(to_));
-    band.value()->ticker()->setTickCount(std::clamp(band.rect->height() / 26, 1, 6));
+    band.value()->ticker()->setTickCount(std::clamp(plot_->height() / static_cast<int>(bands_.size()) / 30, 1, 6));
     if (least > most) return;
     const double middle = (least + most) / 2, span = std::max(most - least, leastSpan(band.unit));
     const QCPRange now = band.value()->range();

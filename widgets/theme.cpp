@@ -1,8 +1,18 @@
 #include "widgets/theme.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace mrose {
+namespace {
+
+double luminance(const QColor& colour) {
+    return 0.2126 * std::pow(colour.redF(), 2.2) + 0.7152 * std::pow(colour.greenF(), 2.2) +
+           0.0722 * std::pow(colour.blueF(), 2.2);
+}
+
+}  // namespace
 
 Theme Theme::light() {
     Theme t;
@@ -38,10 +48,20 @@ Theme Theme::darkOne() {
 }
 
 QColor robotColour(std::size_t robot) {
-    static const std::array<QColor, 8> colours{QColor(230, 159, 0),  QColor(86, 180, 233),  QColor(240, 228, 66),
-                                               QColor(204, 121, 167), QColor(213, 94, 0),    QColor(0, 158, 115),
-                                               QColor(0, 114, 178),  QColor(222, 222, 222)};
+    static const std::array<QColor, 8> colours{QColor(230, 159, 0),   QColor(86, 180, 233), QColor(240, 228, 66),
+                                               QColor(204, 121, 167), QColor(213, 94, 0),   QColor(0, 158, 115),
+                                               QColor(0, 114, 178),   QColor(222, 222, 222)};
     return colours[robot % colours.size()];
+}
+
+double contrast(const QColor& a, const QColor& b) {
+    const double more = std::max(luminance(a), luminance(b)), less = std::min(luminance(a), luminance(b));
+    return (more + 0.05) / (less + 0.05);
+}
+
+QColor setOff(const QColor& colour) {
+    const QColor black(0, 0, 0), white(255, 255, 255);
+    return contrast(colour, black) > contrast(colour, white) ? black : white;
 }
 
 }  // namespace mrose

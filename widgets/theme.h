@@ -1,8 +1,7 @@
 #pragma once
 
-#include <cstddef>
-
 #include <QColor>
+#include <cstddef>
 
 #include "geometry/shape.h"
 
@@ -26,6 +25,11 @@ struct Theme {
 /// The colour that a robot is known by: of eight that people with any colour vision can tell apart (Okabe and Ito 2008,
 /// "Color Universal Design", with a light grey for its black), then again from the first.
 QColor robotColour(std::size_t robot);
+
+/// How well two colours are told apart: 1 ... 21, the contrast ratio of WCAG 2.1 with the channels' gamma taken as 2.2.
+double contrast(const QColor& a, const QColor& b);
+/// Black or white, whichever a colour is seen better on.
+QColor setOff(const QColor& colour);
 
 inline QColor toQColor(const Colour& c) { return {c.red, c.green, c.blue}; }
 

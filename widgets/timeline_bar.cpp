@@ -1,25 +1,43 @@
 #include "widgets/timeline_bar.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include <QHelpEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QToolTip>
+#include <QWheelEvent>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "widgets/timeline_glyphs.h"
 
 namespace mrose {
 namespace {
 
-constexpr double sideMargin = 18, trackTop = 24, trackHeight = 14;
-constexpr std::array kindNames{"contact", "kick", "goal", "controller failed", "stop asked for"};
+// Pixels, from above to below: flags with times, signs of what happened, the track, the scale.
+constexpr double sideMargin = 18, flagTop = 2, flagHeight = 15, signs = 24, trackTop = 31, trackHeight = 14;
+/// Signs do not lie nearer to each other than this.
+constexpr double leastSignGap = 9;
+constexpr double mostPixelsPerTick = 40;
+/// Marks so near to the cursor are told of.
+constexpr double told = 4;
 
 double secondsBetweenLabels(double pixelsPerSecond) {
     const double least = 90 / std::max(pixelsPerSecond, 1e-9);
-    for (const double step : {0.02, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 30.0, 60.0, 120.0, 300.0, 600.0, 1800.0, 3600.0})
+    for (const double step :
+         {0.02, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 30.0, 60.0, 120.0, 300.0, 600.0, 1800.0, 3600.0})
         if (step >= least) return step;
     return 3600 * std::ceil(least / 3600);
+}
+
+/// "12 s", "0.25 s"; of long runs "2:05", "1:02:05".
+QString scaleText(double time, double end, int decimals) {
+    if (end < 120) return QString::number(time, 'f', decimals) + " s";
+    const auto minutes = static_cast<std::int64_t>((time + 1e-9) / 60);
+    const double rest = std::max(0.0, time - 60 * static_cast<double>(minutes));
+    const QString seconds = QString::number(rest, 'f', decimals).rightJustified(decimals > 0 ? 3 + decimals : 2, '0');
+    if (end < 3600) return QString("%1:%2").arg(minutes).arg(seconds);
+    return QString("%1:%2:%3").arg(minutes / 60).arg(minutes % 60, 2, 10, QChar('0')).arg(seconds);
 }
 
 }  // namespace
@@ -37,12 +55,18 @@ TimelineBar::TimelineBar(QWidget* parent) : QWidget(parent) {
     setAttribute(Qt::WA_OpaquePaintEvent);
     setAccessibleName(tr("Timeline"));
     setCursor(Qt::PointingHandCursor);
+    setMouseTracking(true);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
 void TimelineBar::setContent(Content content) {
     content_ = std::move(content);
     content_.end = std::max(content_.end, content_.last);
+    // Who has zoomed in still sees now go on.
+    if (!dragging_ && zoom_ > 1) {
+        const double now = pixelOf(content_.now);
+        if (now < sideMargin || now > sideMargin + room()) setOffset(offset_ + now - width() / 2.0);
+    }
     update();
 }
 
@@ -67,15 +91,50 @@ QColor TimelineBar::colourOf(TimelineMark::Kind kind, const Theme& theme) {
     return theme.accent;
 }
 
+double TimelineBar::room() const { return std::max(1.0, width() - 2 * sideMargin); }
+
+double TimelineBar::length() const { return room() * zoom_; }
+
 double TimelineBar::pixelOf(std::int64_t tick) const {
-    const auto length = static_cast<double>(std::max<std::int64_t>(content_.end - content_.first, 1));
-    return sideMargin + (width() - 2 * sideMargin) * static_cast<double>(tick - content_.first) / length;
+    const auto ticks = static_cast<double>(std::max<std::int64_t>(content_.end - content_.first, 1));
+    return sideMargin - offset_ + length() * static_cast<double>(tick - content_.first) / ticks;
 }
 
 std::int64_t TimelineBar::tickAt(double pixel) const {
-    const double share = (pixel - sideMargin) / std::max(1.0, width() - 2 * sideMargin);
-    const auto length = static_cast<double>(content_.end - content_.first);
-    return std::clamp<std::int64_t>(content_.first + std::llround(share * length), content_.first, content_.end);
+    const double share = (pixel - sideMargin + offset_) / length();
+    const auto ticks = static_cast<double>(content_.end - content_.first);
+    return std::clamp<std::int64_t>(content_.first + std::llround(share * ticks), content_.first, content_.end);
+}
+
+void TimelineBar::setOffset(double offset) {
+    offset_ = std::clamp(offset, 0.0, length() - room());
+    update();
+}
+
+void TimelineBar::zoom(double factor, double pixel) {
+    const auto ticks = static_cast<double>(std::max<std::int64_t>(content_.end - content_.first, 1));
+    const double share = (pixel - sideMargin + offset_) / length();
+    zoom_ = std::clamp(zoom_ * factor, 1.0, std::max(1.0, mostPixelsPerTick * ticks / room()));
+    setOffset(share * length() - (pixel - sideMargin));
+}
+
+void TimelineBar::pan(double pixels) { setOffset(offset_ + pixels); }
+
+std::optional<std::int64_t> TimelineBar::nextMark(bool contacts) const {
+    if (content_.marks)
+        for (const TimelineMark& mark : *content_.marks)
+            if (mark.tick > content_.now && (contacts || mark.kind != TimelineMark::Kind::contact)) return mark.tick;
+    return std::nullopt;
+}
+
+std::optional<std::int64_t> TimelineBar::previousMark(bool contacts) const {
+    std::optional<std::int64_t> found;
+    if (content_.marks)
+        for (const TimelineMark& mark : *content_.marks)
+            if (mark.tick < content_.now && mark.tick >= content_.first &&
+                (contacts || mark.kind != TimelineMark::Kind::contact))
+                found = mark.tick;
+    return found;
 }
 
 void TimelineBar::paintEvent(QPaintEvent* /*event*/) {
@@ -84,72 +143,122 @@ void TimelineBar::paintEvent(QPaintEvent* /*event*/) {
     painter.setPen(theme_.line);
     painter.drawLine(0, 0, width(), 0);
     painter.setRenderHint(QPainter::Antialiasing);
-    const QRectF track(sideMargin, trackTop, width() - 2 * sideMargin, trackHeight);
-    painter.setPen(theme_.line);
-    painter.setBrush(Qt::NoBrush);
-    painter.drawRoundedRect(track, 3, 3);
-    painter.setPen(Qt::NoPen);
-    const double now = pixelOf(content_.now), known = pixelOf(content_.last);
-    painter.setBrush(theme_.line);
-    painter.drawRoundedRect(QRectF(track.left(), track.top(), known - track.left(), track.height()), 3, 3);
-    QColor past = theme_.accent;
-    past.setAlpha(70);
-    painter.setBrush(past);
-    painter.drawRoundedRect(QRectF(track.left(), track.top(), now - track.left(), track.height()), 3, 3);
+    painter.save();
+    painter.setClipRect(QRectF(sideMargin - 7, 0, room() + 14, height()));
+    paintTrack(painter);
     paintScale(painter);
     paintMarks(painter);
-    painter.setPen(QPen(theme_.accent, 2));
-    painter.drawLine(QPointF(now, trackTop - 6), QPointF(now, trackTop + trackHeight + 3));
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(theme_.accent);
-    painter.drawPolygon(QPolygonF({{now - 6, trackTop - 12}, {now + 6, trackTop - 12}, {now, trackTop - 4}}));
+    paintBranches(painter);
+    painter.restore();
+    if (hovered_ && !dragging_) paintFlag(painter, tickAt(*hovered_), false);
+    paintFlag(painter, content_.now, true);
 }
 
-void TimelineBar::paintScale(QPainter& painter) {
+void TimelineBar::paintTrack(QPainter& painter) const {
+    const auto part = [&](double from, double to, const QBrush& brush) {
+        if (to <= from) return;
+        painter.setBrush(brush);
+        painter.drawRoundedRect(QRectF(from, trackTop, to - from, trackHeight), 3, 3);
+    };
+    const double begin = pixelOf(content_.first), end = pixelOf(content_.end);
+    painter.setPen(theme_.line);
+    part(begin, end, Qt::NoBrush);
+    painter.setPen(Qt::NoPen);
+    part(begin, pixelOf(content_.last), theme_.line);
+    QColor past = theme_.accent;
+    past.setAlpha(70);
+    part(begin, pixelOf(content_.now), past);
+    if (zoom_ <= 1) return;
+    // Which part of all is seen.
+    painter.setBrush(theme_.quietText);
+    const double from = sideMargin + room() * offset_ / length(), shown = std::max(8.0, room() / zoom_);
+    painter.drawRoundedRect(QRectF(std::min(from, width() - sideMargin - shown), height() - 4, shown, 3), 1.5, 1.5);
+}
+
+void TimelineBar::paintScale(QPainter& painter) const {
     const double seconds = toSeconds((content_.end - content_.first) * content_.tickLength);
     if (seconds <= 0) return;
-    const double step = secondsBetweenLabels((width() - 2 * sideMargin) / seconds);
+    const double step = secondsBetweenLabels(length() / seconds), perSecond = length() / seconds;
     const double begin = toSeconds(content_.first * content_.tickLength), end = begin + seconds;
+    const auto at = [&](double time) { return sideMargin - offset_ + perSecond * (time - begin); };
+    const double seen = std::max(begin, begin + (offset_ - 60) / perSecond);
+    const double until = std::min(end, begin + (offset_ + room() + 60) / perSecond);
     QFont small = font();
     small.setPointSizeF(8);
     painter.setFont(small);
     const int decimals = step < 0.1 ? 2 : step < 1 ? 1 : 0;
-    for (double at = std::ceil(begin / step - 1e-9) * step; at <= end + 1e-9; at += step) {
-        const double x = sideMargin + (width() - 2 * sideMargin) * (at - begin) / seconds;
+    for (auto i = static_cast<std::int64_t>(std::ceil(seen / step - 1e-9));
+         static_cast<double>(i) * step <= until + 1e-9; ++i) {
+        const double time = static_cast<double>(i) * step, x = at(time);
         painter.setPen(theme_.line);
         painter.drawLine(QPointF(x, trackTop + trackHeight), QPointF(x, trackTop + trackHeight + 4));
         painter.setPen(theme_.quietText);
-        const QString text = end < 120 ? QString::number(at, 'f', decimals) + " s"
-                                       : QString("%1:%2").arg(static_cast<int>(at) / 60).arg(static_cast<int>(at) % 60, 2, 10, QChar('0'));
-        painter.drawText(QRectF(x - 40, trackTop + trackHeight + 4, 80, 14), Qt::AlignHCenter | Qt::AlignTop, text);
+        painter.drawText(QRectF(x - 40, trackTop + trackHeight + 3, 80, 13), Qt::AlignHCenter | Qt::AlignTop,
+                         scaleText(time, end, decimals));
     }
 }
 
-void TimelineBar::paintMarks(QPainter& painter) {
+void TimelineBar::paintMarks(QPainter& painter) const {
+    if (!content_.marks) return;
+    // Contacts are many: a line in each pixel, the higher the more there are. Of other marks that lie too near to one
+    // another the rarest kind is seen.
+    std::vector<int> contacts(static_cast<std::size_t>(std::max(width(), 1)), 0);
+    struct Sign {
+        double x;
+        TimelineMark::Kind kind;
+    };
+    std::vector<Sign> shown;
+    for (const TimelineMark& mark : *content_.marks) {
+        const double x = pixelOf(mark.tick);
+        if (mark.tick < content_.first || x < 0 || x >= width()) continue;
+        if (mark.kind == TimelineMark::Kind::contact)
+            ++contacts[static_cast<std::size_t>(x)];
+        else if (shown.empty() || x - shown.back().x >= leastSignGap)
+            shown.push_back({x, mark.kind});
+        else
+            shown.back().kind = std::max(shown.back().kind, mark.kind);
+    }
     painter.setRenderHint(QPainter::Antialiasing, false);
-    if (content_.marks) {
-        // Of marks in one pixel the rarest kind is seen.
-        std::vector<int> shown(static_cast<std::size_t>(std::max(width(), 1)), -1);
-        for (const TimelineMark& mark : *content_.marks) {
-            if (mark.tick < content_.first || mark.tick > content_.end) continue;
-            int& kind = shown[std::min(shown.size() - 1, static_cast<std::size_t>(pixelOf(mark.tick)))];
-            kind = std::max(kind, static_cast<int>(mark.kind));
-        }
-        for (std::size_t x = 0; x < shown.size(); ++x) {
-            if (shown[x] < 0) continue;
-            const auto kind = static_cast<TimelineMark::Kind>(shown[x]);
-            const bool minor = kind == TimelineMark::Kind::contact;
-            painter.setPen(QPen(colourOf(kind, theme_), minor ? 1 : 2));
-            const auto at = static_cast<int>(x);
-            painter.drawLine(at, static_cast<int>(trackTop + (minor ? 6 : 1)), at,
-                             static_cast<int>(trackTop + trackHeight - 1));
-        }
+    painter.setPen(QPen(colourOf(TimelineMark::Kind::contact, theme_), 1));
+    for (std::size_t x = 0; x < contacts.size(); ++x) {
+        if (contacts[x] == 0) continue;
+        const double high = std::min(trackHeight - 2, 5 + 2 * std::log2(contacts[x]));
+        painter.drawLine(QPointF(static_cast<double>(x), trackTop + trackHeight - 1 - high),
+                         QPointF(static_cast<double>(x), trackTop + trackHeight - 2));
     }
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(theme_.text, 1));
+    for (const Sign& sign : shown) {
+        painter.setPen(QPen(colourOf(sign.kind, theme_), 1));
+        painter.drawLine(QPointF(sign.x, signs + 4), QPointF(sign.x, trackTop + trackHeight - 2));
+        drawMark(painter, {sign.x, signs}, sign.kind, theme_);
+    }
+}
+
+void TimelineBar::paintBranches(QPainter& painter) const {
+    painter.setPen(QPen(theme_.text, 1.4));
     painter.setBrush(theme_.panel);
     for (const std::int64_t tick : content_.branches)
         painter.drawEllipse(QPointF(pixelOf(tick), trackTop + trackHeight / 2), 4, 4);
+}
+
+/// A line at a tick, under its time.
+void TimelineBar::paintFlag(QPainter& painter, std::int64_t tick, bool now) const {
+    const double x = pixelOf(tick);
+    if (x < sideMargin - 1 || x > sideMargin + room() + 1) return;
+    const QColor colour = now ? theme_.accent : theme_.quietText;
+    painter.setPen(QPen(colour, now ? 2 : 1));
+    painter.drawLine(QPointF(x, flagTop + flagHeight), QPointF(x, trackTop + trackHeight + 3));
+    QFont small = font();
+    small.setPointSizeF(8);
+    painter.setFont(small);
+    const QString text = clockText(tick * content_.tickLength);
+    const double wide = QFontMetricsF(small).horizontalAdvance(text) + 10;
+    const QRectF box(std::clamp(x - wide / 2, 2.0, std::max(2.0, width() - wide - 2)), flagTop, wide, flagHeight);
+    painter.setPen(now ? QPen(Qt::NoPen) : QPen(theme_.line, 1));
+    painter.setBrush(now ? theme_.accent : theme_.panel);
+    painter.drawRoundedRect(box, 3, 3);
+    painter.setPen(now ? setOff(theme_.accent) : theme_.text);
+    painter.drawText(box, Qt::AlignCenter, text);
 }
 
 void TimelineBar::ask(double pixel) { emit tickRequested(tickAt(pixel)); }
@@ -161,20 +270,73 @@ void TimelineBar::mousePressEvent(QMouseEvent* event) {
 }
 
 void TimelineBar::mouseMoveEvent(QMouseEvent* event) {
-    if (dragging_) ask(event->localPos().x());
+    hovered_ = event->localPos().x();
+    if (dragging_) ask(*hovered_);
+    update();
 }
 
 void TimelineBar::mouseReleaseEvent(QMouseEvent* /*event*/) { dragging_ = false; }
 
+void TimelineBar::wheelEvent(QWheelEvent* event) {
+    const QPoint by = event->angleDelta();
+    if (by.x() != 0 || event->modifiers().testFlag(Qt::ShiftModifier))
+        pan(by.x() != 0 ? -by.x() : -by.y());
+    else
+        zoom(std::pow(1.0015, by.y()), event->position().x());
+    event->accept();
+}
+
+void TimelineBar::leaveEvent(QEvent* /*event*/) {
+    hovered_.reset();
+    update();
+}
+
+QString TimelineBar::nameOf(const TimelineMark& mark) const {
+    if (!content_.scenario) return {};
+    const Scene& scene = content_.scenario->scene();
+    const auto body = [&](std::uint32_t which) {
+        const std::size_t robots = scene.robots.size();
+        if (which >= scene.bodyCount()) return tr("the place");
+        return QString::fromStdString(which < robots ? scene.robots[which].name : scene.objects[which - robots].name);
+    };
+    switch (mark.kind) {
+        case TimelineMark::Kind::contact:
+            return tr("%1 and %2").arg(body(mark.body), body(mark.other));
+        case TimelineMark::Kind::goal:
+            return mark.other < scene.environment.goals.size()
+                       ? QString::fromStdString(scene.environment.goals[mark.other].name)
+                       : QString();
+        default:
+            return body(mark.body);
+    }
+}
+
 QString TimelineBar::textAt(double pixel) const {
+    constexpr int mostLines = 6;
     const std::int64_t tick = tickAt(pixel);
     QString text = tr("%1, tick %2").arg(clockText(tick * content_.tickLength)).arg(tick);
-    if (!content_.marks) return text;
-    std::array<int, kindNames.size()> counts{};
-    for (const TimelineMark& mark : *content_.marks)
-        if (std::abs(pixelOf(mark.tick) - pixel) < 3) ++counts[static_cast<std::size_t>(mark.kind)];
-    for (std::size_t kind = 0; kind < counts.size(); ++kind)
-        if (counts[kind] > 0) text += QString("\n%1: %2").arg(tr(kindNames[kind])).arg(counts[kind]);
+    std::array<int, markKinds> counts{};
+    std::array<QStringList, markKinds> names;
+    if (content_.marks)
+        for (const TimelineMark& mark : *content_.marks) {
+            if (mark.tick < content_.first || std::abs(pixelOf(mark.tick) - pixel) > told) continue;
+            const auto kind = static_cast<std::size_t>(mark.kind);
+            ++counts[kind];
+            const QString name = nameOf(mark).toHtmlEscaped();
+            if (!name.isEmpty() && names[kind].size() < mostLines && !names[kind].contains(name)) names[kind] += name;
+        }
+    for (int kind = markKinds - 1; kind >= 0; --kind) {
+        const auto i = static_cast<std::size_t>(kind);
+        if (counts[i] == 0) continue;
+        const auto which = static_cast<TimelineMark::Kind>(kind);
+        text += QString("<br><span style=\"color:%1\">%2</span> %3")
+                    .arg(colourOf(which, theme_).name(), markLetter(which), markName(which));
+        if (counts[i] > 1) text += QString::fromUtf8(" \u00d7 %1").arg(counts[i]);
+        if (!names[i].isEmpty()) text += ": " + names[i].join(", ");
+        if (names[i].size() == mostLines) text += QString::fromUtf8(" \u2026");
+    }
+    for (const std::int64_t branch : content_.branches)
+        if (std::abs(pixelOf(branch) - pixel) <= told) text += "<br>" + tr("a branch departs");
     return text;
 }
 

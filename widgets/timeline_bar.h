@@ -1,18 +1,20 @@
 #pragma once
 
+#include <QWidget>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
-#include <QWidget>
-
+#include "scenario/scenario.h"
 #include "widgets/theme.h"
 #include "widgets/timeline_mark.h"
 #include "world/time.h"
 
 namespace mrose {
 
-/// A branch's ticks from left to right, what happened in them, and now. Press or drag: asks for that tick.
+/// A branch's ticks from left to right, what happened in them, and now. Press or drag: asks for that tick. Wheel: zooms
+/// at the cursor, with Shift along the time. Resting: tells what happened there.
 class TimelineBar final : public QWidget {
     Q_OBJECT
 
@@ -22,8 +24,9 @@ public:
         std::int64_t end = 0;        ///< how far the bar reaches: what has not happened yet can be asked for as well
         std::int64_t departed = -1;  ///< tick at which the branch began; -1: it is the run itself
         Nanoseconds tickLength = 20'000'000;
-        std::shared_ptr<const std::vector<TimelineMark>> marks;
-        std::vector<std::int64_t> branches;  ///< ticks at which others departed from it
+        std::shared_ptr<const std::vector<TimelineMark>> marks;  ///< in the order of their ticks
+        std::vector<std::int64_t> branches;                      ///< ticks at which others departed from it
+        std::shared_ptr<const Scenario> scenario;                ///< for names; may be null
     };
     explicit TimelineBar(QWidget* parent = nullptr);
 
@@ -32,10 +35,22 @@ public:
 
     double pixelOf(std::int64_t tick) const;
     std::int64_t tickAt(double pixel) const;  ///< the nearest one
+    /// So many times as long; what lies at `pixel` stays there. Never shorter than the bar.
+    void zoom(double factor, double pixel);
+    void zoom(double factor) { zoom(factor, pixelOf(content_.now)); }
+    void pan(double pixels);
+    double zoomed() const { return zoom_; }  ///< 1: all is shown
+
+    /// The next mark after now, or the one before: of all kinds, or without contacts. Nothing: there is none.
+    std::optional<std::int64_t> nextMark(bool contacts) const;
+    std::optional<std::int64_t> previousMark(bool contacts) const;
+    /// What happened near a pixel, in rich text.
+    QString textAt(double pixel) const;
+
     static QColor colourOf(TimelineMark::Kind kind, const Theme& theme);
 
-    QSize sizeHint() const override { return {600, 58}; }
-    QSize minimumSizeHint() const override { return {200, 58}; }
+    QSize sizeHint() const override { return {600, 66}; }
+    QSize minimumSizeHint() const override { return {200, 66}; }
 
 signals:
     void tickRequested(std::int64_t tick);
@@ -45,17 +60,27 @@ protected:
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void leaveEvent(QEvent* event) override;
     bool event(QEvent* event) override;
 
 private:
     void ask(double pixel);
-    void paintScale(QPainter& painter);
-    void paintMarks(QPainter& painter);
-    QString textAt(double pixel) const;
+    double length() const;  ///< pixels, of all ticks
+    double room() const;    ///< pixels, of what is seen of them
+    void setOffset(double offset);
+    void paintTrack(QPainter& painter) const;
+    void paintScale(QPainter& painter) const;
+    void paintMarks(QPainter& painter) const;
+    void paintBranches(QPainter& painter) const;
+    void paintFlag(QPainter& painter, std::int64_t tick, bool now) const;
+    QString nameOf(const TimelineMark& mark) const;
 
     Content content_;
     Theme theme_ = Theme::light();
     bool dragging_ = false;
+    std::optional<double> hovered_;  ///< pixel
+    double zoom_ = 1, offset_ = 0;   ///< pixels of all ticks that lie left of what is seen
 };
 
 /// "12.40 s", "1:02.40", "1:00:02.40": an instant of a run.

@@ -26,6 +26,11 @@ public:
     double scale() const { return scale_; }  ///< pixels per metre
     const Point& centre() const { return centre_; }
     void setCentre(const Point& centre) { centre_ = centre; }
+    /// Shows the same place as large, in a picture of its own size.
+    void showLike(const ViewTransform& other) {
+        centre_ = other.centre_;
+        scale_ = other.scale_;
+    }
 
     QPointF toPixels(const Point& metres) const {
         return {size_.width() / 2 + scale_ * (metres.x - centre_.x),

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <charconv>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
@@ -48,15 +47,7 @@ CLI::App* addSubcommand(CLI::App& app, CommonFlags& flags, const std::string& na
 
 void addSeed(CLI::App& sub, CommonFlags& flags) {
     sub.add_option("--seed", flags.seed, "Seed of everything random; the same seed gives the same result")
-        ->check(CLI::Validator(
-            [](std::string& text) {
-                // CLI11 takes what is too large for the largest there is.
-                std::uint64_t value = 0;
-                const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
-                if (parsed.ec == std::errc::result_out_of_range) return text + " is above 18446744073709551615";
-                return text.starts_with('-') ? text + " is below 0" : std::string();
-            },
-            ""))
+        ->check(someSeed())
         ->capture_default_str();
 }
 
@@ -68,16 +59,6 @@ void addThreads(CLI::App& sub, CommonFlags& flags) {
 
 void addOverwrite(CLI::App& sub, CommonFlags& flags) {
     sub.add_flag("--overwrite", flags.overwrite, "Replace outputs that are there already");
-}
-
-CLI::Validator numberRange(double least, double most) {
-    const CLI::Range range(least, most);
-    return range & CLI::Validator(
-                       [](std::string& text) {
-                           return std::isnan(std::strtod(text.c_str(), nullptr)) ? text + " is no number"
-                                                                                 : std::string();
-                       },
-                       "");
 }
 
 Expected<void> checkNotRead(const std::string& output, const std::vector<std::string>& inputs) {
@@ -92,11 +73,6 @@ Expected<void> checkNotRead(const std::string& output, const std::vector<std::st
 Expected<void> checkOutput(const std::string& output, const std::vector<std::string>& inputs, bool overwrite) {
     if (auto other = checkNotRead(output, inputs); !other) return other;
     return checkWritable(output, overwrite);
-}
-
-CLI::Validator someName() {
-    return CLI::Validator(
-        [](const std::string& text) { return text.empty() ? "is empty; expected a name" : std::string(); }, "");
 }
 
 int report(const Error& error) {

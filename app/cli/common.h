@@ -13,6 +13,7 @@
 #include "io/error.h"
 #include "logs/robot_log.h"
 #include "motion/learned_model.h"
+#include "shared/flag_checks.h"
 
 namespace mrose::cli {
 
@@ -51,12 +52,6 @@ CLI::App* addSubcommand(CLI::App& app, CommonFlags& flags, const std::string& na
 void addSeed(CLI::App& sub, CommonFlags& flags);
 void addThreads(CLI::App& sub, CommonFlags& flags);
 void addOverwrite(CLI::App& sub, CommonFlags& flags);
-
-/// Accepts numbers from `least` to `most`; CLI::Range has no objection to "nan".
-CLI::Validator numberRange(double least, double most);
-
-/// Accepts what is not empty.
-CLI::Validator someName();
 
 /// That an output is none of the files that the command reads.
 Expected<void> checkNotRead(const std::string& output, const std::vector<std::string>& inputs);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 
 #include "recording/recording.h"
 #include "scenario/scenario_file.h"
@@ -44,26 +45,34 @@ PluginLoader findingLoader(const ReplayCommandFlags& flags) {
     };
 }
 
-/// The recorded scenario, from the texts in the recording. Without its controllers their stand-ins keep the states'
-/// layout.
-Expected<Scenario> recordedScenario(const Recording& recording, const ReplayCommandFlags& flags) {
-    KeptDescriptions source(recording.header.descriptions.texts);
-    auto loaded = loadScenario(recording.header.descriptions.scenario, source,
-                               {flags.decide ? findingLoader(flags) : PluginLoader()});
-    if (!loaded) return tl::unexpected(loaded.error());
-    if (!flags.decide)
-        for (std::size_t i = 0; i < loaded->parts.controllers.size() && i < recording.header.controllers.size(); ++i)
-            loaded->parts.controllers[i] = std::make_shared<const RecordedController>(recording.header.controllers[i]);
-    watchPlugins(loaded->parts);
-    return Scenario(std::move(loaded->parts));
+/// The scenarios of all branches; those of the same descriptions are one.
+Expected<std::vector<std::shared_ptr<const Scenario>>> recordedScenarios(const Recording& recording,
+                                                                         const ReplayCommandFlags& flags) {
+    std::map<const Descriptions*, std::shared_ptr<const Scenario>> loaded;
+    std::vector<std::shared_ptr<const Scenario>> scenarios;
+    for (std::uint32_t i = 0; i < recording.branches.size(); ++i) {
+        std::shared_ptr<const Scenario>& scenario = loaded[recording.branches[i].descriptions.get()];
+        if (!scenario) {
+            auto parts = recordedScenario(recording, i, flags.decide ? findingLoader(flags) : PluginLoader());
+            if (!parts) return tl::unexpected(parts.error());
+            watchPlugins(*parts);
+            scenario = std::make_shared<const Scenario>(std::move(*parts));
+        }
+        scenarios.push_back(scenario);
+    }
+    return scenarios;
 }
 
 /// "; kept: 900 ticks, 18.0 s"
 std::string keptText(const Recording& recording) {
     std::int64_t ticks = 0;
-    for (const Branch& branch : recording.branches) ticks += branch.timeline.last() - branch.timeline.first();
-    return "; kept: " + std::to_string(ticks) + (ticks == 1 ? " tick, " : " ticks, ") +
-           plainSeconds(ticks * recording.header.tickLength) + " s";
+    Nanoseconds time = 0;
+    for (std::size_t i = 0; i < recording.branches.size(); ++i) {
+        const Timeline& timeline = recording.branches[i].timeline;
+        ticks += timeline.last() - timeline.first();
+        time += (timeline.last() - timeline.first()) * recording.layouts[i].tickLength;
+    }
+    return "; kept: " + std::to_string(ticks) + (ticks == 1 ? " tick, " : " ticks, ") + plainSeconds(time) + " s";
 }
 
 void sayNotes(const Recording& recording, const std::string& file) {
@@ -76,8 +85,8 @@ int replayRecording(const ReplayCommandFlags& flags, const CommonFlags& common) 
     const auto recording = openRecording(flags.recording);
     if (!recording) return report(recording.error(), flags.recording);
     sayNotes(*recording, flags.recording);
-    const auto scenario = recordedScenario(*recording, flags);
-    if (!scenario) return report(scenario.error(), flags.recording);
+    const auto scenarios = recordedScenarios(*recording, flags);
+    if (!scenarios) return report(scenarios.error(), flags.recording);
     watchInterrupts();
     ProgressLine line(common.quiet);
     ReplayOptions options;
@@ -88,7 +97,7 @@ int replayRecording(const ReplayCommandFlags& flags, const CommonFlags& common) 
         if (line.terminal() && percent != shown) line.show(std::to_string(shown = percent) + " % replayed");
         return !wasInterrupted();
     };
-    const auto replayed = replay(recording->branches, *scenario, options);
+    const auto replayed = replay(recording->branches, *scenarios, options);
     if (!replayed) return report(replayed.error(), flags.recording);
     const auto& difference = replayed->difference;
     if (common.json) {
@@ -101,7 +110,7 @@ int replayRecording(const ReplayCommandFlags& flags, const CommonFlags& common) 
                 {"branch", difference->branch}, {"tick", difference->tick}, {"what", difference->what}};
         std::puts(json.dump(2).c_str());
     } else if (difference) {
-        const double time = toSeconds(difference->tick * recording->header.tickLength);
+        const double time = toSeconds(difference->tick * recording->layouts[difference->branch].tickLength);
         std::printf("differs first at tick %lld (%.3f s)%s: %s\n", static_cast<long long>(difference->tick), time,
                     difference->branch == 0 ? "" : (" of branch " + std::to_string(difference->branch)).c_str(),
                     difference->what.c_str());

@@ -5,25 +5,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "io/nearest_word.h"
+
 namespace mrose::gui {
 
 namespace {
 
-/// How many letters must be changed, added or left out to make one name of the other.
-std::size_t editDistance(const QString& from, const QString& to) {
-    std::vector<std::size_t> row(static_cast<std::size_t>(to.size()) + 1);
-    for (std::size_t i = 0; i < row.size(); ++i) row[i] = i;
-    for (int i = 0; i < from.size(); ++i) {
-        std::size_t diagonal = std::exchange(row[0], row[0] + 1);
-        for (std::size_t j = 1; j < row.size(); ++j) {
-            const std::size_t changed = diagonal + (from[i] == to[static_cast<int>(j) - 1] ? 0 : 1);
-            diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, changed}));
-        }
-    }
-    return row.back();
-}
-
-Error refusal(const QString& name, const char* cause) { return {"", 0, 0, name.toStdString(), cause}; }
+tl::unexpected<Error> refuse(const char* cause) { return fail("", cause); }
 
 }  // namespace
 
@@ -46,20 +34,27 @@ QAction* Actions::add(const QString& menu, const Text& text, Asking asking) {
 }
 
 QAction* Actions::make(const QString& menu, const Text& text) {
-    auto* action = new QAction(text.text, &window_);
+    auto* action = new QAction(&window_);
+    action->setCheckable(text.checkable);
+    action->setChecked(text.checked);
+    place(menu, text, action);
+    return action;
+}
+
+void Actions::adopt(const QString& menu, const Text& text, QAction* action) { place(menu, text, action); }
+
+void Actions::place(const QString& menu, const Text& text, QAction* action) {
+    action->setText(text.text);
     action->setObjectName(text.name);
     action->setShortcut(text.key);
     action->setToolTip(text.key.isEmpty() ? text.tip
                                           : text.tip + " (" + text.key.toString(QKeySequence::NativeText) + ')');
     action->setStatusTip(text.tip);
-    action->setCheckable(text.checkable);
-    action->setChecked(text.checked);
     window_.addAction(action);
     Group& in = group(menu);
     in.menu->addAction(action);
     in.actions.push_back(action);
     byName_[text.name] = action;
-    return action;
 }
 
 void Actions::addSeparator(const QString& menu) { group(menu).menu->addSeparator(); }
@@ -74,31 +69,31 @@ QAction* Actions::find(const QString& name) const {
 Expected<void> Actions::perform(const QString& name, const Argument& argument) {
     QAction* action = find(name);
     if (action == nullptr) return tl::unexpected(unknown(name));
-    if (!action->isEnabled()) return tl::unexpected(refusal(name, "cannot be done now"));
+    if (!action->isEnabled()) return refuse("cannot be done now");
     if (const auto asking = asking_.find(name); asking != asking_.end()) {
+        const int* number = std::get_if<int>(&argument);
         const QString* text = std::get_if<QString>(&argument);
-        if (text == nullptr || text->isEmpty()) return tl::unexpected(refusal(name, "expected a text"));
-        return asking->second.run(*text);
+        if (number == nullptr && (text == nullptr || text->isEmpty())) return refuse("expected a text");
+        return asking->second.run(number != nullptr ? QString::number(*number) : *text);
     }
-    if (std::holds_alternative<QString>(argument)) return tl::unexpected(refusal(name, "expected no text"));
+    if (std::holds_alternative<QString>(argument)) return refuse("takes no text");
     if (const bool* on = std::get_if<bool>(&argument)) {
-        if (!action->isCheckable()) return tl::unexpected(refusal(name, "is not switched on or off"));
+        if (!action->isCheckable()) return refuse("cannot be switched on or off");
         if (action->isChecked() != *on) action->trigger();
         return {};
     }
     const int* count = std::get_if<int>(&argument);
+    if (count != nullptr && (action->isCheckable() || *count < 0)) return refuse("takes no such number");
     for (int i = 0; i < (count != nullptr ? *count : 1); ++i) action->trigger();
     return {};
 }
 
 Error Actions::unknown(const QString& name) const {
-    const auto nearest = std::min_element(byName_.begin(), byName_.end(), [&](const auto& a, const auto& b) {
-        return editDistance(a.first, name) < editDistance(b.first, name);
-    });
-    std::string cause = "there is no action of this name";
-    if (nearest != byName_.end() && editDistance(nearest->first, name) <= 3)
-        cause += "; did you mean " + nearest->first.toStdString() + '?';
-    return {"", 0, 0, name.toStdString(), cause};
+    std::vector<std::string> names;
+    for (const auto& [known, action] : byName_) names.push_back(known.toStdString());
+    const std::string_view meant = nearestWord(name.toStdString(), {names.begin(), names.end()});
+    const std::string hint = meant.empty() ? "" : "; did you mean " + std::string(meant) + '?';
+    return {"", 0, 0, name.toStdString(), "there is no action of this name" + hint};
 }
 
 Actions::Group& Actions::group(const QString& title) {

@@ -20,8 +20,8 @@ public:
     explicit Actions(QMainWindow& window) : window_(window) {}
 
     struct Text {
-        const char* name;  ///< of lower-case words: "tick_forward"
-        QString text;      ///< as the menu shows it, with & before its letter
+        QString name;  ///< of lower-case words: "tick_forward"
+        QString text;  ///< as the menu shows it, with & before its letter
         QKeySequence key;
         QString tip;
         bool checkable = false, checked = false;
@@ -38,6 +38,8 @@ public:
     };
     QAction* add(const QString& menu, const Text& text, Asking asking);
 
+    /// One that was made elsewhere, a dock's own.
+    void adopt(const QString& menu, const Text& text, QAction* action);
     void addSeparator(const QString& menu);
     QMenu* menu(const QString& title);
 
@@ -66,6 +68,7 @@ public:
 
 private:
     QAction* make(const QString& menu, const Text& text);
+    void place(const QString& menu, const Text& text, QAction* action);
     Group& group(const QString& title);
     Error unknown(const QString& name) const;
 

@@ -21,6 +21,9 @@ public:
     /// Why the last tick asks to stop here; empty: it does not.
     const std::string& breakReason() const { return breakReason_; }
 
+    /// Of the tick that led here; nullptr: none is known.
+    const StepTrace* trace() const { return hasTrace_ ? &trace_ : nullptr; }
+
     /// One tick on along a timeline where it has been before.
     Expected<void> advance(const Scenario& scenario, Playback& playback, const Timeline& timeline);
     /// One tick on that has never been.

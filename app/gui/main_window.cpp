@@ -6,6 +6,7 @@
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QDropEvent>
+#include <QInputDialog>
 #include <QLabel>
 #include <QMenu>
 #include <QMimeData>
@@ -13,13 +14,17 @@
 #include <QStyle>
 #include <QSvgGenerator>
 #include <QToolBar>
-#include <QTreeWidget>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
+#include "branch_panel.h"
+#include "command_panel.h"
 #include "plot_panel.h"
+#include "side_view.h"
 #include "widgets/field_view.h"
 #include "widgets/icons.h"
 #include "widgets/inspector.h"
@@ -42,16 +47,20 @@ MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
       actions_(*this),
       session_(new Session(this)),
-      field_(new FieldView),
+      view_(new SideView),
       timeline_(new TimelineBar),
       inspector_(new Inspector),
       plots_(new PlotPanel(*session_)),
-      branches_(new QTreeWidget),
+      branches_(new BranchPanel),
+      command_(new CommandPanel),
       speed_(new QComboBox),
+      seed_(new QToolButton),
       clock_(new QLabel),
       factor_(new QLabel),
       cursor_(new QLabel),
       message_(new QLabel) {
+    view_->setObjectName("field");
+    timeline_->setObjectName("timeline");
     setWindowTitle("mrose");
     resize(1280, 800);
     setAcceptDrops(true);
@@ -59,7 +68,7 @@ MainWindow::MainWindow(QWidget* parent)
     auto* layout = new QVBoxLayout(middle);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    layout->addWidget(field_, 1);
+    layout->addWidget(view_, 1);
     layout->addWidget(timeline_);
     setCentralWidget(middle);
     makeDocks();
@@ -67,19 +76,39 @@ MainWindow::MainWindow(QWidget* parent)
     addFileActions(*this);
     addEditActions(*this);
     addTimeActions(*this);
+    addBranchActions(*this);
     addViewActions(*this);
     addLayerActions(*this);
     addPlotActions(*this);
     actions_.addSeparator(tr("&View"));
+    int number = 0;
     for (QDockWidget* dock : findChildren<QDockWidget*>())
-        actions_.menu(tr("&View"))->addAction(dock->toggleViewAction());
+        actions_.adopt(
+            tr("&View"),
+            {"show_" + dock->objectName(), dock->windowTitle(), QKeySequence(QString("Ctrl+%1").arg(++number)),
+             tr("Show or hide the panel \u201c%1\u201d").arg(dock->windowTitle())},
+            dock->toggleViewAction());
+    addHelpActions(*this);
     makeToolBar();
     makeStatusBar();
     connect(session_, &Session::shown, this, &MainWindow::update);
     connect(timeline_, &TimelineBar::tickRequested, session_, &Session::seek);
-    connect(field_, &FieldView::bodySelected, inspector_, &Inspector::setBody);
-    connect(field_, &FieldView::bodyMoved, this, &MainWindow::moveBody);
-    connect(field_, &FieldView::cursorMoved, this, [this](std::optional<Point> at) {
+    connect(&field(), &FieldView::bodySelected, inspector_, &Inspector::setBody);
+    connect(&field(), &FieldView::bodySelected, command_, &CommandPanel::setRobot);
+    connect(inspector_, &Inspector::commandActivated, this, [this](qint64 issued) {
+        // The state after the decision is the first that shows it.
+        if (shown_) session_->seek(shown_->frame->scene().ticksOf(issued) + 1);
+        command_->edit();
+    });
+    connect(command_, &CommandPanel::branchRequested, this, [this](const Edit& edit) { session_->branchOff(edit); });
+    connect(branches_, &BranchPanel::renamed, session_, &Session::rename);
+    connect(branches_, &BranchPanel::besideRequested, session_,
+            [this](std::uint32_t branch) { session_->showBeside(branch); });
+    connect(branches_, &BranchPanel::branchRequested, this, [this](std::uint32_t branch) {
+        if (shown_ && branch != shown_->branch) session_->show(branch, shown_->tick());
+    });
+    connect(&field(), &FieldView::bodyMoved, this, &MainWindow::moveBody);
+    connect(&field(), &FieldView::cursorMoved, this, [this](std::optional<Point> at) {
         cursor_->setText(at ? QString("x %1  y %2 m").arg(at->x, 0, 'f', 2).arg(at->y, 0, 'f', 2) : QString());
     });
     setTheme(Theme::light());
@@ -92,6 +121,15 @@ void MainWindow::showPlots() { findChild<QDockWidget*>("plots")->show(); }
 
 void MainWindow::changeSpeed(int by) {
     speed_->setCurrentIndex(std::clamp(speed_->currentIndex() + by, 0, speed_->count() - 1));
+}
+
+void MainWindow::setSpeed(double speed) {
+    const auto rank = [](double some) { return some > 0 ? some : std::numeric_limits<double>::infinity(); };
+    int at = 0;
+    while (at < speed_->count() && rank(speed_->itemData(at).toDouble()) < rank(speed)) ++at;
+    if (at == speed_->count() || speed_->itemData(at).toDouble() != speed)
+        speed_->insertItem(at, speedName(speed), speed);
+    speed_->setCurrentIndex(at);
 }
 
 void MainWindow::makeToolBar() {
@@ -109,10 +147,14 @@ void MainWindow::makeToolBar() {
     speed_->setFocusPolicy(Qt::NoFocus);
     bar->addWidget(speed_);
     connect(speed_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
-            [this](int index) { session_->setSpeed(speeds[static_cast<std::size_t>(index)]); });
+            [this](int index) { session_->setSpeed(speed_->itemData(index).toDouble()); });
     factor_->setMinimumWidth(190);
     factor_->setContentsMargins(10, 0, 0, 0);
     bar->addWidget(factor_);
+    bar->addSeparator();
+    seed_->setDefaultAction(&actions_["restart_with_seed"]);
+    seed_->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    bar->addWidget(seed_);
     bar->addSeparator();
     bar->addAction(&actions_["fit"]);
     bar->addAction(&actions_["follow"]);
@@ -126,17 +168,11 @@ void MainWindow::makeDocks() {
         addDockWidget(area, made);
         return made;
     };
-    branches_->setColumnCount(2);
-    branches_->setHeaderLabels({tr("Branch"), tr("from")});
-    branches_->setFrameShape(QFrame::NoFrame);
-    branches_->setAccessibleName(tr("Branches"));
-    connect(branches_, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item, int) {
-        if (!shown_) return;
-        session_->show(item->data(0, Qt::UserRole).toUInt(), shown_->tick());
-    });
     dock("branches", tr("Branches"), branches_, Qt::LeftDockWidgetArea);
+    dock("command", tr("Change a command"), command_, Qt::LeftDockWidgetArea);
     dock("inspector", tr("Inspector"), inspector_, Qt::RightDockWidgetArea);
-    resizeDocks(findChildren<QDockWidget*>(), {200, 330}, Qt::Horizontal);
+    resizeDocks({findChild<QDockWidget*>("branches"), findChild<QDockWidget*>("inspector")}, {250, 330},
+                Qt::Horizontal);
     dock("plots", tr("Plots"), plots_, Qt::BottomDockWidgetArea)->hide();
 }
 
@@ -163,11 +199,14 @@ void MainWindow::setTheme(const Theme& theme) {
     palette.setColor(QPalette::ToolTipBase, theme_.panel);
     palette.setColor(QPalette::ToolTipText, theme_.text);
     palette.setColor(QPalette::Highlight, theme_.accent);
+    palette.setColor(QPalette::Link, theme_.accent);
+    palette.setColor(QPalette::Mid, theme_.line);
     palette.setColor(QPalette::HighlightedText, theme_.dark ? Qt::black : Qt::white);
     for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
         palette.setColor(QPalette::Disabled, role, theme_.quietText);
     QApplication::setPalette(palette);
-    field_->setTheme(theme_);
+    view_->setTheme(theme_);
+    branches_->setTheme(theme_);
     timeline_->setTheme(theme_);
     inspector_->setTheme(theme_);
     plots_->setTheme(theme_);
@@ -197,14 +236,13 @@ void MainWindow::show(const OpenRun& run) {
     title_ = QString::fromStdString(run.name);
     setWindowTitle(title_ + " \u2013 mrose");
     plannedTicks_ = run.course->scene().ticksOf(run.course->scenario->parts().duration);
-    field_->setSelected(std::nullopt);
+    field().setSelected(std::nullopt);
     session_->open(run);
 }
 
 void MainWindow::update(std::shared_ptr<const Shown> what) {
     shown_ = std::move(what);
-    field_->setEditable(!shown_->playing);
-    field_->setFrame(shown_->frame);
+    view_->setShown(*shown_);
     inspector_->setFrame(shown_->frame);
     plots_->setShown(shown_);
     TimelineBar::Content content;
@@ -214,30 +252,15 @@ void MainWindow::update(std::shared_ptr<const Shown> what) {
     content.end = std::max(plannedTicks_, shown_->last);
     content.tickLength = shown_->frame->scene().tickLength;
     content.marks = shown_->marks;
+    content.scenario = shown_->frame->scenario;
     for (const BranchInfo& branch : shown_->branches)
         if (branch.parent == shown_->branch && branch.departed > 0) content.branches.push_back(branch.departed);
     timeline_->setContent(std::move(content));
-    updateBranches();
+    branches_->setShown(*shown_);
+    command_->setShown(*shown_);
+    if (shown_->subject) field().setSelected(shown_->subject);
     updateStatus();
     emit updated();
-}
-
-void MainWindow::updateBranches() {
-    const auto count = static_cast<int>(shown_->branches.size());
-    while (branches_->topLevelItemCount() > count)
-        delete branches_->takeTopLevelItem(branches_->topLevelItemCount() - 1);
-    for (int i = 0; i < count; ++i) {
-        const BranchInfo& branch = shown_->branches[static_cast<std::size_t>(i)];
-        QTreeWidgetItem* item = branches_->topLevelItem(i);
-        if (item == nullptr) item = new QTreeWidgetItem(branches_);
-        item->setData(0, Qt::UserRole, i);
-        item->setText(0, i == 0 ? tr("the run") : branch.name);
-        item->setText(1, i == 0 ? QString() : clockText(branch.departed * shown_->frame->scene().tickLength));
-        QFont font = branches_->font();
-        font.setBold(static_cast<std::uint32_t>(i) == shown_->branch);
-        item->setFont(0, font);
-    }
-    branches_->resizeColumnToContents(0);
 }
 
 void MainWindow::updateStatus() {
@@ -245,6 +268,7 @@ void MainWindow::updateStatus() {
     actions_["play"].setIcon(icon(playing ? Icon::pause : Icon::play, theme_));
     actions_["play"].setText(playing ? tr("&Pause") : tr("&Play"));
     if (!shown_) return;
+    seed_->setText(tr("seed %1").arg(shown_->frame->state.seed));
     clock_->setText(
         tr("%1   tick %2").arg(clockText(shown_->frame->scene().timeOf(shown_->tick()))).arg(shown_->tick()));
     factor_->setText(
@@ -274,6 +298,19 @@ void MainWindow::moveBody(std::size_t body, const Pose& pose) {
     session_->branchOff(edit);
 }
 
+FieldView& MainWindow::field() const { return view_->field(); }
+
+FieldView& MainWindow::besideField() const { return view_->beside(); }
+
+void MainWindow::setSideBySide(bool on) {
+    view_->setSideBySide(on);
+    if (shown_) view_->setShown(*shown_);
+}
+
+QString MainWindow::askText(const QString& title, const QString& label) {
+    return QInputDialog::getText(this, title, label);
+}
+
 void MainWindow::say(const QString& text) {
     message_->setText(text);
     message_->setToolTip(text);
@@ -283,12 +320,12 @@ bool MainWindow::saveImage(const QString& path) {
     if (path.endsWith(".svg", Qt::CaseInsensitive)) {
         QSvgGenerator svg;
         svg.setFileName(path);
-        svg.setSize(field_->size());
-        svg.setViewBox(field_->rect());
+        svg.setSize(field().size());
+        svg.setViewBox(field().rect());
         svg.setTitle(title_);
         QPainter painter;
         if (!painter.begin(&svg)) return false;
-        field_->paint(painter, field_->size());
+        field().paint(painter, field().size());
         return painter.end();
     }
     return grab().save(path);

@@ -11,8 +11,7 @@
 
 class QComboBox;
 class QLabel;
-class QListWidget;
-class QTreeWidget;
+class QToolButton;
 
 namespace mrose {
 class FieldView;
@@ -22,7 +21,10 @@ class TimelineBar;
 
 namespace mrose::gui {
 
+class BranchPanel;
+class CommandPanel;
 class PlotPanel;
+class SideView;
 
 /// The window. It shows what the session shows, and turns what the user does into requests.
 class MainWindow final : public QMainWindow {
@@ -36,13 +38,22 @@ public:
     Expected<void> open(const QString& name);
     void show(const OpenRun& run);
     Session& session() { return *session_; }
-    FieldView& field() const { return *field_; }
     Inspector& inspector() const { return *inspector_; }
     PlotPanel& plots() const { return *plots_; }
     void showPlots();  ///< their dock, where it is hidden
+    TimelineBar& timeline() const { return *timeline_; }
+    FieldView& field() const;
+    FieldView& besideField() const;
+    CommandPanel& commandPanel() const { return *command_; }
+    BranchPanel& branchPanel() const { return *branches_; }
+    void setSideBySide(bool on);
+    /// Asks the user for a line; empty: they thought better of it.
+    QString askText(const QString& title, const QString& label);
     const Shown* shown() const { return shown_.get(); }
     Actions& actions() { return actions_; }
     void changeSpeed(int by);  ///< steps of the list of speeds
+    /// Simulated seconds per second, one of the list from now on; 0: as fast as possible.
+    void setSpeed(double speed);
     void setTheme(const Theme& theme);
     void say(const QString& text);  ///< in the status bar
     bool saveImage(const QString& path);
@@ -60,18 +71,19 @@ private:
     void makeDocks();
     void makeStatusBar();
     void update(std::shared_ptr<const Shown> what);
-    void updateBranches();
     void updateStatus();
     void moveBody(std::size_t body, const Pose& pose);
 
     Actions actions_;
     Session* session_;
-    FieldView* field_;
+    SideView* view_;
     TimelineBar* timeline_;
     Inspector* inspector_;
     PlotPanel* plots_;
-    QTreeWidget* branches_;
+    BranchPanel* branches_;
+    CommandPanel* command_;
     QComboBox* speed_;
+    QToolButton* seed_;
     QLabel *clock_, *factor_, *cursor_, *message_;
     std::shared_ptr<const Shown> shown_;
     std::int64_t plannedTicks_ = 0;

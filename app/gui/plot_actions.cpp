@@ -18,19 +18,19 @@ void addPlotActions(MainWindow& window) {
         return key;
     };
     actions.add(menu,
-                {"plot_value", QObject::tr("Plot the inspector's &value"), QKeySequence("K"),
+                {"plot_value", QObject::tr("Plot the inspector's &value"), QKeySequence("Y"),
                  QObject::tr("The number chosen in the inspector over time, or no longer")},
                 [&plots, current](bool) {
                     if (const auto key = current()) plots.toggle(*key);
                 });
     actions.add(menu,
-                {"plot_value_of_all", QObject::tr("Plot it of all &robots"), QKeySequence("Shift+K"),
+                {"plot_value_of_all", QObject::tr("Plot it of all &robots"), QKeySequence("Shift+Y"),
                  QObject::tr("The number chosen in the inspector, of every robot")},
                 [&plots, current](bool) {
                     if (const auto key = current()) plots.toggleOfAll(*key);
                 });
     actions.add(menu,
-                {"plot_expression", QObject::tr("Plot an &expression\u2026"), QKeySequence("Ctrl+K"),
+                {"plot_expression", QObject::tr("Plot an &expression\u2026"), QKeySequence("Ctrl+E"),
                  QObject::tr("Any number of the world over time, such as distance(robot[2], ball)")},
                 Actions::Asking{[&window, &plots] {
                                     window.showPlots();
@@ -49,7 +49,7 @@ void addPlotActions(MainWindow& window) {
                 [&plots](bool) { plots.cancel(); });
     actions.add(
         menu,
-        {"clear_plots", QObject::tr("&Clear"), QKeySequence("Ctrl+Shift+K"), QObject::tr("Plot nothing any more")},
+        {"clear_plots", QObject::tr("&Clear"), QKeySequence("Ctrl+Shift+Y"), QObject::tr("Plot nothing any more")},
         [&plots](bool) { plots.clear(); });
     QObject::connect(&inspector, &Inspector::plotRequested, &plots, &PlotPanel::toggle);
     QObject::connect(&inspector, &Inspector::plotOfAllRequested, &plots, &PlotPanel::toggleOfAll);

@@ -89,6 +89,7 @@ void Session::seek(std::int64_t tick) {
 void Session::show(std::uint32_t branch, std::int64_t tick) {
     request([this, branch, tick] {
         if (!run_ || branch >= run_->branches().size()) return;
+        message_.clear();
         if (auto done = run_->show(branch, tick); !done) message_ = QString::fromStdString(done.error().message());
         anchor();
     });
@@ -220,6 +221,7 @@ void Session::work() {
                 wake_.wait_until(lock, nextFrame, called);
             else
                 wake_.wait(lock, called);
+            if (quit_) break;
         }
         if (!looks_.empty()) {
             lock.unlock();
@@ -251,6 +253,7 @@ bool Session::superseded() {
 
 /// To a tick that has been, or by simulating up to one that has not; whatever is asked for meanwhile ends that.
 void Session::goTo(std::int64_t tick) {
+    message_.clear();
     Expected<void> done = run_->seek(tick);
     auto shownAt = Clock::now();
     while (done && run_->tick() < tick) {

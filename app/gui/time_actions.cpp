@@ -1,5 +1,6 @@
 #include "main_window.h"
 #include "widgets/field_view.h"
+#include "widgets/timeline_bar.h"
 #include "window_actions.h"
 
 namespace mrose::gui {
@@ -12,6 +13,41 @@ std::int64_t controlPeriod(const MainWindow& window) {
     const std::optional<std::size_t> body = window.field().selected();
     if (body && *body < scene.robots.size()) return scene.periodTicks(*body);
     return scene.robots.empty() ? 1 : scene.periodTicks(0);
+}
+
+/// To the next mark of the timeline, to the one before, to those that are no contacts.
+void addMarkActions(MainWindow& window, const QString& menu) {
+    const auto go = [&window](std::optional<std::int64_t> tick) {
+        if (tick)
+            window.session().seek(*tick);
+        else
+            window.say(QObject::tr("There is no further mark"));
+    };
+    Actions& actions = window.actions();
+    actions.add(menu,
+                {"previous_mark", QObject::tr("Pre&vious mark"), QKeySequence(","),
+                 QObject::tr("To the last contact, kick, goal, fault or stop before now")},
+                [&window, go](bool) { go(window.timeline().previousMark(true)); });
+    actions.add(menu,
+                {"next_mark", QObject::tr("Next &mark"), QKeySequence("."),
+                 QObject::tr("To the next contact, kick, goal, fault or stop")},
+                [&window, go](bool) { go(window.timeline().nextMark(true)); });
+    actions.add(menu,
+                {"previous_event", QObject::tr("Previous mark but contacts"), QKeySequence("Ctrl+,"),
+                 QObject::tr("To the last kick, goal, fault or stop before now")},
+                [&window, go](bool) { go(window.timeline().previousMark(false)); });
+    actions.add(menu,
+                {"next_event", QObject::tr("Next mark but contacts"), QKeySequence("Ctrl+."),
+                 QObject::tr("To the next kick, goal, fault or stop")},
+                [&window, go](bool) { go(window.timeline().nextMark(false)); });
+    actions.add(menu,
+                {"timeline_zoom_in", QObject::tr("Zoom timeline in"), QKeySequence("]"),
+                 QObject::tr("A shorter part of the run on the timeline, about now")},
+                [&window](bool) { window.timeline().zoom(2); });
+    actions.add(menu,
+                {"timeline_zoom_out", QObject::tr("Zoom timeline out"), QKeySequence("["),
+                 QObject::tr("A longer part of the run on the timeline")},
+                [&window](bool) { window.timeline().zoom(0.5); });
 }
 
 }  // namespace
@@ -56,6 +92,8 @@ void addTimeActions(MainWindow& window) {
                 [&](bool) {
                     if (window.shown()) session.seek(window.shown()->last);
                 });
+    actions.addSeparator(menu);
+    addMarkActions(window, menu);
     actions.addSeparator(menu);
     actions.add(menu, {"slower", QObject::tr("S&lower"), QKeySequence(Qt::Key_Minus), QObject::tr("Play slower")},
                 [&](bool) { window.changeSpeed(-1); });

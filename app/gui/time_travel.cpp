@@ -113,7 +113,10 @@ Expected<void> TimeTravel::branchOff(const Edit& edit) {
     if (edit.change) edit.change(*course->scenario, state);
     if (const std::string wrong = misfit(*course->scenario, state); !wrong.empty())
         return tl::unexpected(Error{"", 0, 0, "", "the state does not fit the scenario: " + wrong});
-    const std::uint32_t made = history_.beginBranch(parent, state, edit.name);
+    const bool otherCourse = course != records_[parent].coursePointer();
+    const std::uint32_t made = history_.beginBranch(
+        parent, state, edit.name,
+        otherCourse ? std::shared_ptr<const Descriptions>(course, &course->descriptions) : nullptr);
     records_.emplace_back(course, state, edit.orders);
     at.moveTo(made, {std::move(state)});
     shown_ = std::move(at);
@@ -189,13 +192,24 @@ std::optional<FieldFrame> TimeTravel::besideFrame(const FrameOptions& options) c
 
 FieldFrame TimeTravel::frameOf(const Cursor& cursor, const FrameOptions& options) const {
     FieldFrame frame = cursor.frame(scenarioOf(cursor.branch()));
-    frame.trails = records_[cursor.branch()].track().trails(cursor.tick(), options.trailTicks);
+    addTrails(cursor.branch(), cursor.tick(), options.trailTicks, frame.trails);
     if (options.ahead > 0 && frame.scene().bodyCount() <= options.mostBodiesAhead) {
         frame.predicted = predictedPaths(cursor, options.ahead);
         frame.predictedStep = predictedEvery * frame.scene().tickLength;
     }
     if (options.ghosts) frame.ghosts = ghostsOf(cursor, options.trailTicks);
     return frame;
+}
+
+/// Of a branch, and before it of those that it came from, where they have the same bodies.
+void TimeTravel::addTrails(std::uint32_t branch, std::int64_t tick, std::size_t ticks, Trails& trails) const {
+    const Branch& way = branches()[branch];
+    const PoseTrack& track = records_[branch].track();
+    const auto since = static_cast<std::size_t>(std::max<std::int64_t>(0, tick - way.tick));
+    if (way.parent != branch && since < ticks &&
+        scenarioOf(branch)->scene().bodyCount() == scenarioOf(way.parent)->scene().bodyCount())
+        addTrails(way.parent, way.tick, ticks - since, trails);
+    track.addTrails(tick, ticks, trails);
 }
 
 std::vector<std::vector<Pose>> TimeTravel::predictedPaths(const Cursor& cursor, Nanoseconds ahead) const {
@@ -225,8 +239,8 @@ std::vector<Ghost> TimeTravel::ghostsOf(const Cursor& cursor, std::size_t trailT
         if (!related || !sameClock || cursor.tick() < std::max(departed, track.first())) continue;
         const std::int64_t then = std::min(cursor.tick(), track.last());
         const auto since = static_cast<std::size_t>(std::max<std::int64_t>(0, then - departed));
-        ghosts.push_back({branches()[other].name, scenarioOf(other), track.posesAt(then),
-                          track.trails(then, std::min(trailTicks, since))});
+        Ghost& ghost = ghosts.emplace_back(Ghost{branches()[other].name, scenarioOf(other), track.posesAt(then), {}});
+        track.addTrails(then, std::min(trailTicks, since), ghost.trails);
     }
     return ghosts;
 }

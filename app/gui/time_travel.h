@@ -46,6 +46,8 @@ public:
     std::int64_t last() const { return timeline().last(); }
     /// Why the last tick asks to stop here; empty: it does not.
     const std::string& breakReason() const { return shown_.breakReason(); }
+    /// Of the tick that led here; nullptr: none is known.
+    const StepTrace* trace() const { return shown_.trace(); }
     std::size_t memory() const { return history_.size(); }  ///< bytes of the timelines, roughly
 
     /// One tick on: along the branch where it has been before, otherwise into what has not yet happened.
@@ -104,6 +106,7 @@ private:
     void followWithParent();
     void followBeside();
     FieldFrame frameOf(const Cursor& cursor, const FrameOptions& options) const;
+    void addTrails(std::uint32_t branch, std::int64_t tick, std::size_t ticks, Trails& trails) const;
     std::vector<std::vector<Pose>> predictedPaths(const Cursor& cursor, Nanoseconds ahead) const;
     std::vector<Ghost> ghostsOf(const Cursor& cursor, std::size_t trailTicks) const;
 

@@ -1,9 +1,74 @@
+#include <array>
+#include <memory>
+#include <numbers>
+
 #include "main_window.h"
 #include "widgets/field_view.h"
+#include "widgets/icons.h"
 #include "window_actions.h"
 
 namespace mrose::gui {
 namespace {
+
+constexpr double panStep = 60;      // pixels
+constexpr double nudgeStep = 0.01;  // m
+constexpr double nudgeTurn = std::numbers::pi / 180;
+constexpr std::array trailSeconds{2, 5, 10, 20, 40, 120, 600};
+constexpr std::size_t usualTrail = 2;
+
+void addPanActions(MainWindow& window, const QString& menu) {
+    struct Way {
+        const char *name, *text, *key, *tip;
+        QPointF by;
+    };
+    for (const Way& way :
+         {Way{"pan_left", "Move view &left", "Ctrl+Shift+Left", "Show what lies left", {panStep, 0}},
+          Way{"pan_right", "Move view &right", "Ctrl+Shift+Right", "Show what lies right", {-panStep, 0}},
+          Way{"pan_up", "Move view &up", "Ctrl+Shift+Up", "Show what lies above", {0, panStep}},
+          Way{"pan_down", "Move view &down", "Ctrl+Shift+Down", "Show what lies below", {0, -panStep}}})
+        window.actions().add(menu, {way.name, QObject::tr(way.text), QKeySequence(way.key), QObject::tr(way.tip)},
+                             [&window, by = way.by](bool) { window.field().panBy(by); });
+}
+
+void addNudgeActions(MainWindow& window, const QString& menu) {
+    struct Way {
+        const char *name, *text, *key, *tip;
+        Pose by;
+    };
+    const char* moves = "Move the selected body by 1 cm, while the run stands";
+    const char* turns = "Turn the selected body by 1 degree, while the run stands";
+    for (const Way& way : {Way{"nudge_left", "Nudge left", "Alt+Left", moves, {-nudgeStep, 0, 0}},
+                           Way{"nudge_right", "Nudge right", "Alt+Right", moves, {nudgeStep, 0, 0}},
+                           Way{"nudge_up", "Nudge up", "Alt+Up", moves, {0, nudgeStep, 0}},
+                           Way{"nudge_down", "Nudge down", "Alt+Down", moves, {0, -nudgeStep, 0}},
+                           Way{"turn_left", "Turn left", "Alt+Shift+Left", turns, {0, 0, nudgeTurn}},
+                           Way{"turn_right", "Turn right", "Alt+Shift+Right", turns, {0, 0, -nudgeTurn}}})
+        window.actions().add(menu, {way.name, QObject::tr(way.text), QKeySequence(way.key), QObject::tr(way.tip)},
+                             [&window, by = way.by](bool) { window.field().nudge(by); });
+}
+
+/// How far back trails reach, by steps of a list.
+void addTrailActions(MainWindow& window, const QString& menu) {
+    const auto chosen = std::make_shared<std::size_t>(usualTrail);
+    const auto change = [&window, chosen](int by) {
+        const std::size_t next = *chosen + static_cast<std::size_t>(by);
+        if (!window.shown() || next >= trailSeconds.size()) return;
+        *chosen = next;
+        TimeTravel::FrameOptions options;
+        options.trailTicks =
+            static_cast<std::size_t>(window.shown()->frame->scene().ticksOf(trailSeconds[next] * nanosecondsPerSecond));
+        window.session().setFrameOptions(options);
+        window.say(QObject::tr("Trails of the last %1 s").arg(trailSeconds[next]));
+    };
+    window.actions().add(menu,
+                         {"trails_longer", QObject::tr("Longer trails"), QKeySequence("Shift+T"),
+                          QObject::tr("Trails reach further back, up to ten minutes")},
+                         [change](bool) { change(1); });
+    window.actions().add(menu,
+                         {"trails_shorter", QObject::tr("Shorter trails"), QKeySequence("Ctrl+T"),
+                          QObject::tr("Trails reach less far back, down to two seconds")},
+                         [change](bool) { change(-1); });
+}
 
 void selectNext(MainWindow& window, int by) {
     if (!window.shown()) return;
@@ -29,6 +94,8 @@ void addViewActions(MainWindow& window) {
                 {"follow", QObject::tr("&Follow the selected"), QKeySequence("L"),
                  QObject::tr("The view goes along with the selected robot"), true},
                 [&](bool on) { field.setFollowing(on); });
+    QObject::connect(&field, &FieldView::followRequested, &window, [&actions] { actions["follow"].trigger(); });
+    addPanActions(window, menu);
     actions.addSeparator(menu);
     actions.add(menu,
                 {"select_next", QObject::tr("Select &next"), QKeySequence("Ctrl+Right"),
@@ -38,6 +105,8 @@ void addViewActions(MainWindow& window) {
                 {"select_previous", QObject::tr("Select &previous"), QKeySequence("Ctrl+Left"),
                  QObject::tr("Select the previous robot or object")},
                 [&](bool) { selectNext(window, -1); });
+    actions.addSeparator(QObject::tr("&Edit"));
+    addNudgeActions(window, QObject::tr("&Edit"));
     actions.addSeparator(menu);
     actions.add(menu,
                 {"dark", QObject::tr("&Dark colours"), QKeySequence("Ctrl+D"),
@@ -61,6 +130,8 @@ void addLayerActions(MainWindow& window) {
             window.field().setLayers(layers);
         });
     }
+    window.actions().addSeparator(QObject::tr("&Layers"));
+    addTrailActions(window, QObject::tr("&Layers"));
 }
 
 }  // namespace mrose::gui

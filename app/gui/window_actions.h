@@ -8,8 +8,13 @@ class MainWindow;
 void addFileActions(MainWindow& window);
 void addEditActions(MainWindow& window);
 void addTimeActions(MainWindow& window);
+void addBranchActions(MainWindow& window);
 void addViewActions(MainWindow& window);
 void addLayerActions(MainWindow& window);
 void addPlotActions(MainWindow& window);
+void addHelpActions(MainWindow& window);
+
+/// At a start without arguments: what to try first, unless somebody has closed it before.
+void showFirstSteps(MainWindow& window);
 
 }  // namespace mrose::gui

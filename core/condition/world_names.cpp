@@ -86,6 +86,16 @@ constexpr Field objectFields[] = {
     {"touching", touching, true},
 };
 
+/// A text that outlives a scenario may keep a body that the next one does not have.
+void checkThere(lua_State* lua, const Handle& handle) {
+    const WorldState& state = *viewOf(lua).state;
+    const std::size_t robots = state.robots.size();
+    const bool there = handle.kind == Handle::Kind::robot
+                           ? handle.body < robots
+                           : handle.body >= robots && handle.body < robots + state.objects.size();
+    if (handle.kind != Handle::Kind::wall && !there) luaL_error(lua, "this body is of another scenario");
+}
+
 /// __index of bodies; upvalue 1 has their fields' indices by name, 2 is the array of Field, 3 what they are and have.
 int readField(lua_State* lua) {
     const Handle& handle = *static_cast<const Handle*>(lua_touserdata(lua, 1));
@@ -95,6 +105,7 @@ int readField(lua_State* lua) {
                           lua_tostring(lua, lua_upvalueindex(3)));
     const auto* const fields = static_cast<const Field*>(lua_touserdata(lua, lua_upvalueindex(2)));
     const Field& field = fields[lua_tointeger(lua, -1)];
+    checkThere(lua, handle);
     const double value = field.read(viewOf(lua), handle.body);
     if (field.flag)
         lua_pushboolean(lua, value != 0);
@@ -146,6 +157,7 @@ Handle bodyAt(lua_State* lua, int index, bool wallToo) {
             wallToo ? "expected a robot, a person, an object or wall" : "expected a robot, a person or an object");
         return {};  // not reached
     }
+    checkThere(lua, *handle);
     return *handle;
 }
 
@@ -312,7 +324,11 @@ private:
             names.push_back(scene_.objects[i].name);
             addMember(names.size(), names.back());
         }
-        if (!ball) sandbox_.addVariable("ball", noBall);
+        if (!ball) {
+            lua_pushnil(lua_);
+            sandbox_.addName("ball");
+            sandbox_.addVariable("ball", noBall);
+        }
         addCollection({"object", "object", "objects"}, names, readMember);
     }
 

@@ -15,7 +15,8 @@ struct WorldView {
 };
 
 /// Adds the names of the scenario's bodies and goals and of what can be asked of them (README.md). Their values are
-/// read from `view`, which must stay where it is, as long as the sandbox lives.
+/// read from `view`, which must stay where it is, as long as the sandbox lives. Added
+/// again for another scenario, they take the place of the earlier ones.
 void addWorldNames(LuaSandbox& sandbox, const Scenario& scenario, const WorldView& view);
 
 }  // namespace mrose

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <bit>
+#include <cstdint>
 #include <cstring>
 #include <string>
 #include <string_view>
@@ -52,5 +53,12 @@ private:
     std::string_view rest_;
     bool failed_ = false;
 };
+
+/// A text of any length: its size and its bytes.
+inline void appendLong(std::string& bytes, std::string_view text) {
+    appendNumber(bytes, std::uint64_t{text.size()});
+    bytes += text;
+}
+inline std::string_view readLong(ByteReader& reader) { return reader.take(reader.number<std::uint64_t>()); }
 
 }  // namespace mrose

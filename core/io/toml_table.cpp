@@ -5,38 +5,11 @@
 #include <set>
 #include <sstream>
 
+#include "io/nearest_word.h"
 #include "io/number_text.h"
 
 namespace mrose {
 namespace {
-
-/// How many letters must be added, dropped, changed or swapped with the next to make the one of the other.
-std::size_t editDistance(std::string_view a, std::string_view b) {
-    std::vector<std::vector<std::size_t>> steps(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
-    for (std::size_t i = 0; i <= a.size(); ++i) {
-        for (std::size_t k = 0; k <= b.size(); ++k) {
-            if (i == 0 || k == 0) {
-                steps[i][k] = i + k;
-                continue;
-            }
-            steps[i][k] = std::min(
-                {steps[i - 1][k] + 1, steps[i][k - 1] + 1, steps[i - 1][k - 1] + (a[i - 1] == b[k - 1] ? 0 : 1)});
-            if (i > 1 && k > 1 && a[i - 1] == b[k - 2] && a[i - 2] == b[k - 1])
-                steps[i][k] = std::min(steps[i][k], steps[i - 2][k - 2] + 1);
-        }
-    }
-    return steps[a.size()][b.size()];
-}
-
-/// How far a key is from the one that it may be meant for; one that lacks its unit is near.
-std::size_t keyDistance(std::string_view a, std::string_view b) {
-    constexpr std::size_t longest = 64;
-    if (a.size() > longest || b.size() > longest) return std::max(a.size(), b.size());
-    const auto begins = [](std::string_view longer, std::string_view shorter) {
-        return longer.size() > shorter.size() && longer.starts_with(shorter) && longer[shorter.size()] == '_';
-    };
-    return begins(a, b) || begins(b, a) ? 1 : editDistance(a, b);
-}
 
 /// How messages tell an element of an array: by its name, where it has one, as conditions do.
 std::string elementKey(std::string_view key, const toml::table& element, std::size_t index) {
@@ -76,7 +49,7 @@ const toml::node* TomlTable::find(std::string_view key) {
 
 bool TomlTable::rejectMisspelt(std::string_view key) {
     for (const auto& [other, value] : *table_) {
-        if (isAsked(other.str()) || 4 * keyDistance(other.str(), key) > key.size()) continue;
+        if (isAsked(other.str()) || 4 * wordDistance(other.str(), key) > key.size()) continue;
         rejectAt(&value, other.str(), "is not a known key; did you mean " + std::string(key) + '?');
         return true;
     }
@@ -279,14 +252,10 @@ std::string TomlTable::text() const {
 }
 
 std::string TomlTable::meantFor(std::string_view key) const {
-    std::string nearest;
-    std::size_t least = std::max<std::size_t>(1, key.size() / 3) + 1;
-    for (const std::string& candidate : known_) {
-        if (table_->contains(candidate) || keyDistance(key, candidate) >= least) continue;
-        least = keyDistance(key, candidate);
-        nearest = candidate;
-    }
-    return nearest;
+    std::vector<std::string_view> candidates;
+    for (const std::string& known : known_)
+        if (!table_->contains(known)) candidates.push_back(known);
+    return std::string(nearestWord(key, candidates));
 }
 
 std::string TomlTable::knownKeys() const {

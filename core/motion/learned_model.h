@@ -43,6 +43,7 @@ public:
     LearnedModel(std::shared_ptr<const LearnedMotion> motion, const std::string& robot);
 
     const MotionNetwork& network() const { return motion_->network(); }
+    int robot() const { return robot_; }  ///< by InputReader::robotIndex
     Nanoseconds period() const override { return network().period; }
     Nanoseconds memory() const override { return motion_->inputs().memory(); }
     DeadTimes deadTimes() const override { return deadTimes_; }

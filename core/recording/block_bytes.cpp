@@ -12,13 +12,6 @@ namespace {
 
 constexpr std::uint32_t version = 1;
 
-void appendLong(std::string& bytes, std::string_view text) {
-    appendNumber(bytes, std::uint64_t{text.size()});
-    bytes += text;
-}
-
-std::string_view readLong(ByteReader& reader) { return reader.take(reader.number<std::uint64_t>()); }
-
 bool soundKeyframe(const TimelineBlock& block) {
     const Expected<WorldState> state = parseState(block.keyframe, {});
     return state && state->tick == block.first;

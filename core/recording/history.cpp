@@ -9,9 +9,17 @@ History::History(const WorldState& initial, const Options& options) : options_(o
     branches_.push_back({0, initial.tick, "", Timeline(initial, options.keyframeInterval)});
 }
 
-std::uint32_t History::beginBranch(std::uint32_t parent, const WorldState& state, std::string name) {
+History::History(std::vector<Branch> branches, const Options& options)
+    : options_(options), branches_(std::move(branches)) {
+    assert(!branches_.empty());
+}
+
+std::uint32_t History::beginBranch(std::uint32_t parent, const WorldState& state, std::string name,
+                                   std::shared_ptr<const Descriptions> descriptions) {
     assert(parent < branches_.size());
-    branches_.push_back({parent, state.tick, std::move(name), Timeline(state, options_.keyframeInterval)});
+    if (!descriptions) descriptions = branches_[parent].descriptions;
+    branches_.push_back(
+        {parent, state.tick, std::move(name), Timeline(state, options_.keyframeInterval), std::move(descriptions)});
     return static_cast<std::uint32_t>(branches_.size() - 1);
 }
 

@@ -1,20 +1,23 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "recording/timeline.h"
+#include "scenario/description_texts.h"
 
 namespace mrose {
 
 /// A course of events: the run itself, or what became of another one from some tick on when something was changed by
-/// hand. It begins with the changed state.
+/// hand. It begins with the changed state, which may be one of another scenario with other bodies.
 struct Branch {
     std::uint32_t parent = 0;  ///< index of the branch that it departs from; of itself for the run
-    std::int64_t tick = 0;     ///< at which it departs
+    std::int64_t tick = 0;     ///< of the state that it begins with; its parent may not have such a tick
     std::string name;
     Timeline timeline;
+    std::shared_ptr<const Descriptions> descriptions = nullptr;  ///< of its scenario; null: those of the run
 };
 
 /// What a running simulation keeps in memory, so that any tick of any branch can be reached again (playback.h). Where
@@ -27,9 +30,15 @@ public:
     };
     explicit History(const WorldState& initial) : History(initial, Options{}) {}
     History(const WorldState& initial, const Options& options);
+    /// Goes on with what was recorded (recording.h): the run itself first. The ends of the timelines are where add()
+    /// goes on; playback.h reaches the states there.
+    explicit History(std::vector<Branch> branches) : History(std::move(branches), Options{}) {}
+    History(std::vector<Branch> branches, const Options& options);
 
-    /// A new branch that begins with `state`, at its tick; its index.
-    std::uint32_t beginBranch(std::uint32_t parent, const WorldState& state, std::string name);
+    /// A new branch that begins with `state`, at its tick; its index. It runs in its parent's scenario unless other
+    /// descriptions are given.
+    std::uint32_t beginBranch(std::uint32_t parent, const WorldState& state, std::string name,
+                              std::shared_ptr<const Descriptions> descriptions = nullptr);
     void rename(std::uint32_t branch, std::string name) { branches_[branch].name = std::move(name); }
     /// One tick more at the end of a branch.
     void add(const WorldState& after, const StepTrace& trace, std::uint32_t branch = 0);

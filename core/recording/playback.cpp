@@ -99,8 +99,7 @@ Expected<ReachedState> Playback::reachBy(bool asking, const TimelineBlock& block
                             (wrong.empty() ? "another tick" : wrong));
     DecisionReader reader(block.decisions);
     while (state->tick < tick) {
-        if (!reader.next(asking ? DecisionsOf::outside : DecisionsOf::all))
-            return damaged(state->tick);
+        if (!reader.next(asking ? DecisionsOf::outside : DecisionsOf::all)) return damaged(state->tick);
         step(scenario_, *state, buffers_, {reader.decisions(), asking});
     }
     ReachedState reached{std::move(*state)};

@@ -1,9 +1,11 @@
 #include "recording/recording.h"
 
+#include <algorithm>
 #include <charconv>
 
 #include "io/file.h"
 #include "recording/block_bytes.h"
+#include "recording/branch_scenario.h"
 #include "recording/mcap_reader.h"
 #include "recording/recording_format.h"
 
@@ -100,6 +102,9 @@ private:
         if (attachment.name.starts_with(format::descriptionPrefix)) {
             const std::string_view name = attachment.name.substr(std::string_view(format::descriptionPrefix).size());
             recording_.header.descriptions.texts.emplace(name, attachment.data);
+        } else if (attachment.name.starts_with(format::scenarioPrefix)) {
+            scenario_ = parseBranchScenario(attachment.data, recording_.header.descriptions);
+            return scenario_ && scenario_->branch > 0 && scenario_->branch == recording_.branches.size();
         } else if (attachment.name.starts_with(format::branchPrefix)) {
             return addBranch(parseBranch(attachment.data));
         } else if (attachment.name.starts_with(format::blockPrefix)) {
@@ -111,16 +116,27 @@ private:
     bool addBranch(std::optional<BranchStart> start) {
         std::vector<Branch>& branches = recording_.branches;
         if (!start || start->branch != branches.size()) return false;
-        if (branches.empty() ? start->parent != 0 : !departs(*start)) return false;
+        if (branches.empty() ? start->parent != 0 : start->parent >= branches.size()) return false;
         const std::int64_t tick = start->block.first;
-        branches.push_back({start->parent, tick, std::move(start->name), Timeline(std::move(start->block))});
+        const std::uint32_t parent = start->parent;
+        branches.push_back({parent, tick, std::move(start->name), Timeline(std::move(start->block))});
+        addScenario(parent);
         return true;
     }
 
-    bool departs(const BranchStart& start) const {
-        if (start.parent >= recording_.branches.size()) return false;
-        const Timeline& parent = recording_.branches[start.parent].timeline;
-        return start.block.first >= parent.first() && start.block.first <= parent.last();
+    /// Of the latest branch: its own, or that of its parent.
+    void addScenario(std::uint32_t parent) {
+        if (scenario_) {
+            recording_.branches.back().descriptions =
+                std::make_shared<const Descriptions>(std::move(scenario_->descriptions));
+            recording_.layouts.push_back(std::move(scenario_->layout));
+        } else if (recording_.layouts.empty()) {
+            recording_.layouts.push_back({recording_.header.tickLength, recording_.header.controllers});
+        } else {
+            recording_.branches.back().descriptions = recording_.branches[parent].descriptions;
+            recording_.layouts.push_back(Recording::Layout(recording_.layouts[parent]));
+        }
+        scenario_.reset();
     }
 
     bool addBlock(std::optional<ReadBlock> read) {
@@ -131,6 +147,7 @@ private:
     const mcap::Content& content_;
     std::string name_;
     Recording recording_;
+    std::optional<BranchScenario> scenario_;  ///< of the branch that comes next
 };
 
 }  // namespace
@@ -145,6 +162,19 @@ Expected<Recording> openRecording(const std::filesystem::path& path) {
     const Expected<std::string> bytes = readFile(path);
     if (!bytes) return tl::unexpected(bytes.error());
     return parseRecording(*bytes, path.string());
+}
+
+Expected<ScenarioParts> recordedScenario(const Recording& recording, std::uint32_t branch,
+                                         const PluginLoader& plugins) {
+    const Descriptions& descriptions = recording.descriptionsOf(branch);
+    KeptDescriptions source(descriptions.texts);
+    auto loaded = loadScenario(descriptions.scenario, source, {plugins});
+    if (!loaded) return tl::unexpected(loaded.error());
+    const auto& needs = recording.layouts[branch].controllers;
+    std::vector<std::shared_ptr<const Controller>>& controllers = loaded->parts.controllers;
+    for (std::size_t i = 0; !plugins && i < std::min(controllers.size(), needs.size()); ++i)
+        controllers[i] = std::make_shared<const RecordedController>(needs[i]);
+    return std::move(loaded->parts);
 }
 
 }  // namespace mrose

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,16 +11,10 @@
 #include "io/error.h"
 #include "recording/history.h"
 #include "recording/origin.h"
-#include "scenario/scenario.h"
+#include "scenario/description_texts.h"
+#include "scenario/scenario_file.h"
 
 namespace mrose {
-
-/// What a scenario was made from, as its loader gave it and takes it again.
-struct Descriptions {
-    std::string scenario;                      ///< name of the scenario's own text
-    std::map<std::string, std::string> texts;  ///< all of them by their names
-    bool operator==(const Descriptions&) const = default;
-};
 
 /// What a run was, besides its ticks.
 struct RecordingHeader {
@@ -56,8 +49,18 @@ private:
 /// A run as it was recorded. Playback (playback.h) reaches its ticks, replay (replay.h) runs it again.
 struct Recording {
     RecordingHeader header;
-    std::vector<Branch> branches;     ///< the run itself first; never empty
+    std::vector<Branch> branches;  ///< the run itself first; never empty
+    /// Of each branch's scenario what the header says of the run's.
+    struct Layout {
+        Nanoseconds tickLength = 0;
+        std::vector<RecordingHeader::ControllerNeeds> controllers;
+    };
+    std::vector<Layout> layouts;
     std::vector<std::string> damage;  ///< what is wrong with the file, a sentence each; the recording ends before it
+
+    const Descriptions& descriptionsOf(std::uint32_t branch) const {
+        return branches[branch].descriptions ? *branches[branch].descriptions : header.descriptions;
+    }
 };
 
 /// Opens a recording. One that was cut off, or is damaged in its middle, opens up to there and says so. Error: it
@@ -65,5 +68,10 @@ struct Recording {
 Expected<Recording> openRecording(const std::filesystem::path& path);
 /// The same of a file's bytes; `name` is said in errors.
 Expected<Recording> parseRecording(std::string_view bytes, const std::string& name);
+
+/// The scenario of a branch, from the texts in the recording. Without a loader of plug-ins no controller is at hand,
+/// and their stand-ins keep the states' layout. Error: as of loadScenario().
+Expected<ScenarioParts> recordedScenario(const Recording& recording, std::uint32_t branch,
+                                         const PluginLoader& plugins = {});
 
 }  // namespace mrose

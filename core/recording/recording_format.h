@@ -12,6 +12,7 @@ constexpr const char* controllers = "mrose.controllers";  ///< metadata
 constexpr const char* version = "1";
 constexpr const char* descriptionPrefix = "description/";  ///< attachments
 constexpr const char* branchPrefix = "mrose/branch/";      ///< attachments: branch
+constexpr const char* scenarioPrefix = "mrose/scenario/";  ///< attachments: branch
 constexpr const char* blockPrefix = "mrose/block/";        ///< attachments: branch/tick
 constexpr const char* blockType = "application/zstd";
 

@@ -3,20 +3,19 @@
 #include <cassert>
 
 #include "recording/block_bytes.h"
+#include "recording/branch_scenario.h"
 #include "recording/recording_format.h"
 #include "world/state_bytes.h"
 
 namespace mrose {
 namespace {
 
-RecordingHeader headerOf(const Scenario& scenario, const WorldState& initial, const Descriptions& descriptions,
-                         const std::string& commandLine, const Origin& origin) {
-    RecordingHeader header{
-        descriptions, commandLine, origin, scenario.parts().name, initial.seed, scenario.scene().tickLength, {}};
-    for (std::size_t i = 0; i < initial.robots.size(); ++i)
-        header.controllers.push_back({scenario.controller(i).memorySize(),
-                                      scenario.controller(i).commandsPerPeriod(scenario.scene().modelOf(i).period())});
-    return header;
+std::vector<RecordingHeader::ControllerNeeds> needsOf(const Scenario& scenario) {
+    std::vector<RecordingHeader::ControllerNeeds> needs;
+    for (std::size_t i = 0; i < scenario.scene().robots.size(); ++i)
+        needs.push_back({scenario.controller(i).memorySize(),
+                         scenario.controller(i).commandsPerPeriod(scenario.scene().modelOf(i).period())});
+    return needs;
 }
 
 /// Bytes of messages: with so many a flush ends the chunk (smaller ones are compressed badly), and with so many it is
@@ -30,10 +29,10 @@ Expected<RecordingWriter> RecordingWriter::create(const std::filesystem::path& p
                                                   const std::string& commandLine, const Options& options) {
     Expected<mcap::Writer> mcap = mcap::Writer::create(path, options.overwrite, "mrose " + options.origin.version);
     if (!mcap) return tl::unexpected(mcap.error());
-    RecordingWriter writer(std::move(*mcap), scenario,
-                           options.keyframeInterval > 0 ? options.keyframeInterval : usualKeyframeInterval(initial));
-    writer.writeHeader(headerOf(scenario, initial, descriptions, commandLine, options.origin));
-    writer.startBranch(0, initial, "");
+    RecordingWriter writer(std::move(*mcap), scenario, descriptions, options.keyframeInterval);
+    writer.writeHeader({descriptions, commandLine, options.origin, scenario.parts().name, initial.seed,
+                        scenario.scene().tickLength, needsOf(scenario)});
+    writer.startBranch(0, initial, options.name, scenario, writer.schemas_);
     writer.flush();
     if (!writer.state()) {
         // No recording yet: it must not stand in the way of the next try.
@@ -68,12 +67,18 @@ void RecordingWriter::writeHeader(const RecordingHeader& header) {
         mcap_.addAttachment(format::descriptionPrefix + name, "text/plain", 0, text);
 }
 
-void RecordingWriter::startBranch(std::uint32_t parent, const WorldState& state, const std::string& name) {
+void RecordingWriter::startBranch(std::uint32_t parent, const WorldState& state, const std::string& name,
+                                  const Scenario& scenario, const SceneTopics::Schemas& schemas) {
     const auto branch = static_cast<std::uint32_t>(branches_.size());
-    const Nanoseconds time = scenario_->scene().timeOf(state.tick);
+    const Nanoseconds time = scenario.scene().timeOf(state.tick);
     mcap_.addAttachment(format::branchPrefix + std::to_string(branch), format::blockType, time,
                         branchBytes({branch, parent, name, {state.tick, stateBytes(state), {}, {}}}));
-    branches_.push_back({{state.tick, {}, {}, {}}, state.tick, SceneTopics(mcap_, schemas_, *scenario_, branch)});
+    branches_.push_back({&scenario,
+                         schemas,
+                         {state.tick, {}, {}, {}},
+                         state.tick,
+                         keyframeInterval_ > 0 ? keyframeInterval_ : usualKeyframeInterval(state),
+                         SceneTopics(mcap_, schemas, scenario, branch)});
     branches_.back().topics.begin(mcap_, state);
 }
 
@@ -81,8 +86,20 @@ std::uint32_t RecordingWriter::beginBranch(std::uint32_t parent, const WorldStat
     assert(parent < branches_.size());
     // What the branch departs from lies before it in the file.
     flush();
-    startBranch(parent, state, name);
+    startBranch(parent, state, name, *branches_[parent].scenario, branches_[parent].schemas);
     return static_cast<std::uint32_t>(branches_.size() - 1);
+}
+
+std::uint32_t RecordingWriter::beginBranch(std::uint32_t parent, const WorldState& state, const std::string& name,
+                                           const Scenario& scenario, const Descriptions& descriptions) {
+    assert(parent < branches_.size());
+    flush();
+    const auto branch = static_cast<std::uint32_t>(branches_.size());
+    const BranchScenario own{branch, {scenario.scene().tickLength, needsOf(scenario)}, descriptions};
+    mcap_.addAttachment(format::scenarioPrefix + std::to_string(branch), format::blockType,
+                        scenario.scene().timeOf(state.tick), branchScenarioBytes(own, run_));
+    startBranch(parent, state, name, scenario, SceneTopics::addSchemas(mcap_, scenario, schemas_));
+    return branch;
 }
 
 void RecordingWriter::add(const WorldState& after, const StepTrace& trace, std::uint32_t branch) {
@@ -91,13 +108,29 @@ void RecordingWriter::add(const WorldState& after, const StepTrace& trace, std::
     assert(after.tick == open.block.last() + 1);
     open.block.add(hashOf(after), trace);
     open.topics.add(mcap_, after, trace);
-    const bool keyframe = after.tick - open.lastKeyframe >= keyframeInterval_;
+    const bool keyframe = after.tick - open.lastKeyframe >= open.keyframeEvery;
     if (!keyframe && mcap_.pendingBytes() < mostPending) return;
     writeBlock(branch);
     mcap_.endChunk();
     if (!keyframe) return;
     open.block.keyframe = stateBytes(after);
     open.lastKeyframe = after.tick;
+}
+
+void RecordingWriter::show(const WorldState& after, const StepTrace& trace, std::uint32_t branch) {
+    branches_[branch].topics.add(mcap_, after, trace);
+    if (mcap_.pendingBytes() >= mostPending) mcap_.endChunk();
+}
+
+void RecordingWriter::add(const TimelineBlock& kept, std::uint32_t branch) {
+    OpenBranch& open = branches_[branch];
+    assert(open.block.hashes.empty() && open.block.last() == kept.first);
+    const bool begins = open.lastKeyframe == kept.first && open.block.keyframe.empty();
+    open.block = kept;
+    if (begins) open.block.keyframe.clear();  // it lies with the branch's beginning
+    writeBlock(branch);
+    if (!kept.keyframe.empty()) open.lastKeyframe = kept.first;
+    if (mcap_.pendingBytes() >= worthAChunk) mcap_.endChunk();
 }
 
 void RecordingWriter::keep(const WorldState& state, std::uint32_t branch) {
@@ -110,10 +143,11 @@ void RecordingWriter::keep(const WorldState& state, std::uint32_t branch) {
 }
 
 void RecordingWriter::writeBlock(std::uint32_t branch) {
+    const Scene& scene = branches_[branch].scenario->scene();
     TimelineBlock& block = branches_[branch].block;
     if (block.hashes.empty() && block.keyframe.empty()) return;
     mcap_.addAttachment(format::blockPrefix + std::to_string(branch) + '/' + std::to_string(block.first),
-                        format::blockType, scenario_->scene().timeOf(block.first), blockBytes(block, branch));
+                        format::blockType, scene.timeOf(block.first), blockBytes(block, branch));
     block = {block.last(), {}, {}, {}};
 }
 

@@ -24,6 +24,7 @@ public:
         bool overwrite = false;             ///< false: an Error where there is a file already
         std::int64_t keyframeInterval = 0;  ///< see Timeline
         Origin origin = thisOrigin();
+        std::string name = {};  ///< of the run, as branches have names
     };
     /// The scenario must stay as long as the writer. Error: what the system says.
     static Expected<RecordingWriter> create(const std::filesystem::path& path, const Scenario& scenario,
@@ -37,8 +38,15 @@ public:
 
     /// One tick more at the end of a branch: the state after it and what step() told of it.
     void add(const WorldState& after, const StepTrace& trace, std::uint32_t branch = 0);
-    /// A new branch that begins with `state`, at its tick; its index.
+    /// A new branch of its parent's scenario that begins with `state`, at its tick; its index.
     std::uint32_t beginBranch(std::uint32_t parent, const WorldState& state, const std::string& name);
+    /// The same of a scenario of its own, which must stay as long as the writer.
+    std::uint32_t beginBranch(std::uint32_t parent, const WorldState& state, const std::string& name,
+                              const Scenario& scenario, const Descriptions& descriptions);
+    /// Ticks that a timeline kept, which must go on where the branch ends; what other programs see of each of them is
+    /// told by show() before.
+    void add(const TimelineBlock& kept, std::uint32_t branch);
+    void show(const WorldState& after, const StepTrace& trace, std::uint32_t branch);
     /// Keeps the state added last, so that a replay which differs before it can say in what: for the end of a run.
     void keep(const WorldState& state, std::uint32_t branch = 0);
 
@@ -49,22 +57,27 @@ public:
     const Expected<void>& state() const { return mcap_.state(); }
 
 private:
-    RecordingWriter(mcap::Writer mcap, const Scenario& scenario, std::int64_t keyframeInterval)
+    RecordingWriter(mcap::Writer mcap, const Scenario& scenario, const Descriptions& descriptions,
+                    std::int64_t keyframeInterval)
         : mcap_(std::move(mcap)),
-          scenario_(&scenario),
+          run_(descriptions),
           schemas_(SceneTopics::addSchemas(mcap_, scenario)),
           keyframeInterval_(keyframeInterval) {}
     void writeHeader(const RecordingHeader& header);
-    void startBranch(std::uint32_t parent, const WorldState& state, const std::string& name);
+    void startBranch(std::uint32_t parent, const WorldState& state, const std::string& name, const Scenario& scenario,
+                     const SceneTopics::Schemas& schemas);
     void writeBlock(std::uint32_t branch);
 
     struct OpenBranch {
-        TimelineBlock block;        ///< not yet written
-        std::int64_t lastKeyframe;  ///< its tick
+        const Scenario* scenario;
+        SceneTopics::Schemas schemas;
+        TimelineBlock block;         ///< not yet written
+        std::int64_t lastKeyframe;   ///< its tick
+        std::int64_t keyframeEvery;  ///< ticks
         SceneTopics topics;
     };
     mcap::Writer mcap_;
-    const Scenario* scenario_;
+    Descriptions run_;
     SceneTopics::Schemas schemas_;
     std::int64_t keyframeInterval_;
     std::vector<OpenBranch> branches_;

@@ -1,5 +1,7 @@
 #include "recording/replay.h"
 
+#include <cassert>
+
 #include "io/number_text.h"
 #include "recording/decision_bytes.h"
 #include "recording/difference_text.h"
@@ -108,11 +110,19 @@ private:
 
 Expected<ReplayReport> replay(std::span<const Branch> branches, const Scenario& scenario,
                               const ReplayOptions& options) {
+    const std::shared_ptr<const Scenario> borrowed(std::shared_ptr<const Scenario>(), &scenario);
+    return replay(branches, std::vector(branches.size(), borrowed), options);
+}
+
+Expected<ReplayReport> replay(std::span<const Branch> branches,
+                              std::span<const std::shared_ptr<const Scenario>> scenarios,
+                              const ReplayOptions& options) {
+    assert(scenarios.size() == branches.size());
     ReplayReport report;
     std::int64_t total = 0;
     for (const Branch& branch : branches) total += branch.timeline.last() - branch.timeline.first();
     for (std::uint32_t i = 0; i < branches.size(); ++i) {
-        BranchReplay run(scenario, options, branches[i].timeline);
+        BranchReplay run(*scenarios[i], options, branches[i].timeline);
         if (const auto started = run.start(); !started) return tl::unexpected(started.error());
         for (const TimelineBlock& block : branches[i].timeline.blocks()) {
             if (!run.run(block)) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -33,7 +34,12 @@ struct ReplayReport {
     std::optional<ReplayDifference> difference;  ///< the first; nothing: the same to the last bit
 };
 
-/// Runs every branch again from its beginning and compares each tick. Error: the branches are none of this scenario.
+/// Runs every branch again from its beginning and compares each tick; `scenarios` are those of the branches, one each.
+/// Error: a branch is none of its scenario.
+Expected<ReplayReport> replay(std::span<const Branch> branches,
+                              std::span<const std::shared_ptr<const Scenario>> scenarios,
+                              const ReplayOptions& options = {});
+/// The same where all are of one scenario.
 Expected<ReplayReport> replay(std::span<const Branch> branches, const Scenario& scenario,
                               const ReplayOptions& options = {});
 

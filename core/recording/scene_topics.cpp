@@ -15,15 +15,24 @@ constexpr Nanoseconds samplePeriod = nanosecondsPerSecond / 10;
 }  // namespace
 
 SceneTopics::Schemas SceneTopics::addSchemas(mcap::Writer& writer, const Scenario& scenario) {
-    const std::vector<std::string> names = bodyNames(scenario.scene());
-    const std::span<const std::string> all(names);
-    const std::size_t robots = scenario.scene().robots.size();
     const auto add = [&](const char* name, const std::string& text) {
         return writer.addSchema(name, "jsonschema", text);
     };
-    return {add("foxglove.FrameTransforms", frameTransformsSchema()), add("foxglove.SceneUpdate", sceneUpdateSchema()),
-            add("foxglove.Log", logSchema()),
-            add("mrose.Bodies", bodiesSchema(all.first(robots), all.subspan(robots)))};
+    Schemas schemas;
+    schemas.transforms = add("foxglove.FrameTransforms", frameTransformsSchema());
+    schemas.scene = add("foxglove.SceneUpdate", sceneUpdateSchema());
+    schemas.log = add("foxglove.Log", logSchema());
+    return addSchemas(writer, scenario, schemas);
+}
+
+SceneTopics::Schemas SceneTopics::addSchemas(mcap::Writer& writer, const Scenario& scenario, const Schemas& others) {
+    const std::vector<std::string> names = bodyNames(scenario.scene());
+    const std::span<const std::string> all(names);
+    const std::size_t robots = scenario.scene().robots.size();
+    Schemas schemas = others;
+    schemas.bodies =
+        writer.addSchema("mrose.Bodies", "jsonschema", bodiesSchema(all.first(robots), all.subspan(robots)));
+    return schemas;
 }
 
 SceneTopics::SceneTopics(mcap::Writer& writer, const Schemas& schemas, const Scenario& scenario, std::uint32_t branch)

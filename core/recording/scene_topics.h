@@ -21,6 +21,8 @@ public:
         std::uint16_t transforms = 0, scene = 0, log = 0, bodies = 0;
     };
     static Schemas addSchemas(mcap::Writer& writer, const Scenario& scenario);
+    /// Those of a branch with other bodies.
+    static Schemas addSchemas(mcap::Writer& writer, const Scenario& scenario, const Schemas& others);
 
     SceneTopics(mcap::Writer& writer, const Schemas& schemas, const Scenario& scenario, std::uint32_t branch);
 

@@ -25,8 +25,10 @@ Timeline::Timeline(const WorldState& start, std::int64_t keyframeInterval)
       size_(blocks_.front().size()),
       interval_(keyframeInterval > 0 ? keyframeInterval : usualKeyframeInterval(start)) {}
 
-Timeline::Timeline(TimelineBlock first) {
+Timeline::Timeline(TimelineBlock first, std::int64_t keyframeInterval) : interval_(keyframeInterval) {
     assert(!first.keyframe.empty());
+    if (interval_ <= 0)
+        if (const auto state = parseState(first.keyframe, {})) interval_ = usualKeyframeInterval(*state);
     size_ = first.size();
     blocks_.push_back(std::move(first));
 }

@@ -30,8 +30,8 @@ class Timeline {
 public:
     /// Begins with a state; 0: an interval by which any tick is reached within some 5 ms.
     explicit Timeline(const WorldState& start, std::int64_t keyframeInterval = 0);
-    /// Begins with a block of a file, which must have a keyframe.
-    explicit Timeline(TimelineBlock first);
+    /// Begins with a block of a file, which must have a keyframe. What add() appends is kept as above.
+    explicit Timeline(TimelineBlock first, std::int64_t keyframeInterval = 0);
 
     /// One tick more: the state after it and what step() told of it.
     void add(const WorldState& after, const StepTrace& trace);

@@ -4,8 +4,11 @@
 #include <array>
 #include <cstdlib>
 #include <new>
+#include <vector>
 
 #include <lua.hpp>
+
+#include "io/nearest_word.h"
 
 namespace mrose {
 namespace {
@@ -43,7 +46,28 @@ void onTooMany(lua_State* lua, lua_Debug* /*where*/) {
     luaL_error(lua, "does not end within %d instructions", budgetOf(lua).limits.instructions);
 }
 
+/// The same of statements, with the line: a hook runs above the function that it interrupts.
+void onTooManyHere(lua_State* lua, lua_Debug* where) {
+    lua_getinfo(lua, "l", where);
+    lua_pushfstring(lua, "c:%d: does not end within %d instructions", where->currentline,
+                    budgetOf(lua).limits.instructions);
+    lua_error(lua);
+}
+
 int refuseAssignment(lua_State* lua) { return luaL_error(lua, "names cannot be assigned to"); }
+
+void collectNames(lua_State* lua, int table, std::vector<std::string_view>& names) {
+    for (lua_pushnil(lua); lua_next(lua, table) != 0; lua_pop(lua, 1))
+        if (lua_type(lua, -2) == LUA_TSTRING) names.emplace_back(lua_tostring(lua, -2));
+}
+
+/// The name that the unknown one at index 2 is meant for, of the names at 1 and the variables; nullptr: none.
+const char* meantName(lua_State* lua) {
+    std::vector<std::string_view> names;
+    collectNames(lua, 1, names);
+    collectNames(lua, lua_upvalueindex(1), names);
+    return nearestWord(lua_tostring(lua, 2), names).data();
+}
 
 /// __index of the names: upvalue 1 has the functions of variables.
 int findVariable(lua_State* lua) {
@@ -52,7 +76,10 @@ int findVariable(lua_State* lua) {
         lua_call(lua, 0, 1);
         return 1;
     }
-    return luaL_error(lua, "unknown name '%s'", lua_type(lua, 2) == LUA_TSTRING ? lua_tostring(lua, 2) : "?");
+    if (lua_type(lua, 2) != LUA_TSTRING) return luaL_error(lua, "unknown name '?'");
+    const char* const meant = meantName(lua);
+    return luaL_error(lua, meant != nullptr ? "unknown name '%s'; did you mean %s?" : "unknown name '%s'",
+                      lua_tostring(lua, 2), meant);
 }
 
 /// Memory is limited only while Lua catches its own errors.
@@ -162,6 +189,7 @@ struct LuaSandbox::Interpreter {
     Budget budget;
     lua_State* lua = nullptr;
     int names = 0, variables = 0, environment = 0;  ///< tables in the registry
+    std::size_t usedByText = 0;                     ///< memory at the end of the last piece of statements
 
     explicit Interpreter(const LuaLimits& limits) : budget{limits}, lua(lua_newstate(allocate, &budget)) {
         if (lua == nullptr) throw std::bad_alloc();
@@ -264,6 +292,50 @@ Expected<LuaValue> LuaSandbox::evaluate(Expression expression, const std::string
 
 void LuaSandbox::forget(Expression expression) {
     luaL_unref(interpreter_->lua, LUA_REGISTRYINDEX, expression.reference);
+}
+
+Expected<LuaSandbox::Statements> LuaSandbox::loadStatements(std::string_view text, const std::string& source) {
+    lua_State* const lua = interpreter_->lua;
+    Feed feed{{"", text, ""}};
+    if (const int status = interpreter_->read(feed); status != LUA_OK)
+        return tl::unexpected(readingError(lua, status, feed, source));
+    lua_rawgeti(lua, LUA_REGISTRYINDEX, interpreter_->environment);
+    lua_setupvalue(lua, -2, 1);
+    lua_State* const thread = lua_newthread(lua);
+    lua_insert(lua, -2);
+    lua_xmove(lua, thread, 1);
+    interpreter_->usedByText = interpreter_->budget.used;
+    return Statements{thread, luaL_ref(lua, LUA_REGISTRYINDEX), source};
+}
+
+Expected<bool> LuaSandbox::proceed(const Statements& statements, int given) {
+    lua_State* const thread = statements.thread;
+    Budget& budget = interpreter_->budget;
+    budget.most += budget.used - interpreter_->usedByText;  // names that came are not the text's
+    lua_sethook(thread, onTooManyHere, LUA_MASKCOUNT, budget.limits.instructions);
+    int results = 0;
+    const int status = [&] {
+        const Capped capped(budget);
+        return lua_resume(thread, nullptr, given, &results);
+    }();
+    interpreter_->usedByText = budget.used;
+    if (status == LUA_OK || status == LUA_YIELD) return status == LUA_YIELD;
+    Error error = takeError(thread, status, statements.source);
+    if (error.line == 0) error.line = lineOf(statements);
+    return tl::unexpected(error);
+}
+
+int LuaSandbox::lineOf(const Statements& statements) const {
+    lua_Debug where{};
+    for (int level = 0; lua_getstack(statements.thread, level, &where) != 0; ++level) {
+        lua_getinfo(statements.thread, "l", &where);
+        if (where.currentline > 0) return where.currentline;
+    }
+    return 0;
+}
+
+void LuaSandbox::forget(const Statements& statements) {
+    luaL_unref(interpreter_->lua, LUA_REGISTRYINDEX, statements.reference);
 }
 
 TextPosition positionIn(std::string_view text, std::size_t offset) {

@@ -58,6 +58,22 @@ public:
     /// It will not be evaluated again.
     void forget(Expression expression);
 
+    /// Statements under way, on a thread of Lua's own. `local` names hold what they keep; others cannot be assigned to.
+    struct Statements {
+        lua_State* thread = nullptr;
+        int reference = 0;
+        std::string source;
+    };
+    /// Reads a text of statements. Error: file `source`, line and column and what does not fit there; the limits.
+    Expected<Statements> loadStatements(std::string_view text, const std::string& source);
+    /// Goes on until a function of the names yields (true: the values are all that is on the thread's stack, and are to
+    /// be taken from there) or the text ends (false). That function then returns the `given` values that lie there. The
+    /// limit of instructions is anew each time, that of memory is one; names may be added in between.
+    Expected<bool> proceed(const Statements& statements, int given = 0);
+    /// Where they stand, or failed.
+    int lineOf(const Statements& statements) const;
+    void forget(const Statements& statements);
+
 private:
     struct Interpreter;
     std::unique_ptr<Interpreter> interpreter_;

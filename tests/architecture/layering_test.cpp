@@ -47,7 +47,7 @@ const std::map<std::string, std::set<std::string>> librariesOfLayers{
     {"toml++/", {"io"}},
     {"xxhash.h", {"io", "world"}},
     {"zstd.h", {"recording"}},
-    {"CLI/", {"app/cli", "app/gui"}},
+    {"CLI/", {"app/cli", "app/gui", "app/shared"}},
     {"spdlog/", {"app/cli", "app/gui"}},
     {"nlohmann/", {"evaluation", "comparison", "app/cli"}},
     {"Eigen/", {"learning", "identification"}},

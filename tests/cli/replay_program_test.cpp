@@ -35,6 +35,8 @@ protected:
     void recordByProgram() { EXPECT_EQ(play("run", {"--record", path("game.mcap")}).status, 0); }
     /// The same as game.mcap with a branch in which the ball is thrown, written here.
     void recordHere(const Amiss& amiss);
+    /// A run, and a branch of it that begins anew with a part of a text replaced; `broken` is added to the kept text.
+    void recordReloaded(const std::string& part, const std::string& by, const std::string& broken = "");
 };
 
 void ReplayProgram::recordHere(const Amiss& amiss) {
@@ -69,6 +71,38 @@ void ReplayProgram::recordHere(const Amiss& amiss) {
     ASSERT_TRUE(writer->close());
 }
 
+void ReplayProgram::recordReloaded(const std::string& part, const std::string& by, const std::string& broken) {
+    DiskDescriptions source({sourceFolder(), {}, ""});
+    auto loaded = loadScenario(game(), source);
+    ASSERT_TRUE(loaded) << loaded.error().message();
+    const Descriptions descriptions{loaded->name, loaded->texts};
+    Descriptions changed = descriptions;
+    std::string& text = changed.texts[changed.scenario];
+    ASSERT_NE(text.find(part), std::string::npos) << text;
+    text.replace(text.find(part), part.size(), by);
+    KeptDescriptions kept(changed.texts);
+    auto again = loadScenario(changed.scenario, kept);
+    ASSERT_TRUE(again) << again.error().message();
+    text = broken + "\n" + text;
+    const Scenario scenario(loaded->parts), reloaded(again->parts);
+    auto writer = RecordingWriter::create(path("game.mcap"), scenario, scenario.initialState(), descriptions, "",
+                                          {.overwrite = true});
+    ASSERT_TRUE(writer) << writer.error().message();
+    EXPECT_EQ(writer->beginBranch(0, reloaded.initialState(), "reloaded", reloaded, changed), 1u);
+    for (const std::uint32_t branch : {0u, 1u}) {
+        const Scenario& own = branch == 0 ? scenario : reloaded;
+        WorldState state = own.initialState();
+        StepBuffers buffers;
+        StepTrace trace;
+        for (std::int64_t k = 0; k < branchTicks; ++k) {
+            step(own, state, buffers, {}, &trace);
+            writer->add(state, trace, branch);
+        }
+        writer->keep(state, branch);
+    }
+    ASSERT_TRUE(writer->close());
+}
+
 TEST_F(ReplayProgram, SaysThatItIsTheSameByDecisionsAndByControllers) {
     recordByProgram();
     const auto before = listing();
@@ -95,6 +129,18 @@ TEST_F(ReplayProgram, BranchesAreReplayedToo) {
         EXPECT_EQ(json["branches"], 2);
         EXPECT_EQ(json["same"], true);
     }
+}
+
+/// A branch whose descriptions were changed and loaded again.
+TEST_F(ReplayProgram, BranchesAreReplayedInTheirOwnScenario) {
+    recordReloaded(" = [4.8, 0.0]", " = [0.0, 2.5]");
+    for (const std::vector<std::string>& more : {std::vector<std::string>{"--json"}, {"--json", "--decide"}}) {
+        const nlohmann::json json = told(replay("game.mcap", more));
+        EXPECT_EQ(json["ticks"], branchTicks + branchTicks);
+        EXPECT_EQ(json["same"], true) << json;
+    }
+    recordReloaded(" = [4.8, 0.0]", " = [0.0, 2.5]", "tick_s = 0.0");
+    expectOneLine(replay("game.mcap"), {"it's a game.toml:1:", "tick_s"});
 }
 
 /// The last bit of one number in one tick of the run, or of its branch.

@@ -7,6 +7,7 @@
 
 #include "fuzz/require.h"
 #include "recording/block_bytes.h"
+#include "recording/branch_scenario.h"
 #include "recording/compression.h"
 #include "recording/decision_bytes.h"
 #include "recording/mcap_format.h"
@@ -32,6 +33,7 @@ void requireSound(const Timeline& timeline) {
 void requireSound(const Expected<Recording>& recording) {
     if (!recording) return requireOneLine(recording.error());
     require(!recording->branches.empty());
+    require(recording->layouts.size() == recording->branches.size());
     for (const Branch& branch : recording->branches) requireSound(branch.timeline);
     for (const std::string& sentence : recording->damage) require(!sentence.empty());
 }
@@ -50,6 +52,16 @@ void requireBlock(std::string_view bytes) {
 void requireBranch(std::string_view bytes) {
     const auto start = parseBranch(compressed(bytes));
     if (start) require(decompressed(branchBytes(*start)) == bytes);
+}
+
+void requireBranchScenario(std::string_view bytes) {
+    const Descriptions run{"s", {{"s", "seed = 1\n"}}};
+    const auto read = parseBranchScenario(compressed(bytes), run);
+    if (!read) return;
+    const auto again = parseBranchScenario(branchScenarioBytes(*read, run), run);
+    require(again && again->branch == read->branch && again->descriptions == read->descriptions &&
+            again->layout.tickLength == read->layout.tickLength &&
+            again->layout.controllers == read->layout.controllers);
 }
 
 void appendAttachment(std::string& file, std::string_view name, std::string_view data) {
@@ -99,6 +111,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             break;
         case 'a':
             requireBranch(rest);
+            break;
+        case 'n':
+            requireBranchScenario(rest);
             break;
         case 'p':
             requireSound(parseRecording(recordingOf(rest), "pieces"));

@@ -6,6 +6,7 @@
 
 #include "io/file.h"
 #include "recording/block_bytes.h"
+#include "recording/branch_scenario.h"
 #include "recording/compression.h"
 #include "recording/match.h"
 #include "recording/recording_writer.h"
@@ -42,7 +43,7 @@ Expected<std::string> recordedFile(const Scenario& scenario, const StraightRun& 
     if (!writer) return tl::unexpected(writer.error());
     for (std::size_t i = 0; i < run.traces.size(); ++i) writer->add(run.states[i + 1], run.traces[i]);
     const StraightRun branch = runMatch(scenario, run.states[branchTick], 3);
-    writer->beginBranch(0, branch.states.front(), "b");
+    writer->beginBranch(0, branch.states.front(), "b", scenario, {"t", {{"s", "seed = 1\n"}, {"t", "seed = 2\n"}}});
     for (std::size_t i = 0; i < branch.traces.size(); ++i) writer->add(branch.states[i + 1], branch.traces[i], 1);
     if (const auto closed = writer->close(); !closed) return tl::unexpected(closed.error());
     return readFile(path);
@@ -61,12 +62,15 @@ Expected<void> writeSeeds(const std::filesystem::path& folder) {
     if (!recording) return tl::unexpected(recording.error());
     const auto& blocks = recording->branches[0].timeline.blocks();
     const std::string first = *decompressed(branchBytes({0, 0, "", {0, stateBytes(run.states.front()), {}, {}}}));
+    const std::string own = *decompressed(
+        branchScenarioBytes({1, {20'000'000, {{16, 2}}}, {"t", {{"s", "seed = 1\n"}, {"t", "seed = 2\n"}}}},
+                            recording->header.descriptions));
     std::string pieces = piece(first, true), block;
     for (const TimelineBlock& part : blocks) pieces += piece(block = *decompressed(blockBytes(part, 0)), false);
     for (const auto& [name, bytes] :
          {std::pair("cut", whole->substr(0, 2 * whole->size() / 3)),
           std::pair("state", 's' + stateBytes(run.states.back())), std::pair("branch", 'a' + first),
-          std::pair("block", 'b' + block), std::pair("pieces", 'p' + pieces)})
+          std::pair("block", 'b' + block), std::pair("scenario", 'n' + own), std::pair("pieces", 'p' + pieces)})
         if (const auto written = writeFileAtomically(folder / name, bytes); !written) return written;
     return {};
 }

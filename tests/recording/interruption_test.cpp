@@ -2,38 +2,17 @@
 #include <csignal>
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "io/file.h"
 #include "recording/playback.h"
 #include "recording/recording_fixture.h"
+#include "support/full_disk.h"
 #include "world/state_difference.h"
 
 namespace mrose {
 namespace {
-
-/// As long as it lives no file grows beyond `bytes`.
-class FullDisk {
-public:
-    explicit FullDisk(rlim_t bytes) {
-        ::getrlimit(RLIMIT_FSIZE, &before_);
-        handler_ = ::signal(SIGXFSZ, SIG_IGN);
-        const rlimit limit{bytes, before_.rlim_max};
-        ::setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    FullDisk(const FullDisk&) = delete;
-    FullDisk& operator=(const FullDisk&) = delete;
-    ~FullDisk() {
-        ::setrlimit(RLIMIT_FSIZE, &before_);
-        ::signal(SIGXFSZ, handler_);
-    }
-
-private:
-    rlimit before_{};
-    sighandler_t handler_ = SIG_DFL;
-};
 
 TEST_F(RecordingFile, FullDiskLeavesWhatWasWrittenWhole) {
     const std::uintmax_t whole = std::filesystem::file_size(record());

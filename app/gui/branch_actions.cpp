@@ -1,0 +1,89 @@
+#include "branch_panel.h"
+#include "command_panel.h"
+#include "main_window.h"
+#include "window_actions.h"
+
+namespace mrose::gui {
+namespace {
+
+/// The shown branch's child that was shown last, or its parent: where `beside` is another one, that.
+void showOther(MainWindow& window) {
+    const Shown* shown = window.shown();
+    if (shown != nullptr && shown->besideBranch) window.session().show(*shown->besideBranch, shown->tick());
+}
+
+void restart(MainWindow& window, std::uint64_t seed) {
+    const Shown* shown = window.shown();
+    if (shown == nullptr) return;
+    Edit edit{QObject::tr("seed %1").arg(seed).toStdString()};
+    edit.course = shown->course;
+    edit.start = shown->course->scenario->initialState(seed);
+    window.session().branchOff(edit);
+}
+
+Expected<std::uint64_t> seedFrom(const QString& text) {
+    bool number = false;
+    const qulonglong seed = text.trimmed().toULongLong(&number);
+    if (!number) return fail("", "\"" + text.toStdString() + "\" is no seed; expected a whole number from 0");
+    return seed;
+}
+
+}  // namespace
+
+void addBranchActions(MainWindow& window) {
+    Actions& actions = window.actions();
+    Session& session = window.session();
+    const QString menu = QObject::tr("&Branch");
+    actions.add(menu,
+                {"cause_of_kick", QObject::tr("Who &kicked, and why"), QKeySequence("K"),
+                 QObject::tr("To the decision that led to the last kick")},
+                [&](bool) { session.showCauseOfKick(); });
+    actions.add(menu,
+                {"change_command", QObject::tr("&Change its command"), QKeySequence("E"),
+                 QObject::tr("Change what the selected robot decided")},
+                [&](bool) { window.commandPanel().edit(); });
+    actions.add(menu,
+                {"apply_command", QObject::tr("&Try the changed command"), QKeySequence("Ctrl+Return"),
+                 QObject::tr("A branch with the changed command in place of the one decided")},
+                [&](bool) { window.commandPanel().apply(); });
+    actions.add(menu,
+                {"other_noise", QObject::tr("Other &noise from here"), QKeySequence("Shift+N"),
+                 QObject::tr("A branch from this tick on with another seed")},
+                [&](bool) {
+                    if (!window.shown()) return;
+                    Edit edit{QObject::tr("other noise").toStdString()};
+                    edit.change = [](const Scenario&, WorldState& state) { ++state.seed; };
+                    session.branchOff(edit);
+                });
+    actions.add(menu,
+                {"restart_with_seed", QObject::tr("&Restart with another seed\u2026"), QKeySequence("Ctrl+R"),
+                 QObject::tr("From the start with another seed, as a branch")},
+                Actions::Asking{[&] { return window.askText(QObject::tr("Restart"), QObject::tr("Seed:")); },
+                                [&](const QString& text) -> Expected<void> {
+                                    const auto seed = seedFrom(text);
+                                    if (!seed) return tl::unexpected(seed.error());
+                                    restart(window, *seed);
+                                    return {};
+                                }});
+    actions.addSeparator(menu);
+    actions.add(
+        menu,
+        {"rename_branch", QObject::tr("Rena&me\u2026"), QKeySequence("F2"),
+         QObject::tr("Another name for the branch that is shown")},
+        Actions::Asking{[&] { return window.askText(QObject::tr("Rename"), QObject::tr("Name of the branch:")); },
+                        [&](const QString& text) -> Expected<void> {
+                            if (text.trimmed().isEmpty()) return fail("", "a branch's name must not be empty");
+                            if (window.shown()) session.rename(window.shown()->branch, text.trimmed());
+                            return {};
+                        }});
+    actions.add(menu,
+                {"other_branch", QObject::tr("&Other branch"), QKeySequence("X"),
+                 QObject::tr("To the branch that this one is compared with, at the same tick")},
+                [&](bool) { showOther(window); });
+    actions.add(menu,
+                {"side_by_side", QObject::tr("&Side by side"), QKeySequence("S"),
+                 QObject::tr("The branch that this one is compared with in a field of its own"), true},
+                [&](bool on) { window.setSideBySide(on); });
+}
+
+}  // namespace mrose::gui

@@ -1,0 +1,183 @@
+#include "branch_panel.h"
+
+#include <QAction>
+#include <QHeaderView>
+#include <QLabel>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/timeline_bar.h"
+
+namespace mrose::gui {
+namespace {
+
+constexpr int branchRole = Qt::UserRole;
+
+QTreeWidget* quietTree(const QStringList& header) {
+    auto* tree = new QTreeWidget;
+    tree->setColumnCount(static_cast<int>(header.size()));
+    tree->setHeaderLabels(header);
+    tree->setFrameShape(QFrame::NoFrame);
+    tree->setUniformRowHeights(true);
+    tree->header()->setStretchLastSection(false);
+    tree->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    for (int column = 1; column < header.size(); ++column)
+        tree->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
+    return tree;
+}
+
+QString distanceText(double metres) {
+    if (metres < 0.0005) return QObject::tr("same");
+    return metres < 1 ? QString::number(100 * metres, 'f', 1) + " cm" : QString::number(metres, 'f', 2) + " m";
+}
+
+}  // namespace
+
+BranchPanel::BranchPanel(QWidget* parent)
+    : QWidget(parent),
+      tree_(quietTree({tr("Branch"), tr("from")})),
+      heading_(new QLabel),
+      differences_(quietTree({tr("Compared"), tr("here"), tr("there")})) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(tree_, 3);
+    heading_->setContentsMargins(8, 8, 8, 4);
+    heading_->setWordWrap(true);
+    layout->addWidget(heading_);
+    layout->addWidget(differences_, 2);
+    tree_->setAccessibleName(tr("Branches"));
+    tree_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
+    tree_->setContextMenuPolicy(Qt::ActionsContextMenu);
+    differences_->setAccessibleName(tr("Differences to the branch beside"));
+    differences_->setRootIsDecorated(false);
+    differences_->setSelectionMode(QAbstractItemView::NoSelection);
+    differences_->setFocusPolicy(Qt::NoFocus);
+    const auto branchOf = [](const QTreeWidgetItem* item) { return item->data(0, branchRole).toUInt(); };
+    connect(tree_, &QTreeWidget::itemClicked, this,
+            [this, branchOf](QTreeWidgetItem* item, int) { emit branchRequested(branchOf(item)); });
+    connect(tree_, &QTreeWidget::itemActivated, this,
+            [this, branchOf](QTreeWidgetItem* item, int) { emit branchRequested(branchOf(item)); });
+    connect(tree_, &QTreeWidget::itemChanged, this, [this, branchOf](QTreeWidgetItem* item, int column) {
+        const QString name = item->text(0).simplified();
+        if (!filling_ && column == 0 && !name.isEmpty()) emit renamed(branchOf(item), name);
+    });
+    const auto offer = [this](const QString& text, auto run) {
+        auto* action = new QAction(text, tree_);
+        connect(action, &QAction::triggered, this, run);
+        tree_->addAction(action);
+    };
+    offer(tr("Show"), [this] {
+        if (const auto branch = current()) emit branchRequested(*branch);
+    });
+    offer(tr("Compare with the shown one"), [this] {
+        if (const auto branch = current()) emit besideRequested(*branch);
+    });
+    offer(tr("Rename"), [this] { editName(); });
+}
+
+std::optional<std::uint32_t> BranchPanel::current() const {
+    const QTreeWidgetItem* item = tree_->currentItem();
+    return item == nullptr ? std::nullopt : std::optional(item->data(0, branchRole).toUInt());
+}
+
+void BranchPanel::editName() {
+    if (QTreeWidgetItem* item = tree_->currentItem()) tree_->editItem(item, 0);
+}
+
+QString BranchPanel::nameOf(const Shown& shown, std::uint32_t branch) {
+    const QString& name = shown.branches[branch].name;
+    return name.isEmpty() ? tr("the run") : name;
+}
+
+void BranchPanel::setTheme(const Theme& theme) { theme_ = theme; }
+
+void BranchPanel::setShown(const Shown& shown) {
+    filling_ = true;
+    std::vector<std::uint32_t> parents;
+    for (const BranchInfo& branch : shown.branches) parents.push_back(branch.parent);
+    if (parents != parents_) rebuild(shown);
+    refresh(shown);
+    compare(shown);
+    filling_ = false;
+}
+
+void BranchPanel::rebuild(const Shown& shown) {
+    tree_->clear();
+    items_.clear();
+    parents_.clear();
+    for (std::uint32_t i = 0; i < shown.branches.size(); ++i) {
+        const std::uint32_t parent = shown.branches[i].parent;
+        auto* item = parent < i ? new QTreeWidgetItem(items_[parent]) : new QTreeWidgetItem(tree_);
+        item->setData(0, branchRole, i);
+        item->setFlags(item->flags() | Qt::ItemIsEditable);
+        items_.push_back(item);
+        parents_.push_back(parent);
+    }
+    tree_->expandAll();
+    tree_->setCurrentItem(items_[shown.branch]);
+}
+
+void BranchPanel::refresh(const Shown& shown) {
+    const Scene& scene = shown.course->scene();
+    for (std::uint32_t i = 0; i < shown.branches.size(); ++i) {
+        const BranchInfo& branch = shown.branches[i];
+        QTreeWidgetItem& item = *items_[i];
+        const bool isShown = i == shown.branch;
+        const QString name = nameOf(shown, i);
+        if (item.text(0) != name) item.setText(0, name);
+        item.setText(1, i == 0 ? QString() : clockText(branch.departed * scene.tickLength));
+        item.setToolTip(
+            0, tr("%1: from %2 to %3\nEnter shows it, F2 names it")
+                   .arg(name, clockText(branch.first * scene.tickLength), clockText(branch.last * scene.tickLength)));
+        QFont font = tree_->font();
+        font.setBold(isShown);
+        font.setItalic(shown.besideBranch == i);
+        item.setFont(0, font);
+        item.setForeground(0, isShown ? theme_.accent : theme_.text);
+    }
+}
+
+void BranchPanel::compare(const Shown& shown) {
+    const bool any = shown.beside != nullptr && shown.besideBranch;
+    heading_->setText(any ? tr("At this tick, beside \u201c%1\u201d").arg(nameOf(shown, *shown.besideBranch))
+                          : tr("Change something while the run stands \u2013 drag a robot, change its command \u2013 "
+                               "and a branch begins. What would have happened stays as a ghost."));
+    heading_->setStyleSheet("color: " + theme_.quietText.name());
+    differences_->setVisible(any);
+    if (!any) return;
+    struct Row {
+        QString what, here, there;
+    };
+    std::vector<Row> rows;
+    const FieldFrame &here = *shown.frame, &there = *shown.beside;
+    const BranchInfo::Events &ours = shown.branches[shown.branch].events,
+                             &theirs = shown.branches[*shown.besideBranch].events;
+    const auto row = [&](const QString& what, const QString& a, const QString& b) { rows.push_back({what, a, b}); };
+    for (std::size_t goal = 0; goal < std::min(here.state.goals.size(), there.state.goals.size()); ++goal)
+        row(tr("in the %1 goal").arg(QString::fromStdString(here.scene().environment.goals[goal].name)),
+            QString::number(here.state.goals[goal]), QString::number(there.state.goals[goal]));
+    row(tr("kicks"), QString::number(ours.kicks), QString::number(theirs.kicks));
+    row(tr("contacts"), QString::number(ours.contacts), QString::number(theirs.contacts));
+    for (std::size_t body = 0; body < std::min(here.scene().bodyCount(), there.scene().bodyCount()); ++body) {
+        const Pose &a = here.poseOf(body), &b = there.poseOf(body);
+        row(tr("%1 apart").arg(QString::fromStdString(here.nameOf(body))),
+            distanceText(std::hypot(a.x - b.x, a.y - b.y)), QString());
+    }
+    while (differences_->topLevelItemCount() > static_cast<int>(rows.size()))
+        delete differences_->takeTopLevelItem(differences_->topLevelItemCount() - 1);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        QTreeWidgetItem* item = differences_->topLevelItem(static_cast<int>(i));
+        if (item == nullptr) item = new QTreeWidgetItem(differences_);
+        item->setText(0, rows[i].what);
+        item->setText(1, rows[i].here);
+        item->setText(2, rows[i].there);
+        for (const int column : {1, 2}) item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+        const bool same = rows[i].there.isEmpty() ? rows[i].here == tr("same") : rows[i].here == rows[i].there;
+        for (int column = 0; column < 3; ++column) item->setForeground(column, same ? theme_.quietText : theme_.text);
+    }
+}
+
+}  // namespace mrose::gui

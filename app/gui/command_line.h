@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mrose::gui {
+
+/// What the command line asks for.
+struct CommandLine {
+    std::string file;        ///< to open; empty: the soccer scenario
+    bool run = false;        ///< runs it to an end that is given, and ends
+    bool offscreen = false;  ///< no display is used
+    std::optional<std::int64_t> ticks;
+    std::optional<double> duration;  ///< s
+    std::optional<double> at;        ///< s
+    std::optional<std::uint64_t> seed;
+    std::optional<double> speed;  ///< simulated seconds per second; 0: as fast as possible
+    std::string select;           ///< a body's name, or its number from 1
+    std::vector<std::string> layers;
+    bool dark = false;
+    std::optional<std::pair<int, int>> size;  ///< pixels
+    std::string script, screenshot, record;
+    bool overwrite = false, printHash = false, printKeys = false;
+
+    /// Somebody is to work with the window.
+    bool interactive() const { return !run && !offscreen && script.empty() && screenshot.empty(); }
+};
+
+/// What it asks for, or the exit status where it has been answered: help, the version, or one line on standard error
+/// and 2.
+struct ParsedCommandLine {
+    CommandLine line;
+    std::optional<int> status;
+};
+ParsedCommandLine parseCommandLine(int argc, char** argv);
+
+}  // namespace mrose::gui

@@ -1,0 +1,167 @@
+#include "command_panel.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QVBoxLayout>
+#include <cmath>
+#include <numbers>
+
+#include "widgets/timeline_bar.h"
+
+namespace mrose::gui {
+namespace {
+
+constexpr double degreesPerRadian = 180 / std::numbers::pi;
+
+QDoubleSpinBox* numberBox(double most, double step, int digits, const QString& unit, const QString& name) {
+    auto* box = new QDoubleSpinBox;
+    box->setRange(-most, most);
+    box->setSingleStep(step);
+    box->setDecimals(digits);
+    box->setSuffix(unit);
+    box->setAccessibleName(name);
+    return box;
+}
+
+/// In force before anything else is decided: the last one issued.
+Command commandInForce(const FieldFrame& frame, std::size_t robot) {
+    const CommandView commands = frame.scenario->commandsOf(frame.state, robot);
+    return commands.at(frame.scene().timeOf(frame.state.tick));
+}
+
+}  // namespace
+
+CommandPanel::CommandPanel(QWidget* parent)
+    : QWidget(parent),
+      what_(new QLabel),
+      v_(numberBox(20, 0.1, 3, tr(" m/s"), tr("Forward speed"))),
+      w_(numberBox(2000, 10, 1, tr(" \u00b0/s"), tr("Rotation, counter-clockwise"))),
+      power_(numberBox(100, 10, 0, " %", tr("Power of the kick"))),
+      kick_(new QComboBox),
+      periods_(new QSpinBox),
+      apply_(new QPushButton(tr("Try this instead"))) {
+    power_->setMinimum(0);
+    periods_->setRange(1, 100'000);
+    periods_->setAccessibleName(tr("Control periods"));
+    kick_->setAccessibleName(tr("Kick"));
+    kick_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    auto* layout = new QVBoxLayout(this);
+    what_->setWordWrap(true);
+    layout->addWidget(what_);
+    auto* form = new QFormLayout;
+    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    form->addRow(tr("Forward"), v_);
+    form->addRow(tr("Rotation"), w_);
+    auto* kick = new QHBoxLayout;
+    kick->addWidget(kick_, 1);
+    kick->addWidget(power_);
+    form->addRow(tr("Kick"), kick);
+    form->addRow(tr("for"), periods_);
+    layout->addLayout(form);
+    apply_->setToolTip(tr("Begins a branch at that decision, with this command in its place (Ctrl+Return)"));
+    layout->addWidget(apply_);
+    layout->addStretch();
+    connect(apply_, &QPushButton::clicked, this, &CommandPanel::apply);
+    connect(kick_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+            [this](int index) { power_->setEnabled(index > 0); });
+    connect(periods_, QOverload<int>::of(&QSpinBox::valueChanged), this,
+            [this](int count) { periods_->setSuffix(count == 1 ? tr(" control period") : tr(" control periods")); });
+    periods_->setSuffix(tr(" control period"));
+    refresh();
+}
+
+const RobotInsight* CommandPanel::decision() const {
+    if (!shown_.frame || !body_ || *body_ >= shown_.frame->insights.size()) return nullptr;
+    const RobotInsight& insight = shown_.frame->insights[*body_];
+    return insight.tick >= 0 ? &insight : nullptr;
+}
+
+void CommandPanel::setShown(const Shown& shown) {
+    shown_ = shown;
+    refresh();
+}
+
+void CommandPanel::setRobot(std::optional<std::size_t> body) {
+    body_ = body;
+    refresh();
+}
+
+void CommandPanel::refresh() {
+    const RobotInsight* told = decision();
+    const bool possible = told != nullptr && !shown_.playing;
+    for (QWidget* widget : {static_cast<QWidget*>(v_), static_cast<QWidget*>(w_), static_cast<QWidget*>(kick_),
+                            static_cast<QWidget*>(periods_), static_cast<QWidget*>(apply_)})
+        widget->setEnabled(possible);
+    power_->setEnabled(possible && kick_->currentIndex() > 0);
+    if (told == nullptr) {
+        const bool robot = shown_.frame && body_ && *body_ < shown_.frame->insights.size();
+        what_->setText(robot ? tr("This robot has not decided anything yet: go on by a control period.")
+                             : tr("Select a robot to change what it decided."));
+        return;
+    }
+    const FieldFrame& frame = *shown_.frame;
+    what_->setText(tr("<b>%1</b> decided at %2")
+                       .arg(QString::fromStdString(frame.nameOf(*body_)).toHtmlEscaped(),
+                            clockText(frame.scene().timeOf(told->tick))));
+    if (filledFrom_ != told->tick || filledFor_ != body_) fill();
+}
+
+/// Typed values stay until another decision is shown.
+void CommandPanel::fill() {
+    const RobotInsight& told = *decision();
+    const FieldFrame& frame = *shown_.frame;
+    filledFrom_ = told.tick;
+    filledFor_ = body_;
+    const Command command = told.decision.command ? *told.decision.command : commandInForce(frame, *body_);
+    v_->setValue(command.v);
+    w_->setValue(command.w * degreesPerRadian);
+    kick_->clear();
+    kick_->addItem(tr("none"));
+    for (const Manipulator& manipulator : frame.scene().typeOf(*body_).manipulators)
+        kick_->addItem(QString::fromStdString(manipulator.name));
+    const std::vector<Kick>& kicks = told.decision.kicks;
+    power_->setValue(kicks.empty() ? 100 : 100 * kicks.front().power);
+    kick_->setCurrentIndex(kicks.empty() ? 0 : static_cast<int>(kicks.front().manipulator) + 1);
+    periods_->setValue(1);
+}
+
+void CommandPanel::edit() {
+    v_->setFocus(Qt::ShortcutFocusReason);
+    v_->selectAll();
+}
+
+void CommandPanel::apply() {
+    const RobotInsight* told = decision();
+    if (told == nullptr || shown_.playing) return;
+    for (QDoubleSpinBox* box : {v_, w_, power_}) box->interpretText();
+    periods_->interpretText();
+    const FieldFrame& frame = *shown_.frame;
+    HandOrder order;
+    order.robot = static_cast<std::uint32_t>(*body_);
+    order.first = told->tick;
+    order.end = told->tick + periods_->value() * frame.scene().periodTicks(*body_);
+    order.command = {v_->value(), w_->value() / degreesPerRadian};
+    // What was not typed over keeps all its digits.
+    const Command before = told->decision.command ? *told->decision.command : commandInForce(frame, *body_);
+    if (std::abs(v_->value() - before.v) < 0.5e-3) order.command.v = before.v;
+    if (std::abs(w_->value() - before.w * degreesPerRadian) < 0.05) order.command.w = before.w;
+    if (kick_->currentIndex() > 0)
+        order.kicks.push_back({static_cast<std::uint32_t>(kick_->currentIndex() - 1), power_->value() / 100});
+    Edit edit{tr("%1: %2 m/s, %3 \u00b0/s%4")
+                  .arg(QString::fromStdString(frame.nameOf(*body_)))
+                  .arg(v_->value(), 0, 'f', 2)
+                  .arg(w_->value(), 0, 'f', 0)
+                  .arg(order.kicks.empty() ? (told->decision.kicks.empty() ? QString() : tr(", no kick"))
+                                           : tr(", kick %1 %").arg(power_->value(), 0, 'f', 0))
+                  .toStdString()};
+    edit.tick = told->tick;
+    edit.orders = {order};
+    emit branchRequested(edit);
+}
+
+}  // namespace mrose::gui

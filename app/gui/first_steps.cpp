@@ -1,0 +1,112 @@
+#include "first_steps.h"
+
+#include <QEvent>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QToolButton>
+
+#include "main_window.h"
+#include "widgets/field_view.h"
+
+namespace mrose::gui {
+namespace {
+
+constexpr int margin = 12;
+
+}  // namespace
+
+FirstSteps::FirstSteps(MainWindow& window) : QFrame(&window.field()), window_(window) {
+    setObjectName("first_steps");
+    hide();
+    QFont small = font();
+    small.setPointSizeF(0.86 * small.pointSizeF());
+    setFont(small);
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(12, 2, 12, 8);
+    grid->setHorizontalSpacing(10);
+    grid->setVerticalSpacing(1);
+    grid->setColumnStretch(2, 1);
+    auto* title = new QLabel(tr("What to try"));
+    QFont bold = small;
+    bold.setBold(true);
+    title->setFont(bold);
+    grid->addWidget(title, 0, 0, 1, 3);
+    auto* close = new QToolButton;
+    close->setText(QString::fromUtf8("\u00d7"));
+    close->setToolTip(tr("Close; the menu Help brings it back"));
+    close->setAccessibleName(tr("Close"));
+    close->setAutoRaise(true);
+    close->setFocusPolicy(Qt::NoFocus);
+    connect(close, &QToolButton::clicked, this, &FirstSteps::closeRequested);
+    grid->addWidget(close, 0, 3);
+    const auto key = [&](const char* action) {
+        return window_.actions()[action].shortcut().toString(QKeySequence::NativeText);
+    };
+    add({key("play"), tr("stops, and goes on")}, {"play"});
+    add({tr("%1, %2").arg(key("tick_back"), key("tick_forward")), tr("a tick back, a tick on")},
+        {"tick_back", "tick_forward"});
+    add({key("cause_of_kick"), tr("the decision behind the last kick")}, {"cause_of_kick"});
+    add({tr("Drag a robot"), tr("a branch; its old course is a ghost")}, {});
+    const std::size_t branch = steps_.size() - 1;
+    add({key("side_by_side"), tr("both courses side by side")}, {"side_by_side"});
+    add({key("undo"), tr("undoes")}, {"undo"});
+    add({key("shortcuts"), tr("all keys")}, {"shortcuts"});
+    connect(&window_, &MainWindow::updated, this, [this, branch] {
+        if (window_.shown()->branches.size() > std::exchange(branches_, window_.shown()->branches.size())) tick(branch);
+    });
+    parentWidget()->installEventFilter(this);
+}
+
+void FirstSteps::add(const Step& step, std::initializer_list<const char*> actions) {
+    const std::size_t index = steps_.size();
+    steps_.push_back(step);
+    auto* mark = new QLabel(QString::fromUtf8("\u25cb"));
+    auto* keys = new QLabel(step.keys);
+    keys->setForegroundRole(QPalette::Link);
+    auto* grid = static_cast<QGridLayout*>(layout());
+    const int row = grid->rowCount();
+    grid->addWidget(mark, row, 0);
+    grid->addWidget(keys, row, 1);
+    grid->addWidget(new QLabel(step.text), row, 2, 1, 2);
+    marks_.push_back(mark);
+    for (const char* name : actions)
+        connect(&window_.actions()[name], &QAction::triggered, this, [this, index] { tick(index); });
+}
+
+void FirstSteps::tick(std::size_t step) {
+    steps_[step].done = true;
+    marks_[step]->setText(QString::fromUtf8("\u2713"));
+    marks_[step]->setForegroundRole(QPalette::Link);
+}
+
+/// At the bottom, where the field leaves room.
+void FirstSteps::place() {
+    const QSize size = sizeHint().boundedTo(parentWidget()->size());
+    setGeometry(QRect(
+        QPoint(parentWidget()->width() - size.width() - margin, parentWidget()->height() - size.height() - margin),
+        size));
+}
+
+bool FirstSteps::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Resize && isVisible()) place();
+    return QFrame::eventFilter(watched, event);
+}
+
+void FirstSteps::showEvent(QShowEvent* event) {
+    place();
+    raise();
+    QFrame::showEvent(event);
+}
+
+void FirstSteps::paintEvent(QPaintEvent* /*event*/) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    QColor back = palette().color(QPalette::Window);
+    back.setAlpha(238);
+    painter.setBrush(back);
+    painter.setPen(QPen(palette().color(QPalette::Mid), 1));
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 6, 6);
+}
+
+}  // namespace mrose::gui

@@ -1,0 +1,165 @@
+#include "shortcut_sheet.h"
+
+#include <QEvent>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QScreen>
+#include <QScrollArea>
+#include <algorithm>
+
+namespace mrose::gui {
+namespace {
+
+constexpr int mostColumns = 3, columnWidth = 350;
+
+QString plain(QString menuText) { return menuText.remove('&').remove(QString::fromUtf8("\u2026")); }
+
+ShortcutGroup mouseGestures() {
+    using Tr = QObject;
+    return {Tr::tr("Mouse"),
+            {{Tr::tr("Click"), Tr::tr("Select a robot or object"), {}},
+             {Tr::tr("Drag a body"), Tr::tr("Move it, while the run stands"), {}},
+             {Tr::tr("Right-drag a body"), Tr::tr("Turn it, while the run stands"), {}},
+             {Tr::tr("Drag the field"), Tr::tr("Move the view"), {}},
+             {Tr::tr("Shift+drag"), Tr::tr("Measure"), {}},
+             {Tr::tr("Wheel"), Tr::tr("Zoom at the cursor"), {}},
+             {Tr::tr("Press the timeline"), Tr::tr("Go to that moment"), {}},
+             {Tr::tr("Drop a file"), Tr::tr("Open it"), {}}}};
+}
+
+bool hasAll(const Shortcut& shortcut, const QString& group, const QString& words) {
+    const QString text = shortcut.keys + ' ' + shortcut.does + ' ' + shortcut.tip + ' ' + group;
+    const QStringList all = words.split(' ', Qt::SkipEmptyParts);
+    return std::all_of(all.begin(), all.end(),
+                       [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
+}
+
+/// Room for a group: its title, its rows and the gap below.
+int heightOf(const ShortcutGroup& group) { return static_cast<int>(group.shortcuts.size()) + 2; }
+
+}  // namespace
+
+std::vector<ShortcutGroup> shortcutGroups(const Actions& actions) {
+    std::vector<ShortcutGroup> groups;
+    for (const Actions::Group& group : actions.groups()) {
+        ShortcutGroup shown{plain(group.title), {}};
+        for (const QAction* action : group.actions)
+            shown.shortcuts.push_back(
+                {action->shortcut().toString(QKeySequence::NativeText), plain(action->text()), action->statusTip()});
+        groups.push_back(std::move(shown));
+    }
+    groups.push_back(mouseGestures());
+    return groups;
+}
+
+QString shortcutText(const std::vector<ShortcutGroup>& groups) {
+    int width = 0;
+    for (const ShortcutGroup& group : groups)
+        for (const Shortcut& shortcut : group.shortcuts) width = std::max(width, shortcut.keys.size());
+    QString text;
+    for (const ShortcutGroup& group : groups) {
+        text += (text.isEmpty() ? "" : "\n") + group.title + '\n';
+        for (const Shortcut& shortcut : group.shortcuts)
+            text += "  " + shortcut.keys.leftJustified(width + 2) +
+                    (shortcut.tip.isEmpty() ? shortcut.does : shortcut.tip) + '\n';
+    }
+    return text;
+}
+
+ShortcutSheet::ShortcutSheet(const Actions& actions, QWidget* parent)
+    : QDialog(parent), actions_(actions), line_(new QLineEdit), area_(new QScrollArea) {
+    setWindowTitle(tr("Shortcuts"));
+    setObjectName("shortcut_sheet");
+    line_->setPlaceholderText(tr("Search"));
+    line_->setClearButtonEnabled(true);
+    line_->setAccessibleName(tr("Search the shortcuts"));
+    area_->setWidgetResizable(true);
+    area_->setFrameShape(QFrame::NoFrame);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(20, 16, 20, 16);
+    layout->setSpacing(12);
+    layout->addWidget(line_);
+    layout->addWidget(area_, 1);
+    connect(line_, &QLineEdit::textChanged, this, &ShortcutSheet::search);
+    area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    fill();
+    const QSize content = area_->widget()->sizeHint() + QSize(60, 100);
+    resize(content.boundedTo(screen()->availableSize().expandedTo(parent->size())));
+}
+
+void ShortcutSheet::search(const QString& words) {
+    words_ = words;
+    fill();
+}
+
+void ShortcutSheet::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange) fill();
+    QDialog::changeEvent(event);
+}
+
+void ShortcutSheet::resizeEvent(QResizeEvent* event) {
+    QDialog::resizeEvent(event);
+    const int fitting = std::clamp(area_->width() / columnWidth, 1, mostColumns);
+    if (std::exchange(columns_, fitting) != fitting) fill();
+}
+
+/// The groups in their order, from column to column, none of them torn.
+void ShortcutSheet::fill() {
+    std::vector<ShortcutGroup> groups;
+    int rows = 0, largest = 0;
+    for (ShortcutGroup& group : shortcutGroups(actions_)) {
+        std::erase_if(group.shortcuts, [&](const Shortcut& some) { return !hasAll(some, group.title, words_); });
+        if (group.shortcuts.empty()) continue;
+        rows += heightOf(group);
+        largest = std::max(largest, heightOf(group));
+        groups.push_back(std::move(group));
+    }
+    auto* page = new QWidget;
+    auto* across = new QHBoxLayout(page);
+    across->setContentsMargins(0, 0, 0, 0);
+    across->setSpacing(40);
+    const int fair = std::max(largest, (rows + columns_ - 1) / columns_);
+    std::size_t next = 0;
+    for (int column = 0; column < columns_; ++column) {
+        auto* down = new QVBoxLayout;
+        down->setSpacing(18);
+        // The last one takes all that is left.
+        for (int used = 0; next < groups.size(); ++next) {
+            if (column + 1 < columns_ && used > 0 && used + heightOf(groups[next]) > fair) break;
+            used += heightOf(groups[next]);
+            down->addWidget(block(groups[next]));
+        }
+        down->addStretch(1);
+        across->addLayout(down, 1);
+    }
+    if (groups.empty()) across->insertWidget(0, new QLabel(tr("Nothing has these words")));
+    area_->setWidget(page);
+}
+
+QWidget* ShortcutSheet::block(const ShortcutGroup& group) {
+    auto* made = new QWidget;
+    auto* grid = new QGridLayout(made);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setVerticalSpacing(5);
+    grid->setHorizontalSpacing(12);
+    grid->setColumnStretch(0, 1);
+    auto* title = new QLabel(group.title);
+    QFont bold = title->font();
+    bold.setBold(true);
+    title->setFont(bold);
+    grid->addWidget(title, 0, 0, 1, 2);
+    int row = 1;
+    for (const Shortcut& shortcut : group.shortcuts) {
+        auto* does = new QLabel(shortcut.does);
+        does->setToolTip(shortcut.tip);
+        auto* keys = new QLabel(shortcut.keys);
+        keys->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        keys->setForegroundRole(QPalette::Link);
+        grid->addWidget(does, row, 0);
+        grid->addWidget(keys, row++, 1);
+    }
+    return made;
+}
+
+}  // namespace mrose::gui

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "motion/motion_model.h"
+
+namespace mrose {
+
+/// Whether two models predict the same of everything, as far as their parameters tell: descriptions that are loaded
+/// again make new models, also where nothing has changed.
+bool sameMotion(const MotionModel& a, const MotionModel& b);
+
+}  // namespace mrose

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "scenario/scenario.h"
+
+namespace mrose {
+
+/// The same instant in another scenario: one whose robots have other motion models or controllers, or whose
+/// descriptions were changed and loaded again. Bodies are matched by their names; those that are new stand as at `to`'s
+/// start. Poses, velocities, seed, commands as far back as `to`'s models read, kicks on their way, contacts and what
+/// sensors remember stay. A controller keeps its memory where it is of the same class and size, and otherwise starts.
+/// Until its next control instant a robot stays on its way; one whose control period differs decides at once. Where
+/// nothing differs, the state is the same to the last bit.
+WorldState carriedOver(const Scenario& from, const WorldState& state, const Scenario& to);
+
+}  // namespace mrose

@@ -1,0 +1,190 @@
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QPushButton>
+#include <QTreeWidget>
+#include <numbers>
+
+#include "branch_panel.h"
+#include "command_panel.h"
+#include "gui/window_fixture.h"
+#include "world/state_hash.h"
+
+namespace mrose::gui {
+namespace {
+
+class BranchTest : public WindowTest {
+protected:
+    void seek(std::int64_t tick) {
+        window.session().seek(tick);
+        settle();
+    }
+    std::int64_t firstKick() const {
+        for (const TimelineMark& mark : *window.shown()->marks)
+            if (mark.kind == TimelineMark::Kind::kick) return mark.tick;
+        return -1;
+    }
+};
+
+/// What a run of the core alone gives, with one robot told from outside.
+WorldState runAlone(const Scenario& scenario, std::int64_t ticks, std::uint32_t robot, std::int64_t from,
+                    const std::function<void(Decision&)>& change) {
+    WorldState state = scenario.initialState();
+    StepBuffers buffers;
+    while (state.tick < ticks) {
+        std::vector<RobotDecision> told;
+        if (state.tick == from) change(told.emplace_back(robot).decision);
+        step(scenario, state, buffers, {told});
+    }
+    return state;
+}
+
+TEST_F(BranchTest, CommandBehindTheFirstKickIsFoundAndChanged) {
+    const std::shared_ptr<const Scenario> scenario = window.shown()->frame->scenario;
+    seek(600);
+    const std::int64_t kicked = firstKick();
+    ASSERT_GT(kicked, 0);
+    seek(kicked + 3);
+    key(Qt::Key_K);
+    ASSERT_TRUE(window.field().selected());
+    const auto robot = static_cast<std::uint32_t>(*window.field().selected());
+    const RobotInsight& insight = window.shown()->frame->insights[robot];
+    // Its decision holds the kick, and the dead time lies between it and the kick.
+    ASSERT_EQ(insight.tick, state().tick - 1);
+    ASSERT_EQ(insight.decision.kicks.size(), 1u);
+    const Scene& scene = scenario->scene();
+    const Nanoseconds due =
+        scene.timeOf(insight.tick) + scene.typeOf(robot).manipulators[insight.decision.kicks[0].manipulator].deadTime;
+    EXPECT_TRUE(scene.timeOf(kicked - 1) <= due && due < scene.timeOf(kicked));
+
+    const std::int64_t decided = insight.tick;
+    const Command command = insight.decision.command.value_or(Command{});
+    auto* kick = window.commandPanel().findChild<QComboBox*>();
+    kick->setCurrentIndex(0);
+    key(Qt::Key_Return, Qt::ControlModifier);
+    EXPECT_EQ(window.shown()->branches.size(), 2u);
+    EXPECT_EQ(window.shown()->branch, 1u);
+    EXPECT_EQ(state().tick, decided);
+    seek(kicked + 100);
+    const WorldState expected =
+        runAlone(*scenario, kicked + 100, robot, decided, [&](Decision& d) { d.command = command; });
+    EXPECT_EQ(window.shown()->hash, hashOf(expected));
+    // The run goes on beside it, as it would have without.
+    ASSERT_NE(window.shown()->beside, nullptr);
+    const WorldState untouched = runAlone(*scenario, kicked + 100, 0, -1, {});
+    EXPECT_EQ(hashOf(window.shown()->beside->state), hashOf(untouched));
+    EXPECT_NE(window.shown()->hash, hashOf(untouched));
+}
+
+TEST_F(BranchTest, TypedCommandIsTold) {
+    const std::shared_ptr<const Scenario> scenario = window.shown()->frame->scenario;
+    seek(100);
+    window.field().setSelected(1);
+    const std::int64_t decided = window.shown()->frame->insights[1].tick;
+    const auto boxes = window.commandPanel().findChildren<QDoubleSpinBox*>();
+    key(Qt::Key_E);
+    ASSERT_EQ(QApplication::focusWidget(), boxes[0]);
+    QTest::keyClicks(boxes[0], "-0.25");
+    boxes[1]->setValue(90);
+    QTest::mouseClick(window.commandPanel().findChild<QPushButton*>(), Qt::LeftButton);
+    settle();
+    seek(200);
+    const WorldState expected = runAlone(*scenario, 200, 1, decided, [](Decision& decision) {
+        decision.command = Command{-0.25, std::numbers::pi / 2};
+    });
+    EXPECT_EQ(window.shown()->hash.world, hashOf(expected).world);
+}
+
+TEST_F(BranchTest, UndoAndRedoGoThereAndBack) {
+    seek(200);
+    const StateHash before = window.shown()->hash;
+    drag(pixelOf(8), pixelOf(8) + QPointF(25, 25));
+    const StateHash moved = window.shown()->hash;
+    seek(260);
+    key(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(window.shown()->hash, before);
+    EXPECT_FALSE(window.shown()->canUndo);
+    key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_EQ(window.shown()->hash, moved);
+    EXPECT_FALSE(window.shown()->canRedo);
+}
+
+TEST_F(BranchTest, RestartWithASeedIsTheRunOfThatSeed) {
+    seek(50);
+    ASSERT_TRUE(window.actions().perform("restart_with_seed", QString("42")));
+    settle();
+    EXPECT_EQ(state().tick, 0);
+    seek(120);
+    const Scenario& scenario = *window.shown()->frame->scenario;
+    WorldState expected = scenario.initialState(42);
+    StepBuffers buffers;
+    while (expected.tick < 120) step(scenario, expected, buffers);
+    EXPECT_EQ(window.shown()->hash, hashOf(expected));
+    EXPECT_FALSE(window.actions().perform("restart_with_seed", QString("-3")));
+    EXPECT_FALSE(window.actions().perform("restart_with_seed", QString("seven")));
+}
+
+TEST_F(BranchTest, ScrubbingDraggingAndUndoingLeaveTheRunAsItIs) {
+    const Scenario& scenario = *window.shown()->frame->scenario;
+    for (const std::int64_t tick : {300, 17, 299, 0, 150}) seek(tick);
+    drag(pixelOf(0), pixelOf(0) + QPointF(10, 40));
+    seek(400);
+    key(Qt::Key_Left);
+    key(Qt::Key_Z, Qt::ControlModifier);
+    drag(pixelOf(3), pixelOf(3) + QPointF(0, 30), Qt::RightButton);
+    seek(350);
+    window.session().show(0, 350);
+    settle();
+    seek(500);
+    const WorldState expected = runAlone(scenario, 500, 0, -1, {});
+    EXPECT_EQ(window.shown()->hash, hashOf(expected));
+    EXPECT_EQ(window.shown()->branches.size(), 3u);
+}
+
+TEST_F(BranchTest, PanelListsNamesAndComparesBranches) {
+    seek(100);
+    const QPointF at = pixelOf(8);
+    drag(at, at + QPointF(40, 0));
+    auto trees = window.branchPanel().findChildren<QTreeWidget*>();
+    QTreeWidget* list = trees[0];
+    ASSERT_EQ(list->topLevelItemCount(), 1);
+    ASSERT_EQ(list->topLevelItem(0)->childCount(), 1);
+    EXPECT_EQ(list->topLevelItem(0)->child(0)->text(0), "ball moved");
+    list->topLevelItem(0)->child(0)->setText(0, "ball to the right");
+    settle();
+    EXPECT_EQ(window.shown()->branches[1].name, "ball to the right");
+    // The ball lies 40 pixels off.
+    const double apart = 40 / window.field().transform().scale();
+    const QList<QTreeWidgetItem*> rows = trees[1]->findItems("ball apart", Qt::MatchExactly);
+    ASSERT_EQ(rows.size(), 1);
+    EXPECT_EQ(rows[0]->text(1), QString::number(100 * apart, 'f', 1) + " cm");
+    EXPECT_EQ(trees[1]->findItems("red 1 apart", Qt::MatchExactly)[0]->text(1), "same");
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, Qt::NoModifier,
+                      list->visualItemRect(list->topLevelItem(0)).center());
+    settle();
+    EXPECT_EQ(window.shown()->branch, 0u);
+    EXPECT_EQ(window.shown()->besideBranch, 1u);
+    EXPECT_EQ(pixelOf(8), at);
+}
+
+TEST_F(BranchTest, BothCoursesAreSeenSideBySide) {
+    seek(100);
+    window.field().setLayers(FieldLayers::none());
+    drag(pixelOf(8), pixelOf(8) + QPointF(40, 0));
+    EXPECT_FALSE(window.besideField().isVisible());
+    key(Qt::Key_S);
+    ASSERT_TRUE(window.besideField().isVisible());
+    const auto ballPixel = [&](FieldView& field, const Pose& ball) {
+        return field.grab().toImage().pixelColor(field.transform().toPixels({ball.x, ball.y}).toPoint());
+    };
+    const Pose here = state().objects[0].pose, there = window.shown()->beside->state.objects[0].pose;
+    EXPECT_NEAR(window.field().transform().scale(), window.besideField().transform().scale(), 1e-9);
+    const QColor ball = ballPixel(window.field(), here);
+    EXPECT_EQ(ballPixel(window.besideField(), there), ball);
+    EXPECT_NE(ballPixel(window.besideField(), here), ball);
+    window.field().zoom(2);
+    window.field().grab();
+    EXPECT_NEAR(window.field().transform().scale(), window.besideField().transform().scale(), 1e-9);
+}
+
+}  // namespace
+}  // namespace mrose::gui

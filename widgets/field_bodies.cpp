@@ -1,0 +1,97 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "widgets/field_drawing.h"
+#include "widgets/field_readout.h"
+
+namespace mrose {
+namespace {
+
+/// Bodies smaller than this (pixels) are dots.
+constexpr double leastDetail = 5;
+
+/// A body that is too small for its shape: in its robot's colour, with a line to where it faces.
+void drawDot(const FieldCanvas& canvas, const FieldFrame& frame, std::size_t body, double reach, bool heading) {
+    const bool robot = body < frame.state.robots.size();
+    const Pose& pose = frame.poseOf(body);
+    const QPointF at = canvas.at(position(pose));
+    const double radius = std::max(2.0, canvas.pixels(reach));
+    const QColor colour = robot ? robotColour(body) : toQColor(frame.scene().shapeOf(body).parts.front().colour);
+    canvas.painter.setPen(Qt::NoPen);
+    canvas.painter.setBrush(colour);
+    canvas.painter.drawRect(QRectF(at - QPointF(radius, radius), QSizeF(2 * radius, 2 * radius)));
+    if (!robot || !heading || radius < 2.5) return;
+    canvas.painter.setPen(hairline(QColor(0, 0, 0)));
+    canvas.painter.drawLine(at, at + 1.8 * radius * QPointF(std::cos(pose.heading), -std::sin(pose.heading)));
+}
+
+/// The colour that a robot is known by, as a rim about its body's own colours.
+void drawRim(const FieldCanvas& canvas, const FieldFrame& frame, std::size_t body) {
+    const Shape& shape = frame.scene().shapeOf(body);
+    const double width = std::clamp(0.14 * canvas.pixels(shape.reach), 1.5, 4.0);
+    const QColor colour = robotColour(body);
+    canvas.outline(shape, frame.poseOf(body), roundPen(QColor(0, 0, 0, 150), 2 * width + 2));
+    canvas.outline(shape, frame.poseOf(body), roundPen(colour, 2 * width));
+}
+
+void ring(const FieldCanvas& canvas, const FieldFrame& frame, std::size_t body, const QColor& colour, double width) {
+    const double radius = canvas.pixels(frame.scene().shapeOf(body).reach) + 6;
+    canvas.painter.setBrush(Qt::NoBrush);
+    for (const QPen& pen : {roundPen(canvas.theme.halo, width + 2), roundPen(colour, width)}) {
+        canvas.painter.setPen(pen);
+        canvas.painter.drawEllipse(canvas.at(position(frame.poseOf(body))), radius, radius);
+    }
+}
+
+void drawMoved(const FieldCanvas& canvas, const FieldFrame& frame, std::size_t body, const Pose& to) {
+    const Shape& shape = frame.scene().shapeOf(body);
+    const QColor colour = whatIsAt(frame, body, to).empty() ? canvas.theme.accent : canvas.theme.warning;
+    canvas.painter.setBrush(withAlpha(colour, 60));
+    canvas.painter.setPen(roundPen(colour, 1.6));
+    canvas.parts(shape, to);
+    if (body < frame.state.robots.size()) canvas.heading(shape, to, colour);
+    const Pose& from = frame.poseOf(body);
+    if (length(position(to) - position(from)) * canvas.view.scale() < 8) return;
+    canvas.casedLine(canvas.at(position(from)), canvas.at(position(to)), roundPen(colour, 1.2, Qt::DashLine));
+}
+
+}  // namespace
+
+std::vector<std::size_t> visibleBodies(const FieldCanvas& canvas, const FieldFrame& frame) {
+    std::vector<std::size_t> bodies;
+    for (std::size_t body = 0; body < frame.scene().bodyCount(); ++body)
+        if (canvas.visible(position(frame.poseOf(body)), frame.scene().shapeOf(body).reach)) bodies.push_back(body);
+    return bodies;
+}
+
+void drawBodies(const FieldCanvas& canvas, const FieldFrame& frame, bool headings) {
+    const std::vector<std::size_t> bodies = visibleBodies(canvas, frame);
+    const bool many = bodies.size() > mostSmooth;
+    canvas.painter.setRenderHint(QPainter::Antialiasing, !many);
+    // Objects under robots would be hidden: they come last.
+    for (const std::size_t body : bodies) {
+        const Shape& shape = frame.scene().shapeOf(body);
+        const bool robot = body < frame.state.robots.size();
+        if (canvas.pixels(shape.reach) < leastDetail) {
+            drawDot(canvas, frame, body, shape.reach, headings);
+            continue;
+        }
+        if (robot && !many) drawRim(canvas, frame, body);
+        canvas.shape(shape, frame.poseOf(body), !many);
+        if (!robot) continue;
+        if (headings) canvas.heading(shape, frame.poseOf(body), many ? robotColour(body) : QColor(255, 255, 255));
+    }
+    canvas.painter.setRenderHint(QPainter::Antialiasing);
+}
+
+void drawFocus(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus) {
+    const std::size_t count = frame.scene().bodyCount();
+    if (focus.hovered && *focus.hovered < count && focus.hovered != focus.selected)
+        ring(canvas, frame, *focus.hovered, withAlpha(canvas.theme.accent, 150), 1);
+    if (!focus.selected || *focus.selected >= count) return;
+    ring(canvas, frame, *focus.selected, canvas.theme.accent, 2);
+    if (focus.moved) drawMoved(canvas, frame, *focus.selected, *focus.moved);
+}
+
+}  // namespace mrose

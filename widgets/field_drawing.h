@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "widgets/field_canvas.h"
+#include "widgets/field_frame.h"
+#include "widgets/field_layers.h"
+#include "widgets/label_placer.h"
+
+namespace mrose {
+
+/// What the eye of the user is on.
+struct FieldFocus {
+    std::optional<std::size_t> selected, hovered;  ///< bodies
+    std::optional<Pose> moved;                     ///< where the selected body is being dragged to
+};
+
+/// A few words beside something; placed when all of a picture are known.
+struct FieldLabel {
+    std::uint64_t key = 0;  ///< see LabelPlacer
+    Point at;
+    double clearance = 0;  ///< pixels
+    QString text;
+    QColor colour;
+    std::optional<QColor> chip;  ///< the colour that its robot is known by
+    bool first = false;          ///< chooses its place before others
+};
+
+/// More visible bodies than these are drawn in the plain and fast way.
+constexpr std::size_t mostSmooth = 200;
+/// Names and numbers of more than these would hide the picture.
+constexpr std::size_t mostNames = 80;
+
+/// The length, in pixels, of the arrow of an impulse in N s: weak and strong ones are told apart, and none is longer
+/// than longestImpulse.
+constexpr double longestImpulse = 44;
+double impulsePixels(double impulse);
+
+// The layers of the field's picture, from below to above; each leaves smoothing switched on.
+
+/// The floor's colour as it is drawn.
+QColor floorColour(const Environment& environment, const Theme& theme);
+void drawGround(const FieldCanvas& canvas, const Environment& environment);
+/// Lines at round metres, and rulers along two edges.
+void drawGrid(const FieldCanvas& canvas);
+void drawSensors(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus);
+void drawTrails(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus);
+void drawGhosts(const FieldCanvas& canvas, const FieldFrame& frame);
+void drawPredicted(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus);
+void drawBodies(const FieldCanvas& canvas, const FieldFrame& frame, bool headings);
+void drawFocus(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus);
+void drawBeliefs(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus);
+void drawNotes(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus,
+               std::vector<FieldLabel>& labels);
+void drawContacts(const FieldCanvas& canvas, const FieldFrame& frame, std::vector<FieldLabel>& labels);
+void drawKicks(const FieldCanvas& canvas, const FieldFrame& frame, std::vector<FieldLabel>& labels);
+
+void addNames(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus,
+              std::vector<FieldLabel>& labels);
+/// Off one another and, where that can be, off bodies.
+void drawLabels(const FieldCanvas& canvas, const FieldFrame& frame, std::vector<FieldLabel> labels,
+                LabelPlacer& placer);
+/// One where it is told.
+void drawPlate(const FieldCanvas& canvas, const QRectF& box, const FieldLabel& label);
+QSizeF plateSize(const FieldCanvas& canvas, const FieldLabel& label);
+QFont plateFont(const QPainter& painter);
+
+/// The visible bodies, in order.
+std::vector<std::size_t> visibleBodies(const FieldCanvas& canvas, const FieldFrame& frame);
+
+}  // namespace mrose

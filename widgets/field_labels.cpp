@@ -1,0 +1,90 @@
+#include <QFontMetricsF>
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/field_drawing.h"
+#include "widgets/field_readout.h"
+
+namespace mrose {
+namespace {
+
+constexpr double chipSize = 7, padding = 4, chipGap = 4;  // pixels
+
+/// From a label that had to go far away to what it names.
+void drawLeader(const FieldCanvas& canvas, const QRectF& box, const FieldLabel& label) {
+    const QPointF to = canvas.at(label.at);
+    const QPointF from(std::clamp(to.x(), box.left(), box.right()), std::clamp(to.y(), box.top(), box.bottom()));
+    const QPointF along = to - from;
+    const double size = std::hypot(along.x(), along.y()), shown = size - label.clearance;
+    if (shown > 4) canvas.casedLine(from, from + shown / size * along, roundPen(canvas.theme.onFloor, 1));
+}
+
+}  // namespace
+
+QFont plateFont(const QPainter& painter) {
+    QFont font = painter.font();
+    font.setPointSizeF(8.5);
+    return font;
+}
+
+QSizeF plateSize(const FieldCanvas& canvas, const FieldLabel& label) {
+    const QFontMetricsF metrics(plateFont(canvas.painter));
+    const double chip = label.chip ? chipSize + chipGap : 0;
+    return {std::ceil(metrics.horizontalAdvance(label.text) + chip + 2 * padding), std::ceil(metrics.height()) + 1};
+}
+
+void drawPlate(const FieldCanvas& canvas, const QRectF& box, const FieldLabel& label) {
+    QPainter& painter = canvas.painter;
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(canvas.theme.halo);
+    painter.drawRoundedRect(box, 3, 3);
+    QRectF text = box.adjusted(padding, 0, -padding, 0);
+    if (label.chip) {
+        painter.setPen(roundPen(QColor(0, 0, 0, 150), 1));
+        painter.setBrush(*label.chip);
+        painter.drawEllipse(QPointF(text.left() + chipSize / 2, box.center().y()), chipSize / 2, chipSize / 2);
+        text.setLeft(text.left() + chipSize + chipGap);
+    }
+    painter.setFont(plateFont(painter));
+    painter.setPen(label.colour);
+    painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter, label.text);
+}
+
+void addNames(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus,
+              std::vector<FieldLabel>& labels) {
+    constexpr double leastReach = 5;  // pixels: whose bodies are smaller are nameless
+    const std::vector<std::size_t> bodies = visibleBodies(canvas, frame);
+    for (const std::size_t body : bodies) {
+        const bool looked = focus.selected == body || focus.hovered == body;
+        const double reach = canvas.pixels(frame.scene().shapeOf(body).reach);
+        if (!looked && (bodies.size() > mostNames || reach < leastReach)) continue;
+        FieldLabel& label = labels.emplace_back();
+        label.key = std::uint64_t{1} << 56 | body;
+        label.at = position(frame.poseOf(body));
+        label.clearance = reach + (looked ? 7 : 0);
+        label.text = QString::fromStdString(frame.nameOf(body));
+        label.colour = canvas.theme.onFloor;
+        if (body < frame.state.robots.size()) label.chip = robotColour(body);
+        label.first = looked;
+    }
+}
+
+void drawLabels(const FieldCanvas& canvas, const FieldFrame& frame, std::vector<FieldLabel> labels,
+                LabelPlacer& placer) {
+    placer.begin(QRectF(QPointF(0, 0), canvas.view.size()).adjusted(2, 2, -2, -2));
+    if (labels.empty()) return;
+    for (const std::size_t body : visibleBodies(canvas, frame)) {
+        const double half = 0.85 * canvas.pixels(frame.scene().shapeOf(body).reach);
+        const QPointF at = canvas.at(position(frame.poseOf(body)));
+        placer.avoid({at - QPointF(half, half), QSizeF(2 * half, 2 * half)});
+    }
+    std::stable_partition(labels.begin(), labels.end(), [](const FieldLabel& label) { return label.first; });
+    for (const FieldLabel& label : labels) {
+        const auto place = placer.place({label.key, canvas.at(label.at), label.clearance, plateSize(canvas, label)});
+        if (!place) continue;
+        if (place->far) drawLeader(canvas, place->box, label);
+        drawPlate(canvas, place->box, label);
+    }
+}
+
+}  // namespace mrose

@@ -1,0 +1,101 @@
+#include "widgets/field_readout.h"
+
+#include <QObject>
+#include <QStringList>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace mrose {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+/// Without the sign of a zero that is none.
+QString fixed(double value, int decimals) {
+    const QString text = QString::number(value, 'f', decimals);
+    return text.startsWith('-') && text.toDouble() == 0 ? text.mid(1) : text;
+}
+
+bool overlap(const Shape& a, const Placement& ofA, const Shape& b, const Placement& ofB) {
+    for (const ConvexPiece& piece : a.pieces) {
+        const ConvexPiece here = placed(piece, ofA);
+        for (const ConvexPiece& other : b.pieces)
+            if (mrose::distance(here, placed(other, ofB)) < 0) return true;
+    }
+    return false;
+}
+
+QString nameOfBody(const FieldFrame& frame, std::uint32_t body) {
+    return body < frame.scene().bodyCount() ? QString::fromStdString(frame.nameOf(body)) : QObject::tr("the place");
+}
+
+}  // namespace
+
+QString lengthText(double metres) {
+    if (std::abs(metres) < 0.9995) return fixed(100 * metres, std::abs(metres) < 0.0995 ? 1 : 0) + " cm";
+    return fixed(metres, std::abs(metres) < 9.995 ? 2 : 1) + " m";
+}
+
+QString poseText(const Pose& pose) {
+    return QObject::tr("x %1 m   y %2 m   %3%4")
+        .arg(fixed(pose.x, 2), fixed(pose.y, 2), fixed(wrapAngle(pose.heading) / degree, 1),
+             QString::fromUtf8("\u00b0"));
+}
+
+QString impulseText(double impulse) { return fixed(impulse, impulse < 9.995 ? 2 : 1) + " N s"; }
+
+QString bodyReadout(const FieldFrame& frame, std::size_t body) {
+    const Scene& scene = frame.scene();
+    const std::size_t robots = scene.robots.size();
+    const std::string& kind = body < robots ? scene.typeOf(body).name : scene.typeOfObject(body - robots).name;
+    const QString name = QString::fromStdString(frame.nameOf(body));
+    QString text = QString::fromStdString(kind) == name || kind.empty()
+                       ? name
+                       : name + QString::fromUtf8("  \u00b7  ") + QString::fromStdString(kind);
+    text += '\n' + poseText(frame.poseOf(body)) + '\n';
+    if (body >= robots) {
+        const Twist& velocity = frame.state.objects[body - robots].velocity_W;
+        return text + QObject::tr("%1 m/s").arg(fixed(std::hypot(velocity.x, velocity.y), 2));
+    }
+    const Twist& velocity = frame.state.robots[body].velocity_B;
+    text += QObject::tr("%1 m/s ahead, %2%3/s")
+                .arg(fixed(velocity.x, 2), fixed(velocity.rotation / degree, 1), QString::fromUtf8("\u00b0"));
+    if (std::abs(velocity.y) >= 0.005) text += QObject::tr(", %1 m/s to the left").arg(fixed(velocity.y, 2));
+    return text;
+}
+
+QString signReadout(const FieldFrame& frame, const Point& at, double reach) {
+    QStringList lines;
+    for (const ContactReport& contact : frame.contacts)
+        if (distance(contact.position, at) <= reach)
+            lines += QObject::tr("%1 on %2: %3")
+                         .arg(nameOfBody(frame, contact.bodyA), nameOfBody(frame, contact.bodyB),
+                              impulseText(contact.impulse));
+    for (std::size_t robot = 0; robot < frame.insights.size(); ++robot)
+        for (const Annotation& note : frame.insights[robot].decision.annotations)
+            if (note.kind == Annotation::Kind::point)
+                for (const Point& point : note.points)
+                    if (distance(point, at) <= reach)
+                        lines += QObject::tr("%1: %2, x %3 m   y %4 m")
+                                     .arg(nameOfBody(frame, static_cast<std::uint32_t>(robot)),
+                                          QString::fromStdString(note.label), fixed(point.x, 2), fixed(point.y, 2));
+    return lines.join('\n');
+}
+
+std::string whatIsAt(const FieldFrame& frame, std::size_t body, const Pose& pose) {
+    const Scene& scene = frame.scene();
+    const Shape& shape = scene.shapeOf(body);
+    const Placement there(pose);
+    for (std::size_t other = 0; other < scene.bodyCount(); ++other) {
+        const Shape& its = scene.shapeOf(other);
+        const Pose& at = frame.poseOf(other);
+        if (other == body || distance(position(pose), position(at)) > shape.reach + its.reach) continue;
+        if (overlap(shape, there, its, Placement(at))) return frame.nameOf(other);
+    }
+    for (const Obstacle& obstacle : scene.environment.obstacles)
+        if (overlap(shape, there, obstacle.shape, {})) return obstacle.name;
+    return {};
+}
+
+}  // namespace mrose

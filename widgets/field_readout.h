@@ -1,0 +1,27 @@
+#pragma once
+
+#include <QString>
+#include <string>
+
+#include "widgets/field_frame.h"
+
+namespace mrose {
+
+// What is said of bodies, in numbers whose digits do not come and go.
+
+/// "3.20 m", "45 cm": of a length between two digits and three.
+QString lengthText(double metres);
+/// "x -1.09 m   y 0.88 m   12.3 deg", with the sign of a degree.
+QString poseText(const Pose& pose);
+/// "0.24 N s", "13.1 N s".
+QString impulseText(double impulse);
+
+/// Name, kind, pose and speed of a body, in three lines.
+QString bodyReadout(const FieldFrame& frame, std::size_t body);
+/// Of contacts, notes and kicks within `reach` metres of a point, a line each; empty: there are none.
+QString signReadout(const FieldFrame& frame, const Point& at, double reach);
+
+/// The name of what a body would lie on there, another body or what stands still; empty: of nothing.
+std::string whatIsAt(const FieldFrame& frame, std::size_t body, const Pose& pose);
+
+}  // namespace mrose

@@ -1,0 +1,168 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "widgets/field_drawing.h"
+#include "widgets/field_readout.h"
+
+namespace mrose {
+namespace {
+
+// Labels are known by what they are of.
+std::uint64_t labelKey(std::uint64_t kind, std::uint64_t first, std::uint64_t second) {
+    return kind << 56 | (first & 0xffffff) << 28 | (second & 0xffffff);
+}
+
+/// How wide and far one looks for others; nothing: it does not, or everywhere.
+const BodySight* sightOf(const Perception& perception) {
+    for (const BodySight* sight : {&perception.objects, &perception.robots})
+        if (sight->present && (sight->range > 0 || sight->fieldOfView < 2 * std::numbers::pi - 1e-6)) return sight;
+    return nullptr;
+}
+
+void drawSight(const FieldCanvas& canvas, const BodySight& sight, const Pose& pose, const QColor& colour, bool strong) {
+    constexpr double farthest = 4;  // m: what has no limit fades towards there
+    const double range = sight.range > 0 ? sight.range : farthest, reach = canvas.pixels(range);
+    if (!canvas.visible(position(pose), range)) return;
+    const QPointF at = canvas.at(position(pose));
+    const int strength = strong ? 90 : 46;
+    QPainter& painter = canvas.painter;
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(withAlpha(colour, strength));
+    if (sight.range == 0) {
+        QRadialGradient fading(at, reach);
+        fading.setColorAt(0, withAlpha(colour, strength));
+        fading.setColorAt(1, withAlpha(colour, 0));
+        painter.setBrush(fading);
+    }
+    const QRectF box(at.x() - reach, at.y() - reach, 2 * reach, 2 * reach);
+    const double sixteenth = 16 * 180 / std::numbers::pi;
+    if (sight.fieldOfView > 2 * std::numbers::pi - 1e-6)
+        painter.drawEllipse(box);
+    else
+        painter.drawPie(box, static_cast<int>(sixteenth * (wrapAngle(pose.heading) - sight.fieldOfView / 2)),
+                        static_cast<int>(sixteenth * sight.fieldOfView));
+}
+
+}  // namespace
+
+void drawSensors(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus) {
+    canvas.painter.setRenderHint(QPainter::Antialiasing, false);
+    for (std::size_t robot = 0; robot < frame.state.robots.size(); ++robot)
+        if (const BodySight* sight = sightOf(frame.scene().typeOf(robot).perception))
+            drawSight(canvas, *sight, frame.poseOf(robot), robotColour(robot), focus.selected == robot);
+    canvas.painter.setRenderHint(QPainter::Antialiasing);
+}
+
+void drawBeliefs(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus) {
+    const bool few = frame.insights.size() <= mostNames;
+    for (std::size_t robot = 0; robot < frame.insights.size(); ++robot) {
+        const RobotInsight& insight = frame.insights[robot];
+        if (!insight.observed || (!few && focus.selected != robot)) continue;
+        const Observation& seen = insight.observation;
+        const QColor colour = robotColour(robot);
+        if (seen.localised) {
+            const Shape& shape = frame.scene().shapeOf(robot);
+            canvas.outline(shape, seen.self, roundPen(withAlpha(setOff(colour), 110), 2.6));
+            canvas.outline(shape, seen.self, roundPen(colour, 1.4, Qt::DashLine));
+            canvas.casedLine(canvas.at(position(frame.poseOf(robot))), canvas.at(position(seen.self)),
+                             roundPen(colour, 1.2));
+        }
+        if (focus.selected != robot) continue;
+        const Placement at(seen.self);
+        const auto cross = [&](const SeenBody& body) {
+            const QPointF p = canvas.at(at.place(body.position_B));
+            for (const QPen& pen : {roundPen(setOff(colour), 3.6), roundPen(colour, 2)}) {
+                canvas.painter.setPen(pen);
+                canvas.painter.drawLine(p - QPointF(4, 4), p + QPointF(4, 4));
+                canvas.painter.drawLine(p - QPointF(4, -4), p + QPointF(4, -4));
+            }
+        };
+        for (const SeenBody& body : seen.robots) cross(body);
+        for (const SeenBody& body : seen.objects) cross(body);
+    }
+}
+
+void drawNotes(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus,
+               std::vector<FieldLabel>& labels) {
+    const bool few = frame.scene().bodyCount() <= mostNames;
+    for (std::size_t robot = 0; robot < frame.insights.size(); ++robot) {
+        const bool selected = focus.selected == robot;
+        if (!few && !selected) continue;
+        const QColor colour = withAlpha(robotColour(robot), selected || !focus.selected ? 240 : 110);
+        const std::vector<Annotation>& notes = frame.insights[robot].decision.annotations;
+        for (std::size_t i = 0; i < notes.size(); ++i) {
+            const Annotation& note = notes[i];
+            if (note.kind == Annotation::Kind::line) {
+                WayLine line;
+                for (const Point& point : note.points) line.add(canvas.at(point));
+                for (const QPolygonF& points : line.lines())
+                    canvas.casedLine(points, roundPen(colour, selected ? 2 : 1.4, Qt::DotLine));
+            }
+            if (note.kind != Annotation::Kind::point) continue;
+            for (const Point& point : note.points) {
+                canvas.target(canvas.at(point), colour, selected ? 2 : 1.3);
+                if (!selected) continue;
+                FieldLabel& label = labels.emplace_back();
+                label.key = labelKey(2, robot, i);
+                label.at = point;
+                label.clearance = 8;
+                label.text = QString::fromStdString(note.label);
+                label.colour = canvas.theme.onFloor;
+            }
+        }
+    }
+}
+
+double impulsePixels(double impulse) {
+    constexpr double half = 1.5;  // N s at which the arrow has half of its greatest length
+    return longestImpulse * impulse / (impulse + half);
+}
+
+void drawContacts(const FieldCanvas& canvas, const FieldFrame& frame, std::vector<FieldLabel>& labels) {
+    const bool few = frame.contacts.size() <= mostNames;
+    canvas.painter.setRenderHint(QPainter::Antialiasing, frame.contacts.size() <= mostSmooth);
+    for (const ContactReport& contact : frame.contacts) {
+        if (!canvas.visible(contact.position, 0.5)) continue;
+        const QPointF at = canvas.at(contact.position), along(contact.normal.x, -contact.normal.y);
+        const double size = impulsePixels(contact.impulse);
+        // Each of the two is pushed away from the other.
+        for (const double way : {1.0, -1.0})
+            if (size >= 5) canvas.arrow(at, at + way * size * along, canvas.theme.contact, 3);
+        canvas.painter.setPen(few ? roundPen(QColor(255, 255, 255), 1.2) : hairline(QColor(255, 255, 255)));
+        canvas.painter.setBrush(canvas.theme.contact);
+        canvas.painter.drawEllipse(at, 3.5, 3.5);
+        if (!few || contact.impulse < 0.05) continue;
+        FieldLabel& label = labels.emplace_back();
+        label.key = labelKey(3, contact.bodyA, contact.bodyB == noBody ? ~contact.obstacle : contact.bodyB);
+        label.at = contact.position;
+        label.clearance = 8;
+        label.text = impulseText(contact.impulse);
+        label.colour = canvas.theme.contact;
+    }
+    canvas.painter.setRenderHint(QPainter::Antialiasing);
+}
+
+void drawKicks(const FieldCanvas& canvas, const FieldFrame& frame, std::vector<FieldLabel>& labels) {
+    for (const StepTrace::Kicked& kick : frame.kicks) {
+        const std::vector<Manipulator>& manipulators = frame.scene().typeOf(kick.robot).manipulators;
+        if (kick.manipulator >= manipulators.size()) continue;
+        const Manipulator& manipulator = manipulators[kick.manipulator];
+        const Placement face(frame.poseOf(kick.robot) *
+                             Pose{manipulator.position.x, manipulator.position.y, manipulator.direction});
+        const QPointF from = canvas.at(face.origin), towards = canvas.at(face.place({1, 0})) - from;
+        const double size = std::hypot(towards.x(), towards.y());
+        const double shown = std::clamp(0.35 * size, 18.0, 60.0);
+        const QColor colour = canvas.theme.kick;
+        canvas.arrow(from, from + shown / size * towards, kick.hit ? colour : withAlpha(colour, 110), 4);
+        FieldLabel& label = labels.emplace_back();
+        label.key = labelKey(4, kick.robot, kick.manipulator);
+        label.at = face.place({shown / canvas.view.scale(), 0});
+        label.clearance = 6;
+        label.text =
+            kick.hit ? QObject::tr("kick, %1 m/s").arg(length(kick.speed_W), 0, 'f', 2) : QObject::tr("kick, missed");
+        label.colour = canvas.theme.onFloor;
+    }
+}
+
+}  // namespace mrose

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <QRectF>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace mrose {
+
+/// Finds places for the labels of a moving picture: never on one another, inside the picture, off bodies where that
+/// can be, and beside the same side of what they name as in the picture before, so that they do not jump about.
+/// Who is asked for first chooses first.
+class LabelPlacer {
+public:
+    struct Wanted {
+        std::uint64_t key = 0;  ///< the same from picture to picture
+        QPointF at;             ///< the middle of what it names, pixels
+        double clearance = 0;   ///< from there to its edge
+        QSizeF size;
+    };
+    struct Placed {
+        QRectF box;
+        bool far = false;  ///< a line should lead there
+    };
+
+    /// Another picture: `frame` holds all labels.
+    void begin(const QRectF& frame);
+    void avoid(const QRectF& body) { bodies_.push_back(body); }
+    /// Nothing: there is no room.
+    std::optional<Placed> place(const Wanted& wanted);
+
+private:
+    QRectF boxOf(const Wanted& wanted, int slot) const;
+    bool fits(const QRectF& box) const;
+    double cost(const QRectF& box, int slot) const;
+
+    QRectF frame_;
+    std::vector<QRectF> bodies_, taken_;
+    std::map<std::uint64_t, int> slots_, before_;
+};
+
+}  // namespace mrose

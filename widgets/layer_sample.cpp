@@ -1,0 +1,87 @@
+#include "widgets/layer_sample.h"
+
+#include "widgets/field_canvas.h"
+
+namespace mrose {
+namespace {
+
+constexpr double inset = 3;  // pixels
+
+QPolygonF across(const QRectF& box) {
+    const double y = box.center().y();
+    return QVector<QPointF>{{box.left() + inset, y}, {box.right() - inset, y}};
+}
+
+void drawPath(const FieldCanvas& canvas, const QRectF& box, const QColor& colour) {
+    QPen pen = roundPen(colour, 1.6, Qt::CustomDashLine);
+    pen.setDashPattern({4, 2.5});
+    canvas.casedLine(across(box), pen);
+    canvas.painter.setPen(roundPen(withAlpha(setOff(colour), 150), 1));
+    canvas.painter.setBrush(colour);
+    canvas.painter.drawEllipse(across(box).back() - QPointF(2, 0), 2.6, 2.6);
+}
+
+void drawOutlineSample(const FieldCanvas& canvas, const QRectF& box, const QColor& colour, bool filled) {
+    const double radius = box.height() / 2 - 1;
+    canvas.painter.setBrush(filled ? QBrush(withAlpha(colour, 70)) : QBrush(Qt::NoBrush));
+    if (!filled) {
+        canvas.painter.setPen(roundPen(withAlpha(setOff(colour), 110), 2.6));
+        canvas.painter.drawEllipse(box.center(), radius, radius);
+    }
+    canvas.painter.setPen(roundPen(colour, 1.4, Qt::DashLine));
+    canvas.painter.drawEllipse(box.center(), radius, radius);
+}
+
+}  // namespace
+
+bool hasSample(FieldLayer layer) {
+    return layer != FieldLayer::grid && layer != FieldLayer::names && layer != FieldLayer::legend;
+}
+
+void drawSample(QPainter& painter, const QRectF& box, FieldLayer layer, const Theme& theme) {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    const ViewTransform unused;
+    const FieldCanvas canvas{painter, unused, theme};
+    const QColor colour = robotColour(4), neutral = theme.quietText;
+    switch (layer) {
+        case FieldLayer::headings:
+            canvas.arrow(across(box).front(), across(box).back(), QColor(255, 255, 255), 3);
+            break;
+        case FieldLayer::trails:
+            canvas.casedLine(across(box), roundPen(colour, 1.8));
+            break;
+        case FieldLayer::targets:
+            canvas.casedLine(across(box), roundPen(colour, 1.5, Qt::DotLine));
+            canvas.target(across(box).back() - QPointF(5, 0), colour, 1.4);
+            break;
+        case FieldLayer::sensors:
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(withAlpha(colour, 110));
+            painter.drawPie(QRectF(box.left() - box.width() / 2 + inset, box.center().y() - box.width(),
+                                   2 * box.width(), 2 * box.width())
+                                .adjusted(4, 4, -4, -4),
+                            -22 * 16, 44 * 16);
+            break;
+        case FieldLayer::contacts:
+            canvas.arrow(box.center(), across(box).front(), theme.contact, 3);
+            canvas.arrow(box.center(), across(box).back(), theme.contact, 3);
+            painter.setPen(roundPen(QColor(255, 255, 255), 1.2));
+            painter.drawEllipse(box.center(), 3.5, 3.5);
+            break;
+        case FieldLayer::predicted:
+            drawPath(canvas, box, theme.dark ? QColor(255, 255, 255) : neutral);
+            break;
+        case FieldLayer::beliefs:
+            drawOutlineSample(canvas, box, colour, false);
+            break;
+        case FieldLayer::ghosts:
+            drawOutlineSample(canvas, box, neutral, true);
+            break;
+        default:
+            break;
+    }
+    painter.restore();
+}
+
+}  // namespace mrose

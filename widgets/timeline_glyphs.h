@@ -1,0 +1,19 @@
+#pragma once
+
+#include <QPainter>
+
+#include "widgets/theme.h"
+#include "widgets/timeline_mark.h"
+
+namespace mrose {
+
+constexpr int markKinds = 5;
+
+/// A sign about 9 pixels wide, of another shape for each kind: colours alone do not tell all people.
+void drawMark(QPainter& painter, const QPointF& middle, TimelineMark::Kind kind, const Theme& theme);
+/// "kick", "controller failed"
+QString markName(TimelineMark::Kind kind);
+/// The same as one letter of text, where nothing can be drawn.
+QString markLetter(TimelineMark::Kind kind);
+
+}  // namespace mrose
