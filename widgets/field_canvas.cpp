@@ -77,7 +77,7 @@ void FieldCanvas::outline(const Shape& shape, const Pose& pose, const QPen& pen)
 
 void FieldCanvas::casedLine(const QPolygonF& line, const QPen& pen) const {
     QPen casing = pen;
-    casing.setColor(withAlpha(setOff(pen.color()), pen.color().alpha() * 2 / 5));
+    casing.setColor(withAlpha(setOff(pen.color()), pen.color().alpha() / 2));
     casing.setWidthF(pen.widthF() + 1.6);
     casing.setStyle(Qt::SolidLine);
     painter.setPen(casing);

@@ -150,7 +150,7 @@ void FieldView::paintEvent(QPaintEvent* /*event*/) {
         painter.fillRect(rect(), theme_.surround);
         return;
     }
-    const double ratio = painter.device()->devicePixelRatioF();
+    const double ratio = painter.deviceTransform().m11();  // of what is painted on, be it a screen or a picture
     if (place_.isNull() || !(placeView_ == view_) || placeOf_ != frame_->scenario.get() ||
         place_.devicePixelRatio() != ratio)
         drawPlace(ratio);
@@ -194,14 +194,17 @@ void FieldView::mousePressEvent(QMouseEvent* event) {
     button_ = event->button();
     pressedAt_ = draggedTo_ = event->localPos();
     const std::optional<std::size_t> body = bodyAt(pressedAt_);
+    pressedOnBody_ = body.has_value();
     const bool measuring = button_ == Qt::LeftButton && event->modifiers().testFlag(Qt::ShiftModifier);
     drag_ = measuring ? Drag::measure : Drag::pressed;
     if (!measuring && body) setSelected(body);
 }
 
 void FieldView::mouseDoubleClickEvent(QMouseEvent* event) {
-    mousePressEvent(event);
-    if (event->button() == Qt::LeftButton && bodyAt(event->localPos())) emit followRequested();
+    // Of a view that follows, the body that the first press selected may have gone from under the cursor.
+    const bool again = pressedOnBody_ && event->localPos() == pressedAt_;
+    if (!again) mousePressEvent(event);
+    if (event->button() == Qt::LeftButton && pressedOnBody_) emit followRequested();
 }
 
 void FieldView::mouseMoveEvent(QMouseEvent* event) {

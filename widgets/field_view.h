@@ -92,7 +92,7 @@ private:
     ViewTransform view_;
     FieldFocus focus_;
     mutable LabelPlacer labels_;  ///< where they stood in the last picture
-    bool editable_ = false, following_ = false, fitted_ = true, nudging_ = false;
+    bool editable_ = false, following_ = false, fitted_ = true, nudging_ = false, pressedOnBody_ = false;
     Drag drag_ = Drag::none;
     Qt::MouseButton button_ = Qt::NoButton;
     QPointF pressedAt_, draggedTo_;

@@ -143,13 +143,10 @@ void TimelineBar::paintEvent(QPaintEvent* /*event*/) {
     painter.setPen(theme_.line);
     painter.drawLine(0, 0, width(), 0);
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.save();
-    painter.setClipRect(QRectF(sideMargin - 7, 0, room() + 14, height()));
     paintTrack(painter);
     paintScale(painter);
     paintMarks(painter);
     paintBranches(painter);
-    painter.restore();
     if (hovered_ && !dragging_) paintFlag(painter, tickAt(*hovered_), false);
     paintFlag(painter, content_.now, true);
 }

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <map>
 
 #include "recording/recording.h"
-#include "scenario/scenario_file.h"
 #include "scenarios.h"
+#include "shared/opening.h"
 #include "world/plain_seconds.h"
 
 namespace mrose::cli {
@@ -19,32 +18,6 @@ struct ReplayCommandFlags {
     PluginFlags plugins;
 };
 
-/// Where a plug-in that a recording names may be: as it was named, seen from the current folder; the same seen from the
-/// recording's; beside the recording.
-std::vector<std::filesystem::path> placesOf(const std::filesystem::path& named,
-                                            const std::filesystem::path& recording) {
-    const std::filesystem::path folder = recording.parent_path();
-    std::vector<std::filesystem::path> places{named};
-    for (const std::filesystem::path& place : {folder / named, folder / named.filename()})
-        if (std::find(places.begin(), places.end(), place) == places.end()) places.push_back(place);
-    return places;
-}
-
-/// Loads plug-ins from wherever they are found.
-PluginLoader findingLoader(const ReplayCommandFlags& flags) {
-    return [recording = flags.recording, load = pluginLoader(flags.plugins)](
-               const std::string& path, const std::string& options) -> Expected<std::shared_ptr<const Controller>> {
-        std::error_code ignored;
-        std::string looked;
-        for (const std::filesystem::path& place : placesOf(path, recording)) {
-            if (std::filesystem::exists(place, ignored)) return load(place.string(), options);
-            looked += (looked.empty() ? "" : ", nor ") +
-                      std::filesystem::absolute(place, ignored).lexically_normal().string();
-        }
-        return fail("", "the plug-in is neither " + looked);
-    };
-}
-
 /// The scenarios of all branches; those of the same descriptions are one.
 Expected<std::vector<std::shared_ptr<const Scenario>>> recordedScenarios(const Recording& recording,
                                                                          const ReplayCommandFlags& flags) {
@@ -53,7 +26,8 @@ Expected<std::vector<std::shared_ptr<const Scenario>>> recordedScenarios(const R
     for (std::uint32_t i = 0; i < recording.branches.size(); ++i) {
         std::shared_ptr<const Scenario>& scenario = loaded[recording.branches[i].descriptions.get()];
         if (!scenario) {
-            auto parts = recordedScenario(recording, i, flags.decide ? findingLoader(flags) : PluginLoader());
+            auto parts = recordedScenario(recording, i, flags.decide ? findingLoader(flags.recording, pluginLoader(flags.plugins)) : PluginLoader());
+            if (parts) parts = asKeptTrial(std::move(*parts), recording.descriptionsOf(i).texts);
             if (!parts) return tl::unexpected(parts.error());
             watchPlugins(*parts);
             scenario = std::make_shared<const Scenario>(std::move(*parts));

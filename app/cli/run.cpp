@@ -30,11 +30,14 @@ std::string factorText(double factor) {
 /// Keeps a run at a speed, writes its recording and shows how far it is.
 class Conductor {
 public:
-    Conductor(const RunCommandFlags& flags, const CommonFlags& common, const Scenario& scenario, std::int64_t ticks)
+    /// `ticks` from tick `first` on.
+    Conductor(const RunCommandFlags& flags, const CommonFlags& common, const Scenario& scenario, std::int64_t first,
+              std::int64_t ticks)
         : flags_(flags),
           overwrite_(common.overwrite),
           line_(common.quiet),
           tick_(toSeconds(scenario.scene().tickLength)),
+          first_(first),
           ticks_(ticks) {}
 
     Expected<void> record(const OpenScenario& open, const WorldState& initial) {
@@ -98,14 +101,14 @@ private:
 
     void keepPace(std::int64_t tick) {
         if (flags_.speed <= 0) return;
-        const double due = static_cast<double>(tick) * tick_ / flags_.speed;
+        const double due = static_cast<double>(tick - first_) * tick_ / flags_.speed;
         std::this_thread::sleep_until(began_ +
                                       std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(due)));
     }
 
     void show(std::int64_t tick) {
         nextShown_ = Clock::now() + (line_.terminal() ? std::chrono::milliseconds(200) : std::chrono::seconds(10));
-        const double simulated = static_cast<double>(tick) * tick_;
+        const double simulated = static_cast<double>(tick - first_) * tick_;
         char text[160];
         std::snprintf(text, sizeof text, "%.1f of %.1f s, %s x real time", simulated,
                       static_cast<double>(ticks_) * tick_, factorText(simulated / wallSeconds()).c_str());
@@ -116,7 +119,7 @@ private:
     bool overwrite_;
     ProgressLine line_;
     double tick_;
-    std::int64_t ticks_;
+    std::int64_t first_, ticks_;
     std::optional<RecordingWriter> writer_;
     bool lost_ = false;  ///< the recording
     Clock::time_point began_ = Clock::now(), nextShown_ = began_ + std::chrono::seconds(1), nextFlushed_ = nextShown_;
@@ -155,10 +158,11 @@ const char* endText(RunEnd end) {
 void print(const Scenario& scenario, const RunCommandFlags& flags, const RunResult& result, bool recorded,
            double wall) {
     const double simulated = toSeconds(result.state.tick * scenario.scene().tickLength);
+    const double taken = toSeconds(result.statistics.ticks * scenario.scene().tickLength);
     const std::string trial = flags.run.trial > 0 ? ", trial " + std::to_string(flags.run.trial) : "";
     std::printf("%s%s, seed %llu: %.2f s%s", scenario.parts().name.c_str(), trial.c_str(),
                 static_cast<unsigned long long>(result.state.seed), simulated, endText(result.end));
-    if (wall > 0) std::printf(" (%s x real time)", factorText(simulated / wall).c_str());
+    if (wall > 0) std::printf(" (%s x real time)", factorText(taken / wall).c_str());
     std::printf("\n%s", statisticsText(scenario, result.statistics).c_str());
     if (flags.checkRewind && result.end != RunEnd::rewind)
         std::printf("%lld ticks taken twice, each time with the same end\n",
@@ -185,7 +189,7 @@ int runScenario(const RunCommandFlags& flags, const CommonFlags& common) {
     options.endOnFault = flags.endOnFault;
     options.checkRewind = flags.checkRewind;
     const WorldState initial = scenario.initialState(flags.run.seed.value_or(scenario.parts().seed));
-    Conductor conductor(flags, common, scenario, options.duration / scenario.scene().tickLength);
+    Conductor conductor(flags, common, scenario, initial.tick, options.duration / scenario.scene().tickLength);
     if (!flags.record.empty())
         if (const auto opened = conductor.record(*open, initial); !opened) return report(opened.error());
     watchInterrupts();

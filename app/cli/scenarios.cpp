@@ -5,8 +5,7 @@
 
 #include "experiment/variation.h"
 #include "io/file.h"
-#include "io/number_text.h"
-#include "scenario/start_check.h"
+#include "shared/opening.h"
 #include "shared/resources.h"
 
 namespace mrose::cli {
@@ -25,25 +24,14 @@ Expected<OpenScenario> openScenario(const std::string& name, std::uint32_t trial
     watchPlugins(loaded->parts);
     auto parts = varied(loaded->parts, trial);
     if (!parts) return tl::unexpected(parts.error());
+    keepTrial(loaded->texts, trial);
     sayStartsOutside(parts->scene);
     auto scenario = std::make_shared<const Scenario>(std::move(*parts));
     return OpenScenario{std::move(*loaded), std::move(hashes), std::move(scenario)};
 }
 
 void sayStartsOutside(const Scene& scene) {
-    constexpr std::size_t most = 10;
-    const std::vector<std::size_t> outside = startsOutside(scene);
-    for (std::size_t i = 0; i < std::min(outside.size(), most); ++i) {
-        const std::size_t body = outside[i];
-        const bool robot = body < scene.robots.size();
-        const std::size_t object = body - scene.robots.size();
-        const Pose& start = robot ? scene.robots[body].start : scene.objects[object].start;
-        const std::string name = robot ? scene.robots[body].name : scene.objects[object].name;
-        report({"", 0, 0, "note",
-                '"' + name + "\" starts at (" + numberText(start.x) + ", " + numberText(start.y) +
-                    "), outside of what the environment's walls and floor area span"});
-    }
-    if (outside.size() > most) report({"", 0, 0, "note", "so do " + std::to_string(outside.size() - most) + " more"});
+    for (const std::string& sentence : startsOutsideText(scene)) report({"", 0, 0, "note", sentence});
 }
 
 void addRunFlags(CLI::App& sub, RunFlags& flags) {

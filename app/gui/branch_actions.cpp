@@ -1,6 +1,11 @@
+#include <QFileDialog>
+
 #include "branch_panel.h"
 #include "command_panel.h"
 #include "main_window.h"
+#include "scenario/carry_over.h"
+#include "swap_model.h"
+#include "widgets/field_view.h"
 #include "window_actions.h"
 
 namespace mrose::gui {
@@ -19,6 +24,23 @@ void restart(MainWindow& window, std::uint64_t seed) {
     edit.course = shown->course;
     edit.start = shown->course->scenario->initialState(seed);
     window.session().branchOff(edit);
+}
+
+Expected<void> swapModel(MainWindow& window, const QString& file) {
+    const Shown* shown = window.shown();
+    const std::optional<std::size_t> selected = window.field().selected();
+    if (shown == nullptr || !selected || *selected >= shown->frame->state.robots.size())
+        return fail("", "no robot is selected: select the one that is to move as this network says");
+    const std::string path = file.toStdString();
+    auto course = withSwappedModel(*shown->course, *selected, path);
+    if (!course) return tl::unexpected(course.error());
+    Edit edit{shown->frame->nameOf(*selected) + " moves by " + modelName(path)};
+    edit.course = std::move(*course);
+    edit.change = [from = shown->course](const Scenario& to, WorldState& state) {
+        state = carriedOver(*from->scenario, state, to);
+    };
+    window.session().branchOff(edit);
+    return {};
 }
 
 Expected<std::uint64_t> seedFrom(const QString& text) {
@@ -65,10 +87,19 @@ void addBranchActions(MainWindow& window) {
                                     restart(window, *seed);
                                     return {};
                                 }});
+    actions.add(menu,
+                {"swap_model", QObject::tr("Other motion &model\u2026"), QKeySequence("M"),
+                 QObject::tr("A branch in which the selected robot moves as another network says")},
+                Actions::Asking{[&] {
+                                    return QFileDialog::getOpenFileName(&window, QObject::tr("Motion network"),
+                                                                        QString(),
+                                                                        QObject::tr("Networks (*.net);;All files (*)"));
+                                },
+                                [&](const QString& path) { return swapModel(window, path); }});
     actions.addSeparator(menu);
     actions.add(
         menu,
-        {"rename_branch", QObject::tr("Rena&me\u2026"), QKeySequence("F2"),
+        {"rename_branch", QObject::tr("Ren&ame\u2026"), QKeySequence("F2"),
          QObject::tr("Another name for the branch that is shown")},
         Actions::Asking{[&] { return window.askText(QObject::tr("Rename"), QObject::tr("Name of the branch:")); },
                         [&](const QString& text) -> Expected<void> {

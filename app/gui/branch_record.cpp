@@ -1,6 +1,14 @@
 #include "branch_record.h"
 
+#include <algorithm>
+
 namespace mrose::gui {
+namespace {
+
+/// Of which the words are kept.
+constexpr std::size_t mostFaults = 100;
+
+}  // namespace
 
 BranchRecord::BranchRecord(CoursePointer course, const WorldState& start, std::vector<HandOrder> orders)
     : course_(std::move(course)),
@@ -51,7 +59,13 @@ void BranchRecord::note(const WorldState& after, const StepTrace& trace) {
     for (const StepTrace::Kicked& kick : trace.kicks)
         mark(TimelineMark::Kind::kick, kick.robot, kick.hit ? kick.object : noBody);
     for (const std::uint32_t goal : trace.goals) mark(TimelineMark::Kind::goal, 0, goal);
-    for (const StepTrace::Fault& fault : trace.faults) mark(TimelineMark::Kind::fault, fault.robot, noBody);
+    for (const StepTrace::Fault& fault : trace.faults) {
+        mark(TimelineMark::Kind::fault, fault.robot, noBody);
+        const bool known = std::any_of(faults_.begin(), faults_.end(), [&](const FirstFault& first) {
+            return first.robot == fault.robot && first.what == fault.what;
+        });
+        if (!known && faults_.size() < mostFaults) faults_.push_back({after.tick, fault.robot, fault.what});
+    }
     const Scene& scene = course_->scene();
     for (std::uint32_t robot = 0; robot < trace.robots.size(); ++robot) {
         const StepTrace::Robot& told = trace.robots[robot];

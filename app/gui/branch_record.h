@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "control/controller.h"
@@ -39,6 +40,14 @@ public:
     const PoseTrack& track() const { return track_; }
     const std::vector<TimelineMark>& marks() const { return marks_; }
     const std::vector<KickOrder>& kickOrders() const { return kickOrders_; }
+    /// When a robot first had a fault of these words.
+    struct FirstFault {
+        std::int64_t tick = 0;  ///< of the state after it
+        std::uint32_t robot = 0;
+        std::string what;
+        bool operator==(const FirstFault&) const = default;
+    };
+    const std::vector<FirstFault>& faults() const { return faults_; }
     /// What is told from outside in the tick that begins with `state`. Valid until the next call.
     Overrides overrides(const WorldState& state);
 
@@ -58,6 +67,7 @@ private:
     PoseTrack track_;
     std::vector<TimelineMark> marks_;
     std::vector<KickOrder> kickOrders_;
+    std::vector<FirstFault> faults_;
     TouchCounter touches_;
     ReachedState end_;
     StepTrace trace_;

@@ -20,6 +20,7 @@ constexpr const char* examples =
     "  mrose-gui\n"
     "  mrose-gui office_corridor.toml --seed 7 --dark\n"
     "  mrose-gui --at 3.42 game.mcap\n"
+    "  mrose-gui --at 12.5 soccer.toml --trial 17 --seed 4\n"
     "  mrose-gui --offscreen --run soccer.toml --ticks 400 --select 'red 2' --screenshot soccer.png\n"
     "  mrose-gui --offscreen --script tour.lua\n"
     "A scenario is a file or the name of one that ships. Offscreen, no display is needed. The same scenario and seed\n"
@@ -80,6 +81,11 @@ void addFlags(CLI::App& app, CommandLine& line, std::string& run, std::string& s
     app.add_option("--at", line.at, "Open at this time, s")->check(numberRange(0.0, 1e6));
     app.add_option("--seed", line.seed, "Seed of everything random; the same seed gives the same run")
         ->check(someSeed());
+    app.add_option("--trial", line.trial, "Start as this trial of a batch does; 0: as the scenario says");
+    app.add_option("--log", line.log, "Read this log instead of those that the scenario names");
+    app.add_option("--plugin-limit", line.pluginLimit, "How long a plug-in may take for a decision, in s")
+        ->check(numberRange(0.01, 1e6))
+        ->capture_default_str();
     app.add_option("--speed", line.speed, "Times real time; 0: as fast as it goes")->check(numberRange(0.0, 1e6));
     app.add_option("--select", line.select, "Select a robot or object, by its name or its number from 1")
         ->check(someName());
@@ -87,13 +93,13 @@ void addFlags(CLI::App& app, CommandLine& line, std::string& run, std::string& s
         ->delimiter(',')
         ->check(someLayer());
     app.add_flag("--dark", line.dark, "Dark colours");
+    app.add_flag("--remember", line.remember, "Use and keep the user's layout with --offscreen and --script, too");
     app.add_option("--size", size, "Of the window, pixels: 1280x800")->check(someSize());
     app.add_option("--script", line.script, "Lua file that drives the window; its expect() decides the exit status")
         ->check(someName());
-    app.add_option("--screenshot", line.screenshot,
-                   "Save a picture of the window (.png), or of the field (.svg), and end")
+    app.add_option("--screenshot", line.screenshot, "Save a picture of the window (.png, .svg or .pdf), and end")
         ->check(someName());
-    app.add_option("--record", line.record, "Write a recording (MCAP) at the end")->check(someName());
+    app.add_option("--record", line.record, "Write a recording (MCAP) while the run goes on")->check(someName());
     app.add_flag("--overwrite", line.overwrite, "Replace a recording that is there already");
     app.add_flag("--print-hash", line.printHash, "Print the last state's hash, as `mrose run` does");
     app.add_flag("--keys", line.printKeys, "Print all shortcuts");

@@ -16,10 +16,14 @@ struct CommandLine {
     std::optional<double> duration;  ///< s
     std::optional<double> at;        ///< s
     std::optional<std::uint64_t> seed;
+    std::uint32_t trial = 0;
+    std::string log;
+    double pluginLimit = 2;       ///< s
     std::optional<double> speed;  ///< simulated seconds per second; 0: as fast as possible
     std::string select;           ///< a body's name, or its number from 1
     std::vector<std::string> layers;
     bool dark = false;
+    bool remember = false;                    ///< of the layout, where nobody is to work with the window
     std::optional<std::pair<int, int>> size;  ///< pixels
     std::string script, screenshot, record;
     bool overwrite = false, printHash = false, printKeys = false;

@@ -1,19 +1,42 @@
 #include <QFileDialog>
+#include <QMenu>
 
 #include "main_window.h"
 #include "window_actions.h"
+#include "window_files.h"
+#include "window_memory.h"
+#include "work_progress.h"
 
 namespace mrose::gui {
 namespace {
 
-QString askForFile(MainWindow& window) {
-    return QFileDialog::getOpenFileName(&window, QObject::tr("Open"), QString(),
-                                        QObject::tr("Scenarios (*.toml);;All files (*)"));
+/// Where the last file was.
+QString folderOf(MainWindow& window) {
+    const QStringList& recent = window.memory().recentFiles();
+    for (const QString& file : recent)
+        if (const QFileInfo place(file); place.isAbsolute() && place.dir().exists()) return place.path();
+    return {};
 }
 
-QString askForImage(MainWindow& window) {
-    return QFileDialog::getSaveFileName(&window, QObject::tr("Save picture"), QString(),
-                                        QObject::tr("Pictures (*.png *.svg)"));
+QString askForFile(MainWindow& window) {
+    return QFileDialog::getOpenFileName(
+        &window, QObject::tr("Open"), folderOf(window),
+        QObject::tr("What mrose opens (*.toml *.mcap *.net *.csv);;Scenarios (*.toml);;Recordings (*.mcap);;"
+                    "Networks (*.net);;Results of a batch (*.csv);;All files (*)"));
+}
+
+/// A name with an extension of its kind.
+QString askForName(MainWindow& window, const QString& title, const QString& kinds, const QString& extension) {
+    QString path = QFileDialog::getSaveFileName(&window, title, folderOf(window), kinds);
+    if (!path.isEmpty() && QFileInfo(path).suffix().isEmpty()) path += extension;
+    return path;
+}
+
+/// Scripts wait until it is open, people need not.
+Expected<void> openPath(MainWindow& window, const QString& path) {
+    if (window.actions().unattended()) return window.files().openNow({path.toStdString()});
+    window.files().open(path);
+    return {};
 }
 
 }  // namespace
@@ -21,18 +44,57 @@ QString askForImage(MainWindow& window) {
 void addFileActions(MainWindow& window) {
     Actions& actions = window.actions();
     const QString menu = QObject::tr("&File");
+    actions.add(menu,
+                {"open", QObject::tr("&Open\u2026"), QKeySequence("Ctrl+O"),
+                 QObject::tr("Open a scenario, a recording or a network")},
+                Actions::Asking{[&] { return askForFile(window); },
+                                [&](const QString& path) { return openPath(window, path); }});
+    QMenu* recent = actions.menu(menu)->addMenu(QObject::tr("Open &recent"));
+    recent->setToolTipsVisible(true);
+    window.memory().fillRecent(*recent, [&](const QString& file) { window.files().open(file); });
+    actions.add(menu,
+                {"reload", QObject::tr("R&eload"), QKeySequence("F5"),
+                 QObject::tr("Read the descriptions again, and simulate up to the same tick")},
+                [&](bool) { window.files().reload(QObject::tr("reloaded")); });
+    actions.addSeparator(menu);
+    actions.add(menu,
+                {"save_recording", QObject::tr("&Save recording\u2026"), QKeySequence("Ctrl+S"),
+                 QObject::tr("Save the run and all its branches")},
+                Actions::Asking{[&] {
+                                    return askForName(window, QObject::tr("Save recording"),
+                                                      QObject::tr("Recordings (*.mcap)"), ".mcap");
+                                },
+                                [&](const QString& path) { return window.files().saveRecording(path); }});
     actions.add(
-        menu, {"open", QObject::tr("&Open\u2026"), QKeySequence("Ctrl+O"), QObject::tr("Open a scenario")},
-        Actions::Asking{[&] { return askForFile(window); }, [&](const QString& path) { return window.open(path); }});
+        menu,
+        {"record_to", QObject::tr("Re&cord to\u2026"), QKeySequence("Ctrl+Shift+R"),
+         QObject::tr("Write the run to a file while it goes on, with what was before")},
+        Actions::Asking{
+            [&] { return askForName(window, QObject::tr("Record to"), QObject::tr("Recordings (*.mcap)"), ".mcap"); },
+            [&](const QString& path) -> Expected<void> {
+                window.files().record(path);
+                return {};
+            }});
+    QAction* stop = actions.add(menu,
+                                {"stop_recording", QObject::tr("S&top recording"), QKeySequence("Ctrl+Shift+E"),
+                                 QObject::tr("Close the file that the run is written to")},
+                                [&](bool) { window.files().record({}); });
+    stop->setEnabled(false);
+    QObject::connect(&window.files(), &WindowFiles::recordingTo, stop,
+                     [stop](const QString& path) { stop->setEnabled(!path.isEmpty()); });
     actions.add(menu,
                 {"save_image", QObject::tr("Save &picture\u2026"), QKeySequence("Ctrl+P"),
-                 QObject::tr("Save the field view as PNG or SVG")},
-                Actions::Asking{[&] { return askForImage(window); },
-                                [&](const QString& path) -> Expected<void> {
-                                    if (!window.saveImage(path)) return fail(path.toStdString(), "cannot be written");
-                                    return {};
-                                }});
+                 QObject::tr("Save the field view as PNG, SVG or PDF")},
+                Actions::Asking{[&] {
+                                    return askForName(window, QObject::tr("Save picture"),
+                                                      QObject::tr("Pictures (*.png *.svg *.pdf)"), ".png");
+                                },
+                                [&](const QString& path) { return window.files().savePicture(path); }});
     actions.addSeparator(menu);
+    actions.add(menu,
+                {"cancel", QObject::tr("C&ancel or dismiss"), QKeySequence(Qt::Key_Escape),
+                 QObject::tr("End what takes long; otherwise dismiss the newest message")},
+                [&](bool) { window.progress().cancel(); });
     actions.add(menu, {"quit", QObject::tr("&Quit"), QKeySequence("Ctrl+Q"), QObject::tr("End the program")},
                 [&](bool) { window.close(); });
 }

@@ -1,8 +1,10 @@
 #include <QApplication>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <memory>
 
 #include "command_line.h"
 #include "io/file.h"
@@ -11,9 +13,13 @@
 #include "plugin/plugin_host.h"
 #include "qt_messages.h"
 #include "shared/plugin_process.h"
+#include "shared/resources.h"
 #include "shortcut_sheet.h"
 #include "widgets/field_view.h"
+#include "widgets/message_bar.h"
 #include "window_actions.h"
+#include "window_files.h"
+#include "window_memory.h"
 #include "window_script.h"
 
 namespace {
@@ -33,25 +39,19 @@ void settle(MainWindow& window) {
     QApplication::processEvents();
 }
 
-/// What is there before anything runs: the run, and how it is looked at.
-Expected<void> open(MainWindow& window, const CommandLine& line) {
-    if (line.size) window.resize(line.size->first, line.size->second);
-    if (line.dark) window.actions()["dark"].setChecked(true), window.setTheme(Theme::darkOne());
-    const auto run = openRun(line.file.empty() ? "soccer.toml" : line.file, line.seed);
-    if (!run) return tl::unexpected(run.error());
-    window.show(*run);
-    window.QWidget::show();
-    settle(window);
+OpenRequest requestOf(const CommandLine& line) {
+    return {line.file.empty() ? "soccer.toml" : line.file, line.trial, line.seed, line.log, line.pluginLimit};
+}
+
+/// How the run is looked at, once it is there.
+void look(MainWindow& window, const CommandLine& line) {
     if (line.speed) window.setSpeed(*line.speed);
-    if (!line.layers.empty())
-        for (const FieldLayerText& layer : fieldLayerTexts) {
-            const std::string name = std::string(layer.action).substr(std::string("layer_").size());
-            const bool shown = std::find(line.layers.begin(), line.layers.end(), name) != line.layers.end();
-            window.actions()[layer.action].setChecked(shown);
-        }
-    if (line.at) window.session().seek(window.shown()->frame->scene().ticksOf(fromSeconds(*line.at)));
-    settle(window);
-    return {};
+    if (line.layers.empty()) return;
+    for (const FieldLayerText& layer : fieldLayerTexts) {
+        const std::string name = std::string(layer.action).substr(std::string("layer_").size());
+        const bool shown = std::find(line.layers.begin(), line.layers.end(), name) != line.layers.end();
+        window.actions()[layer.action].setChecked(shown);
+    }
 }
 
 Expected<void> select(MainWindow& window, const std::string& text) {
@@ -91,15 +91,29 @@ Expected<bool> script(MainWindow& window, const std::string& path) {
     return outcome->failed == 0;
 }
 
-Expected<void> save(MainWindow& window, const CommandLine& line) {
-    if (!line.screenshot.empty() && !window.saveImage(QString::fromStdString(line.screenshot)))
-        return fail(line.screenshot, "cannot be written");
-    if (line.record.empty()) return {};
-    return window.actions().perform("save_recording", QString::fromStdString(line.record));
+/// Its recording whole, and said what went wrong with it.
+Expected<void> finishRecording(MainWindow& window) {
+    window.files().record({});
+    settle(window);
+    if (const QString& error = window.files().recordingError(); !error.isEmpty()) return fail("", error.toStdString());
+    return {};
 }
 
-/// With somebody to work with it.
-int work(MainWindow& window, const CommandLine& line) {
+/// What is asked for of the end; the exit status.
+int finish(MainWindow& window, const CommandLine& line, bool held) {
+    settle(window);
+    if (const auto recorded = finishRecording(window); !recorded) return report(recorded.error());
+    if (line.printHash && window.shown()) std::printf("state %s\n", stateText(*window.shown()).c_str());
+    return held ? 0 : 1;
+}
+
+/// What is done when the run is there, with somebody to work with it.
+void begin(MainWindow& window, const CommandLine& line) {
+    look(window, line);
+    if (!line.select.empty())
+        if (const auto selected = select(window, line.select); !selected)
+            window.messages().add({MessageBar::Kind::error, QString::fromStdString(selected.error().message())});
+    if (!line.record.empty()) window.files().record(QString::fromStdString(line.record), line.overwrite);
     if (line.duration) {
         const FieldFrame& frame = *window.shown()->frame;
         const std::int64_t end = frame.state.tick + frame.scene().ticksOf(fromSeconds(*line.duration));
@@ -110,13 +124,48 @@ int work(MainWindow& window, const CommandLine& line) {
             window.session().seek(end);
         });
     }
-    if (line.file.empty()) {
-        showFirstSteps(window);
-        window.session().play();
+    if (!line.file.empty()) return;
+    showFirstSteps(window);
+    window.session().play();
+}
+
+int work(MainWindow& window, const CommandLine& line) {
+    window.QWidget::show();
+    if (line.file.empty())
+        window.files().open(requestOf(line), line.at);
+    else
+        window.files().open(QString::fromStdString(line.file), requestOf(line), line.at);
+    const auto once = std::make_shared<QMetaObject::Connection>();
+    *once = QObject::connect(&window, &MainWindow::updated, &window, [&window, &line, once] {
+        QObject::disconnect(*once);
+        begin(window, line);
+    });
+    QApplication::exec();
+    return finish(window, line, true);
+}
+
+/// With nobody: to the end that the command line or the script gives.
+int runAlone(MainWindow& window, const CommandLine& line) {
+    window.actions().setUnattended(true);
+    if (const auto opened = window.files().openNow(requestOf(line), line.at); !opened) return report(opened.error());
+    window.QWidget::show();
+    settle(window);
+    look(window, line);
+    if (!line.record.empty()) window.files().record(QString::fromStdString(line.record), line.overwrite);
+    if (line.run || (line.script.empty() && line.screenshot.empty())) runToEnd(window, line);
+    if (!line.select.empty())
+        if (const auto selected = select(window, line.select); !selected) return report(selected.error());
+    bool held = true;
+    if (!line.script.empty()) {
+        const auto done = script(window, line.script);
+        if (!done) return report(done.error());
+        held = *done;
     }
-    const int status = QApplication::exec();
-    if (const auto saved = save(window, line); !saved) return report(saved.error());
-    return status;
+    settle(window);
+    if (!line.screenshot.empty())
+        if (const auto saved = window.saveImage(QString::fromStdString(line.screenshot)); !saved)
+            return report(saved.error());
+    return finish(window, line, held);
 }
 
 int runWindow(const CommandLine& line) {
@@ -129,24 +178,12 @@ int runWindow(const CommandLine& line) {
         std::fputs(shortcutText(shortcutGroups(window.actions())).toUtf8().constData(), stdout);
         return 0;
     }
-    if (const auto opened = open(window, line); !opened) return report(opened.error());
-    if (!line.select.empty() && line.interactive())
-        if (const auto selected = select(window, line.select); !selected) return report(selected.error());
-    if (line.interactive()) return work(window, line);
-    window.actions().setUnattended(true);
-    if (line.run || (line.script.empty() && line.screenshot.empty())) runToEnd(window, line);
-    if (!line.select.empty())
-        if (const auto selected = select(window, line.select); !selected) return report(selected.error());
-    bool held = true;
-    if (!line.script.empty()) {
-        const auto done = script(window, line.script);
-        if (!done) return report(done.error());
-        held = *done;
-    }
-    settle(window);
-    if (const auto saved = save(window, line); !saved) return report(saved.error());
-    if (line.printHash) std::printf("state %s\n", stateText(*window.shown()).c_str());
-    return held ? 0 : 1;
+    if (line.interactive() || line.remember) window.memory().restore(WindowMemory::ofUser());
+    if (line.size) window.resize(line.size->first, line.size->second);
+    if (line.dark && !window.actions()["dark"].isChecked()) window.actions()["dark"].trigger();
+    const int status = line.interactive() ? work(window, line) : runAlone(window, line);
+    if (line.remember && !line.interactive()) window.memory().save();
+    return status;
 }
 
 }  // namespace
@@ -164,6 +201,14 @@ int main(int argc, char** argv) {
     QApplication app(count, argv);
     windowSystemFound();
     QApplication::setStyle("Fusion");
+    if (line.offscreen) {
+        // Pictures are looked at on any screen: no coloured rims of letters.
+        QFont font = QApplication::font();
+        font.setStyleStrategy(QFont::NoSubpixelAntialias);
+        QApplication::setFont(font);
+    }
+    QApplication::setDesktopFileName("mrose");
+    QApplication::setWindowIcon(QIcon(QString::fromStdString((resourceFolder() / "resources" / "mrose.svg").string())));
     QApplication::setOrganizationName("mrose");
     QApplication::setApplicationName("mrose-gui");
     try {

@@ -6,13 +6,14 @@
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QDropEvent>
+#include <QFileInfo>
 #include <QInputDialog>
 #include <QLabel>
 #include <QMenu>
 #include <QMimeData>
+#include <QPainter>
 #include <QStatusBar>
 #include <QStyle>
-#include <QSvgGenerator>
 #include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -23,13 +24,19 @@
 
 #include "branch_panel.h"
 #include "command_panel.h"
+#include "fault_messages.h"
 #include "plot_panel.h"
 #include "side_view.h"
+#include "view_export.h"
 #include "widgets/field_view.h"
 #include "widgets/icons.h"
 #include "widgets/inspector.h"
+#include "widgets/message_bar.h"
 #include "widgets/timeline_bar.h"
 #include "window_actions.h"
+#include "window_files.h"
+#include "window_memory.h"
+#include "work_progress.h"
 
 namespace mrose::gui {
 namespace {
@@ -58,7 +65,11 @@ MainWindow::MainWindow(QWidget* parent)
       clock_(new QLabel),
       factor_(new QLabel),
       cursor_(new QLabel),
-      message_(new QLabel) {
+      message_(new QLabel),
+      messages_(new MessageBar),
+      files_(new WindowFiles(*this, *messages_)),
+      memory_(new WindowMemory(*this)),
+      progress_(new WorkProgress(*this, *messages_)) {
     view_->setObjectName("field");
     timeline_->setObjectName("timeline");
     setWindowTitle("mrose");
@@ -68,11 +79,14 @@ MainWindow::MainWindow(QWidget* parent)
     auto* layout = new QVBoxLayout(middle);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
+    layout->addWidget(messages_);
     layout->addWidget(view_, 1);
     layout->addWidget(timeline_);
     setCentralWidget(middle);
     makeDocks();
-    actions_.setErrorHandler([this](const Error& error) { say(QString::fromStdString(error.message())); });
+    actions_.setErrorHandler([this](const Error& error) {
+        messages_->add({MessageBar::Kind::error, QString::fromStdString(error.message())});
+    });
     addFileActions(*this);
     addEditActions(*this);
     addTimeActions(*this);
@@ -111,7 +125,9 @@ MainWindow::MainWindow(QWidget* parent)
     connect(&field(), &FieldView::cursorMoved, this, [this](std::optional<Point> at) {
         cursor_->setText(at ? QString("x %1  y %2 m").arg(at->x, 0, 'f', 2).arg(at->y, 0, 'f', 2) : QString());
     });
+    new FaultMessages(*this, *messages_);
     setTheme(Theme::light());
+    memory_->keepAsNew();
 }
 
 /// The plots' thread looks at the session, and ends before it.
@@ -171,9 +187,9 @@ void MainWindow::makeDocks() {
     dock("branches", tr("Branches"), branches_, Qt::LeftDockWidgetArea);
     dock("command", tr("Change a command"), command_, Qt::LeftDockWidgetArea);
     dock("inspector", tr("Inspector"), inspector_, Qt::RightDockWidgetArea);
+    dock("plots", tr("Plots"), plots_, Qt::BottomDockWidgetArea)->hide();
     resizeDocks({findChild<QDockWidget*>("branches"), findChild<QDockWidget*>("inspector")}, {250, 330},
                 Qt::Horizontal);
-    dock("plots", tr("Plots"), plots_, Qt::BottomDockWidgetArea)->hide();
 }
 
 void MainWindow::makeStatusBar() {
@@ -183,6 +199,16 @@ void MainWindow::makeStatusBar() {
     message_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     statusBar()->addWidget(clock_);
     statusBar()->addWidget(message_, 1);
+    auto* recording = new QLabel;
+    recording->setObjectName("recording");
+    recording->hide();
+    connect(files_, &WindowFiles::recordingTo, recording, [recording](const QString& path) {
+        recording->setText("<span style='color:#d33'>\u25cf</span> " +
+                           tr("recording %1").arg(QFileInfo(path).fileName().toHtmlEscaped()));
+        recording->setToolTip(path);
+        recording->setVisible(!path.isEmpty());
+    });
+    statusBar()->addPermanentWidget(recording);
     statusBar()->addPermanentWidget(cursor_);
 }
 
@@ -208,6 +234,7 @@ void MainWindow::setTheme(const Theme& theme) {
     view_->setTheme(theme_);
     branches_->setTheme(theme_);
     timeline_->setTheme(theme_);
+    messages_->setTheme(theme_);
     inspector_->setTheme(theme_);
     plots_->setTheme(theme_);
     const std::initializer_list<std::pair<const char*, Icon>> icons{{"tick_forward", Icon::tickForward},
@@ -222,15 +249,7 @@ void MainWindow::setTheme(const Theme& theme) {
     updateStatus();
 }
 
-Expected<void> MainWindow::open(const QString& name) {
-    const auto opened = openRun(name.toStdString(), std::nullopt);
-    if (!opened) {
-        say(QString::fromStdString(opened.error().message()));
-        return tl::unexpected(opened.error());
-    }
-    show(*opened);
-    return {};
-}
+Expected<void> MainWindow::open(const QString& name) { return files_->openNow(OpenRequest{name.toStdString()}); }
 
 void MainWindow::show(const OpenRun& run) {
     title_ = QString::fromStdString(run.name);
@@ -316,19 +335,13 @@ void MainWindow::say(const QString& text) {
     message_->setToolTip(text);
 }
 
-bool MainWindow::saveImage(const QString& path) {
-    if (path.endsWith(".svg", Qt::CaseInsensitive)) {
-        QSvgGenerator svg;
-        svg.setFileName(path);
-        svg.setSize(field().size());
-        svg.setViewBox(field().rect());
-        svg.setTitle(title_);
-        QPainter painter;
-        if (!painter.begin(&svg)) return false;
-        field().paint(painter, field().size());
-        return painter.end();
-    }
-    return grab().save(path);
+Expected<void> MainWindow::saveImage(const QString& path, QWidget* part) {
+    QWidget& drawn = part != nullptr ? *part : *this;
+    return writePicture({drawn.size(), logicalDpiX(), windowTitle(),
+                         [&drawn](QPainter& painter) {
+                             drawn.render(&painter, {}, {}, QWidget::DrawWindowBackground | QWidget::DrawChildren);
+                         }},
+                        path, 1);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
@@ -336,14 +349,13 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-    for (const QUrl& url : event->mimeData()->urls())
-        if (url.isLocalFile()) {
-            open(url.toLocalFile());
-            return;
-        }
+    event->acceptProposedAction();
+    files_->drop(*event->mimeData());
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!files_->mayLeave([this] { close(); })) return event->ignore();
+    memory_->save();
     session_->pause();
     QMainWindow::closeEvent(event);
 }

@@ -16,6 +16,7 @@ class QToolButton;
 namespace mrose {
 class FieldView;
 class Inspector;
+class MessageBar;
 class TimelineBar;
 }  // namespace mrose
 
@@ -25,6 +26,9 @@ class BranchPanel;
 class CommandPanel;
 class PlotPanel;
 class SideView;
+class WindowFiles;
+class WindowMemory;
+class WorkProgress;
 
 /// The window. It shows what the session shows, and turns what the user does into requests.
 class MainWindow final : public QMainWindow {
@@ -38,12 +42,12 @@ public:
     Expected<void> open(const QString& name);
     void show(const OpenRun& run);
     Session& session() { return *session_; }
-    Inspector& inspector() const { return *inspector_; }
-    PlotPanel& plots() const { return *plots_; }
-    void showPlots();  ///< their dock, where it is hidden
     TimelineBar& timeline() const { return *timeline_; }
     FieldView& field() const;
     FieldView& besideField() const;
+    Inspector& inspector() const { return *inspector_; }
+    PlotPanel& plots() const { return *plots_; }
+    void showPlots();  ///< their dock, where it is hidden
     CommandPanel& commandPanel() const { return *command_; }
     BranchPanel& branchPanel() const { return *branches_; }
     void setSideBySide(bool on);
@@ -51,12 +55,17 @@ public:
     QString askText(const QString& title, const QString& label);
     const Shown* shown() const { return shown_.get(); }
     Actions& actions() { return actions_; }
+    MessageBar& messages() const { return *messages_; }
+    WindowFiles& files() const { return *files_; }
+    WindowMemory& memory() const { return *memory_; }
+    WorkProgress& progress() const { return *progress_; }
     void changeSpeed(int by);  ///< steps of the list of speeds
     /// Simulated seconds per second, one of the list from now on; 0: as fast as possible.
     void setSpeed(double speed);
     void setTheme(const Theme& theme);
     void say(const QString& text);  ///< in the status bar
-    bool saveImage(const QString& path);
+    /// The window as it is, or a part of it, as PNG, SVG or PDF.
+    Expected<void> saveImage(const QString& path, QWidget* part = nullptr);
 
 signals:
     void updated();  ///< another tick is shown
@@ -85,6 +94,10 @@ private:
     QComboBox* speed_;
     QToolButton* seed_;
     QLabel *clock_, *factor_, *cursor_, *message_;
+    MessageBar* messages_;
+    WindowFiles* files_;
+    WindowMemory* memory_;
+    WorkProgress* progress_;
     std::shared_ptr<const Shown> shown_;
     std::int64_t plannedTicks_ = 0;
     QString title_;

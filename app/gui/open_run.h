@@ -1,25 +1,55 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "course.h"
 #include "io/error.h"
+#include "recording/history.h"
+#include "world/world_state.h"
 
 namespace mrose::gui {
 
-/// What the window is given to show.
-struct OpenRun {
-    std::string name;    ///< for the title
-    std::string source;  ///< as it was opened
-    CoursePointer course;
-    WorldState start;
-    std::vector<std::string> notes = {};  ///< what the user should know of it, a sentence each
+/// What is to be opened, and how: as it can be opened again.
+struct OpenRequest {
+    std::string file;  ///< a scenario, one that ships by its name, or a recording
+    std::uint32_t trial = 0;
+    std::optional<std::uint64_t> seed = {};  ///< otherwise the scenario's
+    std::string log = {};                    ///< read instead of those that the scenario names
+    double pluginLimit = 2;                  ///< s, for each decision of a plug-in
 };
 
-/// Opens a scenario file, or the one of that name that ships.
-Expected<OpenRun> openRun(const std::string& name, std::optional<std::uint64_t> seed);
+/// What the window is given to show.
+struct OpenRun {
+    std::string name;  ///< for the title
+    OpenRequest source;
+    CoursePointer course;
+    WorldState start;
+    /// Of a recording, the run itself first. Empty: nothing has been yet.
+    struct Recorded {
+        Branch branch;
+        CoursePointer course;
+        WorldState start;
+    };
+    std::vector<Recorded> branches = {};
+    std::vector<std::string> notes = {};
+    /// Files that it was made from, with the hashes of what was read: descriptions, logs, plug-ins.
+    std::map<std::string, std::string> files = {};
+
+    bool recorded() const { return !branches.empty(); }
+};
+
+/// How a long opening is watched and ended.
+struct OpenProgress {
+    std::function<bool()> goesOn = [] { return true; };
+    std::function<void(const std::string& file)> reads = [](const std::string&) {};
+};
+
+/// Opens a scenario or a recording. Error: the first thing wrong in any file that it is made from.
+Expected<OpenRun> openRun(const OpenRequest& request, const OpenProgress& progress = {});
 
 }  // namespace mrose::gui

@@ -18,19 +18,19 @@ void addPlotActions(MainWindow& window) {
         return key;
     };
     actions.add(menu,
-                {"plot_value", QObject::tr("Plot the inspector's &value"), QKeySequence("Y"),
+                {"plot_value", QObject::tr("Plot the inspector's &value"), QKeySequence("U"),
                  QObject::tr("The number chosen in the inspector over time, or no longer")},
                 [&plots, current](bool) {
                     if (const auto key = current()) plots.toggle(*key);
                 });
     actions.add(menu,
-                {"plot_value_of_all", QObject::tr("Plot it of all &robots"), QKeySequence("Shift+Y"),
+                {"plot_value_of_all", QObject::tr("Plot it of all &robots"), QKeySequence("Shift+U"),
                  QObject::tr("The number chosen in the inspector, of every robot")},
                 [&plots, current](bool) {
                     if (const auto key = current()) plots.toggleOfAll(*key);
                 });
     actions.add(menu,
-                {"plot_expression", QObject::tr("Plot an &expression\u2026"), QKeySequence("Ctrl+E"),
+                {"plot_expression", QObject::tr("Plot an &expression\u2026"), QKeySequence("Ctrl+U"),
                  QObject::tr("Any number of the world over time, such as distance(robot[2], ball)")},
                 Actions::Asking{[&window, &plots] {
                                     window.showPlots();
@@ -44,12 +44,12 @@ void addPlotActions(MainWindow& window) {
                  QObject::tr("The plots from the run's start to where it has come")},
                 [&plots](bool) { plots.view().showAll(); });
     actions.add(menu,
-                {"stop_plots", QObject::tr("&Stop computing the past"), QKeySequence(),
+                {"stop_plots", QObject::tr("&Stop computing the past"), QKeySequence("Ctrl+Shift+C"),
                  QObject::tr("Leave out what has not been computed of the plots' past")},
                 [&plots](bool) { plots.cancel(); });
     actions.add(
         menu,
-        {"clear_plots", QObject::tr("&Clear"), QKeySequence("Ctrl+Shift+Y"), QObject::tr("Plot nothing any more")},
+        {"clear_plots", QObject::tr("&Clear"), QKeySequence("Ctrl+Shift+U"), QObject::tr("Plot nothing any more")},
         [&plots](bool) { plots.clear(); });
     QObject::connect(&inspector, &Inspector::plotRequested, &plots, &PlotPanel::toggle);
     QObject::connect(&inspector, &Inspector::plotOfAllRequested, &plots, &PlotPanel::toggleOfAll);

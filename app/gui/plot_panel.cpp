@@ -69,7 +69,7 @@ PlotPanel::PlotPanel(Session& session, QWidget* parent)
         updateNumbers();
     });
     connect(series_.get(), &ValueSeries::grown, this, [this] {
-        view_->refresh();
+        view_->refreshSoon();
         updateNumbers();
         updateProgress();
     });

@@ -36,6 +36,7 @@ void Session::request(Request what) {
 
 void Session::open(const OpenRun& run) {
     request([this, run] {
+        if (recorder_) endRecording(recorder_->finish(*run_));
         run_.emplace(run);
         ++runs_;
         learning_ = true;
@@ -131,6 +132,50 @@ void Session::run(const QString& what, std::function<QString(TimeTravel&, const 
     });
 }
 
+void Session::record(const QString& path, const QString& commandLine, bool overwrite) {
+    request([this, path, commandLine, overwrite] {
+        if (!run_) return;
+        if (recorder_) endRecording(recorder_->finish(*run_));
+        auto recorder = RunRecorder::begin(path.toStdString(), *run_, commandLine.toStdString(), overwrite);
+        if (!recorder) {
+            emit recordingChanged({}, QString::fromStdString(recorder.error().message()));
+            return;
+        }
+        recorder_.emplace(std::move(*recorder));
+        nextFlush_ = Clock::now();
+        emit recordingChanged(path, {});
+    });
+}
+
+void Session::stopRecording() {
+    request([this] {
+        if (recorder_) endRecording(recorder_->finish(*run_));
+    });
+}
+
+/// The run goes on, whatever becomes of its file.
+void Session::endRecording(const Expected<void>& done) {
+    recorder_.reset();
+    recording_ = false;
+    emit recordingChanged({}, done ? QString() : QString::fromStdString(done.error().message()));
+}
+
+/// For a frame's time.
+void Session::followRecording() {
+    const auto begin = Clock::now();
+    do {
+        const auto more = recorder_->follow(*run_, 20);
+        if (!more) return endRecording(tl::unexpected(more.error()));
+        recording_ = *more;
+    } while (recording_ && Clock::now() - begin < framePeriod);
+    if (Clock::now() < nextFlush_) {
+        recording_ = true;  // comes back for that
+        return;
+    }
+    recorder_->flush();
+    nextFlush_ = Clock::now() + std::chrono::seconds(1);
+}
+
 void Session::cancel() {
     cancelled_ = true;
     // Any request ends the way to a tick.
@@ -200,6 +245,11 @@ void Session::serveLooks() {
     for (const Look& look : looks) look(run_ && !quit_ ? &*run_ : nullptr, runs_);
 }
 
+bool Session::busy() {
+    const std::lock_guard lock(mutex_);
+    return busy_ || seekTo_ || !requests_.empty();
+}
+
 void Session::settle() {
     std::unique_lock lock(mutex_);
     settled_.wait(lock, [this] { return requests_.empty() && !seekTo_ && !busy_; });
@@ -217,7 +267,7 @@ void Session::work() {
             const auto called = [this] {
                 return quit_ || !requests_.empty() || seekTo_.has_value() || !looks_.empty();
             };
-            if (playing_ || learning_)
+            if (playing_ || learning_ || recording_)
                 wake_.wait_until(lock, nextFrame, called);
             else
                 wake_.wait(lock, called);
@@ -238,12 +288,14 @@ void Session::work() {
         if (seekTo && run_) goTo(*seekTo);
         if (playing_) changed = playTicks() || changed;
         if (learning_ && run_) changed = learn() || changed;
+        if (recorder_ && (changed || recording_)) followRecording();
         if (changed && run_) publish();
         nextFrame = std::max(Clock::now(), nextFrame + framePeriod);
         lock.lock();
     }
     lock.unlock();
     serveLooks();
+    if (recorder_) endRecording(recorder_->finish(*run_));
 }
 
 bool Session::superseded() {
@@ -358,6 +410,19 @@ std::vector<BranchInfo> Session::branchInfos() const {
     return infos;
 }
 
+std::vector<BranchRecord::FirstFault> Session::faults() const {
+    std::vector<BranchRecord::FirstFault> faults;
+    std::int64_t until = run_->tick();
+    for (std::uint32_t at = run_->branch();; at = run_->branches()[at].parent) {
+        for (const BranchRecord::FirstFault& fault : run_->record(at).faults())
+            if (fault.tick <= until) faults.push_back(fault);
+        if (run_->branches()[at].parent == at ||
+            run_->record(at).coursePointer() != run_->record(run_->branches()[at].parent).coursePointer())
+            return faults;
+        until = std::min(until, run_->branches()[at].tick);
+    }
+}
+
 void Session::publish() {
     auto what = std::make_shared<Shown>();
     what->frame = std::make_shared<const FieldFrame>(run_->frame(frameOptions_));
@@ -382,6 +447,7 @@ void Session::publish() {
         marksOf_ = run_->branch();
     }
     what->marks = marks_;
+    what->faults = faults();
     what->playing = playing_;
     what->realTimeFactor = factor_;
     what->message = message_;

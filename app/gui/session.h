@@ -13,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "run_recorder.h"
 #include "time_travel.h"
 #include "world/state_hash.h"
 
@@ -44,6 +45,7 @@ struct Shown {
     std::int64_t first = 0, last = 0;
     std::vector<BranchInfo> branches;
     std::shared_ptr<const std::vector<TimelineMark>> marks;
+    std::vector<BranchRecord::FirstFault> faults;  ///< up to the shown tick
     bool playing = false;
     double realTimeFactor = 0;  ///< achieved; 0 while it stands
     bool canUndo = false, canRedo = false;
@@ -86,6 +88,9 @@ public:
     using Progress = std::function<bool(double share)>;
     /// Long work over the run, in the session's thread: meanwhile nothing is stepped. `job` returns what is to be said.
     void run(const QString& what, std::function<QString(TimeTravel&, const Progress&)> job);
+    /// Writes the run to a file from now on, with all that was before; recordingChanged() tells how that goes.
+    void record(const QString& path, const QString& commandLine, bool overwrite);
+    void stopRecording();
     /// Ends what takes long: a job, or the way to a tick.
     void cancel();
 
@@ -94,6 +99,8 @@ public:
     /// ends.
     using Look = std::function<void(TimeTravel* travel, std::uint64_t run)>;
     void look(Look what);
+    /// Whether something is under way that was asked for, or a tick.
+    bool busy();
 
     /// Blocks until all requests so far have been carried out and shown; for scripts and tests.
     void settle();
@@ -101,6 +108,8 @@ public:
 signals:
     void shown(std::shared_ptr<const Shown> what);
     void working(const QString& what, double share);  ///< share 1: it has ended
+    /// The file that is written now; empty: none. `error`: why one was not begun, or ended before it was asked to.
+    void recordingChanged(const QString& path, const QString& error);
 
 private:
     using Request = std::function<void()>;
@@ -108,10 +117,13 @@ private:
     void work();
     bool playTicks();
     bool learn();
+    void followRecording();
+    void endRecording(const Expected<void>& done);
     void goTo(std::int64_t tick);
     bool superseded();
     void serveLooks();
     std::vector<BranchInfo> branchInfos() const;
+    std::vector<BranchRecord::FirstFault> faults() const;
     void anchor();
     void stop(const QString& why);
     void publish();
@@ -121,6 +133,9 @@ private:
     std::optional<TimeTravel> run_;
     std::uint64_t runs_ = 0;  ///< opened so far
     bool learning_ = false;   ///< there are ticks of a file that nobody has looked at
+    std::optional<RunRecorder> recorder_;
+    bool recording_ = false;  ///< there are ticks that it has not yet written
+    std::chrono::steady_clock::time_point nextFlush_;
     std::optional<std::int64_t> goal_;
     std::optional<std::size_t> subject_;
     TimeTravel::FrameOptions frameOptions_;

@@ -11,7 +11,7 @@
 namespace mrose::gui {
 namespace {
 
-constexpr int mostColumns = 3, columnWidth = 350;
+constexpr int mostColumns = 3, gap = 40;
 
 QString plain(QString menuText) { return menuText.remove('&').remove(QString::fromUtf8("\u2026")); }
 
@@ -84,8 +84,8 @@ ShortcutSheet::ShortcutSheet(const Actions& actions, QWidget* parent)
     connect(line_, &QLineEdit::textChanged, this, &ShortcutSheet::search);
     area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     fill();
-    const QSize content = area_->widget()->sizeHint() + QSize(60, 100);
-    resize(content.boundedTo(screen()->availableSize().expandedTo(parent->size())));
+    const QSize room = screen()->availableSize().expandedTo(parent->size()) * 9 / 10;
+    resize(std::min(room.width(), mostColumns * (blockWidth_ + gap) + 2 * gap), std::min(room.height(), 720));
 }
 
 void ShortcutSheet::search(const QString& words) {
@@ -100,40 +100,49 @@ void ShortcutSheet::changeEvent(QEvent* event) {
 
 void ShortcutSheet::resizeEvent(QResizeEvent* event) {
     QDialog::resizeEvent(event);
-    const int fitting = std::clamp(area_->width() / columnWidth, 1, mostColumns);
-    if (std::exchange(columns_, fitting) != fitting) fill();
+    if (columns_ != fittingColumns(area_->width())) fill();
+}
+
+int ShortcutSheet::fittingColumns(int width) const {
+    return std::clamp(width / std::max(1, blockWidth_ + gap), 1, mostColumns);
 }
 
 /// The groups in their order, from column to column, none of them torn.
 void ShortcutSheet::fill() {
-    std::vector<ShortcutGroup> groups;
+    struct Block {
+        int height;
+        QWidget* widget;
+    };
+    std::vector<Block> blocks;
     int rows = 0, largest = 0;
     for (ShortcutGroup& group : shortcutGroups(actions_)) {
         std::erase_if(group.shortcuts, [&](const Shortcut& some) { return !hasAll(some, group.title, words_); });
         if (group.shortcuts.empty()) continue;
         rows += heightOf(group);
         largest = std::max(largest, heightOf(group));
-        groups.push_back(std::move(group));
+        blocks.push_back({heightOf(group), block(group)});
+        blockWidth_ = std::max(blockWidth_, blocks.back().widget->sizeHint().width());
     }
+    columns_ = fittingColumns(area_->width());
     auto* page = new QWidget;
     auto* across = new QHBoxLayout(page);
     across->setContentsMargins(0, 0, 0, 0);
-    across->setSpacing(40);
+    across->setSpacing(gap);
     const int fair = std::max(largest, (rows + columns_ - 1) / columns_);
     std::size_t next = 0;
     for (int column = 0; column < columns_; ++column) {
         auto* down = new QVBoxLayout;
         down->setSpacing(18);
         // The last one takes all that is left.
-        for (int used = 0; next < groups.size(); ++next) {
-            if (column + 1 < columns_ && used > 0 && used + heightOf(groups[next]) > fair) break;
-            used += heightOf(groups[next]);
-            down->addWidget(block(groups[next]));
+        for (int used = 0; next < blocks.size(); ++next) {
+            if (column + 1 < columns_ && used > 0 && used + blocks[next].height > fair) break;
+            used += blocks[next].height;
+            down->addWidget(blocks[next].widget);
         }
         down->addStretch(1);
         across->addLayout(down, 1);
     }
-    if (groups.empty()) across->insertWidget(0, new QLabel(tr("Nothing has these words")));
+    if (blocks.empty()) across->insertWidget(0, new QLabel(tr("Nothing has these words")));
     area_->setWidget(page);
 }
 

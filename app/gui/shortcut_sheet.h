@@ -42,11 +42,13 @@ protected:
 
 private:
     void fill();
+    int fittingColumns(int width) const;
     QWidget* block(const ShortcutGroup& group);
 
     const Actions& actions_;
     QString words_;
-    int columns_ = 3;
+    int blockWidth_ = 0;  ///< of the widest, pixels
+    int columns_ = 0;
     QLineEdit* line_;
     QScrollArea* area_;
 };

@@ -15,10 +15,19 @@ std::int64_t ticksToLookBack(const Scene& scene) {
     return most;
 }
 
+History historyOf(const OpenRun& run) {
+    if (!run.recorded()) return History(run.start);
+    std::vector<Branch> branches;
+    for (const OpenRun::Recorded& recorded : run.branches) branches.push_back(recorded.branch);
+    return History(std::move(branches));
+}
+
 }  // namespace
 
-TimeTravel::TimeTravel(const OpenRun& run) : history_(run.start), shown_(0, {run.start}) {
-    records_.emplace_back(run.course, run.start, std::vector<HandOrder>{});
+TimeTravel::TimeTravel(const OpenRun& run) : history_(historyOf(run)), shown_(0, {run.start}) {
+    if (!run.recorded()) records_.emplace_back(run.course, run.start, std::vector<HandOrder>{});
+    for (const OpenRun::Recorded& recorded : run.branches)
+        records_.emplace_back(recorded.course, recorded.start, std::vector<HandOrder>{});
 }
 
 Expected<void> TimeTravel::forward() {
@@ -239,7 +248,8 @@ std::vector<Ghost> TimeTravel::ghostsOf(const Cursor& cursor, std::size_t trailT
         if (!related || !sameClock || cursor.tick() < std::max(departed, track.first())) continue;
         const std::int64_t then = std::min(cursor.tick(), track.last());
         const auto since = static_cast<std::size_t>(std::max<std::int64_t>(0, then - departed));
-        Ghost& ghost = ghosts.emplace_back(Ghost{branches()[other].name, scenarioOf(other), track.posesAt(then), {}});
+        Ghost& ghost =
+            ghosts.emplace_back(Ghost{branches()[other].name, scenarioOf(other), track.posesAt(then), {}});
         track.addTrails(then, std::min(trailTicks, since), ghost.trails);
     }
     return ghosts;

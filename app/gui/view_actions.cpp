@@ -6,6 +6,7 @@
 #include "widgets/field_view.h"
 #include "widgets/icons.h"
 #include "window_actions.h"
+#include "window_memory.h"
 
 namespace mrose::gui {
 namespace {
@@ -94,7 +95,9 @@ void addViewActions(MainWindow& window) {
                 {"follow", QObject::tr("&Follow the selected"), QKeySequence("L"),
                  QObject::tr("The view goes along with the selected robot"), true},
                 [&](bool on) { field.setFollowing(on); });
-    QObject::connect(&field, &FieldView::followRequested, &window, [&actions] { actions["follow"].trigger(); });
+    QObject::connect(&field, &FieldView::followRequested, &window, [&actions] {
+        if (!actions["follow"].isChecked()) actions["follow"].trigger();
+    });
     addPanActions(window, menu);
     actions.addSeparator(menu);
     actions.add(menu,
@@ -109,11 +112,15 @@ void addViewActions(MainWindow& window) {
     addNudgeActions(window, QObject::tr("&Edit"));
     actions.addSeparator(menu);
     actions.add(menu,
-                {"dark", QObject::tr("&Dark colours"), QKeySequence("Ctrl+D"),
+                {"reset_layout", QObject::tr("Reset la&yout"), QKeySequence("Ctrl+Shift+L"),
+                 QObject::tr("Panels, tool bars and size as in a new window")},
+                [&](bool) { window.memory().resetLayout(); });
+    actions.add(menu,
+                {"dark", QObject::tr("Dar&k colours"), QKeySequence("Ctrl+D"),
                  QObject::tr("Dark colours, for dark rooms"), true},
                 [&](bool on) { window.setTheme(on ? Theme::darkOne() : Theme::light()); });
     actions.add(menu,
-                {"full_screen", QObject::tr("F&ull screen"), QKeySequence("F11"),
+                {"full_screen", QObject::tr("Full &screen"), QKeySequence("F11"),
                  QObject::tr("The window on all of the screen"), true},
                 [&](bool on) { window.setWindowState(window.windowState().setFlag(Qt::WindowFullScreen, on)); });
 }

@@ -312,8 +312,7 @@ private:
         if (given.error()) return Value{};
         QWidget* widget = what == "window" ? &window_ : window_.findChild<QWidget*>(what);
         if (widget == nullptr) return fail("", what.toStdString() + " is no part of the window");
-        const bool saved = widget == &window_ ? window_.saveImage(file) : widget->grab().save(file);
-        if (!saved) return fail(file.toStdString(), "cannot be written");
+        if (auto saved = window_.saveImage(file, widget); !saved) return tl::unexpected(saved.error());
         return Value{};
     }
 

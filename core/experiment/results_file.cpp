@@ -150,8 +150,15 @@ Expected<void> ResultsFile::lock() {
 Expected<void> ResultsFile::checkIdentity(const BatchIdentity& identity) {
     const auto before = readFile(batch());
     if (!before) return tl::unexpected(before.error());
-    const std::string other = differenceOf(parseIdentity(*before), identity);
+    const BatchIdentity known = parseIdentity(*before);
+    // What is cut off lacks its end: the last name, or a part of its line.
+    const bool whole = identityText(known) == *before && (identity.empty() || !known.empty()) &&
+                       (identity.empty() || known.rbegin()->first == identity.rbegin()->first);
+    const std::string other = differenceOf(known, identity);
     if (other.empty()) return {};
+    if (!rows_.empty() && !whole)
+        return fail(batch().string(),
+                    "is damaged and does not tell any more whose results lie beside it; expected an empty folder");
     if (!rows_.empty())
         return fail(folder_.string(),
                     "holds results of another batch: " + other + "; expected an empty folder, or the same batch");

@@ -84,9 +84,11 @@ FloorPlan wallsOf(const Environment& environment) {
 Expected<ScenarioParts> varied(const ScenarioParts& parts, std::uint32_t trial) {
     if (trial == 0) return parts;
     const FloorPlan walls = wallsOf(parts.scene.environment);
+    // Bodies of a saved state may press on each other.
+    const double tolerance = parts.saved ? 0.01 : 1e-4;
     for (int attempt = 0; attempt < mostDraws; ++attempt) {
         std::optional<Scene> scene = moved(parts.scene, parts.variation, walls, Draws(trial, attempt));
-        if (!scene || findStartOverlap(*scene)) continue;
+        if (!scene || findStartOverlap(*scene, tolerance)) continue;
         ScenarioParts result = parts;
         result.scene = std::move(*scene);
         return result;

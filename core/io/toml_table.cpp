@@ -167,7 +167,9 @@ void TomlTable::appendRow(const toml::node* node, std::string_view key, std::siz
     if (node && !array) rejectAt(node, key, "expected an array of numbers");
     if (!array) return;
     if (array->size() != count) {
-        rejectAt(node, key, "has " + std::to_string(array->size()) + " numbers; expected " + std::to_string(count));
+        rejectAt(node, key,
+                 "has " + std::to_string(array->size()) + (array->size() == 1 ? " number" : " numbers") +
+                     "; expected " + std::to_string(count));
         return;
     }
     for (const toml::node& element : *array) {

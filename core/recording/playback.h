@@ -2,14 +2,11 @@
 
 #include "io/error.h"
 #include "recording/timeline.h"
+#include "scenario/misfit.h"
 #include "scenario/scenario.h"
 #include "simulation/step.h"
 
 namespace mrose {
-
-/// What is wrong with a state as one of a scenario: sizes, indices, numbers that are not finite. Empty: nothing, and it
-/// can be stepped.
-std::string misfit(const Scenario& scenario, const WorldState& state);
 
 /// A state that was reached again, and whether it is the one that was: by its hashes.
 struct ReachedState {

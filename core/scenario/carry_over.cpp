@@ -15,7 +15,7 @@ namespace {
 class CarryOver {
 public:
     CarryOver(const Scenario& from, const WorldState& state, const Scenario& to)
-        : from_(from), old_(state), to_(to), next_(to.initialState(state.seed)) {
+        : from_(from), old_(state), to_(to), next_(to.freshState(state.seed)) {
         matchBodies();
     }
 
@@ -77,15 +77,10 @@ private:
             std::copy(memory.begin(), memory.end(), to_.memoryOf(next_, robot).begin());
     }
 
-    /// The newest, as many as there is room for.
     void carryCommands(std::size_t robot, std::size_t origin) {
         RobotState& r = next_.robots[robot];
         const std::span<const StampedCommand> old = from_.commandSlots(old_, origin).first(r.commandCount);
-        const std::span<StampedCommand> slots = to_.commandSlots(next_, robot);
-        const std::size_t left = old.size() - std::min(old.size(), slots.size());
-        if (left > 0) r.commandBefore = old[left - 1].command;
-        std::copy(old.begin() + static_cast<std::ptrdiff_t>(left), old.end(), slots.begin());
-        r.commandCount = static_cast<std::uint32_t>(old.size() - left);
+        r.commandCount = keepNewest(old, to_.commandSlots(next_, robot), r.commandBefore);
     }
 
     /// Index in `to`'s robot of a manipulator.
@@ -159,6 +154,13 @@ private:
 };
 
 }  // namespace
+
+std::uint32_t keepNewest(std::span<const StampedCommand> commands, std::span<StampedCommand> slots, Command& before) {
+    const std::size_t left = commands.size() - std::min(commands.size(), slots.size());
+    if (left > 0) before = commands[left - 1].command;
+    std::copy(commands.begin() + static_cast<std::ptrdiff_t>(left), commands.end(), slots.begin());
+    return static_cast<std::uint32_t>(commands.size() - left);
+}
 
 WorldState carriedOver(const Scenario& from, const WorldState& state, const Scenario& to) {
     return CarryOver(from, state, to).carry();

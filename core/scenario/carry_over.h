@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include "scenario/scenario.h"
 
 namespace mrose {
@@ -11,5 +14,8 @@ namespace mrose {
 /// Until its next control instant a robot stays on its way; one whose control period differs decides at once. Where
 /// nothing differs, the state is the same to the last bit.
 WorldState carriedOver(const Scenario& from, const WorldState& state, const Scenario& to);
+
+/// Copies the newest commands into slots, as many as there is room for, and tells what was in force before; how many.
+std::uint32_t keepNewest(std::span<const StampedCommand> commands, std::span<StampedCommand> slots, Command& before);
 
 }  // namespace mrose

@@ -179,4 +179,16 @@ Expected<RobotDescription> readRobot(const DescriptionLibrary::File& file, Descr
     return robot;
 }
 
+Expected<RobotDescription> movedBy(const MotionNetwork& network, RobotDescription robot, DescriptionLibrary& library) {
+    if (network.period != robot.controlPeriod())
+        return fail("", "was learned for a control period of " + plainSeconds(network.period) + " s; the robot's is " +
+                            plainSeconds(robot.controlPeriod()) + " s");
+    robot.motion = library.motion(network, 0, 0);
+    robot.kinematics = nullptr;
+    if (robot.motion->inputs().robotIndex(robot.motionRobot) < 0) robot.motionRobot.clear();
+    const DeadTimes own = identifiedDeadTimes(network, robot.motionRobot).value_or(DeadTimes{});
+    robot.deadTime = (own.v + own.w) / 2;
+    return robot;
+}
+
 }  // namespace mrose

@@ -27,4 +27,8 @@ struct RobotDescription {
 /// it or in a file that it names.
 Expected<RobotDescription> readRobot(const DescriptionLibrary::File& file, DescriptionLibrary& library);
 
+/// The same robot with another network as its motion; which of the network's robots it is stays where the network has
+/// such. Error, a cause alone: the network is for another control period.
+Expected<RobotDescription> movedBy(const MotionNetwork& network, RobotDescription robot, DescriptionLibrary& library);
+
 }  // namespace mrose

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "scenario/saved_state.h"
+
 namespace mrose {
 namespace {
 
@@ -76,6 +78,10 @@ void Scenario::prepareContacts() {
 }
 
 WorldState Scenario::initialState(std::uint64_t seed) const {
+    return parts_.saved ? restored(*parts_.saved, *this, seed) : freshState(seed);
+}
+
+WorldState Scenario::freshState(std::uint64_t seed) const {
     const Scene& scene = parts_.scene;
     WorldState state;
     state.seed = seed;

@@ -32,6 +32,8 @@ struct LogPlayer {
     LogExcerpt excerpt;
 };
 
+struct SavedState;
+
 /// What a scenario is made of.
 struct ScenarioParts {
     std::string name;
@@ -42,6 +44,10 @@ struct ScenarioParts {
     Nanoseconds duration = 60 * nanosecondsPerSecond;  ///< of a run for which nobody asks another one
     Variation variation;
     bool kickOff = true;  ///< after a goal the ball lies at its start again
+    /// Of a run that it begins with (saved_state.h); the starts of the scene's bodies are where it has them, or where
+    /// they are to be moved. Nothing: all begin at their starts.
+    std::shared_ptr<const SavedState> saved = nullptr;
+    std::vector<Pose> kickOffPoses = {};  ///< of the objects, where these are not their starts
 };
 
 /// All that is constant in a run, with what is told from it once: where in the state each robot's commands and memory
@@ -57,6 +63,12 @@ public:
 
     WorldState initialState() const { return initialState(parts_.seed); }
     WorldState initialState(std::uint64_t seed) const;
+    /// At tick 0 with all bodies at their starts, whatever it begins with.
+    WorldState freshState(std::uint64_t seed) const;
+    /// Where an object lies again after a goal.
+    const Pose& kickOffPose(std::size_t object) const {
+        return parts_.kickOffPoses.empty() ? parts_.scene.objects[object].start : parts_.kickOffPoses[object];
+    }
 
     /// Where a robot's commands lie in WorldState::commands, its controller's memory in WorldState::memory.
     std::span<StampedCommand> commandSlots(WorldState& state, std::size_t robot) const {

@@ -6,7 +6,9 @@
 #include "scenario/controller_file.h"
 #include "scenario/description_reader.h"
 #include "scenario/environment_file.h"
+#include "scenario/misfit.h"
 #include "scenario/robot_file.h"
+#include "scenario/saved_state.h"
 #include "scenario/start_check.h"
 #include "world/plain_seconds.h"
 
@@ -32,6 +34,7 @@ private:
     void readObject(TomlTable& table);
     std::string bodyName(TomlTable& table);
     const RobotDescription* robotDescription(TomlTable& table);
+    const RobotDescription* withOwnNetwork(TomlTable& table, const RobotDescription* robot);
     std::uint32_t typeIndex(const RobotDescription& robot, bool person);
     std::uint32_t modelIndex(const RobotDescription& robot, const std::string& motionRobot);
     std::string motionRobot(TomlTable& table, const RobotDescription& robot);
@@ -41,6 +44,7 @@ private:
     void ballsFirst();
     double ballRadius() const;
     void checkStarts();
+    void readSavedState();
 
     const File& file_;
     DescriptionLibrary& library_;
@@ -52,6 +56,7 @@ private:
     std::set<std::string> names_;
     std::shared_ptr<const FloorPlan> walls_;
     std::map<std::string, RobotDescription> descriptions_;
+    std::map<std::pair<const RobotDescription*, const MotionNetwork*>, RobotDescription> moved_;  ///< by own networks
     std::map<std::pair<const RobotDescription*, bool>, std::uint32_t> types_;
     std::map<std::pair<const void*, std::string>, std::uint32_t> models_;
 };
@@ -101,6 +106,17 @@ const RobotDescription* ScenarioReader::robotDescription(TomlTable& table) {
     auto robot = mrose::readRobot(*file, library_);
     if (!robot) return table.adopt(robot.error()), nullptr;
     return &descriptions_.emplace(file->name, std::move(*robot)).first->second;
+}
+
+/// The robot as it is moved by the network that the scenario names for it, if it does.
+const RobotDescription* ScenarioReader::withOwnNetwork(TomlTable& table, const RobotDescription* robot) {
+    if (!table.has("network")) return robot;
+    const MotionNetwork* network = library_.network(table, "network", file_.name);
+    if (network == nullptr) return nullptr;
+    if (const auto found = moved_.find({robot, network}); found != moved_.end()) return &found->second;
+    auto moved = movedBy(*network, *robot, library_);
+    if (!moved) return table.reject("network", moved.error().cause), nullptr;
+    return &moved_.emplace(std::pair(robot, network), std::move(*moved)).first->second;
 }
 
 std::uint32_t ScenarioReader::typeIndex(const RobotDescription& robot, bool person) {
@@ -155,12 +171,14 @@ std::int64_t ScenarioReader::phase(TomlTable& table, const MotionModel& model) {
 void ScenarioReader::readRobot(TomlTable& table, bool person) {
     SceneRobot body;
     body.name = bodyName(table);
-    const RobotDescription* robot = robotDescription(table);
+    const RobotDescription* const kind = robotDescription(table);
+    if (kind == nullptr) return;
+    const RobotDescription* const robot = withOwnNetwork(table, kind);
     if (robot == nullptr) return;
     if (robot->controlPeriod() % scene_.tickLength != 0)
         table.reject("type", "has a control period of " + plainSeconds(robot->controlPeriod()) +
                                  "; expected a multiple of tick_s = " + plainSeconds(scene_.tickLength));
-    body.type = typeIndex(*robot, person);
+    body.type = typeIndex(*kind, person);
     body.model = modelIndex(*robot, motionRobot(table, *robot));
     ControllerSetting setting{noController()};
     if (table.has("controller"))
@@ -258,6 +276,24 @@ void ScenarioReader::checkStarts() {
                               " mm; expected room between them");
 }
 
+/// What the bodies' starts are then is where the state has them; after a goal the objects still go where the file says.
+void ScenarioReader::readSavedState() {
+    const File* const file = library_.file(root_, "initial_state", file_.name, "resources/scenarios");
+    if (file == nullptr || root_.failed()) return;
+    auto saved = parseSavedState(file->text, file->shown);
+    if (!saved) return root_.adopt(saved.error());
+    if (!loading_.playLogs) return;
+    if (const std::string wrong = unfit(*saved, scene_); !wrong.empty()) return root_.reject("initial_state", wrong);
+    for (const SceneObject& object : scene_.objects) parts_.kickOffPoses.push_back(object.start);
+    for (std::size_t i = 0; i < scene_.robots.size(); ++i) scene_.robots[i].start = saved->state.robots[i].pose;
+    for (std::size_t i = 0; i < scene_.objects.size(); ++i) scene_.objects[i].start = saved->state.objects[i].pose;
+    if (!root_.has("seed")) parts_.seed = saved->state.seed;
+    parts_.saved = std::make_shared<const SavedState>(std::move(*saved));
+    const Scenario scenario(parts_);
+    if (const std::string wrong = misfit(scenario, scenario.initialState()); !wrong.empty())
+        root_.reject("initial_state", "does not fit the scenario: it has " + wrong);
+}
+
 Expected<ScenarioParts> ScenarioReader::read() {
     readRun();
     readEnvironment();
@@ -267,8 +303,10 @@ Expected<ScenarioParts> ScenarioReader::read() {
     for (const auto& [key, person] : {std::pair("robot", false), std::pair("person", true)})
         for (TomlTable& table : root_.tablesOrNone(key))
             if (!root_.failed()) readRobot(table, person);
+    const bool goesOn = root_.has("initial_state");
+    if (goesOn && !root_.failed()) readSavedState();
     root_.rejectUnknown();
-    if (!root_.failed()) checkStarts();
+    if (!root_.failed() && !goesOn) checkStarts();
     if (root_.failed()) return tl::unexpected(root_.error());
     return std::move(parts_);
 }

@@ -234,7 +234,7 @@ void countGoals(const Scenario& scenario, WorldState& state, const StepBuffers::
             if (!arrived || !scene.typeOfObject(i).rolls) continue;
             ++state.goals[g];
             if (trace != nullptr) trace->goals.push_back(g);
-            if (scenario.parts().kickOff) state.objects[i] = {scene.objects[i].start, {}, {}};
+            if (scenario.parts().kickOff) state.objects[i] = {scenario.kickOffPose(i), {}, {}};
         }
 }
 

@@ -5,6 +5,9 @@
 #include "cli/game_folder.h"
 #include "io/file.h"
 #include "recording/recording.h"
+#include "scenario/scenario_file.h"
+#include "scenario/state_scenario.h"
+#include "simulation/step.h"
 #include "support/places.h"
 
 namespace mrose {
@@ -229,6 +232,39 @@ TEST_F(LongRun, KillLeavesARecordingThatReplays) {
     ASSERT_TRUE(recording) << recording.error().message();
     EXPECT_EQ(recording->damage.size(), 1u);
     EXPECT_GT(recording->branches[0].timeline.last(), 0);
+}
+
+/// Ticks are counted on, so that the noise goes on too.
+TEST_F(RunProgram, ScenarioOfASavedStateEndsAsTheRunItIsOf) {
+    DiskDescriptions source({sourceFolder(), {}, ""});
+    auto loaded = loadScenario(game(), source);
+    ASSERT_TRUE(loaded) << loaded.error().message();
+    const Scenario scenario(loaded->parts);
+    WorldState state = scenario.initialState();
+    while (state.tick < 50) state = stepped(scenario, std::move(state));
+    std::filesystem::create_directories(path("other"));
+    const auto saved = saveStateAsScenario(path("other/later.toml"), {loaded->name, loaded->texts}, scenario, state);
+    ASSERT_TRUE(saved) << saved.error().message();
+    const nlohmann::json whole = told(play("run", {"--duration", "3", "--json"}));
+    const nlohmann::json later =
+        told(runMrose({"run", path("other/later.toml"), "--duration", "2", "--json", "--quiet"}));
+    EXPECT_EQ(later["world_hash"], whole["world_hash"]);
+    EXPECT_EQ(later["time_s"], 3.0);
+    EXPECT_EQ(told(runMrose(
+                  {"run", path("other/later.toml"), "--duration", "2", "--trial", "1", "--json", "--quiet"}))["time_s"],
+              3.0);
+    // A batch is not taken up where the state has become another.
+    const std::vector<std::string> batch{"batch", path("other/later.toml"), "--duration", "0.1", "--trials", "2",
+                                         "-o",    path("results"),          "--quiet"};
+    EXPECT_EQ(runMrose(batch).status, 0);
+    EXPECT_EQ(runMrose(batch).status, 0);
+    state = stepped(scenario, std::move(state));
+    ASSERT_TRUE(saveStateAsScenario(path("other/later.toml"), {loaded->name, loaded->texts}, scenario, state));
+    const ProgramResult changed = runMrose(batch);
+    EXPECT_EQ(changed.status, 1) << changed.out;
+    EXPECT_NE(changed.err.find("later.state"), std::string::npos) << changed.err;
+    write("other/later.state", "no state");
+    expectOneLine(runMrose({"run", path("other/later.toml")}), {"later.state:1:", "TOML"});
 }
 
 }  // namespace

@@ -125,6 +125,25 @@ TEST_F(Results, WhatDiffersIsTold) {
     EXPECT_EQ(told("content of c.so", "2"), begin + "the content of c.so has changed" + end);
 }
 
+TEST_F(Results, WhatIsCutOffIsSaidToBeDamaged) {
+    const BatchIdentity identity{{"--duration", "2.0"}, {"content of a.toml", "1"}, {"scenario", "a.toml"}};
+    {
+        auto file = open(identity);
+        ASSERT_TRUE(file && file->add({1, 1}, "1,1,a"));
+    }
+    const std::string whole = read("batch.txt");
+    for (std::size_t size = 0; size + 1 < whole.size(); ++size) {
+        folder_.write("out/batch.txt", whole.substr(0, size));
+        const auto refused = open(identity);
+        ASSERT_FALSE(refused) << size;
+        EXPECT_NE(refused.error().message().find("batch.txt: is damaged and does not tell any more whose results"),
+                  std::string::npos)
+            << size << ' ' << refused.error().message();
+    }
+    folder_.write("out/batch.txt", whole);
+    EXPECT_TRUE(open(identity));
+}
+
 TEST_F(Results, OneBatchAtATime) {
     auto first = open();
     ASSERT_TRUE(first);

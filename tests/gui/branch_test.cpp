@@ -7,6 +7,7 @@
 #include "branch_panel.h"
 #include "command_panel.h"
 #include "gui/window_fixture.h"
+#include "scenario/carry_over.h"
 #include "world/state_hash.h"
 
 namespace mrose::gui {
@@ -138,6 +139,33 @@ TEST_F(BranchTest, ScrubbingDraggingAndUndoingLeaveTheRunAsItIs) {
     const WorldState expected = runAlone(scenario, 500, 0, -1, {});
     EXPECT_EQ(window.shown()->hash, hashOf(expected));
     EXPECT_EQ(window.shown()->branches.size(), 3u);
+}
+
+TEST_F(BranchTest, SwappedModelIsThatOfAScenarioThatNamesIt) {
+    seek(150);
+    EXPECT_FALSE(window.actions().perform("swap_model", QString("nothing.net")));
+    const std::string net = std::string(MROSE_SOURCE_DIR) + "/nets/pioneer.net";
+    EXPECT_FALSE(window.actions().perform("swap_model", QString::fromStdString(net))) << "nobody is selected";
+    const auto before = window.shown()->course;
+    window.field().setSelected(5);
+    ASSERT_TRUE(window.actions().perform("swap_model", QString::fromStdString(net)));
+    settle();
+    EXPECT_EQ(window.shown()->branches[1].name, "blue 2 moves by pioneer.net");
+    EXPECT_EQ(state().tick, 150);
+    const Scenario& swapped = *window.shown()->course->scenario;
+    // Its kinematics are replaced; all others move as they did.
+    for (std::size_t i = 0; i < 8; ++i) {
+        const bool same = swapped.scene().modelOf(i).deadTimes().v == before->scene().modelOf(i).deadTimes().v;
+        EXPECT_EQ(same, i != 5) << i;
+    }
+    WorldState expected = runAlone(*before->scenario, 150, 0, -1, {});
+    expected = carriedOver(*before->scenario, expected, swapped);
+    StepBuffers buffers;
+    while (expected.tick < 250) step(swapped, expected, buffers);
+    seek(250);
+    EXPECT_EQ(window.shown()->hash, hashOf(expected));
+    ASSERT_NE(window.shown()->beside, nullptr);
+    EXPECT_EQ(hashOf(window.shown()->beside->state), hashOf(runAlone(*before->scenario, 250, 0, -1, {})));
 }
 
 TEST_F(BranchTest, PanelListsNamesAndComparesBranches) {

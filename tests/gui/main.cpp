@@ -2,10 +2,20 @@
 #include <QApplication>
 #include <QStandardPaths>
 #include <QTemporaryDir>
+#include <cstdlib>
+#include <string>
 
 #include <gtest/gtest.h>
 
+#include "plugin/plugin_host.h"
+#include "shared/plugin_process.h"
+
 int main(int argc, char** argv) {
+    // The window's plug-ins live in processes of its program, which is this one here.
+    if (argc == 3 && std::string(argv[1]) == mrose::pluginHostWord) {
+        mrose::servePlugin(std::atoi(argv[2]));
+        return 0;
+    }
     testing::InitGoogleTest(&argc, argv);
     if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
     // What the window remembers of its user stays out of the tests, and theirs out of it.

@@ -81,7 +81,7 @@ TEST(TomlTable, ElementsOfTheWrongKindAreFoundWhereTheyStand) {
               "f:2:3: k: expected a finite number");
     EXPECT_EQ(errorOf("k = [1, 2]", [](TomlTable& t) { t.numbers("k", 3); }), "f:1:5: k: has 2 numbers; expected 3");
     EXPECT_EQ(errorOf("k = [[1, 2],\n [1]]", [](TomlTable& t) { t.matrix("k", 2, 2); }),
-              "f:2:2: k: has 1 numbers; expected 2");
+              "f:2:2: k: has 1 number; expected 2");
     EXPECT_EQ(errorOf("k = [[1, 2],\n 5]", [](TomlTable& t) { t.matrix("k", 2, 2); }),
               "f:2:2: k: expected an array of numbers");
     EXPECT_EQ(errorOf("k = [{},\n 5]", [](TomlTable& t) { t.tables("k"); }), "f:2:2: k[2]: expected a table");
@@ -102,7 +102,7 @@ TEST(TomlTable, RowsAreAsManyAsThereAre) {
     };
     EXPECT_EQ(refused("k = [[1, 2]]"), "f:1:5: k: has 1 elements; expected 2 to 3 arrays of 2 numbers");
     EXPECT_EQ(refused("k = 1"), "f:1:5: k: expected 2 to 3 arrays of 2 numbers");
-    EXPECT_EQ(refused("k = [[1, 2],\n [1]]"), "f:2:2: k: has 1 numbers; expected 2");
+    EXPECT_EQ(refused("k = [[1, 2],\n [1]]"), "f:2:2: k: has 1 number; expected 2");
     EXPECT_EQ(refused("k = [[1, 2],\n 1]"), "f:2:2: k: expected an array of numbers");
     EXPECT_EQ(refused("k = [[1, 2], [3,\n 9]]", {0, 5}), "f:2:2: k: is 9.0; expected 0.0 to 5.0");
     EXPECT_EQ(refused(""), "f:1:1: k: is missing");

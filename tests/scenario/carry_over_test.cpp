@@ -13,7 +13,7 @@
 namespace mrose {
 namespace {
 
-constexpr std::int64_t before = 500;
+constexpr std::int64_t carriedAt = 500;
 
 WorldState stateAt(const Scenario& scenario, std::int64_t tick) {
     WorldState state = scenario.initialState();
@@ -44,7 +44,7 @@ protected:
     }
 
     Scenario from = soccer();
-    WorldState state = stateAt(from, before);
+    WorldState state = stateAt(from, carriedAt);
 };
 
 TEST_F(CarriedOver, TheSameScenarioLoadedAgainGoesOnTheSame) {
@@ -110,13 +110,13 @@ TEST_F(CarriedOver, AnotherPeriodDecidesAtOnce) {
     const Scenario to(partsWith([&](ScenarioParts& parts) { giveModel(parts, 4, slowModel(60'000'000)); }));
     WorldState carried = carriedOver(from, state, to);
     ASSERT_EQ(misfit(to, carried), "");
-    EXPECT_EQ(carried.robots[4].nextControl, before);
+    EXPECT_EQ(carried.robots[4].nextControl, carriedAt);
     EXPECT_EQ(carried.robots[3].nextControl, state.robots[3].nextControl);
     StepBuffers buffers;
     StepTrace trace;
     step(to, carried, buffers, {}, &trace);
     EXPECT_TRUE(trace.robots[4].decided);
-    EXPECT_EQ(carried.robots[4].nextControl, before + 3);
+    EXPECT_EQ(carried.robots[4].nextControl, carriedAt + 3);
     for (int i = 0; i < 300; ++i) {
         step(to, carried, buffers, {}, &trace);
         EXPECT_TRUE(trace.faults.empty());
@@ -172,7 +172,7 @@ TEST_F(CarriedOver, BodiesAreMatchedByTheirNames) {
             EXPECT_EQ(to.poseBefore(carried, i, lag), from.poseBefore(state, origins[i], lag));
     }
     EXPECT_EQ(carried.robots[0].pose, to.scene().robots[0].start);
-    EXPECT_EQ(carried.robots[0].nextControl, before);
+    EXPECT_EQ(carried.robots[0].nextControl, carriedAt);
     EXPECT_EQ(to.poseBefore(carried, 0, 2), to.scene().robots[0].start);
     EXPECT_EQ(carried.objects[0].pose, state.objects[0].pose);
     EXPECT_EQ(carried.objects[0].velocity_W, state.objects[0].velocity_W);

@@ -154,7 +154,7 @@ TEST(ShapeFile, EveryOtherMistakeNamesItsPlace) {
          "f:6:9: part[1].color: is not a known key; did you mean colour?"},
         {"colour = \"#102030\"\n[[part]]\ncircle = { radius_m = 1 }",
          "f:4:10: colour: is not a known key; expected one of format, name, part, reference_m, version"},
-        {"reference_m = [0]\n[[part]]\ncircle = { radius_m = 1 }", "f:4:15: reference_m: has 1 numbers; expected 2"},
+        {"reference_m = [0]\n[[part]]\ncircle = { radius_m = 1 }", "f:4:15: reference_m: has 1 number; expected 2"},
     };
     for (const auto& [body, message] : cases) EXPECT_EQ(refusalOf(body), message) << body;
 }

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <QPainter>
+#include <QSize>
+#include <QString>
+#include <functional>
+
+#include "io/error.h"
+
+namespace mrose::gui {
+
+/// What is to be drawn into a file, in units of which `perInch` are an inch, as on the screen that it comes from.
+struct Picture {
+    QSize size;
+    int perInch = 96;
+    QString title;
+    std::function<void(QPainter&)> paint;
+};
+
+/// Writes PNG (of so many pixels a unit), SVG or PDF, as the extension says, wholly or not at all. Error: another
+/// extension; what the system says.
+Expected<void> writePicture(const Picture& picture, const QString& path, int pixels = 2);
+
+}  // namespace mrose::gui

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "description_watch.h"
+#include "open_run.h"
+#include "run_opener.h"
+
+class QMimeData;
+
+namespace mrose {
+class MessageBar;
+}
+
+namespace mrose::gui {
+
+class MainWindow;
+
+/// What the window does with files: opens runs and opens them again when a description changes, saves, and says what
+/// is wrong with a file. Nothing here waits for a disk, but where it says so.
+class WindowFiles final : public QObject {
+    Q_OBJECT
+
+public:
+    WindowFiles(MainWindow& window, MessageBar& messages);
+
+    /// What a file holds, of whatever kind, is opened; a network is offered to the selected robot.
+    void open(const QString& path, OpenRequest how = {}, std::optional<double> at = {});
+    void open(const OpenRequest& request, std::optional<double> at = {});
+    /// The same, and waits: for scripts. `at` in seconds. Error: it is shown, too.
+    Expected<void> openNow(const OpenRequest& request, std::optional<double> at = {});
+    void drop(const QMimeData& what);
+    /// Tells a network to swap_model, or what is missing for it.
+    void offerNetwork(const QString& path);
+    /// What is open, once more from its files: as a branch that goes up to the shown tick.
+    void reload(const QString& why);
+    /// Ends what is being opened; false: nothing is.
+    bool cancel() { return opener_.cancel(); }
+
+    /// The view as the extension says.
+    Expected<void> savePicture(const QString& path);
+    /// The run with its branches, in the background. Where nobody attends, it waits. Error: only then.
+    Expected<void> saveRecording(const QString& path);
+    /// Writes the run to a file while it goes on; an empty one: no more.
+    void record(const QString& path, bool overwrite = true);
+    const QString& recordedTo() const { return recordedTo_; }
+    /// Why the last recording was not begun, or ended too early; empty: nothing went wrong.
+    const QString& recordingError() const { return recordingError_; }
+
+    /// What a user may answer to the question about what would be lost.
+    enum class Answer { save, discard, cancel };
+    void setQuestion(std::function<Answer(const QString& what)> ask) { ask_ = std::move(ask); }
+    bool hasUnsaved() const;
+    /// Whether what is unsaved may go. Saves first, where that is the answer, and then calls `then` itself.
+    bool mayLeave(const std::function<void()>& then);
+
+    /// How the run that is open was opened; nothing is open: nothing.
+    const std::optional<OpenRequest>& opened() const { return opened_; }
+    RunOpener& opener() { return opener_; }
+    DescriptionWatch& watch() { return watch_; }
+
+signals:
+    void recordingTo(const QString& path);  ///< empty: nowhere
+
+private:
+    Expected<void> take(Expected<OpenRun> run, std::optional<double> at);
+    void listTrials(const QString& path);
+    void saved(const QString& path, const Expected<bool>& done, std::size_t branches);
+    void recordingChanged(const QString& path, const QString& error);
+    void takeReloaded(Expected<OpenRun> run, const QString& why);
+    void sayError(const Error& error, const QString& topic);
+
+    MainWindow& window_;
+    MessageBar& messages_;
+    RunOpener opener_;
+    DescriptionWatch watch_;
+    std::optional<OpenRequest> opened_;
+    std::function<Answer(const QString&)> ask_;
+    std::size_t savedBranches_ = 1;
+    QString network_;  ///< to be offered once a run is open
+    QString recordedTo_, recordingError_;
+    std::function<void()> afterSaving_;
+};
+
+}  // namespace mrose::gui

@@ -1,0 +1,116 @@
+#include "window_memory.h"
+
+#include <QFileInfo>
+#include <QMenu>
+
+#include "main_window.h"
+
+namespace mrose::gui {
+namespace {
+
+constexpr int mostRecent = 10;
+/// Of the docks' arrangement: another one makes old settings unfit.
+constexpr int layoutVersion = 1;
+constexpr const char *geometryKey = "window/geometry", *stateKey = "window/docks", *recentKey = "recent_files";
+
+/// Those that are switched to the user's taste and stay so.
+bool isTaste(const QString& action) { return action == "dark" || action.startsWith("layer_"); }
+
+template <class Each>
+void forTastes(Actions& actions, const Each& each) {
+    for (const Actions::Group& group : actions.groups())
+        for (QAction* action : group.actions)
+            if (action->isCheckable() && isTaste(action->objectName())) each(*action);
+}
+
+QString tasteKey(const QAction& action) { return "view/" + action.objectName(); }
+
+}  // namespace
+
+WindowMemory::WindowMemory(MainWindow& window) : QObject(&window), window_(window) {}
+
+std::unique_ptr<QSettings> WindowMemory::ofUser() {
+    return std::make_unique<QSettings>(QSettings::IniFormat, QSettings::UserScope, "mrose", "mrose-gui");
+}
+
+void WindowMemory::restore(std::unique_ptr<QSettings> settings) {
+    settings_ = std::move(settings);
+    forTastes(window_.actions(), [this](QAction& action) {
+        const QVariant kept = settings_->value(tasteKey(action));
+        if (kept.isValid() && kept.toBool() != action.isChecked()) action.trigger();
+    });
+    window_.restoreGeometry(settings_->value(geometryKey).toByteArray());
+    window_.restoreState(settings_->value(stateKey).toByteArray(), layoutVersion);
+    recent_ = settings_->value(recentKey).toStringList();
+}
+
+void WindowMemory::save() {
+    if (!settings_) return;
+    settings_->setValue(geometryKey, window_.saveGeometry());
+    settings_->setValue(stateKey, window_.saveState(layoutVersion));
+    forTastes(window_.actions(),
+              [this](const QAction& action) { settings_->setValue(tasteKey(action), action.isChecked()); });
+    settings_->sync();
+}
+
+void WindowMemory::keepAsNew() {
+    newSize_ = window_.size();
+    newState_ = window_.saveState(layoutVersion);
+}
+
+void WindowMemory::resetLayout() {
+    window_.setWindowState(window_.windowState() & ~(Qt::WindowMaximized | Qt::WindowFullScreen));
+    window_.resize(newSize_);
+    window_.restoreState(newState_, layoutVersion);
+}
+
+void WindowMemory::addRecent(const QString& file) {
+    changeRecent([&] {
+        recent_.removeAll(file);
+        recent_.prepend(file);
+        while (recent_.size() > mostRecent) recent_.removeLast();
+    });
+}
+
+void WindowMemory::forgetRecent(const QString& file) {
+    changeRecent([&] { recent_.removeAll(file); });
+}
+
+void WindowMemory::clearRecent() {
+    changeRecent([this] { recent_.clear(); });
+}
+
+/// Another window may have changed it meanwhile.
+void WindowMemory::changeRecent(const std::function<void()>& change) {
+    if (settings_) {
+        settings_->sync();
+        recent_ = settings_->value(recentKey).toStringList();
+    }
+    change();
+    if (!settings_) return;
+    settings_->setValue(recentKey, recent_);
+    settings_->sync();
+}
+
+void WindowMemory::fillRecent(QMenu& menu, std::function<void(const QString&)> open) {
+    connect(&menu, &QMenu::aboutToShow, this, [this, &menu, open = std::move(open)] {
+        menu.clear();
+        int number = 0;
+        for (const QString& file : recent_) {
+            const QFileInfo place(file);
+            const QString folder = place.isAbsolute() ? "  \u2013  " + place.path() : QString();
+            QString text = place.fileName() + folder;
+            text.replace('&', "&&");
+            QAction* action = menu.addAction((++number < 10 ? QString("&%1  ").arg(number) : QString()) + text);
+            action->setToolTip(file);
+            connect(action, &QAction::triggered, this, [open, file] { open(file); });
+        }
+        if (recent_.isEmpty()) menu.addAction(tr("Nothing yet"))->setEnabled(false);
+        menu.addSeparator();
+        QAction* forget = menu.addAction(tr("&Forget all of them"));
+        forget->setEnabled(!recent_.isEmpty());
+        connect(forget, &QAction::triggered, this, &WindowMemory::clearRecent);
+    });
+}
+
+}  // namespace mrose::gui

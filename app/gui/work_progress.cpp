@@ -1,0 +1,67 @@
+#include "work_progress.h"
+
+#include "main_window.h"
+#include "widgets/message_bar.h"
+#include "window_files.h"
+
+namespace mrose::gui {
+namespace {
+
+/// What is done sooner needs no word.
+constexpr int patience = 300;  // ms
+constexpr const char *openingTopic = "opening", *workTopic = "work";
+
+}  // namespace
+
+WorkProgress::WorkProgress(MainWindow& window, MessageBar& messages)
+    : QObject(&window), window_(window), messages_(messages) {
+    RunOpener& opener = window.files().opener();
+    connect(&opener, &RunOpener::progress, this, [this](const QString& what) {
+        messages_.add({MessageBar::Kind::progress,
+                       tr("Opening %1").arg(what),
+                       openingTopic,
+                       {{tr("Cancel"), tr("Do not open it (Esc)"), [this] { window_.files().cancel(); }}}});
+    });
+    connect(&opener, &RunOpener::ended, this, [this] { messages_.remove(openingTopic); });
+    patience_.setSingleShot(true);
+    patience_.setInterval(patience);
+    connect(&patience_, &QTimer::timeout, this, &WorkProgress::show);
+    connect(&window.session(), &Session::working, this, &WorkProgress::work);
+    connect(&window, &MainWindow::updated, this, [this] {
+        const Shown& shown = *window_.shown();
+        if (!shown.goal) return work({}, 1);
+        const double way = static_cast<double>(*shown.goal - shown.first);
+        work(tr("Simulating up to %1 s").arg(toSeconds(shown.frame->scene().timeOf(*shown.goal)), 0, 'f', 2),
+             static_cast<double>(shown.tick() - shown.first) / way);
+    });
+}
+
+/// `share` 1: it has ended.
+void WorkProgress::work(const QString& what, double share) {
+    if (share >= 1) {
+        patience_.stop();
+        messages_.remove(workTopic);
+        work_.clear();
+        return;
+    }
+    if (work_.isEmpty()) patience_.start();
+    work_ = what;
+    share_ = share;
+    if (messages_.has(workTopic)) show();
+}
+
+void WorkProgress::show() {
+    messages_.add({MessageBar::Kind::progress,
+                   work_,
+                   workTopic,
+                   {{tr("Cancel"), tr("End this here (Esc)"), [this] { window_.session().cancel(); }}},
+                   share_});
+}
+
+void WorkProgress::cancel() {
+    if (window_.files().cancel()) return;
+    if (!work_.isEmpty()) return window_.session().cancel();
+    messages_.dismiss();
+}
+
+}  // namespace mrose::gui

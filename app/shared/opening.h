@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "scenario/scenario_file.h"
+
+namespace mrose {
+
+/// A sentence for each body that starts outside the walls, of the first ten: most are a mistake.
+std::vector<std::string> startsOutsideText(const Scene& scene);
+
+/// Loads plug-ins that a recording names from wherever they are found: as they were named, seen from the current
+/// folder; the same seen from the recording's; beside the recording. Error: all places where there is none.
+PluginLoader findingLoader(const std::filesystem::path& recording, PluginLoader load);
+
+/// A trial's number, kept among the texts that a scenario was made from, so that a recording tells it.
+void keepTrial(std::map<std::string, std::string>& texts, std::uint32_t trial);
+/// `parts` as the trial whose number is kept among its texts; as they are where there is none. Error: as of varied().
+Expected<ScenarioParts> asKeptTrial(ScenarioParts parts, const std::map<std::string, std::string>& texts);
+
+}  // namespace mrose

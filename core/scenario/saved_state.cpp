@@ -1,0 +1,194 @@
+#include "scenario/saved_state.h"
+
+#include <algorithm>
+
+#include "io/base64.h"
+#include "io/toml_table.h"
+#include "scenario/carry_over.h"
+#include "scenario/toml_edit.h"
+#include "world/plain_seconds.h"
+#include "world/state_bytes.h"
+
+namespace mrose {
+namespace {
+
+constexpr std::int64_t mostOfAnything = std::int64_t{1} << 32, mostTicks = std::int64_t{1} << 48;
+
+std::size_t padded(std::size_t bytes) { return (bytes + 15) / 16 * 16; }
+
+/// What keeps the arrays from being as the robots' entries say; "" for nothing.
+std::string wrongLayout(const SavedState& saved) {
+    const WorldState& state = saved.state;
+    std::uint64_t commands = 0, memory = 0;
+    for (const SavedState::Robot& robot : saved.robots) {
+        commands += robot.commands;
+        memory += padded(robot.memory);
+    }
+    const std::size_t bodies = saved.robots.size() + saved.objects.size();
+    if (state.robots.size() != saved.robots.size() || state.objects.size() != saved.objects.size() ||
+        state.commands.size() != commands || state.memory.size() != memory ||
+        (bodies == 0 ? !state.past.empty() : state.past.size() % bodies != 0))
+        return "holds other bodies, commands or memory than are told beside it";
+    for (std::size_t i = 0; i < saved.robots.size(); ++i)
+        if (state.robots[i].commandCount > saved.robots[i].commands || state.robots[i].nextControl < state.tick)
+            return "is broken in robot \"" + saved.robots[i].name + '"';
+    if (state.tick < 0 || state.tick > mostTicks) return "is of no tick";
+    return {};
+}
+
+/// A body that is put elsewhere takes its way and its past along.
+void moveRobot(RobotState& robot, const Pose& to) {
+    const Pose segment = relative(robot.pose, robot.segment.start);
+    robot.pose = to;
+    robot.segment.start = to * segment;
+    robot.segment.direction = Placement(robot.segment.start).rotate({1, 0});
+}
+
+void movePast(WorldState& state, std::size_t body, const Pose& from, const Pose& to) {
+    const std::size_t bodies = state.robots.size() + state.objects.size();
+    for (std::size_t i = body; i < state.past.size(); i += bodies) state.past[i] = to * relative(from, state.past[i]);
+}
+
+void moveToStarts(const Scene& scene, WorldState& state) {
+    for (std::size_t body = 0; body < scene.bodyCount(); ++body) {
+        const bool robot = body < state.robots.size();
+        const std::size_t object = body - state.robots.size();
+        const Pose from = Scenario::poseOf(state, body),
+                   to = robot ? scene.robots[body].start : scene.objects[object].start;
+        if (identical(from.x, to.x) && identical(from.y, to.y) && identical(from.heading, to.heading)) continue;
+        if (robot)
+            moveRobot(state.robots[body], to);
+        else
+            state.objects[object].pose = to;
+        movePast(state, body, from, to);
+    }
+}
+
+/// Of the ticks before, as many as sensors of the scenario may ask for.
+void layOutPast(const SavedState& saved, const Scenario& scenario, WorldState& state) {
+    const std::size_t bodies = scenario.scene().bodyCount();
+    if (bodies == 0) return;
+    const auto kept = static_cast<std::int64_t>(saved.state.past.size() / bodies);
+    const std::int64_t depth = scenario.pastDepth();
+    state.past.resize(static_cast<std::size_t>(depth) * bodies);
+    const auto slot = [&](std::int64_t lag, std::int64_t of) {
+        return static_cast<std::size_t>(((state.tick - lag) % of + of) % of) * bodies;
+    };
+    for (std::int64_t lag = 1; lag <= depth; ++lag)
+        for (std::size_t body = 0; body < bodies; ++body)
+            state.past[slot(lag, depth) + body] = kept == 0 ? Scenario::poseOf(saved.state, body)
+                                                            : saved.state.past[slot(std::min(lag, kept), kept) + body];
+}
+
+}  // namespace
+
+SavedState savedState(const Scenario& scenario, const WorldState& state) {
+    const Scene& scene = scenario.scene();
+    SavedState saved{scenario.parts().name, scene.tickLength, {}, {}, state};
+    for (std::size_t i = 0; i < scene.robots.size(); ++i)
+        saved.robots.push_back({scene.robots[i].name, scene.modelOf(i).period(), scenario.commandSlots(state, i).size(),
+                                scenario.memoryOf(state, i).size()});
+    for (const SceneObject& object : scene.objects) saved.objects.push_back(object.name);
+    return saved;
+}
+
+std::string savedStateText(const SavedState& saved) {
+    const auto number = [](const char* key, std::uint64_t value) {
+        return std::string(key) + " = " + std::to_string(value) + '\n';
+    };
+    std::string text =
+        "# The state of a run of \"" + saved.scenario + "\" at " + plainSeconds(saved.state.tick * saved.tickLength) +
+        " s, for a scenario's `initial_state`.\nformat = \"mrose state\"\nversion = 1\nscenario = " +
+        tomlString(saved.scenario) + '\n' + number("tick", static_cast<std::uint64_t>(saved.state.tick)) +
+        number("tick_ns", static_cast<std::uint64_t>(saved.tickLength)) + "state = \"\"\"\n" +
+        base64(stateBytes(saved.state)) + "\"\"\"\n";
+    for (const SavedState::Robot& robot : saved.robots)
+        text += "\n[[robot]]\nname = " + tomlString(robot.name) + '\n' +
+                number("period_ns", static_cast<std::uint64_t>(robot.period)) + number("commands", robot.commands) +
+                number("memory", robot.memory);
+    for (const std::string& object : saved.objects) text += "\n[[object]]\nname = " + tomlString(object) + '\n';
+    return text;
+}
+
+Expected<SavedState> parseSavedState(std::string_view text, const std::string& file) {
+    TomlTable root(text, file);
+    root.choice("format", {"mrose state"});
+    root.integer("version", 1, 1);
+    SavedState saved;
+    saved.scenario = root.string("scenario");
+    const std::int64_t tick = root.integer("tick", 0, mostTicks);
+    saved.tickLength = root.integer("tick_ns", 1, mostOfAnything);
+    const std::string letters = root.string("state");
+    for (TomlTable& table : root.tablesOrNone("robot")) {
+        const std::string name = table.string("name");
+        const Nanoseconds period = table.integer("period_ns", 1, mostOfAnything * 10);
+        const auto commands = static_cast<std::uint64_t>(table.integer("commands", 0, mostOfAnything));
+        saved.robots.push_back(
+            {name, period, commands, static_cast<std::uint64_t>(table.integer("memory", 0, mostOfAnything))});
+        table.rejectUnknown();
+    }
+    for (TomlTable& table : root.tablesOrNone("object")) {
+        saved.objects.push_back(table.string("name"));
+        table.rejectUnknown();
+    }
+    root.rejectUnknown();
+    if (root.failed()) return tl::unexpected(root.error());
+    const auto bytes = fromBase64(letters);
+    if (!bytes) root.reject("state", "is damaged: it is not base64");
+    auto state = bytes ? parseState(*bytes, file) : Expected<WorldState>(WorldState());
+    if (!state) root.reject("state", "is damaged: it " + state.error().cause);
+    if (root.failed()) return tl::unexpected(root.error());
+    saved.state = std::move(*state);
+    if (const std::string wrong = wrongLayout(saved); !wrong.empty()) root.reject("state", wrong);
+    if (saved.state.tick != tick) root.reject("tick", "is not the state's, " + std::to_string(saved.state.tick));
+    if (root.failed()) return tl::unexpected(root.error());
+    return saved;
+}
+
+std::string unfit(const SavedState& saved, const Scene& scene) {
+    const std::string of = "is a state of \"" + saved.scenario + "\" with ";
+    const auto others = [&](const char* what, const auto& names, const auto& own) -> std::string {
+        if (names.size() != own.size())
+            return of + std::to_string(names.size()) + ' ' + what + "s; the scenario has " + std::to_string(own.size());
+        for (std::size_t i = 0; i < names.size(); ++i)
+            if (names[i] != own[i].name)
+                return of + "the " + what + " \"" + names[i] + "\" where the scenario has \"" + own[i].name + '"';
+        return "";
+    };
+    std::vector<std::string> robots;
+    for (const SavedState::Robot& robot : saved.robots) robots.push_back(robot.name);
+    if (const std::string wrong = others("robot", robots, scene.robots); !wrong.empty()) return wrong;
+    if (const std::string wrong = others("object", saved.objects, scene.objects); !wrong.empty()) return wrong;
+    if (saved.tickLength != scene.tickLength)
+        return of + "ticks of " + plainSeconds(saved.tickLength) + " s; the scenario's are " +
+               plainSeconds(scene.tickLength) + " s";
+    if (saved.state.goals.size() != scene.environment.goals.size())
+        return of + std::to_string(saved.state.goals.size()) + " goals; the scenario has " +
+               std::to_string(scene.environment.goals.size());
+    return "";
+}
+
+WorldState restored(const SavedState& saved, const Scenario& scenario, std::uint64_t seed) {
+    WorldState state = saved.state, fresh = scenario.freshState(seed);
+    state.seed = seed;
+    state.commands = std::move(fresh.commands);
+    state.memory = std::move(fresh.memory);
+    std::size_t commands = 0, memory = 0;
+    for (std::size_t i = 0; i < saved.robots.size(); ++i) {
+        const SavedState::Robot& kept = saved.robots[i];
+        RobotState& robot = state.robots[i];
+        const std::span<const StampedCommand> old(saved.state.commands.data() + commands, robot.commandCount);
+        robot.commandCount = keepNewest(old, scenario.commandSlots(state, i), robot.commandBefore);
+        if (const std::span<std::byte> own = scenario.memoryOf(state, i); own.size() == kept.memory)
+            std::copy_n(saved.state.memory.data() + memory, own.size(), own.begin());
+        if (kept.period != scenario.scene().modelOf(i).period())
+            robot.nextControl = robot.segment.startTick = state.tick;
+        commands += kept.commands;
+        memory += padded(kept.memory);
+    }
+    layOutPast(saved, scenario, state);
+    moveToStarts(scenario.scene(), state);
+    return state;
+}
+
+}  // namespace mrose

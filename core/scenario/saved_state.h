@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/error.h"
+#include "scenario/scenario.h"
+
+namespace mrose {
+
+/// A state of a run by itself, with what tells whose it is and how its arrays are laid out.
+struct SavedState {
+    std::string scenario;  ///< its name
+    Nanoseconds tickLength = 0;
+    struct Robot {
+        std::string name;
+        Nanoseconds period = 0;
+        std::uint64_t commands = 0;  ///< places for them
+        std::uint64_t memory = 0;    ///< bytes of its controller
+        bool operator==(const Robot&) const = default;
+    };
+    std::vector<Robot> robots;
+    std::vector<std::string> objects;  ///< names
+    WorldState state;
+};
+SavedState savedState(const Scenario& scenario, const WorldState& state);
+
+/// As a state file (resources/README.md), exact to the last bit, and back. Error: file, line and key of the first thing
+/// wrong.
+std::string savedStateText(const SavedState& saved);
+Expected<SavedState> parseSavedState(std::string_view text, const std::string& file);
+
+/// Why a scene cannot go on from it: other bodies, ticks of another length. Empty: it can.
+std::string unfit(const SavedState& saved, const Scene& scene);
+
+/// The state in a scenario that is fit for it: at its own tick, as it was to the last bit. Bodies whose starts in the
+/// scene are elsewhere are moved there. A controller whose memory has another size starts anew, and a robot whose
+/// control period is another decides at once.
+WorldState restored(const SavedState& saved, const Scenario& scenario, std::uint64_t seed);
+
+}  // namespace mrose

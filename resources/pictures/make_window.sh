@@ -1,0 +1,13 @@
+#!/bin/sh
+# Makes the README's pictures of the window, from window.lua: make_window.sh [FOLDER]. Needs no display; ./demo or ./check
+# have built the program. With ImageMagick they have a palette, and a third of the bytes.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+program=${MROSE_GUI:-$here/../../build/mrose-gui}
+program=$(cd "$(dirname "$program")" && pwd)/$(basename "$program")
+cd "${1:-$here}"
+"$program" --offscreen --size 1280x800 --script "$here/window.lua"
+for picture in window.png window_dark.png; do
+    if command -v convert >/dev/null; then convert "$picture" +dither -colors 255 -strip "PNG8:$picture"; fi
+    echo "$PWD/$picture"
+done

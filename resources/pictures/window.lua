@@ -1,0 +1,15 @@
+-- The pictures of the window in the README: make_window.sh runs this in the folder where they are to be.
+open("soccer.toml")
+
+-- A branch: "red 2" starts its way behind the ball elsewhere; its old course stays as a ghost.
+seek(6)
+select("red 2")
+layer_grid(false)
+drag("red 2", robot["red 2"].x - 0.4, robot["red 2"].y + 0.5)
+plot_expression("robot[2].speed")
+plot_expression("ball.speed")
+seek(9.5)
+screenshot("window.png")
+dark(true)
+screenshot("window_dark.png")
+expect(branches == 2 and selected == "red 2")

@@ -1,0 +1,374 @@
+// Runs are opened, opened again when a description changes, saved and recorded.
+#include "io/file.h"
+
+#include <QDockWidget>
+#include <QSettings>
+#include <QTableWidget>
+#include <filesystem>
+
+#include <gmock/gmock.h>
+
+#include "experiment/variation.h"
+#include "gui/file_fixture.h"
+#include "recording/recording.h"
+#include "scenario/scenario_file.h"
+#include "support/places.h"
+#include "support/run_program.h"
+#include "widgets/field_view.h"
+#include "window_files.h"
+#include "window_memory.h"
+#include "world/state_hash.h"
+
+namespace mrose::gui {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+TEST_F(FileTest, DroppedScenarioStandsAtItsStart) {
+    const std::string file = writeGame();
+    dropFile(file);
+    settle();
+    ASSERT_NE(window.shown(), nullptr);
+    EXPECT_EQ(window.shown()->hash, hashAt(*scenarioOf(file), 0));
+    EXPECT_EQ(window.windowTitle().toStdString().find("a game"), 0u);
+    EXPECT_THAT(errors(), IsEmpty());
+}
+
+TEST_F(FileTest, OpensWhatShipsByItsName) {
+    open("b21_corridor.toml");
+    ASSERT_NE(window.shown(), nullptr);
+    EXPECT_FALSE(window.shown()->frame->state.robots.empty());
+}
+
+TEST_F(FileTest, OpeningDoesNotHoldUpTheWindowAndALaterOneTakesItsPlace) {
+    const std::string file = writeGame();
+    write("other.toml", game(0.5));
+    std::vector<std::string> titles;
+    QObject::connect(&window, &QWidget::windowTitleChanged,
+                     [&](const QString& title) { titles.push_back(title.toStdString()); });
+    int shown = 0;
+    QObject::connect(&window.session(), &Session::shown, [&] { ++shown; });
+    window.files().open(QString::fromStdString(file));
+    EXPECT_TRUE(window.files().opener().busy());
+    EXPECT_EQ(shown, 0);
+    window.files().open(qPath("other.toml"));
+    settle();
+    EXPECT_EQ(titles.size(), 1u);
+    EXPECT_EQ(window.shown()->hash, hashAt(*scenarioOf(path("other.toml")), 0));
+}
+
+TEST_F(FileTest, EscapeEndsAnOpening) {
+    open(writeGame());
+    const StateHash before = window.shown()->hash;
+    write("other.toml", game(0.5));
+    window.files().open(qPath("other.toml"));
+    QTest::keyClick(&window, Qt::Key_Escape);
+    EXPECT_FALSE(window.files().opener().busy());
+    settle();
+    EXPECT_EQ(window.shown()->hash, before);
+    EXPECT_EQ(window.files().opened()->file, path("game.toml"));
+}
+
+/// The tick that matters of a trial, as `mrose run` has it.
+TEST_F(FileTest, OpensATrialAtAnInstantAsTheProgramRunsIt) {
+    const std::string file = writeGame();
+    const ProgramResult alone = runMrose({"run", file, "--trial", "3", "--seed", "9", "--duration", "3.42", "--quiet"});
+    ASSERT_EQ(alone.status, 0) << alone.err;
+    ASSERT_TRUE(window.files().openNow({file, 3, 9}, 3.42));
+    settle();
+    EXPECT_EQ(state().tick, 171);
+    char hash[40];
+    std::snprintf(hash, sizeof hash, "state %016llx\n", static_cast<unsigned long long>(window.shown()->hash.world));
+    EXPECT_THAT(alone.out, HasSubstr(hash));
+    EXPECT_THAT(window.windowTitle().toStdString(), HasSubstr("trial 3"));
+}
+
+/// Friction and masses of a trial are no part of a recording's states.
+TEST_F(FileTest, RecordedTrialIsTheTrial) {
+    const std::string file = writeGame();
+    ASSERT_EQ(runMrose({"run", file, "--trial", "3", "--record", path("trial.mcap"), "--quiet"}).status, 0);
+    const ProgramResult replayed = runMrose({"replay", path("trial.mcap"), "--decide"});
+    EXPECT_EQ(replayed.status, 0) << replayed.out << replayed.err;
+    ASSERT_TRUE(window.files().openNow({file, 3}, 2.5));
+    settle();
+    const StateHash trial = window.shown()->hash;
+    open(path("trial.mcap"), 2.5);
+    EXPECT_EQ(window.shown()->hash, trial);
+    EXPECT_NE(trial, hashAt(*scenarioOf(file), 125));
+}
+
+TEST_F(FileTest, OpensARecordingAtAnInstantAndGoesNoFurtherThanItGoes) {
+    const std::string file = writeGame(), recording = path("game.mcap");
+    ASSERT_EQ(runMrose({"run", file, "--record", recording, "--quiet"}).status, 0);
+    const auto scenario = scenarioOf(file);
+    open(recording, 1.5);
+    EXPECT_EQ(window.shown()->hash, hashAt(*scenario, 75));
+    EXPECT_EQ(window.shown()->last, 150);
+    EXPECT_THAT(notes(), IsEmpty());
+    open(recording, 30.0);
+    EXPECT_EQ(window.shown()->hash, hashAt(*scenario, 150));
+    EXPECT_THAT(notes(), ElementsAre(HasSubstr("ends at 3.00 s")));
+    // And on from there, as if it had not been recorded.
+    seek(200);
+    EXPECT_EQ(window.shown()->hash, hashAt(*scenario, 200));
+}
+
+TEST_F(FileTest, RunWithBranchesIsSavedAndOpenedAgain) {
+    open(writeGame());
+    seek(100);
+    throwBall();
+    seek(140);
+    const StateHash thrown = window.shown()->hash;
+    ASSERT_TRUE(window.actions().perform("save_recording", qPath("saved.mcap")));
+    ASSERT_TRUE(waitFor([&] { return !notes().empty(); }));
+    EXPECT_THAT(notes(), ElementsAre("Saved " + path("saved.mcap")));
+    EXPECT_FALSE(window.files().hasUnsaved());
+    const ProgramResult replayed = runMrose({"replay", path("saved.mcap"), "--decide"});
+    EXPECT_EQ(replayed.status, 0) << replayed.out << replayed.err;
+    EXPECT_THAT(replayed.out, HasSubstr("the same to the last bit"));
+
+    open(path("saved.mcap"));
+    ASSERT_EQ(window.shown()->branches.size(), 2u);
+    EXPECT_EQ(window.shown()->branches[1].name, "thrown");
+    EXPECT_FALSE(window.files().hasUnsaved());
+    window.session().show(1, 140);
+    settle();
+    EXPECT_EQ(window.shown()->hash, thrown);
+}
+
+TEST_F(FileTest, RecordsFromTheStartWhereverItBegins) {
+    open(writeGame());
+    seek(60);
+    ASSERT_TRUE(window.actions().perform("record_to", qPath("kept.mcap")));
+    settle();
+    EXPECT_TRUE(action("stop_recording").isEnabled());
+    EXPECT_EQ(window.files().recordedTo(), qPath("kept.mcap"));
+    seek(100);
+    throwBall();
+    seek(130);
+    action("stop_recording").trigger();
+    settle();
+    EXPECT_FALSE(action("stop_recording").isEnabled());
+    EXPECT_THAT(notes(), ElementsAre("Recorded in " + path("kept.mcap")));
+    const auto recording = openRecording(path("kept.mcap"));
+    ASSERT_TRUE(recording) << recording.error().message();
+    EXPECT_THAT(recording->damage, IsEmpty());
+    ASSERT_EQ(recording->branches.size(), 2u);
+    EXPECT_EQ(recording->branches[0].timeline.first(), 0);
+    EXPECT_GE(recording->branches[0].timeline.last(), 100);
+    EXPECT_EQ(recording->branches[1].timeline.last(), 130);
+    const ProgramResult replayed = runMrose({"replay", path("kept.mcap"), "--decide"});
+    EXPECT_EQ(replayed.status, 0) << replayed.out << replayed.err;
+}
+
+/// What is written so far is of use at any moment.
+TEST_F(FileTest, RecordingUnderWayCanBeOpened) {
+    open(writeGame());
+    window.files().record(qPath("growing.mcap"));
+    seek(90);
+    const auto ticks = [&] {
+        const auto recording = openRecording(path("growing.mcap"));
+        return recording ? recording->branches[0].timeline.last() : -1;
+    };
+    EXPECT_TRUE(waitFor([&] { return ticks() == 90; }));
+}
+
+TEST_F(FileTest, RunsOfABatchAreListedAndOpenedWhereTheyEnded) {
+    const std::string file = writeGame();
+    ASSERT_EQ(runMrose({"batch", file, "--trials", "3", "--seeds", "4..5", "--until", "ball.speed > 0.2", "--quiet",
+                        "-o", path("out")})
+                  .status,
+              0);
+    dropFile(path("out/results.csv"));
+    settle();
+    auto* list = window.findChild<QTableWidget*>();
+    ASSERT_NE(list, nullptr);
+    ASSERT_EQ(list->rowCount(), 6);
+    list->sortItems(3, Qt::DescendingOrder);
+    const std::string trial = list->item(0, 0)->text().toStdString(), seed = list->item(0, 1)->text().toStdString();
+    const std::string end = list->item(0, 3)->text().toStdString();
+    emit list->cellActivated(0, 0);
+    settle();
+    const ProgramResult alone = runMrose({"run", file, "--trial", trial, "--seed", seed, "--duration", end, "--quiet"});
+    char hash[40];
+    std::snprintf(hash, sizeof hash, "state %016llx\n", static_cast<unsigned long long>(window.shown()->hash.world));
+    EXPECT_THAT(alone.out, HasSubstr(hash));
+    write("cut.csv", "trial,seed,end,time_s,touches,kicks,hits,faults,driven_m,command\n1,2\n");
+    dropFile(path("cut.csv"));
+    EXPECT_THAT(errors(), ElementsAre(HasSubstr("cut.csv:2")));
+}
+
+class ReloadTest : public FileTest {
+protected:
+    void SetUp() override {
+        open(writeGame());
+        seek(100);
+        before_ = window.shown()->hash;
+    }
+    bool reloaded(std::size_t branches = 2) {
+        return waitFor([&] { return window.shown()->branches.size() == branches && !window.session().busy(); });
+    }
+    void expectNewPhysics() {
+        settle();
+        EXPECT_EQ(state().tick, 100);
+        EXPECT_NE(window.shown()->hash, before_);
+        EXPECT_EQ(window.shown()->hash, hashAt(*scenarioOf(path("game.toml")), 100));
+        EXPECT_THAT(errors(), IsEmpty());
+        ASSERT_FALSE(window.shown()->frame->ghosts.empty());  // the course before
+        action("undo").trigger();
+        settle();
+        EXPECT_EQ(window.shown()->branch, 0u);
+    }
+
+    StateHash before_;
+};
+
+TEST_F(ReloadTest, ChangedDescriptionIsReadAgainAndTheTickStays) {
+    write("mine.toml", robot(30));
+    ASSERT_TRUE(reloaded());
+    EXPECT_EQ(window.shown()->branches[1].name, "mine.toml changed");
+    expectNewPhysics();
+}
+
+/// As editors save: another file takes the name.
+TEST_F(ReloadTest, ReplacedFileIsReadAgainEachTime) {
+    for (const double x : {0.2, 0.3}) {
+        write("new", game(x));
+        std::filesystem::rename(path("new"), path("game.toml"));
+        ASSERT_TRUE(reloaded(x == 0.2 ? 2 : 3));
+    }
+    settle();
+    EXPECT_EQ(window.shown()->hash, hashAt(*scenarioOf(path("game.toml")), 100));
+}
+
+TEST_F(ReloadTest, SavingTheSameTextChangesNothing) {
+    write("mine.toml", robot());
+    window.files().watch().check();
+    settle();
+    EXPECT_EQ(window.shown()->branches.size(), 1u);
+    EXPECT_FALSE(window.files().opener().busy());
+}
+
+TEST_F(ReloadTest, MistakeIsShownWithItsLineAndTheRunGoesOn) {
+    std::string text = robot();
+    text.replace(text.find("mass_kg = 7.5"), 13, "mass_kg = -1 ");
+    write("mine.toml", text);
+    ASSERT_TRUE(waitFor([&] { return !errors().empty(); }));
+    EXPECT_THAT(errors(), ElementsAre(HasSubstr(path("mine.toml") + ":7:")));
+    EXPECT_THAT(errors().front(), HasSubstr("mass_kg"));
+    settle();
+    EXPECT_EQ(window.shown()->hash, before_);
+    EXPECT_EQ(window.shown()->branches.size(), 1u);
+    seek(110);
+    EXPECT_EQ(state().tick, 110);
+    seek(100);
+    write("mine.toml", robot(30));
+    ASSERT_TRUE(reloaded());
+    expectNewPhysics();
+}
+
+TEST_F(ReloadTest, ReloadsByHand) {
+    window.files().watch().watch({});
+    write("mine.toml", robot(30));
+    QTest::keyClick(&window, Qt::Key_F5);
+    settle();
+    ASSERT_EQ(window.shown()->branches.size(), 2u);
+    expectNewPhysics();
+}
+
+class UnsavedTest : public FileTest {
+protected:
+    void SetUp() override {
+        open(writeGame());
+        seek(50);
+        throwBall();
+        write("other.toml", game(0.5));
+        window.files().setQuestion([this](const QString& what) {
+            questions_.push_back(what.toStdString());
+            return answer_;
+        });
+    }
+    WindowFiles::Answer answer_ = WindowFiles::Answer::cancel;
+    std::vector<std::string> questions_;
+};
+
+TEST_F(UnsavedTest, BranchesAreAskedAboutBeforeTheyGo) {
+    window.files().open(qPath("other.toml"));
+    settle();
+    EXPECT_EQ(questions_.size(), 1u);
+    EXPECT_EQ(window.shown()->branches.size(), 2u);
+    window.close();
+    EXPECT_TRUE(window.isVisible());
+    EXPECT_EQ(questions_.size(), 2u);
+    answer_ = WindowFiles::Answer::discard;
+    window.files().open(qPath("other.toml"));
+    settle();
+    EXPECT_EQ(window.shown()->branches.size(), 1u);
+    window.close();
+    EXPECT_FALSE(window.isVisible());
+    EXPECT_EQ(questions_.size(), 3u);
+}
+
+TEST_F(UnsavedTest, NobodyIsAskedWhereNobodyAttends) {
+    window.actions().setUnattended(true);
+    ASSERT_TRUE(window.actions().perform("open", qPath("other.toml")));
+    settle();
+    EXPECT_EQ(window.shown()->branches.size(), 1u);
+    EXPECT_THAT(questions_, IsEmpty());
+}
+
+std::unique_ptr<QSettings> settingsIn(const QString& file) {
+    return std::make_unique<QSettings>(file, QSettings::IniFormat);
+}
+
+TEST_F(FileTest, RecentFilesOutliveTheWindow) {
+    const std::string file = writeGame();
+    write("other.toml", game(0.5));
+    MainWindow other;
+    window.memory().restore(settingsIn(qPath("settings.ini")));
+    other.memory().restore(settingsIn(qPath("settings.ini")));
+    open(file);
+    ASSERT_TRUE(other.files().openNow({path("other.toml")}));
+    EXPECT_THAT(other.memory().recentFiles(), ElementsAre(qPath("other.toml"), qPath("game.toml")));
+    MainWindow later;
+    later.memory().restore(settingsIn(qPath("settings.ini")));
+    EXPECT_THAT(later.memory().recentFiles(), ElementsAre(qPath("other.toml"), qPath("game.toml")));
+    // One that is gone is forgotten when it is asked for.
+    std::filesystem::remove(path("other.toml"));
+    EXPECT_FALSE(later.files().openNow({path("other.toml")}));
+    EXPECT_THAT(later.memory().recentFiles(), ElementsAre(qPath("game.toml")));
+}
+
+TEST_F(FileTest, LayoutOutlivesTheWindowAndIsReset) {
+    window.memory().restore(settingsIn(qPath("settings.ini")));
+    auto* dock = window.findChild<QDockWidget*>("branches");
+    ASSERT_NE(dock, nullptr);
+    ASSERT_TRUE(dock->isVisible());
+    dock->hide();
+    window.resize(1000, 700);
+    action("dark").trigger();
+    action("layer_names").trigger();
+    window.close();
+
+    MainWindow later;
+    later.memory().restore(settingsIn(qPath("settings.ini")));
+    later.QWidget::show();
+    EXPECT_FALSE(later.findChild<QDockWidget*>("branches")->isVisible());
+    EXPECT_EQ(later.size(), QSize(1000, 700));
+    EXPECT_TRUE(later.actions()["dark"].isChecked());
+    EXPECT_FALSE(later.field().layers().has(FieldLayer::names));
+    later.actions()["reset_layout"].trigger();
+    EXPECT_TRUE(later.findChild<QDockWidget*>("branches")->isVisible());
+    EXPECT_EQ(later.size(), QSize(1280, 800));
+
+    MainWindow fresh;  // without settings, as scripts have it
+    fresh.QWidget::show();
+    EXPECT_TRUE(fresh.findChild<QDockWidget*>("branches")->isVisible());
+    EXPECT_FALSE(fresh.actions()["dark"].isChecked());
+    action("dark").trigger();
+}
+
+}  // namespace
+}  // namespace mrose::gui

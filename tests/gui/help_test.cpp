@@ -1,0 +1,154 @@
+// Menus, keys and what tells of them.
+#include <QDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenuBar>
+#include <QToolButton>
+#include <map>
+#include <set>
+
+#include "first_steps.h"
+#include "gui/window_fixture.h"
+#include "shortcut_sheet.h"
+#include "window_actions.h"
+
+namespace mrose::gui {
+namespace {
+
+using HelpTest = WindowTest;
+
+/// All that menus hold, whoever put it there.
+std::vector<QAction*> menuActions(const QMenu& menu) {
+    std::vector<QAction*> found;
+    for (QAction* action : menu.actions()) {
+        if (action->menu() != nullptr || action->isSeparator()) continue;
+        found.push_back(action);
+    }
+    return found;
+}
+
+TEST_F(HelpTest, EveryMenuEntryIsAnActionWithNameTipAndKey) {
+    // About is found without a key.
+    const std::set<QString> withoutKey{"about"};
+    std::set<QString> names;
+    for (QAction* top : window.menuBar()->actions()) {
+        ASSERT_NE(top->menu(), nullptr);
+        EXPECT_TRUE(top->text().contains('&')) << top->text().toStdString();
+        for (QAction* action : menuActions(*top->menu())) {
+            const std::string text = action->text().toStdString();
+            EXPECT_EQ(window.actions().find(action->objectName()), action) << text;
+            EXPECT_TRUE(names.insert(action->objectName()).second) << text;
+            EXPECT_FALSE(action->statusTip().isEmpty()) << text;
+            EXPECT_TRUE(action->toolTip().startsWith(action->statusTip())) << text;
+            EXPECT_EQ(action->shortcut().isEmpty(), withoutKey.count(action->objectName()) > 0) << text;
+        }
+    }
+    EXPECT_GT(names.size(), 30u);
+}
+
+TEST_F(HelpTest, NoTwoActionsHaveTheSameKey) {
+    std::map<QString, QString> users;
+    for (const QAction* action : window.findChildren<QAction*>())
+        for (const QKeySequence& key : action->shortcuts()) {
+            const auto [user, fresh] = users.emplace(key.toString(), action->objectName());
+            EXPECT_TRUE(fresh || user->second == action->objectName())
+                << key.toString().toStdString() << ": " << user->second.toStdString() << " and "
+                << action->objectName().toStdString();
+        }
+}
+
+/// Letters after & within a menu; Qt takes the first and then the next, which is no quick way.
+TEST_F(HelpTest, LettersOfAMenuDiffer) {
+    for (QAction* top : window.menuBar()->actions()) {
+        std::set<QChar> letters;
+        for (QAction* action : menuActions(*top->menu())) {
+            const int at = action->text().indexOf('&');
+            if (at >= 0) {
+                EXPECT_TRUE(letters.insert(action->text()[at + 1].toLower()).second)
+                    << top->text().toStdString() << ": " << action->text().toStdString();
+            }
+        }
+    }
+}
+
+TEST_F(HelpTest, SheetShowsEveryShortcutAndFindsThem) {
+    key(Qt::Key_F1);
+    auto* sheet = window.findChild<ShortcutSheet*>();
+    ASSERT_NE(sheet, nullptr);
+    EXPECT_TRUE(sheet->isVisible());
+    EXPECT_FALSE(sheet->isModal());
+    const auto shown = [&] {
+        std::multiset<QString> texts;
+        for (const QLabel* label : sheet->findChildren<QLabel*>()) texts.insert(label->text());
+        return texts;
+    };
+    const std::multiset<QString> all = shown();
+    for (const Actions::Group& group : window.actions().groups())
+        for (const QAction* action : group.actions)
+            if (!action->shortcut().isEmpty()) {
+                EXPECT_TRUE(all.count(action->shortcut().toString(QKeySequence::NativeText)))
+                    << action->objectName().toStdString();
+            }
+    QTest::keyClicks(sheet->findChild<QLineEdit*>(), "tick back");
+    settle();
+    EXPECT_EQ(shown(), (std::multiset<QString>{"Time", "One tick back", "Left"}));
+    QTest::keyClick(sheet, Qt::Key_Escape);
+    EXPECT_FALSE(sheet->isVisible());
+}
+
+TEST_F(HelpTest, KeysAsTextHaveALineForEachAction) {
+    const QString text = shortcutText(shortcutGroups(window.actions()));
+    EXPECT_TRUE(text.startsWith("File\n")) << text.toStdString();
+    for (const Actions::Group& group : window.actions().groups())
+        for (const QAction* action : group.actions)
+            EXPECT_TRUE(text.contains("  " + action->shortcut().toString(QKeySequence::NativeText)) &&
+                        text.contains(action->statusTip() + '\n'))
+                << action->objectName().toStdString();
+}
+
+std::size_t doneSteps(const FirstSteps& card) {
+    return static_cast<std::size_t>(std::count_if(card.steps().begin(), card.steps().end(),
+                                                  [](const FirstSteps::Step& step) { return step.done; }));
+}
+
+TEST_F(HelpTest, FirstStepsAreTickedOffAsTheyAreDone) {
+    auto* card = window.findChild<FirstSteps*>();
+    ASSERT_NE(card, nullptr);
+    EXPECT_FALSE(card->isVisible());
+    key(Qt::Key_F1, Qt::ShiftModifier);
+    EXPECT_TRUE(card->isVisible());
+    EXPECT_TRUE(window.field().rect().contains(card->geometry()));
+    EXPECT_EQ(doneSteps(*card), 0u);
+    key(Qt::Key_Space);
+    key(Qt::Key_Space);
+    EXPECT_EQ(doneSteps(*card), 1u);
+    key(Qt::Key_Left);
+    EXPECT_EQ(doneSteps(*card), 2u);
+    window.session().seek(300);
+    settle();
+    EXPECT_EQ(doneSteps(*card), 2u);
+    drag(pixelOf(2), pixelOf(2) + QPointF(40, -30));
+    EXPECT_EQ(doneSteps(*card), 3u);
+    key(Qt::Key_Z, Qt::ControlModifier);
+    key(Qt::Key_K);
+    key(Qt::Key_S);
+    EXPECT_EQ(doneSteps(*card), 6u);
+    key(Qt::Key_F1);
+    EXPECT_EQ(doneSteps(*card), card->steps().size());
+}
+
+TEST_F(HelpTest, ClosedFirstStepsStayAwayUntilTheyAreAskedFor) {
+    auto* card = window.findChild<FirstSteps*>();
+    showFirstSteps(window);
+    ASSERT_TRUE(card->isVisible());
+    QTest::mouseClick(card->findChild<QToolButton*>(), Qt::LeftButton);
+    EXPECT_FALSE(card->isVisible());
+    MainWindow next;
+    showFirstSteps(next);
+    EXPECT_FALSE(next.actions()["first_steps"].isChecked());
+    next.actions()["first_steps"].trigger();
+    EXPECT_TRUE(next.actions()["first_steps"].isChecked());
+}
+
+}  // namespace
+}  // namespace mrose::gui

@@ -1,0 +1,70 @@
+// Scripts that ship: the tour holds what it expects, and the README's pictures can be made.
+#include <QImage>
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "support/places.h"
+#include "support/run_program.h"
+#include "support/temporary_folder.h"
+
+namespace mrose {
+namespace {
+
+std::string windowProgram() { return (std::filesystem::path(mroseProgram()).parent_path() / "mrose-gui").string(); }
+
+ProgramResult runShell(const std::vector<std::string>& environment, const std::vector<std::string>& words) {
+    std::vector<std::string> all{"/usr/bin/env"};
+    all.insert(all.end(), environment.begin(), environment.end());
+    all.insert(all.end(), words.begin(), words.end());
+    return RunningProgram(all).finish();
+}
+
+TEST(ShippedScripts, TourThroughTheSoccerGameHolds) {
+    const ProgramResult result = RunningProgram({windowProgram(), "--offscreen", "--script",
+                                                 (sourceFolder() / "resources/scripts/soccer_tour.lua").string()})
+                                     .finish();
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(result.err, "");
+    EXPECT_NE(result.out.find(" decided at "), std::string::npos) << result.out;
+}
+
+TEST(ShippedScripts, PicturesOfTheReadmeCanBeMade) {
+    const TemporaryFolder folder;
+    const ProgramResult result =
+        runShell({"MROSE_GUI=" + windowProgram()},
+                 {"/bin/sh", (sourceFolder() / "resources/pictures/make_window.sh").string(), folder.path().string()});
+    ASSERT_EQ(result.status, 0) << result.err;
+    for (const char* name : {"window.png", "window_dark.png"}) {
+        const std::filesystem::path made = folder.path() / name, shipped = sourceFolder() / "resources/pictures" / name;
+        const QImage picture(made.c_str());
+        EXPECT_EQ(picture.size(), QSize(1280, 800)) << name;
+        EXPECT_EQ(QImage(shipped.c_str()).size(), picture.size()) << name;
+        EXPECT_LT(std::filesystem::file_size(shipped), 150'000u) << name;
+        // Neither empty nor all of one tone.
+        const QImage small = picture.scaled(32, 20, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+        int least = 255, most = 0;
+        for (int y = 0; y < small.height(); ++y)
+            for (int x = 0; x < small.width(); ++x) {
+                least = std::min(least, small.pixelColor(x, y).lightness());
+                most = std::max(most, small.pixelColor(x, y).lightness());
+            }
+        EXPECT_GT(most - least, 60) << name;
+    }
+}
+
+/// As ./demo does where there is no display.
+TEST(ShippedScripts, RecordedGameIsPictured) {
+    const TemporaryFolder folder;
+    const std::string game = (folder.path() / "game.mcap").string();
+    ASSERT_EQ(runMrose({"run", "soccer.toml", "--duration", "25", "--record", game, "--quiet"}).status, 0);
+    const ProgramResult result = runShell({"-C", folder.path().string()},
+                                          {windowProgram(), "--offscreen", "--script",
+                                           (sourceFolder() / "resources/scripts/recorded_game.lua").string(), game});
+    ASSERT_EQ(result.status, 0) << result.err;
+    for (const char* name : {"game.png", "robot.png", "branch.png", "side_by_side.png"})
+        EXPECT_EQ(QImage((folder.path() / name).c_str()).size(), QSize(1280, 800)) << name;
+}
+
+}  // namespace
+}  // namespace mrose

@@ -1,0 +1,179 @@
+// The program mrose-gui as a process, without a display.
+#include <QImage>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include <gmock/gmock.h>
+
+#include "support/places.h"
+#include "support/run_program.h"
+#include "support/temporary_folder.h"
+
+namespace mrose {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class GuiProgram : public testing::Test {
+protected:
+    static ProgramResult run(std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(),
+                         (std::filesystem::path(mroseProgram()).parent_path() / "mrose-gui").string());
+        return RunningProgram(arguments).finish();
+    }
+    static ProgramResult offscreen(std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), "--offscreen");
+        return run(arguments);
+    }
+    std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
+    std::string write(const std::string& name, const std::string& text) const {
+        std::ofstream(path(name)) << text;
+        return path(name);
+    }
+    /// One line that begins with the program's name.
+    static void expectOneLine(const ProgramResult& result, const std::vector<std::string>& parts, int status) {
+        EXPECT_EQ(result.status, status) << result.err;
+        EXPECT_THAT(result.err, StartsWith("mrose-gui: "));
+        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+        for (const std::string& part : parts) EXPECT_THAT(result.err, HasSubstr(part));
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(GuiProgram, TellsVersionHelpAndKeys) {
+    EXPECT_THAT(run({"--version"}).out, StartsWith("mrose-gui 0."));
+    const ProgramResult help = run({"--help"});
+    EXPECT_EQ(help.status, 0);
+    for (const char* flag :
+         {"--run", "--ticks", "--duration", "--seed", "--speed", "--select", "--layers", "--size", "--dark", "--at",
+          "--script", "--screenshot", "--record", "--headless", "Examples:\n  mrose-gui"})
+        EXPECT_THAT(help.out, HasSubstr(flag));
+    const ProgramResult keys = run({"--keys"});
+    EXPECT_EQ(keys.status, 0);
+    EXPECT_EQ(keys.err, "");
+    EXPECT_THAT(keys.out, HasSubstr("\n  Space "));
+}
+
+TEST_F(GuiProgram, RunHasTheStatesOfMrose) {
+    for (const char* seed : {"1", "7"}) {
+        const ProgramResult plain = runMrose({"run", "soccer.toml", "--seed", seed, "--duration", "5", "--quiet"});
+        const std::string state = plain.out.substr(plain.out.find("state "));
+        for (const auto& length : {std::pair{"--duration", "5"}, std::pair{"--ticks", "250"}}) {
+            const ProgramResult result =
+                offscreen({"--run", "soccer.toml", "--seed", seed, length.first, length.second, "--print-hash"});
+            EXPECT_EQ(result.status, 0);
+            EXPECT_EQ(result.err, "");
+            EXPECT_EQ(result.out, state);
+        }
+    }
+    EXPECT_EQ(offscreen({"--run", "soccer.toml", "--ticks", "100", "--print-hash"}).out,
+              offscreen({"--run", "soccer.toml", "--ticks", "100", "--speed", "20", "--print-hash"}).out);
+}
+
+TEST_F(GuiProgram, ScenarioRunsAsLongAsItSays) {
+    const std::string quick = write("quick.toml", [] {
+        std::ifstream file(sourceFolder() / "resources/scenarios/soccer.toml");
+        std::string text((std::istreambuf_iterator<char>(file)), {});
+        const auto at = text.find("duration_s = 60.0");
+        return text.replace(at, 17, "duration_s = 1.5");
+    }());
+    const ProgramResult plain = runMrose({"run", quick, "--quiet"});
+    EXPECT_EQ(run({"--headless", quick, "--print-hash"}).out, plain.out.substr(plain.out.find("state ")));
+}
+
+TEST_F(GuiProgram, PictureHasTheSizeAndTheThemeAskedFor) {
+    const std::string light = path("light.png"), dark = path("dark.png");
+    for (const auto& [file, flags] : {std::pair{light, std::vector<std::string>{}},
+                                      std::pair{dark, std::vector<std::string>{"--dark", "--layers", "none"}}}) {
+        std::vector<std::string> words{"--run",    "soccer.toml", "--ticks", "50",           "--size",
+                                       "1000x640", "--select",    "red 2",   "--screenshot", file};
+        words.insert(words.end(), flags.begin(), flags.end());
+        const ProgramResult result = offscreen(words);
+        EXPECT_EQ(result.status, 0);
+        EXPECT_EQ(result.out + result.err, "");
+        EXPECT_EQ(QImage(file.c_str()).size(), QSize(1000, 640)) << file;
+    }
+    const auto lightness = [](const std::string& file) {
+        return QImage(file.c_str())
+            .scaled(1, 1, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
+            .pixelColor(0, 0)
+            .lightness();
+    };
+    EXPECT_GT(lightness(light), lightness(dark) + 60);
+}
+
+TEST_F(GuiProgram, ScriptDecidesTheExitStatus) {
+    const ProgramResult good =
+        offscreen({"--script", write("good.lua", "seek(2)\nexpect(tick == 100)\nsay('seen', tick)"), "soccer.toml"});
+    EXPECT_EQ(good.status, 0);
+    EXPECT_EQ(good.out, "seen 100\n");
+    EXPECT_EQ(good.err, "");
+    const std::string bad = write("bad.lua", "expect(tick == 5)\nexpect(tick == 0)");
+    const ProgramResult failed = offscreen({"--script", bad});
+    EXPECT_EQ(failed.status, 1);
+    EXPECT_EQ(failed.err, bad + ":1: expected tick == 5\nmrose-gui: " + bad + ": 1 of 2 expectations failed\n");
+    expectOneLine(offscreen({"--script", write("wrong.lua", "\nplai()")}), {"wrong.lua:2: ", "did you mean play?"}, 1);
+    expectOneLine(offscreen({"--script", path("none.lua")}), {"none.lua: cannot be read"}, 1);
+}
+
+/// What is scrubbed, dragged and undone in between leaves no trace in the run.
+TEST_F(GuiProgram, ScriptLeavesTheRunAsMroseHasIt) {
+    const std::string tour =
+        write("tour.lua",
+              "seek(3)\ndrag('red 2', 0, 0)\ntick_forward(40)\nundo()\nredo()\nto_start()\nundo()\n"
+              "seek(5)\ntick_back(100)\nseek(4)");
+    const ProgramResult plain = runMrose({"run", "soccer.toml", "--seed", "3", "--duration", "4", "--quiet"});
+    const ProgramResult result = offscreen({"--seed", "3", "--script", tour, "--print-hash", "soccer.toml"});
+    EXPECT_EQ(result.err, "");
+    EXPECT_EQ(result.out, plain.out.substr(plain.out.find("state ")));
+}
+
+TEST_F(GuiProgram, WrongUsageIsOneLineAndStatusTwo) {
+    const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+        {{"--size", "12"}, "--size"},
+        {{"--size", "1000x"}, "--size"},
+        {{"--ticks", "3", "soccer.toml"}, "--run"},
+        {{"--run", "soccer.toml", "--ticks", "-1"}, "--ticks"},
+        {{"--run", "soccer.toml", "--ticks", "3", "--duration", "3"}, "--duration"},
+        {{"--run", "a.toml", "b.toml"}, "--run"},
+        {{"--speed", "nan"}, "nan"},
+        {{"--speed", "-1"}, "--speed"},
+        {{"--duration", "inf"}, "--duration"},
+        {{"--seed", "-1"}, "below 0"},
+        {{"--seed", "99999999999999999999"}, "above"},
+        {{"--layers", "grid,gird"}, "gird is no layer"},
+        {{"--screenshot", ""}, "is empty"},
+        {{"a.toml", "b.toml"}, "b.toml"},
+        {{"--colour"}, "--colour"}};
+    for (const auto& [words, part] : cases) expectOneLine(offscreen(words), {part}, 2);
+}
+
+TEST_F(GuiProgram, WhatIsWrongWithFilesIsOneLineAndStatusOne) {
+    expectOneLine(offscreen({"--run", path("none.toml")}), {"none.toml"}, 1);
+    expectOneLine(offscreen({"--run", write("half.toml", "format = \"mrose scenario\"\nvers")}), {"half.toml:2"}, 1);
+    expectOneLine(offscreen({"--run", "soccer.toml", "--ticks", "1", "--screenshot", path("no/where.png")}),
+                  {"where.png: cannot be written"}, 1);
+    expectOneLine(offscreen({"--run", "soccer.toml", "--ticks", "1", "--select", "red 9"}),
+                  {"--select red 9", "red 1, red 2"}, 1);
+    const std::string there = write("game.mcap", "earlier");
+    expectOneLine(offscreen({"--run", "soccer.toml", "--ticks", "1", "--record", there}), {"is there already"}, 1);
+}
+
+/// Qt itself would abort.
+TEST_F(GuiProgram, WithoutADisplayItSaysSo) {
+    const std::string program = (std::filesystem::path(mroseProgram()).parent_path() / "mrose-gui").string();
+    const auto started = [&](const std::vector<std::string>& environment) {
+        std::vector<std::string> words{"/usr/bin/env", "-u", "QT_QPA_PLATFORM", "-u", "WAYLAND_DISPLAY"};
+        words.insert(words.end(), environment.begin(), environment.end());
+        words.push_back(program);
+        return RunningProgram(words).finish();
+    };
+    expectOneLine(started({"-u", "DISPLAY"}), {"there is no display", "--offscreen"}, 1);
+    expectOneLine(started({"DISPLAY=:4711"}), {"the display :4711 cannot be used", "--offscreen"}, 1);
+}
+
+}  // namespace
+}  // namespace mrose

@@ -1,0 +1,259 @@
+// Scenarios that begin in a state saved from a run.
+#include "scenario/saved_state.h"
+
+#include <gtest/gtest.h>
+
+#include "experiment/variation.h"
+#include "io/file.h"
+#include "scenario/description_edit.h"
+#include "scenario/descriptions.h"
+#include "scenario/state_scenario.h"
+#include "simulation/step.h"
+#include "support/places.h"
+#include "support/temporary_folder.h"
+#include "world/state_bytes.h"
+#include "world/state_difference.h"
+#include "world/state_hash.h"
+
+namespace mrose {
+namespace {
+
+constexpr std::int64_t savedAt = 150;
+
+Expected<LoadedScenario> loadFromDisk(const std::filesystem::path& path) {
+    DiskDescriptions source({sourceFolder(), {}, ""});
+    return loadScenario(path.string(), source);
+}
+
+class SavedStates : public testing::Test {
+protected:
+    /// A run of descriptions, up to where it is saved.
+    void open(const Descriptions& descriptions) {
+        descriptions_ = descriptions;
+        const auto loaded = loadFrom(descriptions.texts, descriptions.scenario);
+        ASSERT_TRUE(loaded) << loaded.error().message();
+        scenario.emplace(loaded->parts);
+        state = scenario->initialState(23);
+        StepBuffers buffers;
+        while (state.tick < savedAt) step(*scenario, state, buffers);
+    }
+    Expected<void> save(const std::filesystem::path& path) const {
+        return saveStateAsScenario(path, descriptions_, *scenario, state);
+    }
+    /// The scenario in that file goes on as the run does.
+    void expectGoesOn(const std::filesystem::path& path) {
+        const auto loaded = loadFromDisk(path);
+        ASSERT_TRUE(loaded) << loaded.error().message();
+        const Scenario again(loaded->parts);
+        WorldState then = state, now = again.initialState();
+        const auto difference = firstDifference(then, now);
+        ASSERT_FALSE(difference) << difference->message();
+        StepBuffers buffers;
+        for (int i = 0; i < 600; ++i) {
+            step(*scenario, then, buffers);
+            step(again, now, buffers);
+            ASSERT_EQ(hashOf(then), hashOf(now)) << then.tick;
+        }
+    }
+    std::vector<std::string> listing(const std::string& of) const {
+        std::vector<std::string> names;
+        for (const auto& entry : std::filesystem::directory_iterator(folder.path() / of))
+            names.push_back(entry.path().filename().string());
+        std::sort(names.begin(), names.end());
+        return names;
+    }
+    /// What loading says where a part of the scenario's text, or of the state's, is another one.
+    std::string refused(const std::string& from, const std::string& to) {
+        std::map<std::string, std::string> texts = smallWorld();
+        texts["s.toml"].insert(texts["s.toml"].find("environment"), "initial_state = \"x.state\"\n");
+        texts["x.state"] = savedStateText(savedState(*scenario, state));
+        bool changed = from.empty();
+        for (const char* const name : {"s.toml", "x.state", "e.toml"}) {
+            const std::size_t at = texts[name].find(from);
+            if (changed || at == std::string::npos) continue;
+            texts[name].replace(at, from.size(), to);
+            changed = true;
+        }
+        EXPECT_TRUE(changed) << from;
+        const auto loaded = loadFrom(texts);
+        return loaded ? "" : loaded.error().message();
+    }
+
+    TemporaryFolder folder;
+    Descriptions descriptions_;
+    std::optional<Scenario> scenario;
+    WorldState state;
+};
+
+TEST_F(SavedStates, ComeBackToTheBit) {
+    open({"s.toml", smallWorld()});
+    const SavedState saved = savedState(*scenario, state);
+    const auto read = parseSavedState(savedStateText(saved), "x.state");
+    ASSERT_TRUE(read) << read.error().message();
+    EXPECT_EQ(stateBytes(read->state), stateBytes(state));
+    EXPECT_EQ(read->robots, saved.robots);
+    EXPECT_EQ(read->objects, saved.objects);
+    EXPECT_EQ(read->scenario, "small");
+    EXPECT_LT(savedStateText(saved).size(), 2 * stateBytes(state).size() + 1000);
+}
+
+/// What ships is named as it was.
+TEST_F(SavedStates, ShippedScenarioGoesOnFromAnywhere) {
+    DiskDescriptions source({sourceFolder(), {}, ""});
+    const auto loaded = loadScenario("soccer.toml", source);
+    ASSERT_TRUE(loaded);
+    open({loaded->name, loaded->texts});
+    const auto saved = save(folder.path() / "later.toml");
+    ASSERT_TRUE(saved) << saved.error().message();
+    EXPECT_EQ(listing("."), (std::vector<std::string>{"later.state", "later.toml"}));
+    expectGoesOn(folder.path() / "later.toml");
+    const auto text = readFile(folder.path() / "later.toml");
+    EXPECT_NE(text->find("[variation] # of trials\n"), std::string::npos);
+    EXPECT_NE(text->find("environment = \"midsize_2001.toml\"\ninitial_state = \"later.state\"\n"), std::string::npos);
+    EXPECT_NE(text->find("seed = 23\n"), std::string::npos);
+    // And saved again from there.
+    const auto later = loadFromDisk(folder.path() / "later.toml");
+    descriptions_ = {later->name, later->texts};
+    scenario.emplace(later->parts);
+    state = stepped(*scenario, scenario->initialState());
+    ASSERT_TRUE(save(folder.path() / "again.toml"));
+    expectGoesOn(folder.path() / "again.toml");
+}
+
+/// Texts that lie nowhere on the disk, as of a recording, are written beside.
+TEST_F(SavedStates, WhatIsNotOnTheDiskIsWrittenBeside) {
+    open({"s.toml", smallWorld()});
+    std::filesystem::create_directories(folder.path() / "new");
+    const auto saved = save(folder.path() / "new" / "later.toml");
+    ASSERT_TRUE(saved) << saved.error().message();
+    EXPECT_EQ(listing("new"),
+              (std::vector<std::string>{"later.state", "later.toml", "later_ball.toml", "later_disc.toml",
+                                        "later_e.toml", "later_learned.toml", "later_n.net", "later_r.toml"}));
+    expectGoesOn(folder.path() / "new" / "later.toml");
+}
+
+TEST_F(SavedStates, WhatIsOnTheDiskIsNamedWhereItLies) {
+    Descriptions world{(folder.path() / "old" / "s.toml").string(), {}};
+    for (const auto& [name, text] : smallWorld())
+        world.texts[(folder.path() / "old" / name).string()] = text, folder.write("old/" + name, text);
+    open(world);
+    std::filesystem::create_directories(folder.path() / "new");
+    ASSERT_TRUE(save(folder.path() / "new" / "later.toml"));
+    EXPECT_EQ(listing("new"), (std::vector<std::string>{"later.state", "later.toml"}));
+    expectGoesOn(folder.path() / "new" / "later.toml");
+    // Where one has been changed since, it and the robots that name it are written beside.
+    folder.write("old/disc.toml", "# changed\n");
+    ASSERT_TRUE(save(folder.path() / "new" / "later.toml"));
+    EXPECT_EQ(listing("new"), (std::vector<std::string>{"later.state", "later.toml", "later_disc.toml",
+                                                        "later_learned.toml", "later_r.toml"}));
+    expectGoesOn(folder.path() / "new" / "later.toml");
+}
+
+TEST_F(SavedStates, WhatWouldGoOnOtherwiseIsNotSaved) {
+    open({"s.toml", changedWorld("s.toml", "kick_off = false", "variation = { friction_share = 0.5 }")});
+    scenario.emplace(*varied(scenario->parts(), 3));
+    const auto saved = save(folder.path() / "later.toml");
+    ASSERT_FALSE(saved);
+    EXPECT_NE(saved.error().message().find("would not go on as the run does"), std::string::npos);
+    open({"s.toml", smallWorld()});
+    EXPECT_FALSE(save(folder.path() / "none" / "later.toml"));
+    EXPECT_FALSE(save(folder.path() / "later.state"));
+    descriptions_.texts.clear();
+    EXPECT_FALSE(save(folder.path() / "later.toml"));
+    EXPECT_TRUE(listing(".").empty());
+}
+
+TEST_F(SavedStates, MistakesAreNamed) {
+    open({"s.toml", smallWorld()});
+    EXPECT_EQ(refused("", ""), "");
+    EXPECT_EQ(refused("\"x.state\"", "\"y.state\""),
+              "s.toml:4:17: initial_state: \"y.state\" was not found; expected y.state or "
+              "mrose:resources/scenarios/y.state");
+    EXPECT_EQ(refused("name = \"one\"", "name = \"eleven\""),
+              "s.toml:4:17: initial_state: is a state of \"small\" with the robot \"one\" where the scenario has "
+              "\"eleven\"");
+    EXPECT_EQ(refused("name = \"crate\"", "name = \"box\""),
+              "s.toml:4:17: initial_state: is a state of \"small\" with the object \"crate\" where the scenario has "
+              "\"box\"");
+    EXPECT_EQ(refused("tick_s = 0.02", "tick_s = 0.01"),
+              "s.toml:4:17: initial_state: is a state of \"small\" with ticks of 0.02 s; the scenario's are 0.01 s");
+    EXPECT_EQ(refused("[[goal]]\nname = \"east\"",
+                      "[[goal]]\nname = \"x\"\narea_m = [[4, -1], [5, -1], [5, 1]]\n[[goal]]\nname = \"east\""),
+              "s.toml:4:17: initial_state: is a state of \"small\" with 1 goals; the scenario has 2");
+    EXPECT_EQ(refused("format = \"mrose state\"", "format = \"mrose robot\"").substr(0, 22), "x.state:2:10: format: ");
+    EXPECT_EQ(refused("state = \"\"\"\n", "state = \"\"\"\n?"), "x.state:7:9: state: is damaged: it is not base64");
+    EXPECT_TRUE(refused("state = \"\"\"\n", "state = \"\"\"\nAAAA").starts_with("x.state:7:9: state: is damaged: it "));
+    EXPECT_EQ(refused("tick = 150", "tick = 151"), "x.state:5:8: tick: is not the state's, 150");
+    EXPECT_EQ(refused("memory = 8", "memory = 40"),
+              "x.state:7:9: state: holds other bodies, commands or memory than are told beside it");
+    EXPECT_NE(refused("tick_ns = 20000000", "tick_ns = 20000000\nx = 1").find("x: is not a known key"),
+              std::string::npos);
+    state.robots[1].pose.x = std::nan("");
+    EXPECT_EQ(refused("", ""),
+              "s.toml:4:17: initial_state: does not fit the scenario: it has a number that is not finite");
+    state.robots[1].pose.x = 0;
+    state.robots[2].commandCount = 1000;
+    EXPECT_EQ(refused("", ""), "x.state:7:9: state: is broken in robot \"three\"");
+}
+
+/// Trials move the bodies from where the state has them, with their way and their past; all else is the state's.
+TEST_F(SavedStates, TrialsMoveItsBodies) {
+    open({"s.toml", changedWorld("s.toml", "kick_off = false",
+                                 "variation = { robot_position_m = 0.2, robot_heading_deg = 20, object_position_m = "
+                                 "0.1 }")});
+    ASSERT_TRUE(save(folder.path() / "later.toml"));
+    const auto loaded = loadFromDisk(folder.path() / "later.toml");
+    EXPECT_FALSE(firstDifference(Scenario(*varied(loaded->parts, 0)).initialState(), state));
+    const Scenario trial(*varied(loaded->parts, 3));
+    const WorldState moved = trial.initialState();
+    EXPECT_EQ(moved.tick, savedAt);
+    EXPECT_EQ(moved.commands.size(), state.commands.size());
+    EXPECT_EQ(moved.memory, state.memory);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Pose &now = moved.robots[i].pose, &then = state.robots[i].pose;
+        EXPECT_NE(now, then);
+        EXPECT_LE(std::abs(now.x - then.x), 0.2);
+        EXPECT_LE(std::abs(now.heading - then.heading), 20 * 3.15 / 180);
+        EXPECT_EQ(moved.robots[i].velocity_B, state.robots[i].velocity_B);
+        const Pose way = relative(now, moved.robots[i].segment.start),
+                   was = relative(then, state.robots[i].segment.start);
+        EXPECT_NEAR(way.x, was.x, 1e-12);
+        EXPECT_NEAR(way.y, was.y, 1e-12);
+        const Pose past = relative(now, trial.poseBefore(moved, i, 4)),
+                   before = relative(then, scenario->poseBefore(state, i, 4));
+        EXPECT_NEAR(past.x, before.x, 1e-12);
+        EXPECT_NEAR(past.heading, before.heading, 1e-12);
+    }
+    EXPECT_EQ(moved.objects[0].velocity_W, state.objects[0].velocity_W);
+    // After a goal the ball still goes where the file says.
+    EXPECT_EQ(trial.kickOffPose(0), scenario->kickOffPose(0));
+    WorldState next = moved;
+    StepBuffers buffers;
+    step(trial, next, buffers);
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_LT(
+            std::hypot(next.robots[i].pose.x - moved.robots[i].pose.x, next.robots[i].pose.y - moved.robots[i].pose.y),
+            0.03)
+            << "nobody leaps back";
+}
+
+/// Another model or controller takes what suits it.
+TEST_F(SavedStates, SwappedModelsGoOnFromIt) {
+    open({"s.toml", smallWorld()});
+    ASSERT_TRUE(save(folder.path() / "later.toml"));
+    const auto loaded = loadFromDisk(folder.path() / "later.toml");
+    const auto swapped = withNetwork({loaded->name, loaded->texts}, "one", "later_n.net", smallWorld()["n.net"]);
+    ASSERT_TRUE(swapped);
+    const auto again = loadFrom(swapped->texts, swapped->scenario);
+    ASSERT_TRUE(again) << again.error().message();
+    const Scenario other(again->parts);
+    const WorldState begun = other.initialState();
+    EXPECT_EQ(begun.robots[0].pose, state.robots[0].pose);
+    EXPECT_EQ(begun.memory, state.memory);
+    const Nanoseconds now = 20'000'000 * savedAt;
+    for (Nanoseconds age = 0; age < 200'000'000; age += 10'000'000)
+        EXPECT_EQ(other.commandsOf(begun, 0).at(now - age), scenario->commandsOf(state, 0).at(now - age));
+}
+
+}  // namespace
+}  // namespace mrose

@@ -1,0 +1,295 @@
+#include "widgets/field_view.h"
+
+#include <QApplication>
+#include <QBuffer>
+#include <QSignalSpy>
+#include <QSvgGenerator>
+#include <QSvgRenderer>
+#include <QTest>
+#include <QWheelEvent>
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "widgets/field_fixture.h"
+#include "widgets/field_readout.h"
+
+namespace mrose {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+class FieldViewTest : public testing::Test {
+protected:
+    void SetUp() override {
+        view.resize(800, 640);
+        view.show();
+        view.setLayers(FieldLayers::none());
+        QObject::connect(&view, &FieldView::bodyMoved,
+                         [this](std::size_t body, const Pose& pose) { moved.emplace_back(body, pose); });
+    }
+    void show(FieldFrame frame) { view.setFrame(std::make_shared<const FieldFrame>(std::move(frame))); }
+    QPointF pixelOf(const Point& metres) const { return view.transform().toPixels(metres); }
+    void send(QEvent::Type type, const QPointF& at, Qt::MouseButton button, Qt::KeyboardModifiers keys = {}) {
+        QMouseEvent event(type, at, view.mapToGlobal(at.toPoint()), type == QEvent::MouseMove ? Qt::NoButton : button,
+                          type == QEvent::MouseButtonRelease ? Qt::NoButton : button, keys);
+        QApplication::sendEvent(&view, &event);
+    }
+    void press(const QPointF& at, Qt::MouseButton button = Qt::LeftButton, Qt::KeyboardModifiers keys = {}) {
+        send(QEvent::MouseButtonPress, at, button, keys);
+    }
+    void moveTo(const QPointF& at, Qt::MouseButton button = Qt::LeftButton, Qt::KeyboardModifiers keys = {}) {
+        send(QEvent::MouseMove, at, button, keys);
+    }
+    void release(const QPointF& at, Qt::MouseButton button = Qt::LeftButton) {
+        send(QEvent::MouseButtonRelease, at, button);
+    }
+    void drag(const QPointF& from, const QPointF& to, Qt::MouseButton button = Qt::LeftButton,
+              Qt::KeyboardModifiers keys = {}) {
+        press(from, button, keys);
+        moveTo((from + to) / 2, button, keys);
+        moveTo(to, button, keys);
+        release(to, button);
+    }
+    void wheel(const QPointF& at, int delta) {
+        QWheelEvent event(at, view.mapToGlobal(at.toPoint()), {}, {0, delta}, Qt::NoButton, Qt::NoModifier,
+                          Qt::NoScrollPhase, false);
+        QApplication::sendEvent(&view, &event);
+    }
+
+    FieldView view;
+    std::vector<std::pair<std::size_t, Pose>> moved;
+};
+
+TEST_F(FieldViewTest, PixelsOfARobotLieWhereItsPoseSays) {
+    const Pose pose{1.3, -0.7, 0.4};
+    show(frameOfDiscs({pose}));
+    for (const double zoom : {1.0, 2.3, 0.6})
+        for (const double ratio : {1.0, 2.0, 1.5}) {
+            view.fit();
+            view.zoom(zoom);
+            view.panBy({-30, -20});
+            const double scale = view.transform().scale() * ratio;
+            const Blob blob = blobOf(rendered(view, ratio), bodyColour);
+            const QPointF expected = ratio * pixelOf(position(pose));
+            EXPECT_NEAR(blob.middle.x(), expected.x(), 0.7) << zoom << ' ' << ratio;
+            EXPECT_NEAR(blob.middle.y(), expected.y(), 0.7) << zoom << ' ' << ratio;
+            EXPECT_NEAR(std::sqrt(blob.pixels / std::numbers::pi), 0.3 * scale, 1.5) << zoom << ' ' << ratio;
+        }
+}
+
+TEST_F(FieldViewTest, ArrowPointsWhereTheRobotFaces) {
+    view.setLayers(only({FieldLayer::headings}));
+    for (const double heading : {0.0, 90.0, 137.0, -60.0, 180.0}) {
+        show(frameOfDiscs({{0.5, 0.2, heading * degree}}));
+        view.zoom(3);
+        const Blob arrow = blobOf(rendered(view), QColor(255, 255, 255), 4);
+        ASSERT_GT(arrow.pixels, 50);
+        const QPointF along = arrow.middle - pixelOf({0.5, 0.2});
+        EXPECT_NEAR(wrapAngle(std::atan2(-along.y(), along.x()) - heading * degree), 0, 3 * degree) << heading;
+    }
+}
+
+TEST_F(FieldViewTest, ScreenOfTwoDevicePixelsAPixelIsDrawnAtItsFullResolution) {
+    FieldFrame frame = frameOfDiscs({{1, 1, 1}, {-2, 0.5, -2}});
+    show(frame);
+    view.setLayers(only({FieldLayer::grid, FieldLayer::headings, FieldLayer::names}));
+    const Theme theme = Theme::light();
+    for (const double ratio : {2.0, 1.0, 2.0}) {  // the cached place is of the last one
+        QImage direct(view.size() * ratio, QImage::Format_RGB32);
+        direct.setDevicePixelRatio(ratio);
+        QPainter painter(&direct);
+        painter.setFont(view.font());
+        FieldPainter field(painter, view.transform(), theme, view.layers());
+        LabelPlacer labels;
+        field.place(frame.scene().environment);
+        field.frame(frame, {}, labels);
+        field.corners();
+        painter.end();
+        EXPECT_EQ(differences(rendered(view, ratio), direct).size(), 0u) << ratio;
+    }
+}
+
+TEST_F(FieldViewTest, WheelZoomsAtTheCursorAndFitShowsAll) {
+    show(frameOfDiscs({{0, 0, 0}}));
+    const double fitted = view.transform().scale();
+    const QPointF cursor(123, 456);
+    const Point before = view.transform().toMetres(cursor);
+    wheel(cursor, 240);
+    EXPECT_GT(view.transform().scale(), 1.2 * fitted);
+    EXPECT_NEAR(view.transform().toMetres(cursor).x, before.x, 1e-9);
+    EXPECT_NEAR(view.transform().toMetres(cursor).y, before.y, 1e-9);
+    view.fit();
+    EXPECT_DOUBLE_EQ(view.transform().scale(), fitted);
+    for (const Point corner : {Point{-5, -4}, Point{5, 4}})
+        EXPECT_TRUE(QRectF(view.rect()).contains(pixelOf(corner))) << corner.x;
+    view.resize(400, 320);
+    EXPECT_TRUE(QRectF(view.rect()).contains(pixelOf({5, 4}))) << "it stays fitted";
+}
+
+TEST_F(FieldViewTest, DraggedFloorGoesWithTheCursor) {
+    show(frameOfDiscs({{0, 0, 0}}));
+    const Point grabbed = view.transform().toMetres({200, 150});
+    drag({200, 150}, {260, 120});
+    EXPECT_NEAR(pixelOf(grabbed).x(), 260, 1e-9);
+    EXPECT_NEAR(pixelOf(grabbed).y(), 120, 1e-9);
+    EXPECT_TRUE(moved.empty());
+}
+
+TEST_F(FieldViewTest, FollowsTheSelectedBody) {
+    show(frameOfDiscs({{0, 0, 0}, {2, 1, 0}}));
+    view.setSelected(1);
+    view.setFollowing(true);
+    EXPECT_EQ(view.transform().centre(), (Point{2, 1}));
+    auto later =
+        std::make_shared<FieldFrame>(*std::make_shared<const FieldFrame>(frameOfDiscs({{0, 0, 0}, {2, 1, 0}})));
+    later->state.robots[1].pose = {-1, 3, 0};
+    view.setFrame(later);
+    EXPECT_EQ(view.transform().centre(), (Point{-1, 3}));
+    QSignalSpy spy(&view, &FieldView::followRequested);
+    QTest::mouseDClick(&view, Qt::LeftButton, {}, pixelOf({0, 0}).toPoint());
+    EXPECT_EQ(spy.count(), 1);
+    EXPECT_EQ(view.selected(), 0u);
+}
+
+TEST_F(FieldViewTest, ClickSelectsTheUppermostBody) {
+    show(frameOfDiscs({{0, 0, 0}, {0.2, 0, 0}}, {0.35, 0, 0}));
+    const std::vector<std::pair<double, std::optional<std::size_t>>> at{{-0.2, 0}, {0.1, 1}, {0.35, 2}, {2, {}}};
+    for (const auto& [x, body] : at) {
+        QTest::mouseClick(&view, Qt::LeftButton, {}, pixelOf({x, 0}).toPoint());
+        EXPECT_EQ(view.selected(), body) << x;
+    }
+}
+
+TEST_F(FieldViewTest, DragMovesAndTurnsOnlyWhileTheRunStands) {
+    show(frameOfDiscs({{1, 1, 0.5}}));
+    const QPointF at = pixelOf({1.1, 1}), to = at + QPointF(80, 50);
+    drag(at, to);
+    EXPECT_TRUE(moved.empty());
+    view.fit();
+    view.setEditable(true);
+    drag(at, to);
+    ASSERT_EQ(moved.size(), 1u);
+    const double scale = view.transform().scale();
+    EXPECT_EQ(moved[0].first, 0u);
+    EXPECT_NEAR(moved[0].second.x, 1 + 80 / scale, 1e-9);
+    EXPECT_NEAR(moved[0].second.y, 1 - 50 / scale, 1e-9);
+    EXPECT_EQ(moved[0].second.heading, 0.5);
+
+    // Taken at its rim it turns along; in its middle it turns to the cursor.
+    drag(pixelOf({1.25, 1}), pixelOf({1, 1.25}), Qt::RightButton);
+    ASSERT_EQ(moved.size(), 2u);
+    EXPECT_NEAR(wrapAngle(moved[1].second.heading - 0.5), 90 * degree, 1e-6);
+    EXPECT_EQ(moved[1].second.x, 1);
+    drag(pixelOf({1, 1}), pixelOf({1, 0}), Qt::RightButton);
+    ASSERT_EQ(moved.size(), 3u);
+    EXPECT_NEAR(wrapAngle(moved[2].second.heading), -90 * degree, 1e-6);
+}
+
+TEST_F(FieldViewTest, DragIsShownInNumbersAndEscapeTakesItBack) {
+    show(frameOfDiscs({{1, 1, 0.5}, {-2, 0, 0}}));
+    view.setEditable(true);
+    const QImage before = rendered(view);
+    press(pixelOf({1, 1}));
+    moveTo(pixelOf({2, 1}));
+    moveTo(pixelOf({2.5, 1}));
+    const QImage during = rendered(view);
+    const auto nearTarget = [&](const QPoint& p) { return QLineF(p, pixelOf({2.5, 1})).length() < 20; };
+    const std::vector<QPoint> changed = differences(before, during);
+    EXPECT_TRUE(std::any_of(changed.begin(), changed.end(), nearTarget)) << "a body where it would be put";
+    QTest::keyClick(&view, Qt::Key_Escape);
+    release(pixelOf({2.5, 1}));
+    EXPECT_TRUE(moved.empty());
+
+    // Who is made to run again meanwhile does not move.
+    press(pixelOf({1, 1}));
+    moveTo(pixelOf({2, 1}));
+    view.setEditable(false);
+    release(pixelOf({2, 1}));
+    EXPECT_TRUE(moved.empty());
+}
+
+TEST_F(FieldViewTest, CtrlRoundsAndShiftMeasures) {
+    show(frameOfDiscs({{1.03, 1.02, 0.5}}));
+    view.setEditable(true);
+    drag(pixelOf({1.03, 1.02}), pixelOf({2.04, 0.47}), Qt::LeftButton, Qt::ControlModifier);
+    ASSERT_EQ(moved.size(), 1u);
+    EXPECT_NEAR(moved[0].second.x, 2.0, 1e-9);
+    EXPECT_NEAR(moved[0].second.y, 0.5, 1e-9);
+    drag(pixelOf({1.03, 1.02}), pixelOf({1.03 + std::cos(0.8), 1.02 + std::sin(0.8)}), Qt::RightButton,
+         Qt::ControlModifier);
+    ASSERT_EQ(moved.size(), 2u);
+    EXPECT_NEAR(moved[1].second.heading, 45 * degree, 1e-9);
+
+    const ViewTransform before = view.transform();
+    const QImage plain = rendered(view);
+    press(pixelOf({-3, 0}), Qt::LeftButton, Qt::ShiftModifier);
+    moveTo(pixelOf({0, 0}), Qt::LeftButton, Qt::ShiftModifier);
+    const std::vector<QPoint> line = differences(plain, rendered(view));
+    for (const double x : {-2.5, -1.0, -0.2})
+        EXPECT_TRUE(std::find(line.begin(), line.end(), pixelOf({x, 0}).toPoint()) != line.end()) << x;
+    release(pixelOf({0, 0}));
+    EXPECT_TRUE(view.transform() == before);
+    EXPECT_EQ(moved.size(), 2u);
+}
+
+TEST_F(FieldViewTest, NudgeMovesTheSelectedBodyWhileTheRunStands) {
+    show(frameOfDiscs({{1, 1, 0.5}}));
+    view.setSelected(0);
+    view.nudge({0.01, 0, 0});
+    EXPECT_TRUE(moved.empty());
+    view.setEditable(true);
+    view.nudge({0.01, -0.02, 0.1});
+    ASSERT_EQ(moved.size(), 1u);
+    EXPECT_NEAR(moved[0].second.x, 1.01, 1e-12);
+    EXPECT_NEAR(moved[0].second.y, 0.98, 1e-12);
+    EXPECT_NEAR(moved[0].second.heading, 0.6, 1e-12);
+}
+
+TEST_F(FieldViewTest, FileShowsTheSameAsTheWindow) {
+    const Pose pose{1.3, -0.7, 0.4};
+    show(frameOfDiscs({pose}, {-2, 2, 0}));
+    view.setLayers(only({FieldLayer::names}));
+    view.zoom(1.4);
+    QByteArray text;
+    QBuffer buffer(&text);
+    QSvgGenerator svg;
+    svg.setOutputDevice(&buffer);
+    svg.setSize(view.size());
+    svg.setViewBox(view.rect());
+    QPainter painter(&svg);
+    view.paint(painter, view.size());
+    painter.end();
+    QImage image(view.size(), QImage::Format_RGB32);
+    QPainter onImage(&image);
+    QSvgRenderer(text).render(&onImage);
+    onImage.end();
+    const QImage window = rendered(view);
+    for (const Colour& colour : {bodyColour, ballColour}) {
+        const Blob inFile = blobOf(image, colour), inWindow = blobOf(window, colour);
+        EXPECT_NEAR(inFile.middle.x(), inWindow.middle.x(), 0.5);
+        EXPECT_NEAR(inFile.middle.y(), inWindow.middle.y(), 0.5);
+        EXPECT_NEAR(inFile.pixels, inWindow.pixels, 0.05 * inWindow.pixels);
+    }
+}
+
+TEST_F(FieldViewTest, TellsOfWhatItRestsOn) {
+    FieldFrame frame = frameOfDiscs({{1, 1, 30 * degree}, {-2, 0, 0}});
+    frame.state.robots[0].velocity_B = {0.25, 0, -10 * degree};
+    frame.contacts.push_back({0, 1, 0, {1.3, 1}, {1, 0}, 13.06});
+    frame.insights[1].decision.annotations.push_back({Annotation::Kind::point, "aim", 0, "", {{3, -2}}});
+    show(frame);
+    const QString body = view.readoutAt(pixelOf({1, 1}));
+    EXPECT_TRUE(body.contains("robot 1") && body.contains("30.0") && body.contains("0.25 m/s") &&
+                body.contains("-10.0"))
+        << body.toStdString();
+    EXPECT_TRUE(view.readoutAt(pixelOf({1.3, 1})).contains("robot 1 on robot 2: 13.1 N s"));
+    EXPECT_TRUE(view.readoutAt(pixelOf({3, -2})).contains("robot 2: aim"));
+    EXPECT_EQ(view.readoutAt(pixelOf({-4, -3})), QString());
+    EXPECT_EQ(whatIsAt(frame, 0, {-1.5, 0, 0}), "robot 2");
+    EXPECT_EQ(whatIsAt(frame, 0, {-1.3, 0, 0}), "");
+}
+
+}  // namespace
+}  // namespace mrose

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <QString>
+#include <QWidget>
+#include <functional>
+#include <vector>
+
+#include "widgets/theme.h"
+
+class QVBoxLayout;
+
+namespace mrose {
+
+/// What there is to say, a line each, above the field: it takes no focus and stops nobody. The text can be selected;
+/// each line can be dismissed.
+class MessageBar final : public QWidget {
+    Q_OBJECT
+
+public:
+    enum class Kind { note, error, progress };
+    struct Button {
+        QString text, tip;
+        std::function<void()> run;
+    };
+    struct Message {
+        Kind kind = Kind::note;
+        QString text;
+        QString topic = {};  ///< takes the place of the earlier one of this topic; empty: of the one that says the same
+        std::vector<Button> buttons = {};
+        double share = -1;  ///< of progress: how much is done; negative: nobody knows
+    };
+
+    explicit MessageBar(QWidget* parent = nullptr);
+
+    void add(Message message);
+    /// All of a topic; nothing where there is none.
+    void remove(const QString& topic);
+    void clear();
+    /// The newest that waits for nothing; false: there is none.
+    bool dismiss();
+    /// Oldest first.
+    std::vector<Message> messages() const;
+    bool has(const QString& topic) const;
+    void setTheme(const Theme& theme);
+
+private:
+    class Line;
+    static constexpr std::size_t most = 4;  ///< notes give way before errors
+    void drop(std::size_t index);
+    void makeRoom();
+
+    std::vector<Line*> lines_;
+    QVBoxLayout* layout_;
+    Theme theme_ = Theme::light();
+};
+
+}  // namespace mrose
