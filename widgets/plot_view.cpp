@@ -253,8 +253,14 @@ void PlotView::refresh() {
     if (isVisible()) plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
+void PlotView::draw() {
+    dirty_ = true;
+    plot_->replot();
+}
+
 /// Numbers may come at each tick: who plays needs no more pictures than eyes can follow.
 void PlotView::refreshSoon() {
+    dirty_ = true;
     if (!soon_->isActive()) soon_->start(shortestPause);
 }
 

@@ -54,6 +54,7 @@ public:
     };
     void setTime(const Time& time);
     void refresh();
+    void draw();  ///< at once
     /// The curves have grown: before long.
     void refreshSoon();
     void setTheme(const Theme& theme);

@@ -35,7 +35,7 @@ int report(const Error& error) {
 void settle(MainWindow& window) {
     window.session().settle();
     QApplication::processEvents();
-    window.plots().series().settle();
+    window.plots().settle();
     QApplication::processEvents();
 }
 

@@ -160,6 +160,12 @@ void PlotPanel::cancel() {
     updateProgress();
 }
 
+void PlotPanel::settle() {
+    series_->settle();
+    view_->draw();
+    updateNumbers();
+}
+
 void PlotPanel::askForExpression() {
     expression_->setFocus(Qt::ShortcutFocusReason);
     expression_->selectAll();

@@ -175,7 +175,7 @@ private:
     void settle() {
         window_.session().settle();
         QApplication::processEvents();
-        window_.plots().series().settle();
+        window_.plots().settle();
         QApplication::processEvents();
     }
 
