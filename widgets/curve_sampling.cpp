@@ -50,11 +50,12 @@ void sampleCurve(const TickNumbers& numbers, std::int64_t from, std::int64_t to,
     for (std::int64_t begin = from; begin <= to;) {
         const std::int64_t end = std::min(to + 1, (begin / step + 1) * step);
         std::array<std::int64_t, 4> chosen{begin, begin, begin, end - 1};
-        for (std::int64_t tick = begin; tick < end; ++tick) {
-            const float value = numbers.at(tick);
-            if (std::isnan(value)) continue;
-            if (!(numbers.at(chosen[1]) <= value)) chosen[1] = tick;
-            if (!(numbers.at(chosen[2]) >= value)) chosen[2] = tick;
+        float least = std::numeric_limits<float>::infinity(), most = -least;
+        const float* value = numbers.values.data() + (begin - numbers.first);
+        for (std::int64_t tick = begin; tick < end; ++tick, ++value) {
+            // Of what is unknown neither holds.
+            if (*value < least) least = *value, chosen[1] = tick;
+            if (*value > most) most = *value, chosen[2] = tick;
         }
         std::sort(chosen.begin(), chosen.end());
         for (const std::int64_t tick : chosen) writer.add(tick, numbers.at(tick));

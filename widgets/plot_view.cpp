@@ -2,6 +2,7 @@
 
 #include <QLabel>
 #include <QMouseEvent>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -17,6 +18,7 @@ namespace {
 
 constexpr int leftMargin = 66, rightMargin = 12;
 constexpr double shortestView = 10;  // ticks
+constexpr int shortestPause = 40;    // ms, between pictures while numbers come
 constexpr double growth = 1.15;      // of the view, when the known time outgrows it
 
 QString unitLabel(const QString& unit) { return unit.isEmpty() ? QObject::tr("number") : unit; }
@@ -37,7 +39,8 @@ struct PlotView::Band {
     QCPAxis* value() const { return rect->axis(QCPAxis::atLeft); }
 };
 
-PlotView::PlotView(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot), readOut_(new QLabel(this)) {
+PlotView::PlotView(QWidget* parent)
+    : QWidget(parent), plot_(new QCustomPlot), readOut_(new QLabel(this)), soon_(new QTimer(this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(plot_);
@@ -53,6 +56,8 @@ PlotView::PlotView(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot), r
     readOut_->setTextFormat(Qt::RichText);
     readOut_->setMargin(5);
     readOut_->hide();
+    soon_->setSingleShot(true);
+    connect(soon_, &QTimer::timeout, this, &PlotView::refresh);
     connect(plot_, &QCustomPlot::beforeReplot, this, [this] {
         if (std::exchange(dirty_, false)) fill();
     });
@@ -185,12 +190,10 @@ void PlotView::setTime(const Time& time) {
     } else {
         keepNowInView();
     }
-    if (moved && from == from_ && to == to_) {
-        moveCursor();
-        plot_->layer("overlay")->replot();
-        return;
-    }
-    refresh();
+    moveCursor();
+    if (from != from_ || to != to_) return refresh();
+    if (isVisible()) plot_->layer("overlay")->replot();
+    if (!moved) refreshSoon();
 }
 
 /// A view of a part goes along when the cursor leaves it.
@@ -247,7 +250,23 @@ std::optional<QPointF> PlotView::placeOf(const QString& curve, double tick, doub
 
 void PlotView::refresh() {
     dirty_ = true;
-    plot_->replot(QCustomPlot::rpQueuedReplot);
+    if (isVisible()) plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void PlotView::draw() {
+    dirty_ = true;
+    plot_->replot();
+}
+
+/// Numbers may come at each tick: who plays needs no more pictures than eyes can follow.
+void PlotView::refreshSoon() {
+    dirty_ = true;
+    if (!soon_->isActive()) soon_->start(shortestPause);
+}
+
+void PlotView::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    refresh();
 }
 
 void PlotView::fill() {
@@ -275,7 +294,7 @@ void PlotView::fillBand(Band& band) {
         graph->data()->set(drawn, true);
     }
     band.time()->setRange(seconds(from_), seconds(to_));
-    band.value()->ticker()->setTickCount(std::clamp(band.rect->height() / 26, 1, 6));
+    band.value()->ticker()->setTickCount(std::clamp(plot_->height() / static_cast<int>(bands_.size()) / 30, 1, 6));
     if (least > most) return;
     const double middle = (least + most) / 2, span = std::max(most - least, leastSpan(band.unit));
     const QCPRange now = band.value()->range();

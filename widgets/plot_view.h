@@ -16,6 +16,7 @@
 
 class QCustomPlot;
 class QLabel;
+class QTimer;
 
 namespace mrose {
 
@@ -52,8 +53,10 @@ public:
         bool operator==(const Time&) const = default;
     };
     void setTime(const Time& time);
-    /// The curves have grown.
     void refresh();
+    void draw();  ///< at once
+    /// The curves have grown: before long.
+    void refreshSoon();
     void setTheme(const Theme& theme);
 
     void showAll();                               ///< all that is known, also as it grows
@@ -78,6 +81,7 @@ signals:
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
     struct Band;  ///< of one unit
@@ -96,6 +100,7 @@ private:
 
     QCustomPlot* plot_;
     QLabel* readOut_;
+    QTimer* soon_;
     std::vector<PlotCurve> curves_;
     QString ghostName_;
     std::vector<std::unique_ptr<Band>> bands_;

@@ -9,6 +9,7 @@
 #include "command_line.h"
 #include "io/file.h"
 #include "main_window.h"
+#include "plot_panel.h"
 #include "plugin/plugin_host.h"
 #include "qt_messages.h"
 #include "shared/plugin_process.h"

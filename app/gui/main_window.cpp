@@ -109,6 +109,11 @@ MainWindow::MainWindow(QWidget* parent)
     connect(timeline_, &TimelineBar::tickRequested, session_, &Session::seek);
     connect(&field(), &FieldView::bodySelected, inspector_, &Inspector::setBody);
     connect(&field(), &FieldView::bodySelected, command_, &CommandPanel::setRobot);
+    connect(inspector_, &Inspector::commandActivated, this, [this](qint64 issued) {
+        // The state after the decision is the first that shows it.
+        if (shown_) session_->seek(shown_->frame->scene().ticksOf(issued) + 1);
+        command_->edit();
+    });
     connect(command_, &CommandPanel::branchRequested, this, [this](const Edit& edit) { session_->branchOff(edit); });
     connect(branches_, &BranchPanel::renamed, session_, &Session::rename);
     connect(branches_, &BranchPanel::besideRequested, session_,

@@ -11,6 +11,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -19,12 +20,12 @@ namespace {
 
 constexpr int sideWidth = 320;
 constexpr std::int64_t worthABar = 2000;  // ticks to be computed
-constexpr double leastContrast = 45;      // of lightness, of a curve and its background
+constexpr double leastApart = 45;         // of lightness, of a curve and its background
 
 /// As the robot is known by, but to be seen on the plot's ground.
 QColor visible(QColor colour, const Theme& theme) {
     const int ground = theme.dark ? 30 : 255;
-    for (int i = 0; i < 8 && std::abs(qGray(colour.rgb()) - ground) < leastContrast; ++i)
+    for (int i = 0; i < 8 && std::abs(qGray(colour.rgb()) - ground) < leastApart; ++i)
         colour = theme.dark ? colour.lighter(115) : colour.darker(115);
     return colour;
 }
@@ -68,7 +69,7 @@ PlotPanel::PlotPanel(Session& session, QWidget* parent)
         updateNumbers();
     });
     connect(series_.get(), &ValueSeries::grown, this, [this] {
-        view_->refresh();
+        view_->refreshSoon();
         updateNumbers();
         updateProgress();
     });
@@ -151,6 +152,18 @@ void PlotPanel::setTheme(const Theme& theme) {
     view_->setTheme(theme);
     rebuild();
     emit changed();
+}
+
+void PlotPanel::cancel() {
+    series_->cancel();
+    view_->refresh();
+    updateProgress();
+}
+
+void PlotPanel::settle() {
+    series_->settle();
+    view_->draw();
+    updateNumbers();
 }
 
 void PlotPanel::askForExpression() {
@@ -313,14 +326,18 @@ PlotCurve PlotPanel::curveOf(const ValueKey& key, const PlottedValue& value, con
     return curve;
 }
 
-/// A robot's colour; more curves of one robot on one axis differ in lightness.
+/// A robot's colour; more curves of one robot on one axis differ in lightness. What is no robot's has none of those.
 std::vector<QColor> PlotPanel::coloursOf(const std::vector<PlottedValue>& values) const {
     std::vector<QColor> colours;
-    std::map<std::pair<std::int64_t, QString>, int> used;
+    std::map<std::pair<std::uint32_t, QString>, int> used;
+    const std::array others{theme_.text, theme_.contact, theme_.accent, theme_.quietText};
     for (const PlottedValue& value : values) {
-        const std::int64_t whose = value.colourOf ? static_cast<std::int64_t>(*value.colourOf) : -1;
-        const QColor base = value.colourOf ? visible(robotColour(*value.colourOf), theme_) : theme_.text;
-        colours.push_back(variant(base, used[{whose, value.unit}]++ % 3, theme_));
+        if (!value.colourOf) {
+            colours.push_back(others[static_cast<std::size_t>(used[{noBody, {}}]++) % others.size()]);
+            continue;
+        }
+        const QColor base = visible(robotColour(*value.colourOf), theme_);
+        colours.push_back(variant(base, used[{*value.colourOf, value.unit}]++ % 3, theme_));
     }
     return colours;
 }

@@ -42,7 +42,8 @@ public:
     void remove(const ValueKey& key);
     void clear();
     void askForExpression();  ///< the keyboard goes to its line
-    void cancel() { series_->cancel(); }
+    void settle();            ///< all is computed and drawn; for scripts and tests
+    void cancel();            ///< what has not been computed of the past stays unknown
 
     const std::vector<ValueKey>& keys() const { return keys_; }
     std::map<ValueKey, QColor> plotted() const;

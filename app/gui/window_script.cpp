@@ -175,10 +175,7 @@ private:
         sandbox_.addName(name.c_str());
     }
 
-    void settle() {
-        window_.session().settle();
-        QApplication::processEvents();
-    }
+    void settle() { gui::settle(window_); }
 
     Expected<Value> call(const std::string& name, const Values& values) {
         const auto found = functions().find(name);
@@ -414,7 +411,7 @@ private:
 void settle(MainWindow& window) {
     window.session().settle();
     QApplication::processEvents();
-    window.plots().series().settle();
+    window.plots().settle();
     QApplication::processEvents();
 }
 

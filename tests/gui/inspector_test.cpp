@@ -296,6 +296,8 @@ TEST_F(QueueTest, DrawsEachCommandWhereItsTimeIs) {
     queue.setContent(content);
     const QImage image = queue.grab().toImage();
     const double begins = queue.pixelOf(150 * ms);
+    EXPECT_NEAR(begins, (queue.pixelOf(0) + queue.pixelOf(300 * ms)) / 2, 1e-9);
+    EXPECT_GT(queue.pixelOf(300 * ms), queue.width() - 10) << "what is told now, at the right end";
     const auto filled = [&](double x) {
         int count = 0;
         for (int y = 3; y < 45; ++y) {

@@ -29,9 +29,8 @@ protected:
     /// All numbers are there, and drawn.
     void settlePlots() {
         settle();
-        plots().series().settle();
+        plots().settle();
         QApplication::processEvents();
-        canvas().replot();
     }
     const PlotCurve& curve(const QString& name, bool ghost = false) {
         for (const PlotCurve& curve : view().curves())
