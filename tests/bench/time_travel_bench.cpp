@@ -25,7 +25,7 @@ double residentMegabytes() {
 
 int bench(double minutes) {
     using Clock = std::chrono::steady_clock;
-    const auto run = openRun("soccer.toml", std::nullopt);
+    const auto run = openRun({.file = "soccer.toml"});
     if (!run) return std::fprintf(stderr, "%s\n", run.error().message().c_str()), 1;
     const double before = residentMegabytes();
     TimeTravel travel(*run);
