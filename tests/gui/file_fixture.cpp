@@ -29,7 +29,7 @@ name = "a game"
 environment = "midsize_2001.toml"
 seed = 5
 duration_s = 3.0
-variation = { robot_position_m = 0.3, robot_heading_deg = 40, object_position_m = 0.2, mass_share = 0.2 }
+variation = { robot_position_m = 0.3, robot_heading_deg = 40, object_position_m = 0.2, mass_share = 0.2, friction_share = 0.2 }
 
 [[robot]]
 name = "one"

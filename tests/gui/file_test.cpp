@@ -89,18 +89,20 @@ TEST_F(FileTest, OpensATrialAtAnInstantAsTheProgramRunsIt) {
     EXPECT_THAT(window.windowTitle().toStdString(), HasSubstr("trial 3"));
 }
 
-/// Friction and masses of a trial are no part of a recording's states.
+/// Friction and masses of a trial are no part of a recording's states; in this one the ball is kicked.
 TEST_F(FileTest, RecordedTrialIsTheTrial) {
     const std::string file = writeGame();
-    ASSERT_EQ(runMrose({"run", file, "--trial", "3", "--record", path("trial.mcap"), "--quiet"}).status, 0);
+    ASSERT_EQ(
+        runMrose({"run", file, "--trial", "2", "--duration", "10", "--record", path("trial.mcap"), "--quiet"}).status,
+        0);
     const ProgramResult replayed = runMrose({"replay", path("trial.mcap"), "--decide"});
     EXPECT_EQ(replayed.status, 0) << replayed.out << replayed.err;
-    ASSERT_TRUE(window.files().openNow({file, 3}, 2.5));
+    ASSERT_TRUE(window.files().openNow({file, 2}, 9.0));
     settle();
     const StateHash trial = window.shown()->hash;
-    open(path("trial.mcap"), 2.5);
+    open(path("trial.mcap"), 9.0);
     EXPECT_EQ(window.shown()->hash, trial);
-    EXPECT_NE(trial, hashAt(*scenarioOf(file), 125));
+    EXPECT_NE(trial, hashAt(*scenarioOf(file), 450));
 }
 
 TEST_F(FileTest, OpensARecordingAtAnInstantAndGoesNoFurtherThanItGoes) {
