@@ -108,6 +108,8 @@ void PlotView::addBand(const QString& unit, int row) {
         axis->setLayer("axes");
         axis->grid()->setLayer("grid");
     }
+    band->time()->grid()->setVisible(true);
+    band->value()->grid()->setVisible(true);
     band->value()->setLabel(unitLabel(unit));
     band->value()->setNumberFormat("gb");
     band->value()->setRange(0, 0);
