@@ -226,6 +226,7 @@ TEST_F(Batch, GoesOnAfterARowWasCutOff) {
 }
 
 TEST_F(Batch, OtherBatchesAreRefused) {
+    options_.identity["scenario"] = "one.toml";
     ASSERT_TRUE(run("out"));
     const std::string before = results("out");
     const auto refused = [&] {
