@@ -64,8 +64,8 @@ InspectorRow commandRows(const RowWriter& write) {
         row.unit = "s";
         rows.push_back(std::move(row));
     };
-    deadTime(QObject::tr("Dead time, forward"), content.deadTimes.v);
-    deadTime(QObject::tr("Dead time, turning"), content.deadTimes.w);
+    deadTime(QObject::tr("Delay, forward"), content.deadTimes.v);
+    deadTime(QObject::tr("Delay, turning"), content.deadTimes.w);
     return section;
 }
 

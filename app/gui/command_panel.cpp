@@ -161,6 +161,7 @@ void CommandPanel::apply() {
                   .toStdString()};
     edit.tick = told->tick;
     edit.orders = {order};
+    edit.afterDeciding = order.robot;
     emit branchRequested(edit);
 }
 

@@ -297,7 +297,7 @@ void MainWindow::updateStatus() {
     factor_->setText(
         playing ? tr("real-time factor %1").arg(shown_->realTimeFactor, 0, 'f', shown_->realTimeFactor < 10 ? 2 : 0)
                 : tr("paused"));
-    if (!shown_->message.isEmpty()) say(shown_->message);
+    if (shown_->message != told_) say(told_ = shown_->message);
 }
 
 void MainWindow::moveBody(std::size_t body, const Pose& pose) {

@@ -101,6 +101,7 @@ private:
     std::shared_ptr<const Shown> shown_;
     std::int64_t plannedTicks_ = 0;
     QString title_;
+    QString told_;  ///< the session's last message
     Theme theme_ = Theme::light();
 };
 

@@ -164,6 +164,14 @@ Expected<void> TimeTravel::branchOff(const Edit& edit) {
     const std::uint32_t parent = at.branch();
     const CoursePointer course = edit.course ? edit.course : records_[parent].coursePointer();
     WorldState state = edit.start ? *edit.start : at.state();
+    if (edit.afterDeciding) {
+        const Expected<Cursor> after = courseAt(branch_, state.tick + 1);
+        if (!after) return tl::unexpected(after.error());
+        const Scenario& scenario = *course->scenario;
+        std::ranges::copy(scenario.memoryOf(after->state(), *edit.afterDeciding),
+                          scenario.memoryOf(state, *edit.afterDeciding).begin());
+        state.robots[*edit.afterDeciding].sensing = after->state().robots[*edit.afterDeciding].sensing;
+    }
     if (edit.change) edit.change(*course->scenario, state);
     if (const std::string wrong = misfit(*course->scenario, state); !wrong.empty())
         return tl::unexpected(Error{"", 0, 0, "", "the state does not fit the scenario: " + wrong});

@@ -26,6 +26,9 @@ struct Edit {
     std::optional<std::int64_t> tick = {};
     std::function<void(const Scenario&, WorldState&)> change = {};  ///< of the state there; may be empty
     std::vector<HandOrder> orders = {};
+    /// This robot has seen and thought in that tick as it did, and is then told something else: what its sensors and
+    /// its controller remember is that of after its decision. The tick after must be known.
+    std::optional<std::uint32_t> afterDeciding = {};
     CoursePointer course = {};             ///< another one; nothing: as before
     std::optional<WorldState> start = {};  ///< of another course: begins with this instead of what was
 };

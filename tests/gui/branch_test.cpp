@@ -2,6 +2,7 @@
 #include <QDoubleSpinBox>
 #include <QPushButton>
 #include <QTreeWidget>
+#include <algorithm>
 #include <numbers>
 
 #include "branch_panel.h"
@@ -33,7 +34,13 @@ WorldState runAlone(const Scenario& scenario, std::int64_t ticks, std::uint32_t 
     StepBuffers buffers;
     while (state.tick < ticks) {
         std::vector<RobotDecision> told;
-        if (state.tick == from) change(told.emplace_back(robot).decision);
+        if (state.tick == from) {
+            // It sees and thinks as ever, and is told something else.
+            const WorldState after = stepped(scenario, state);
+            std::ranges::copy(scenario.memoryOf(after, robot), scenario.memoryOf(state, robot).begin());
+            state.robots[robot].sensing = after.robots[robot].sensing;
+            change(told.emplace_back(robot).decision);
+        }
         step(scenario, state, buffers, {told});
     }
     return state;
@@ -92,7 +99,18 @@ TEST_F(BranchTest, TypedCommandIsTold) {
     const WorldState expected = runAlone(*scenario, 200, 1, decided, [](Decision& decision) {
         decision.command = Command{-0.25, std::numbers::pi / 2};
     });
-    EXPECT_EQ(window.shown()->hash.world, hashOf(expected).world);
+    EXPECT_EQ(window.shown()->hash, hashOf(expected));
+}
+
+TEST_F(BranchTest, CommandThatIsNotChangedChangesNothing) {
+    const std::shared_ptr<const Scenario> scenario = window.shown()->frame->scenario;
+    seek(333);
+    window.field().setSelected(2);
+    window.commandPanel().apply();
+    settle();
+    ASSERT_EQ(window.shown()->branches.size(), 2u);
+    seek(700);
+    EXPECT_EQ(window.shown()->hash, hashOf(runAlone(*scenario, 700, 0, -1, {})));
 }
 
 TEST_F(BranchTest, UndoAndRedoGoThereAndBack) {
