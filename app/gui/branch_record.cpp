@@ -23,7 +23,7 @@ Overrides BranchRecord::overrides(const WorldState& state) {
     for (const HandOrder& order : orders_) {
         const RobotState& robot = state.robots[order.robot];
         if (state.tick < order.first || state.tick >= order.end || robot.nextControl != state.tick) continue;
-        RobotDecision& told = decisions_.emplace_back(order.robot);
+        RobotDecision& told = decisions_.emplace_back(RobotDecision{order.robot, {}});
         told.decision.command = order.command;
         if (state.tick - order.first < course_->scene().periodTicks(order.robot)) told.decision.kicks = order.kicks;
     }

@@ -6,7 +6,7 @@ namespace mrose::gui {
 namespace {
 
 /// What is done sooner needs no word.
-constexpr int patience = 300;  // ms
+constexpr int openingPatience = 300;  // ms
 
 }  // namespace
 
@@ -22,7 +22,7 @@ struct RunOpener::Job {
 };
 
 RunOpener::RunOpener(QObject* parent) : QObject(parent) {
-    progress_.setInterval(patience);
+    progress_.setInterval(openingPatience);
     connect(&progress_, &QTimer::timeout, this, [this] {
         if (!job_) return;
         std::unique_lock lock(mutex_);

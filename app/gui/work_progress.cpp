@@ -8,7 +8,7 @@ namespace mrose::gui {
 namespace {
 
 /// What is done sooner needs no word.
-constexpr int patience = 300;  // ms
+constexpr int workPatience = 300;  // ms
 constexpr const char *openingTopic = "opening", *workTopic = "work";
 
 }  // namespace
@@ -24,7 +24,7 @@ WorkProgress::WorkProgress(MainWindow& window, MessageBar& messages)
     });
     connect(&opener, &RunOpener::ended, this, [this] { messages_.remove(openingTopic); });
     patience_.setSingleShot(true);
-    patience_.setInterval(patience);
+    patience_.setInterval(workPatience);
     connect(&patience_, &QTimer::timeout, this, &WorkProgress::show);
     connect(&window.session(), &Session::working, this, &WorkProgress::work);
     connect(&window, &MainWindow::updated, this, [this] {

@@ -39,7 +39,7 @@ WorldState runAlone(const Scenario& scenario, std::int64_t ticks, std::uint32_t 
             const WorldState after = stepped(scenario, state);
             std::ranges::copy(scenario.memoryOf(after, robot), scenario.memoryOf(state, robot).begin());
             state.robots[robot].sensing = after.robots[robot].sensing;
-            change(told.emplace_back(robot).decision);
+            change(told.emplace_back(RobotDecision{robot, {}}).decision);
         }
         step(scenario, state, buffers, {told});
     }
