@@ -154,7 +154,7 @@ void MainWindow::makeToolBar() {
     bar->setMovable(false);
     bar->setIconSize({20, 20});
     for (const char* name :
-         {"to_start", "period_back", "tick_back", "play", "tick_forward", "period_forward", "to_end"})
+         {"reset", "to_start", "period_back", "tick_back", "play", "tick_forward", "period_forward", "to_end"})
         bar->addAction(&actions_[name]);
     bar->addSeparator();
     for (const double speed : speeds) speed_->addItem(speedName(speed), speed);
@@ -245,6 +245,7 @@ void MainWindow::setTheme(const Theme& theme) {
                                                                     {"period_back", Icon::periodBack},
                                                                     {"to_start", Icon::toStart},
                                                                     {"to_end", Icon::toEnd},
+                                                                    {"reset", Icon::reset},
                                                                     {"fit", Icon::fit},
                                                                     {"follow", Icon::follow}};
     for (const auto& [name, which] : icons) actions_[name].setIcon(icon(which, theme_));

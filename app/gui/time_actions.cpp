@@ -92,6 +92,13 @@ void addTimeActions(MainWindow& window) {
                 [&](bool) {
                     if (window.shown()) session.seek(window.shown()->last);
                 });
+    actions.add(menu,
+                {"reset", QObject::tr("&Reset"), QKeySequence("Ctrl+Home"),
+                 QObject::tr("The run itself at its start, standing; branches stay")},
+                [&](bool) {
+                    session.pause();
+                    session.show(0, 0);
+                });
     actions.addSeparator(menu);
     addMarkActions(window, menu);
     actions.addSeparator(menu);
