@@ -225,6 +225,7 @@ void FieldView::mouseMoveEvent(QMouseEvent* event) {
 void FieldView::beginDrag() {
     const bool onBody = focus_.selected && bodyAt(pressedAt_) == focus_.selected;
     drag_ = Drag::pan;
+    if (onBody && !editable_ && button_ == Qt::LeftButton) emit dragRefused();
     if (onBody && editable_ && button_ != Qt::MiddleButton)
         drag_ = button_ == Qt::RightButton ? Drag::turn : Drag::move;
     else if (button_ == Qt::RightButton)

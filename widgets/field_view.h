@@ -61,6 +61,7 @@ signals:
     void bodyMoved(std::size_t body, const Pose& pose);  ///< it is to be put there
     void cursorMoved(std::optional<Point> metres);
     void followRequested();
+    void dragRefused();  ///< of a body, while bodies cannot be moved
     void viewChanged(const ViewTransform& view);
     void layersChanged(const FieldLayers& layers);
 

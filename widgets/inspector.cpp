@@ -79,10 +79,10 @@ Inspector::Inspector(QWidget* parent)
     connect(tree_, &QTreeWidget::itemCollapsed, this,
             [this, pathOf](QTreeWidgetItem* item) { open_.remove(pathOf(item)); });
     connect(tree_, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item, int column) {
-        if (column == Delegate::plotColumn) askForPlot(item);
+        if (column != Delegate::nameColumn) askForPlot(item);
     });
     connect(tree_, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* item, int column) {
-        if (column != Delegate::plotColumn) askForPlot(item);
+        if (column == Delegate::nameColumn) askForPlot(item);
     });
     connect(tree_, &QTreeWidget::customContextMenuRequested, this, &Inspector::showMenu);
     connect(queue_, &CommandQueue::commandActivated, this, &Inspector::commandActivated);

@@ -109,7 +109,7 @@ void contactRows(const RowWriter& write, std::vector<InspectorRow>& rows) {
         const std::string of = other == noBody ? wallName : write.frame.nameOf(other);
         InspectorRow row = write.number(QObject::tr("with %1").arg(QString::fromStdString(of)), "impulse from",
                                         QObject::tr("along the normal, in the last tick"), of);
-        row.notable = true;
+        row.notable = all.notable;
         all.children.push_back(std::move(row));
     }
     rows.push_back(std::move(all));

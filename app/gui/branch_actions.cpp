@@ -14,7 +14,10 @@ namespace {
 /// The shown branch's child that was shown last, or its parent: where `beside` is another one, that.
 void showOther(MainWindow& window) {
     const Shown* shown = window.shown();
-    if (shown != nullptr && shown->besideBranch) window.session().show(*shown->besideBranch, shown->tick());
+    if (shown != nullptr && shown->besideBranch)
+        window.session().show(*shown->besideBranch, shown->tick());
+    else
+        window.say(QObject::tr("There is no other branch yet: change something while the run stands"));
 }
 
 void restart(MainWindow& window, std::uint64_t seed) {
@@ -80,7 +83,12 @@ void addBranchActions(MainWindow& window) {
     actions.add(menu,
                 {"restart_with_seed", QObject::tr("&Restart with another seed\u2026"), QKeySequence("Ctrl+R"),
                  QObject::tr("From the start with another seed, as a branch")},
-                Actions::Asking{[&] { return window.askText(QObject::tr("Restart"), QObject::tr("Seed:")); },
+                Actions::Asking{[&] {
+                                    return window.askText(QObject::tr("Restart"), QObject::tr("Seed:"),
+                                                          window.shown()
+                                                              ? QString::number(window.shown()->frame->state.seed + 1)
+                                                              : QString());
+                                },
                                 [&](const QString& text) -> Expected<void> {
                                     const auto seed = seedFrom(text);
                                     if (!seed) return tl::unexpected(seed.error());
@@ -90,12 +98,17 @@ void addBranchActions(MainWindow& window) {
     actions.add(menu,
                 {"swap_model", QObject::tr("Other motion &model\u2026"), QKeySequence("M"),
                  QObject::tr("A branch in which the selected robot moves as another network says")},
-                Actions::Asking{[&] {
-                                    return QFileDialog::getOpenFileName(&window, QObject::tr("Motion network"),
-                                                                        QString(),
-                                                                        QObject::tr("Networks (*.net);;All files (*)"));
-                                },
-                                [&](const QString& path) { return swapModel(window, path); }});
+                Actions::Asking{
+                    [&] {
+                        const std::optional<std::size_t> selected = window.field().selected();
+                        if (!selected || !window.shown() || *selected >= window.shown()->frame->state.robots.size()) {
+                            window.say(QObject::tr("Select the robot first that is to move otherwise"));
+                            return QString();
+                        }
+                        return QFileDialog::getOpenFileName(&window, QObject::tr("Motion network"), QString(),
+                                                            QObject::tr("Networks (*.net);;All files (*)"));
+                    },
+                    [&](const QString& path) { return swapModel(window, path); }});
     actions.addSeparator(menu);
     actions.add(
         menu,
@@ -107,6 +120,16 @@ void addBranchActions(MainWindow& window) {
                             if (window.shown()) session.rename(window.shown()->branch, text.trimmed());
                             return {};
                         }});
+    actions.add(menu,
+                {"compare_with", QObject::tr("Com&pare with the chosen one"), QKeySequence("Ctrl+B"),
+                 QObject::tr("The branch chosen in the list beside the one that is shown")},
+                [&](bool) {
+                    const auto branch = window.branchPanel().current();
+                    if (branch && window.shown() && *branch != window.shown()->branch)
+                        session.showBeside(branch);
+                    else
+                        window.say(QObject::tr("Choose another branch in the list first"));
+                });
     actions.add(menu,
                 {"other_branch", QObject::tr("&Other branch"), QKeySequence("X"),
                  QObject::tr("To the branch that this one is compared with, at the same tick")},

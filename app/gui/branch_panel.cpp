@@ -7,6 +7,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 #include "widgets/timeline_bar.h"
 
@@ -43,11 +45,11 @@ BranchPanel::BranchPanel(QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    layout->addWidget(tree_, 3);
+    layout->addWidget(tree_, 2);
     heading_->setContentsMargins(8, 8, 8, 4);
     heading_->setWordWrap(true);
     layout->addWidget(heading_);
-    layout->addWidget(differences_, 2);
+    layout->addWidget(differences_, 3);
     tree_->setAccessibleName(tr("Branches"));
     tree_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
     tree_->setContextMenuPolicy(Qt::ActionsContextMenu);
@@ -121,10 +123,11 @@ void BranchPanel::rebuild(const Shown& shown) {
         parents_.push_back(parent);
     }
     tree_->expandAll();
-    tree_->setCurrentItem(items_[shown.branch]);
+    current_ = noBody;
 }
 
 void BranchPanel::refresh(const Shown& shown) {
+    if (std::exchange(current_, shown.branch) != shown.branch) tree_->setCurrentItem(items_[shown.branch]);
     const Scene& scene = shown.course->scene();
     for (std::uint32_t i = 0; i < shown.branches.size(); ++i) {
         const BranchInfo& branch = shown.branches[i];
@@ -145,10 +148,17 @@ void BranchPanel::refresh(const Shown& shown) {
 }
 
 void BranchPanel::compare(const Shown& shown) {
-    const bool any = shown.beside != nullptr && shown.besideBranch;
-    heading_->setText(any ? tr("At this tick, beside \u201c%1\u201d").arg(nameOf(shown, *shown.besideBranch))
-                          : tr("Change something while the run stands \u2013 drag a robot, change its command \u2013 "
-                               "and a branch begins. What would have happened stays as a ghost."));
+    const bool beside = shown.beside != nullptr && shown.besideBranch;
+    const bool any = beside && shown.beside->state.tick == shown.tick();
+    heading_->setText(
+        beside && !any
+            ? tr("\u201c%1\u201d has not come to this tick: it lies between %2 and %3")
+                  .arg(nameOf(shown, *shown.besideBranch),
+                       clockText(shown.branches[*shown.besideBranch].first * shown.course->scene().tickLength),
+                       clockText(shown.branches[*shown.besideBranch].last * shown.course->scene().tickLength))
+        : any ? tr("At this tick, beside \u201c%1\u201d").arg(nameOf(shown, *shown.besideBranch))
+              : tr("Change something while the run stands \u2013 drag a robot, change its command \u2013 "
+                   "and a branch begins. What would have happened stays as a ghost."));
     heading_->setStyleSheet("color: " + theme_.quietText.name());
     differences_->setVisible(any);
     if (!any) return;
@@ -167,8 +177,13 @@ void BranchPanel::compare(const Shown& shown) {
     row(tr("contacts"), QString::number(ours.contacts), QString::number(theirs.contacts));
     for (std::size_t body = 0; body < std::min(here.scene().bodyCount(), there.scene().bodyCount()); ++body) {
         const Pose &a = here.poseOf(body), &b = there.poseOf(body);
+        const double apart = std::hypot(a.x - b.x, a.y - b.y);
+        const double turned = std::abs(wrapAngle(a.heading - b.heading)) * 180 / std::numbers::pi;
+        const bool robot = body < here.state.robots.size();
         row(tr("%1 apart").arg(QString::fromStdString(here.nameOf(body))),
-            distanceText(std::hypot(a.x - b.x, a.y - b.y)), QString());
+            robot && apart < 0.0005 && turned >= 0.05 ? QString::number(turned, 'f', 1) + QString::fromUtf8("\u00b0")
+                                                      : distanceText(apart),
+            QString());
     }
     while (differences_->topLevelItemCount() > static_cast<int>(rows.size()))
         delete differences_->takeTopLevelItem(differences_->topLevelItemCount() - 1);

@@ -44,6 +44,7 @@ private:
     std::vector<QTreeWidgetItem*> items_;  ///< of each branch
     std::vector<std::uint32_t> parents_;   ///< as the tree shows them
     std::optional<Shown> shown_;
+    std::uint32_t current_ = noBody;  ///< shown as chosen
     bool filling_ = false;
     Theme theme_ = Theme::light();
 };

@@ -9,14 +9,11 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 #include <cmath>
-#include <numbers>
 
 #include "widgets/timeline_bar.h"
 
 namespace mrose::gui {
 namespace {
-
-constexpr double degreesPerRadian = 180 / std::numbers::pi;
 
 QDoubleSpinBox* numberBox(double most, double step, int digits, const QString& unit, const QString& name) {
     auto* box = new QDoubleSpinBox;
@@ -40,7 +37,7 @@ CommandPanel::CommandPanel(QWidget* parent)
     : QWidget(parent),
       what_(new QLabel),
       v_(numberBox(20, 0.1, 3, tr(" m/s"), tr("Forward speed"))),
-      w_(numberBox(2000, 10, 1, tr(" \u00b0/s"), tr("Rotation, counter-clockwise"))),
+      w_(numberBox(40, 0.1, 3, tr(" rad/s"), tr("Rotation, counter-clockwise"))),
       power_(numberBox(100, 10, 0, " %", tr("Power of the kick"))),
       kick_(new QComboBox),
       periods_(new QSpinBox),
@@ -99,6 +96,8 @@ void CommandPanel::refresh() {
         widget->setEnabled(possible);
     power_->setEnabled(possible && kick_->currentIndex() > 0);
     if (told == nullptr) {
+        for (QDoubleSpinBox* box : {v_, w_}) box->setValue(0);
+        filledFrom_ = -2;
         const bool robot = shown_.frame && body_ && *body_ < shown_.frame->insights.size();
         what_->setText(robot ? tr("This robot has not decided anything yet: go on by a control period.")
                              : tr("Select a robot to change what it decided."));
@@ -119,7 +118,7 @@ void CommandPanel::fill() {
     filledFor_ = body_;
     const Command command = told.decision.command ? *told.decision.command : commandInForce(frame, *body_);
     v_->setValue(command.v);
-    w_->setValue(command.w * degreesPerRadian);
+    w_->setValue(command.w);
     kick_->clear();
     kick_->addItem(tr("none"));
     for (const Manipulator& manipulator : frame.scene().typeOf(*body_).manipulators)
@@ -145,17 +144,17 @@ void CommandPanel::apply() {
     order.robot = static_cast<std::uint32_t>(*body_);
     order.first = told->tick;
     order.end = told->tick + periods_->value() * frame.scene().periodTicks(*body_);
-    order.command = {v_->value(), w_->value() / degreesPerRadian};
+    order.command = {v_->value(), w_->value()};
     // What was not typed over keeps all its digits.
     const Command before = told->decision.command ? *told->decision.command : commandInForce(frame, *body_);
     if (std::abs(v_->value() - before.v) < 0.5e-3) order.command.v = before.v;
-    if (std::abs(w_->value() - before.w * degreesPerRadian) < 0.05) order.command.w = before.w;
+    if (std::abs(w_->value() - before.w) < 0.5e-3) order.command.w = before.w;
     if (kick_->currentIndex() > 0)
         order.kicks.push_back({static_cast<std::uint32_t>(kick_->currentIndex() - 1), power_->value() / 100});
-    Edit edit{tr("%1: %2 m/s, %3 \u00b0/s%4")
+    Edit edit{tr("%1: %2 m/s, %3 rad/s%4")
                   .arg(QString::fromStdString(frame.nameOf(*body_)))
                   .arg(v_->value(), 0, 'f', 2)
-                  .arg(w_->value(), 0, 'f', 0)
+                  .arg(w_->value(), 0, 'f', 2)
                   .arg(order.kicks.empty() ? (told->decision.kicks.empty() ? QString() : tr(", no kick"))
                                            : tr(", kick %1 %").arg(power_->value(), 0, 'f', 0))
                   .toStdString()};

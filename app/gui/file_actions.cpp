@@ -97,7 +97,11 @@ void addFileActions(MainWindow& window) {
                                     return askForName(window, QObject::tr("Save picture"),
                                                       QObject::tr("Pictures (*.png *.svg *.pdf)"), ".png");
                                 },
-                                [&](const QString& path) { return window.files().savePicture(path); }});
+                                [&](const QString& path) {
+                                    const auto saved = window.files().savePicture(path);
+                                    if (saved) window.say(QObject::tr("Saved %1").arg(path));
+                                    return saved;
+                                }});
     actions.addSeparator(menu);
     actions.add(menu,
                 {"cancel", QObject::tr("C&ancel or dismiss"), QKeySequence(Qt::Key_Escape),

@@ -59,7 +59,17 @@ FirstSteps::FirstSteps(MainWindow& window) : QFrame(&window.field()), window_(wi
     add({key("undo"), tr("undoes")}, {"undo"});
     add({key("shortcuts"), tr("all keys")}, {"shortcuts"});
     connect(&window_, &MainWindow::updated, this, [this, branch] {
-        if (window_.shown()->branches.size() > std::exchange(branches_, window_.shown()->branches.size())) tick(branch);
+        const std::vector<BranchInfo>& branches = window_.shown()->branches;
+        const bool begun = branches.size() > std::exchange(branches_, branches.size());
+        if (begun && (branches.back().name.endsWith(tr("moved")) || branches.back().name.endsWith(tr("turned"))))
+            tick(branch);
+    });
+    // Two fields leave no room for it.
+    connect(&window_.actions()["side_by_side"], &QAction::toggled, this, [this](bool on) {
+        if (!on && std::exchange(waits_, false)) show();
+        if (!on) return;
+        waits_ = isVisible();
+        hide();
     });
     parentWidget()->installEventFilter(this);
 }

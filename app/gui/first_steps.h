@@ -40,6 +40,7 @@ private:
     std::vector<Step> steps_;
     std::vector<QLabel*> marks_;
     std::size_t branches_ = 1;
+    bool waits_ = false;  ///< to be shown again
 };
 
 }  // namespace mrose::gui

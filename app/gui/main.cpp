@@ -6,6 +6,7 @@
 #include <exception>
 #include <memory>
 
+#include "application.h"
 #include "command_line.h"
 #include "io/file.h"
 #include "main_window.h"
@@ -144,7 +145,9 @@ int runAlone(MainWindow& window, const CommandLine& line) {
     settle(window);
     look(window, line);
     if (!line.record.empty()) window.files().record(QString::fromStdString(line.record), line.overwrite);
-    if (line.run || (line.script.empty() && line.screenshot.empty())) runToEnd(window, line);
+    const bool endGiven = line.ticks || line.duration;
+    if (line.run ? endGiven || !line.at : endGiven || (line.script.empty() && line.screenshot.empty() && !line.at))
+        runToEnd(window, line);
     if (!line.select.empty())
         if (const auto selected = select(window, line.select); !selected) return report(selected.error());
     bool held = true;
@@ -154,6 +157,8 @@ int runAlone(MainWindow& window, const CommandLine& line) {
         held = *done;
     }
     settle(window);
+    for (const MessageBar::Message& message : window.messages().messages())
+        std::fprintf(stderr, "mrose-gui: %s\n", message.text.toStdString().c_str());
     if (!line.screenshot.empty())
         if (const auto saved = window.saveImage(QString::fromStdString(line.screenshot)); !saved)
             return report(saved.error());
@@ -190,16 +195,8 @@ int main(int argc, char** argv) {
     handleQtMessages();
     if (line.offscreen || line.printKeys) qputenv("QT_QPA_PLATFORM", "offscreen");
     int count = 1;  // Qt's own flags are none of ours
-    QApplication app(count, argv);
+    const auto app = makeApplication(count, argv);
     windowSystemFound();
-    QApplication::setStyle("Fusion");
-    if (line.offscreen) {
-        // Pictures are looked at on any screen: letters as large as on a desktop, without coloured rims.
-        QFont font = QApplication::font();
-        font.setPointSizeF(9.5);
-        font.setStyleStrategy(QFont::NoSubpixelAntialias);
-        QApplication::setFont(font);
-    }
     QApplication::setDesktopFileName("mrose");
     QApplication::setWindowIcon(QIcon(QString::fromStdString((resourceFolder() / "resources" / "mrose.svg").string())));
     QApplication::setOrganizationName("mrose");

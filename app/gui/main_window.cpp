@@ -9,6 +9,7 @@
 #include <QFileInfo>
 #include <QInputDialog>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMimeData>
 #include <QPainter>
@@ -114,7 +115,11 @@ MainWindow::MainWindow(QWidget* parent)
         if (shown_) session_->seek(shown_->frame->scene().ticksOf(issued) + 1);
         command_->edit();
     });
-    connect(command_, &CommandPanel::branchRequested, this, [this](const Edit& edit) { session_->branchOff(edit); });
+    connect(command_, &CommandPanel::branchRequested, this, [this](const Edit& edit) {
+        // To where its result is seen first; keys are the window's again.
+        session_->branchOff(edit, *edit.tick + 1);
+        field().setFocus();
+    });
     connect(branches_, &BranchPanel::renamed, session_, &Session::rename);
     connect(branches_, &BranchPanel::besideRequested, session_,
             [this](std::uint32_t branch) { session_->showBeside(branch); });
@@ -122,6 +127,8 @@ MainWindow::MainWindow(QWidget* parent)
         if (shown_ && branch != shown_->branch) session_->show(branch, shown_->tick());
     });
     connect(&field(), &FieldView::bodyMoved, this, &MainWindow::moveBody);
+    connect(&field(), &FieldView::dragRefused, this,
+            [this] { say(tr("Bodies are moved while the run stands: stop it first (Space)")); });
     connect(&field(), &FieldView::cursorMoved, this, [this](std::optional<Point> at) {
         cursor_->setText(at ? QString("x %1  y %2 m").arg(at->x, 0, 'f', 2).arg(at->y, 0, 'f', 2) : QString());
     });
@@ -298,13 +305,18 @@ void MainWindow::updateStatus() {
     factor_->setText(
         playing ? tr("real-time factor %1").arg(shown_->realTimeFactor, 0, 'f', shown_->realTimeFactor < 10 ? 2 : 0)
                 : tr("paused"));
-    if (shown_->message != told_) say(told_ = shown_->message);
+    if (shown_->message != told_)
+        say(told_ = shown_->message);
+    else if (shown_->tick() != saidAt_)
+        say(told_);
 }
 
 void MainWindow::moveBody(std::size_t body, const Pose& pose) {
     if (!shown_) return;
     const QString name = QString::fromStdString(shown_->frame->nameOf(body));
-    Edit edit{tr("%1 moved").arg(name).toStdString()};
+    const Pose& before = shown_->frame->poseOf(body);
+    const bool turned = before.x == pose.x && before.y == pose.y;
+    Edit edit{(turned ? tr("%1 turned") : tr("%1 moved")).arg(name).toStdString()};
     edit.change = [body, pose](const Scenario&, WorldState& state) {
         if (body < state.robots.size()) {
             RobotState& robot = state.robots[body];
@@ -331,11 +343,12 @@ void MainWindow::setSideBySide(bool on) {
     if (shown_) view_->setShown(*shown_);
 }
 
-QString MainWindow::askText(const QString& title, const QString& label) {
-    return QInputDialog::getText(this, title, label);
+QString MainWindow::askText(const QString& title, const QString& label, const QString& suggestion) {
+    return QInputDialog::getText(this, title, label, QLineEdit::Normal, suggestion);
 }
 
 void MainWindow::say(const QString& text) {
+    saidAt_ = shown_ ? shown_->tick() : 0;
     message_->setText(text);
     message_->setToolTip(text);
 }

@@ -52,7 +52,7 @@ public:
     BranchPanel& branchPanel() const { return *branches_; }
     void setSideBySide(bool on);
     /// Asks the user for a line; empty: they thought better of it.
-    QString askText(const QString& title, const QString& label);
+    QString askText(const QString& title, const QString& label, const QString& suggestion = {});
     const Shown* shown() const { return shown_.get(); }
     Actions& actions() { return actions_; }
     MessageBar& messages() const { return *messages_; }
@@ -101,7 +101,8 @@ private:
     std::shared_ptr<const Shown> shown_;
     std::int64_t plannedTicks_ = 0;
     QString title_;
-    QString told_;  ///< the session's last message
+    std::int64_t saidAt_ = 0;  ///< the tick shown when something was said
+    QString told_;             ///< the session's last message
     Theme theme_ = Theme::light();
 };
 

@@ -361,6 +361,9 @@ bool Session::playTicks() {
         if (auto done = run_->forward(); !done) return stop(QString::fromStdString(done.error().message())), true;
         any = true;
         if (!run_->breakReason().empty()) stop(QString::fromStdString(run_->breakReason()));
+        const ScenarioParts& parts = run_->course().scenario->parts();
+        if (playing_ && run_->tick() == parts.scene.ticksOf(parts.duration))
+            stop(tr("The scenario's %1 s are over; it can go on").arg(toSeconds(parts.duration), 0, 'g', 6));
     }
     const auto now = Clock::now();
     if (speed_ > 0 && now - due(run_->tick()) > mostBehind) {

@@ -36,7 +36,7 @@ struct BranchInfo {
 /// What the window shows at a moment: all of one tick.
 struct Shown {
     std::shared_ptr<const FieldFrame> frame;
-    std::shared_ptr<const FieldFrame> beside;  ///< another branch at the same tick; may be nothing
+    std::shared_ptr<const FieldFrame> beside;  ///< another branch at this tick or its nearest; may be nothing
     std::optional<std::uint32_t> besideBranch;
     CoursePointer course;
     std::uint64_t run = 0;  ///< how many runs were opened before, and this one

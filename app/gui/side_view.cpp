@@ -4,6 +4,8 @@
 #include <QLabel>
 #include <algorithm>
 
+#include "widgets/timeline_bar.h"
+
 namespace mrose::gui {
 namespace {
 
@@ -58,7 +60,12 @@ void SideView::setShown(const Shown& shown) {
         return given.isEmpty() ? tr("the run") : given;
     };
     fieldName_->setText(name(shown.branch));
-    if (shown.besideBranch) besideName_->setText(name(*shown.besideBranch));
+    if (shown.besideBranch) {
+        const bool there = shown.beside->state.tick == shown.tick();
+        const QString at = clockText(shown.beside->scene().timeOf(shown.beside->state.tick));
+        besideName_->setText(there ? name(*shown.besideBranch)
+                                   : tr("%1 \u2013 at %2, the nearest that it has").arg(name(*shown.besideBranch), at));
+    }
     refresh();
 }
 

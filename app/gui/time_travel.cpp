@@ -29,6 +29,7 @@ TimeTravel::TimeTravel(const OpenRun& run) : history_(historyOf(run)), shown_(0,
     if (!run.recorded()) records_.emplace_back(run.course, run.start, std::vector<HandOrder>{});
     for (const OpenRun::Recorded& recorded : run.branches)
         records_.emplace_back(recorded.course, recorded.start, std::vector<HandOrder>{});
+    if (branches().size() > 1) setBeside(static_cast<std::uint32_t>(branches().size() - 1));
 }
 
 std::uint32_t TimeTravel::ownerOf(std::uint32_t branch, std::int64_t tick) const {
@@ -104,9 +105,23 @@ void TimeTravel::followWithParent() {
     }
 }
 
+/// What lies beside goes on as well, a little at a time: one that ended long ago is not there at once.
+void TimeTravel::goOnWith(std::uint32_t branch) {
+    constexpr int most = 4;
+    BranchRecord& record = records_[branch];
+    StepTrace trace;
+    for (int i = 0; i < most && record.last() == timelineOf(branch).last() && record.last() < tick(); ++i) {
+        WorldState state = record.end();
+        step(*record.course().scenario, state, buffers_, record.overrides(state), &trace);
+        history_.add(state, trace, branch);
+        record.add(state, trace);
+    }
+}
+
 void TimeTravel::followBeside() {
     if (!beside_ || beside_->at.tick() == tick()) return;
     const std::uint32_t other = beside_->branch;
+    goOnWith(other);
     const std::int64_t there = std::clamp(tick(), firstOf(other), timelineOf(other).last());
     if (there == beside_->at.tick() + 1 && advance(beside_->at, other)) return;
     if (there == beside_->at.tick()) return;
@@ -247,7 +262,7 @@ Expected<bool> TimeTravel::learn(std::int64_t ticks) {
 FieldFrame TimeTravel::frame(const FrameOptions& options) const { return frameOf(shown_, options); }
 
 std::optional<FieldFrame> TimeTravel::besideFrame(const FrameOptions& options) const {
-    if (!beside_ || beside_->at.tick() != tick()) return {};
+    if (!beside_) return {};
     FrameOptions own = options;
     own.ghosts = false;
     return frameOf(beside_->at, own);
@@ -299,8 +314,9 @@ std::vector<Ghost> TimeTravel::ghostsOf(const Cursor& cursor, std::size_t trailT
         const PoseTrack& track = records_[other].track();
         const bool sameClock = scenarioOf(other)->scene().tickLength == scenarioOf(own)->scene().tickLength;
         const std::int64_t departed = std::max(branches()[other].tick, branches()[own].tick);
-        if (!related || !sameClock || cursor.tick() < std::max(departed, track.first())) continue;
-        const std::int64_t then = std::min(cursor.tick(), track.last());
+        if (!related || !sameClock || cursor.tick() < std::max(departed, track.first()) || cursor.tick() > track.last())
+            continue;
+        const std::int64_t then = cursor.tick();
         const auto since = static_cast<std::size_t>(std::max<std::int64_t>(0, then - departed));
         Ghost& ghost = ghosts.emplace_back(Ghost{branches()[other].name, scenarioOf(other), track.posesAt(then), {}});
         track.addTrails(then, std::min(trailTicks, since), ghost.trails);

@@ -101,7 +101,7 @@ public:
     };
     FieldFrame frame(const FrameOptions& options) const;
     FieldFrame frame() const { return frame(FrameOptions{}); }
-    /// Of the branch beside; nothing where there is none, or it has not been at this tick.
+    /// Of the branch beside, at this tick or the nearest of its own; nothing where there is none.
     std::optional<FieldFrame> besideFrame(const FrameOptions& options) const;
 
 private:
@@ -116,6 +116,7 @@ private:
     }
     Expected<void> walk(Cursor& cursor, std::uint32_t branch, std::int64_t from, std::int64_t to);
     void followWithParent();
+    void goOnWith(std::uint32_t branch);
     void followBeside();
     FieldFrame frameOf(const Cursor& cursor, const FrameOptions& options) const;
     void addTrails(std::uint32_t branch, std::int64_t tick, std::size_t ticks, Trails& trails) const;

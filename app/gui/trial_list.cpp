@@ -13,8 +13,8 @@
 namespace mrose::gui {
 namespace {
 
-/// The columns that are shown, and where they stand in a row.
-constexpr std::size_t shownColumns = 9, endColumn = 3;
+/// The columns that every batch begins with; those of its goals follow. Where the end stands.
+constexpr std::size_t leadingColumns = 9, endColumn = 3;
 constexpr const char* firstColumns = "trial,seed,end,time_s,touches,kicks,hits,faults,driven_m";
 
 std::vector<std::string> cellsOf(std::string_view line) {
@@ -31,6 +31,22 @@ std::vector<std::string> cellsOf(std::string_view line) {
             cells.back() += line[i];
     }
     return cells;
+}
+
+/// Leading columns, and goals.
+std::vector<std::size_t> shownColumns(const std::vector<std::string>& titles) {
+    std::vector<std::size_t> shown;
+    for (std::size_t i = 0; i < titles.size(); ++i)
+        if (i < leadingColumns || titles[i].starts_with("goals")) shown.push_back(i);
+    return shown;
+}
+
+/// Numbers as a table needs them.
+std::string shortened(const std::string& cell) {
+    double number = 0;
+    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
+    if (error != std::errc() || end != cell.data() + cell.size() || cell.find('.') == std::string::npos) return cell;
+    return QString::number(number, 'f', 2).toStdString();
 }
 
 /// As a shell takes a line apart that was quoted for it by apostrophes.
@@ -66,7 +82,8 @@ bool parse(const std::string& text, Number& number) {
     return error == std::errc() && end == text.data() + text.size();
 }
 
-std::optional<TrialRow> rowOf(std::vector<std::string> cells, std::size_t command, const std::string& path) {
+std::optional<TrialRow> rowOf(const std::vector<std::string>& cells, const std::vector<std::size_t>& shown,
+                              std::size_t command, const std::string& path) {
     TrialRow row;
     std::uint64_t seed = 0;
     if (cells.size() <= command || !parse(cells[0], row.request.trial) || !parse(cells[1], seed) ||
@@ -78,8 +95,7 @@ std::optional<TrialRow> rowOf(std::vector<std::string> cells, std::size_t comman
     row.request.file = found(words[2], path);
     for (std::size_t i = 3; i + 1 < words.size(); ++i)
         if (words[i] == "--log") row.request.log = found(words[i + 1], path);
-    cells.resize(shownColumns);
-    row.cells = std::move(cells);
+    for (const std::size_t column : shown) row.cells.push_back(column < cells.size() ? shortened(cells[column]) : "");
     return row;
 }
 
@@ -102,6 +118,7 @@ Expected<TrialTable> readTrials(const std::string& path) {
     if (!text->starts_with(firstColumns)) return fail(path, "is no results.csv of mrose batch", 1);
     TrialTable table;
     std::size_t command = 0;
+    std::vector<std::size_t> shown;
     int line = 0;
     for (std::size_t begin = 0; begin < text->size();) {
         const std::size_t end = std::min(text->find('\n', begin), text->size());
@@ -109,11 +126,11 @@ Expected<TrialTable> readTrials(const std::string& path) {
         begin = end + 1;
         if (++line == 1) {
             while (command < cells.size() && cells[command] != "command") ++command;
-            cells.resize(shownColumns);
-            table.columns = std::move(cells);
+            shown = shownColumns(cells);
+            for (const std::size_t column : shown) table.columns.push_back(cells[column]);
             continue;
         }
-        auto row = rowOf(std::move(cells), command, path);
+        auto row = rowOf(cells, shown, command, path);
         if (!row) return fail(path, "is no row of a batch; expected trial, seed and the command that runs it", line);
         table.rows.push_back(std::move(*row));
     }
@@ -124,7 +141,7 @@ Expected<TrialTable> readTrials(const std::string& path) {
 TrialList::TrialList(const QString& path, TrialTable table, QWidget* parent)
     : QDialog(parent), rows_(std::move(table.rows)), list_(new QTableWidget) {
     setAttribute(Qt::WA_DeleteOnClose);
-    setWindowTitle(tr("%1 \u2013 %n run(s)", nullptr, static_cast<int>(rows_.size())).arg(QFileInfo(path).fileName()));
+    setWindowTitle(tr("%1 \u2013 runs: %2").arg(QFileInfo(path).fileName()).arg(rows_.size()));
     resize(760, 480);
     auto* layout = new QVBoxLayout(this);
     auto* hint = new QLabel(tr("Choose a run to open it at the tick where it ended; a column's title sorts by it."));

@@ -3,7 +3,6 @@
 #include <QPushButton>
 #include <QTreeWidget>
 #include <algorithm>
-#include <numbers>
 
 #include "branch_panel.h"
 #include "command_panel.h"
@@ -71,7 +70,8 @@ TEST_F(BranchTest, CommandBehindTheFirstKickIsFoundAndChanged) {
     key(Qt::Key_Return, Qt::ControlModifier);
     EXPECT_EQ(window.shown()->branches.size(), 2u);
     EXPECT_EQ(window.shown()->branch, 1u);
-    EXPECT_EQ(state().tick, decided);
+    EXPECT_EQ(state().tick, decided + 1);
+    EXPECT_EQ(QApplication::focusWidget(), &window.field());
     seek(kicked + 100);
     const WorldState expected =
         runAlone(*scenario, kicked + 100, robot, decided, [&](Decision& d) { d.command = command; });
@@ -92,12 +92,12 @@ TEST_F(BranchTest, TypedCommandIsTold) {
     key(Qt::Key_E);
     ASSERT_EQ(QApplication::focusWidget(), boxes[0]);
     QTest::keyClicks(boxes[0], "-0.25");
-    boxes[1]->setValue(90);
+    boxes[1]->setValue(1.25);
     QTest::mouseClick(window.commandPanel().findChild<QPushButton*>(), Qt::LeftButton);
     settle();
     seek(200);
     const WorldState expected = runAlone(*scenario, 200, 1, decided, [](Decision& decision) {
-        decision.command = Command{-0.25, std::numbers::pi / 2};
+        decision.command = Command{-0.25, 1.25};
     });
     EXPECT_EQ(window.shown()->hash, hashOf(expected));
 }
@@ -243,6 +243,40 @@ TEST_F(BranchTest, PanelListsNamesAndComparesBranches) {
     EXPECT_EQ(window.shown()->branch, 0u);
     EXPECT_EQ(window.shown()->besideBranch, 1u);
     EXPECT_EQ(pixelOf(8), at);
+}
+
+TEST_F(BranchTest, WhatLiesBesideGoesOn) {
+    const Scenario& scenario = *window.shown()->frame->scenario;
+    seek(100);
+    drag(pixelOf(8), pixelOf(8) + QPointF(40, 0));
+    key(Qt::Key_Z, Qt::ControlModifier);
+    ASSERT_EQ(window.shown()->branches[1].last, 100);
+    seek(180);
+    ASSERT_EQ(window.shown()->besideBranch, 1u);
+    EXPECT_EQ(window.shown()->beside->state.tick, 180);
+    EXPECT_EQ(window.shown()->hash, hashOf(runAlone(scenario, 180, 0, -1, {})));
+    WorldState expected = runAlone(scenario, 100, 0, -1, {});
+    expected.objects[0].pose.x += 40 / window.field().transform().scale();
+    expected.objects[0].velocity_W = {};
+    expected.objects[0].roll_W = {};
+    StepBuffers buffers;
+    while (expected.tick < 180) step(scenario, expected, buffers);
+    EXPECT_NEAR(window.shown()->beside->state.objects[0].pose.x, expected.objects[0].pose.x, 1e-6);
+}
+
+TEST_F(BranchTest, PlayingStopsWhereTheScenarioEndsAndGoesOnWhenAsked) {
+    const Scenario& scenario = *window.shown()->frame->scenario;
+    const std::int64_t end = scenario.scene().ticksOf(scenario.parts().duration);
+    seek(end - 5);
+    window.session().setSpeed(0);
+    window.session().play();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return state().tick >= end && !window.shown()->playing; }));
+    EXPECT_EQ(state().tick, end);
+    EXPECT_TRUE(window.shown()->message.contains("60 s are over"));
+    window.session().play();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return state().tick > end; }));
+    window.session().pause();
+    settle();
 }
 
 TEST_F(BranchTest, BothCoursesAreSeenSideBySide) {

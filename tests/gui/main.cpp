@@ -1,5 +1,4 @@
 // Runs the tests within a Qt application, without a display unless QT_QPA_PLATFORM says otherwise.
-#include <QApplication>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <cstdlib>
@@ -7,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "application.h"
 #include "plugin/plugin_host.h"
 #include "shared/plugin_process.h"
 
@@ -22,7 +22,6 @@ int main(int argc, char** argv) {
     const QTemporaryDir home;
     for (const char* place : {"XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME", "XDG_RUNTIME_DIR"})
         qputenv(place, home.path().toUtf8());
-    QApplication app(argc, argv);
-    QApplication::setStyle("Fusion");
+    const auto app = mrose::gui::makeApplication(argc, argv);
     return RUN_ALL_TESTS();
 }

@@ -1,0 +1,27 @@
+#include "application.h"
+
+#include <QFont>
+
+#ifdef MROSE_ADDRESS_SANITIZER
+#include <sanitizer/lsan_interface.h>
+#endif
+
+namespace mrose::gui {
+
+std::unique_ptr<QApplication> makeApplication(int& count, char** words) {
+#ifdef MROSE_ADDRESS_SANITIZER
+    const __lsan::ScopedDisabler ignored;  // Qt's offscreen platform never frees its screen.
+#endif
+    auto app = std::make_unique<QApplication>(count, words);
+    QApplication::setStyle("Fusion");
+    if (QApplication::platformName() == "offscreen") {
+        // Pictures are looked at on any screen: letters as large as on a desktop, without coloured rims.
+        QFont font = QApplication::font();
+        font.setPointSizeF(9.5);
+        font.setStyleStrategy(QFont::NoSubpixelAntialias);
+        QApplication::setFont(font);
+    }
+    return app;
+}
+
+}  // namespace mrose::gui
