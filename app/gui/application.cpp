@@ -4,6 +4,9 @@
 
 #ifdef MROSE_ADDRESS_SANITIZER
 #include <sanitizer/lsan_interface.h>
+
+/// What the desktop's own libraries never free.
+extern "C" const char* __lsan_default_suppressions() { return "leak:libdbus-1\n"; }
 #endif
 
 namespace mrose::gui {

@@ -61,6 +61,7 @@ void runToEnd(MainWindow& window, const CommandLine& line) {
     const Nanoseconds duration = line.duration ? fromSeconds(*line.duration) : frame.scenario->parts().duration;
     const std::int64_t end = frame.state.tick + line.ticks.value_or(frame.scene().ticksOf(duration));
     if (line.speed.value_or(0) > 0) {
+        window.session().stopAt(end);
         window.session().play();
         settle(window);
         while (window.shown()->playing && window.shown()->tick() < end) letPass(20);
@@ -109,13 +110,7 @@ void begin(MainWindow& window, const CommandLine& line) {
     if (!line.record.empty()) window.files().record(QString::fromStdString(line.record), line.overwrite);
     if (line.duration) {
         const FieldFrame& frame = *window.shown()->frame;
-        const std::int64_t end = frame.state.tick + frame.scene().ticksOf(fromSeconds(*line.duration));
-        QObject::connect(&window, &MainWindow::updated, &window, [&window, end, done = false]() mutable {
-            if (done || window.shown()->tick() < end) return;
-            done = true;
-            window.session().pause();
-            window.session().seek(end);
-        });
+        window.session().stopAt(frame.state.tick + frame.scene().ticksOf(fromSeconds(*line.duration)));
     }
     if (!line.file.empty()) return;
     showFirstSteps(window);

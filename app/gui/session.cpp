@@ -38,6 +38,7 @@ void Session::open(const OpenRun& run) {
     request([this, run] {
         if (recorder_) endRecording(recorder_->finish(*run_));
         run_.emplace(run);
+        end_.reset();
         ++runs_;
         learning_ = true;
         marks_.reset();
@@ -64,6 +65,10 @@ void Session::setSpeed(double speed) {
         speed_ = speed;
         anchor();
     });
+}
+
+void Session::stopAt(std::int64_t tick) {
+    request([this, tick] { end_ = tick; });
 }
 
 void Session::stepBy(std::int64_t ticks) {
@@ -315,6 +320,7 @@ void Session::goTo(std::int64_t tick) {
         if (Clock::now() - shownAt < framePeriod) continue;
         serveLooks();
         goal_ = tick;
+        if (recorder_) followRecording();
         publish();
         shownAt = Clock::now();
     }
@@ -362,8 +368,8 @@ bool Session::playTicks() {
         any = true;
         if (!run_->breakReason().empty()) stop(QString::fromStdString(run_->breakReason()));
         const ScenarioParts& parts = run_->course().scenario->parts();
-        if (playing_ && run_->tick() == parts.scene.ticksOf(parts.duration))
-            stop(tr("The scenario's %1 s are over; it can go on").arg(toSeconds(parts.duration), 0, 'g', 6));
+        if (playing_ && run_->tick() == end_.value_or(parts.scene.ticksOf(parts.duration)))
+            stop(tr("%1 s are over; it can go on").arg(toSeconds(parts.scene.timeOf(run_->tick())), 0, 'g', 6));
     }
     const auto now = Clock::now();
     if (speed_ > 0 && now - due(run_->tick()) > mostBehind) {

@@ -71,6 +71,8 @@ public:
     void pause();
     /// Simulated seconds per second; 0: as fast as possible.
     void setSpeed(double speed);
+    /// Playing stops at that tick, instead of where the scenario says; it can go on from there.
+    void stopAt(std::int64_t tick);
     void stepBy(std::int64_t ticks);  ///< and stand there; backwards where negative
     void seek(std::int64_t tick);     ///< goes on playing if it was
     void show(std::uint32_t branch, std::int64_t tick);
@@ -136,6 +138,7 @@ private:
     std::optional<RunRecorder> recorder_;
     bool recording_ = false;  ///< there are ticks that it has not yet written
     std::chrono::steady_clock::time_point nextFlush_;
+    std::optional<std::int64_t> end_;  ///< where playing stops
     std::optional<std::int64_t> goal_;
     std::optional<std::size_t> subject_;
     TimeTravel::FrameOptions frameOptions_;
