@@ -178,9 +178,7 @@ int runWindow(const CommandLine& line) {
     return status;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int runProgram(int argc, char** argv) {
     if (argc == 3 && std::string(argv[1]) == pluginHostWord) {
         servePlugin(std::atoi(argv[2]));
         return 0;
@@ -196,8 +194,14 @@ int main(int argc, char** argv) {
     QApplication::setWindowIcon(QIcon(QString::fromStdString((resourceFolder() / "resources" / "mrose.svg").string())));
     QApplication::setOrganizationName("mrose");
     QApplication::setApplicationName("mrose-gui");
+    return runWindow(line);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
     try {
-        return runWindow(line);
+        return runProgram(argc, argv);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "mrose-gui: %s\n", error.what());
         return 1;
