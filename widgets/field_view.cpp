@@ -313,7 +313,7 @@ void FieldView::leaveEvent(QEvent* /*event*/) {
 
 QString FieldView::readoutAt(const QPointF& pixels) const {
     if (!frame_) return {};
-    const QString signs = signReadout(*frame_, view_.toMetres(pixels), grabPixels / view_.scale());
+    QString signs = signReadout(*frame_, view_.toMetres(pixels), grabPixels / view_.scale());
     const std::optional<std::size_t> body = bodyAt(pixels);
     if (!body) return signs;
     return signs.isEmpty() ? bodyReadout(*frame_, *body) : bodyReadout(*frame_, *body) + '\n' + signs;

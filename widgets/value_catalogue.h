@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 
 #include "io/error.h"
 #include "widgets/field_frame.h"
@@ -33,7 +34,9 @@ struct ValueKey {
     std::string body = {};  ///< the name of whose it is; of an expression empty
     std::string of = {};    ///< another body, a manipulator, a note's label ..., where the quantity asks for one
     std::string unit = {};  ///< where the quantity does not say it
-    auto operator<=>(const ValueKey&) const = default;
+    auto words() const { return std::tie(quantity, body, of, unit); }
+    bool operator==(const ValueKey& other) const { return words() == other.words(); }
+    bool operator<(const ValueKey& other) const { return words() < other.words(); }
 };
 
 /// A number that changes with time. read() gives no number (NaN) where nothing is known.

@@ -26,7 +26,9 @@ Expected<std::vector<std::shared_ptr<const Scenario>>> recordedScenarios(const R
     for (std::uint32_t i = 0; i < recording.branches.size(); ++i) {
         std::shared_ptr<const Scenario>& scenario = loaded[recording.branches[i].descriptions.get()];
         if (!scenario) {
-            auto parts = recordedScenario(recording, i, flags.decide ? findingLoader(flags.recording, pluginLoader(flags.plugins)) : PluginLoader());
+            auto parts = recordedScenario(
+                recording, i,
+                flags.decide ? findingLoader(flags.recording, pluginLoader(flags.plugins)) : PluginLoader());
             if (parts) parts = asKeptTrial(std::move(*parts), recording.descriptionsOf(i).texts);
             if (!parts) return tl::unexpected(parts.error());
             watchPlugins(*parts);

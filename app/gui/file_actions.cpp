@@ -98,7 +98,7 @@ void addFileActions(MainWindow& window) {
                                                       QObject::tr("Pictures (*.png *.svg *.pdf)"), ".png");
                                 },
                                 [&](const QString& path) {
-                                    const auto saved = window.files().savePicture(path);
+                                    auto saved = window.files().savePicture(path);
                                     if (saved) window.say(QObject::tr("Saved %1").arg(path));
                                     return saved;
                                 }});

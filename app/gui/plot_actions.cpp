@@ -13,7 +13,7 @@ void addPlotActions(MainWindow& window) {
     Inspector& inspector = window.inspector();
     const QString menu = QObject::tr("&Plot");
     const auto current = [&window, &inspector] {
-        const auto key = inspector.currentValue();
+        auto key = inspector.currentValue();
         if (!key) window.say(QObject::tr("Choose a number in the inspector first"));
         return key;
     };

@@ -182,7 +182,7 @@ Expected<void> PlotPanel::add(const ValueKey& key) {
 }
 
 Expected<void> PlotPanel::addExpression(const QString& text) {
-    const Expected<void> added = add({expressionQuantity, {}, text.trimmed().toStdString()});
+    Expected<void> added = add({expressionQuantity, {}, text.trimmed().toStdString()});
     error_->setVisible(!added);
     if (added) return added;
     const QString message = QString::fromStdString(added.error().message());

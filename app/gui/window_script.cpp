@@ -181,7 +181,7 @@ private:
         const auto found = functions().find(name);
         if (found == functions().end()) return perform(name, values);
         Given given(values);
-        const auto answer = (this->*found->second)(given);
+        auto answer = (this->*found->second)(given);
         if (given.error()) return tl::unexpected(*given.error());
         return answer;
     }

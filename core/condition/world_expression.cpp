@@ -23,7 +23,7 @@ Expected<void> WorldExpression::compile(const Scenario& scenario) {
     expression_ = *expression;
     const WorldState start = scenario.initialState();
     view_ = {&scenario, &start};
-    const Expected<void> checked = checkPaths();
+    Expected<void> checked = checkPaths();
     view_ = {};
     return checked;
 }

@@ -157,8 +157,8 @@ std::string unfit(const SavedState& saved, const Scene& scene) {
     };
     std::vector<std::string> robots;
     for (const SavedState::Robot& robot : saved.robots) robots.push_back(robot.name);
-    if (const std::string wrong = others("robot", robots, scene.robots); !wrong.empty()) return wrong;
-    if (const std::string wrong = others("object", saved.objects, scene.objects); !wrong.empty()) return wrong;
+    if (std::string wrong = others("robot", robots, scene.robots); !wrong.empty()) return wrong;
+    if (std::string wrong = others("object", saved.objects, scene.objects); !wrong.empty()) return wrong;
     if (saved.tickLength != scene.tickLength)
         return of + "ticks of " + plainSeconds(saved.tickLength) + " s; the scenario's are " +
                plainSeconds(scene.tickLength) + " s";
