@@ -7,6 +7,7 @@
 
 /// What the desktop's own libraries never free.
 extern "C" const char* __lsan_default_suppressions() { return "leak:libdbus-1\n"; }
+extern "C" const char* __lsan_default_options() { return "print_suppressions=0"; }
 #endif
 
 namespace mrose::gui {
