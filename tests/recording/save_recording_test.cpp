@@ -121,6 +121,7 @@ TEST_F(SavedRecording, WithoutTheControllersItIsTheSameFile) {
 
 /// Other programs see in it what they see in a recording that was written while it ran.
 TEST_F(SavedRecording, HasTheMessagesOfARecordingWrittenMeanwhile) {
+    scenarios = {whole, whole};
     add(run, 0);
     add(branchRun, history.beginBranch(0, branchRun.states.front(), "pushed"));
     ASSERT_TRUE(save());
