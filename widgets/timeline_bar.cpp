@@ -192,8 +192,10 @@ void TimelineBar::paintScale(QPainter& painter) const {
         painter.setPen(theme_.line);
         painter.drawLine(QPointF(x, trackTop + trackHeight), QPointF(x, trackTop + trackHeight + 4));
         painter.setPen(theme_.quietText);
-        painter.drawText(QRectF(x - 40, trackTop + trackHeight + 3, 80, 13), Qt::AlignHCenter | Qt::AlignTop,
-                         scaleText(time, end, decimals));
+        const QString text = scaleText(time, end, decimals);
+        const double wide = QFontMetricsF(small).horizontalAdvance(text) + 2;
+        const double left = std::clamp(x - wide / 2, 1.0, std::max(1.0, width() - wide - 1));
+        painter.drawText(QRectF(left, trackTop + trackHeight + 3, wide, 13), Qt::AlignHCenter | Qt::AlignTop, text);
     }
 }
 

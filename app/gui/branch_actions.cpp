@@ -53,12 +53,10 @@ Expected<std::uint64_t> seedFrom(const QString& text) {
     return seed;
 }
 
-}  // namespace
-
-void addBranchActions(MainWindow& window) {
+/// What begins a branch.
+void addChanges(MainWindow& window, const QString& menu) {
     Actions& actions = window.actions();
     Session& session = window.session();
-    const QString menu = QObject::tr("&Branch");
     actions.add(menu,
                 {"cause_of_kick", QObject::tr("Who &kicked, and why"), QKeySequence("K"),
                  QObject::tr("To the decision that led to the last kick")},
@@ -109,7 +107,12 @@ void addBranchActions(MainWindow& window) {
                                                             QObject::tr("Networks (*.net);;All files (*)"));
                     },
                     [&](const QString& path) { return swapModel(window, path); }});
-    actions.addSeparator(menu);
+}
+
+/// What is done with branches that are there.
+void addBranchViews(MainWindow& window, const QString& menu) {
+    Actions& actions = window.actions();
+    Session& session = window.session();
     actions.add(
         menu,
         {"rename_branch", QObject::tr("Ren&ame\u2026"), QKeySequence("F2"),
@@ -138,6 +141,15 @@ void addBranchActions(MainWindow& window) {
                 {"side_by_side", QObject::tr("&Side by side"), QKeySequence("S"),
                  QObject::tr("The branch that this one is compared with in a field of its own"), true},
                 [&](bool on) { window.setSideBySide(on); });
+}
+
+}  // namespace
+
+void addBranchActions(MainWindow& window) {
+    const QString menu = QObject::tr("&Branch");
+    addChanges(window, menu);
+    window.actions().addSeparator(menu);
+    addBranchViews(window, menu);
 }
 
 }  // namespace mrose::gui

@@ -85,6 +85,16 @@ MainWindow::MainWindow(QWidget* parent)
     layout->addWidget(timeline_);
     setCentralWidget(middle);
     makeDocks();
+    makeActions();
+    makeToolBar();
+    makeStatusBar();
+    connectAll();
+    new FaultMessages(*this, *messages_);
+    setTheme(Theme::light());
+    memory_->keepAsNew();
+}
+
+void MainWindow::makeActions() {
     actions_.setErrorHandler([this](const Error& error) {
         messages_->add({MessageBar::Kind::error, QString::fromStdString(error.message())});
     });
@@ -104,8 +114,9 @@ MainWindow::MainWindow(QWidget* parent)
              tr("Show or hide the panel \u201c%1\u201d").arg(dock->windowTitle())},
             dock->toggleViewAction());
     addHelpActions(*this);
-    makeToolBar();
-    makeStatusBar();
+}
+
+void MainWindow::connectAll() {
     connect(session_, &Session::shown, this, &MainWindow::update);
     connect(timeline_, &TimelineBar::tickRequested, session_, &Session::seek);
     connect(&field(), &FieldView::bodySelected, inspector_, &Inspector::setBody);
@@ -132,9 +143,6 @@ MainWindow::MainWindow(QWidget* parent)
     connect(&field(), &FieldView::cursorMoved, this, [this](std::optional<Point> at) {
         cursor_->setText(at ? QString("x %1  y %2 m").arg(at->x, 0, 'f', 2).arg(at->y, 0, 'f', 2) : QString());
     });
-    new FaultMessages(*this, *messages_);
-    setTheme(Theme::light());
-    memory_->keepAsNew();
 }
 
 /// The plots' thread looks at the session, and ends before it.
@@ -256,7 +264,6 @@ void MainWindow::setTheme(const Theme& theme) {
                                                                     {"fit", Icon::fit},
                                                                     {"follow", Icon::follow}};
     for (const auto& [name, which] : icons) actions_[name].setIcon(icon(which, theme_));
-    if (shown_) branches_->setShown(*shown_);
     updateStatus();
 }
 

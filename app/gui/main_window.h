@@ -76,6 +76,8 @@ protected:
     void closeEvent(QCloseEvent* event) override;
 
 private:
+    void makeActions();
+    void connectAll();
     void makeToolBar();
     void makeDocks();
     void makeStatusBar();

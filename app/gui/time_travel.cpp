@@ -1,6 +1,7 @@
 #include "time_travel.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace mrose::gui {
@@ -8,6 +9,9 @@ namespace {
 
 /// Predicted paths have a point every so many ticks.
 constexpr std::int64_t predictedEvery = 5;
+
+/// Of a branch beside that ended long ago not all comes at once, so that no tick is long.
+constexpr std::int64_t mostBeside = 4;
 
 /// So many ticks before it, every robot has decided once, and kicks that are still shown have happened.
 std::int64_t ticksToLookBack(const Scene& scene) {
@@ -85,32 +89,19 @@ Expected<void> TimeTravel::forward() {
         const StepTrace& trace = shown_.step(*record.course().scenario, buffers_, record.overrides(state()));
         history_.add(state(), trace, branch_);
         if (known) record.add(state(), trace);
-        followWithParent();
+        // What would have happened goes on beside what was changed.
+        goOnWith(branches()[branch_].parent, std::numeric_limits<std::int64_t>::max());
     }
     followBeside();
     return {};
 }
 
-/// What would have happened goes on beside what was changed.
-void TimeTravel::followWithParent() {
-    const std::uint32_t parent = branches()[branch_].parent;
-    BranchRecord& record = records_[parent];
-    if (parent == branch_ || record.last() != timelineOf(parent).last()) return;
-    StepTrace trace;
-    while (record.last() < tick()) {
-        WorldState state = record.end();
-        step(*record.course().scenario, state, buffers_, record.overrides(state), &trace);
-        history_.add(state, trace, parent);
-        record.add(state, trace);
-    }
-}
-
-/// What lies beside goes on as well, a little at a time: one that ended long ago is not there at once.
-void TimeTravel::goOnWith(std::uint32_t branch) {
-    constexpr int most = 4;
+/// A branch that is not shown goes on as well, up to the shown tick, but by so many ticks at the most.
+void TimeTravel::goOnWith(std::uint32_t branch, std::int64_t most) {
     BranchRecord& record = records_[branch];
+    if (branch == branch_ || record.last() != timelineOf(branch).last()) return;
     StepTrace trace;
-    for (int i = 0; i < most && record.last() == timelineOf(branch).last() && record.last() < tick(); ++i) {
+    for (; most > 0 && record.last() < tick(); --most) {
         WorldState state = record.end();
         step(*record.course().scenario, state, buffers_, record.overrides(state), &trace);
         history_.add(state, trace, branch);
@@ -121,7 +112,7 @@ void TimeTravel::goOnWith(std::uint32_t branch) {
 void TimeTravel::followBeside() {
     if (!beside_ || beside_->at.tick() == tick()) return;
     const std::uint32_t other = beside_->branch;
-    goOnWith(other);
+    goOnWith(other, mostBeside);
     const std::int64_t there = std::clamp(tick(), firstOf(other), timelineOf(other).last());
     if (there == beside_->at.tick() + 1 && advance(beside_->at, other)) return;
     if (there == beside_->at.tick()) return;

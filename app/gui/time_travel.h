@@ -115,8 +115,7 @@ private:
         return records_[branch].course().scenario;
     }
     Expected<void> walk(Cursor& cursor, std::uint32_t branch, std::int64_t from, std::int64_t to);
-    void followWithParent();
-    void goOnWith(std::uint32_t branch);
+    void goOnWith(std::uint32_t branch, std::int64_t most);
     void followBeside();
     FieldFrame frameOf(const Cursor& cursor, const FrameOptions& options) const;
     void addTrails(std::uint32_t branch, std::int64_t tick, std::size_t ticks, Trails& trails) const;

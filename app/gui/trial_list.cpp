@@ -8,6 +8,7 @@
 #include <charconv>
 #include <filesystem>
 
+#include "experiment/results_row.h"
 #include "io/file.h"
 
 namespace mrose::gui {
@@ -16,22 +17,6 @@ namespace {
 /// The columns that every batch begins with; those of its goals follow. Where the end stands.
 constexpr std::size_t leadingColumns = 9, endColumn = 3;
 constexpr const char* firstColumns = "trial,seed,end,time_s,touches,kicks,hits,faults,driven_m";
-
-std::vector<std::string> cellsOf(std::string_view line) {
-    std::vector<std::string> cells(1);
-    bool quoted = false;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        if (line[i] == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"')
-            cells.back() += line[++i];
-        else if (line[i] == '"')
-            quoted = !quoted;
-        else if (line[i] == ',' && !quoted)
-            cells.emplace_back();
-        else
-            cells.back() += line[i];
-    }
-    return cells;
-}
 
 /// Leading columns, and goals.
 std::vector<std::size_t> shownColumns(const std::vector<std::string>& titles) {
@@ -122,7 +107,7 @@ Expected<TrialTable> readTrials(const std::string& path) {
     int line = 0;
     for (std::size_t begin = 0; begin < text->size();) {
         const std::size_t end = std::min(text->find('\n', begin), text->size());
-        std::vector<std::string> cells = cellsOf(std::string_view(*text).substr(begin, end - begin));
+        std::vector<std::string> cells = resultsCells(std::string_view(*text).substr(begin, end - begin));
         begin = end + 1;
         if (++line == 1) {
             while (command < cells.size() && cells[command] != "command") ++command;

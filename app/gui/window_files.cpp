@@ -223,15 +223,19 @@ Expected<void> WindowFiles::saveRecording(const QString& path) {
     return {};
 }
 
+void WindowFiles::sayNotSaved(const Error& error, const QString& action) {
+    messages_.add(
+        {Kind::error,
+         tr("%1. Nothing is lost: the run is still here. Make room, or save it elsewhere").arg(text(error.message())),
+         "save",
+         {{tr("Save elsewhere\u2026"), tr("Save it to another file"),
+           [this, action] { window_.actions()[action].trigger(); }}}});
+}
+
 void WindowFiles::saved(const QString& path, const Expected<bool>& done, std::size_t branches) {
     const auto next = std::exchange(afterSaving_, {});
     if (!done) {
-        messages_.add({Kind::error,
-                       tr("%1. Nothing is lost: the run is still here. Make room, or save it elsewhere")
-                           .arg(text(done.error().message())),
-                       "save",
-                       {{tr("Save elsewhere\u2026"), tr("Save the recording to another file"),
-                         [this] { window_.actions()["save_recording"].trigger(); }}}});
+        sayNotSaved(done.error(), "save_recording");
         return;
     }
     if (!*done) return messages_.add({Kind::note, tr("Not saved: cancelled"), "save"});
@@ -258,7 +262,7 @@ Expected<void> WindowFiles::saveScenario(const QString& path) {
 }
 
 void WindowFiles::savedScenario(const QString& path, const Expected<void>& done) {
-    if (!done) return sayError(done.error(), "save");
+    if (!done) return sayNotSaved(done.error(), "save_scenario");
     window_.memory().addRecent(QFileInfo(path).absoluteFilePath());
     messages_.add({Kind::note,
                    tr("Saved %1, with its state beside it").arg(path),

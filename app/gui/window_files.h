@@ -76,6 +76,7 @@ private:
     void savedScenario(const QString& path, const Expected<void>& done);
     void recordingChanged(const QString& path, const QString& error);
     void takeReloaded(Expected<OpenRun> run, const QString& why);
+    void sayNotSaved(const Error& error, const QString& action);
     void sayError(const Error& error, const QString& topic);
 
     MainWindow& window_;

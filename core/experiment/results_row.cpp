@@ -68,6 +68,22 @@ std::vector<VariedValue> variedValues(const ScenarioParts& parts) {
 
 }  // namespace
 
+std::vector<std::string> resultsCells(std::string_view line) {
+    std::vector<std::string> cells(1);
+    bool quoted = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (line[i] == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"')
+            cells.back() += line[++i];
+        else if (line[i] == '"')
+            quoted = !quoted;
+        else if (line[i] == ',' && !quoted)
+            cells.emplace_back();
+        else
+            cells.back() += line[i];
+    }
+    return cells;
+}
+
 std::string resultsHeader(const ScenarioParts& parts) {
     std::string line = "trial,seed,end,time_s,touches,kicks,hits,faults,driven_m";
     for (const Goal& goal : parts.scene.environment.goals) line += ',' + cell("goals " + goal.name);

@@ -18,6 +18,9 @@ std::string resultsHeader(const ScenarioParts& parts);
 std::string resultsRow(const RunKey& key, const RunResult& result, const ScenarioParts& parts,
                        const std::string& command);
 
+/// The cells of a line of results.csv, without their quotation marks.
+std::vector<std::string> resultsCells(std::string_view line);
+
 /// What rows have in a column of numbers.
 struct ColumnSummary {
     std::string name;
