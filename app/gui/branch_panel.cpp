@@ -30,9 +30,69 @@ QTreeWidget* quietTree(const QStringList& header) {
     return tree;
 }
 
+constexpr double leastApart = 0.0005;   // m
+constexpr double leastTurned = 0.05;    // degrees
+constexpr std::size_t mostBodies = 32;  // of more, those farthest apart
+
 QString distanceText(double metres) {
-    if (metres < 0.0005) return QObject::tr("same");
+    if (metres < leastApart) return QObject::tr("same");
     return metres < 1 ? QString::number(100 * metres, 'f', 1) + " cm" : QString::number(metres, 'f', 2) + " m";
+}
+
+/// What is compared, as the table shows it.
+struct Difference {
+    QString what, here, there;
+    bool same = false;
+    double apart = 0;  ///< m, of bodies
+};
+
+/// The body of that name; nothing where the other scenario has none.
+std::optional<std::size_t> bodyNamed(const FieldFrame& frame, const std::string& name, std::size_t likely) {
+    const std::size_t count = frame.scene().bodyCount();
+    if (likely < count && frame.nameOf(likely) == name) return likely;
+    for (std::size_t body = 0; body < count; ++body)
+        if (frame.nameOf(body) == name) return body;
+    return {};
+}
+
+/// How far a body lies from where it is in the other branch, or if it lies there, how far it is turned.
+Difference distanceOf(const FieldFrame& here, std::size_t body, const FieldFrame& there, std::size_t other) {
+    const Pose &a = here.poseOf(body), &b = there.poseOf(other);
+    const double apart = std::hypot(a.x - b.x, a.y - b.y);
+    const double turned = std::abs(wrapAngle(a.heading - b.heading)) * 180 / std::numbers::pi;
+    const bool moved = apart >= leastApart, robot = body < here.state.robots.size();
+    const bool onlyTurned = robot && !moved && turned >= leastTurned;
+    return {QObject::tr("%1 apart").arg(QString::fromStdString(here.nameOf(body))),
+            onlyTurned ? QString::number(turned, 'f', 1) + QString::fromUtf8("\u00b0") : distanceText(apart),
+            {},
+            !moved && !onlyTurned,
+            apart};
+}
+
+std::vector<Difference> differencesOf(const Shown& shown) {
+    const FieldFrame &here = *shown.frame, &there = *shown.beside;
+    const BranchInfo::Events& ours = shown.branches[shown.branch].events;
+    const BranchInfo::Events& theirs = shown.branches[*shown.besideBranch].events;
+    std::vector<Difference> rows;
+    const auto count = [&](const QString& what, int a, int b) {
+        rows.push_back({what, QString::number(a), QString::number(b), a == b});
+    };
+    for (std::size_t goal = 0; goal < std::min(here.state.goals.size(), there.state.goals.size()); ++goal)
+        count(QObject::tr("in the %1 goal").arg(QString::fromStdString(here.scene().environment.goals[goal].name)),
+              here.state.goals[goal], there.state.goals[goal]);
+    count(QObject::tr("kicks"), ours.kicks, theirs.kicks);
+    count(QObject::tr("contacts"), ours.contacts, theirs.contacts);
+    std::vector<Difference> bodies;
+    for (std::size_t body = 0; body < here.scene().bodyCount(); ++body)
+        if (const auto other = bodyNamed(there, here.nameOf(body), body))
+            bodies.push_back(distanceOf(here, body, there, *other));
+    if (bodies.size() > mostBodies) {
+        const auto farther = [](const Difference& a, const Difference& b) { return a.apart > b.apart; };
+        std::partial_sort(bodies.begin(), bodies.begin() + mostBodies, bodies.end(), farther);
+        bodies.resize(mostBodies);
+    }
+    rows.insert(rows.end(), bodies.begin(), bodies.end());
+    return rows;
 }
 
 }  // namespace
@@ -162,29 +222,7 @@ void BranchPanel::compare(const Shown& shown) {
     heading_->setStyleSheet("color: " + theme_.quietText.name());
     differences_->setVisible(any);
     if (!any) return;
-    struct Row {
-        QString what, here, there;
-    };
-    std::vector<Row> rows;
-    const FieldFrame &here = *shown.frame, &there = *shown.beside;
-    const BranchInfo::Events &ours = shown.branches[shown.branch].events,
-                             &theirs = shown.branches[*shown.besideBranch].events;
-    const auto row = [&](const QString& what, const QString& a, const QString& b) { rows.push_back({what, a, b}); };
-    for (std::size_t goal = 0; goal < std::min(here.state.goals.size(), there.state.goals.size()); ++goal)
-        row(tr("in the %1 goal").arg(QString::fromStdString(here.scene().environment.goals[goal].name)),
-            QString::number(here.state.goals[goal]), QString::number(there.state.goals[goal]));
-    row(tr("kicks"), QString::number(ours.kicks), QString::number(theirs.kicks));
-    row(tr("contacts"), QString::number(ours.contacts), QString::number(theirs.contacts));
-    for (std::size_t body = 0; body < std::min(here.scene().bodyCount(), there.scene().bodyCount()); ++body) {
-        const Pose &a = here.poseOf(body), &b = there.poseOf(body);
-        const double apart = std::hypot(a.x - b.x, a.y - b.y);
-        const double turned = std::abs(wrapAngle(a.heading - b.heading)) * 180 / std::numbers::pi;
-        const bool robot = body < here.state.robots.size();
-        row(tr("%1 apart").arg(QString::fromStdString(here.nameOf(body))),
-            robot && apart < 0.0005 && turned >= 0.05 ? QString::number(turned, 'f', 1) + QString::fromUtf8("\u00b0")
-                                                      : distanceText(apart),
-            QString());
-    }
+    const std::vector<Difference> rows = differencesOf(shown);
     while (differences_->topLevelItemCount() > static_cast<int>(rows.size()))
         delete differences_->takeTopLevelItem(differences_->topLevelItemCount() - 1);
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -194,8 +232,8 @@ void BranchPanel::compare(const Shown& shown) {
         item->setText(1, rows[i].here);
         item->setText(2, rows[i].there);
         for (const int column : {1, 2}) item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
-        const bool same = rows[i].there.isEmpty() ? rows[i].here == tr("same") : rows[i].here == rows[i].there;
-        for (int column = 0; column < 3; ++column) item->setForeground(column, same ? theme_.quietText : theme_.text);
+        for (int column = 0; column < 3; ++column)
+            item->setForeground(column, rows[i].same ? theme_.quietText : theme_.text);
     }
 }
 

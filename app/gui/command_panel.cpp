@@ -149,13 +149,19 @@ void CommandPanel::apply() {
     const Command before = told->decision.command ? *told->decision.command : commandInForce(frame, *body_);
     if (std::abs(v_->value() - before.v) < 0.5e-3) order.command.v = before.v;
     if (std::abs(w_->value() - before.w) < 0.5e-3) order.command.w = before.w;
-    if (kick_->currentIndex() > 0)
+    const std::vector<Kick>& kicks = told->decision.kicks;
+    const int kickBefore = kicks.empty() ? 0 : static_cast<int>(kicks.front().manipulator) + 1;
+    const bool sameKick = kick_->currentIndex() == kickBefore &&
+                          (kicks.empty() || std::abs(power_->value() - 100 * kicks.front().power) <= 0.5);
+    if (sameKick)
+        order.kicks = kicks;
+    else if (kick_->currentIndex() > 0)
         order.kicks.push_back({static_cast<std::uint32_t>(kick_->currentIndex() - 1), power_->value() / 100});
     Edit edit{tr("%1: %2 m/s, %3 rad/s%4")
                   .arg(QString::fromStdString(frame.nameOf(*body_)))
                   .arg(v_->value(), 0, 'f', 2)
                   .arg(w_->value(), 0, 'f', 2)
-                  .arg(order.kicks.empty() ? (told->decision.kicks.empty() ? QString() : tr(", no kick"))
+                  .arg(order.kicks.empty() ? (kicks.empty() ? QString() : tr(", no kick"))
                                            : tr(", kick %1 %").arg(power_->value(), 0, 'f', 0))
                   .toStdString()};
     edit.tick = told->tick;
