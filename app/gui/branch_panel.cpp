@@ -30,12 +30,12 @@ QTreeWidget* quietTree(const QStringList& header) {
     return tree;
 }
 
-constexpr double leastApart = 0.0005;   // m
+constexpr double leastMoved = 0.0005;   // m
 constexpr double leastTurned = 0.05;    // degrees
 constexpr std::size_t mostBodies = 32;  // of more, those farthest apart
 
 QString distanceText(double metres) {
-    if (metres < leastApart) return QObject::tr("same");
+    if (metres < leastMoved) return QObject::tr("same");
     return metres < 1 ? QString::number(100 * metres, 'f', 1) + " cm" : QString::number(metres, 'f', 2) + " m";
 }
 
@@ -60,7 +60,7 @@ Difference distanceOf(const FieldFrame& here, std::size_t body, const FieldFrame
     const Pose &a = here.poseOf(body), &b = there.poseOf(other);
     const double apart = std::hypot(a.x - b.x, a.y - b.y);
     const double turned = std::abs(wrapAngle(a.heading - b.heading)) * 180 / std::numbers::pi;
-    const bool moved = apart >= leastApart, robot = body < here.state.robots.size();
+    const bool moved = apart >= leastMoved, robot = body < here.state.robots.size();
     const bool onlyTurned = robot && !moved && turned >= leastTurned;
     return {QObject::tr("%1 apart").arg(QString::fromStdString(here.nameOf(body))),
             onlyTurned ? QString::number(turned, 'f', 1) + QString::fromUtf8("\u00b0") : distanceText(apart),
