@@ -190,7 +190,7 @@ void CommandQueue::paintLane(QPainter& painter, bool rotation) const {
         const QString number = fixedText(value, 2);
         if (untilOf(instant) <= 0 || painter.fontMetrics().horizontalAdvance(number) + 5 > next - x) continue;
         painter.setPen(number == fixedText(before, 2) ? theme_.quietText : theme_.text);
-        painter.drawText(QRectF(x + 3, value >= 0 ? level - 13 : level + 1, next - x, 12),
+        painter.drawText(QRectF(x + 3, value >= 0 && level - 13 >= box.top() ? level - 13 : level + 1, next - x, 12),
                          Qt::AlignLeft | Qt::AlignVCenter, number);
     }
     painter.setBrush(Qt::NoBrush);

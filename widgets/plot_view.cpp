@@ -112,7 +112,7 @@ void PlotView::addBand(const QString& unit, int row) {
     band->value()->grid()->setVisible(true);
     band->value()->setLabel(unitLabel(unit));
     band->value()->setNumberFormat("gb");
-    band->value()->setRange(0, 0);
+    band->value()->setRange(-1e-9, 1e-9);  // an empty one is refused; any data widen it
     const auto line = [&](QCPItemLine*& item) {
         item = new QCPItemLine(plot_);
         item->setLayer("overlay");

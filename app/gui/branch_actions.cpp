@@ -140,7 +140,11 @@ void addBranchViews(MainWindow& window, const QString& menu) {
     actions.add(menu,
                 {"side_by_side", QObject::tr("&Side by side"), QKeySequence("S"),
                  QObject::tr("The branch that this one is compared with in a field of its own"), true},
-                [&](bool on) { window.setSideBySide(on); });
+                [&](bool on) {
+                    window.setSideBySide(on);
+                    if (on && window.shown() && !window.shown()->beside)
+                        window.say(QObject::tr("There is no other branch yet: change something while the run stands"));
+                });
 }
 
 }  // namespace

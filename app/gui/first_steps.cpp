@@ -67,7 +67,7 @@ FirstSteps::FirstSteps(MainWindow& window) : QFrame(&window.field()), window_(wi
     // Two fields leave no room for it.
     connect(&window_.actions()["side_by_side"], &QAction::toggled, this, [this](bool on) {
         if (!on && std::exchange(waits_, false)) show();
-        if (!on) return;
+        if (!on || !window_.shown() || !window_.shown()->beside) return;
         waits_ = isVisible();
         hide();
     });

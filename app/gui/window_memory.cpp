@@ -1,7 +1,9 @@
 #include "window_memory.h"
 
 #include <QFileInfo>
+#include <QGuiApplication>
 #include <QMenu>
+#include <QScreen>
 
 #include "main_window.h"
 
@@ -39,7 +41,11 @@ void WindowMemory::restore(std::unique_ptr<QSettings> settings) {
         const QVariant kept = settings_->value(tasteKey(action));
         if (kept.isValid() && kept.toBool() != action.isChecked()) action.trigger();
     });
-    window_.restoreGeometry(settings_->value(geometryKey).toByteArray());
+    if (!window_.restoreGeometry(settings_->value(geometryKey).toByteArray())) {
+        // A first window fits its screen, frame and all.
+        const QSize frame(8, 40);
+        window_.resize(window_.size().boundedTo(QGuiApplication::primaryScreen()->availableSize() - frame));
+    }
     window_.restoreState(settings_->value(stateKey).toByteArray(), layoutVersion);
     recent_ = settings_->value(recentKey).toStringList();
 }
