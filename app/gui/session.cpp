@@ -391,63 +391,9 @@ void Session::stop(const QString& why) {
     message_ = why;
 }
 
-std::vector<BranchInfo> Session::branchInfos() const {
-    std::vector<BranchInfo> infos;
-    const auto count = [&](std::uint32_t branch, std::int64_t until) {
-        BranchInfo::Events events;
-        for (const TimelineMark& mark : run_->record(branch).marks()) {
-            if (mark.tick > until) break;
-            events.kicks += mark.kind == TimelineMark::Kind::kick ? 1 : 0;
-            events.contacts += mark.kind == TimelineMark::Kind::contact ? 1 : 0;
-        }
-        return events;
-    };
-    for (std::uint32_t i = 0; i < run_->branches().size(); ++i) {
-        const Branch& branch = run_->branches()[i];
-        BranchInfo info{QString::fromStdString(branch.name), branch.parent, branch.tick, branch.timeline.first(),
-                        branch.timeline.last()};
-        std::int64_t until = run_->tick();
-        for (std::uint32_t at = i;; at = run_->branches()[at].parent) {
-            const BranchInfo::Events events = count(at, until);
-            info.events.kicks += events.kicks;
-            info.events.contacts += events.contacts;
-            if (run_->branches()[at].parent == at) break;
-            until = std::min(until, run_->branches()[at].tick);
-        }
-        infos.push_back(std::move(info));
-    }
-    return infos;
-}
-
-std::vector<BranchRecord::FirstFault> Session::faults() const {
-    std::vector<BranchRecord::FirstFault> faults;
-    std::int64_t until = run_->tick();
-    for (std::uint32_t at = run_->branch();; at = run_->branches()[at].parent) {
-        for (const BranchRecord::FirstFault& fault : run_->record(at).faults())
-            if (fault.tick <= until) faults.push_back(fault);
-        if (run_->branches()[at].parent == at ||
-            run_->record(at).coursePointer() != run_->record(run_->branches()[at].parent).coursePointer())
-            return faults;
-        until = std::min(until, run_->branches()[at].tick);
-    }
-}
-
 void Session::publish() {
-    auto what = std::make_shared<Shown>();
-    what->frame = std::make_shared<const FieldFrame>(run_->frame(frameOptions_));
-    if (auto beside = run_->besideFrame(frameOptions_)) {
-        what->beside = std::make_shared<const FieldFrame>(std::move(*beside));
-        what->besideBranch = run_->beside();
-    }
-    what->course = run_->record(run_->owner()).coursePointer();
+    auto what = std::make_shared<Shown>(shownOf(*run_, frameOptions_));
     what->run = runs_;
-    what->hash = hashOf(run_->state());
-    what->branch = run_->branch();
-    what->first = run_->first();
-    what->last = run_->last();
-    what->branches = branchInfos();
-    what->canUndo = run_->canUndo();
-    what->canRedo = run_->canRedo();
     what->goal = goal_;
     what->subject = std::exchange(subject_, std::nullopt);
     std::size_t known = 0;  // marks of branches never grow but at their ends
@@ -458,7 +404,6 @@ void Session::publish() {
         marksKnown_ = known;
     }
     what->marks = marks_;
-    what->faults = faults();
     what->playing = playing_;
     what->realTimeFactor = factor_;
     what->message = message_;

@@ -14,47 +14,10 @@
 #include <vector>
 
 #include "run_recorder.h"
+#include "shown.h"
 #include "time_travel.h"
-#include "world/state_hash.h"
 
 namespace mrose::gui {
-
-/// A branch as lists show it.
-struct BranchInfo {
-    QString name;
-    std::uint32_t parent = 0;
-    std::int64_t departed = 0, first = 0, last = 0;  ///< ticks
-    /// What happened in it, and before it in those that it came from, up to the shown tick.
-    struct Events {
-        int kicks = 0, contacts = 0;
-        bool operator==(const Events&) const = default;
-    };
-    Events events;
-    bool operator==(const BranchInfo&) const = default;
-};
-
-/// What the window shows at a moment: all of one tick.
-struct Shown {
-    std::shared_ptr<const FieldFrame> frame;
-    std::shared_ptr<const FieldFrame> beside;  ///< another branch at this tick or its nearest; may be nothing
-    std::optional<std::uint32_t> besideBranch;
-    CoursePointer course;
-    std::uint64_t run = 0;  ///< how many runs were opened before, and this one
-    StateHash hash;
-    std::uint32_t branch = 0;
-    std::int64_t first = 0, last = 0;
-    std::vector<BranchInfo> branches;
-    std::shared_ptr<const std::vector<TimelineMark>> marks;
-    std::vector<BranchRecord::FirstFault> faults;  ///< up to the shown tick
-    bool playing = false;
-    double realTimeFactor = 0;  ///< achieved; 0 while it stands
-    bool canUndo = false, canRedo = false;
-    std::optional<std::size_t> subject;  ///< the body that an answer is about: to be selected
-    std::optional<std::int64_t> goal;    ///< it is on its way to this tick
-    QString message;                     ///< why it stopped, or what went wrong; empty: nothing
-
-    std::int64_t tick() const { return frame->state.tick; }
-};
 
 /// The only owner of a running simulation. Its thread steps; requests are answered by shown(), in the thread of the
 /// window. A seek that comes before an earlier one was done takes its place.
@@ -124,8 +87,6 @@ private:
     void goTo(std::int64_t tick);
     bool superseded();
     void serveLooks();
-    std::vector<BranchInfo> branchInfos() const;
-    std::vector<BranchRecord::FirstFault> faults() const;
     void anchor();
     void stop(const QString& why);
     void publish();

@@ -72,7 +72,6 @@ ShortcutSheet::ShortcutSheet(const Actions& actions, QWidget* parent)
     setWindowTitle(tr("Shortcuts"));
     setObjectName("shortcut_sheet");
     line_->setPlaceholderText(tr("Search"));
-    line_->setClearButtonEnabled(true);
     line_->setAccessibleName(tr("Search the shortcuts"));
     area_->setWidgetResizable(true);
     area_->setFrameShape(QFrame::NoFrame);
