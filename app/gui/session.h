@@ -47,6 +47,8 @@ public:
     void redo();
     /// To where the controller decided the last kick; Shown::subject is its robot.
     void showCauseOfKick();
+    /// What really happened beside the run that was opened as the `run`th; of another run it is left out.
+    void setReality(std::uint64_t run, std::shared_ptr<const Reality> reality);
     void setFrameOptions(const TimeTravel::FrameOptions& options);
 
     /// Told now and then which share is done; false: it is to end.
