@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "widgets/command_queue.h"
+#include "widgets/real_robots.h"
 #include "widgets/timeline_bar.h"
 
 namespace mrose {
@@ -144,6 +145,49 @@ InspectorRow predictionRows(const RowWriter& write) {
     return section;
 }
 
+InspectorRow lostRow(const std::optional<RealRobot>& robot) {
+    InspectorRow row = RowWriter::text(
+        QObject::tr("Ground truth"),
+        robot ? QObject::tr("none for %1 s").arg(toSeconds(*robot->lostFor), 0, 'f', 1) : QObject::tr("none yet"),
+        QObject::tr("the log does not say where the real robot is"));
+    row.notable = true;
+    return row;
+}
+
+/// How far the robot, or a motion model in its place, is from the real one.
+InspectorRow modelRows(const RowWriter& write, const std::string& model) {
+    const QString position = QObject::tr("of what this motion model makes of the same start and commands");
+    InspectorRow row = write.number(QString::fromStdString(model), positionErrorQuantity, position, model);
+    row.children.push_back(write.number(QObject::tr("Heading error"), headingErrorQuantity, position, model));
+    return row;
+}
+
+/// Nothing: no real robot drove what this one repeats.
+std::optional<InspectorRow> realityRows(const RowWriter& write) {
+    const auto real = write.frame.reality == nullptr ? nullptr : write.frame.reality->robotNamed(write.bodyName);
+    if (real == nullptr) return std::nullopt;
+    InspectorRow section = RowWriter::section(QObject::tr("Reality"));
+    const auto add = [&](const QString& name, const char* quantity, const QString& tip) {
+        section.children.push_back(write.number(name, quantity, tip));
+    };
+    add(QObject::tr("Position error"), positionErrorQuantity, QObject::tr("from the real robot to the simulated one"));
+    add(QObject::tr("Heading error"), headingErrorQuantity, QObject::tr("without its sign"));
+    const QString frame = QObject::tr("where the simulated robot is, as seen from the real one");
+    add(QObject::tr("Error ahead"), "error ahead", frame);
+    add(QObject::tr("Error to the left"), "error to the left", frame);
+    const QString truth = QObject::tr("by the log's ground truth");
+    add(QObject::tr("Real x"), "real x", truth);
+    add(QObject::tr("Real y"), "real y", truth);
+    add(QObject::tr("Real heading"), "real heading", truth);
+    add(QObject::tr("Real forward"), "real forward", QObject::tr("the slope of the ground truth, along its heading"));
+    add(QObject::tr("Real turning"), "real turning", QObject::tr("the slope of the ground truth"));
+    if (const auto robot = realRobotOf(write.frame, write.body); !robot || !robot->known())
+        section.children.insert(section.children.begin(), lostRow(robot));
+    for (const Reality::ModelCourse& model : write.frame.reality->models)
+        section.children.push_back(modelRows(write, model.name));
+    return section;
+}
+
 InspectorRow touchRows(const RowWriter& write) {
     InspectorRow section = RowWriter::section(QObject::tr("Touched by"));
     contactRows(write, section.children);
@@ -196,6 +240,7 @@ std::vector<InspectorRow> inspectorRows(const FieldFrame& frame, std::size_t bod
         rows.push_back(touchRows(write));
         return rows;
     }
+    if (auto reality = realityRows(write)) rows.push_back(std::move(*reality));
     rows.push_back(commandRows(write));
     if (InspectorRow kicks = kickRows(write); !kicks.children.empty()) rows.push_back(std::move(kicks));
     rows.push_back(predictionRows(write));

@@ -21,6 +21,16 @@ constexpr double shortestView = 10;  // ticks
 constexpr int shortestPause = 40;    // ms, between pictures while numbers come
 constexpr double growth = 1.15;      // of the view, when the known time outgrows it
 
+/// Of so many ticks in a pixel a curve is a band of noise: it is drawn in Qt's fast way, one pixel wide.
+constexpr std::int64_t dense = 16;
+
+QPen penOf(const PlotCurve& curve, bool fast) {
+    const Qt::PenStyle style = curve.ghost ? Qt::DashLine : curve.dotted ? Qt::DotLine : Qt::SolidLine;
+    QPen pen(curve.colour, fast ? 0 : curve.ghost ? 1 : 1.6, style);
+    if (!curve.dashes.isEmpty() && !curve.ghost && !fast) pen.setDashPattern(curve.dashes);
+    return pen;
+}
+
 QString unitLabel(const QString& unit) { return unit.isEmpty() ? QObject::tr("number") : unit; }
 
 /// The least range that an axis shows, so that noise of the last digit does not fill it.
@@ -31,7 +41,8 @@ double leastSpan(const QString& unit) { return unit == QString::fromUtf8("\u00b0
 struct PlotView::Band {
     QString unit;
     QCPAxisRect* rect = nullptr;
-    QCPItemLine *now = nullptr, *mouse = nullptr;
+    QCPItemLine *now = nullptr, *mouse = nullptr, *instant = nullptr;
+    std::vector<std::pair<std::size_t, QCPGraph*>> levels;  ///< with the level's index
     QCPItemRect* unknown = nullptr;
     std::vector<std::pair<std::size_t, QCPGraph*>> graphs;  ///< with the curve's index
 
@@ -89,6 +100,7 @@ void PlotView::layOut() {
         (*band)->graphs.emplace_back(i, plot_->addGraph((*band)->time(), (*band)->value()));
     }
     for (const auto& band : bands_) {
+        addReferences(*band);
         const bool bottom = band == bands_.back();
         band->time()->setTickLabels(bottom);
         band->rect->setMargins({leftMargin, 4, rightMargin, bottom ? 34 : 4});
@@ -126,7 +138,9 @@ void PlotView::addBand(const QString& unit, int row) {
     };
     line(band->now);
     line(band->mouse);
+    line(band->instant);
     band->mouse->setVisible(false);
+    band->instant->setLayer("main");
     band->unknown = new QCPItemRect(plot_);
     band->unknown->setLayer("grid");
     band->unknown->setClipAxisRect(band->rect);
@@ -137,6 +151,19 @@ void PlotView::addBand(const QString& unit, int row) {
         corner->setTypeY(QCPItemPosition::ptAxisRectRatio);
     }
     bands_.push_back(std::move(band));
+}
+
+void PlotView::setReferences(std::vector<PlotLevel> levels, std::optional<std::int64_t> instant) {
+    levels_ = std::move(levels);
+    instant_ = instant;
+    layOut();
+    refresh();
+}
+
+void PlotView::addReferences(Band& band) {
+    for (std::size_t i = 0; i < levels_.size(); ++i)
+        if (levels_[i].unit == band.unit) band.levels.emplace_back(i, plot_->addGraph(band.time(), band.value()));
+    band.instant->setVisible(instant_.has_value());
 }
 
 void PlotView::setTheme(const Theme& theme) {
@@ -169,14 +196,13 @@ void PlotView::paintTheme() {
         }
         band->now->setPen(QPen(theme_.accent, 2));
         band->mouse->setPen(QPen(theme_.quietText, 0, Qt::DotLine));
+        band->instant->setPen(QPen(TimelineBar::colourOf(TimelineMark::Kind::divergence, theme_), 1));
+        for (const auto& [level, graph] : band->levels)
+            graph->setPen(QPen(TimelineBar::colourOf(TimelineMark::Kind::divergence, theme_), 1, Qt::DashLine));
         band->unknown->setPen(Qt::NoPen);
         band->unknown->setBrush(theme_.dark ? theme_.panel.lighter(115) : theme_.surround);
-        for (const auto& [curve, graph] : band->graphs) {
-            const PlotCurve& of = curves_[curve];
-            QPen pen(of.colour, of.ghost ? 1 : 1.6, of.ghost ? Qt::DashLine : of.dotted ? Qt::DotLine : Qt::SolidLine);
-            graph->setPen(pen);
-        }
     }
+    dirty_ = true;  // curves have their pens by how many ticks a pixel has
 }
 
 void PlotView::setTime(const Time& time) {
@@ -285,6 +311,8 @@ void PlotView::fillBand(Band& band) {
         points.clear();
         const auto from = static_cast<std::int64_t>(std::floor(from_)) - 1;
         curves_[index].sample(from, static_cast<std::int64_t>(std::ceil(to_)) + 1, step, points);
+        graph->setPen(penOf(curves_[index], step >= dense));
+        graph->setAntialiased(step < dense);
         QVector<QCPGraphData> drawn;
         drawn.reserve(points.size());
         for (const QPointF& point : points) {
@@ -295,6 +323,19 @@ void PlotView::fillBand(Band& band) {
         }
         graph->data()->set(drawn, true);
     }
+    for (const auto& [index, graph] : band.levels) {
+        QVector<QCPGraphData> drawn;
+        for (const QPointF& point : levels_[index].points) {
+            drawn.append({seconds(point.x()), point.y()});
+            least = std::min(least, point.y());
+            most = std::max(most, point.y());
+        }
+        if (!drawn.isEmpty()) drawn.append({std::max(drawn.back().key, seconds(to_)), drawn.back().value});
+        graph->data()->set(drawn, true);
+    }
+    if (instant_)
+        for (QCPItemPosition* end : {band.instant->start, band.instant->end})
+            end->setCoords(seconds(static_cast<double>(*instant_)), end == band.instant->start ? 0 : 1);
     band.time()->setRange(seconds(from_), seconds(to_));
     band.value()->ticker()->setTickCount(std::clamp(plot_->height() / static_cast<int>(bands_.size()) / 30, 1, 6));
     if (least > most) return;

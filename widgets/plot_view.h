@@ -28,10 +28,17 @@ struct PlotCurve {
     QColor colour;
     bool ghost = false;  ///< of another course: thin and dashed, beside the curve of the same name
     bool dotted = false;
+    QVector<qreal> dashes = {};  ///< of its line; empty: solid
     int decimals = 3;
     /// Points (tick, number) between two ticks, of each `step` of them a few (curve_sampling.h).
     std::function<void(std::int64_t from, std::int64_t to, std::int64_t step, QVector<QPointF>& points)> sample;
     std::function<double(std::int64_t tick)> at;  ///< NaN: unknown
+};
+
+/// What curves of a unit are held against: a dashed line through (tick, number), whose last number goes on.
+struct PlotLevel {
+    QString unit;
+    QVector<QPointF> points;
 };
 
 /// Curves over one axis of time, a stack of axes for the units. It shows the tick of the timeline; press or drag asks
@@ -46,6 +53,8 @@ public:
     /// `ghostName` is that of the other course, for the read-out.
     void setCurves(std::vector<PlotCurve> curves, const QString& ghostName = {});
     const std::vector<PlotCurve>& curves() const { return curves_; }
+    /// Levels that are not to be exceeded, and the instant at which they were: a thin upright line.
+    void setReferences(std::vector<PlotLevel> levels, std::optional<std::int64_t> instant);
     struct Time {
         std::int64_t first = 0, last = 0;  ///< ticks that are known
         std::int64_t now = 0;
@@ -90,6 +99,7 @@ private:
     void paintTheme();
     void fill();
     void fillBand(Band& band);
+    void addReferences(Band& band);
     void moveCursor();
     void setRange(double from, double to);
     void keepNowInView();
@@ -103,6 +113,8 @@ private:
     QTimer* soon_;
     std::vector<PlotCurve> curves_;
     QString ghostName_;
+    std::vector<PlotLevel> levels_;
+    std::optional<std::int64_t> instant_;
     std::vector<std::unique_ptr<Band>> bands_;
     Time time_;
     Theme theme_ = Theme::light();

@@ -85,6 +85,8 @@ QColor TimelineBar::colourOf(TimelineMark::Kind kind, const Theme& theme) {
             return QColor(0, 158, 115);
         case TimelineMark::Kind::fault:
             return theme.warning;
+        case TimelineMark::Kind::divergence:
+            return theme.dark ? QColor(222, 130, 255) : QColor(140, 40, 180);
         case TimelineMark::Kind::stop:
             break;
     }
@@ -121,16 +123,23 @@ void TimelineBar::zoom(double factor, double pixel) {
 void TimelineBar::pan(double pixels) { setOffset(offset_ + pixels); }
 
 std::optional<std::int64_t> TimelineBar::nextMark(bool contacts) const {
-    for (const TimelineMark& mark : marksBetween(content_.now + 1, content_.end))
+    std::optional<std::int64_t> next;
+    for (const Content::Noted& noted : content_.noted)
+        if (noted.mark.tick > content_.now && noted.mark.tick <= content_.end && (!next || noted.mark.tick < *next))
+            next = noted.mark.tick;
+    for (const TimelineMark& mark : marksBetween(content_.now + 1, next.value_or(content_.end)))
         if (contacts || mark.kind != TimelineMark::Kind::contact) return mark.tick;
-    return std::nullopt;
+    return next;
 }
 
 std::optional<std::int64_t> TimelineBar::previousMark(bool contacts) const {
-    const auto marks = marksBetween(content_.first, content_.now - 1);
+    std::optional<std::int64_t> previous;
+    for (const Content::Noted& noted : content_.noted)
+        if (noted.mark.tick < content_.now && (!previous || noted.mark.tick > *previous)) previous = noted.mark.tick;
+    const auto marks = marksBetween(previous.value_or(content_.first), content_.now - 1);
     for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark)
         if (contacts || mark->kind != TimelineMark::Kind::contact) return mark->tick;
-    return std::nullopt;
+    return previous;
 }
 
 void TimelineBar::paintEvent(QPaintEvent* /*event*/) {
@@ -140,8 +149,10 @@ void TimelineBar::paintEvent(QPaintEvent* /*event*/) {
     painter.drawLine(0, 0, width(), 0);
     painter.setRenderHint(QPainter::Antialiasing);
     paintTrack(painter);
+    paintUnknown(painter);
     paintScale(painter);
     paintMarks(painter);
+    paintNoted(painter);
     paintBranches(painter);
     if (hovered_ && !dragging_) paintFlag(painter, tickAt(*hovered_), false);
     paintFlag(painter, content_.now, true);
@@ -246,6 +257,28 @@ void TimelineBar::paintMarks(QPainter& painter) const {
     }
 }
 
+void TimelineBar::paintNoted(QPainter& painter) const {
+    for (const Content::Noted& noted : content_.noted) {
+        const double x = pixelOf(noted.mark.tick);
+        const QColor colour = colourOf(noted.mark.kind, theme_);
+        // Above what else is there: it hides a run's own mark, and says so by its tool tip alone.
+        painter.fillRect(QRectF(x - 6.5, signs - 6, 13, 12), theme_.panel);
+        painter.fillRect(QRectF(x - 0.75, signs + 6, 1.5, trackTop + trackHeight - signs - 6), colour);
+        drawMark(painter, {x, signs}, noted.mark.kind, theme_);
+    }
+}
+
+/// Thinly along the track's upper edge.
+void TimelineBar::paintUnknown(QPainter& painter) const {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QBrush(theme_.text, Qt::Dense5Pattern));
+    for (const auto& [from, to] : content_.unknown) {
+        const double left = std::max(0.0, pixelOf(std::max(from, content_.first)));
+        const double right = std::min<double>(width(), pixelOf(std::min(to, content_.end)));
+        if (right >= left) painter.drawRect(QRectF(left, trackTop, std::max(1.0, right - left), 4));
+    }
+}
+
 void TimelineBar::paintBranches(QPainter& painter) const {
     painter.setPen(QPen(theme_.text, 1.4));
     painter.setBrush(theme_.panel);
@@ -346,6 +379,16 @@ QString TimelineBar::textAt(double pixel) const {
         if (!names[i].isEmpty()) text += ": " + names[i].join(", ");
         if (names[i].size() == mostLines) text += QString::fromUtf8(" \u2026");
     }
+    for (const Content::Noted& noted : content_.noted)
+        if (std::abs(pixelOf(noted.mark.tick) - pixel) <= told + 2)
+            text += QString("<br><span style=\"color:%1\">%2</span> %3: %4")
+                        .arg(colourOf(noted.mark.kind, theme_).name(), markLetter(noted.mark.kind),
+                             markName(noted.mark.kind), noted.text.toHtmlEscaped());
+    for (const auto& [from, to] : content_.unknown)
+        if (tick > from && tick < to) {
+            text += "<br>" + tr("no ground truth");
+            break;
+        }
     for (const std::int64_t branch : content_.branches)
         if (std::abs(pixelOf(branch) - pixel) <= told) text += "<br>" + tr("a branch departs");
     return text;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "scenario/scenario.h"
@@ -26,8 +27,16 @@ public:
         std::int64_t departed = -1;  ///< tick at which the branch began; -1: it is the run itself
         Nanoseconds tickLength = 20'000'000;
         std::shared_ptr<const std::vector<TimelineMark>> marks;  ///< in the order of their ticks
-        std::vector<std::int64_t> branches;                      ///< ticks at which others departed from it
-        std::shared_ptr<const Scenario> scenario;                ///< for names; may be null
+        /// Marks of others than the run itself, in the order of their ticks, each with what is said of it.
+        struct Noted {
+            TimelineMark mark;
+            QString text;
+        };
+        std::vector<Noted> noted;
+        /// From one tick to another: there nobody knows what really happened.
+        std::vector<std::pair<std::int64_t, std::int64_t>> unknown;
+        std::vector<std::int64_t> branches;        ///< ticks at which others departed from it
+        std::shared_ptr<const Scenario> scenario;  ///< for names; may be null
     };
     explicit TimelineBar(QWidget* parent = nullptr);
 
@@ -73,6 +82,8 @@ private:
     void paintTrack(QPainter& painter) const;
     void paintScale(QPainter& painter) const;
     void paintMarks(QPainter& painter) const;
+    void paintNoted(QPainter& painter) const;
+    void paintUnknown(QPainter& painter) const;
     void paintBranches(QPainter& painter) const;
     void paintFlag(QPainter& painter, std::int64_t tick, bool now) const;
     std::span<const TimelineMark> marksBetween(std::int64_t from, std::int64_t to) const;

@@ -56,17 +56,25 @@ void drawMark(QPainter& painter, const QPointF& middle, TimelineMark::Kind kind,
                                             {-4.5, 1.9},
                                             {-4.5, -1.9}}));
             break;
+        case TimelineMark::Kind::divergence:
+            // Two ways that part.
+            painter.setPen(QPen(colour, 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+            painter.setBrush(Qt::NoBrush);
+            painter.drawPolyline(at(middle, {{-5, 0}, {-1, 0}, {4.5, -4}}));
+            painter.drawPolyline(at(middle, {{-1, 0}, {4.5, 4}}));
+            break;
     }
 }
 
 QString markName(TimelineMark::Kind kind) {
-    static constexpr std::array<const char*, markKinds> names{"contact", "kick", "goal", "controller failed",
-                                                              "stop asked for"};
+    static constexpr std::array<const char*, markKinds> names{
+        "contact", "kick", "goal", "controller failed", "stop asked for", "first divergence"};
     return QObject::tr(names[static_cast<std::size_t>(kind)]);
 }
 
 QString markLetter(TimelineMark::Kind kind) {
-    static constexpr std::array<const char*, markKinds> letters{"\u25cf", "\u25b6", "\u2605", "\u2716", "\u25a0"};
+    static constexpr std::array<const char*, markKinds> letters{"\u25cf", "\u25b6", "\u2605",
+                                                                "\u2716", "\u25a0", "\u2442"};
     return QString::fromUtf8(letters[static_cast<std::size_t>(kind)]);
 }
 

@@ -6,7 +6,7 @@ namespace mrose {
 
 /// Something that happened in a tick, as the timeline marks it.
 struct TimelineMark {
-    enum class Kind : std::uint8_t { contact, kick, goal, fault, stop };
+    enum class Kind : std::uint8_t { contact, kick, goal, fault, stop, divergence };
     std::int64_t tick = 0;  ///< of the state after it
     Kind kind = Kind::contact;
     std::uint32_t body = 0, other = 0;  ///< of a contact: noBody for what stands still; of a goal: its index

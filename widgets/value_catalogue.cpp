@@ -135,6 +135,58 @@ double slip(const Subject& s) {
 
 double or0(const std::optional<Pose>& pose, double Pose::*part) { return pose ? (*pose).*part : unknown; }
 
+Nanoseconds modelTime(const Subject& s, const Reality::ModelCourse& model) {
+    return s.at.now() - s.at.now() % model.step;
+}
+
+/// Of the robot that really drove what the body repeats.
+const Reality::Robot* realRobot(const Subject& s) {
+    return s.at.reality == nullptr ? nullptr : s.at.reality->robotNamed(s.at.scene().robots[s.body].name);
+}
+
+std::optional<Pose> realPose(const Subject& s) {
+    const Reality::Robot* const robot = realRobot(s);
+    return robot == nullptr ? std::nullopt : robot->poseAt(s.at.now());
+}
+
+double realVelocity(const Subject& s, double Velocity::*part) {
+    const Reality::Robot* const robot = realRobot(s);
+    const auto velocity = robot == nullptr ? std::nullopt : robot->velocityAt(s.at.now());
+    return velocity ? (*velocity).*part : unknown;
+}
+
+/// A real pose and what is held against it: the body's own, or that of the model that `of` names.
+struct Compared {
+    Pose real, simulated;
+};
+std::optional<Compared> compared(const Subject& s) {
+    const Reality::Robot* const robot = realRobot(s);
+    if (robot == nullptr) return std::nullopt;
+    std::optional<Pose> simulated = s.pose();
+    Nanoseconds now = s.at.now();
+    if (!s.key.of.empty()) {
+        const std::vector<Reality::ModelCourse>& models = s.at.reality->models;
+        const auto model = std::find_if(models.begin(), models.end(),
+                                        [&](const Reality::ModelCourse& one) { return one.name == s.key.of; });
+        if (model == models.end()) return std::nullopt;
+        simulated = model->poseAt(static_cast<std::size_t>(robot - s.at.reality->robots.data()), now);
+        now = modelTime(s, *model);
+    }
+    const std::optional<Pose> real = robot->poseAt(now);
+    return real && simulated ? std::optional(Compared{*real, *simulated}) : std::nullopt;
+}
+
+/// m, rad; in the real robot's frame
+double offReality(const Subject& s, double Pose::*part) {
+    const auto both = compared(s);
+    return both ? relative(both->real, both->simulated).*part : unknown;
+}
+
+double errorOf(const Subject& s, double PoseError::*part) {
+    const auto both = compared(s);
+    return both ? poseError(both->real, both->simulated).*part : unknown;
+}
+
 struct Quantity {
     enum class Whose { robot, object, body };
     const char* name;
@@ -242,6 +294,24 @@ constexpr Quantity quantities[] = {
     {"x of note", {"m", 3}, Whose::robot, [](const Subject& s) { return notedPoint(s, &Point::x); }},
     {"y of note", {"m", 3}, Whose::robot, [](const Subject& s) { return notedPoint(s, &Point::y); }},
     {"remembers", {"", 3}, Whose::robot, remembered},
+    {"real x", {"m", 3}, Whose::robot, [](const Subject& s) { return or0(realPose(s), &Pose::x); }},
+    {"real y", {"m", 3}, Whose::robot, [](const Subject& s) { return or0(realPose(s), &Pose::y); }},
+    {"real heading",
+     {degreeSign, 1},
+     Whose::robot,
+     [](const Subject& s) { return degrees(or0(realPose(s), &Pose::heading)); }},
+    {"real forward", {"m/s", 3}, Whose::robot, [](const Subject& s) { return realVelocity(s, &Velocity::v); }},
+    {"real turning", {"rad/s", 3}, Whose::robot, [](const Subject& s) { return realVelocity(s, &Velocity::w); }},
+    {positionErrorQuantity,
+     {"cm", 1},
+     Whose::robot,
+     [](const Subject& s) { return 100 * errorOf(s, &PoseError::position); }},
+    {headingErrorQuantity,
+     {degreeSign, 1},
+     Whose::robot,
+     [](const Subject& s) { return degrees(errorOf(s, &PoseError::heading)); }},
+    {"error ahead", {"cm", 1}, Whose::robot, [](const Subject& s) { return 100 * offReality(s, &Pose::x); }},
+    {"error to the left", {"cm", 1}, Whose::robot, [](const Subject& s) { return 100 * offReality(s, &Pose::y); }},
 };
 
 const Quantity* quantityNamed(const std::string& name) {
@@ -292,8 +362,12 @@ Expected<PlottedValue> plottedValue(const Scenario& scenario, const ValueKey& ke
     if (quantity == nullptr || !fits(quantity->whose, scene, body))
         return fail({}, "there is no " + key.quantity + " of " + key.body);
     PlottedValue value;
-    value.name = QString::fromStdString(key.body) + "  " + QObject::tr(quantity->name);
-    if (!key.of.empty()) value.name += ' ' + QString::fromStdString(key.of);
+    const QString of = QString::fromStdString(key.of), what = QObject::tr(quantity->name);
+    value.name = QString::fromStdString(key.body) + "  ";
+    if (readsReality(key) && !key.of.empty())
+        value.name += of + ": " + what;  // the model first: it is what differs
+    else
+        value.name += key.of.empty() ? what : what + ' ' + of;
     const char* const unit = key.unit.empty() ? quantity->text.unit : key.unit.c_str();
     value.angle = unit == std::string_view("rad") || unit == std::string_view(degreeSign);
     value.unit = QString::fromUtf8(value.angle ? degreeSign : unit);
@@ -310,6 +384,11 @@ double readValue(const Moment& moment, const ValueKey& key, std::uint32_t body) 
     if (quantity == nullptr || !fits(quantity->whose, moment.scene(), body)) return unknown;
     const std::uint32_t other = key.of.empty() ? noBody : bodyNamed(moment.scene(), key.of);
     return quantity->read({moment, body, other, key});
+}
+
+bool readsReality(const ValueKey& key) {
+    return key.quantity.starts_with("real ") || key.quantity == positionErrorQuantity ||
+           key.quantity == headingErrorQuantity || key.quantity == "error ahead" || key.quantity == "error to the left";
 }
 
 const QuantityText* quantityText(const std::string& quantity) {

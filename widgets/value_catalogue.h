@@ -53,6 +53,10 @@ struct PlottedValue {
 /// The quantity whose `of` is a Lua expression over the world (core/condition/README.md).
 inline constexpr const char* expressionQuantity = "expression";
 
+/// Of a robot that really drove: how far it is off, in cm and degrees; of an overlaid motion model where `of` names it.
+inline constexpr const char* positionErrorQuantity = "position error";
+inline constexpr const char* headingErrorQuantity = "heading error";
+
 /// Error: there is no such quantity or body; what is wrong with the expression. read() is for one thread at a time, and
 /// for scenarios with the same bodies.
 Expected<PlottedValue> plottedValue(const Scenario& scenario, const ValueKey& key);
@@ -69,6 +73,9 @@ const QuantityText* quantityText(const std::string& quantity);
 
 /// A number as the window writes it, with a fixed number of digits and never "-0.00"; a dash where it is unknown.
 QString fixedText(double value, int decimals);
+
+/// Whether a number is told by what really happened.
+bool readsReality(const ValueKey& key);
 
 /// Bodies by name, robots first; noBody: none of them.
 std::uint32_t bodyNamed(const Scene& scene, const std::string& name);

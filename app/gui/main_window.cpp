@@ -121,6 +121,7 @@ void MainWindow::connectAll() {
     connect(timeline_, &TimelineBar::tickRequested, session_, &Session::seek);
     connect(&field(), &FieldView::bodySelected, inspector_, &Inspector::setBody);
     connect(&field(), &FieldView::bodySelected, command_, &CommandPanel::setRobot);
+    connect(&field(), &FieldView::bodySelected, this, &MainWindow::updateTimeline);
     connect(inspector_, &Inspector::commandActivated, this, [this](qint64 issued) {
         // The state after the decision is the first that shows it.
         if (shown_) session_->seek(shown_->frame->scene().ticksOf(issued) + 1);
@@ -274,6 +275,7 @@ void MainWindow::show(const OpenRun& run) {
     setWindowTitle(title_ + " \u2013 mrose");
     plannedTicks_ = run.course->scene().ticksOf(run.course->scenario->parts().duration);
     field().setSelected(std::nullopt);
+    realityMarks_.setNoted({});
     session_->open(run);
 }
 
@@ -282,6 +284,16 @@ void MainWindow::update(std::shared_ptr<const Shown> what) {
     view_->setShown(*shown_);
     inspector_->setFrame(shown_->frame);
     plots_->setShown(shown_);
+    updateTimeline();
+    branches_->setShown(*shown_);
+    command_->setShown(*shown_);
+    if (shown_->subject) field().setSelected(shown_->subject);
+    updateStatus();
+    emit updated();
+}
+
+void MainWindow::updateTimeline() {
+    if (!shown_) return;
     TimelineBar::Content content;
     content.first = shown_->first;
     content.last = shown_->last;
@@ -293,12 +305,13 @@ void MainWindow::update(std::shared_ptr<const Shown> what) {
     if (shown_->branch != 0) content.departed = shown_->branches[shown_->branch].departed;
     for (const BranchInfo& branch : shown_->branches)
         if (branch.parent == shown_->branch && branch.departed > 0) content.branches.push_back(branch.departed);
+    realityMarks_.addTo(content, *shown_, field().selected());
     timeline_->setContent(std::move(content));
-    branches_->setShown(*shown_);
-    command_->setShown(*shown_);
-    if (shown_->subject) field().setSelected(shown_->subject);
-    updateStatus();
-    emit updated();
+}
+
+void MainWindow::note(std::vector<TimelineBar::Content::Noted> marks) {
+    realityMarks_.setNoted(std::move(marks));
+    updateTimeline();
 }
 
 void MainWindow::updateStatus() {

@@ -6,6 +6,7 @@
 
 #include "actions.h"
 #include "open_run.h"
+#include "reality_marks.h"
 #include "session.h"
 #include "widgets/theme.h"
 
@@ -17,7 +18,6 @@ namespace mrose {
 class FieldView;
 class Inspector;
 class MessageBar;
-class TimelineBar;
 }  // namespace mrose
 
 namespace mrose::gui {
@@ -51,6 +51,8 @@ public:
     CommandPanel& commandPanel() const { return *command_; }
     BranchPanel& branchPanel() const { return *branches_; }
     void setSideBySide(bool on);
+    /// Marks on the timeline that the run does not know of: its first divergence. For as long as it is open.
+    void note(std::vector<TimelineBar::Content::Noted> marks);
     /// Asks the user for a line; empty: they thought better of it.
     QString askText(const QString& title, const QString& label, const QString& suggestion = {});
     const Shown* shown() const { return shown_.get(); }
@@ -82,6 +84,7 @@ private:
     void makeDocks();
     void makeStatusBar();
     void update(std::shared_ptr<const Shown> what);
+    void updateTimeline();
     void updateStatus();
     void moveBody(std::size_t body, const Pose& pose);
 
@@ -101,6 +104,7 @@ private:
     WindowMemory* memory_;
     WorkProgress* progress_;
     std::shared_ptr<const Shown> shown_;
+    RealityMarks realityMarks_;
     std::int64_t plannedTicks_ = 0;
     QString title_;
     std::int64_t saidAt_ = 0;  ///< the tick shown when something was said

@@ -2,10 +2,33 @@
 
 #include "main_window.h"
 #include "plot_panel.h"
+#include "widgets/field_view.h"
 #include "widgets/inspector.h"
 #include "window_actions.h"
 
 namespace mrose::gui {
+namespace {
+
+/// Position and heading errors of the selected robot, or of all that really drove; of the run and of each model.
+std::vector<ValueKey> errorsOf(const MainWindow& window) {
+    std::vector<ValueKey> keys;
+    if (window.shown() == nullptr || !window.shown()->frame->reality) return keys;
+    const FieldFrame& frame = *window.shown()->frame;
+    const std::vector<SceneRobot>& robots = frame.scene().robots;
+    const auto selected = window.field().selected();
+    for (std::size_t i = 0; i < robots.size(); ++i) {
+        if (selected && *selected < robots.size() && selected != i) continue;
+        if (frame.reality->robotNamed(robots[i].name) == nullptr) continue;
+        for (const char* quantity : {positionErrorQuantity, headingErrorQuantity}) {
+            keys.push_back({quantity, robots[i].name});
+            for (const Reality::ModelCourse& model : frame.reality->models)
+                keys.push_back({quantity, robots[i].name, model.name});
+        }
+    }
+    return keys;
+}
+
+}  // namespace
 
 void addPlotActions(MainWindow& window) {
     Actions& actions = window.actions();
@@ -38,6 +61,17 @@ void addPlotActions(MainWindow& window) {
                                     return QString();
                                 },
                                 [&plots](const QString& text) { return plots.addExpression(text); }});
+    actions.add(menu,
+                {"plot_errors", QObject::tr("Plot the &errors"), QKeySequence("Shift+R"),
+                 QObject::tr("How far the selected robot, or all, and overlaid models are from the real ones, or no "
+                             "longer")},
+                [&window, &plots](bool) {
+                    std::vector<ValueKey> errors = errorsOf(window);
+                    if (errors.empty())
+                        window.say(QObject::tr("Nothing real is known beside this: open a log over it first"));
+                    else
+                        plots.toggleAll(std::move(errors));
+                });
     actions.addSeparator(menu);
     actions.add(menu,
                 {"plot_all_time", QObject::tr("Show &all of the time"), QKeySequence("Ctrl+0"),

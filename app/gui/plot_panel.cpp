@@ -203,6 +203,10 @@ void PlotPanel::toggleOfAll(const ValueKey& key) {
     std::vector<ValueKey> all;
     for (const SceneRobot& robot : shown_->frame->scene().robots)
         if (robot.name != key.of) all.push_back({key.quantity, robot.name, key.of, key.unit});
+    toggleAll(std::move(all));
+}
+
+void PlotPanel::toggleAll(std::vector<ValueKey> all) {
     const auto isPlotted = [&](const ValueKey& one) {
         return std::find(keys_.begin(), keys_.end(), one) != keys_.end();
     };
@@ -245,12 +249,13 @@ void PlotPanel::setShown(std::shared_ptr<const Shown> shown) {
     const bool same = shown_ && shown_->run == shown->run && shown_->branches.size() == shown->branches.size();
     const auto before = same ? std::optional(courses()) : std::nullopt;
     const bool sameRun = shown_ && shown_->run == shown->run;
+    const bool sameReality = shown_ && shown_->frame->reality == shown->frame->reality;
     shown_ = std::move(shown);
     if (!sameRun) {
         dropUnknown();
         view_->showAll();
     }
-    if (!before || *before != courses())
+    if (!before || *before != courses() || !sameReality)
         rebuild();
     else
         follow();
@@ -296,7 +301,8 @@ void PlotPanel::follow() {
     if (const auto ghost = ghostBranch())
         for (const Piece& piece : courseOf(*ghost)) want(piece, true);
     std::erase_if(ways, [](const ValueSeries::Way& way) { return way.last < way.first; });
-    series_->follow(shown_->run, keys_.empty() ? std::vector<ValueSeries::Way>{} : std::move(ways));
+    series_->follow(shown_->run, shown_->frame->reality,
+                    keys_.empty() ? std::vector<ValueSeries::Way>{} : std::move(ways));
     view_->setTime({first, last, shown_->tick(), shown_->frame->scene().tickLength});
     updateProgress();
 }
@@ -326,12 +332,30 @@ PlotCurve PlotPanel::curveOf(const ValueKey& key, const PlottedValue& value, con
     return curve;
 }
 
-/// A robot's colour; more curves of one robot on one axis differ in lightness. What is no robot's has none of those.
+/// Of the overlaid motion model that a number is of; nothing: of none.
+std::optional<std::size_t> PlotPanel::modelOf(const ValueKey& key) const {
+    if (!shown_ || !shown_->frame->reality || key.of.empty() || !readsReality(key)) return {};
+    const std::vector<Reality::ModelCourse>& models = shown_->frame->reality->models;
+    const auto found = std::find_if(models.begin(), models.end(),
+                                    [&](const Reality::ModelCourse& model) { return model.name == key.of; });
+    if (found == models.end()) return {};
+    return static_cast<std::size_t>(found - models.begin());
+}
+
+/// A model's colour, or a robot's; more curves of one robot on one axis differ in lightness. What is no robot's has
+/// none of those.
 std::vector<QColor> PlotPanel::coloursOf(const std::vector<PlottedValue>& values) const {
     std::vector<QColor> colours;
     std::map<std::pair<std::uint32_t, QString>, int> used;
+    std::map<std::pair<std::size_t, QString>, int> usedOfModels;
     const std::array others{theme_.text, theme_.contact, theme_.accent, theme_.quietText};
-    for (const PlottedValue& value : values) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const PlottedValue& value = values[i];
+        if (const auto model = modelOf(keys_[i])) {
+            const QColor base = visible(modelColour(*model), theme_);
+            colours.push_back(variant(base, usedOfModels[{*model, value.unit}]++ % 3, theme_));
+            continue;
+        }
         if (!value.colourOf) {
             colours.push_back(others[static_cast<std::size_t>(used[{noBody, {}}]++) % others.size()]);
             continue;
@@ -356,6 +380,7 @@ void PlotPanel::rebuild() {
         for (std::size_t i = 0; i < values.size(); ++i) {
             PlotCurve curve = curveOf(keys_[i], values[i], course);
             curve.colour = colours_[i];
+            if (const auto model = modelOf(keys_[i])) curve.dashes = modelDashes(*model);
             curve.ghost = ghost;
             if (ghost) curve.id += "\nghost";
             curves.push_back(std::move(curve));

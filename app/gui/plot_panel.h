@@ -39,6 +39,8 @@ public:
     void toggle(const ValueKey& key);
     /// Of every robot, where not all are plotted; otherwise removes them.
     void toggleOfAll(const ValueKey& key);
+    /// All of them, where not all are plotted; otherwise removes them.
+    void toggleAll(std::vector<ValueKey> keys);
     void remove(const ValueKey& key);
     void clear();
     void askForExpression();  ///< the keyboard goes to its line
@@ -71,6 +73,7 @@ private:
     void updateList();
     void updateNumbers();
     void updateProgress();
+    std::optional<std::size_t> modelOf(const ValueKey& key) const;
     std::vector<QColor> coloursOf(const std::vector<PlottedValue>& values) const;
 
     std::unique_ptr<ValueSeries> series_;

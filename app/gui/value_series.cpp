@@ -59,9 +59,14 @@ void ValueSeries::want(std::vector<ValueKey> values) {
     wake_.notify_all();
 }
 
-void ValueSeries::follow(std::uint64_t run, std::vector<Way> ways) {
+void ValueSeries::follow(std::uint64_t run, std::shared_ptr<const Reality> reality, std::vector<Way> ways) {
     {
         const std::lock_guard lock(mutex_);
+        if (reality != reality_) {
+            std::erase_if(series_, [](const auto& one) { return readsReality(one.first.second); });
+            reality_ = std::move(reality);
+            ++version_;
+        }
         if (std::exchange(run_, run) != run) {
             series_.clear();
             ++version_;
@@ -121,7 +126,7 @@ std::optional<ValueSeries::Task> ValueSeries::nextTask() const {
             const auto found = series_.find({way.branch, key});
             tick = std::min(tick, found == series_.end() ? way.first : std::max(way.first, found->second.end()));
         }
-        if (tick <= way.last) return Task{run_, way.branch, tick, way.last, values_};
+        if (tick <= way.last) return Task{run_, way.branch, tick, way.last, values_, reality_};
     }
     return {};
 }
@@ -220,7 +225,8 @@ bool ValueSeries::tell(Walker& walker, const Task& task) {
     auto delivered = Clock::now();
     const std::int64_t end = std::min(task.last, walker.timeline->last());
     for (bool goesOn = true; goesOn;) {
-        const Moment moment = walker.cursor->moment(*walker.course->scenario);
+        Moment moment = walker.cursor->moment(*walker.course->scenario);
+        moment.reality = task.reality.get();
         for (std::size_t i = 0; i < columns.size(); ++i) {
             const PlottedValue& value = walker.values.at(task.values[i]);
             columns[i].push_back(value.read ? static_cast<float>(value.read(moment)) : noNumber);
@@ -242,7 +248,7 @@ bool ValueSeries::tell(Walker& walker, const Task& task) {
 void ValueSeries::append(const Task& task, std::int64_t first, const std::vector<std::vector<float>>& columns) {
     {
         const std::lock_guard lock(mutex_);
-        if (run_ != task.run) return;
+        if (run_ != task.run || reality_ != task.reality) return;
         const auto way =
             std::find_if(ways_.begin(), ways_.end(), [&](const Way& w) { return w.branch == task.branch; });
         if (way == ways_.end()) return;
@@ -265,7 +271,7 @@ void ValueSeries::append(const Task& task, std::int64_t first, const std::vector
 void ValueSeries::giveUp(const Task& task, std::int64_t last) {
     {
         const std::lock_guard lock(mutex_);
-        if (run_ != task.run) return;
+        if (run_ != task.run || reality_ != task.reality) return;
         for (const ValueKey& key : task.values) {
             TickNumbers& numbers = series_.try_emplace({task.branch, key}, TickNumbers{task.tick, {}}).first->second;
             if (numbers.end() <= last)

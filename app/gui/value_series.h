@@ -35,7 +35,8 @@ public:
         std::uint32_t branch = 0;
         std::int64_t first = 0, last = 0;  ///< ticks
     };
-    void follow(std::uint64_t run, std::vector<Way> ways);
+    /// Of numbers that are told by what really happened, those that were by something else are forgotten.
+    void follow(std::uint64_t run, std::shared_ptr<const Reality> reality, std::vector<Way> ways);
     /// Leaves out what has not been computed of the past. What comes is computed as ever.
     void cancel();
     /// Blocks until all that is wanted is known; for scripts and tests.
@@ -56,6 +57,7 @@ private:
         std::uint32_t branch = 0;
         std::int64_t tick = 0, last = 0;
         std::vector<ValueKey> values;
+        std::shared_ptr<const Reality> reality;
     };
     using Series = std::map<std::pair<std::uint32_t, ValueKey>, TickNumbers>;
 
@@ -80,6 +82,7 @@ private:
     std::uint64_t run_ = 0;
     std::vector<Way> ways_;
     std::vector<ValueKey> values_;
+    std::shared_ptr<const Reality> reality_;
     Series series_;
     std::atomic<bool> quit_ = false;
     std::atomic<std::uint64_t> version_ = 0;  ///< of what is wanted

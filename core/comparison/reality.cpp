@@ -13,6 +13,12 @@ std::optional<Pose> Reality::Robot::poseAt(Nanoseconds now) const {
     return truthAt(trajectory->poses, time);
 }
 
+std::optional<Velocity> Reality::Robot::velocityAt(Nanoseconds now) const {
+    const Nanoseconds time = origin + now;
+    if (!truthIsKnown(trajectory->poses, time)) return {};
+    return truthVelocityAt(trajectory->poses, time);
+}
+
 std::span<const StampedPose> Reality::Robot::posesBetween(Nanoseconds from, Nanoseconds to) const {
     const std::vector<StampedPose>& poses = trajectory->poses;
     const auto first = std::lower_bound(poses.begin(), poses.end(), origin + from,
@@ -20,6 +26,20 @@ std::span<const StampedPose> Reality::Robot::posesBetween(Nanoseconds from, Nano
     const auto last = std::upper_bound(first, poses.end(), origin + to,
                                        [](Nanoseconds t, const StampedPose& p) { return t < p.time; });
     return {first, last};
+}
+
+std::vector<Reality::Robot::Stretch> Reality::Robot::unknownBetween(Nanoseconds from, Nanoseconds to) const {
+    std::vector<Stretch> stretches;
+    Nanoseconds known = from;
+    const auto end = [&](Nanoseconds time, bool gap) {
+        if (gap && time > known) stretches.push_back({known, time});
+        known = std::max(known, time);
+    };
+    const std::vector<StampedPose>& poses = trajectory->poses;
+    for (std::size_t i = 0; i < poses.size() && known < to; ++i)
+        end(std::min(poses[i].time - origin, to), i == 0 || poses[i].time - poses[i - 1].time >= truthGap);
+    end(to, true);
+    return stretches;
 }
 
 std::optional<Pose> Reality::ModelCourse::poseAt(std::size_t robot, Nanoseconds now) const {

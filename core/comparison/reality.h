@@ -29,8 +29,17 @@ struct Reality {
         /// Where the real robot is at an instant of the run's clock; nothing where there is no ground truth. Heading
         /// continuous.
         std::optional<Pose> poseAt(Nanoseconds now) const;
+        /// How fast it is then, by the slope of the measured poses.
+        std::optional<Velocity> velocityAt(Nanoseconds now) const;
         /// The measured poses in between, both ends included. Their times are the log's.
         std::span<const StampedPose> posesBetween(Nanoseconds from, Nanoseconds to) const;
+        /// A stretch of the run's clock without truth: between the last pose before and the next one.
+        struct Stretch {
+            Nanoseconds from = 0, to = 0;
+            bool operator==(const Stretch&) const = default;
+        };
+        /// In which nobody knows where it is, between two instants, in order.
+        std::vector<Stretch> unknownBetween(Nanoseconds from, Nanoseconds to) const;
     };
     /// What another motion model makes of the same start and the same commands.
     struct ModelCourse {

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QTest>
 #include <QWheelEvent>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -149,6 +150,46 @@ TEST_F(TimelineBarTest, WheelZoomsAtTheCursorAndNowStaysInSight) {
     ASSERT_FALSE(handle.empty());
     EXPECT_GE(bar.pixelOf(10), handle.front() - 1);
     EXPECT_LE(bar.pixelOf(10), handle.back() + 1);
+}
+
+TEST_F(TimelineBarTest, NotedMarksAreReachedAmongTheRunsOwn) {
+    content.noted = {{{700, TimelineMark::Kind::divergence, 0, 0}, "create 1, 12 cm"}};
+    content.now = 500;
+    show({{400, TimelineMark::Kind::kick, 0, 0},
+          {650, TimelineMark::Kind::contact, 0, 1},
+          {900, TimelineMark::Kind::goal, 0, 0}});
+    EXPECT_EQ(bar.nextMark(true), 650);
+    EXPECT_EQ(bar.nextMark(false), 700);
+    EXPECT_EQ(bar.previousMark(false), 400);
+    content.now = 800;
+    bar.setContent(content);
+    EXPECT_EQ(bar.previousMark(true), 700);
+    EXPECT_EQ(bar.nextMark(true), 900);
+    content.marks.reset();
+    bar.setContent(content);
+    EXPECT_EQ(bar.previousMark(true), 700);
+    EXPECT_FALSE(bar.nextMark(true));
+    const QString text = bar.textAt(bar.pixelOf(700));
+    EXPECT_TRUE(text.contains("first divergence: create 1, 12 cm")) << text.toStdString();
+    EXPECT_FALSE(bar.textAt(bar.pixelOf(700) + 20).contains("divergence"));
+    const std::vector<int> columns = columnsOf(TimelineBar::colourOf(TimelineMark::Kind::divergence, Theme::light()));
+    ASSERT_FALSE(columns.empty());
+    EXPECT_NEAR(columns.front(), bar.pixelOf(700), 7);
+    EXPECT_NEAR(columns.back(), bar.pixelOf(700), 7);
+}
+
+TEST_F(TimelineBarTest, StretchesWithoutTruthAreHatchedThere) {
+    show();
+    const QImage before = rendered(bar);
+    content.unknown = {{1000, 1300}, {2500, std::numeric_limits<std::int64_t>::max()}};
+    show();
+    for (const QPoint& p : differences(before, rendered(bar))) {
+        const bool first = p.x() >= bar.pixelOf(1000) - 1 && p.x() <= bar.pixelOf(1300) + 1;
+        ASSERT_TRUE(first || p.x() >= bar.pixelOf(2500) - 1) << p.x();
+    }
+    EXPECT_GT(differences(before, rendered(bar)).size(), 200u);
+    EXPECT_TRUE(bar.textAt(bar.pixelOf(1100)).contains("no ground truth"));
+    EXPECT_FALSE(bar.textAt(bar.pixelOf(1400)).contains("no ground truth"));
 }
 
 }  // namespace
