@@ -1,11 +1,14 @@
 #include "comparison/course_rerun.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "behaviour/command_player.h"
 #include "logs/conditioning.h"
 #include "logs/pose_grid.h"
 #include "simulation/step.h"
+#include "world/noise.h"
+#include "world/noise_channel.h"
 
 namespace mrose {
 namespace {
@@ -14,6 +17,16 @@ namespace {
 constexpr Nanoseconds readBefore = 4 * nanosecondsPerSecond, readAfter = nanosecondsPerSecond;
 /// Between bodies that are put out of the way.
 constexpr double outOfTheWay = 1e4;  // m
+
+/// What the noise of a real robot does to the velocity that is measured of it, over so long before the start.
+void addMeasuredNoise(const MotionNoise& noise, const NoiseKey& key, Nanoseconds period, Velocity& velocity) {
+    constexpr double measuredOver = 0.2;  // s
+    const double left = std::sqrt(std::min(1.0, toSeconds(period) / measuredOver));
+    const NoisePair draw = normalPair(key);
+    const double turning = std::hypot(noise.rotationPerRotation * velocity.w, noise.rotationPerDistance * velocity.v);
+    velocity.v += left * noise.distancePerDistance * velocity.v * draw.first;
+    velocity.w += left * turning * draw.second;
+}
 
 /// The part of a trajectory's commands that a course reads, with the one in force before.
 Trajectory commandsAround(const Trajectory& whole, Nanoseconds begin, Nanoseconds end) {
@@ -120,6 +133,8 @@ CourseRerun::Poses CourseRerun::noisy(const MotionNoise& noise, std::uint64_t se
         Scene& scene = opened.parts.scene;
         RobotType type = scene.typeOf(body);
         type.motionNoise = noise;
+        addMeasuredNoise(noise, {seed, -1, static_cast<std::uint32_t>(body), channelOf(NoiseChannel::motion)},
+                         scene.modelOf(body).period(), scene.robots[body].velocity);
         scene.robots[body].type = static_cast<std::uint32_t>(scene.robotTypes.size());
         scene.robotTypes.push_back(std::move(type));
     });

@@ -25,7 +25,7 @@ public:
     Poses startingAt(const Velocity& velocity) const;
     Poses untouched() const;  ///< nothing stands in its way: no obstacle, no object, no other robot
     Poses movedBy(const std::shared_ptr<const MotionModel>& model) const;
-    Poses noisy(const MotionNoise& noise, std::uint64_t seed) const;
+    Poses noisy(const MotionNoise& noise, std::uint64_t seed) const;  ///< of the measured start's velocity too
     Poses obeying(std::span<const StampedCommand> more) const;  ///< these commands as well, stamped on the log's clock
 
     /// Carried as the log has it from after step `from` to after step `to`, at which the truth must be known (0: the

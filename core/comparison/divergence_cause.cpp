@@ -7,7 +7,6 @@
 #include "comparison/course_rerun.h"
 #include "comparison/log_defects_near.h"
 #include "evaluation/format.h"
-#include "io/number_text.h"
 #include "logs/pose_grid.h"
 #include "motion/learned_model.h"
 
@@ -15,13 +14,16 @@ namespace mrose {
 namespace {
 
 /// After a divergence has been held: what was wrong shows more clearly then.
-constexpr Nanoseconds moment = 500'000'000;
-constexpr int mostTicks = 10;         // that a dead time is off by
-constexpr double worthATick = 0.01;   // explained more
-constexpr double alike = 0.1;         // explained: within it the more specific cause is the likelier
-constexpr double beyondNoise = 0.85;  // explained: so much is no accident, even where noise could do it alone
+constexpr Nanoseconds moment = 1'000'000'000;
+constexpr Nanoseconds leastEvidence = 2'500'000'000;  // a course that diverges at once tells little by then
+constexpr int mostTicks = 10;                         // that a dead time is off by
+constexpr double demandedForATick = 0.02;  // explained, beyond the threshold: more ticks fit more by accident
+constexpr double worthATick = 0.01;        // explained more
+constexpr double alike = 0.1;              // explained: within it the more specific cause is the likelier
+constexpr double beyondNoise = 0.85;       // explained: so much is no accident, even where noise could do it alone
 constexpr int noiseRuns = 40;
-constexpr double likelyShare = 0.95;  // of noisy runs
+constexpr double likelyShare =
+    0.975;  // of noisy runs; high, because a divergence is looked at where the error is large
 
 /// Of a robot that is off by `simulated` from `real`: RMS over the known instants, in bounds.
 double rmsInBounds(std::span<const Pose> real, std::span<const Pose> simulated, const DivergenceBound& bound) {
@@ -79,7 +81,7 @@ private:
 
     bool add(CauseKind kind, std::string what, std::vector<Pose> simulated) {
         const double explained = explainedBy(simulated);
-        diagnosis_.trials.push_back({kind, std::move(what), explained, std::move(simulated)});
+        diagnosis_.trials.push_back({kind, std::move(what), explained, options_.threshold, std::move(simulated)});
         return goesOn();
     }
 
@@ -102,17 +104,19 @@ private:
 
     /// As many ticks in one direction as each explains still more.
     bool tryDeadTimes(int direction) {
+        const MotionModel::DeadTimes known = rerun_.model().deadTimes();
+        const auto knownTicks = static_cast<int>(std::max(known.v, known.w) / rerun_.tick());
+        const int most = direction > 0 ? mostTicks : std::min(mostTicks, knownTicks + 1);
         CauseTrial best;
-        for (int ticks = 1; ticks <= mostTicks; ++ticks) {
+        for (int ticks = 1; ticks <= most; ++ticks) {
             const Nanoseconds delay = ticks * rerun_.tick();
             auto simulated = rerun_.later(direction * delay);
             const double explained = explainedBy(simulated);
             if (!goesOn()) return false;
             if (ticks > 1 && explained < best.explained + worthATick) break;
-            best = {
-                CauseKind::deadTime,
-                "dead time " + numberText(1000 * toSeconds(delay)) + " ms " + (direction > 0 ? "longer" : "shorter"),
-                explained, std::move(simulated)};
+            best = {CauseKind::deadTime,
+                    "dead time " + fixed(1000 * toSeconds(delay), 0) + " ms " + (direction > 0 ? "longer" : "shorter"),
+                    explained, options_.threshold + (ticks - 1) * demandedForATick, std::move(simulated)};
         }
         diagnosis_.trials.push_back(std::move(best));
         return true;
@@ -157,7 +161,7 @@ private:
         diagnosis_.trials.push_back(
             {CauseKind::noise,
              "motion noise: " + std::to_string(asFar) + " of " + std::to_string(noiseRuns) + " runs stray as far",
-             explainedByNoise(quantile(apart, likelyShare)), std::move(nearest)});
+             explainedByNoise(quantile(apart, likelyShare)), options_.threshold, std::move(nearest)});
         return true;
     }
 
@@ -176,8 +180,11 @@ private:
             ++count;
         }
         const double likelyRms = count == 0 ? 0 : std::sqrt(sum / count);
-        diagnosis_.trials.push_back(
-            {CauseKind::noise, "no more than the network's held-out error", explainedByNoise(likelyRms), {}});
+        diagnosis_.trials.push_back({CauseKind::noise,
+                                     "no more than the network's held-out error",
+                                     explainedByNoise(likelyRms),
+                                     options_.threshold,
+                                     {}});
         return goesOn();
     }
 
@@ -189,10 +196,10 @@ private:
 };
 
 /// The likely one of what was tried, best first.
-std::optional<std::size_t> likelyOf(const std::vector<CauseTrial>& trials, double threshold) {
+std::optional<std::size_t> likelyOf(const std::vector<CauseTrial>& trials) {
     std::optional<std::size_t> noise, best;
     for (std::size_t i = 0; i < trials.size(); ++i) {
-        if (trials[i].explained < threshold) break;
+        if (trials[i].explained < trials[i].needed) continue;
         if (trials[i].kind == CauseKind::noise)
             noise = i;
         else if (!best ||
@@ -236,7 +243,7 @@ Expected<Diagnosis> diagnose(const LogWorld& world, const CourseRequest& request
     };
     Diagnosis diagnosis;
     diagnosis.divergence = divergence;
-    int steps = stepsTo(divergence.time + options.bound.held + moment);
+    int steps = stepsTo(std::max(divergence.time + options.bound.held + moment, leastEvidence));
     DefectsNear defects = defectsNear(world.trajectory(request.take, course.robot),
                                       world.parts().scene.modelOf(world.robots()[course.robot].body), course,
                                       options.step, divergence.time);
@@ -247,7 +254,7 @@ Expected<Diagnosis> diagnose(const LogWorld& world, const CourseRequest& request
     diagnosis.cancelled = !trials.all(course.robot, defects);
     std::stable_sort(diagnosis.trials.begin(), diagnosis.trials.end(),
                      [](const CauseTrial& a, const CauseTrial& b) { return a.explained > b.explained; });
-    if (!diagnosis.cancelled) diagnosis.likely = likelyOf(diagnosis.trials, options.threshold);
+    if (!diagnosis.cancelled) diagnosis.likely = likelyOf(diagnosis.trials);
     return diagnosis;
 }
 
