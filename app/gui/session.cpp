@@ -242,6 +242,12 @@ void Session::redo() {
     });
 }
 
+void Session::setReality(std::uint64_t run, std::shared_ptr<const Reality> reality) {
+    request([this, run, reality = std::move(reality)] {
+        if (run_ && run == runs_) run_->setReality(reality);
+    });
+}
+
 void Session::setFrameOptions(const TimeTravel::FrameOptions& options) {
     request([this, options] { frameOptions_ = options; });
 }

@@ -49,6 +49,8 @@ public:
     void redo();
     /// To where the controller decided the last kick; Shown::subject is its robot.
     void showCauseOfKick();
+    /// What really happened beside the run that was opened as the `run`th; of another run it is left out.
+    void setReality(std::uint64_t run, std::shared_ptr<const Reality> reality);
     void setFrameOptions(const TimeTravel::FrameOptions& options);
 
     // Breakpoints are the run's: another one that is opened has none but breakHere(). Shown::breakpoints tells of them.

@@ -29,7 +29,7 @@ History historyOf(const OpenRun& run) {
 
 }  // namespace
 
-TimeTravel::TimeTravel(const OpenRun& run) : history_(historyOf(run)), shown_(0, {run.start}) {
+TimeTravel::TimeTravel(const OpenRun& run) : history_(historyOf(run)), shown_(0, {run.start}), reality_(run.reality) {
     if (!run.recorded()) records_.emplace_back(run.course, run.start, std::vector<HandOrder>{});
     for (const OpenRun::Recorded& recorded : run.branches)
         records_.emplace_back(recorded.course, recorded.start, std::vector<HandOrder>{});
@@ -279,6 +279,7 @@ std::optional<FieldFrame> TimeTravel::besideFrame(const FrameOptions& options) c
 
 FieldFrame TimeTravel::frameOf(const Cursor& cursor, const FrameOptions& options) const {
     FieldFrame frame = cursor.frame(scenarioOf(cursor.branch()));
+    frame.reality = reality_;
     addTrails(cursor.branch(), cursor.tick(), options.trailTicks, frame.trails);
     if (options.ahead > 0 && frame.scene().bodyCount() <= options.mostBodiesAhead) {
         frame.predicted = predictedPaths(cursor, options.ahead);

@@ -97,6 +97,10 @@ public:
     void setBeside(std::optional<std::uint32_t> branch);
     std::optional<std::uint32_t> beside() const;
 
+    /// What really happened beside it; null: nobody knows.
+    const std::shared_ptr<const Reality>& reality() const { return reality_; }
+    void setReality(std::shared_ptr<const Reality> reality) { reality_ = std::move(reality); }
+
     /// Of branches that came from a file: looks at so many of their ticks for trails and marks; whether there are more.
     Expected<bool> learn(std::int64_t ticks);
     /// The same of the shown branch's course, up to a tick.
@@ -140,6 +144,7 @@ private:
         Cursor at;
     };
     std::optional<Beside> beside_;
+    std::shared_ptr<const Reality> reality_;
     std::vector<std::uint32_t> undone_;
     StepBuffers buffers_;
 };
