@@ -215,6 +215,8 @@ void MainWindow::makeDocks() {
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     resizeDocks({findChild<QDockWidget*>("branches"), findChild<QDockWidget*>("inspector")}, {250, 330},
                 Qt::Horizontal);
+    resizeDocks({findChild<QDockWidget*>("branches"), findChild<QDockWidget*>("breakpoints")}, {220, 260},
+                Qt::Vertical);
 }
 
 void MainWindow::makeStatusBar() {

@@ -73,6 +73,25 @@ TEST_F(GuiProgram, RunHasTheStatesOfMrose) {
               offscreen({"--run", "soccer.toml", "--ticks", "100", "--speed", "20", "--print-hash"}).out);
 }
 
+TEST_F(GuiProgram, RunEndsAtABreakAndSaysWhen) {
+    const std::string condition = "robot[2].speed > 0.5";
+    const ProgramResult plain = runMrose({"run", "soccer.toml", "--until", condition, "--quiet"});
+    const std::string state = plain.out.substr(plain.out.find("state "));
+    for (const char* speed : {"0", "50"}) {
+        const ProgramResult result = offscreen(
+            {"--run", "soccer.toml", "--break", condition, "--break", "time > 50", "--speed", speed, "--print-hash"});
+        EXPECT_EQ(result.status, 0) << result.err;
+        EXPECT_THAT(result.out, StartsWith("stopped at "));
+        EXPECT_THAT(result.out, HasSubstr(" s: " + condition + '\n'));
+        EXPECT_EQ(result.out.substr(result.out.find("state ")), state);
+    }
+    EXPECT_EQ(offscreen({"--run", "soccer.toml", "--ticks", "100", "--break", "time > 50"}).out,
+              "no break up to 2.00 s\n");
+    expectOneLine(offscreen({"--run", "soccer.toml", "--break", "robot[2].sped > 1"}),
+                  {"--break robot[2].sped > 1: there is no 'sped'"}, 1);
+    expectOneLine(offscreen({"--run", "soccer.toml", "--break"}), {"--break"}, 2);
+}
+
 TEST_F(GuiProgram, ScenarioRunsAsLongAsItSays) {
     const std::string quick = write("quick.toml", [] {
         std::ifstream file(sourceFolder() / "resources/scenarios/soccer.toml");
