@@ -26,6 +26,8 @@
 #include "branch_panel.h"
 #include "command_panel.h"
 #include "fault_messages.h"
+#include "overlay.h"
+#include "overlay_panel.h"
 #include "plot_panel.h"
 #include "side_view.h"
 #include "view_export.h"
@@ -70,7 +72,9 @@ MainWindow::MainWindow(QWidget* parent)
       messages_(new MessageBar),
       files_(new WindowFiles(*this, *messages_)),
       memory_(new WindowMemory(*this)),
-      progress_(new WorkProgress(*this, *messages_)) {
+      progress_(new WorkProgress(*this, *messages_)),
+      overlay_(new Overlay(*this)),
+      reality_(new OverlayPanel(*overlay_)) {
     view_->setObjectName("field");
     timeline_->setObjectName("timeline");
     setWindowTitle("mrose");
@@ -99,6 +103,7 @@ void MainWindow::makeActions() {
         messages_->add({MessageBar::Kind::error, QString::fromStdString(error.message())});
     });
     addFileActions(*this);
+    addOverlayActions(*this);
     addEditActions(*this);
     addTimeActions(*this);
     addBranchActions(*this);
@@ -201,6 +206,7 @@ void MainWindow::makeDocks() {
     };
     dock("branches", tr("Branches"), branches_, Qt::LeftDockWidgetArea);
     dock("command", tr("Change a command"), command_, Qt::LeftDockWidgetArea);
+    dock("reality", tr("Reality"), reality_, Qt::LeftDockWidgetArea)->hide();
     dock("inspector", tr("Inspector"), inspector_, Qt::RightDockWidgetArea);
     dock("plots", tr("Plots"), plots_, Qt::BottomDockWidgetArea)->hide();
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
@@ -254,6 +260,7 @@ void MainWindow::setTheme(const Theme& theme) {
     messages_->setTheme(theme_);
     inspector_->setTheme(theme_);
     plots_->setTheme(theme_);
+    reality_->setTheme(theme_);
     const std::initializer_list<std::pair<const char*, Icon>> icons{{"tick_forward", Icon::tickForward},
                                                                     {"tick_back", Icon::tickBack},
                                                                     {"period_forward", Icon::periodForward},
@@ -307,8 +314,10 @@ void MainWindow::updateStatus() {
     actions_["play"].setText(playing ? tr("&Pause") : tr("&Play"));
     if (!shown_) return;
     seed_->setText(tr("seed %1").arg(shown_->frame->state.seed));
-    clock_->setText(
-        tr("%1   tick %2").arg(clockText(shown_->frame->scene().timeOf(shown_->tick()))).arg(shown_->tick()));
+    const Nanoseconds now = shown_->frame->scene().timeOf(shown_->tick());
+    const auto& reality = shown_->frame->reality;
+    clock_->setText(tr("%1   tick %2").arg(clockText(now)).arg(shown_->tick()) +
+                    (reality ? tr("   log %1").arg(clockText(reality->start + now)) : QString()));
     factor_->setText(
         playing ? tr("real-time factor %1").arg(shown_->realTimeFactor, 0, 'f', shown_->realTimeFactor < 10 ? 2 : 0)
                 : tr("paused"));

@@ -24,6 +24,8 @@ namespace mrose::gui {
 
 class BranchPanel;
 class CommandPanel;
+class Overlay;
+class OverlayPanel;
 class PlotPanel;
 class SideView;
 class WindowFiles;
@@ -50,6 +52,8 @@ public:
     void showPlots();  ///< their dock, where it is hidden
     CommandPanel& commandPanel() const { return *command_; }
     BranchPanel& branchPanel() const { return *branches_; }
+    Overlay& overlay() const { return *overlay_; }
+    OverlayPanel& overlayPanel() const { return *reality_; }
     void setSideBySide(bool on);
     /// Asks the user for a line; empty: they thought better of it.
     QString askText(const QString& title, const QString& label, const QString& suggestion = {});
@@ -100,6 +104,8 @@ private:
     WindowFiles* files_;
     WindowMemory* memory_;
     WorkProgress* progress_;
+    Overlay* overlay_;
+    OverlayPanel* reality_;
     std::shared_ptr<const Shown> shown_;
     std::int64_t plannedTicks_ = 0;
     QString title_;

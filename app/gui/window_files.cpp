@@ -10,6 +10,7 @@
 
 #include "file_kind.h"
 #include "main_window.h"
+#include "overlay.h"
 #include "run_recorder.h"
 #include "scenario/state_scenario.h"
 #include "trial_list.h"
@@ -63,6 +64,7 @@ void WindowFiles::open(const QString& path, OpenRequest how, std::optional<doubl
     if (!kind) return sayError(kind.error(), "open");
     how.file = place.absoluteFilePath().toStdString();
     if (*kind == FileKind::results) return listTrials(place.absoluteFilePath());
+    if (*kind == FileKind::log) return window_.overlay().open({how.file, ""});
     if (*kind != FileKind::network) return open(how, at);
     if (opened_) return offerNetwork(place.absoluteFilePath());
     // A robot to try it with.
@@ -89,10 +91,8 @@ Expected<void> WindowFiles::take(Expected<OpenRun> run, std::optional<double> at
         return tl::unexpected(run.error());
     }
     messages_.clear();
-    opened_ = run->source;
-    watch_.watch(run->files);
-    savedBranches_ = std::max<std::size_t>(1, run->branches.size());
-    window_.show(*run);
+    takeCourse(*run);
+    window_.overlay().follow(*run);
     for (const std::string& note : run->notes) messages_.add({Kind::note, text(note)});
     if (!network_.isEmpty()) offerNetwork(std::exchange(network_, {}));
     window_.memory().addRecent(text(run->source.file));
@@ -109,6 +109,13 @@ Expected<void> WindowFiles::take(Expected<OpenRun> run, std::optional<double> at
     }
     window_.session().seek(tick);
     return {};
+}
+
+void WindowFiles::takeCourse(const OpenRun& run) {
+    opened_ = run.source;
+    watch_.watch(run.files);
+    savedBranches_ = std::max<std::size_t>(1, run.branches.size());
+    window_.show(run);
 }
 
 void WindowFiles::drop(const QMimeData& what) {

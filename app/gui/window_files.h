@@ -36,6 +36,8 @@ public:
     void drop(const QMimeData& what);
     /// Tells a network to swap_model, or what is missing for it.
     void offerNetwork(const QString& path);
+    /// A course of the log that is open: the window's run from now on.
+    void takeCourse(const OpenRun& run);
     /// What is open, once more from its files: as a branch that goes up to the shown tick.
     void reload(const QString& why);
     /// Ends what is being opened; false: nothing is.
