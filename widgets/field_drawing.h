@@ -49,8 +49,17 @@ void drawSensors(const FieldCanvas& canvas, const FieldFrame& frame, const Field
 void drawTrails(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus);
 void drawGhosts(const FieldCanvas& canvas, const FieldFrame& frame);
 void drawPredicted(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus);
+/// Where real robots came from and go to in the next seconds, hollow where those of simulated ones are solid.
+void drawRealWays(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus);
+void drawModelWays(const FieldCanvas& canvas, const FieldFrame& frame);
 void drawBodies(const FieldCanvas& canvas, const FieldFrame& frame, bool headings);
 void drawFocus(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus);
+/// Outlines, and lines from simulated robots to real ones that are elsewhere.
+void drawRealRobots(const FieldCanvas& canvas, const FieldFrame& frame, bool headings);
+void drawModelRobots(const FieldCanvas& canvas, const FieldFrame& frame, bool headings);
+/// How far those in focus are off, and who is there in reality alone.
+void addRealNames(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus,
+                  std::vector<FieldLabel>& labels);
 void drawBeliefs(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus);
 void drawNotes(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus,
                std::vector<FieldLabel>& labels);

@@ -54,6 +54,22 @@ QColor robotColour(std::size_t robot) {
     return colours[robot % colours.size()];
 }
 
+QColor modelColour(std::size_t model) {
+    static const std::array<QColor, 4> colours{QColor(136, 34, 85), QColor(51, 34, 136), QColor(17, 119, 51),
+                                               QColor(102, 60, 20)};
+    return colours[model % colours.size()];
+}
+
+QVector<qreal> modelDashes(std::size_t model) {
+    static const std::array<QVector<qreal>, 4> dashes{QVector<qreal>{}, {5, 3}, {1.5, 2.5}, {6, 2.5, 1.5, 2.5}};
+    return dashes[model % dashes.size()];
+}
+
+QColor mixed(const QColor& one, const QColor& other, double share) {
+    const auto between = [share](int a, int b) { return static_cast<int>(std::lround(a + share * (b - a))); };
+    return {between(one.red(), other.red()), between(one.green(), other.green()), between(one.blue(), other.blue())};
+}
+
 double contrast(const QColor& a, const QColor& b) {
     const double more = std::max(luminance(a), luminance(b)), less = std::min(luminance(a), luminance(b));
     return (more + 0.05) / (less + 0.05);

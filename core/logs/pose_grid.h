@@ -8,6 +8,9 @@
 
 namespace mrose {
 
+/// Between measured poses that lie this far apart there is no truth.
+inline constexpr Nanoseconds truthGap = 200'000'000;
+
 /// Ground truth on a regular grid of instants, by a local linear fit over +-60 ms (the definition of the referee of the
 /// MRCLAM windows). `start` is a whole multiple of `step`, `ok[i]` false where the truth has a gap of 0.2 s or more
 /// around instant i.
