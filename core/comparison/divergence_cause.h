@@ -28,6 +28,7 @@ struct CauseTrial {
     CauseKind kind = CauseKind::noise;
     std::string what;             ///< "dead time 20 ms longer", "motion model create_paper.net", "without contact"
     double explained = 0;         ///< 0 ... 1, of the error up to Diagnosis::until
+    double needed = 0;            ///< explained: less is no cause
     std::vector<Pose> simulated;  ///< of the re-run, after each step up to `until`; empty where there is none
 };
 

@@ -136,6 +136,14 @@ Pose truthAt(std::span<const StampedPose> poses, Nanoseconds time) {
                                              : chord(poses[next - 1], poses[next], time).value;
 }
 
+std::optional<Velocity> velocityAt(Poses poses, Nanoseconds time) {
+    if (!truthIsKnown(poses, time) || poses.front().time > time - halfWidth || poses.back().time < time + halfWidth)
+        return std::nullopt;
+    const std::size_t low = firstNotBefore(poses, time - halfWidth), high = firstNotBefore(poses, time + halfWidth);
+    if (high - low < fewest) return std::nullopt;
+    return velocityOf(fitLine(poses.subspan(low, high - low), time));
+}
+
 bool truthIsKnown(Poses poses, Nanoseconds time) {
     if (poses.size() < 2 || time < poses.front().time || time > poses.back().time) return false;
     const std::size_t after = std::max<std::size_t>(firstNotBefore(poses, time), 1);
