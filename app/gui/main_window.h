@@ -23,6 +23,7 @@ class TimelineBar;
 namespace mrose::gui {
 
 class BranchPanel;
+class BreakpointPanel;
 class CommandPanel;
 class Overlay;
 class OverlayPanel;
@@ -50,10 +51,12 @@ public:
     Inspector& inspector() const { return *inspector_; }
     PlotPanel& plots() const { return *plots_; }
     void showPlots();  ///< their dock, where it is hidden
+    void showDock(const char* name);
     CommandPanel& commandPanel() const { return *command_; }
     BranchPanel& branchPanel() const { return *branches_; }
     Overlay& overlay() const { return *overlay_; }
     OverlayPanel& overlayPanel() const { return *reality_; }
+    BreakpointPanel& breakpointPanel() const { return *breakpoints_; }
     void setSideBySide(bool on);
     /// Asks the user for a line; empty: they thought better of it.
     QString askText(const QString& title, const QString& label, const QString& suggestion = {});
@@ -96,6 +99,7 @@ private:
     Inspector* inspector_;
     PlotPanel* plots_;
     BranchPanel* branches_;
+    BreakpointPanel* breakpoints_;
     CommandPanel* command_;
     QComboBox* speed_;
     QToolButton* seed_;

@@ -10,6 +10,7 @@ void addOverlayActions(MainWindow& window);
 void addEditActions(MainWindow& window);
 void addTimeActions(MainWindow& window);
 void addBranchActions(MainWindow& window);
+void addBreakActions(MainWindow& window);
 void addViewActions(MainWindow& window);
 void addLayerActions(MainWindow& window);
 void addPlotActions(MainWindow& window);

@@ -92,6 +92,7 @@ Expected<void> WindowFiles::take(Expected<OpenRun> run, std::optional<double> at
     }
     messages_.clear();
     takeCourse(*run);
+    window_.memory().restoreBreakpoints();
     window_.overlay().follow(*run);
     for (const std::string& note : run->notes) messages_.add({Kind::note, text(note)});
     if (!network_.isEmpty()) offerNetwork(std::exchange(network_, {}));
@@ -107,7 +108,7 @@ Expected<void> WindowFiles::take(Expected<OpenRun> run, std::optional<double> at
                                            .arg(*at, 0, 'f', 2)});
         tick = std::min(tick, last);
     }
-    window_.session().seek(tick);
+    window_.session().seek(tick, false);
     return {};
 }
 
