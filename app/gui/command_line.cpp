@@ -93,6 +93,9 @@ void addFlags(CLI::App& app, CommandLine& line, std::string& run, std::string& s
         ->check(numberRange(0.1, 1e7));
     app.add_flag("--windows", line.windows, "Start where `mrose evaluate` does")->excludes(start);
     app.add_option("--robots", line.robots, "Only these robots of the log, by their names there: 1,2")->delimiter(',');
+    app.add_option("--model", line.models,
+                   "Lay another motion model over as well: a network's file, or a kinematic one")
+        ->check(someName());
     app.add_option("--robot", line.robotFile,
                    "Robot file of the log's robots, where the log cannot tell and no scenario is given");
     app.add_option("--plugin-limit", line.pluginLimit, "How long a plug-in may take for a decision, in s")

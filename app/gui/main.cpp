@@ -49,6 +49,8 @@ std::optional<OverlayRequest> overlayOf(const CommandLine& line) {
                           isLog ? "" : line.file,
                           line.robotFile,
                           line.robots,
+                          line.models,
+                          line.models,
                           line.seed,
                           line.pluginLimit};
 }
@@ -226,6 +228,7 @@ int runWindow(const CommandLine& line) {
         return 0;
     }
     if (line.interactive() || line.remember) window.memory().restore(WindowMemory::ofUser());
+    window.overlay().setFollows(!line.run);
     if (line.size) window.resize(line.size->first, line.size->second);
     if (line.dark && !window.actions()["dark"].isChecked()) window.actions()["dark"].trigger();
     const int status = line.interactive() ? work(window, line) : runAlone(window, line);

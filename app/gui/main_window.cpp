@@ -32,6 +32,7 @@
 #include "plot_panel.h"
 #include "side_view.h"
 #include "view_export.h"
+#include "widgets/course_strip.h"
 #include "widgets/field_view.h"
 #include "widgets/icons.h"
 #include "widgets/inspector.h"
@@ -76,7 +77,8 @@ MainWindow::MainWindow(QWidget* parent)
       memory_(new WindowMemory(*this)),
       progress_(new WorkProgress(*this, *messages_)),
       overlay_(new Overlay(*this)),
-      reality_(new OverlayPanel(*overlay_)) {
+      reality_(new OverlayPanel(*overlay_)),
+      strip_(new CourseStrip) {
     view_->setObjectName("field");
     timeline_->setObjectName("timeline");
     setWindowTitle("mrose");
@@ -88,6 +90,7 @@ MainWindow::MainWindow(QWidget* parent)
     layout->setSpacing(0);
     layout->addWidget(messages_);
     layout->addWidget(view_, 1);
+    layout->addWidget(strip_);
     layout->addWidget(timeline_);
     setCentralWidget(middle);
     makeDocks();
@@ -270,6 +273,7 @@ void MainWindow::setTheme(const Theme& theme) {
     inspector_->setTheme(theme_);
     plots_->setTheme(theme_);
     reality_->setTheme(theme_);
+    strip_->setTheme(theme_);
     const std::initializer_list<std::pair<const char*, Icon>> icons{{"tick_forward", Icon::tickForward},
                                                                     {"tick_back", Icon::tickBack},
                                                                     {"period_forward", Icon::periodForward},

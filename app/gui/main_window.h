@@ -14,6 +14,7 @@ class QLabel;
 class QToolButton;
 
 namespace mrose {
+class CourseStrip;
 class FieldView;
 class Inspector;
 class MessageBar;
@@ -56,6 +57,7 @@ public:
     BranchPanel& branchPanel() const { return *branches_; }
     Overlay& overlay() const { return *overlay_; }
     OverlayPanel& overlayPanel() const { return *reality_; }
+    CourseStrip& courseStrip() const { return *strip_; }
     BreakpointPanel& breakpointPanel() const { return *breakpoints_; }
     void setSideBySide(bool on);
     /// Asks the user for a line; empty: they thought better of it.
@@ -110,6 +112,7 @@ private:
     WorkProgress* progress_;
     Overlay* overlay_;
     OverlayPanel* reality_;
+    CourseStrip* strip_;
     std::shared_ptr<const Shown> shown_;
     std::int64_t plannedTicks_ = 0;
     QString title_;

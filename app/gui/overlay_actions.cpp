@@ -3,6 +3,9 @@
 
 #include "main_window.h"
 #include "overlay.h"
+#include "overlay_panel.h"
+#include "overlay_strip.h"
+#include "widgets/field_view.h"
 #include "window_actions.h"
 
 namespace mrose::gui {
@@ -35,6 +38,45 @@ void showReality(MainWindow& window) {
     reality->raise();
 }
 
+QString askForModel(MainWindow& window) {
+    return QFileDialog::getOpenFileName(&window, QObject::tr("Motion network"), QString(),
+                                        QObject::tr("Networks (*.net);;All files (*)"));
+}
+
+/// The robot of the overlay that a body of the run is.
+std::optional<std::size_t> robotOf(MainWindow& window, std::optional<std::size_t> body) {
+    if (!body || !window.shown() || !window.overlay().world() || *body >= window.shown()->frame->scene().bodyCount())
+        return {};
+    const std::vector<ComparedRobot>& robots = window.overlay().world()->world().robots();
+    const std::string name = window.shown()->frame->nameOf(*body);
+    for (std::size_t robot = 0; robot < robots.size(); ++robot)
+        if (robots[robot].name == name) return robot;
+    return {};
+}
+
+/// Selection, strip and panel follow the overlay, and it them.
+void bindOverlay(MainWindow& window) {
+    Overlay& overlay = window.overlay();
+    CourseStrip& strip = window.courseStrip();
+    strip.setObjectName("courses_strip");
+    strip.hide();
+    QObject::connect(&overlay, &Overlay::changed, &window, [&window, &overlay, &strip] {
+        strip.setVisible(overlay.world() != nullptr);
+        strip.setContent(stripOf(overlay));
+        if (overlay.world()) showReality(window);
+    });
+    QObject::connect(&window, &MainWindow::updated, &strip, [&window, &strip] {
+        const FieldFrame& frame = *window.shown()->frame;
+        if (frame.reality) strip.setNow(frame.reality->start + frame.scene().timeOf(frame.state.tick));
+    });
+    QObject::connect(&strip, &CourseStrip::courseRequested, &overlay,
+                     [&overlay](std::size_t course) { overlay.show(course, overlay.shownRobot()); });
+    QObject::connect(&window.field(), &FieldView::bodySelected, &overlay,
+                     [&window, &overlay](auto body) { overlay.setRobot(robotOf(window, body)); });
+    QObject::connect(&window.overlayPanel(), &OverlayPanel::modelFileWanted, &window,
+                     [&window] { window.actions()["add_model"].trigger(); });
+}
+
 }  // namespace
 
 void addOverlayActions(MainWindow& window) {
@@ -59,9 +101,27 @@ void addOverlayActions(MainWindow& window) {
                           {"previous_course", QObject::tr("&Previous course"), QKeySequence("Ctrl+PgUp"),
                            QObject::tr("The course before the shown one")},
                           [&](bool) { window.overlay().showNext(-1); }));
-    QObject::connect(&window.overlay(), &Overlay::changed, &window, [&window] {
-        if (window.overlay().world()) showReality(window);
-    });
+    whileOpen(actions.add(menu,
+                          {"go_to_divergence", QObject::tr("Where it &leaves the real course"), QKeySequence("D"),
+                           QObject::tr("To the first divergence of the shown course")},
+                          [&](bool) {
+                              if (!window.overlay().goToDivergence())
+                                  window.say(QObject::tr("Nothing leaves the real course here by more than the bound"));
+                          }));
+    actions.addSeparator(menu);
+    whileOpen(actions.add(menu,
+                          {"add_model", QObject::tr("Lay another &model over\u2026"), QKeySequence("Ctrl+M"),
+                           QObject::tr("Show what another motion model makes of the same commands")},
+                          Actions::Asking{[&] { return askForModel(window); },
+                                          [&](const QString& model) -> Expected<void> {
+                                              window.overlay().addModel(model.toStdString());
+                                              return {};
+                                          }}));
+    whileOpen(actions.add(
+        menu,
+        {"close_log", QObject::tr("&Close the log"), QKeySequence("Ctrl+Shift+W"), QObject::tr("Go on without it")},
+        [&](bool) { window.overlay().close(); }));
+    bindOverlay(window);
 }
 
 }  // namespace mrose::gui

@@ -7,9 +7,12 @@
 #include <QHeaderView>
 #include <QItemSelectionModel>
 #include <QLabel>
+#include <QMenu>
 #include <QProgressBar>
+#include <QSignalBlocker>
 #include <QToolButton>
 #include <QTreeView>
+#include <QTreeWidget>
 #include <QVBoxLayout>
 #include <cmath>
 #include <numbers>
@@ -48,8 +51,7 @@ OverlayPanel::OverlayPanel(Overlay& overlay, QWidget* parent)
       courses_(new CourseList(this)),
       log_(new QLabel),
       about_(new QLabel),
-      figures_(new QLabel),
-      shown_(new QLabel),
+      causes_(new CausePanel(overlay)),
       cut_(new QComboBox),
       startLabel_(new QLabel(tr("from"))),
       restarts_(new QCheckBox(tr("Play on into the next course"))),
@@ -61,15 +63,10 @@ OverlayPanel::OverlayPanel(Overlay& overlay, QWidget* parent)
     layout->addWidget(makeHead());
     layout->addWidget(makePlan());
     layout->addWidget(progress_);
-    figures_->setTextFormat(Qt::RichText);
-    figures_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    layout->addWidget(figures_);
+    layout->addWidget(makeModels());
     makeList();
     layout->addWidget(list_, 1);
-    shown_->setTextFormat(Qt::RichText);
-    shown_->setWordWrap(true);
-    shown_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    layout->addWidget(shown_);
+    layout->addWidget(causes_);
     connect(&overlay_, &Overlay::changed, this, &OverlayPanel::refresh);
     refresh();
 }
@@ -132,6 +129,63 @@ QWidget* OverlayPanel::makeProgress() {
     return progress;
 }
 
+QWidget* OverlayPanel::makeModels() {
+    auto* part = new QWidget;
+    auto* layout = new QVBoxLayout(part);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    models_ = new QTreeWidget;
+    models_->setObjectName("models");
+    models_->setAccessibleName(tr("Motion models and their errors"));
+    models_->setHeaderLabels({tr("Model"), tr("P %"), tr("Hd %"), tr("end cm"), tr("end \u00b0")});
+    models_->headerItem()->setToolTip(1, tr("Mean distance to the real robot over its path, summed over all windows"));
+    models_->headerItem()->setToolTip(2, tr("Mean heading error over its rotation, summed over all windows"));
+    models_->headerItem()->setToolTip(3, tr("Distance at the end of a course, the median"));
+    models_->headerItem()->setToolTip(4, tr("Heading error at the end of a course, the median"));
+    models_->setRootIsDecorated(false);
+    models_->setIndentation(0);
+    models_->setUniformRowHeights(true);
+    models_->setFrameShape(QFrame::NoFrame);
+    models_->setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+    models_->header()->setStretchLastSection(false);
+    models_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    for (int column = 1; column < 5; ++column) {
+        models_->headerItem()->setTextAlignment(column, Qt::AlignRight);
+        models_->header()->setSectionResizeMode(column, QHeaderView::Fixed);
+        models_->header()->resizeSection(column, models_->fontMetrics().horizontalAdvance("end cm") + 14);
+    }
+    connect(models_, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item) {
+        overlay_.showModel(static_cast<std::size_t>(models_->indexOfTopLevelItem(item)),
+                           item->checkState(0) == Qt::Checked);
+    });
+    auto* line = new QHBoxLayout;
+    auto* add = new QToolButton;
+    add->setText(tr("Add a model"));
+    add->setToolTip(tr("Lay what another motion model makes of the same commands over it"));
+    add->setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(add);
+    connect(menu, &QMenu::aboutToShow, this, [this, menu] { fillModelMenu(*menu); });
+    add->setMenu(menu);
+    free_ = new QCheckBox(tr("without contacts"));
+    free_->setToolTip(tr("Robots go through everything, on the windows of mrose evaluate; otherwise as mrose compare"));
+    connect(free_, &QCheckBox::toggled, this, &OverlayPanel::refreshModels);
+    line->addWidget(add);
+    line->addStretch(1);
+    line->addWidget(free_);
+    layout->addWidget(models_);
+    layout->addLayout(line);
+    return part;
+}
+
+void OverlayPanel::fillModelMenu(QMenu& menu) {
+    menu.clear();
+    if (!overlay_.world()) return;
+    for (const std::string& known : modelNames(*overlay_.world()))
+        menu.addAction(QString::fromStdString(known), this, [this, known] { overlay_.addModel(known); });
+    menu.addSeparator();
+    menu.addAction(tr("From a file\u2026"), this, [this] { emit modelFileWanted(); });
+}
+
 void OverlayPanel::makeList() {
     list_->setModel(courses_);
     list_->setObjectName("courses");
@@ -151,7 +205,6 @@ void OverlayPanel::makeList() {
 
 void OverlayPanel::openLine(const QModelIndex& index) {
     const OverlayRow& row = courses_->row(index.row());
-    robot_ = row.robot;
     overlay_.show(row.request, row.robot);
 }
 
@@ -166,11 +219,6 @@ void OverlayPanel::applyPlan() {
         return;
     }
     refresh();
-}
-
-void OverlayPanel::setRobot(std::optional<std::size_t> robot) {
-    if (robot) robot_ = robot;
-    refreshShown();
 }
 
 void OverlayPanel::setTheme(const Theme& theme) {
@@ -208,48 +256,56 @@ void OverlayPanel::refresh() {
         if (first && listed_ > 0)
             for (int column = 0; column < CourseList::columns; ++column) list_->resizeColumnToContents(column);
     }
-    refreshFigures();
-    refreshShown();
+    models_->setVisible(world != nullptr);
+    refreshModels();
+    selectShown();
+    causes_->refresh();
 }
 
-void OverlayPanel::refreshFigures() {
-    const Comparison* comparison = overlay_.comparison();
-    if (comparison == nullptr) return figures_->setText(overlay_.error());
-    const ComparedSummary& all = comparison->all;
-    figures_->setText(tr("<b>P %1 %</b> &nbsp; <b>Hd %2 %</b> over %3; typically %4 cm, %5\u00b0 off at the end")
-                          .arg(figure(all.counted.p, 2), figure(all.counted.hd, 2),
-                               tr("%n window(s)", nullptr, static_cast<int>(all.of(CourseUse::counted))),
-                               figure(100 * all.positionFinal.median, 1),
-                               figure(all.headingFinal.median * 180 / std::numbers::pi, 1)));
-    figures_->setWordWrap(true);
-}
-
-std::optional<std::size_t> OverlayPanel::robotShown() const {
-    const auto course = overlay_.shownCourse();
-    if (!course) return {};
-    if (robot_ && overlay_.rowOf(*course, *robot_) != nullptr) return robot_;
-    // Otherwise the one that is farthest off.
-    const OverlayRow* worst = nullptr;
-    for (std::size_t robot = 0; robot < overlay_.world()->world().robots().size(); ++robot) {
-        const OverlayRow* row = overlay_.rowOf(*course, robot);
-        if (row != nullptr && (worst == nullptr || row->position > worst->position)) worst = row;
+/// The models' figures: with contacts as `mrose compare` has them, or without as `mrose evaluate`.
+void OverlayPanel::refreshModels() {
+    const QSignalBlocker quiet(models_);
+    models_->clear();
+    std::size_t colour = 0;
+    for (std::size_t i = 0; i < overlay_.models().size(); ++i) {
+        const OverlayModel& model = overlay_.models()[i];
+        auto* item = new QTreeWidgetItem({QString::fromStdString(model.name)});
+        const auto set = [&](int column, double value, int decimals) {
+            item->setText(column, figure(value, decimals));
+            item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+        };
+        const Summary* const through = free_->isChecked() && model.evaluated ? &*model.evaluated : nullptr;
+        const ComparedSummary* const with = !free_->isChecked() && model.compared ? &*model.compared : nullptr;
+        if (through != nullptr || with != nullptr) {
+            const Summary& summary = through != nullptr ? *through : with->counted;
+            set(1, summary.p, 2);
+            set(2, summary.hd, 2);
+            set(3, 100 * (through != nullptr ? summary.positionFinal : with->positionFinal).median, 1);
+            set(4, (through != nullptr ? summary.headingFinal : with->headingFinal).median * 180 / std::numbers::pi, 1);
+            item->setToolTip(1, tr("over %n window(s)", nullptr, static_cast<int>(summary.windows)));
+        } else {
+            item->setText(1, QString::fromUtf8("\u2026"));
+        }
+        if (i > 0) {
+            item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
+            item->setCheckState(0, model.shown ? Qt::Checked : Qt::Unchecked);
+            if (model.shown) item->setData(0, Qt::DecorationRole, modelColour(colour++));
+        }
+        item->setToolTip(0, i == 0 ? tr("The scenario's own model: the filled robots") : tr("Drawn in this colour"));
+        models_->addTopLevelItem(item);
     }
-    return worst != nullptr ? std::optional(worst->robot) : std::nullopt;
+    const int line = models_->fontMetrics().height() + 5;
+    const int lines = std::clamp(models_->topLevelItemCount(), 1, 5);
+    models_->setFixedHeight((lines + 1) * line + 4);
 }
 
-void OverlayPanel::refreshShown() {
-    const auto robot = robotShown();
-    if (!robot) return shown_->clear();
-    const OverlayRow& row = *overlay_.rowOf(*overlay_.shownCourse(), *robot);
-    const int line = courses_->lineOf(row.request, row.robot);
-    if (line >= 0) {
-        list_->selectionModel()->setCurrentIndex(courses_->index(line, 0),
-                                                 QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
-    }
-    shown_->setText(tr("<b>%1</b> from %2 s: %3 cm and %4\u00b0 off on average")
-                        .arg(QString::fromStdString(overlay_.world()->world().robots()[*robot].name).toHtmlEscaped(),
-                             figure(toSeconds(row.start), 1), figure(100 * row.position, 1),
-                             figure(row.heading * 180 / std::numbers::pi, 1)));
+/// The shown course in the list.
+void OverlayPanel::selectShown() {
+    const OverlayRow* const row = overlay_.shownRow();
+    const int line = row != nullptr ? courses_->lineOf(row->request, row->robot) : -1;
+    if (line < 0) return list_->selectionModel()->clear();
+    list_->selectionModel()->setCurrentIndex(courses_->index(line, 0),
+                                             QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
 }
 
 }  // namespace mrose::gui

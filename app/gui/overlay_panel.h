@@ -2,6 +2,7 @@
 
 #include <QWidget>
 
+#include "cause_panel.h"
 #include "course_list.h"
 #include "overlay.h"
 
@@ -9,9 +10,11 @@ class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
+class QMenu;
 class QProgressBar;
 class QToolButton;
 class QTreeView;
+class QTreeWidget;
 
 namespace mrose::gui {
 
@@ -25,10 +28,15 @@ public:
 
     void setTheme(const Theme& theme);
     QTreeView& list() const { return *list_; }
-    /// The robot whose figures are shown; the field's selection.
-    void setRobot(std::optional<std::size_t> robot);
+    QTreeWidget& models() const { return *models_; }
+    CourseList* courses() const { return courses_; }
+    void openLine(const QModelIndex& index);  ///< the course of a line of the list
+    CausePanel& causes() const { return *causes_; }
 
     QSize sizeHint() const override { return {380, 640}; }
+
+signals:
+    void modelFileWanted();
 
 private:
     QWidget* makeHead();
@@ -36,24 +44,26 @@ private:
     QWidget* makeProgress();
     void makeList();
     void refresh();
-    void refreshFigures();
-    void refreshShown();
+    QWidget* makeModels();
+    void fillModelMenu(QMenu& menu);
+    void refreshModels();
+    void selectShown();
     void applyPlan();
-    void openLine(const QModelIndex& index);
-    std::optional<std::size_t> robotShown() const;
 
     Overlay& overlay_;
     CourseList* courses_;
-    QLabel *log_, *about_, *figures_, *shown_;
+    QLabel *log_, *about_;
+    CausePanel* causes_;
     QComboBox* cut_;
     QDoubleSpinBox *start_, *length_;
     QLabel* startLabel_;
     QCheckBox* restarts_;
     QWidget* progress_;
     QProgressBar* bar_;
+    QTreeWidget* models_;
+    QCheckBox* free_;
     QTreeView* list_;
-    std::optional<std::size_t> robot_;  ///< in LogWorld::robots()
-    std::size_t listed_ = 0;            ///< lines, when the list was filled
+    std::size_t listed_ = 0;  ///< lines, when the list was filled
     OverlayWorldPointer listedOf_;
     bool filling_ = false;
     Theme theme_ = Theme::light();

@@ -68,7 +68,8 @@ Expected<LoadedScenario> scenarioNamed(OverlayWorld& overlay, std::shared_ptr<co
                                        const OpenProgress& progress) {
     const OverlayRequest& request = overlay.request;
     DiskDescriptions source = openDescriptions(request.log.empty() ? "" : logPlaceOf(request.log));
-    auto loaded = withoutLogs(request.scenario, source, request, overlay.files);
+    LayeredDescriptions kept(request.kept ? request.kept->texts : std::map<std::string, std::string>{}, source);
+    auto loaded = withoutLogs(request.kept ? request.kept->scenario : request.scenario, kept, request, overlay.files);
     if (!loaded) return loaded;
     if (loaded->parts.players.empty())
         return fail(source.shown(loaded->name),
@@ -144,8 +145,8 @@ std::string OverlayWorld::name() const { return fs::path(place).filename().strin
 Expected<OverlayWorldPointer> openOverlayWorld(const OverlayRequest& request, const OpenProgress& progress) {
     OverlayWorld opening{request, {}, nullptr, {}, nullptr, 1, {}, {}};
     std::shared_ptr<const Log> log;
-    auto loaded =
-        request.scenario.empty() ? scenarioMade(opening, log, progress) : scenarioNamed(opening, log, progress);
+    auto loaded = request.scenario.empty() && !request.kept ? scenarioMade(opening, log, progress)
+                                                            : scenarioNamed(opening, log, progress);
     if (!loaded) return tl::unexpected(loaded.error());
     opening.log = std::move(log);
     opening.descriptions = {loaded->name, std::move(loaded->texts)};

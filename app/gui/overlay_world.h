@@ -18,8 +18,10 @@ struct OverlayRequest {
     std::string scenario;        ///< whose robots play it; empty: one that suits the log (scenarioOfLog())
     std::string robotFile = {};  ///< of its robots, where no scenario is given
     std::vector<std::string> robots = {};  ///< only these, by their names in the log; empty: all
+    std::vector<std::string> models = {};  ///< to be laid over as well: overlayModel()
     std::optional<std::uint64_t> seed = {};
-    double pluginLimit = 2;  ///< s
+    double pluginLimit = 2;                 ///< s
+    std::optional<Descriptions> kept = {};  ///< the scenario as a recording has it, instead of any file
 };
 
 /// A log with the scenario that plays it, ready to be opened at any instant. It never changes.

@@ -132,6 +132,7 @@ void WindowFiles::drop(const QMimeData& what) {
 }
 
 void WindowFiles::offerNetwork(const QString& path) {
+    if (window_.overlay().world()) return offerModel(path);
     const auto selected = window_.field().selected();
     const bool robot = selected && window_.shown() && *selected < window_.shown()->frame->state.robots.size();
     if (robot) {
@@ -145,6 +146,24 @@ void WindowFiles::offerNetwork(const QString& path) {
          "network",
          {{tr("Use for the selected robot"), tr("Swap the motion model of the selected robot"),
            [this, path] { offerNetwork(path); }}}});
+}
+
+/// Beside a log a network has two uses.
+void WindowFiles::offerModel(const QString& path) {
+    messages_.add({Kind::note,
+                   tr("%1 is a network").arg(nameOf(path)),
+                   "network",
+                   {{tr("Lay over"), tr("Show beside the run what it makes of the same commands"),
+                     [this, path] {
+                         messages_.remove("network");
+                         window_.overlay().addModel(path.toStdString());
+                     }},
+                    {tr("Use for the selected robot"), tr("Swap the motion model of the selected robot, as a branch"),
+                     [this, path] {
+                         messages_.remove("network");
+                         if (const auto done = window_.actions().perform("swap_model", path); !done)
+                             sayError(done.error(), "network");
+                     }}}});
 }
 
 void WindowFiles::listTrials(const QString& path) {

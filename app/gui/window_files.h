@@ -72,6 +72,7 @@ signals:
 
 private:
     Expected<void> take(Expected<OpenRun> run, std::optional<double> at);
+    void offerModel(const QString& path);
     void listTrials(const QString& path);
     Expected<void> checkNotRead(const QString& path) const;
     void saved(const QString& path, const Expected<bool>& done, std::size_t branches);

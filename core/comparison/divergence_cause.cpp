@@ -137,9 +137,8 @@ private:
     }
 
     /// Whole where the error is one of those that `likely` are common; what is beyond adds up in squares.
-    double explainedByNoise(double likely) const {
-        if (baseRms_ <= 0 || likely >= baseRms_) return 1;
-        return 1 - std::sqrt(1 - likely * likely / (baseRms_ * baseRms_));
+    static double explainedByNoise(double likely, double error) {
+        return likely >= error ? 1 : 1 - std::sqrt(1 - likely * likely / (error * error));
     }
 
     /// Noise makes likely what other draws of it put between two runs.
@@ -161,7 +160,7 @@ private:
         diagnosis_.trials.push_back(
             {CauseKind::noise,
              "motion noise: " + std::to_string(asFar) + " of " + std::to_string(noiseRuns) + " runs stray as far",
-             explainedByNoise(quantile(apart, likelyShare)), options_.threshold, std::move(nearest)});
+             explainedByNoise(quantile(apart, likelyShare), baseRms_), options_.threshold, std::move(nearest)});
         return true;
     }
 
@@ -170,19 +169,10 @@ private:
         const auto* learned = dynamic_cast<const LearnedModel*>(&rerun_.model());
         if (learned == nullptr || learned->network().heldOut.windows == 0) return true;
         const DivergenceBound likely = heldOutBound(learned->network().heldOut, rerun_.course(), rerun_.step());
-        double sum = 0;
-        int count = 0;
-        for (std::size_t k = 0; k < truth_.size(); ++k) {
-            if (!std::isfinite(truth_[k].x)) continue;
-            const double position = likely.at(k).position / options_.bound.at(k).position,
-                         heading = likely.at(k).heading / options_.bound.at(k).heading;
-            sum += (position * position + heading * heading) / 2;
-            ++count;
-        }
-        const double likelyRms = count == 0 ? 0 : std::sqrt(sum / count);
+        const double times = rmsInBounds(truth_, base_, likely);
         diagnosis_.trials.push_back({CauseKind::noise,
                                      "no more than the network's held-out error",
-                                     explainedByNoise(likelyRms),
+                                     explainedByNoise(1, times),
                                      options_.threshold,
                                      {}});
         return goesOn();
@@ -256,13 +246,6 @@ Expected<Diagnosis> diagnose(const LogWorld& world, const CourseRequest& request
                      [](const CauseTrial& a, const CauseTrial& b) { return a.explained > b.explained; });
     if (!diagnosis.cancelled) diagnosis.likely = likelyOf(diagnosis.trials);
     return diagnosis;
-}
-
-std::string causeText(const Diagnosis& diagnosis) {
-    if (diagnosis.trials.empty()) return "none of these";
-    const CauseTrial& trial = diagnosis.trials[diagnosis.likely.value_or(0)];
-    const std::string explains = trial.what + " explains " + fixed(100 * trial.explained, 0) + " % of the error";
-    return diagnosis.likely ? explains : "none of these: " + explains;
 }
 
 }  // namespace mrose

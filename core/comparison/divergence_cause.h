@@ -2,12 +2,12 @@
 
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "comparison/divergence.h"
+#include "comparison/other_models.h"
 #include "scene/robot_type.h"
 
 namespace mrose {
@@ -41,12 +41,6 @@ struct Diagnosis {
     bool cancelled = false;             ///< the trials are those that were done up to then
 };
 
-/// A motion model to try instead of a robot's own.
-struct OtherModel {
-    std::string name;
-    std::vector<std::shared_ptr<const MotionModel>> byRobot;  ///< by compared robot; null: not for this one
-};
-
 struct DiagnosisOptions {
     DivergenceBound bound{};  ///< beyond which the course diverges; errors are measured in it
     std::vector<OtherModel> models{};
@@ -63,8 +57,5 @@ struct DiagnosisOptions {
 /// is the same for any number of threads. Error: the period of another model is no whole number of ticks.
 Expected<Diagnosis> diagnose(const LogWorld& world, const CourseRequest& request, const ComparedCourse& course,
                              const Divergence& divergence, const DiagnosisOptions& options);
-
-/// "dead time 20 ms longer explains 93 % of the error", "none of these: ... explains 34 % of it".
-std::string causeText(const Diagnosis& diagnosis);
 
 }  // namespace mrose
