@@ -2,7 +2,29 @@
 
 #include <limits>
 
+#include "logs/pose_grid.h"
+
 namespace mrose::gui {
+namespace {
+
+/// Where poses are too far apart to say anything in between, on the take's clock.
+std::vector<CourseStrip::Span> unknownSpans(const std::vector<StampedPose>& poses, Nanoseconds origin,
+                                            Nanoseconds length) {
+    std::vector<CourseStrip::Span> spans;
+    Nanoseconds last = 0;
+    const auto add = [&](Nanoseconds until) {
+        if (until - last > truthGap) spans.push_back({last, until});
+    };
+    for (const StampedPose& stamped : poses) {
+        if (stamped.time < origin) continue;
+        add(stamped.time - origin);
+        last = stamped.time - origin;
+    }
+    add(length);
+    return spans;
+}
+
+}  // namespace
 
 CourseStrip::Content stripOf(const Overlay& overlay) {
     CourseStrip::Content content;
@@ -31,9 +53,8 @@ CourseStrip::Content stripOf(const Overlay& overlay) {
         if (row != nullptr && row->divergence) cell.diverges = course.start + row->divergence->time;
         content.cells.push_back(cell);
     }
-    const Reality reality = realityOf(world, overlay.world()->log, take, 0);
-    for (const auto& [from, to] : reality.robots[robot].unknownBetween(0, content.length))
-        content.unknown.push_back({from, to});
+    content.unknown =
+        unknownSpans(world.trajectory(take, robot).poses, world.takes()[take].parts[robot].origin, content.length);
     return content;
 }
 
