@@ -8,9 +8,9 @@
 #include "comparison/comparison_files.h"
 #include "comparison/comparison_report.h"
 #include "evaluation/format.h"
-#include "notices.h"
 #include "plugins.h"
 #include "scenario/scenario_file.h"
+#include "shared/notices.h"
 #include "shared/resources.h"
 #include "version.h"
 

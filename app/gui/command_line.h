@@ -18,6 +18,11 @@ struct CommandLine {
     std::optional<std::uint64_t> seed;
     std::uint32_t trial = 0;
     std::string log;
+    std::optional<double> start, every;  ///< s, of the log
+    bool windows = false;
+    std::vector<std::string> robots;  ///< of the log
+    std::string robotFile;
+    std::vector<std::string> models;  ///< to be laid over as well
     double pluginLimit = 2;       ///< s
     std::optional<double> speed;  ///< simulated seconds per second; 0: as fast as possible
     std::string select;           ///< a body's name, or its number from 1

@@ -27,9 +27,12 @@
 #include "breakpoint_panel.h"
 #include "command_panel.h"
 #include "fault_messages.h"
+#include "overlay.h"
+#include "overlay_panel.h"
 #include "plot_panel.h"
 #include "side_view.h"
 #include "view_export.h"
+#include "widgets/course_strip.h"
 #include "widgets/field_view.h"
 #include "widgets/icons.h"
 #include "widgets/inspector.h"
@@ -72,7 +75,10 @@ MainWindow::MainWindow(QWidget* parent)
       messages_(new MessageBar),
       files_(new WindowFiles(*this, *messages_)),
       memory_(new WindowMemory(*this)),
-      progress_(new WorkProgress(*this, *messages_)) {
+      progress_(new WorkProgress(*this, *messages_)),
+      overlay_(new Overlay(*this)),
+      reality_(new OverlayPanel(*overlay_)),
+      strip_(new CourseStrip) {
     view_->setObjectName("field");
     timeline_->setObjectName("timeline");
     setWindowTitle("mrose");
@@ -84,6 +90,7 @@ MainWindow::MainWindow(QWidget* parent)
     layout->setSpacing(0);
     layout->addWidget(messages_);
     layout->addWidget(view_, 1);
+    layout->addWidget(strip_);
     layout->addWidget(timeline_);
     setCentralWidget(middle);
     makeDocks();
@@ -101,6 +108,7 @@ void MainWindow::makeActions() {
         messages_->add({MessageBar::Kind::error, QString::fromStdString(error.message())});
     });
     addFileActions(*this);
+    addOverlayActions(*this);
     addEditActions(*this);
     addTimeActions(*this);
     addBranchActions(*this);
@@ -209,6 +217,7 @@ void MainWindow::makeDocks() {
     dock("branches", tr("Branches"), branches_, Qt::LeftDockWidgetArea);
     dock("breakpoints", tr("Breakpoints"), breakpoints_, Qt::LeftDockWidgetArea);
     dock("command", tr("Change a command"), command_, Qt::LeftDockWidgetArea);
+    dock("reality", tr("Reality"), reality_, Qt::LeftDockWidgetArea)->hide();
     dock("inspector", tr("Inspector"), inspector_, Qt::RightDockWidgetArea);
     dock("plots", tr("Plots"), plots_, Qt::BottomDockWidgetArea)->hide();
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
@@ -265,6 +274,8 @@ void MainWindow::setTheme(const Theme& theme) {
     messages_->setTheme(theme_);
     inspector_->setTheme(theme_);
     plots_->setTheme(theme_);
+    reality_->setTheme(theme_);
+    strip_->setTheme(theme_);
     const std::initializer_list<std::pair<const char*, Icon>> icons{{"tick_forward", Icon::tickForward},
                                                                     {"tick_back", Icon::tickBack},
                                                                     {"period_forward", Icon::periodForward},
@@ -320,8 +331,10 @@ void MainWindow::updateStatus() {
     actions_["play"].setText(playing ? tr("&Pause") : tr("&Play"));
     if (!shown_) return;
     seed_->setText(tr("seed %1").arg(shown_->frame->state.seed));
-    clock_->setText(
-        tr("%1   tick %2").arg(clockText(shown_->frame->scene().timeOf(shown_->tick()))).arg(shown_->tick()));
+    const Nanoseconds now = shown_->frame->scene().timeOf(shown_->tick());
+    const auto& reality = shown_->frame->reality;
+    clock_->setText(tr("%1   tick %2").arg(clockText(now)).arg(shown_->tick()) +
+                    (reality ? tr("   log %1").arg(clockText(reality->start + now)) : QString()));
     factor_->setText(
         playing ? tr("real-time factor %1").arg(shown_->realTimeFactor, 0, 'f', shown_->realTimeFactor < 10 ? 2 : 0)
                 : tr("paused"));

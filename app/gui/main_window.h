@@ -14,6 +14,7 @@ class QLabel;
 class QToolButton;
 
 namespace mrose {
+class CourseStrip;
 class FieldView;
 class Inspector;
 class MessageBar;
@@ -25,6 +26,8 @@ namespace mrose::gui {
 class BranchPanel;
 class BreakpointPanel;
 class CommandPanel;
+class Overlay;
+class OverlayPanel;
 class PlotPanel;
 class SideView;
 class WindowFiles;
@@ -52,6 +55,9 @@ public:
     void showDock(const char* name);
     CommandPanel& commandPanel() const { return *command_; }
     BranchPanel& branchPanel() const { return *branches_; }
+    Overlay& overlay() const { return *overlay_; }
+    OverlayPanel& overlayPanel() const { return *reality_; }
+    CourseStrip& courseStrip() const { return *strip_; }
     BreakpointPanel& breakpointPanel() const { return *breakpoints_; }
     void setSideBySide(bool on);
     /// Asks the user for a line; empty: they thought better of it.
@@ -104,6 +110,9 @@ private:
     WindowFiles* files_;
     WindowMemory* memory_;
     WorkProgress* progress_;
+    Overlay* overlay_;
+    OverlayPanel* reality_;
+    CourseStrip* strip_;
     std::shared_ptr<const Shown> shown_;
     std::int64_t plannedTicks_ = 0;
     QString title_;

@@ -208,6 +208,8 @@ Expected<OpenRun> openAny(const OpenRequest& request, const OpenProgress& progre
             return openRecorded(request, progress);
         case FileKind::network:
             return fail(request.file, "is a network; open a scenario, select a robot, then open the network for it");
+        case FileKind::log:
+            return fail(request.file, "is a log; open it as a real log, or name it by --log");
         case FileKind::results:
             break;
     }
