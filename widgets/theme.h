@@ -22,8 +22,9 @@ struct Theme {
     static Theme darkOne();
 };
 
-/// The colour that a robot is known by: of eight that people with any colour vision can tell apart (Okabe and Ito 2008,
-/// "Color Universal Design", with a light grey for its black), then again from the first.
+/// The colour that a robot is known by: of eight that people with any colour vision can tell apart, then again from the
+/// first. They are those of Okabe and Ito 2008, "Color Universal Design", but plum for its green, which is lost on a
+/// green field, a lighter blue and a bluish white for its black.
 QColor robotColour(std::size_t robot);
 
 /// How well two colours are told apart: 1 ... 21, the contrast ratio of WCAG 2.1 with the channels' gamma taken as 2.2.
