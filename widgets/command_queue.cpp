@@ -223,9 +223,11 @@ void CommandQueue::paintScale(QPainter& painter) const {
     const Nanoseconds step = end > 600 * millisecond   ? 500 * millisecond
                              : end > 250 * millisecond ? 100 * millisecond
                                                        : 50 * millisecond;
-    for (Nanoseconds until = step; until <= end; until += step) {
+    constexpr double leastApart = 34;  // pixels, of two numbers
+    const auto every = static_cast<Nanoseconds>(std::ceil(leastApart / std::max(1.0, pixelOf(step) - pixelOf(0))));
+    for (Nanoseconds until = every * step; until <= end; until += every * step) {
         const double x = pixelOf(until);
-        const bool last = until + step > end;
+        const bool last = until + every * step > end;
         const QString text = QString::number(until / millisecond) + (last ? " ms" : "");
         painter.drawLine(QPointF(x, top - 2), QPointF(x, top + 1));
         painter.drawText(QRectF(std::min(x - 30, width() - side - 60), top, 60, 14),
