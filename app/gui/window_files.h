@@ -71,6 +71,7 @@ signals:
 private:
     Expected<void> take(Expected<OpenRun> run, std::optional<double> at);
     void listTrials(const QString& path);
+    void offerBranches(const OpenRun& run);
     Expected<void> checkNotRead(const QString& path) const;
     void saved(const QString& path, const Expected<bool>& done, std::size_t branches);
     void savedScenario(const QString& path, const Expected<void>& done);
