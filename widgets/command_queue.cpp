@@ -161,7 +161,8 @@ void CommandQueue::paintLane(QPainter& painter, bool rotation) const {
     painter.fillRect(box, theme_.dark ? theme_.surround : QColor(Qt::white));
     painter.setPen(theme_.line);
     painter.drawLine(QPointF(now, zero), QPointF(end, zero));
-    QColor fill = content_.colour.isValid() ? content_.colour : theme_.accent;
+    QColor fill = seenOn(theme_.dark ? theme_.surround : QColor(Qt::white),
+                         content_.colour.isValid() ? content_.colour : theme_.accent, theme_.dark ? 2.5 : 1);
     QColor separator = theme_.quietText;
     fill.setAlpha(theme_.dark ? 110 : 120);
     separator.setAlpha(90);

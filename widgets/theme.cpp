@@ -59,6 +59,13 @@ double contrast(const QColor& a, const QColor& b) {
     return (more + 0.05) / (less + 0.05);
 }
 
+QColor seenOn(const QColor& ground, QColor colour, double leastContrast) {
+    const bool dark = setOff(ground) == QColor(255, 255, 255);
+    for (int i = 0; i < 20 && contrast(colour, ground) < leastContrast; ++i)
+        colour = dark ? colour.lighter(112) : colour.darker(112);
+    return colour;
+}
+
 QColor setOff(const QColor& colour) {
     const QColor black(0, 0, 0), white(255, 255, 255);
     return contrast(colour, black) > contrast(colour, white) ? black : white;

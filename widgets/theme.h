@@ -29,6 +29,8 @@ QColor robotColour(std::size_t robot);
 
 /// How well two colours are told apart: 1 ... 21, the contrast ratio of WCAG 2.1 with the channels' gamma taken as 2.2.
 double contrast(const QColor& a, const QColor& b);
+/// As much lighter on a dark ground, or darker on a light one, as it must be to be seen there; of the same hue.
+QColor seenOn(const QColor& ground, QColor colour, double leastContrast);
 /// Black or white, whichever a colour is seen better on.
 QColor setOff(const QColor& colour);
 

@@ -25,13 +25,6 @@ constexpr double leastContrast = 1.9;     // of a curve and its ground
 
 QColor groundOf(const Theme& theme) { return theme.dark ? theme.surround : QColor(Qt::white); }
 
-/// As the robot is known by, but to be seen on the plot's ground.
-QColor visible(QColor colour, const Theme& theme) {
-    for (int i = 0; i < 12 && contrast(colour, groundOf(theme)) < leastContrast; ++i)
-        colour = theme.dark ? colour.lighter(112) : colour.darker(112);
-    return colour;
-}
-
 /// One robot's curves on one axis are told apart by their lines, and by how light they are.
 QColor variant(const QColor& colour, int which, const Theme& theme) {
     constexpr double apart = 2.2, leastOfVariant = 2.6;  // contrasts: with the first, and with the ground
@@ -371,7 +364,7 @@ std::vector<PlotPanel::Look> PlotPanel::looksOf(const std::vector<PlottedValue>&
             looks.push_back({others[static_cast<std::size_t>(used[{noBody, {}}]++) % others.size()]});
             continue;
         }
-        const QColor base = visible(robotColour(*value.colourOf), theme_);
+        const QColor base = seenOn(groundOf(theme_), robotColour(*value.colourOf), leastContrast);
         const int which = used[{*value.colourOf, value.unit}]++ % static_cast<int>(styles.size());
         looks.push_back({variant(base, which, theme_), styles[static_cast<std::size_t>(which)]});
     }

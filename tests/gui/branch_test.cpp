@@ -102,6 +102,21 @@ TEST_F(BranchTest, TypedCommandIsTold) {
     EXPECT_EQ(window.shown()->hash, hashOf(expected));
 }
 
+/// Return in a field will do, and the branch is called by what was changed.
+TEST_F(BranchTest, ReturnTriesTheTypedCommand) {
+    seek(100);
+    window.field().setSelected(1);
+    const auto boxes = window.commandPanel().findChildren<QDoubleSpinBox*>();
+    key(Qt::Key_E);
+    QTest::keyClicks(boxes[0], "-0.25");
+    EXPECT_EQ(window.shown()->branches.size(), 1u);
+    QTest::keyClick(boxes[0], Qt::Key_Return);
+    settle();
+    ASSERT_EQ(window.shown()->branches.size(), 2u);
+    EXPECT_EQ(window.shown()->branches[1].name, "red 2: -0.25 m/s");
+    EXPECT_TRUE(window.shown()->message.contains("Space plays it")) << window.shown()->message.toStdString();
+}
+
 TEST_F(BranchTest, CommandThatIsNotChangedChangesNothing) {
     const std::shared_ptr<const Scenario> scenario = window.shown()->frame->scenario;
     seek(333);

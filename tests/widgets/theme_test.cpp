@@ -72,6 +72,17 @@ TEST(Theme, RobotsAreToldApartByWhateverColoursOneSees) {
             EXPECT_GT(leastDistance(robotColour(i), robotColour(j)), 7) << i << ' ' << j;
 }
 
+TEST(Theme, ColoursAreShadedUntilTheyAreSeen) {
+    for (const QColor& ground : {QColor(Qt::white), Theme::darkOne().surround})
+        for (std::size_t robot = 0; robot < 8; ++robot) {
+            const QColor seen = seenOn(ground, robotColour(robot), 1.9);
+            EXPECT_GE(contrast(seen, ground), 1.9) << robot;
+            if (contrast(robotColour(robot), ground) >= 1.9) {
+                EXPECT_EQ(seen, robotColour(robot));
+            }
+        }
+}
+
 TEST(Theme, RobotsAreToldFromAGreenFieldInBothThemes) {
     Environment field;
     field.floor.colour = {0x3b, 0x7d, 0x4f};
