@@ -178,6 +178,10 @@ TEST_F(GuiProgram, WhatIsWrongWithFilesIsOneLineAndStatusOne) {
                   {"where.png: cannot be written"}, 1);
     expectOneLine(offscreen({"--run", "soccer.toml", "--ticks", "1", "--select", "red 9"}),
                   {"--select red 9", "red 1, red 2"}, 1);
+    expectOneLine(offscreen({write("results.csv",
+                                   "trial,seed,end,time_s,touches,kicks,hits,faults,driven_m,command\n"
+                                   "1,1,duration,1,0,0,0,0,0,mrose run soccer.toml --trial 1 --seed 1\n")}),
+                  {"results.csv", "scenario, trial and seed"}, 1);
     const std::string there = write("game.mcap", "earlier");
     expectOneLine(offscreen({"--run", "soccer.toml", "--ticks", "1", "--record", there}), {"is there already"}, 1);
 }
