@@ -80,6 +80,16 @@ QPainterPath silhouette(const FieldCanvas& canvas, const Shape& shape, const Pos
     return whole;
 }
 
+/// Of a model between the instants that it tells of: it is to be seen going on, as the others are.
+std::optional<Pose> modelPose(const Reality::ModelCourse& model, std::size_t robot, Nanoseconds now) {
+    std::optional<Pose> pose = model.poseAt(robot, now);
+    const std::optional<Pose> next = model.poseAt(robot, now + model.step);
+    if (!pose || !next) return pose;
+    const double share = static_cast<double>(now % model.step) / static_cast<double>(model.step);
+    const Pose by{next->x - pose->x, next->y - pose->y, wrapAngle(next->heading - pose->heading)};
+    return Pose{pose->x + share * by.x, pose->y + share * by.y, pose->heading + share * by.heading};
+}
+
 enum class Heading { none, line, arrow };
 
 void drawOutline(const FieldCanvas& canvas, const Shape& shape, const Pose& pose, const QColor& colour, double width,
@@ -157,7 +167,7 @@ void drawModelRobots(const FieldCanvas& canvas, const FieldFrame& frame, bool he
     for (std::size_t m = 0; m < frame.reality->models.size(); ++m)
         for (std::size_t i = 0; i < frame.reality->robots.size(); ++i) {
             const auto body = bodyOf(frame, frame.reality->robots[i]);
-            const auto pose = frame.reality->models[m].poseAt(i, timeOf(frame));
+            const auto pose = modelPose(frame.reality->models[m], i, timeOf(frame));
             if (!body || !pose) continue;
             const Shape& shape = frame.scene().shapeOf(*body);
             if (canvas.visible(position(*pose), shape.reach))

@@ -24,19 +24,21 @@ constexpr double growth = 1.15;      // of the view, when the known time outgrow
 /// Of so many ticks in a pixel a curve is a band of noise: it is drawn in Qt's fast way, one pixel wide.
 constexpr std::int64_t dense = 16;
 
-QPen penOf(const PlotCurve& curve, bool fast) {
-    const Qt::PenStyle style = curve.ghost ? Qt::DashLine : curve.dotted ? Qt::DotLine : Qt::SolidLine;
-    QPen pen(curve.colour, fast ? 0 : curve.ghost ? 1 : 1.6, style);
-    if (!curve.dashes.isEmpty() && !curve.ghost && !fast) pen.setDashPattern(curve.dashes);
-    return pen;
-}
-
 QString unitLabel(const QString& unit) { return unit.isEmpty() ? QObject::tr("number") : unit; }
 
 /// The least range that an axis shows, so that noise of the last digit does not fill it.
 double leastSpan(const QString& unit) { return unit == QString::fromUtf8("\u00b0") ? 4 : 0.02; }
 
 }  // namespace
+
+QPen curvePen(const PlotCurve& curve) {
+    QColor colour = curve.colour;
+    if (curve.ghost) colour.setAlpha(150);
+    QPen pen(colour, curve.ghost ? 1 : 1.6, curve.style);
+    if (curve.style == Qt::DashLine) pen.setDashPattern({5, 2.5});
+    if (curve.style == Qt::DotLine) pen.setDashPattern({1.5, 2});
+    return pen;
+}
 
 struct PlotView::Band {
     QString unit;
@@ -154,6 +156,7 @@ void PlotView::addBand(const QString& unit, int row) {
 }
 
 void PlotView::setReferences(std::vector<PlotLevel> levels, std::optional<std::int64_t> instant) {
+    if (levels == levels_ && instant == instant_) return;
     levels_ = std::move(levels);
     instant_ = instant;
     layOut();
@@ -311,7 +314,9 @@ void PlotView::fillBand(Band& band) {
         points.clear();
         const auto from = static_cast<std::int64_t>(std::floor(from_)) - 1;
         curves_[index].sample(from, static_cast<std::int64_t>(std::ceil(to_)) + 1, step, points);
-        graph->setPen(penOf(curves_[index], step >= dense));
+        QPen pen = curvePen(curves_[index]);
+        if (step >= dense) pen.setWidthF(0);
+        graph->setPen(pen);
         graph->setAntialiased(step < dense);
         QVector<QCPGraphData> drawn;
         drawn.reserve(points.size());
@@ -369,7 +374,11 @@ QString PlotView::textAt(std::int64_t tick) const {
             return other.ghost && other.name == curve.name;
         });
         rows += QString("<tr><td><font color='%1'>%2</font>&nbsp;</td><td>%3</td>")
-                    .arg(curve.colour.name(), QString::fromUtf8("\u2501\u2501"), curve.name.toHtmlEscaped());
+                    .arg(curve.colour.name(),
+                         curve.style == Qt::SolidLine  ? QString::fromUtf8("\u2501\u2501")
+                         : curve.style == Qt::DashLine ? QString::fromUtf8("\u2578\u2578")
+                                                       : QString::fromUtf8("\u00b7\u00b7\u00b7"),
+                         curve.name.toHtmlEscaped());
         rows += number(fixedText(curve.at(tick), curve.decimals));
         if (ghost != curves_.end()) rows += number(fixedText(ghost->at(tick), curve.decimals));
         rows += "<td>&nbsp;" + curve.unit.toHtmlEscaped() + "</td></tr>";

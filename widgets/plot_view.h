@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QColor>
+#include <QPen>
 #include <QPointF>
 #include <QString>
 #include <QVector>
@@ -26,9 +27,8 @@ struct PlotCurve {
     QString name;  ///< "red 1  speed"
     QString unit;  ///< curves of one unit share an axis
     QColor colour;
-    bool ghost = false;  ///< of another course: thin and dashed, beside the curve of the same name
-    bool dotted = false;
-    QVector<qreal> dashes = {};  ///< of its line; empty: solid
+    bool ghost = false;  ///< of another course: thin and pale, beside the curve of the same name
+    Qt::PenStyle style = Qt::SolidLine;
     int decimals = 3;
     /// Points (tick, number) between two ticks, of each `step` of them a few (curve_sampling.h).
     std::function<void(std::int64_t from, std::int64_t to, std::int64_t step, QVector<QPointF>& points)> sample;
@@ -39,7 +39,10 @@ struct PlotCurve {
 struct PlotLevel {
     QString unit;
     QVector<QPointF> points;
+    bool operator==(const PlotLevel& other) const { return unit == other.unit && points == other.points; }
 };
+/// What it is drawn with, also in a legend.
+QPen curvePen(const PlotCurve& curve);
 
 /// Curves over one axis of time, a stack of axes for the units. It shows the tick of the timeline; press or drag asks
 /// for another. The wheel zooms the time at the mouse, the right or middle button drags it, a double click shows all.
@@ -55,6 +58,7 @@ public:
     const std::vector<PlotCurve>& curves() const { return curves_; }
     /// Levels that are not to be exceeded, and the instant at which they were: a thin upright line.
     void setReferences(std::vector<PlotLevel> levels, std::optional<std::int64_t> instant);
+    const std::vector<PlotLevel>& levels() const { return levels_; }
     struct Time {
         std::int64_t first = 0, last = 0;  ///< ticks that are known
         std::int64_t now = 0;

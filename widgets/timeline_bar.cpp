@@ -86,7 +86,9 @@ QColor TimelineBar::colourOf(TimelineMark::Kind kind, const Theme& theme) {
         case TimelineMark::Kind::fault:
             return theme.warning;
         case TimelineMark::Kind::divergence:
-            return theme.dark ? QColor(222, 130, 255) : QColor(140, 40, 180);
+            return theme.dark ? QColor(90, 210, 220) : QColor(0, 120, 140);
+        case TimelineMark::Kind::hit:
+            return theme.dark ? QColor(200, 150, 255) : QColor(120, 50, 190);
         case TimelineMark::Kind::stop:
             break;
     }
@@ -345,6 +347,10 @@ QString TimelineBar::nameOf(const TimelineMark& mark) const {
         return QString::fromStdString(which < robots ? scene.robots[which].name : scene.objects[which - robots].name);
     };
     switch (mark.kind) {
+        case TimelineMark::Kind::hit: {
+            const auto found = content_.breakpoints.find(mark.body);
+            return found == content_.breakpoints.end() ? QString() : found->second;
+        }
         case TimelineMark::Kind::contact:
             return tr("%1 and %2").arg(body(mark.body), body(mark.other));
         case TimelineMark::Kind::goal:

@@ -2,6 +2,7 @@
 
 #include <QWidget>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -35,8 +36,9 @@ public:
         std::vector<Noted> noted;
         /// From one tick to another: there nobody knows what really happened.
         std::vector<std::pair<std::int64_t, std::int64_t>> unknown;
-        std::vector<std::int64_t> branches;        ///< ticks at which others departed from it
-        std::shared_ptr<const Scenario> scenario;  ///< for names; may be null
+        std::vector<std::int64_t> branches;            ///< ticks at which others departed from it
+        std::shared_ptr<const Scenario> scenario;      ///< for names; may be null
+        std::map<std::uint32_t, QString> breakpoints;  ///< what they wait for, by their numbers
     };
     explicit TimelineBar(QWidget* parent = nullptr);
 

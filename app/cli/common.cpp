@@ -116,12 +116,6 @@ Expected<std::shared_ptr<const LearnedMotion>> openNetwork(const std::string& pa
     return std::make_shared<const LearnedMotion>(std::move(*network));
 }
 
-std::string robotKind(const Log& log) {
-    if (log.format == "mrclam") return "irobot-create";
-    if (log.format == "husky-windows") return "husky";
-    return log.synthetic ? "reference-robot" : "";
-}
-
 std::string shellQuoted(const std::string& word) {
     const auto plain = [](unsigned char c) { return std::isalnum(c) || std::strchr("-_./,:=+@%", c); };
     if (!word.empty() && std::all_of(word.begin(), word.end(), plain)) return word;

@@ -7,7 +7,7 @@
 #include "evaluation/report.h"
 #include "identification/held_out_groups.h"
 #include "models.h"
-#include "notices.h"
+#include "shared/notices.h"
 
 namespace mrose::cli {
 namespace {

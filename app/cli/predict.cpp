@@ -6,7 +6,7 @@
 #include "evaluation/prediction_files.h"
 #include "io/file.h"
 #include "models.h"
-#include "notices.h"
+#include "shared/notices.h"
 
 namespace mrose::cli {
 namespace {

@@ -15,6 +15,7 @@ class QLabel;
 class QToolButton;
 
 namespace mrose {
+class CourseStrip;
 class FieldView;
 class Inspector;
 class MessageBar;
@@ -23,7 +24,10 @@ class MessageBar;
 namespace mrose::gui {
 
 class BranchPanel;
+class BreakpointPanel;
 class CommandPanel;
+class Overlay;
+class OverlayPanel;
 class PlotPanel;
 class SideView;
 class WindowFiles;
@@ -48,8 +52,13 @@ public:
     Inspector& inspector() const { return *inspector_; }
     PlotPanel& plots() const { return *plots_; }
     void showPlots();  ///< their dock, where it is hidden
+    void showDock(const char* name);
     CommandPanel& commandPanel() const { return *command_; }
     BranchPanel& branchPanel() const { return *branches_; }
+    Overlay& overlay() const { return *overlay_; }
+    OverlayPanel& overlayPanel() const { return *reality_; }
+    CourseStrip& courseStrip() const { return *strip_; }
+    BreakpointPanel& breakpointPanel() const { return *breakpoints_; }
     void setSideBySide(bool on);
     /// Marks on the timeline that the run does not know of: its first divergence. For as long as it is open.
     void note(std::vector<TimelineBar::Content::Noted> marks);
@@ -76,6 +85,7 @@ protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
+    bool event(QEvent* event) override;
 
 private:
     void makeActions();
@@ -95,6 +105,7 @@ private:
     Inspector* inspector_;
     PlotPanel* plots_;
     BranchPanel* branches_;
+    BreakpointPanel* breakpoints_;
     CommandPanel* command_;
     QComboBox* speed_;
     QToolButton* seed_;
@@ -103,12 +114,16 @@ private:
     WindowFiles* files_;
     WindowMemory* memory_;
     WorkProgress* progress_;
+    Overlay* overlay_;
+    OverlayPanel* reality_;
+    CourseStrip* strip_;
     std::shared_ptr<const Shown> shown_;
     RealityMarks realityMarks_;
     std::int64_t plannedTicks_ = 0;
     QString title_;
     std::int64_t saidAt_ = 0;  ///< the tick shown when something was said
     QString told_;             ///< the session's last message
+    QString said_;             ///< what the status bar says when no action is pointed at
     Theme theme_ = Theme::light();
 };
 

@@ -1,6 +1,7 @@
 #include "work_progress.h"
 
 #include "main_window.h"
+#include "overlay.h"
 #include "widgets/message_bar.h"
 #include "window_files.h"
 
@@ -61,6 +62,7 @@ void WorkProgress::show() {
 void WorkProgress::cancel() {
     if (window_.files().cancel()) return;
     if (!work_.isEmpty()) return window_.session().cancel();
+    if (window_.overlay().cancel()) return;
     messages_.dismiss();
 }
 

@@ -14,9 +14,7 @@ std::optional<Pose> Reality::Robot::poseAt(Nanoseconds now) const {
 }
 
 std::optional<Velocity> Reality::Robot::velocityAt(Nanoseconds now) const {
-    const Nanoseconds time = origin + now;
-    if (!truthIsKnown(trajectory->poses, time)) return {};
-    return truthVelocityAt(trajectory->poses, time);
+    return mrose::velocityAt(trajectory->poses, origin + now);
 }
 
 std::span<const StampedPose> Reality::Robot::posesBetween(Nanoseconds from, Nanoseconds to) const {

@@ -66,16 +66,6 @@ Velocity velocityOf(const Line& line) {
     return {std::cos(heading) * line.slope.x + std::sin(heading) * line.slope.y, line.slope.heading};
 }
 
-/// The line that is the truth about `time`; at least two poses.
-Line truthLine(Poses poses, Nanoseconds time) {
-    const auto firstAt = [&](Nanoseconds instant) { return firstNotBefore(poses, instant); };
-    const std::size_t low = firstAt(time - halfWidth), high = firstAt(time + halfWidth);
-    const std::size_t next = std::clamp<std::size_t>(firstAt(time), 1, poses.size() - 1);
-    const bool bothSides = poses.front().time <= time - halfWidth && poses.back().time >= time + halfWidth;
-    return bothSides && high - low >= fewest ? fitLine(poses.subspan(low, high - low), time)
-                                             : chord(poses[next - 1], poses[next], time);
-}
-
 /// The end of the samples at or before `time`.
 template <class Sample>
 auto behind(const std::vector<Sample>& samples, Nanoseconds time) {
@@ -136,14 +126,22 @@ PoseGrid poseGrid(const Trajectory& trajectory, Nanoseconds step, const GridMarg
     return grid;
 }
 
-Pose truthAt(Poses poses, Nanoseconds time) {
+Pose truthAt(std::span<const StampedPose> poses, Nanoseconds time) {
     if (time <= poses.front().time) return poses.front().pose;
     if (time >= poses.back().time) return poses.back().pose;
-    return truthLine(poses, time).value;
+    const auto firstAt = [&](Nanoseconds instant) { return firstNotBefore(poses, instant); };
+    const std::size_t low = firstAt(time - halfWidth), high = firstAt(time + halfWidth), next = firstAt(time);
+    const bool bothSides = poses.front().time <= time - halfWidth && poses.back().time >= time + halfWidth;
+    return bothSides && high - low >= fewest ? fitLine(poses.subspan(low, high - low), time).value
+                                             : chord(poses[next - 1], poses[next], time).value;
 }
 
-Velocity truthVelocityAt(Poses poses, Nanoseconds time) {
-    return poses.size() < 2 ? Velocity{} : velocityOf(truthLine(poses, time));
+std::optional<Velocity> velocityAt(Poses poses, Nanoseconds time) {
+    if (!truthIsKnown(poses, time) || poses.front().time > time - halfWidth || poses.back().time < time + halfWidth)
+        return std::nullopt;
+    const std::size_t low = firstNotBefore(poses, time - halfWidth), high = firstNotBefore(poses, time + halfWidth);
+    if (high - low < fewest) return std::nullopt;
+    return velocityOf(fitLine(poses.subspan(low, high - low), time));
 }
 
 bool truthIsKnown(Poses poses, Nanoseconds time) {

@@ -97,7 +97,8 @@ TEST_F(RealityPlotTest, NumbersAreThoseOfTheTruthAtEveryTick) {
             expect("error to the left", 100 * (c * y - s * x));
             expect("real x", real.x);
             expect("real heading", real.heading / degree);
-            expect("real forward", drive.command.v);
+            // The slope is that of the poses about it: none next to the gap.
+            if (std::abs(now - 5.5) > 0.6) expect("real forward", drive.command.v);
         }
         step(scenario, state, buffers);
     }
@@ -141,7 +142,7 @@ TEST_F(RealityPlotTest, OneKeyPlotsTheErrorsOfRunAndModels) {
     const auto colours = window.plots().plotted();
     EXPECT_EQ(colours.at({"position error", "sim a", "first"}), modelColour(0));
     EXPECT_EQ(colours.at({"position error", "sim a", "second"}), modelColour(1));
-    EXPECT_EQ(curve("sim a  second: heading error").dashes, modelDashes(1));
+    EXPECT_EQ(curve("sim a  second: heading error").style, modelStyle(1));
     QTest::keyClick(&window, Qt::Key_R, Qt::ShiftModifier);
     EXPECT_TRUE(window.plots().keys().empty());
     window.field().setSelected(std::nullopt);

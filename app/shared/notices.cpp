@@ -1,10 +1,8 @@
-#include "notices.h"
+#include "shared/notices.h"
 
 #include <algorithm>
 
-#include "common.h"
-
-namespace mrose::cli {
+namespace mrose {
 namespace {
 
 std::string listOf(const std::vector<std::string>& names) {
@@ -43,6 +41,12 @@ std::string ofKnownLog(const MotionNetwork& network, const Log& log) {
 
 }  // namespace
 
+std::string robotKind(const Log& log) {
+    if (log.format == "mrclam") return "irobot-create";
+    if (log.format == "husky-windows") return "husky";
+    return log.synthetic ? "reference-robot" : "";
+}
+
 std::vector<std::string> noticesOf(const MotionNetwork& network, const Log& log, bool heldOutOnly) {
     std::vector<std::string> notices{ofOtherKind(network, log), ofUnknownRobots(network, log)};
     if (!heldOutOnly) notices.push_back(ofKnownLog(network, log));
@@ -50,4 +54,4 @@ std::vector<std::string> noticesOf(const MotionNetwork& network, const Log& log,
     return notices;
 }
 
-}  // namespace mrose::cli
+}  // namespace mrose
