@@ -143,6 +143,7 @@ void PlotView::addBand(const QString& unit, int row) {
     line(band->instant);
     band->mouse->setVisible(false);
     band->instant->setLayer("main");
+    band->instant->setAntialiased(false);  // one pixel wide, wherever it lies
     band->unknown = new QCPItemRect(plot_);
     band->unknown->setLayer("grid");
     band->unknown->setClipAxisRect(band->rect);
