@@ -50,7 +50,6 @@ std::optional<OverlayRequest> overlayOf(const CommandLine& line) {
                           line.robotFile,
                           line.robots,
                           line.models,
-                          line.models,
                           line.seed,
                           line.pluginLimit};
 }

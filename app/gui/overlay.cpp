@@ -10,6 +10,7 @@
 #include "widgets/field_view.h"
 #include "widgets/message_bar.h"
 #include "window_files.h"
+#include "window_memory.h"
 
 namespace mrose::gui {
 namespace {
@@ -136,6 +137,27 @@ void Overlay::follow(const OpenRun& run) {
     });
 }
 
+void Overlay::reload(const QString& why) {
+    if (!world_ || !shownCourse_) return;
+    opener_.post([this, request = world_->request, course = requests_[*shownCourse_], goesOn = goesOn(),
+                  why](const JobQueue::GoesOn&) -> JobQueue::Answer {
+        auto world = std::make_shared<Expected<OverlayWorldPointer>>(openOverlayWorld(request));
+        auto run = std::make_shared<Expected<OpenRun>>(tl::unexpected(Error{}));
+        if (*world)
+            *run = openCourse(***world, course, goesOn);
+        else
+            *run = tl::unexpected(world->error());
+        return [this, world, run, why] {
+            if (*run) {
+                world_ = std::move(**world);
+                models_.front() = ownModel(*world_);
+                compareAll();
+            }
+            window_.files().takeReloaded(std::move(*run), why);
+        };
+    });
+}
+
 void Overlay::close() {
     opener_.drop();
     computing_.drop();
@@ -174,6 +196,7 @@ void Overlay::take(Expected<OverlayWorldPointer> world) {
     for (const std::string& note : world_->notes)
         window_.messages().add({MessageBar::Kind::note, QString::fromStdString(note)});
     if (showsFirst_) {
+        window_.memory().addRecent(QString::fromStdString(world_->place));
         show(0);
     } else if (window_.shown()) {
         const Reality reality = realityOf(world_->world(), world_->log, 0, 0);
@@ -475,14 +498,16 @@ const OverlayRow* Overlay::rowOf(std::size_t request, std::size_t robot) const {
     return found != rows_.end() && found->request == request && found->robot == robot ? &*found : nullptr;
 }
 
+/// What a robot is told does not end with a course after which no other begins.
+bool Overlay::goesOn() const { return plan_.cut != OverlayPlan::Cut::every || !restarts_; }
+
 void Overlay::show(std::size_t request, std::optional<std::size_t> robot, bool play) {
     if (!world_ || request >= requests_.size()) return;
     if (!window_.files().mayLeave([this, request, robot, play] { show(request, robot, play); })) return;
     // The newest wish counts.
     opener_.drop();
-    const bool goesOn = plan_.cut == OverlayPlan::Cut::once || !restarts_;
     opener_.post([this, world = world_, request, course = requests_[request], robot, play,
-                  goesOn](const JobQueue::GoesOn&) -> JobQueue::Answer {
+                  goesOn = goesOn()](const JobQueue::GoesOn&) -> JobQueue::Answer {
         auto run = std::make_shared<Expected<OpenRun>>(openCourse(*world, course, goesOn));
         if (*run) (*run)->name = courseName(*world, course);
         return [this, run, request, robot, play] { takeCourse(std::move(*run), request, robot, play); };

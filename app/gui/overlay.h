@@ -56,6 +56,8 @@ public:
     void follow(const OpenRun& run);
     void setFollows(bool on) { follows_ = on; }  ///< false: runs are opened as they are
     void close();
+    /// Log and scenario once more from their files; the shown course goes on as a branch.
+    void reload(const QString& why);
 
     const OverlayWorldPointer& world() const { return world_; }  ///< null: no log is open
     const OverlayPlan& plan() const { return plan_; }
@@ -133,6 +135,7 @@ private:
     void tellDivergences();
     DivergenceOptions divergenceOptions() const;
     void takeCourse(Expected<OpenRun> run, std::size_t request, std::optional<std::size_t> robot, bool play);
+    bool goesOn() const;
     void watchPlaying();
     void sayError(const Error& error);
 
