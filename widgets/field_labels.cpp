@@ -20,16 +20,29 @@ void drawLeader(const FieldCanvas& canvas, const QRectF& box, const FieldLabel& 
     if (shown > 4) canvas.casedLine(from, from + shown / size * along, roundPen(canvas.theme.onFloor, 1));
 }
 
+/// A robot's colour: a disc beside its name, the sign of a note beside what it thinks.
+void drawChip(const FieldCanvas& canvas, const QPointF& middle, const FieldLabel& label) {
+    canvas.painter.setPen(roundPen(withAlpha(setOff(*label.chip), 150), 1));
+    canvas.painter.setBrush(*label.chip);
+    if (!label.note) return canvas.painter.drawEllipse(middle, chipSize / 2, chipSize / 2);
+    for (const QPen& pen : {roundPen(setOff(*label.chip), 3), roundPen(*label.chip, 1.6)}) {
+        canvas.painter.setPen(pen);
+        canvas.painter.drawLine(middle - QPointF(chipSize / 2, 0), middle + QPointF(chipSize / 2, 0));
+        canvas.painter.drawLine(middle - QPointF(0, chipSize / 2), middle + QPointF(0, chipSize / 2));
+    }
+}
+
 }  // namespace
 
-QFont plateFont(const QPainter& painter) {
+QFont plateFont(const QPainter& painter, bool note) {
     QFont font = painter.font();
     font.setPointSizeF(8.5);
+    font.setItalic(note);
     return font;
 }
 
 QSizeF plateSize(const FieldCanvas& canvas, const FieldLabel& label) {
-    const QFontMetricsF metrics(plateFont(canvas.painter));
+    const QFontMetricsF metrics(plateFont(canvas.painter, label.note));
     const double chip = label.chip ? chipSize + chipGap : 0;
     return {std::ceil(metrics.horizontalAdvance(label.text) + chip + 2 * padding), std::ceil(metrics.height()) + 1};
 }
@@ -41,12 +54,11 @@ void drawPlate(const FieldCanvas& canvas, const QRectF& box, const FieldLabel& l
     painter.drawRoundedRect(box, 3, 3);
     QRectF text = box.adjusted(padding, 0, -padding, 0);
     if (label.chip) {
-        painter.setPen(roundPen(QColor(0, 0, 0, 150), 1));
-        painter.setBrush(*label.chip);
-        painter.drawEllipse(QPointF(text.left() + chipSize / 2, box.center().y()), chipSize / 2, chipSize / 2);
+        const QPointF middle(text.left() + chipSize / 2, box.center().y());
+        drawChip(canvas, middle, label);
         text.setLeft(text.left() + chipSize + chipGap);
     }
-    painter.setFont(plateFont(painter));
+    painter.setFont(plateFont(painter, label.note));
     painter.setPen(label.colour);
     painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter, label.text);
 }
@@ -70,9 +82,10 @@ void addNames(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFoc
     }
 }
 
-void drawLabels(const FieldCanvas& canvas, const FieldFrame& frame, std::vector<FieldLabel> labels,
-                LabelPlacer& placer) {
+void drawLabels(const FieldCanvas& canvas, const FieldFrame& frame, std::vector<FieldLabel> labels, LabelPlacer& placer,
+                const QRectF& kept) {
     placer.begin(QRectF(QPointF(0, 0), canvas.view.size()).adjusted(2, 2, -2, -2));
+    if (!kept.isEmpty()) placer.keepFree(kept);
     if (labels.empty()) return;
     const auto avoid = [&](const Shape& shape, const Pose& pose) {
         const double half = 0.85 * canvas.pixels(shape.reach);

@@ -83,12 +83,15 @@ void FieldPainter::frame(const FieldFrame& frame, const FieldFocus& focus, Label
     if (layers_.has(FieldLayer::contacts)) drawContacts(canvas_, frame, labels);
     drawKicks(canvas_, frame, labels);
     if (layers_.has(FieldLayer::targets)) drawNotes(canvas_, frame, focus, labels);
-    drawLabels(canvas_, frame, std::move(labels), placer);
-    if (focus.moved && focus.selected) moved(frame, *focus.selected, *focus.moved);
+    if (!focus.moved || !focus.selected)
+        return drawLabels(canvas_, frame, std::move(labels), placer, knobBox(canvas_.view, frame, focus));
+    const auto [box, numbers] = moved(frame, *focus.selected, *focus.moved);
+    drawLabels(canvas_, frame, std::move(labels), placer, box);
+    drawPlate(canvas_, box, numbers);
 }
 
 /// Where a body is being moved to, in numbers above it.
-void FieldPainter::moved(const FieldFrame& frame, std::size_t body, const Pose& pose) {
+std::pair<QRectF, FieldLabel> FieldPainter::moved(const FieldFrame& frame, std::size_t body, const Pose& pose) const {
     FieldLabel label;
     label.text = poseText(pose);
     if (const std::string on = whatIsAt(frame, body, pose); !on.empty())
@@ -99,7 +102,7 @@ void FieldPainter::moved(const FieldFrame& frame, std::size_t body, const Pose& 
     const double away = canvas_.pixels(frame.scene().shapeOf(body).reach) + 12;
     const double left = std::clamp(at.x() - size.width() / 2, 4.0, std::max(4.0, all.width() - size.width() - 4));
     const double above = at.y() - away - size.height();
-    drawPlate(canvas_, {QPointF(left, above > 4 ? above : at.y() + away), size}, label);
+    return {QRectF(QPointF(left, above > 4 ? above : at.y() + away), size), label};
 }
 
 void FieldPainter::corners(const FieldFrame& frame) {
@@ -109,8 +112,8 @@ void FieldPainter::corners(const FieldFrame& frame) {
 
 void FieldPainter::ruler() {
     const double metres = roundStep(70 / canvas_.view.scale()), pixels = canvas_.pixels(metres);
-    const double x = layers_.has(FieldLayer::grid) ? 46 : 16;
-    const QPointF left(x, std::round(canvas_.view.size().height() - 18)), right = left + QPointF(pixels, 0);
+    const double x = layers_.has(FieldLayer::grid) ? rulerWidth + 16 : 16;
+    const QPointF left(x, std::round(canvas_.view.size().height() - 13)), right = left + QPointF(pixels, 0);
     QPainter& painter = canvas_.painter;
     painter.setRenderHint(QPainter::Antialiasing, false);
     for (const QPen& pen : {QPen(canvas_.theme.halo, 4), QPen(canvas_.theme.text, 1)}) {
@@ -124,7 +127,7 @@ void FieldPainter::ruler() {
     label.text = lengthText(metres);
     label.colour = canvas_.theme.onFloor;
     const QSizeF size = plateSize(canvas_, label);
-    drawPlate(canvas_, {(left + right) / 2 - QPointF(size.width() / 2, size.height() + 6), size}, label);
+    drawPlate(canvas_, {right + QPointF(6, -size.height() / 2), size}, label);
 }
 
 void FieldPainter::legend(const FieldFrame& frame) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "widgets/field_drawing.h"
 
 namespace mrose {
@@ -27,7 +29,7 @@ public:
 private:
     void ruler();
     void legend(const FieldFrame& frame);
-    void moved(const FieldFrame& frame, std::size_t body, const Pose& pose);
+    std::pair<QRectF, FieldLabel> moved(const FieldFrame& frame, std::size_t body, const Pose& pose) const;
 
     FieldCanvas canvas_;
     const FieldLayers& layers_;

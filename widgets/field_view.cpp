@@ -17,7 +17,7 @@
 namespace mrose {
 namespace {
 
-constexpr double fitMargin = 16, grabPixels = 6, dragPixels = 4;
+constexpr double fitMargin = 16, scaleBarHeight = 26, grabPixels = 6, dragPixels = 4;
 /// What Ctrl rounds moves and turns to.
 constexpr double roundMetres = 0.1, roundTurn = std::numbers::pi / 12;
 
@@ -51,6 +51,12 @@ void FieldView::setFrame(std::shared_ptr<const FieldFrame> frame) {
 void FieldView::setEditable(bool editable) {
     editable_ = editable;
     if (!editable && focus_.moved) cancelDrag();
+    if (std::exchange(focus_.turnable, editable) != editable) update();
+}
+
+void FieldView::setEmptyText(const QString& text) {
+    emptyText_ = text;
+    update();
 }
 
 void FieldView::setTheme(const Theme& theme) {
@@ -62,6 +68,7 @@ void FieldView::setTheme(const Theme& theme) {
 void FieldView::setLayers(const FieldLayers& layers) {
     layers_ = layers;
     place_ = {};
+    if (fitted_) fit();  // rulers take room
     update();
     emit layersChanged(layers);
 }
@@ -95,11 +102,28 @@ FieldArea FieldView::wholeArea() const {
     return place;
 }
 
+/// What is left for what is fitted, above or else beside what is covered.
+QRectF FieldView::freeRect(bool aboveCovered) const {
+    QRectF free = QRectF(rect()).adjusted(fitMargin, fitMargin, -fitMargin, -scaleBarHeight);
+    if (layers_.has(FieldLayer::grid)) free.adjust(rulerWidth, rulerHeight, 0, 0);
+    if (!covered_.isEmpty() && aboveCovered) free.setBottom(std::min(free.bottom(), covered_.top() - fitMargin));
+    if (!covered_.isEmpty() && !aboveCovered) free.setRight(std::min(free.right(), covered_.left() - fitMargin));
+    return free;
+}
+
 void FieldView::fit() {
     if (!frame_) return;
-    view_.fit(wholeArea(), fitMargin);
+    ViewTransform beside = view_;
+    beside.fit(wholeArea(), freeRect(false));
+    view_.fit(wholeArea(), freeRect(true));
+    if (beside.scale() > view_.scale()) view_ = beside;
     fitted_ = true;
     update();
+}
+
+void FieldView::setCovered(const QRectF& covered) {
+    covered_ = covered;
+    if (fitted_) fit();
 }
 
 void FieldView::setView(const ViewTransform& view) {
@@ -153,6 +177,8 @@ void FieldView::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     if (!frame_) {
         painter.fillRect(rect(), theme_.surround);
+        painter.setPen(theme_.quietText);
+        painter.drawText(rect().adjusted(40, 40, -40, -40), Qt::AlignCenter | Qt::TextWordWrap, emptyText_);
         return;
     }
     const double ratio = painter.deviceTransform().m11();  // of what is painted on, be it a screen or a picture
@@ -171,11 +197,13 @@ void FieldView::paint(QPainter& painter, const QSizeF& size) const {
     if (!frame_) return;
     ViewTransform view = view_;
     view.setSize(size);
-    view.fit(view_.shown(), 0);  // as much as the window shows
+    view.fit(view_.shown(), QRectF(QPointF(0, 0), size));  // as much as the window shows
     FieldPainter field(painter, view, theme_, layers_);
     field.place(frame_->scene().environment);
     LabelPlacer labels = labels_;
-    field.frame(*frame_, focus_, labels);
+    FieldFocus focus = focus_;
+    focus.turnable = false;
+    field.frame(*frame_, focus, labels);
     field.corners(*frame_);
 }
 
@@ -198,10 +226,11 @@ void FieldView::mousePressEvent(QMouseEvent* event) {
     if (drag_ != Drag::none || !frame_) return;
     button_ = event->button();
     pressedAt_ = draggedTo_ = event->localPos();
-    const std::optional<std::size_t> body = bodyAt(pressedAt_);
-    pressedOnBody_ = body.has_value();
     const bool measuring = button_ == Qt::LeftButton && event->modifiers().testFlag(Qt::ShiftModifier);
     drag_ = measuring ? Drag::measure : Drag::pressed;
+    pressedOnKnob_ = !measuring && button_ == Qt::LeftButton && onKnob(pressedAt_);
+    const std::optional<std::size_t> body = pressedOnKnob_ ? focus_.selected : bodyAt(pressedAt_);
+    pressedOnBody_ = body.has_value();
     if (!measuring && body) setSelected(body);
 }
 
@@ -219,17 +248,28 @@ void FieldView::mouseMoveEvent(QMouseEvent* event) {
         drag(at, event->modifiers().testFlag(Qt::ControlModifier));
         return;
     }
-    const std::optional<std::size_t> body = bodyAt(at);
+    const bool knob = onKnob(at);
+    const std::optional<std::size_t> body = knob ? focus_.selected : bodyAt(at);
+    setCursor(knob        ? Qt::CrossCursor
+              : !body     ? Qt::ArrowCursor
+              : editable_ ? Qt::SizeAllCursor
+                          : Qt::PointingHandCursor);
     if (body == focus_.hovered) return;
     focus_.hovered = body;
-    setCursor(body ? (editable_ ? Qt::SizeAllCursor : Qt::PointingHandCursor) : Qt::ArrowCursor);
     update();
+}
+
+/// At the end of the selected robot's arrow.
+bool FieldView::onKnob(const QPointF& at) const {
+    if (!frame_ || !hasKnob(*frame_, focus_)) return false;
+    return QLineF(knobAt(view_, *frame_, *focus_.selected), at).length() <= knobRadius + grabPixels / 2;
 }
 
 /// A press has become a drag: of what?
 void FieldView::beginDrag() {
     const bool onBody = focus_.selected && bodyAt(pressedAt_) == focus_.selected;
-    drag_ = Drag::pan;
+    drag_ = pressedOnKnob_ ? Drag::turn : Drag::pan;
+    if (pressedOnKnob_) return;
     if (onBody && !editable_ && button_ == Qt::LeftButton) emit dragRefused();
     if (onBody && editable_ && button_ != Qt::MiddleButton)
         drag_ = button_ == Qt::RightButton ? Drag::turn : Drag::move;
@@ -279,7 +319,7 @@ void FieldView::cancelDrag() {
 void FieldView::mouseReleaseEvent(QMouseEvent* event) {
     if (drag_ == Drag::none || event->button() != button_) return;
     const Drag done = std::exchange(drag_, Drag::none);
-    if (done == Drag::pressed && button_ == Qt::LeftButton && !bodyAt(pressedAt_)) setSelected(std::nullopt);
+    if (done == Drag::pressed && button_ == Qt::LeftButton && !pressedOnBody_) setSelected(std::nullopt);
     const std::optional<Pose> moved = std::exchange(focus_.moved, std::nullopt);
     if (moved && focus_.selected) emit bodyMoved(*focus_.selected, *moved);
     update();
@@ -318,6 +358,7 @@ void FieldView::leaveEvent(QEvent* /*event*/) {
 
 QString FieldView::readoutAt(const QPointF& pixels) const {
     if (!frame_) return {};
+    if (onKnob(pixels)) return tr("Drag it to turn %1").arg(QString::fromStdString(frame_->nameOf(*focus_.selected)));
     const QString signs = signReadout(*frame_, view_.toMetres(pixels), grabPixels / view_.scale());
     const std::optional<std::size_t> body = bodyAt(pixels);
     QStringList parts;

@@ -51,6 +51,15 @@ void drawRealSample(const FieldCanvas& canvas, const QRectF& box, const QColor& 
     drawRing(canvas, box, colour, 2);
 }
 
+/// A field of view from the left end of the box to the right one.
+void drawSector(QPainter& painter, const QRectF& box) {
+    constexpr double half = 16;  // degrees
+    const double radius = box.width() - 2 * inset;
+    const QPointF eye(box.left() + inset, box.center().y());
+    painter.drawPie(QRectF(eye - QPointF(radius, radius), 2 * QSizeF(radius, radius)), static_cast<int>(-half * 16),
+                    static_cast<int>(2 * half * 16));
+}
+
 }  // namespace
 
 void drawModelSample(QPainter& painter, const QRectF& box, std::size_t model) {
@@ -86,10 +95,7 @@ void drawSample(QPainter& painter, const QRectF& box, FieldLayer layer, const Th
         case FieldLayer::sensors:
             painter.setPen(Qt::NoPen);
             painter.setBrush(withAlpha(colour, 110));
-            painter.drawPie(QRectF(box.left() - box.width() / 2 + inset, box.center().y() - box.width(),
-                                   2 * box.width(), 2 * box.width())
-                                .adjusted(4, 4, -4, -4),
-                            -22 * 16, 44 * 16);
+            drawSector(painter, box);
             break;
         case FieldLayer::contacts:
             canvas.arrow(box.center(), across(box).front(), theme.contact, 3);

@@ -49,8 +49,8 @@ Theme Theme::darkOne() {
 
 QColor robotColour(std::size_t robot) {
     static const std::array<QColor, 8> colours{QColor(230, 159, 0),   QColor(86, 180, 233), QColor(240, 228, 66),
-                                               QColor(204, 121, 167), QColor(213, 94, 0),   QColor(0, 158, 115),
-                                               QColor(0, 114, 178),   QColor(222, 222, 222)};
+                                               QColor(204, 121, 167), QColor(218, 66, 0),   QColor(94, 0, 120),
+                                               QColor(0, 126, 200),   QColor(226, 238, 255)};
     return colours[robot % colours.size()];
 }
 
@@ -73,6 +73,13 @@ QColor mixed(const QColor& one, const QColor& other, double share) {
 double contrast(const QColor& a, const QColor& b) {
     const double more = std::max(luminance(a), luminance(b)), less = std::min(luminance(a), luminance(b));
     return (more + 0.05) / (less + 0.05);
+}
+
+QColor seenOn(const QColor& ground, QColor colour, double leastContrast) {
+    const bool dark = setOff(ground) == QColor(255, 255, 255);
+    for (int i = 0; i < 20 && contrast(colour, ground) < leastContrast; ++i)
+        colour = dark ? colour.lighter(112) : colour.darker(112);
+    return colour;
 }
 
 QColor setOff(const QColor& colour) {

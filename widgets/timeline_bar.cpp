@@ -86,7 +86,7 @@ QColor TimelineBar::colourOf(TimelineMark::Kind kind, const Theme& theme) {
         case TimelineMark::Kind::fault:
             return theme.warning;
         case TimelineMark::Kind::hit:
-            return theme.dark ? QColor(255, 110, 120) : QColor(190, 20, 50);
+            return theme.dark ? QColor(200, 150, 255) : QColor(120, 50, 190);
         case TimelineMark::Kind::stop:
             break;
     }

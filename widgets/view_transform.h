@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QPointF>
+#include <QRectF>
 #include <QSizeF>
 
 #include "geometry/point.h"
@@ -47,8 +48,8 @@ public:
     void zoom(double factor, const QPointF& about);
     /// What lies at `from` comes to lie at `to`.
     void pan(const QPointF& from, const QPointF& to);
-    /// All of an area, in the middle, with `margin` pixels to spare on each side.
-    void fit(const FieldArea& area, double margin);
+    /// All of an area, in the middle of a rectangle of the picture (pixels).
+    void fit(const FieldArea& area, const QRectF& into);
 
     bool operator==(const ViewTransform&) const = default;
 

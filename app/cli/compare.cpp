@@ -4,6 +4,7 @@
 #include <set>
 
 #include "common.h"
+#include "compare_divergence.h"
 #include "comparison/comparison_files.h"
 #include "comparison/comparison_report.h"
 #include "evaluation/format.h"
@@ -23,6 +24,7 @@ struct CompareFlags {
     std::optional<double> duration, every;
     std::optional<std::uint64_t> seed;
     PluginFlags plugins;
+    DivergenceFlags divergence;
 };
 
 /// The networks that the scenario's log players move by.
@@ -78,7 +80,8 @@ Expected<std::vector<CourseRequest>> coursesAsked(const CompareFlags& flags, con
     return requestedCourses(world, std::move(*windows), flags.robots, static_cast<int>(length / step), flags.windows);
 }
 
-void printComparison(const Comparison& comparison, const std::vector<std::string>& notices) {
+void printComparison(const Comparison& comparison, const ComparedDivergences& divergences,
+                     const std::vector<std::string>& notices) {
     const Nanoseconds step = comparison.evaluation.options.windows.step;
     const CourseRequest& first = comparison.requests.front();
     const bool one = comparison.requests.size() == 1;
@@ -101,13 +104,15 @@ void printComparison(const Comparison& comparison, const std::vector<std::string
         "path,\nHd: time-mean heading error over rotation, summed over these windows. final: median errors at the end "
         "of "
         "the\ncourses. touches: how often the simulated robot began to touch something.");
+    printDivergences(comparison, divergences);
     std::vector<std::string> notes = notices;
     for (std::string& remark : remarksOn(comparison)) notes.push_back(std::move(remark));
     if (!notes.empty()) std::puts("");
     for (const std::string& note : notes) std::printf("Note: %s\n", note.c_str());
 }
 
-int deliver(const Comparison& comparison, const LogWorld& world, const CompareFlags& flags, const CommonFlags& common) {
+int deliver(const Comparison& comparison, const ComparedDivergences& divergences, const LogWorld& world,
+            const CompareFlags& flags, const CommonFlags& common) {
     const Nanoseconds step = comparison.evaluation.options.windows.step;
     std::optional<Nanoseconds> asked;
     ReportContext context;
@@ -118,11 +123,12 @@ int deliver(const Comparison& comparison, const LogWorld& world, const CompareFl
         asked = flags.duration ? fromSeconds(*flags.duration) : world.parts().duration / step * step;
     context.notices = noticesAbout(world, comparison, asked);
     if (common.json)
-        std::fputs(comparisonJson(comparison, context.notices).c_str(), stdout);
+        std::fputs(comparisonJson(comparison, context.notices, &divergences).c_str(), stdout);
     else
-        printComparison(comparison, context.notices);
+        printComparison(comparison, divergences, context.notices);
     if (flags.folder.empty()) return success;
-    if (const auto written = writeComparison(comparison, world.parts().scene, context, flags.folder); !written)
+    if (const auto written = writeComparison(comparison, world.parts().scene, context, flags.folder, &divergences);
+        !written)
         return report(written.error());
     if (!common.json)
         std::printf("\nreport: %s\n", (std::filesystem::path(flags.folder) / "report.html").string().c_str());
@@ -133,12 +139,13 @@ int compareScenario(const CompareFlags& flags, const CommonFlags& common) {
     if (!flags.folder.empty())
         if (const auto writable = checkComparisonFolder(flags.folder, common.overwrite); !writable)
             return report(writable.error());
+    watchInterrupts();
     DiskDescriptions source = openDescriptions(flags.log);
     auto loaded = loadScenario(flags.scenario, source, {pluginLoader(flags.plugins), false});
     if (!loaded) return report(loaded.error());
     watchPlugins(loaded->parts);
     const auto networks = networksOf(loaded->parts);
-    const auto log = openLog(flags.log, {}, networks.empty() ? std::nullopt : networks.front()->drive);
+    const auto log = openLog(placeOfLog(flags.log), {}, networks.empty() ? std::nullopt : networks.front()->drive);
     if (!log) return report(log.error());
     ComparisonOptions options;
     options.seed = flags.seed.value_or(loaded->parts.seed);
@@ -148,7 +155,13 @@ int compareScenario(const CompareFlags& flags, const CommonFlags& common) {
     if (!requests) return report(requests.error());
     const auto comparison = compare(*world, *requests, options);
     if (!comparison) return report(comparison.error(), source.shown(loaded->name));
-    return deliver(*comparison, *world, flags, common);
+    const auto divergences = findDivergences(*world, *comparison, flags.divergence, common.quiet);
+    if (!divergences) return report(divergences.error(), source.shown(loaded->name));
+    if (divergences->cancelled) {
+        std::fprintf(stderr, "mrose: interrupted; nothing written\n");
+        return interrupted;
+    }
+    return deliver(*comparison, *divergences, *world, flags, common);
 }
 
 }  // namespace
@@ -161,6 +174,7 @@ Subcommand addCompare(CLI::App& app, CommonFlags& common) {
         "  mrose compare mrclam_replay.toml --log MRCLAM_Dataset6 --every 10 --report comparison\n"
         "  mrose compare mrclam_replay.toml --log MRCLAM_Dataset7 --robots 1,2 --start 120 --duration 30\n"
         "  mrose compare mrclam_replay.toml --log MRCLAM_Dataset7 --robots 1,2 --windows windows.csv\n"
+        "  mrose compare mrclam_replay.toml --log MRCLAM_Dataset6 --start 120 --duration 60 --model mine.net\n"
         "Each course begins with the poses and velocities of the real robots and the commands before; from there on "
         "the "
         "simulation gets their commands alone. It collides with what is in the world; mrose predict knows no "
@@ -192,6 +206,7 @@ Subcommand addCompare(CLI::App& app, CommonFlags& common) {
         ->excludes(every);
     sub->add_option("--report", flags->folder, "Folder for report.html, errors.csv, courses.csv and results.json")
         ->check(someName());
+    addDivergenceFlags(*sub, flags->divergence);
     addPluginFlags(*sub, flags->plugins);
     sub->callback([sub, flags, &common] {
         if (sub->count("--seed") > 0) flags->seed = common.seed;

@@ -55,7 +55,7 @@ void addWays(MainWindow& window, const QString& menu) {
                                     if (window.shown() != nullptr)
                                         if (auto fits = checkBreakText(text.toStdString(), *window.shown()->course);
                                             !fits)
-                                            return tl::unexpected(fits.error());
+                                            return fail("", wrongWith(fits.error()));
                                     window.session().backToLast(text);
                                     return {};
                                 }});

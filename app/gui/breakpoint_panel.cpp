@@ -37,7 +37,13 @@ public:
         initStyleOption(&option, index);
         const QString text = std::exchange(option.text, {}).simplified();
         const QStyle* style = option.widget->style();
+        painter->save();
         style->drawControl(QStyle::CE_ItemViewItem, &option, painter, option.widget);
+        // The style's own box has no edge on dark ground.
+        const QRect box = style->subElementRect(QStyle::SE_ItemViewItemCheckIndicator, &option, option.widget);
+        painter->setPen(theme_.quietText);
+        painter->setBrush(Qt::NoBrush);
+        painter->drawRect(box.adjusted(0, 0, -1, -1));
         option.text = text;  // it says where the text begins
         QRect place = style->subElementRect(QStyle::SE_ItemViewItemText, &option, option.widget);
         place = QRect(place.left() + 3, option.rect.top() + 3, option.rect.right() - place.left() - 8,
@@ -46,7 +52,6 @@ public:
         const bool on = index.data(Qt::CheckStateRole).toInt() == Qt::Checked;
         const QColor plain = chosen ? option.palette.color(QPalette::HighlightedText) : theme_.text;
         const QColor quiet = chosen ? plain : theme_.quietText;
-        painter->save();
         QFont font = option.font;
         font.setBold(index.data(hereRole).toBool());
         painter->setFont(font);
@@ -92,10 +97,10 @@ std::pair<QString, bool> noteOf(const BreakpointState& state) {
     if (!state.unfit.empty()) return {QString::fromStdString(state.unfit), true};
     QStringList parts;
     if (state.here) parts << QObject::tr("holds here");
-    if (breakpoint.enabled || state.all > 0)
-        parts << (state.known || state.all > 0
-                      ? QObject::tr("met %1 of %2").arg(state.hits).arg(state.all) + (state.known ? "" : "+")
-                      : QObject::tr("not met yet"));
+    if (state.all > 0)
+        parts << QObject::tr("met %1 of %2").arg(state.hits).arg(state.all);
+    else if (breakpoint.enabled)
+        parts << QObject::tr("not met yet");
     if (!breakpoint.enabled) parts << QObject::tr("off");
     if (breakpoint.oneShot) parts << QObject::tr("once");
     if (breakpoint.from > 1) parts << timesText(breakpoint.from);
@@ -123,6 +128,7 @@ BreakpointPanel::BreakpointPanel(QWidget* parent)
     list_->setItemDelegate(new BreakpointDelegate(list_));
     list_->setUniformItemSizes(true);
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     list_->setEditTriggers(QAbstractItemView::DoubleClicked);
     list_->setContextMenuPolicy(Qt::ActionsContextMenu);
     list_->installEventFilter(this);

@@ -304,15 +304,19 @@ Breakpoints::Answer Breakpoints::last(TimeTravel& run, const std::string& text, 
     for (const Breakpoint& breakpoint : breakpoints_)
         if (const Question* known = knownOf(breakpoint); known != nullptr && breakpoint.text == text)
             alone.questions_[only.id] = *known;
-    const Answer answer = alone.back(run, progress);
+    Answer answer = alone.back(run, progress);
+    if (answer && *answer) {
+        (*answer)->ids.clear();
+        (*answer)->text = only.text;
+    }
     for (const Breakpoint& breakpoint : breakpoints_)
         if (asks(breakpoint) && breakpoint.text == text)
             questionOf(breakpoint) = alone.questionOf(alone.breakpoints_[0]);
     return answer;
 }
 
-std::string Breakpoints::reasonOf(const TimeTravel& run, const Breakpoint& breakpoint) {
-    const BreakText text = readBreakText(breakpoint.text);
+std::string Breakpoints::reasonOf(const TimeTravel& run, const std::string& waitsFor) {
+    const BreakText text = readBreakText(waitsFor);
     if (text.kind == Kind::condition) return std::string(text.name);
     if (text.kind == Kind::divergence) return "the run leaves the log that is laid over it";
     if (text.kind == Kind::breakHere && text.name.empty() && !run.breakReason().empty()) return run.breakReason();
@@ -323,11 +327,14 @@ std::string Breakpoints::reasonOf(const TimeTravel& run, const Breakpoint& break
 }
 
 std::string Breakpoints::stopped(const TimeTravel& run, const Stop& stop) {
-    std::string reasons;
+    std::string reasons = stop.text.empty() ? "" : reasonOf(run, stop.text);
+    if (!stop.text.empty() && stop.failed)
+        if (const Expected<bool> failed = answer(run, Question{stop.text}); !failed)
+            reasons += " fails here: " + wrongWith(failed.error());
     for (const std::uint32_t id : stop.ids) {
         Breakpoint* const breakpoint = find(id);
         if (breakpoint == nullptr) continue;
-        std::string reason = reasonOf(run, *breakpoint);
+        std::string reason = reasonOf(run, breakpoint->text);
         if (stop.failed) {
             const Expected<bool> failed = answer(run, questionOf(*breakpoint));
             breakpoint->error = failed ? "failed" : wrongWith(failed.error());

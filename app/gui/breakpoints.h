@@ -53,6 +53,7 @@ public:
         std::vector<std::uint32_t> ids;
         bool failed = false;     ///< the expression could not be answered there
         bool backwards = false;  ///< it was looked for in the past
+        std::string text = {};   ///< what was asked for, where it is none of the breakpoints
     };
     using Answer = Expected<std::optional<Stop>>;
     using Progress = BreakSearch::Progress;
@@ -88,7 +89,7 @@ private:
     Expected<bool> answer(const TimeTravel& run, const Question& question);
     Expected<void> coverUpTo(const TimeTravel& run, Question& question, std::int64_t tick, const Progress& progress);
     bool meets(TimeTravel& run, const BreakSearch& search, const Breakpoint& breakpoint);
-    std::string reasonOf(const TimeTravel& run, const Breakpoint& breakpoint);
+    static std::string reasonOf(const TimeTravel& run, const std::string& waitsFor);
 
     std::vector<Breakpoint> breakpoints_;
     std::uint32_t nextId_ = 1;

@@ -14,6 +14,7 @@
 #include <QMimeData>
 #include <QPainter>
 #include <QStatusBar>
+#include <QStatusTipEvent>
 #include <QStyle>
 #include <QToolBar>
 #include <QToolButton>
@@ -100,6 +101,7 @@ MainWindow::MainWindow(QWidget* parent)
     connectAll();
     new FaultMessages(*this, *messages_);
     setTheme(Theme::light());
+    field().setEmptyText(tr("Nothing is open: Ctrl+O opens a scenario or a recording, or drop one here"));
     memory_->keepAsNew();
 }
 
@@ -224,6 +226,8 @@ void MainWindow::makeDocks() {
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     resizeDocks({findChild<QDockWidget*>("branches"), findChild<QDockWidget*>("inspector")}, {250, 330},
                 Qt::Horizontal);
+    resizeDocks({findChild<QDockWidget*>("branches"), findChild<QDockWidget*>("breakpoints")}, {220, 260},
+                Qt::Vertical);
 }
 
 void MainWindow::makeStatusBar() {
@@ -380,6 +384,7 @@ QString MainWindow::askText(const QString& title, const QString& label, const QS
 
 void MainWindow::say(const QString& text) {
     saidAt_ = shown_ ? shown_->tick() : 0;
+    said_ = text;
     message_->setText(text);
     message_->setToolTip(text);
 }
@@ -400,6 +405,14 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 void MainWindow::dropEvent(QDropEvent* event) {
     event->acceptProposedAction();
     files_->drop(*event->mimeData());
+}
+
+/// What an action does stands in the place of the message for as long as it is pointed at, beside the clock.
+bool MainWindow::event(QEvent* event) {
+    if (event->type() != QEvent::StatusTip) return QMainWindow::event(event);
+    const QString tip = static_cast<QStatusTipEvent*>(event)->tip();
+    message_->setText(tip.isEmpty() ? said_ : tip);
+    return true;
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -83,6 +83,7 @@ protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
+    bool event(QEvent* event) override;
 
 private:
     void makeActions();
@@ -118,6 +119,7 @@ private:
     QString title_;
     std::int64_t saidAt_ = 0;  ///< the tick shown when something was said
     QString told_;             ///< the session's last message
+    QString said_;             ///< what the status bar says when no action is pointed at
     Theme theme_ = Theme::light();
 };
 

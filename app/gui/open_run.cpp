@@ -213,7 +213,9 @@ Expected<OpenRun> openAny(const OpenRequest& request, const OpenProgress& progre
         case FileKind::results:
             break;
     }
-    return fail(request.file, "holds results of many runs; expected a scenario or a recording");
+    return fail(request.file,
+                "lists the runs of a batch, to choose from in the window on a display; without one, open a run by its "
+                "scenario, trial and seed, which its column command names");
 }
 
 }  // namespace

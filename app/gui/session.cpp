@@ -24,6 +24,10 @@ Marks withHits(const Marks& happened, const std::vector<TimelineMark>& hits) {
     return std::make_shared<const std::vector<TimelineMark>>(std::move(all));
 }
 
+QString secondsText(const TimeTravel& run, std::int64_t tick) {
+    return QString::number(toSeconds(run.course().scene().timeOf(tick)), 'f', 2);
+}
+
 }  // namespace
 
 Session::Session(QObject* parent) : QObject(parent), worker_([this] { work(); }) {}
@@ -110,7 +114,11 @@ void Session::show(std::uint32_t branch, std::int64_t tick) {
     request([this, branch, tick] {
         if (!run_ || branch >= run_->branches().size()) return;
         message_.clear();
-        if (auto done = run_->show(branch, tick); !done) message_ = QString::fromStdString(done.error().message());
+        if (auto done = run_->show(branch, tick); !done)
+            message_ = QString::fromStdString(done.error().message());
+        else if (run_->tick() != tick)
+            message_ = tr("This branch has not come to %1 s: it is shown at %2 s, the nearest that it has")
+                           .arg(secondsText(*run_, tick), secondsText(*run_, run_->tick()));
         anchor();
     });
 }
@@ -119,10 +127,13 @@ void Session::branchOff(const Edit& edit, std::optional<std::int64_t> seek) {
     request([this, edit, seek] {
         if (!run_) return;
         stop(QString());
-        if (auto done = run_->branchOff(edit); !done)
+        if (auto done = run_->branchOff(edit); !done) {
             message_ = QString::fromStdString(done.error().message());
-        else if (seek)
-            goTo(*seek, false);
+            return;
+        }
+        if (seek) goTo(*seek, false);
+        if (message_.isEmpty())
+            message_ = tr("A branch begins here: Space plays it, S shows both courses side by side");
     });
 }
 
@@ -217,9 +228,8 @@ void Session::showCauseOfKick() {
         }
         const Scene& scene = run_->course().scene();
         const SceneRobot& robot = scene.robots[cause->order.robot];
-        message_ = tr("%1 decided here to kick; the kick of %2 s is its work")
-                       .arg(QString::fromStdString(robot.name))
-                       .arg(toSeconds(scene.timeOf(cause->kicked)), 0, 'f', 2);
+        message_ = tr("%1 decided here to kick; the kick of %2 s is its work. E changes what it decided")
+                       .arg(QString::fromStdString(robot.name), secondsText(*run_, cause->kicked));
         subject_ = cause->order.robot;
     });
 }

@@ -62,7 +62,7 @@ public:
     void enableBreakpoints(bool enabled);
     /// What "divergence" waits for; empty: no log is laid over.
     void setDivergence(TickPredicate diverged);
-    /// As fast as possible to where a breakpoint stops next; without one to where playing ends.
+    /// As fast as possible to where a breakpoint stops next; without one to where playing ends. Only cancel() ends it.
     void runToBreak();
     /// To where one was met last.
     void backToBreak();

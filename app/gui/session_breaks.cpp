@@ -113,7 +113,7 @@ void Session::simulateToBreak(const Progress& progress) {
         if (stopsHere()) return;
         if (run_->tick() % 16 != 0) continue;
         const double share = static_cast<double>(run_->tick() - begin) / static_cast<double>(end - begin);
-        if (!progress(share) || superseded()) return stop(tr("Ended before a break was found"));
+        if (!progress(share)) return stop(tr("Ended before a break was found"));
         if (BreakClock::now() - shownAt < breakFrame) continue;
         serveLooks();
         if (recorder_) followRecording();

@@ -29,7 +29,8 @@ History historyOf(const OpenRun& run) {
 
 }  // namespace
 
-TimeTravel::TimeTravel(const OpenRun& run) : history_(historyOf(run)), shown_(0, {run.start}), reality_(run.reality) {
+TimeTravel::TimeTravel(const OpenRun& run, std::size_t mostTrackBytes)
+    : history_(historyOf(run)), mostTrackBytes_(mostTrackBytes), shown_(0, {run.start}), reality_(run.reality) {
     if (!run.recorded()) records_.emplace_back(run.course, run.start, std::vector<HandOrder>{});
     for (const OpenRun::Recorded& recorded : run.branches)
         records_.emplace_back(recorded.course, recorded.start, std::vector<HandOrder>{});
@@ -99,6 +100,7 @@ Expected<void> TimeTravel::forward() {
         if (known) record.add(state(), trace);
         // What would have happened goes on beside what was changed.
         goOnWith(branches()[branch_].parent, std::numeric_limits<std::int64_t>::max());
+        keepTracksSmall();
     }
     followBeside();
     return {};
@@ -248,10 +250,26 @@ std::optional<std::uint32_t> TimeTravel::beside() const {
     return beside_ ? std::optional(beside_->branch) : std::nullopt;
 }
 
+std::size_t TimeTravel::trackBytes() const {
+    std::size_t sum = 0;
+    for (const BranchRecord& record : records_) sum += record.track().bytes();
+    return sum;
+}
+
+void TimeTravel::keepTracksSmall() {
+    while (trackBytes() > mostTrackBytes_) {
+        const auto smaller = [](const BranchRecord& a, const BranchRecord& b) {
+            return a.track().bytes() < b.track().bytes();
+        };
+        if (!std::max_element(records_.begin(), records_.end(), smaller)->track().forgetEarliest()) return;
+    }
+}
+
 Expected<bool> TimeTravel::learn(std::int64_t ticks) {
     for (std::uint32_t branch = 0; branch < records_.size(); ++branch)
         if (records_[branch].last() < timelineOf(branch).last()) {
             auto more = records_[branch].learn(timelineOf(branch), ticks);
+            keepTracksSmall();
             if (!more || *more) return more;
             return learn(0);
         }

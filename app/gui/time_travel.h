@@ -38,7 +38,9 @@ struct Edit {
 /// (session.h) drives it, and so can a test.
 class TimeTravel {
 public:
-    explicit TimeTravel(const OpenRun& run);
+    /// Of `mostTrackBytes` all branches together keep where bodies were, for trails and ghosts; of the largest track
+    /// the earliest ticks are forgotten.
+    explicit TimeTravel(const OpenRun& run, std::size_t mostTrackBytes = std::size_t{64} << 20);
 
     const WorldState& state() const { return shown_.state(); }
     std::int64_t tick() const { return shown_.tick(); }
@@ -64,6 +66,7 @@ public:
     /// Of the tick that led here; nullptr: none is known.
     const StepTrace* trace() const { return shown_.trace(); }
     std::size_t memory() const { return history_.size(); }  ///< bytes of the timelines, roughly
+    std::size_t trackBytes() const;
 
     /// One tick on: along the branch where it has been before, otherwise into what has not yet happened.
     Expected<void> forward();
@@ -130,6 +133,7 @@ private:
     Expected<void> walk(Cursor& cursor, std::uint32_t branch, std::int64_t from, std::int64_t to);
     void goOnWith(std::uint32_t branch, std::int64_t most);
     void followBeside();
+    void keepTracksSmall();
     FieldFrame frameOf(const Cursor& cursor, const FrameOptions& options) const;
     void addTrails(std::uint32_t branch, std::int64_t tick, std::size_t ticks, Trails& trails) const;
     std::vector<std::vector<Pose>> predictedPaths(const Cursor& cursor, Nanoseconds ahead) const;
@@ -137,6 +141,7 @@ private:
 
     History history_;
     std::deque<BranchRecord> records_;  ///< of each branch
+    std::size_t mostTrackBytes_;
     std::uint32_t branch_ = 0;
     Cursor shown_;  ///< in the branch's course
     struct Beside {

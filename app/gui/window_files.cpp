@@ -95,6 +95,7 @@ Expected<void> WindowFiles::take(Expected<OpenRun> run, std::optional<double> at
     window_.memory().restoreBreakpoints();
     window_.overlay().follow(*run);
     for (const std::string& note : run->notes) messages_.add({Kind::note, text(note)});
+    offerBranches(*run);
     if (!network_.isEmpty()) offerNetwork(std::exchange(network_, {}));
     window_.memory().addRecent(text(run->source.file));
     if (!at) return {};
@@ -117,6 +118,23 @@ void WindowFiles::takeCourse(const OpenRun& run) {
     watch_.watch(run.files);
     savedBranches_ = std::max<std::size_t>(1, run.branches.size());
     window_.show(run);
+}
+
+/// A recording begins with the run itself: what was tried in it last is one click away.
+void WindowFiles::offerBranches(const OpenRun& run) {
+    if (run.branches.size() < 2) return;
+    const auto last = static_cast<std::uint32_t>(run.branches.size() - 1);
+    const Branch& branch = run.branches.back().branch;
+    const QString name = branch.name.empty() ? tr("the last one") : tr("\u201c%1\u201d").arg(text(branch.name));
+    messages_.add({Kind::note,
+                   tr("%1 holds the run, which is shown, and %n branch(es) of it", nullptr, static_cast<int>(last))
+                       .arg(nameOf(text(run.source.file))),
+                   "branches",
+                   {{tr("Show %1").arg(name), tr("The branch that was begun last, where it begins"),
+                     [this, last, tick = branch.timeline.first()] {
+                         window_.session().show(last, tick);
+                         messages_.remove("branches");
+                     }}}});
 }
 
 void WindowFiles::drop(const QMimeData& what) {
@@ -169,6 +187,7 @@ void WindowFiles::offerModel(const QString& path) {
 void WindowFiles::listTrials(const QString& path) {
     auto trials = readTrials(path.toStdString());
     if (!trials) return sayError(trials.error(), "open");
+    window_.field().setEmptyText(tr("Choose one of the runs in the list"));
     auto* list = new TrialList(path, std::move(*trials), &window_);
     connect(list, &TrialList::chosen, this, [this](const OpenRequest& request, double at) { open(request, at); });
     list->show();

@@ -76,6 +76,7 @@ private:
     Expected<void> take(Expected<OpenRun> run, std::optional<double> at);
     void offerModel(const QString& path);
     void listTrials(const QString& path);
+    void offerBranches(const OpenRun& run);
     Expected<void> checkNotRead(const QString& path) const;
     void saved(const QString& path, const Expected<bool>& done, std::size_t branches);
     void savedScenario(const QString& path, const Expected<void>& done);

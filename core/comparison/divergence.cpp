@@ -6,7 +6,7 @@
 namespace mrose {
 namespace {
 
-constexpr double timesTypical = 2;
+constexpr double timesTypical = 3;
 /// Between the instants over which path and rotation are summed: a wobble inflates shorter ones.
 constexpr Nanoseconds travelStep = 500'000'000;
 

@@ -42,14 +42,15 @@ struct Divergence {
 /// `step` is that of the comparison. Nothing: it stays on the real course, as far as is known; or it was not simulated.
 std::optional<Divergence> firstDivergence(const ComparedCourse& course, Nanoseconds step, const DivergenceBound& bound);
 
-/// The bound that a network's held-out errors make: twice what its errors typically are at each instant, which about
-/// one course in twenty exceeds where errors scatter like a Rayleigh distribution's. P and Hd are means over a window's
-/// time of errors that grow as the robot drives, over what it drove to the window's end; so an error is typically twice
-/// P times the path up to then, and twice Hd times the rotation. Beyond the held-out horizon this goes on in
-/// proportion. Near the start, and where a robot hardly turns, errors come from the measured start and from P itself (a
-/// heading that is off by h puts the robot h / 2 of its path off): at least `least`, and a heading of at least 4 P rad.
-/// Path and rotation are the real robot's in `course`, summed over 0.5 s where the truth is known.
+/// The bound that a network's held-out errors make: three times what its errors typically are at each instant. P and Hd
+/// are means over a window's time of errors that grow as the robot drives, over what it drove to the window's end; so
+/// an error is typically twice P times the path up to then, and twice Hd times the rotation. Beyond the held-out
+/// horizon this goes on in proportion. Near the start, and where a robot hardly turns, errors come from the measured
+/// start, from single commands that act late, and from P itself (a heading that is off by h puts the robot h / 2 of its
+/// path off): at least `least`, and a heading of at least three times 4 P rad. Path and rotation are the real robot's
+/// in `course`, summed over 0.5 s where the truth is known. Of the 10 s courses of MRCLAM data set 6, from which
+/// create.net was learned, one in nine leaves this bound; of twice the typical errors one in five does.
 DivergenceBound heldOutBound(const MotionNetwork::HeldOut& heldOut, const ComparedCourse& course, Nanoseconds step,
-                             const DivergenceBound::At& least = {0.01, 2 * std::numbers::pi / 180});
+                             const DivergenceBound::At& least = {0.02, 3 * std::numbers::pi / 180});
 
 }  // namespace mrose

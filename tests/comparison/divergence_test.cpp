@@ -111,19 +111,19 @@ ComparedCourse driveThenTurn(int driving, int turning) {
     return course;
 }
 
-TEST(HeldOutBound, IsTwiceTheTypicalErrorAtThatPathAndRotation) {
+TEST(HeldOutBound, IsThreeTimesTheTypicalErrorAtThatPathAndRotation) {
     const MotionNetwork::HeldOut heldOut{100, 10, 2, 3};
     const DivergenceBound bound = heldOutBound(heldOut, driveThenTurn(100, 100), step);
     ASSERT_EQ(bound.bySteps.size(), 200u);
     // P is the mean over time of an error that grows in proportion: at the end it is twice that.
     const DivergenceBound::At driven = bound.at(99), turned = bound.at(199);
-    EXPECT_NEAR(driven.position, 2 * 2 * 0.02 * 5, 1e-9) << "2 % of 5 m";
+    EXPECT_NEAR(driven.position, 3 * 2 * 0.02 * 5, 1e-9) << "2 % of 5 m";
     EXPECT_NEAR(turned.position, driven.position, 1e-9) << "the path does not grow any more";
-    EXPECT_NEAR(turned.heading, 2 * 2 * 0.03 * 10, 1e-9) << "3 % of 10 rad";
+    EXPECT_NEAR(turned.heading, 3 * 2 * 0.03 * 10, 1e-9) << "3 % of 10 rad";
     // A heading that is off by h puts it h / 2 of its path off: 2 * 0.02 of it typically.
-    EXPECT_NEAR(driven.heading, 2 * 2 * 0.02 * 2, 1e-9);
+    EXPECT_NEAR(driven.heading, 3 * 2 * 0.02 * 2, 1e-9);
     EXPECT_NEAR(bound.at(49).position, driven.position / 2, 1e-9);
-    EXPECT_NEAR(bound.at(0).position, 0.01, 1e-12) << "no less than what the start is measured to";
+    EXPECT_NEAR(bound.at(0).position, 0.02, 1e-12) << "no less than what the start is measured to";
     EXPECT_EQ(bound.at(1000), turned);
 }
 
