@@ -78,13 +78,13 @@ TEST(DivergenceCause, IsNamedWherePlantedAndNoOtherwise) {
 }
 
 /// A planted log, compared, with what it needs to be diagnosed.
-struct Compared {
+struct PlantedCourse {
     std::unique_ptr<const PlantedLog> planted;  // the world points into it
     LogWorld world;
     Comparison comparison;
     DiagnosisOptions options;
 
-    explicit Compared(PlantedLog made)
+    explicit PlantedCourse(PlantedLog made)
         : planted(std::make_unique<const PlantedLog>(std::move(made))),
           world(*LogWorld::create(planted->parts, planted->log)),
           comparison(*compare(world, {&planted->request, 1})) {
@@ -98,15 +98,15 @@ struct Compared {
 };
 
 /// The first planted log of a kind that diverges.
-Compared firstOf(Planted kind) {
+PlantedCourse firstOf(Planted kind) {
     for (std::uint64_t number = 0;; ++number) {
-        Compared compared(plantedLog(kind, number));
+        PlantedCourse compared(plantedLog(kind, number));
         if (firstDivergence(compared.course(), compared.options.step, compared.options.bound)) return compared;
     }
 }
 
 TEST(CourseRerun, IsTheCourseItselfWhereNothingIsChanged) {
-    const Compared compared = firstOf(Planted::noise);
+    const PlantedCourse compared = firstOf(Planted::noise);
     const ComparedCourse& course = compared.course();
     const CourseRerun rerun = compared.rerun(40);
     const std::vector<Pose> same(course.simulated.begin(), course.simulated.begin() + 40);
@@ -128,7 +128,7 @@ TEST(CourseRerun, LaterCommandsAreTheSameDriveLater) {
     planted.log.robots[0].trajectories = {trajectory};
     planted.request = {0, 4 * second, 50};
     planted.parts.scene.robotTypes[0].motionNoise = {};
-    const Compared compared(std::move(planted));
+    const PlantedCourse compared(std::move(planted));
     const auto same = compared.rerun(50).later(0), later = compared.rerun(50).later(200 * ms);
     for (std::size_t k = 2; k < 50; ++k) {
         EXPECT_NEAR(later[k].x, same[k - 2].x, 1e-9) << k;
@@ -137,7 +137,7 @@ TEST(CourseRerun, LaterCommandsAreTheSameDriveLater) {
 }
 
 TEST(CourseRerun, CarriedOverAGapItKeepsTheErrorFromBefore) {
-    const Compared compared = firstOf(Planted::largerWheels);
+    const PlantedCourse compared = firstOf(Planted::largerWheels);
     const ComparedCourse& course = compared.course();
     const auto carried = compared.rerun(40).carried(10, 20);
     ASSERT_EQ(carried.size(), 40u);
@@ -156,7 +156,7 @@ TEST(CourseRerun, CarriedOverAGapItKeepsTheErrorFromBefore) {
 }
 
 TEST(Diagnosis, ProgressAscendsAndCancels) {
-    Compared compared = firstOf(Planted::blip);
+    PlantedCourse compared = firstOf(Planted::blip);
     std::vector<double> shares;
     compared.options.progress = [&](double share) {
         shares.push_back(share);
@@ -182,7 +182,7 @@ TEST(Diagnosis, ProgressAscendsAndCancels) {
 }
 
 TEST(Diagnosis, RefusesAModelWhosePeriodDoesNotFit) {
-    Compared compared = firstOf(Planted::largerWheels);
+    PlantedCourse compared = firstOf(Planted::largerWheels);
     compared.options.models = {{"odd.net", {std::make_shared<const KinematicModel>(KinematicParameters{}, 30 * ms)}}};
     const auto diagnosis = compared.diagnosis();
     ASSERT_FALSE(diagnosis);
