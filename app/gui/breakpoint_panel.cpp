@@ -9,6 +9,7 @@
 #include <QMenu>
 #include <QPainter>
 #include <QStyledItemDelegate>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -252,6 +253,9 @@ void BreakpointPanel::tell(const QString& text, bool wrong) {
 }
 
 bool BreakpointPanel::eventFilter(QObject* watched, QEvent* event) {
+    // What is told below takes room from the list: the chosen row stays in sight.
+    if (watched == list_ && event->type() == QEvent::Resize)
+        QTimer::singleShot(0, list_, [this] { list_->scrollToItem(list_->currentItem()); });
     if (watched != list_ || event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
     const auto chosen = current();
     if (!chosen || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Delete) return QWidget::eventFilter(watched, event);

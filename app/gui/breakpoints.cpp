@@ -336,7 +336,7 @@ std::string Breakpoints::stopped(const TimeTravel& run, const Stop& stop) {
         if (stop.failed) {
             const Expected<bool> failed = answer(run, questionOf(*breakpoint));
             breakpoint->error = failed ? "failed" : wrongWith(failed.error());
-            reason += " fails here and is switched off: " + breakpoint->error;
+            reason = "switched off, " + breakpoint->error + ": " + reason;
         }
         if (breakpoint->oneShot || stop.failed) {
             breakpoint->enabled = false;
