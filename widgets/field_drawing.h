@@ -22,7 +22,7 @@ struct FieldFocus {
 constexpr double knobRadius = 5;  // pixels
 bool hasKnob(const FieldFrame& frame, const FieldFocus& focus);
 QPointF knobAt(const ViewTransform& view, const FieldFrame& frame, std::size_t robot);
-QRectF knobBox(const ViewTransform& view, const FieldFrame& frame, const FieldFocus& focus);  ///< empty: it has none
+QRectF knobBox(const ViewTransform& view, const FieldFrame& frame, std::size_t robot);
 
 /// Along the upper and the left edge, where the grid is shown.
 constexpr double rulerWidth = 30, rulerHeight = 17;  // pixels
@@ -60,8 +60,17 @@ void drawSensors(const FieldCanvas& canvas, const FieldFrame& frame, const Field
 void drawTrails(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus);
 void drawGhosts(const FieldCanvas& canvas, const FieldFrame& frame);
 void drawPredicted(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus);
+/// Where real robots came from and go to in the next seconds, hollow where those of simulated ones are solid.
+void drawRealWays(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus);
+void drawModelWays(const FieldCanvas& canvas, const FieldFrame& frame);
 void drawBodies(const FieldCanvas& canvas, const FieldFrame& frame, bool headings);
 void drawFocus(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus);
+/// Outlines, and lines from simulated robots to real ones that are elsewhere.
+void drawRealRobots(const FieldCanvas& canvas, const FieldFrame& frame, bool headings);
+void drawModelRobots(const FieldCanvas& canvas, const FieldFrame& frame, bool headings);
+/// How far those in focus are off, and who is there in reality alone.
+void addRealNames(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus,
+                  std::vector<FieldLabel>& labels);
 void drawBeliefs(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus);
 void drawNotes(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus,
                std::vector<FieldLabel>& labels);
@@ -70,9 +79,9 @@ void drawKicks(const FieldCanvas& canvas, const FieldFrame& frame, std::vector<F
 
 void addNames(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus,
               std::vector<FieldLabel>& labels);
-/// Off one another and, where that can be, off bodies; never in `kept`, which is somebody else's place.
+/// Off one another and, where that can be, off bodies; never in `kept`, which are others' places.
 void drawLabels(const FieldCanvas& canvas, const FieldFrame& frame, std::vector<FieldLabel> labels, LabelPlacer& placer,
-                const QRectF& kept = {});
+                const std::vector<QRectF>& kept = {});
 /// One where it is told.
 void drawPlate(const FieldCanvas& canvas, const QRectF& box, const FieldLabel& label);
 QSizeF plateSize(const FieldCanvas& canvas, const FieldLabel& label);

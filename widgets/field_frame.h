@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "comparison/reality.h"
 #include "scenario/scenario.h"
 #include "simulation/step.h"
 #include "widgets/trails.h"
@@ -41,6 +42,7 @@ struct FieldFrame {
     std::vector<std::vector<Pose>> predicted;  ///< of each robot, if all go on as commanded; may be empty
     Nanoseconds predictedStep = 0;             ///< between those
     std::vector<Ghost> ghosts;
+    std::shared_ptr<const Reality> reality;  ///< what the real robots did at that time; may be null
 
     const Scene& scene() const { return scenario->scene(); }
     const Pose& poseOf(std::size_t body) const { return Scenario::poseOf(state, body); }

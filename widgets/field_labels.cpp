@@ -4,6 +4,7 @@
 
 #include "widgets/field_drawing.h"
 #include "widgets/field_readout.h"
+#include "widgets/real_robots.h"
 
 namespace mrose {
 namespace {
@@ -82,15 +83,16 @@ void addNames(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFoc
 }
 
 void drawLabels(const FieldCanvas& canvas, const FieldFrame& frame, std::vector<FieldLabel> labels, LabelPlacer& placer,
-                const QRectF& kept) {
+                const std::vector<QRectF>& kept) {
     placer.begin(QRectF(QPointF(0, 0), canvas.view.size()).adjusted(2, 2, -2, -2));
-    if (!kept.isEmpty()) placer.keepFree(kept);
+    for (const QRectF& box : kept) placer.keepFree(box);
     if (labels.empty()) return;
-    for (const std::size_t body : visibleBodies(canvas, frame)) {
-        const double half = 0.85 * canvas.pixels(frame.scene().shapeOf(body).reach);
-        const QPointF at = canvas.at(position(frame.poseOf(body)));
-        placer.avoid({at - QPointF(half, half), QSizeF(2 * half, 2 * half)});
-    }
+    const auto avoid = [&](const Shape& shape, const Pose& pose) {
+        const double half = 0.85 * canvas.pixels(shape.reach);
+        placer.avoid({canvas.at(position(pose)) - QPointF(half, half), QSizeF(2 * half, 2 * half)});
+    };
+    for (const std::size_t body : visibleBodies(canvas, frame)) avoid(frame.scene().shapeOf(body), frame.poseOf(body));
+    for (const RealRobot& real : realRobots(frame)) avoid(*real.shape, real.pose);
     std::stable_partition(labels.begin(), labels.end(), [](const FieldLabel& label) { return label.first; });
     for (const FieldLabel& label : labels) {
         const auto place = placer.place({label.key, canvas.at(label.at), label.clearance, plateSize(canvas, label)});

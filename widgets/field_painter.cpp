@@ -7,8 +7,46 @@
 
 #include "widgets/field_readout.h"
 #include "widgets/layer_sample.h"
+#include "widgets/real_robots.h"
 
 namespace mrose {
+namespace {
+
+struct LegendRow {
+    FieldLayer layer;
+    QString text;
+    std::optional<std::size_t> model = {};
+};
+
+/// Of a layer that draws nothing without a reality none; of models one each.
+std::vector<LegendRow> legendRows(const FieldFrame& frame, const FieldLayers& layers) {
+    std::vector<LegendRow> rows;
+    for (const FieldLayerText& text : fieldLayerTexts) {
+        if (!layers.has(text.layer) || !hasSample(text.layer)) continue;
+        const bool models = text.layer == FieldLayer::models;
+        if (!models && (text.layer != FieldLayer::reality || frame.reality))
+            rows.push_back({text.layer, QObject::tr(text.name)});
+        for (std::size_t m = 0; models && frame.reality && m < frame.reality->models.size(); ++m)
+            rows.push_back({text.layer, QString::fromStdString(frame.reality->models[m].name), m});
+    }
+    return rows;
+}
+
+constexpr double legendRowHeight = 20, legendSampleWidth = 34, legendMargin = 10;  // pixels
+
+/// In the lower right corner; empty where there is nothing to explain.
+QRectF legendBox(const FieldCanvas& canvas, const std::vector<LegendRow>& rows) {
+    if (rows.empty()) return {};
+    const QFontMetricsF metrics(plateFont(canvas.painter));
+    double width = 0;
+    for (const LegendRow& one : rows) width = std::max(width, metrics.horizontalAdvance(one.text));
+    const QSizeF size(legendSampleWidth + width + 3 * legendMargin,
+                      legendRowHeight * static_cast<double>(rows.size()) + legendMargin);
+    const QSizeF all = canvas.view.size();
+    return {QPointF(all.width() - size.width() - 12, all.height() - size.height() - 12), size};
+}
+
+}  // namespace
 
 FieldArea areaOf(const Environment& environment) {
     FieldArea area{{1, 1}, {-1, -1}};
@@ -27,6 +65,7 @@ FieldArea areaOf(const FieldFrame& frame) {
     FieldArea area = areaOf(frame.scene().environment);
     for (std::size_t body = 0; body < frame.scene().bodyCount(); ++body)
         area.include(position(frame.poseOf(body)), frame.scene().shapeOf(body).reach);
+    if (frame.reality) area.include(areaOf(*frame.reality));
     return area;
 }
 
@@ -42,20 +81,29 @@ void FieldPainter::frame(const FieldFrame& frame, const FieldFocus& focus, Label
     std::vector<FieldLabel> labels;
     canvas_.painter.setRenderHint(QPainter::Antialiasing);
     if (layers_.has(FieldLayer::sensors)) drawSensors(canvas_, frame, focus);
+    const bool real = layers_.has(FieldLayer::reality), models = layers_.has(FieldLayer::models);
+    if (real && layers_.has(FieldLayer::trails)) drawRealWays(canvas_, frame, focus);
+    if (models && layers_.has(FieldLayer::trails)) drawModelWays(canvas_, frame);
     if (layers_.has(FieldLayer::trails)) drawTrails(canvas_, frame, focus);
     if (layers_.has(FieldLayer::ghosts)) drawGhosts(canvas_, frame);
     if (layers_.has(FieldLayer::predicted)) drawPredicted(canvas_, frame, focus);
     drawBodies(canvas_, frame, layers_.has(FieldLayer::headings));
+    if (models) drawModelRobots(canvas_, frame, layers_.has(FieldLayer::headings));
+    if (real) drawRealRobots(canvas_, frame, layers_.has(FieldLayer::headings));
     drawFocus(canvas_, frame, focus);
     if (layers_.has(FieldLayer::names)) addNames(canvas_, frame, focus, labels);
+    if (real && layers_.has(FieldLayer::names)) addRealNames(canvas_, frame, focus, labels);
     if (layers_.has(FieldLayer::beliefs)) drawBeliefs(canvas_, frame, focus);
     if (layers_.has(FieldLayer::contacts)) drawContacts(canvas_, frame, labels);
     drawKicks(canvas_, frame, labels);
     if (layers_.has(FieldLayer::targets)) drawNotes(canvas_, frame, focus, labels);
-    if (!focus.moved || !focus.selected)
-        return drawLabels(canvas_, frame, std::move(labels), placer, knobBox(canvas_.view, frame, focus));
+    std::vector<QRectF> kept;
+    if (layers_.has(FieldLayer::legend)) kept.push_back(legendBox(canvas_, legendRows(frame, layers_)));
+    if (hasKnob(frame, focus)) kept.push_back(knobBox(canvas_.view, frame, *focus.selected));
+    if (!focus.moved || !focus.selected) return drawLabels(canvas_, frame, std::move(labels), placer, kept);
     const auto [box, numbers] = moved(frame, *focus.selected, *focus.moved);
-    drawLabels(canvas_, frame, std::move(labels), placer, box);
+    kept.push_back(box);
+    drawLabels(canvas_, frame, std::move(labels), placer, kept);
     drawPlate(canvas_, box, numbers);
 }
 
@@ -74,9 +122,9 @@ std::pair<QRectF, FieldLabel> FieldPainter::moved(const FieldFrame& frame, std::
     return {QRectF(QPointF(left, above > 4 ? above : at.y() + away), size), label};
 }
 
-void FieldPainter::corners() {
+void FieldPainter::corners(const FieldFrame& frame) {
     ruler();
-    if (layers_.has(FieldLayer::legend)) legend();
+    if (layers_.has(FieldLayer::legend)) legend(frame);
 }
 
 void FieldPainter::ruler() {
@@ -99,30 +147,26 @@ void FieldPainter::ruler() {
     drawPlate(canvas_, {right + QPointF(6, -size.height() / 2), size}, label);
 }
 
-void FieldPainter::legend() {
-    constexpr double row = 20, sampleWidth = 34, margin = 10;
-    std::vector<const FieldLayerText*> shown;
-    for (const FieldLayerText& text : fieldLayerTexts)
-        if (layers_.has(text.layer) && hasSample(text.layer)) shown.push_back(&text);
-    if (shown.empty()) return;
+void FieldPainter::legend(const FieldFrame& frame) {
+    const std::vector<LegendRow> rows = legendRows(frame, layers_);
+    if (rows.empty()) return;
+    constexpr double row = legendRowHeight, sampleWidth = legendSampleWidth, margin = legendMargin;
     QPainter& painter = canvas_.painter;
-    painter.setFont(plateFont(painter));
-    double width = 0;
-    for (const FieldLayerText* text : shown)
-        width = std::max(width, QFontMetricsF(painter.font()).horizontalAdvance(QObject::tr(text->name)));
-    const QSizeF size(sampleWidth + width + 3 * margin, row * static_cast<double>(shown.size()) + margin);
-    const QSizeF all = canvas_.view.size();
-    const QRectF box(QPointF(all.width() - size.width() - 12, all.height() - size.height() - 12), size);
+    const QRectF box = legendBox(canvas_, rows);
     painter.setPen(roundPen(canvas_.theme.line, 1));
     painter.setBrush(withAlpha(canvas_.theme.panel, 235));
     painter.drawRoundedRect(box, 5, 5);
     double top = box.top() + margin / 2;
-    for (const FieldLayerText* text : shown) {
-        drawSample(painter, {box.left() + margin, top + 2, sampleWidth, row - 4}, text->layer, canvas_.theme);
+    for (const LegendRow& one : rows) {
+        const QRectF sample(box.left() + margin, top + 2, sampleWidth, row - 4);
+        if (one.model)
+            drawModelSample(painter, sample, *one.model);
+        else
+            drawSample(painter, sample, one.layer, canvas_.theme);
         painter.setFont(plateFont(painter));
         painter.setPen(canvas_.theme.text);
-        painter.drawText(QRectF(box.left() + 2 * margin + sampleWidth, top, width + margin, row),
-                         Qt::AlignLeft | Qt::AlignVCenter, QObject::tr(text->name));
+        const double left = box.left() + 2 * margin + sampleWidth;
+        painter.drawText(QRectF(left, top, box.right() - left, row), Qt::AlignLeft | Qt::AlignVCenter, one.text);
         top += row;
     }
 }

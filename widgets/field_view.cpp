@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "widgets/field_readout.h"
+#include "widgets/real_robots.h"
 
 namespace mrose {
 namespace {
@@ -33,7 +34,9 @@ FieldView::FieldView(QWidget* parent) : QWidget(parent) {
 
 void FieldView::setFrame(std::shared_ptr<const FieldFrame> frame) {
     const bool other = !frame_ || !frame || frame_->scenario != frame->scenario;
+    const bool otherReality = frame_ && frame && frame_->reality != frame->reality;
     frame_ = std::move(frame);
+    if (otherReality && fitted_) fit();
     if (other) {
         const std::size_t bodies = frame_ ? frame_->scene().bodyCount() : 0;
         if (focus_.selected && *focus_.selected >= bodies) setSelected(std::nullopt);
@@ -93,8 +96,10 @@ void FieldView::followSelected() {
 
 FieldArea FieldView::wholeArea() const {
     if (!frame_) return {{0, 0}, {-1, -1}};
-    const FieldArea place = areaOf(frame_->scene().environment);
-    return place.empty() ? areaOf(*frame_) : place;
+    FieldArea place = areaOf(frame_->scene().environment);
+    if (place.empty()) return areaOf(*frame_);
+    if (frame_->reality) place.include(areaOf(*frame_->reality));
+    return place;
 }
 
 /// What is left for what is fitted, above or else beside what is covered.
@@ -183,7 +188,7 @@ void FieldView::paintEvent(QPaintEvent* /*event*/) {
     painter.drawPixmap(0, 0, place_);
     FieldPainter field(painter, view_, theme_, layers_);
     field.frame(*frame_, focus_, labels_);
-    field.corners();
+    field.corners(*frame_);
     if (!(toldView_ == view_)) emit viewChanged(toldView_ = view_);
     if (drag_ == Drag::measure) field.measure(view_.toMetres(pressedAt_), view_.toMetres(draggedTo_));
 }
@@ -199,7 +204,7 @@ void FieldView::paint(QPainter& painter, const QSizeF& size) const {
     FieldFocus focus = focus_;
     focus.turnable = false;
     field.frame(*frame_, focus, labels);
-    field.corners();
+    field.corners(*frame_);
 }
 
 void FieldView::resizeEvent(QResizeEvent* event) {
@@ -354,10 +359,15 @@ void FieldView::leaveEvent(QEvent* /*event*/) {
 QString FieldView::readoutAt(const QPointF& pixels) const {
     if (!frame_) return {};
     if (onKnob(pixels)) return tr("Drag it to turn %1").arg(QString::fromStdString(frame_->nameOf(*focus_.selected)));
-    QString signs = signReadout(*frame_, view_.toMetres(pixels), grabPixels / view_.scale());
+    const QString signs = signReadout(*frame_, view_.toMetres(pixels), grabPixels / view_.scale());
     const std::optional<std::size_t> body = bodyAt(pixels);
-    if (!body) return signs;
-    return signs.isEmpty() ? bodyReadout(*frame_, *body) : bodyReadout(*frame_, *body) + '\n' + signs;
+    QStringList parts;
+    if (body) parts += bodyReadout(*frame_, *body);
+    if (layers_.has(FieldLayer::reality)) parts += realReadout(*frame_, body, view_.toMetres(pixels));
+    if (body && layers_.has(FieldLayer::models)) parts += modelReadout(*frame_, *body);
+    parts += signs;
+    parts.removeAll({});
+    return parts.join('\n');
 }
 
 bool FieldView::event(QEvent* event) {

@@ -49,9 +49,25 @@ Theme Theme::darkOne() {
 
 QColor robotColour(std::size_t robot) {
     static const std::array<QColor, 8> colours{QColor(230, 159, 0),   QColor(86, 180, 233), QColor(240, 228, 66),
-                                               QColor(204, 121, 167), QColor(218, 66, 0),   QColor(94, 0, 120),
-                                               QColor(0, 126, 200),   QColor(226, 238, 255)};
+                                               QColor(204, 121, 167), QColor(218, 66, 0),   QColor(226, 238, 255),
+                                               QColor(0, 126, 200),   QColor(94, 0, 120)};
     return colours[robot % colours.size()];
+}
+
+QColor modelColour(std::size_t model) {
+    static const std::array<QColor, 4> colours{QColor(136, 34, 85), QColor(51, 34, 136), QColor(17, 119, 51),
+                                               QColor(102, 60, 20)};
+    return colours[model % colours.size()];
+}
+
+QVector<qreal> modelDashes(std::size_t model) {
+    static const std::array<QVector<qreal>, 4> dashes{QVector<qreal>{}, {5, 3}, {1.5, 2.5}, {6, 2.5, 1.5, 2.5}};
+    return dashes[model % dashes.size()];
+}
+
+QColor mixed(const QColor& one, const QColor& other, double share) {
+    const auto between = [share](int a, int b) { return static_cast<int>(std::lround(a + share * (b - a))); };
+    return {between(one.red(), other.red()), between(one.green(), other.green()), between(one.blue(), other.blue())};
 }
 
 double contrast(const QColor& a, const QColor& b) {

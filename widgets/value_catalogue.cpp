@@ -258,7 +258,7 @@ bool fits(Whose whose, const Scene& scene, std::uint32_t body) {
 }  // namespace
 
 Moment momentOf(const FieldFrame& frame) {
-    return {*frame.scenario, frame.state, frame.lastTick, frame.contacts, frame.insights};
+    return {*frame.scenario, frame.state, frame.lastTick, frame.contacts, frame.insights, nullptr, frame.reality.get()};
 }
 
 std::uint32_t bodyNamed(const Scene& scene, const std::string& name) {

@@ -22,6 +22,7 @@ struct Moment {
     std::span<const ContactReport> contacts;
     std::span<const RobotInsight> insights;  ///< of each robot
     const StepTrace* trace = nullptr;        ///< all of that tick, where it is at hand
+    const Reality* reality = nullptr;        ///< what really happened then, where it is known
 
     const Scene& scene() const { return scenario.scene(); }
     Nanoseconds now() const { return scene().timeOf(state.tick); }

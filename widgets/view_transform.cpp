@@ -15,6 +15,12 @@ void FieldArea::include(const Point& point, double reach) {
     most = {std::max(most.x, high.x), std::max(most.y, high.y)};
 }
 
+void FieldArea::include(const FieldArea& other) {
+    if (other.empty()) return;
+    include(other.least);
+    include(other.most);
+}
+
 FieldArea ViewTransform::shown() const {
     const Point half{size_.width() / 2 / scale_, size_.height() / 2 / scale_};
     return {centre_ - half, centre_ + half};

@@ -15,6 +15,7 @@ struct FieldArea {
     bool empty() const { return most.x < least.x || most.y < least.y; }
     Point middle() const { return 0.5 * (least + most); }
     void include(const Point& point, double reach = 0);
+    void include(const FieldArea& other);
 };
 
 /// Where the field's metres (y up) lie in a picture's pixels (y down).

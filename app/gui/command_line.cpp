@@ -92,6 +92,11 @@ void addFlags(CLI::App& app, CommandLine& line, std::string& run, std::string& s
     app.add_option("--layers", line.layers, "Show these layers and no others, with commas between them; or none")
         ->delimiter(',')
         ->check(someLayer());
+    app.add_option("--break", line.breaks,
+                   "Stop where this condition begins to hold, or at contact, kick, goal, fault, breakHere(); may be "
+                   "given several times. With --run it ends there and says when")
+        ->allow_extra_args(false)
+        ->check(someName());
     app.add_flag("--dark", line.dark, "Dark colours");
     app.add_flag("--remember", line.remember, "Use and keep the user's layout with --offscreen and --script, too");
     app.add_option("--size", size, "Of the window, pixels: 1280x800")->check(someSize());

@@ -22,6 +22,7 @@ struct CommandLine {
     std::optional<double> speed;  ///< simulated seconds per second; 0: as fast as possible
     std::string select;           ///< a body's name, or its number from 1
     std::vector<std::string> layers;
+    std::vector<std::string> breaks;  ///< texts of breakpoints
     bool dark = false;
     bool remember = false;                    ///< of the layout, where nobody is to work with the window
     std::optional<std::pair<int, int>> size;  ///< pixels

@@ -18,6 +18,7 @@
 #include "shortcut_sheet.h"
 #include "widgets/field_view.h"
 #include "widgets/message_bar.h"
+#include "widgets/timeline_bar.h"
 #include "window_actions.h"
 #include "window_files.h"
 #include "window_memory.h"
@@ -55,7 +56,18 @@ Expected<void> select(MainWindow& window, const std::string& text) {
     return {};
 }
 
-/// To the end that the command line gives: at a speed, or as fast as it goes.
+/// Error: one does not fit what is open.
+Expected<std::vector<Breakpoint>> breakpointsOf(MainWindow& window, const CommandLine& line) {
+    std::vector<Breakpoint> breakpoints;
+    for (const std::string& text : line.breaks) {
+        if (auto fits = checkBreakText(text, *window.shown()->course); !fits)
+            return fail("--break " + text, wrongWith(fits.error()));
+        breakpoints.emplace_back().text = text;
+    }
+    return breakpoints;
+}
+
+/// To the end that the command line gives, or to a break: at a speed, or as fast as it goes.
 void runToEnd(MainWindow& window, const CommandLine& line) {
     const FieldFrame& frame = *window.shown()->frame;
     const Nanoseconds duration = line.duration ? fromSeconds(*line.duration) : frame.scenario->parts().duration;
@@ -64,11 +76,15 @@ void runToEnd(MainWindow& window, const CommandLine& line) {
         window.session().stopAt(end);
         window.session().play();
         settle(window);
-        while (window.shown()->playing && window.shown()->tick() < end) letPass(20);
-        window.session().pause();
+        while (window.shown()->playing) letPass(20);
+    } else {
+        window.session().seek(end);
+        settle(window);
     }
-    window.session().seek(end);
-    settle(window);
+    if (line.breaks.empty()) return;
+    const Shown& shown = *window.shown();
+    const QString none = QObject::tr("no break up to %1").arg(clockText(shown.frame->scene().timeOf(shown.tick())));
+    std::puts((shown.atBreak ? shown.message : none).toUtf8().constData());
 }
 
 /// Whether all held.
@@ -104,6 +120,10 @@ int finish(MainWindow& window, const CommandLine& line, bool held) {
 /// What is done when the run is there, with somebody to work with it.
 void begin(MainWindow& window, const CommandLine& line) {
     look(window, line);
+    if (const auto breakpoints = breakpointsOf(window, line); !breakpoints)
+        window.messages().add({MessageBar::Kind::error, QString::fromStdString(breakpoints.error().message())});
+    else
+        for (const Breakpoint& breakpoint : *breakpoints) window.session().addBreakpoint(breakpoint);
     if (!line.select.empty())
         if (const auto selected = select(window, line.select); !selected)
             window.messages().add({MessageBar::Kind::error, QString::fromStdString(selected.error().message())});
@@ -139,6 +159,10 @@ int runAlone(MainWindow& window, const CommandLine& line) {
     window.QWidget::show();
     settle(window);
     look(window, line);
+    // Nobody is there to go on: nothing stops but what is asked for.
+    const auto breakpoints = breakpointsOf(window, line);
+    if (!breakpoints) return report(breakpoints.error());
+    window.session().setBreakpoints(*breakpoints);
     if (!line.record.empty()) window.files().record(QString::fromStdString(line.record), line.overwrite);
     const bool endGiven = line.ticks || line.duration;
     if (line.run ? endGiven || !line.at : endGiven || (line.script.empty() && line.screenshot.empty() && !line.at))

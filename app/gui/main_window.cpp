@@ -25,6 +25,7 @@
 #include <limits>
 
 #include "branch_panel.h"
+#include "breakpoint_panel.h"
 #include "command_panel.h"
 #include "fault_messages.h"
 #include "plot_panel.h"
@@ -61,6 +62,7 @@ MainWindow::MainWindow(QWidget* parent)
       inspector_(new Inspector),
       plots_(new PlotPanel(*session_)),
       branches_(new BranchPanel),
+      breakpoints_(new BreakpointPanel),
       command_(new CommandPanel),
       speed_(new QComboBox),
       seed_(new QToolButton),
@@ -104,6 +106,7 @@ void MainWindow::makeActions() {
     addEditActions(*this);
     addTimeActions(*this);
     addBranchActions(*this);
+    addBreakActions(*this);
     addViewActions(*this);
     addLayerActions(*this);
     addPlotActions(*this);
@@ -120,7 +123,9 @@ void MainWindow::makeActions() {
 
 void MainWindow::connectAll() {
     connect(session_, &Session::shown, this, &MainWindow::update);
-    connect(timeline_, &TimelineBar::tickRequested, session_, &Session::seek);
+    // Who scrubs is not stopped.
+    connect(timeline_, &TimelineBar::tickRequested, session_,
+            [this](std::int64_t tick) { session_->seek(tick, false); });
     connect(&field(), &FieldView::bodySelected, inspector_, &Inspector::setBody);
     connect(&field(), &FieldView::bodySelected, command_, &CommandPanel::setRobot);
     connect(inspector_, &Inspector::commandActivated, this, [this](qint64 issued) {
@@ -150,7 +155,9 @@ void MainWindow::connectAll() {
 /// The plots' thread looks at the session, and ends before it.
 MainWindow::~MainWindow() { delete plots_; }
 
-void MainWindow::showPlots() { findChild<QDockWidget*>("plots")->show(); }
+void MainWindow::showPlots() { showDock("plots"); }
+
+void MainWindow::showDock(const char* name) { findChild<QDockWidget*>(name)->show(); }
 
 void MainWindow::changeSpeed(int by) {
     speed_->setCurrentIndex(std::clamp(speed_->currentIndex() + by, 0, speed_->count() - 1));
@@ -202,6 +209,7 @@ void MainWindow::makeDocks() {
         return made;
     };
     dock("branches", tr("Branches"), branches_, Qt::LeftDockWidgetArea);
+    dock("breakpoints", tr("Breakpoints"), breakpoints_, Qt::LeftDockWidgetArea);
     dock("command", tr("Change a command"), command_, Qt::LeftDockWidgetArea);
     dock("inspector", tr("Inspector"), inspector_, Qt::RightDockWidgetArea);
     dock("plots", tr("Plots"), plots_, Qt::BottomDockWidgetArea)->hide();
@@ -252,6 +260,7 @@ void MainWindow::setTheme(const Theme& theme) {
     QApplication::setPalette(palette);
     view_->setTheme(theme_);
     branches_->setTheme(theme_);
+    breakpoints_->setTheme(theme_);
     timeline_->setTheme(theme_);
     messages_->setTheme(theme_);
     inspector_->setTheme(theme_);
@@ -292,6 +301,8 @@ void MainWindow::update(std::shared_ptr<const Shown> what) {
     content.tickLength = shown_->frame->scene().tickLength;
     content.marks = shown_->marks;
     content.scenario = shown_->frame->scenario;
+    for (const BreakpointState& state : shown_->breakpoints)
+        content.breakpoints[state.breakpoint.id] = QString::fromStdString(state.breakpoint.text);
     if (shown_->branch != 0) content.departed = shown_->branches[shown_->branch].departed;
     for (const BranchInfo& branch : shown_->branches)
         if (branch.parent == shown_->branch && branch.departed > 0) content.branches.push_back(branch.departed);

@@ -23,6 +23,7 @@ class TimelineBar;
 namespace mrose::gui {
 
 class BranchPanel;
+class BreakpointPanel;
 class CommandPanel;
 class PlotPanel;
 class SideView;
@@ -48,8 +49,10 @@ public:
     Inspector& inspector() const { return *inspector_; }
     PlotPanel& plots() const { return *plots_; }
     void showPlots();  ///< their dock, where it is hidden
+    void showDock(const char* name);
     CommandPanel& commandPanel() const { return *command_; }
     BranchPanel& branchPanel() const { return *branches_; }
+    BreakpointPanel& breakpointPanel() const { return *breakpoints_; }
     void setSideBySide(bool on);
     /// Asks the user for a line; empty: they thought better of it.
     QString askText(const QString& title, const QString& label, const QString& suggestion = {});
@@ -93,6 +96,7 @@ private:
     Inspector* inspector_;
     PlotPanel* plots_;
     BranchPanel* branches_;
+    BreakpointPanel* breakpoints_;
     CommandPanel* command_;
     QComboBox* speed_;
     QToolButton* seed_;

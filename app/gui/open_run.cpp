@@ -91,7 +91,7 @@ Expected<OpenRun> openScenario(const OpenRequest& request, const OpenProgress& p
     keepTrial(loaded->texts, request.trial);
     std::vector<std::string> notes = startsOutsideText(parts->scene);
     auto scenario = std::make_shared<const Scenario>(std::move(*parts));
-    OpenRun run{scenario->parts().name, request, nullptr, scenario->initialState(), {}, std::move(notes), {}};
+    OpenRun run{scenario->parts().name, request, nullptr, scenario->initialState(), {}, {}, std::move(notes), {}};
     if (request.seed) run.start = scenario->initialState(*request.seed);
     if (request.trial > 0) run.name += ", trial " + std::to_string(request.trial);
     run.course = std::make_shared<const Course>(Course{{loaded->name, std::move(loaded->texts)}, std::move(scenario)});

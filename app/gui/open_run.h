@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "comparison/reality.h"
 #include "course.h"
 #include "io/error.h"
 #include "recording/history.h"
@@ -29,6 +30,7 @@ struct OpenRun {
     OpenRequest source;
     CoursePointer course;
     WorldState start;
+    std::shared_ptr<const Reality> reality = nullptr;  ///< what it is laid over; null: nothing
     /// Of a recording, the run itself first. Empty: nothing has been yet.
     struct Recorded {
         Branch branch;

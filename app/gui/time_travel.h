@@ -52,6 +52,13 @@ public:
     const Course& course() const { return records_[owner()].course(); }
     std::int64_t first() const { return firstOf(branch_); }
     std::int64_t last() const { return timelineOf(branch_).last(); }
+    /// A branch's ticks in the shown branch's course.
+    struct Part {
+        std::uint32_t branch = 0;
+        std::int64_t first = 0, last = 0;
+    };
+    /// What that course consists of, in the order of time.
+    std::vector<Part> parts() const;
     /// What happened in the shown branch's course, in the order of time.
     std::vector<TimelineMark> marks() const;
     /// Why the last tick asks to stop here; empty: it does not.
@@ -93,8 +100,14 @@ public:
     void setBeside(std::optional<std::uint32_t> branch);
     std::optional<std::uint32_t> beside() const;
 
+    /// What really happened beside it; null: nobody knows.
+    const std::shared_ptr<const Reality>& reality() const { return reality_; }
+    void setReality(std::shared_ptr<const Reality> reality) { reality_ = std::move(reality); }
+
     /// Of branches that came from a file: looks at so many of their ticks for trails and marks; whether there are more.
     Expected<bool> learn(std::int64_t ticks);
+    /// The same of the shown branch's course, up to a tick.
+    Expected<void> learnUpTo(std::int64_t tick);
 
     struct FrameOptions {
         std::size_t trailTicks = 500;
@@ -136,6 +149,7 @@ private:
         Cursor at;
     };
     std::optional<Beside> beside_;
+    std::shared_ptr<const Reality> reality_;
     std::vector<std::uint32_t> undone_;
     StepBuffers buffers_;
 };

@@ -9,6 +9,7 @@ void addFileActions(MainWindow& window);
 void addEditActions(MainWindow& window);
 void addTimeActions(MainWindow& window);
 void addBranchActions(MainWindow& window);
+void addBreakActions(MainWindow& window);
 void addViewActions(MainWindow& window);
 void addLayerActions(MainWindow& window);
 void addPlotActions(MainWindow& window);

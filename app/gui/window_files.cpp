@@ -93,6 +93,7 @@ Expected<void> WindowFiles::take(Expected<OpenRun> run, std::optional<double> at
     watch_.watch(run->files);
     savedBranches_ = std::max<std::size_t>(1, run->branches.size());
     window_.show(*run);
+    window_.memory().restoreBreakpoints();
     for (const std::string& note : run->notes) messages_.add({Kind::note, text(note)});
     offerBranches(*run);
     if (!network_.isEmpty()) offerNetwork(std::exchange(network_, {}));
@@ -108,7 +109,7 @@ Expected<void> WindowFiles::take(Expected<OpenRun> run, std::optional<double> at
                                            .arg(*at, 0, 'f', 2)});
         tick = std::min(tick, last);
     }
-    window_.session().seek(tick);
+    window_.session().seek(tick, false);
     return {};
 }
 

@@ -115,7 +115,7 @@ TEST_F(FieldViewTest, ScreenOfTwoDevicePixelsAPixelIsDrawnAtItsFullResolution) {
         LabelPlacer labels;
         field.place(frame.scene().environment);
         field.frame(frame, {}, labels);
-        field.corners();
+        field.corners(frame);
         painter.end();
         EXPECT_EQ(differences(rendered(view, ratio), direct).size(), 0u) << ratio;
     }

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "comparison/log_world.h"
+
+namespace mrose {
+
+/// As windowErrors() has it: m, and rad, absolute, wrapped.
+struct PoseError {
+    double position = 0, heading = 0;
+};
+PoseError poseError(const Pose& real, const Pose& simulated);
+
+/// What really happened beside a run that begins at an instant of a log, on the run's clock. A value; whoever shows the
+/// run shows it too, and errors of the simulated robots are against it.
+struct Reality {
+    struct Robot {
+        std::string name;                        ///< of the simulated robot
+        std::string realName;                    ///< in the log
+        const Trajectory* trajectory = nullptr;  ///< in `log`
+        Nanoseconds origin = 0;                  ///< the instant of the log at which the run's clock is 0
+
+        /// Where the real robot is at an instant of the run's clock; nothing where there is no ground truth. Heading
+        /// continuous.
+        std::optional<Pose> poseAt(Nanoseconds now) const;
+        /// The measured poses in between, both ends included. Their times are the log's.
+        std::span<const StampedPose> posesBetween(Nanoseconds from, Nanoseconds to) const;
+    };
+    /// What another motion model makes of the same start and the same commands.
+    struct ModelCourse {
+        std::string name;
+        Nanoseconds step = 0;
+        std::vector<std::vector<Pose>>
+            poses;  ///< by robot of `robots`: at 0, step, 2 step ...; empty or missing: it has none
+
+        /// The one at or before that instant; nothing beyond its end.
+        std::optional<Pose> poseAt(std::size_t robot, Nanoseconds now) const;
+    };
+    std::shared_ptr<const Log> log;
+    Nanoseconds start = 0;  ///< on the take's clock, where the run's is 0
+    std::vector<Robot> robots;
+    std::vector<ModelCourse> models;
+
+    /// Of the simulated robot of that name; nullptr: none really drove beside it.
+    const Robot* robotNamed(const std::string& simulated) const;
+    /// How far a model is from a robot of `robots`, at the last of its instants up to `now`; nothing where one of the
+    /// two is unknown then.
+    std::optional<PoseError> modelError(const ModelCourse& model, std::size_t robot, Nanoseconds now) const;
+};
+
+/// Beside LogWorld::openAt() of that take and start. `log` is the world's.
+Reality realityOf(const LogWorld& world, std::shared_ptr<const Log> log, std::size_t take, Nanoseconds start);
+
+}  // namespace mrose
