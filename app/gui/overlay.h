@@ -65,7 +65,7 @@ public:
     Expected<void> setPlan(const OverlayPlan& plan);
     /// From when on a robot has left the real course.
     struct Bound {
-        DivergenceBound::At at;
+        DivergenceBound::At at = DivergenceBound{}.constant;
         bool fromHeldOut = false;  ///< instead, from what the robot's network was held out from
         bool operator==(const Bound&) const = default;
     };
