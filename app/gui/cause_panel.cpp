@@ -19,7 +19,7 @@ namespace {
 constexpr double degreesPerRadian = 180 / std::numbers::pi;
 constexpr int explainedRole = Qt::UserRole;
 /// So many lines are seen at once.
-constexpr int shownCauses = 5;
+constexpr int shownCauses = 4;
 
 /// A share as a bar with its number.
 class ShareBar final : public QStyledItemDelegate {

@@ -546,7 +546,6 @@ void Overlay::takeCourse(Expected<OpenRun> run, std::size_t request, std::option
     if (shownCourse_ && window_.shown())
         for (const BreakpointState& state : window_.shown()->breakpoints) breakpoints.push_back(state.breakpoint);
     shownCourse_ = request;
-    wasPlaying_ = false;
     reality_ = run->reality;
     if (robot) robot_ = robot;
     window_.files().takeCourse(*run);
@@ -576,9 +575,10 @@ void Overlay::setRestarts(bool on) {
 /// A course that has been played to its end is followed by the next.
 void Overlay::watchPlaying() {
     const Shown& shown = *window_.shown();
-    const bool ended = wasPlaying_ && !shown.playing;
-    wasPlaying_ = shown.playing;
-    if (!ended || !restarts_ || !shownCourse_ || plan_.cut != OverlayPlan::Cut::every) return;
+    // Who goes to the end by hand is told nothing there.
+    const bool ended = !shown.playing && !shown.message.isEmpty() && !shown.atBreak;
+    if (!ended || !restarts_ || !shownCourse_ || plan_.cut != OverlayPlan::Cut::every || opener_.busy()) return;
+    if (shown.run != run_ || shown.branch != 0) return;
     const Nanoseconds end = requests_[*shownCourse_].steps * WindowOptions{}.step;
     if (shown.tick() != shown.frame->scene().ticksOf(end)) return;
     if (window_.files().hasUnsaved())

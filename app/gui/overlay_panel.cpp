@@ -142,7 +142,7 @@ void OverlayPanel::fitColumns() {
         int wide = metrics.horizontalAdvance(title);
         for (int line = 0; line < std::min(courses_->rowCount(), 50); ++line)
             wide = std::max(wide, metrics.horizontalAdvance(courses_->index(line, column).data().toString()));
-        list_->setColumnWidth(column, wide + 10);
+        list_->setColumnWidth(column, wide + (column == CourseList::error ? 24 : 8));
     }
 }
 
@@ -215,7 +215,7 @@ void OverlayPanel::makeList() {
     list_->sortByColumn(CourseList::error, Qt::DescendingOrder);
     list_->header()->setStretchLastSection(true);
     list_->header()->setMinimumSectionSize(20);
-    list_->setMinimumHeight(6 * (list_->fontMetrics().height() + 4));
+    list_->setMinimumHeight(4 * (list_->fontMetrics().height() + 4));
     list_->setIndentation(0);
     connect(list_, &QTreeView::clicked, this, &OverlayPanel::openLine);
     connect(list_, &QTreeView::activated, this, &OverlayPanel::openLine);
