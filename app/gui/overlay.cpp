@@ -49,6 +49,19 @@ Expected<std::vector<CourseRequest>> plannedCourses(const OverlayWorld& overlay,
     return courses;
 }
 
+/// The constants where a network was not held out from anything.
+DivergenceBound courseBound(const LogWorld& world, const ComparedCourse& course, const DivergenceOptions& options) {
+    return boundFor(world, course, options, WindowOptions{}.step).value_or(options.bound);
+}
+
+/// Whether any of the robots moves by a network that tells how true it is.
+bool knowsHeldOut(const LogWorld& world) {
+    for (std::size_t robot = 0; robot < world.robots().size(); ++robot)
+        if (const MotionNetwork* network = networkOf(world, robot); network != nullptr && network->heldOut.position > 0)
+            return true;
+    return false;
+}
+
 OverlayRow overlayRow(const LogWorld& world, const ComparedCourse& course, const std::vector<CourseRequest>& requests,
                       const DivergenceOptions& options) {
     OverlayRow row;
@@ -61,8 +74,7 @@ OverlayRow overlayRow(const LogWorld& world, const ComparedCourse& course, const
                                                                        : std::numeric_limits<double>::quiet_NaN();
     row.heading = course.errors.headingMean;
     if (course.use == CourseUse::counted || course.use == CourseUse::still) row.manoeuvre = course.real.manoeuvre;
-    if (const auto bound = boundFor(world, course, options, WindowOptions{}.step))
-        row.divergence = firstDivergence(course, WindowOptions{}.step, *bound);
+    row.divergence = firstDivergence(course, WindowOptions{}.step, courseBound(world, course, options));
     row.touched = course.touched.has_value();
     return row;
 }
@@ -191,6 +203,7 @@ void Overlay::take(Expected<OverlayWorldPointer> world) {
     world_ = std::move(*world);
     requests_ = std::move(*courses);
     models_ = {ownModel(*world_)};
+    bound_ = {DivergenceBound{}.constant, knowsHeldOut(world_->world())};
     loading_ = world_->request.models;
     window_.messages().remove(overlayTopic);
     for (const std::string& note : world_->notes)
@@ -449,11 +462,13 @@ void Overlay::findCause() {
             const ComparedCourse& course = comparison->courses.front();
             DiagnosisOptions asked;
             asked.seed = world->seed;
-            if (const auto bound = boundFor(world->world(), course, bounds, asked.step)) asked.bound = *bound;
+            asked.bound = courseBound(world->world(), course, bounds);
+            asked.models = modelsToTry(world->world(), {}).value_or(std::vector<OtherModel>{});
             for (const OverlayModel& other : others)
-                if (!other.moves.byRobot.empty()) asked.models.push_back(other.moves);
-            for (OtherModel& model : modelsToTry(world->world(), {}).value_or(std::vector<OtherModel>{}))
-                asked.models.push_back(std::move(model));
+                if (!other.moves.byRobot.empty() &&
+                    std::none_of(asked.models.begin(), asked.models.end(),
+                                 [&](const OtherModel& model) { return model.name == other.name; }))
+                    asked.models.push_back(other.moves);
             asked.progress = [&](double share) {
                 looking_.tell([this, share, isOurs] {
                     if (!isOurs()) return;
@@ -531,7 +546,6 @@ void Overlay::takeCourse(Expected<OpenRun> run, std::size_t request, std::option
     if (shownCourse_ && window_.shown())
         for (const BreakpointState& state : window_.shown()->breakpoints) breakpoints.push_back(state.breakpoint);
     shownCourse_ = request;
-    wasPlaying_ = false;
     reality_ = run->reality;
     if (robot) robot_ = robot;
     window_.files().takeCourse(*run);
@@ -561,9 +575,10 @@ void Overlay::setRestarts(bool on) {
 /// A course that has been played to its end is followed by the next.
 void Overlay::watchPlaying() {
     const Shown& shown = *window_.shown();
-    const bool ended = wasPlaying_ && !shown.playing;
-    wasPlaying_ = shown.playing;
-    if (!ended || !restarts_ || !shownCourse_ || plan_.cut != OverlayPlan::Cut::every) return;
+    // Who goes to the end by hand is told nothing there.
+    const bool ended = !shown.playing && !shown.message.isEmpty() && !shown.atBreak;
+    if (!ended || !restarts_ || !shownCourse_ || plan_.cut != OverlayPlan::Cut::every || opener_.busy()) return;
+    if (shown.run != run_ || shown.branch != 0) return;
     const Nanoseconds end = requests_[*shownCourse_].steps * WindowOptions{}.step;
     if (shown.tick() != shown.frame->scene().ticksOf(end)) return;
     if (window_.files().hasUnsaved())

@@ -65,7 +65,7 @@ public:
     Expected<void> setPlan(const OverlayPlan& plan);
     /// From when on a robot has left the real course.
     struct Bound {
-        DivergenceBound::At at;
+        DivergenceBound::At at = DivergenceBound{}.constant;
         bool fromHeldOut = false;  ///< instead, from what the robot's network was held out from
         bool operator==(const Bound&) const = default;
     };
@@ -157,7 +157,7 @@ private:
     std::shared_ptr<const Reality> reality_;  ///< of the shown course, without models
     std::vector<Reality::ModelCourse> modelCourses_;
     std::uint64_t run_ = 0;  ///< the session's count of the shown course
-    bool restarts_ = true, wasPlaying_ = false;
+    bool restarts_ = true;
     bool follows_ = true;
     bool showsFirst_ = true;  ///< of a log that is being opened
     std::optional<Error> opening_;

@@ -68,7 +68,7 @@ protected:
 
     /// A log that the shipped generator makes, of a jink, in the folder of the test.
     std::string makeLog(const std::function<void(Log&)>& change = {}) {
-        std::optional<Log> log = generateLog({Course::jink, 2, -1, 1}, 5);
+        std::optional<Log> log = generateLog({mrose::Course::jink, 2, -1, 1}, 5);
         if (change) change(*log);
         const std::string file = path("made.csv");
         EXPECT_TRUE(writeCsv(file, *log));
@@ -119,7 +119,9 @@ TEST_F(OverlayTest, FiguresAreThoseOfCompareToTheLastBit) {
         const OverlayRow* const row = overlay.rowOf(course.request, course.robot);
         ASSERT_NE(row, nullptr);
         EXPECT_EQ(row->position, knownMean(course));
-        if (course.use == CourseUse::counted) EXPECT_EQ(row->heading, course.errors.headingMean);
+        if (course.use == CourseUse::counted) {
+            EXPECT_EQ(row->heading, course.errors.headingMean);
+        }
     }
     EXPECT_EQ(overlay.rows().size(), simulated);
     const std::vector<std::size_t> order = worstFirst(alone);

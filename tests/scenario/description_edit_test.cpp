@@ -41,8 +41,7 @@ TEST(TomlEdit, LeavesATableOutWithAllThatBelongsToIt) {
         return result ? *result : result.error().message();
     };
     EXPECT_EQ(without("a[0]"), "version = 1\n[[a]]\nname = \"y\"\n[g]\nh = 1\n");
-    EXPECT_EQ(without("a[1]"),
-              "version = 1\n[[a]] # first\nname = \"x\"\n[a.c]\nd = 1\n[[a.e]]\nf = 1\n[g]\nh = 1\n");
+    EXPECT_EQ(without("a[1]"), "version = 1\n[[a]] # first\nname = \"x\"\n[a.c]\nd = 1\n[[a.e]]\nf = 1\n[g]\nh = 1\n");
     EXPECT_EQ(without("a[2]"), "f: has no a[2]");
     const auto inlineTable = withoutTomlTable("a = [{ b = 1 }, { b = 2 }]", "f", "a[0]");
     ASSERT_FALSE(inlineTable);
