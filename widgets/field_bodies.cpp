@@ -80,10 +80,8 @@ QPointF knobAt(const ViewTransform& view, const FieldFrame& frame, std::size_t r
     return view.toPixels(position(pose)) + away * QPointF(std::cos(pose.heading), -std::sin(pose.heading));
 }
 
-QRectF knobBox(const ViewTransform& view, const FieldFrame& frame, const FieldFocus& focus) {
-    if (!hasKnob(frame, focus)) return {};
-    return QRectF(-knobRadius, -knobRadius, 2 * knobRadius, 2 * knobRadius)
-        .translated(knobAt(view, frame, *focus.selected));
+QRectF knobBox(const ViewTransform& view, const FieldFrame& frame, std::size_t robot) {
+    return QRectF(-knobRadius, -knobRadius, 2 * knobRadius, 2 * knobRadius).translated(knobAt(view, frame, robot));
 }
 
 std::vector<std::size_t> visibleBodies(const FieldCanvas& canvas, const FieldFrame& frame) {

@@ -22,7 +22,7 @@ struct FieldFocus {
 constexpr double knobRadius = 5;  // pixels
 bool hasKnob(const FieldFrame& frame, const FieldFocus& focus);
 QPointF knobAt(const ViewTransform& view, const FieldFrame& frame, std::size_t robot);
-QRectF knobBox(const ViewTransform& view, const FieldFrame& frame, const FieldFocus& focus);  ///< empty: it has none
+QRectF knobBox(const ViewTransform& view, const FieldFrame& frame, std::size_t robot);
 
 /// Along the upper and the left edge, where the grid is shown.
 constexpr double rulerWidth = 30, rulerHeight = 17;  // pixels
@@ -79,9 +79,9 @@ void drawKicks(const FieldCanvas& canvas, const FieldFrame& frame, std::vector<F
 
 void addNames(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus,
               std::vector<FieldLabel>& labels);
-/// Off one another and, where that can be, off bodies; never in `kept`, which is somebody else's place.
+/// Off one another and, where that can be, off bodies; never in `kept`, which are others' places.
 void drawLabels(const FieldCanvas& canvas, const FieldFrame& frame, std::vector<FieldLabel> labels, LabelPlacer& placer,
-                const QRectF& kept = {});
+                const std::vector<QRectF>& kept = {});
 /// One where it is told.
 void drawPlate(const FieldCanvas& canvas, const QRectF& box, const FieldLabel& label);
 QSizeF plateSize(const FieldCanvas& canvas, const FieldLabel& label);

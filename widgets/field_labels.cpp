@@ -83,9 +83,9 @@ void addNames(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFoc
 }
 
 void drawLabels(const FieldCanvas& canvas, const FieldFrame& frame, std::vector<FieldLabel> labels, LabelPlacer& placer,
-                const QRectF& kept) {
+                const std::vector<QRectF>& kept) {
     placer.begin(QRectF(QPointF(0, 0), canvas.view.size()).adjusted(2, 2, -2, -2));
-    if (!kept.isEmpty()) placer.keepFree(kept);
+    for (const QRectF& box : kept) placer.keepFree(box);
     if (labels.empty()) return;
     const auto avoid = [&](const Shape& shape, const Pose& pose) {
         const double half = 0.85 * canvas.pixels(shape.reach);

@@ -32,6 +32,20 @@ std::vector<LegendRow> legendRows(const FieldFrame& frame, const FieldLayers& la
     return rows;
 }
 
+constexpr double legendRowHeight = 20, legendSampleWidth = 34, legendMargin = 10;  // pixels
+
+/// In the lower right corner; empty where there is nothing to explain.
+QRectF legendBox(const FieldCanvas& canvas, const std::vector<LegendRow>& rows) {
+    if (rows.empty()) return {};
+    const QFontMetricsF metrics(plateFont(canvas.painter));
+    double width = 0;
+    for (const LegendRow& one : rows) width = std::max(width, metrics.horizontalAdvance(one.text));
+    const QSizeF size(legendSampleWidth + width + 3 * legendMargin,
+                      legendRowHeight * static_cast<double>(rows.size()) + legendMargin);
+    const QSizeF all = canvas.view.size();
+    return {QPointF(all.width() - size.width() - 12, all.height() - size.height() - 12), size};
+}
+
 }  // namespace
 
 FieldArea areaOf(const Environment& environment) {
@@ -83,10 +97,13 @@ void FieldPainter::frame(const FieldFrame& frame, const FieldFocus& focus, Label
     if (layers_.has(FieldLayer::contacts)) drawContacts(canvas_, frame, labels);
     drawKicks(canvas_, frame, labels);
     if (layers_.has(FieldLayer::targets)) drawNotes(canvas_, frame, focus, labels);
-    if (!focus.moved || !focus.selected)
-        return drawLabels(canvas_, frame, std::move(labels), placer, knobBox(canvas_.view, frame, focus));
+    std::vector<QRectF> kept;
+    if (layers_.has(FieldLayer::legend)) kept.push_back(legendBox(canvas_, legendRows(frame, layers_)));
+    if (hasKnob(frame, focus)) kept.push_back(knobBox(canvas_.view, frame, *focus.selected));
+    if (!focus.moved || !focus.selected) return drawLabels(canvas_, frame, std::move(labels), placer, kept);
     const auto [box, numbers] = moved(frame, *focus.selected, *focus.moved);
-    drawLabels(canvas_, frame, std::move(labels), placer, box);
+    kept.push_back(box);
+    drawLabels(canvas_, frame, std::move(labels), placer, kept);
     drawPlate(canvas_, box, numbers);
 }
 
@@ -131,17 +148,11 @@ void FieldPainter::ruler() {
 }
 
 void FieldPainter::legend(const FieldFrame& frame) {
-    constexpr double row = 20, sampleWidth = 34, margin = 10;
     const std::vector<LegendRow> rows = legendRows(frame, layers_);
     if (rows.empty()) return;
+    constexpr double row = legendRowHeight, sampleWidth = legendSampleWidth, margin = legendMargin;
     QPainter& painter = canvas_.painter;
-    painter.setFont(plateFont(painter));
-    double width = 0;
-    for (const LegendRow& one : rows)
-        width = std::max(width, QFontMetricsF(painter.font()).horizontalAdvance(one.text));
-    const QSizeF size(sampleWidth + width + 3 * margin, row * static_cast<double>(rows.size()) + margin);
-    const QSizeF all = canvas_.view.size();
-    const QRectF box(QPointF(all.width() - size.width() - 12, all.height() - size.height() - 12), size);
+    const QRectF box = legendBox(canvas_, rows);
     painter.setPen(roundPen(canvas_.theme.line, 1));
     painter.setBrush(withAlpha(canvas_.theme.panel, 235));
     painter.drawRoundedRect(box, 5, 5);
@@ -154,8 +165,8 @@ void FieldPainter::legend(const FieldFrame& frame) {
             drawSample(painter, sample, one.layer, canvas_.theme);
         painter.setFont(plateFont(painter));
         painter.setPen(canvas_.theme.text);
-        painter.drawText(QRectF(box.left() + 2 * margin + sampleWidth, top, width + margin, row),
-                         Qt::AlignLeft | Qt::AlignVCenter, one.text);
+        const double left = box.left() + 2 * margin + sampleWidth;
+        painter.drawText(QRectF(left, top, box.right() - left, row), Qt::AlignLeft | Qt::AlignVCenter, one.text);
         top += row;
     }
 }

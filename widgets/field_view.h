@@ -59,7 +59,7 @@ public:
     void paint(QPainter& painter, const QSizeF& size) const;
 
     QSize sizeHint() const override { return {900, 560}; }
-    QSize minimumSizeHint() const override { return {180, 140}; }
+    QSize minimumSizeHint() const override { return {240, 180}; }
 
 signals:
     void bodySelected(std::optional<std::size_t> body);

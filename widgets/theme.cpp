@@ -49,8 +49,8 @@ Theme Theme::darkOne() {
 
 QColor robotColour(std::size_t robot) {
     static const std::array<QColor, 8> colours{QColor(230, 159, 0),   QColor(86, 180, 233), QColor(240, 228, 66),
-                                               QColor(204, 121, 167), QColor(218, 66, 0),   QColor(94, 0, 120),
-                                               QColor(0, 126, 200),   QColor(226, 238, 255)};
+                                               QColor(204, 121, 167), QColor(218, 66, 0),   QColor(226, 238, 255),
+                                               QColor(0, 126, 200),   QColor(94, 0, 120)};
     return colours[robot % colours.size()];
 }
 

@@ -99,7 +99,7 @@ void addKinds(MainWindow& window, const QString& menu) {
     plain({"break_on_fault", QObject::tr("On a &fault"), QKeySequence("Shift+F"),
            QObject::tr("Stop where a controller fails")},
           "fault");
-    plain({"break_on_call", QObject::tr("On break&Here()"), QKeySequence("Shift+B"),
+    plain({"break_on_call", QObject::tr("&On breakHere()"), QKeySequence("Shift+B"),
            QObject::tr("Stop where a controller calls breakHere()")},
           "breakHere()");
     QAction* divergence =
@@ -122,7 +122,7 @@ void addChosen(MainWindow& window, const QString& menu) {
     BreakpointPanel& panel = window.breakpointPanel();
     panel.offer(&actions["break_last"]);
     panel.offer(actions.add(menu,
-                            {"toggle_break", QObject::tr("Switch it &on or off"), QKeySequence("F9"),
+                            {"toggle_break", QObject::tr("S&witch it on or off"), QKeySequence("F9"),
                              QObject::tr("The breakpoint chosen in the list stops the run, or no longer")},
                             [&](bool) {
                                 auto chosen = chosenBreak(window);
@@ -131,7 +131,7 @@ void addChosen(MainWindow& window, const QString& menu) {
                                 session.changeBreakpoint(*chosen);
                             }));
     panel.offer(actions.add(menu,
-                            {"break_once", QObject::tr("Stop only &once"), QKeySequence("Ctrl+F9"),
+                            {"break_once", QObject::tr("Stop onl&y once"), QKeySequence("Ctrl+F9"),
                              QObject::tr("The chosen breakpoint is switched off once it has stopped, or no longer")},
                             [&](bool) {
                                 auto chosen = chosenBreak(window);
@@ -162,14 +162,14 @@ void addChosen(MainWindow& window, const QString& menu) {
                 return {};
             }}));
     panel.offer(actions.add(menu,
-                            {"delete_break", QObject::tr("D&elete it"), QKeySequence("Shift+F8"),
+                            {"delete_break", QObject::tr("De&lete it"), QKeySequence("Shift+F8"),
                              QObject::tr("The breakpoint chosen in the list (there Delete does it, too)")},
                             [&](bool) {
                                 if (const auto chosen = chosenBreak(window)) session.removeBreakpoint(chosen->id);
                             }));
     actions.addSeparator(menu);
     actions.add(menu,
-                {"toggle_all_breaks", QObject::tr("Switch &all on or off"), QKeySequence("Shift+F9"),
+                {"toggle_all_breaks", QObject::tr("Sw&itch all on or off"), QKeySequence("Shift+F9"),
                  QObject::tr("All breakpoints off; where all are, on")},
                 [&](bool) {
                     if (window.shown() == nullptr) return;

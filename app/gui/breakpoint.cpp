@@ -10,15 +10,14 @@
 namespace mrose::gui {
 namespace {
 
-using Kind = Breakpoint::Kind;
 using MarkKind = TimelineMark::Kind;
 
-constexpr std::array<std::pair<std::string_view, Kind>, 6> words{{{"contact", Kind::contact},
-                                                                  {"kick", Kind::kick},
-                                                                  {"goal", Kind::goal},
-                                                                  {"fault", Kind::fault},
-                                                                  {"breakHere()", Kind::breakHere},
-                                                                  {"divergence", Kind::divergence}}};
+constexpr std::array<std::pair<std::string_view, BreakKind>, 6> words{{{"contact", BreakKind::contact},
+                                                                       {"kick", BreakKind::kick},
+                                                                       {"goal", BreakKind::goal},
+                                                                       {"fault", BreakKind::fault},
+                                                                       {"breakHere()", BreakKind::breakHere},
+                                                                       {"divergence", BreakKind::divergence}}};
 constexpr std::string_view space = " \t\r\n";
 
 std::string_view trimmed(std::string_view text) {
@@ -28,14 +27,14 @@ std::string_view trimmed(std::string_view text) {
 }
 
 /// All that a kind may be asked of, by their numbers.
-std::vector<std::string> namesOf(Kind kind, const Scene& scene) {
+std::vector<std::string> namesOf(BreakKind kind, const Scene& scene) {
     std::vector<std::string> names;
-    if (kind == Kind::goal) {
+    if (kind == BreakKind::goal) {
         for (const Goal& goal : scene.environment.goals) names.push_back(goal.name);
         return names;
     }
     for (const auto& robot : scene.robots) names.push_back(robot.name);
-    if (kind == Kind::contact)
+    if (kind == BreakKind::contact)
         for (const auto& object : scene.objects) names.push_back(object.name);
     return names;
 }
@@ -45,15 +44,15 @@ std::string bodyName(std::uint32_t body, const Scene& scene) {
     return body < scene.bodyCount() ? scene.objects[body - scene.robots.size()].name : "the place";
 }
 
-MarkKind markOf(Kind kind) {
+MarkKind markOf(BreakKind kind) {
     switch (kind) {
-        case Kind::kick:
+        case BreakKind::kick:
             return MarkKind::kick;
-        case Kind::goal:
+        case BreakKind::goal:
             return MarkKind::goal;
-        case Kind::fault:
+        case BreakKind::fault:
             return MarkKind::fault;
-        case Kind::breakHere:
+        case BreakKind::breakHere:
             return MarkKind::stop;
         default:
             return MarkKind::contact;
@@ -72,25 +71,25 @@ BreakText readBreakText(std::string_view text) {
     const std::string_view word = text.substr(0, text.find_first_of(space));
     for (const auto& [name, kind] : words)
         if (word == name) return {kind, trimmed(text.substr(word.size()))};
-    return {Kind::condition, text};
+    return {BreakKind::condition, text};
 }
 
 Expected<void> checkBreakText(std::string_view text, const Course& course) {
     const BreakText what = readBreakText(text);
-    if (what.kind == Kind::condition) {
+    if (what.kind == BreakKind::condition) {
         const auto condition = compileCondition(what.name, *course.scenario);
         if (!condition) return tl::unexpected(condition.error());
         return {};
     }
     if (what.name.empty()) return {};
-    if (what.kind == Kind::divergence) return fail("", "\"divergence\" takes no name");
+    if (what.kind == BreakKind::divergence) return fail("", "\"divergence\" takes no name");
     const std::vector<std::string> names = namesOf(what.kind, course.scene());
     std::string all;
     for (const std::string& name : names) {
         if (name == what.name) return {};
         all += (all.empty() ? "" : ", ") + name;
     }
-    const std::string one = what.kind == Kind::goal ? "goal" : what.kind == Kind::contact ? "body" : "robot";
+    const std::string one = what.kind == BreakKind::goal ? "goal" : what.kind == BreakKind::contact ? "body" : "robot";
     const std::string_view meant = nearestWord(what.name, {names.begin(), names.end()});
     return fail("", "there is no " + one + " '" + std::string(what.name) + '\'' +
                         (!meant.empty() ? "; did you mean " + std::string(meant) + '?'
@@ -99,13 +98,14 @@ Expected<void> checkBreakText(std::string_view text, const Course& course) {
 }
 
 bool isMeant(const BreakText& text, const TimelineMark& mark, const Course& course) {
-    if (text.kind == Kind::condition || text.kind == Kind::divergence || mark.kind != markOf(text.kind)) return false;
+    if (text.kind == BreakKind::condition || text.kind == BreakKind::divergence || mark.kind != markOf(text.kind))
+        return false;
     if (text.name.empty()) return true;
     const std::vector<Goal>& goals = course.scene().environment.goals;
-    if (text.kind == Kind::goal) return mark.other < goals.size() && goals[mark.other].name == text.name;
+    if (text.kind == BreakKind::goal) return mark.other < goals.size() && goals[mark.other].name == text.name;
     const Scene& scene = course.scene();
     return bodyName(mark.body, scene) == text.name ||
-           (text.kind == Kind::contact && bodyName(mark.other, scene) == text.name);
+           (text.kind == BreakKind::contact && bodyName(mark.other, scene) == text.name);
 }
 
 std::string textOf(const TimelineMark& mark, const Course& course) {

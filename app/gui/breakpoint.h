@@ -10,12 +10,12 @@
 
 namespace mrose::gui {
 
+enum class BreakKind : std::uint8_t { condition, contact, kick, goal, fault, breakHere, divergence };
+
 /// What stops a run. Its text is a condition (core/condition), or one of these words: "contact", "kick", "goal" and
 /// "fault", with the name of a body or a goal behind them where only that one counts; "breakHere()", which controllers
 /// call; "divergence" from the real log that is laid over.
 struct Breakpoint {
-    enum class Kind : std::uint8_t { condition, contact, kick, goal, fault, breakHere, divergence };
-
     std::uint32_t id = 0;  ///< given when it is added
     std::string text;
     bool enabled = true;
@@ -28,7 +28,7 @@ struct Breakpoint {
 
 /// A breakpoint's text in parts.
 struct BreakText {
-    Breakpoint::Kind kind = Breakpoint::Kind::condition;
+    BreakKind kind = BreakKind::condition;
     std::string_view name;  ///< of the body or goal that counts; empty: any. Of a condition: all of it
 };
 BreakText readBreakText(std::string_view text);

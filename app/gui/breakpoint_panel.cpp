@@ -9,6 +9,7 @@
 #include <QMenu>
 #include <QPainter>
 #include <QStyledItemDelegate>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -81,11 +82,11 @@ QString timesText(int from) {
         case 1:
             return {};
         case 2:
-            return QObject::tr("from the 2nd time on");
+            return QObject::tr("from 2nd");
         case 3:
-            return QObject::tr("from the 3rd time on");
+            return QObject::tr("from 3rd");
         default:
-            return QObject::tr("from the %1th time on").arg(from);
+            return QObject::tr("from %1th").arg(from);
     }
 }
 
@@ -96,7 +97,7 @@ std::pair<QString, bool> noteOf(const BreakpointState& state) {
         return {QObject::tr("switched off: %1").arg(QString::fromStdString(breakpoint.error)), true};
     if (!state.unfit.empty()) return {QString::fromStdString(state.unfit), true};
     QStringList parts;
-    if (state.here) parts << QObject::tr("holds here");
+    if (state.here) parts << QObject::tr("here");
     if (state.all > 0)
         parts << QObject::tr("met %1 of %2").arg(state.hits).arg(state.all);
     else if (breakpoint.enabled)
@@ -252,6 +253,9 @@ void BreakpointPanel::tell(const QString& text, bool wrong) {
 }
 
 bool BreakpointPanel::eventFilter(QObject* watched, QEvent* event) {
+    // What is told below takes room from the list: the chosen row stays in sight.
+    if (watched == list_ && event->type() == QEvent::Resize)
+        QTimer::singleShot(0, list_, [this] { list_->scrollToItem(list_->currentItem()); });
     if (watched != list_ || event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
     const auto chosen = current();
     if (!chosen || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Delete) return QWidget::eventFilter(watched, event);

@@ -7,12 +7,10 @@
 namespace mrose::gui {
 namespace {
 
-using Kind = Breakpoint::Kind;
-
 /// Texts that were asked once and never again are not kept for ever.
 constexpr std::size_t mostCompiled = 200;
 
-bool isEvent(Kind kind) { return kind != Kind::condition && kind != Kind::divergence; }
+bool isEvent(BreakKind kind) { return kind != BreakKind::condition && kind != BreakKind::divergence; }
 
 std::string clockAt(const TimeTravel& run) {
     char text[40];
@@ -127,14 +125,14 @@ Breakpoint* Breakpoints::find(std::uint32_t id) {
 
 /// Whether it holds is asked at every tick, instead of being told by the run's marks.
 bool Breakpoints::asks(const Breakpoint& breakpoint) const {
-    const Kind kind = readBreakText(breakpoint.text).kind;
-    return breakpoint.enabled && (kind == Kind::condition || (kind == Kind::divergence && diverged_));
+    const BreakKind kind = readBreakText(breakpoint.text).kind;
+    return breakpoint.enabled && (kind == BreakKind::condition || (kind == BreakKind::divergence && diverged_));
 }
 
 Question& Breakpoints::questionOf(const Breakpoint& breakpoint) {
     const auto known = questions_.find(breakpoint.id);
     if (known != questions_.end()) return known->second;
-    const bool condition = readBreakText(breakpoint.text).kind == Kind::condition;
+    const bool condition = readBreakText(breakpoint.text).kind == BreakKind::condition;
     return questions_.emplace(breakpoint.id, Question{breakpoint.text, condition ? nullptr : diverged_}).first->second;
 }
 
@@ -317,9 +315,9 @@ Breakpoints::Answer Breakpoints::last(TimeTravel& run, const std::string& text, 
 
 std::string Breakpoints::reasonOf(const TimeTravel& run, const std::string& waitsFor) {
     const BreakText text = readBreakText(waitsFor);
-    if (text.kind == Kind::condition) return std::string(text.name);
-    if (text.kind == Kind::divergence) return "the run leaves the log that is laid over it";
-    if (text.kind == Kind::breakHere && text.name.empty() && !run.breakReason().empty()) return run.breakReason();
+    if (text.kind == BreakKind::condition) return std::string(text.name);
+    if (text.kind == BreakKind::divergence) return "the run leaves the log that is laid over it";
+    if (text.kind == BreakKind::breakHere && text.name.empty() && !run.breakReason().empty()) return run.breakReason();
     std::string reason;
     for (const TimelineMark& mark : marksAt(run, run.tick()))
         if (isMeant(text, mark, run.course())) join(reason, textOf(mark, run.course()), ", ");
@@ -338,7 +336,7 @@ std::string Breakpoints::stopped(const TimeTravel& run, const Stop& stop) {
         if (stop.failed) {
             const Expected<bool> failed = answer(run, questionOf(*breakpoint));
             breakpoint->error = failed ? "failed" : wrongWith(failed.error());
-            reason += " fails here and is switched off: " + breakpoint->error;
+            reason = "switched off, " + breakpoint->error + ": " + reason;
         }
         if (breakpoint->oneShot || stop.failed) {
             breakpoint->enabled = false;
@@ -383,10 +381,10 @@ std::vector<BreakpointState> Breakpoints::states(const TimeTravel& run, const st
     for (const Breakpoint& breakpoint : breakpoints_) {
         BreakpointState& state = states.emplace_back(BreakpointState{breakpoint});
         const BreakText text = readBreakText(breakpoint.text);
-        if (text.kind == Kind::condition) {
+        if (text.kind == BreakKind::condition) {
             if (const auto& condition = compiled(run.course(), std::string(text.name)); !condition)
                 state.unfit = wrongWith(condition.error());
-        } else if (text.kind == Kind::divergence && !diverged_) {
+        } else if (text.kind == BreakKind::divergence && !diverged_) {
             state.unfit = "no real log is laid over the run yet";
         } else if (const auto fits = checkBreakText(breakpoint.text, run.course()); !fits) {
             state.unfit = fits.error().cause;

@@ -18,8 +18,8 @@ namespace {
 
 constexpr double degreesPerRadian = 180 / std::numbers::pi;
 constexpr int explainedRole = Qt::UserRole;
-/// What explains less is not worth a line, but the best are always told.
-constexpr int mostCauses = 6;
+/// So many lines are seen at once.
+constexpr int shownCauses = 4;
 
 /// A share as a bar with its number.
 class ShareBar final : public QStyledItemDelegate {
@@ -121,7 +121,7 @@ void CausePanel::makeCauses() {
     causes_->header()->resizeSection(1, 130);
     causes_->setItemDelegateForColumn(1, new ShareBar(causes_));
     const int line = causes_->fontMetrics().height() + 5;
-    causes_->setFixedHeight((mostCauses + 1) * line + 6);
+    causes_->setFixedHeight((shownCauses + 1) * line + 6);
     connect(causes_, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item) {
         const auto trial = static_cast<std::size_t>(causes_->indexOfTopLevelItem(item));
         const bool again = overlay_.shownCause() == trial;

@@ -15,11 +15,11 @@ struct CourseColumn {
 };
 constexpr CourseColumn courseColumns[] = {
     {QT_TR_NOOP("Robot"), QT_TR_NOOP("The simulated robot")},
-    {QT_TR_NOOP("From"), QT_TR_NOOP("Where in the log the course begins")},
-    {QT_TR_NOOP("Error"), QT_TR_NOOP("Distance to the real robot, the mean over the course")},
-    {QT_TR_NOOP("of path"), QT_TR_NOOP("The same in percent of the way that the real robot drove")},
-    {QT_TR_NOOP("Heading"), QT_TR_NOOP("Heading error, the mean over the course")},
-    {QT_TR_NOOP("Leaves"), QT_TR_NOOP("When it first leaves the real course by more than the bound")},
+    {QT_TR_NOOP("From s"), QT_TR_NOOP("Where in the log the course begins")},
+    {QT_TR_NOOP("Error cm"), QT_TR_NOOP("Distance to the real robot, the mean over the course")},
+    {QT_TR_NOOP("% path"), QT_TR_NOOP("The same in percent of the way that the real robot drove")},
+    {QT_TR_NOOP("Head. \u00b0"), QT_TR_NOOP("Heading error, the mean over the course")},
+    {QT_TR_NOOP("Leaves s"), QT_TR_NOOP("When it first leaves the real course by more than the bound")},
     {QT_TR_NOOP("Drives"), QT_TR_NOOP("What it is told to do")},
 };
 
@@ -44,9 +44,8 @@ double keyOf(const OverlayRow& row, int column) {
     }
 }
 
-QString number(double value, int decimals, const char* unit) {
-    if (!std::isfinite(value)) return QString::fromUtf8("\u2013");
-    return QString::number(value, 'f', decimals) + QString::fromUtf8(unit);
+QString number(double value, int decimals) {
+    return std::isfinite(value) ? QString::number(value, 'f', decimals) : QString::fromUtf8("\u2013");
 }
 
 }  // namespace
@@ -100,15 +99,15 @@ QString CourseList::text(const OverlayRow& row, int column) const {
         case robot:
             return QString::fromStdString(world_->world().robots()[row.robot].name);
         case start:
-            return number(toSeconds(row.start), 1, " s");
+            return number(toSeconds(row.start), 1);
         case error:
-            return number(row.position < 0 ? std::numeric_limits<double>::quiet_NaN() : 100 * row.position, 1, " cm");
+            return number(row.position < 0 ? std::numeric_limits<double>::quiet_NaN() : 100 * row.position, 1);
         case path:
-            return number(row.share, row.share < 99.95 ? 1 : 0, " %");
+            return number(row.share, 1);
         case heading:
-            return number(inDegrees * row.heading, 1, "\u00b0");
+            return number(inDegrees * row.heading, 1);
         case leaves:
-            return row.divergence ? number(toSeconds(row.divergence->time), 1, " s") : QString();
+            return row.divergence ? number(toSeconds(row.divergence->time), 1) : QString();
         default:
             break;
     }
@@ -133,9 +132,6 @@ QVariant CourseList::data(const QModelIndex& index, int role) const {
             return text(shown, index.column());
         case Qt::ToolTipRole:
             return tip(shown);
-        case Qt::DecorationRole:
-            if (index.column() == robot) return robotColour(world_->world().robots()[shown.robot].body);
-            return {};
         case Qt::TextAlignmentRole:
             return static_cast<int>(Qt::AlignVCenter) |
                    static_cast<int>(index.column() == robot || index.column() == drives ? Qt::AlignLeft

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "overlay.h"
-#include "widgets/theme.h"
 
 namespace mrose::gui {
 

@@ -11,6 +11,7 @@
 #include "widgets/field_view.h"
 #include "widgets/message_bar.h"
 #include "window_files.h"
+#include "window_memory.h"
 
 namespace mrose::gui {
 namespace {
@@ -49,6 +50,19 @@ Expected<std::vector<CourseRequest>> plannedCourses(const OverlayWorld& overlay,
     return courses;
 }
 
+/// The constants where a network was not held out from anything.
+DivergenceBound courseBound(const LogWorld& world, const ComparedCourse& course, const DivergenceOptions& options) {
+    return boundFor(world, course, options, WindowOptions{}.step).value_or(options.bound);
+}
+
+/// Whether any of the robots moves by a network that tells how true it is.
+bool knowsHeldOut(const LogWorld& world) {
+    for (std::size_t robot = 0; robot < world.robots().size(); ++robot)
+        if (const MotionNetwork* network = networkOf(world, robot); network != nullptr && network->heldOut.position > 0)
+            return true;
+    return false;
+}
+
 OverlayRow overlayRow(const LogWorld& world, const ComparedCourse& course, const std::vector<CourseRequest>& requests,
                       const DivergenceOptions& options) {
     OverlayRow row;
@@ -61,8 +75,7 @@ OverlayRow overlayRow(const LogWorld& world, const ComparedCourse& course, const
                                                                        : std::numeric_limits<double>::quiet_NaN();
     row.heading = course.errors.headingMean;
     if (course.use == CourseUse::counted || course.use == CourseUse::still) row.manoeuvre = course.real.manoeuvre;
-    if (const auto bound = boundFor(world, course, options, WindowOptions{}.step))
-        row.divergence = firstDivergence(course, WindowOptions{}.step, *bound);
+    row.divergence = firstDivergence(course, WindowOptions{}.step, courseBound(world, course, options));
     row.touched = course.touched.has_value();
     return row;
 }
@@ -137,6 +150,27 @@ void Overlay::follow(const OpenRun& run) {
     });
 }
 
+void Overlay::reload(const QString& why) {
+    if (!world_ || !shownCourse_) return;
+    opener_.post([this, request = world_->request, course = requests_[*shownCourse_], goesOn = goesOn(),
+                  why](const JobQueue::GoesOn&) -> JobQueue::Answer {
+        auto world = std::make_shared<Expected<OverlayWorldPointer>>(openOverlayWorld(request));
+        auto run = std::make_shared<Expected<OpenRun>>(tl::unexpected(Error{}));
+        if (*world)
+            *run = openCourse(***world, course, goesOn);
+        else
+            *run = tl::unexpected(world->error());
+        return [this, world, run, why] {
+            if (*run) {
+                world_ = std::move(**world);
+                models_.front() = ownModel(*world_);
+                compareAll();
+            }
+            window_.files().takeReloaded(std::move(*run), why);
+        };
+    });
+}
+
 void Overlay::close() {
     opener_.drop();
     computing_.drop();
@@ -170,11 +204,13 @@ void Overlay::take(Expected<OverlayWorldPointer> world) {
     world_ = std::move(*world);
     requests_ = std::move(*courses);
     models_ = {ownModel(*world_)};
+    bound_ = {DivergenceBound{}.constant, knowsHeldOut(world_->world())};
     loading_ = world_->request.models;
     window_.messages().remove(overlayTopic);
     for (const std::string& note : world_->notes)
         window_.messages().add({MessageBar::Kind::note, QString::fromStdString(note)});
     if (showsFirst_) {
+        window_.memory().addRecent(QString::fromStdString(world_->place));
         show(0);
     } else if (window_.shown()) {
         const Reality reality = realityOf(world_->world(), world_->log, 0, 0);
@@ -431,11 +467,13 @@ void Overlay::findCause() {
             const ComparedCourse& course = comparison->courses.front();
             DiagnosisOptions asked;
             asked.seed = world->seed;
-            if (const auto bound = boundFor(world->world(), course, bounds, asked.step)) asked.bound = *bound;
+            asked.bound = courseBound(world->world(), course, bounds);
+            asked.models = modelsToTry(world->world(), {}).value_or(std::vector<OtherModel>{});
             for (const OverlayModel& other : others)
-                if (!other.moves.byRobot.empty()) asked.models.push_back(other.moves);
-            for (OtherModel& model : modelsToTry(world->world(), {}).value_or(std::vector<OtherModel>{}))
-                asked.models.push_back(std::move(model));
+                if (!other.moves.byRobot.empty() &&
+                    std::none_of(asked.models.begin(), asked.models.end(),
+                                 [&](const OtherModel& model) { return model.name == other.name; }))
+                    asked.models.push_back(other.moves);
             asked.progress = [&](double share) {
                 looking_.tell([this, share, isOurs] {
                     if (!isOurs()) return;
@@ -480,14 +518,16 @@ const OverlayRow* Overlay::rowOf(std::size_t request, std::size_t robot) const {
     return found != rows_.end() && found->request == request && found->robot == robot ? &*found : nullptr;
 }
 
+/// What a robot is told does not end with a course after which no other begins.
+bool Overlay::goesOn() const { return plan_.cut != OverlayPlan::Cut::every || !restarts_; }
+
 void Overlay::show(std::size_t request, std::optional<std::size_t> robot, bool play) {
     if (!world_ || request >= requests_.size()) return;
     if (!window_.files().mayLeave([this, request, robot, play] { show(request, robot, play); })) return;
     // The newest wish counts.
     opener_.drop();
-    const bool goesOn = plan_.cut == OverlayPlan::Cut::once || !restarts_;
     opener_.post([this, world = world_, request, course = requests_[request], robot, play,
-                  goesOn](const JobQueue::GoesOn&) -> JobQueue::Answer {
+                  goesOn = goesOn()](const JobQueue::GoesOn&) -> JobQueue::Answer {
         auto run = std::make_shared<Expected<OpenRun>>(openCourse(*world, course, goesOn));
         if (*run) (*run)->name = courseName(*world, course);
         return [this, run, request, robot, play] { takeCourse(std::move(*run), request, robot, play); };
@@ -511,7 +551,6 @@ void Overlay::takeCourse(Expected<OpenRun> run, std::size_t request, std::option
     if (shownCourse_ && window_.shown())
         for (const BreakpointState& state : window_.shown()->breakpoints) breakpoints.push_back(state.breakpoint);
     shownCourse_ = request;
-    wasPlaying_ = false;
     reality_ = run->reality;
     if (robot) robot_ = robot;
     window_.files().takeCourse(*run);
@@ -541,9 +580,10 @@ void Overlay::setRestarts(bool on) {
 /// A course that has been played to its end is followed by the next.
 void Overlay::watchPlaying() {
     const Shown& shown = *window_.shown();
-    const bool ended = wasPlaying_ && !shown.playing;
-    wasPlaying_ = shown.playing;
-    if (!ended || !restarts_ || !shownCourse_ || plan_.cut != OverlayPlan::Cut::every) return;
+    // Who goes to the end by hand is told nothing there.
+    const bool ended = !shown.playing && !shown.message.isEmpty() && !shown.atBreak;
+    if (!ended || !restarts_ || !shownCourse_ || plan_.cut != OverlayPlan::Cut::every || opener_.busy()) return;
+    if (shown.run != run_ || shown.branch != 0) return;
     const Nanoseconds end = requests_[*shownCourse_].steps * WindowOptions{}.step;
     if (shown.tick() != shown.frame->scene().ticksOf(end)) return;
     if (window_.files().hasUnsaved())

@@ -56,6 +56,8 @@ public:
     void follow(const OpenRun& run);
     void setFollows(bool on) { follows_ = on; }  ///< false: runs are opened as they are
     void close();
+    /// Log and scenario once more from their files; the shown course goes on as a branch.
+    void reload(const QString& why);
 
     const OverlayWorldPointer& world() const { return world_; }  ///< null: no log is open
     const OverlayPlan& plan() const { return plan_; }
@@ -63,7 +65,7 @@ public:
     Expected<void> setPlan(const OverlayPlan& plan);
     /// From when on a robot has left the real course.
     struct Bound {
-        DivergenceBound::At at;
+        DivergenceBound::At at = DivergenceBound{}.constant;
         bool fromHeldOut = false;  ///< instead, from what the robot's network was held out from
         bool operator==(const Bound&) const = default;
     };
@@ -133,6 +135,7 @@ private:
     void layReality();
     void tellDivergences();
     void takeCourse(Expected<OpenRun> run, std::size_t request, std::optional<std::size_t> robot, bool play);
+    bool goesOn() const;
     void watchPlaying();
     void sayError(const Error& error);
 
@@ -154,7 +157,7 @@ private:
     std::shared_ptr<const Reality> reality_;  ///< of the shown course, without models
     std::vector<Reality::ModelCourse> modelCourses_;
     std::uint64_t run_ = 0;  ///< the session's count of the shown course
-    bool restarts_ = true, wasPlaying_ = false;
+    bool restarts_ = true;
     bool follows_ = true;
     bool showsFirst_ = true;  ///< of a log that is being opened
     std::optional<Error> opening_;

@@ -1,5 +1,6 @@
 #include <QDockWidget>
 #include <QFileDialog>
+#include <QTabWidget>
 
 #include "main_window.h"
 #include "overlay.h"
@@ -31,10 +32,11 @@ void showReality(MainWindow& window) {
     auto* reality = window.findChild<QDockWidget*>("reality");
     if (!reality->isHidden()) return;
     reality->show();
-    for (const char* const name : {"command", "branches"})
+    for (const char* const name : {"branches", "breakpoints", "command"})
         if (auto* dock = window.findChild<QDockWidget*>(name);
             !dock->isHidden() && !dock->isFloating() && window.dockWidgetArea(dock) == window.dockWidgetArea(reality))
-            window.tabifyDockWidget(dock, reality);
+            window.tabifyDockWidget(reality, dock);
+    window.setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::West);
     reality->raise();
 }
 

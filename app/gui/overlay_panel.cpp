@@ -14,6 +14,7 @@
 #include <QTreeView>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -30,6 +31,10 @@ QString minutes(Nanoseconds time) {
     const auto seconds = static_cast<int>(toSeconds(time));
     if (seconds < 3600) return QString("%1:%2 min").arg(seconds / 60).arg(seconds % 60, 2, 10, QChar('0'));
     return QString("%1:%2 h").arg(seconds / 3600).arg(seconds / 60 % 60, 2, 10, QChar('0'));
+}
+
+QString counted(std::size_t count, const QString& one, const QString& several) {
+    return QString::number(count) + ' ' + (count == 1 ? one : several);
 }
 
 QDoubleSpinBox* secondsBox(double least, double most, const QString& tip) {
@@ -129,6 +134,18 @@ QWidget* OverlayPanel::makeProgress() {
     return progress;
 }
 
+/// As wide as their titles and digits, so that all of them are seen at once.
+void OverlayPanel::fitColumns() {
+    const QFontMetrics metrics = list_->fontMetrics();
+    for (int column = 0; column < CourseList::columns; ++column) {
+        const QString title = courses_->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+        int wide = metrics.horizontalAdvance(title);
+        for (int line = 0; line < std::min(courses_->rowCount(), 50); ++line)
+            wide = std::max(wide, metrics.horizontalAdvance(courses_->index(line, column).data().toString()));
+        list_->setColumnWidth(column, wide + (column == CourseList::error ? 24 : 8));
+    }
+}
+
 QWidget* OverlayPanel::makeModels() {
     auto* part = new QWidget;
     auto* layout = new QVBoxLayout(part);
@@ -152,7 +169,7 @@ QWidget* OverlayPanel::makeModels() {
     for (int column = 1; column < 5; ++column) {
         models_->headerItem()->setTextAlignment(column, Qt::AlignRight);
         models_->header()->setSectionResizeMode(column, QHeaderView::Fixed);
-        models_->header()->resizeSection(column, models_->fontMetrics().horizontalAdvance("end cm") + 14);
+        models_->header()->resizeSection(column, models_->fontMetrics().horizontalAdvance("end cm") + 10);
     }
     connect(models_, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item) {
         overlay_.showModel(static_cast<std::size_t>(models_->indexOfTopLevelItem(item)),
@@ -198,6 +215,7 @@ void OverlayPanel::makeList() {
     list_->sortByColumn(CourseList::error, Qt::DescendingOrder);
     list_->header()->setStretchLastSection(true);
     list_->header()->setMinimumSectionSize(20);
+    list_->setMinimumHeight(4 * (list_->fontMetrics().height() + 4));
     list_->setIndentation(0);
     connect(list_, &QTreeView::clicked, this, &OverlayPanel::openLine);
     connect(list_, &QTreeView::activated, this, &OverlayPanel::openLine);
@@ -232,8 +250,8 @@ void OverlayPanel::refresh() {
     filling_ = true;
     log_->setText(world ? QString::fromStdString(world->name()) : tr("No log is open"));
     log_->setToolTip(world ? QString::fromStdString(world->place) : QString());
-    about_->setText(world ? tr("%n robot(s)", nullptr, static_cast<int>(world->world().robots().size())) + ", " +
-                                tr("%n course(s)", nullptr, static_cast<int>(overlay_.requests().size())) + ", " +
+    about_->setText(world ? counted(world->world().robots().size(), tr("robot"), tr("robots")) + ", " +
+                                counted(overlay_.requests().size(), tr("course"), tr("courses")) + ", " +
                                 minutes(world->world().takes().front().length)
                           : tr("File \u2192 Open a real log\u2026"));
     const OverlayPlan& plan = overlay_.plan();
@@ -253,8 +271,7 @@ void OverlayPanel::refresh() {
         courses_->setRows(world, overlay_.rows());
         listed_ = overlay_.rows().size();
         listedOf_ = world;
-        if (first && listed_ > 0)
-            for (int column = 0; column < CourseList::columns; ++column) list_->resizeColumnToContents(column);
+        if (first && listed_ > 0) fitColumns();
     }
     models_->setVisible(world != nullptr);
     refreshModels();
@@ -282,7 +299,7 @@ void OverlayPanel::refreshModels() {
             set(2, summary.hd, 2);
             set(3, 100 * (through != nullptr ? summary.positionFinal : with->positionFinal).median, 1);
             set(4, (through != nullptr ? summary.headingFinal : with->headingFinal).median * 180 / std::numbers::pi, 1);
-            item->setToolTip(1, tr("over %n window(s)", nullptr, static_cast<int>(summary.windows)));
+            item->setToolTip(1, tr("over %1").arg(counted(summary.windows, tr("window"), tr("windows"))));
         } else {
             item->setText(1, QString::fromUtf8("\u2026"));
         }
@@ -291,7 +308,8 @@ void OverlayPanel::refreshModels() {
             item->setCheckState(0, model.shown ? Qt::Checked : Qt::Unchecked);
             if (model.shown) item->setData(0, Qt::DecorationRole, modelColour(colour++));
         }
-        item->setToolTip(0, i == 0 ? tr("The scenario's own model: the filled robots") : tr("Drawn in this colour"));
+        item->setToolTip(0, item->text(0) + (i == 0 ? tr(": the scenario's own, by which the filled robots move")
+                                                    : tr(": drawn in this colour")));
         models_->addTopLevelItem(item);
     }
     const int line = models_->fontMetrics().height() + 5;

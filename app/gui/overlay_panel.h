@@ -33,7 +33,7 @@ public:
     void openLine(const QModelIndex& index);  ///< the course of a line of the list
     CausePanel& causes() const { return *causes_; }
 
-    QSize sizeHint() const override { return {380, 640}; }
+    QSize sizeHint() const override { return {400, 600}; }
 
 signals:
     void modelFileWanted();
@@ -45,6 +45,7 @@ private:
     void makeList();
     void refresh();
     QWidget* makeModels();
+    void fitColumns();
     void fillModelMenu(QMenu& menu);
     void refreshModels();
     void selectShown();

@@ -11,7 +11,7 @@
 namespace mrose::gui {
 namespace {
 
-constexpr int mostColumns = 5, gap = 26;  // pixels
+constexpr int mostColumns = 4, gap = 26;  // pixels
 constexpr double smallFont = 8.5;         // points
 
 QString plain(QString menuText) { return menuText.remove('&').remove(QString::fromUtf8("\u2026")); }
@@ -143,14 +143,14 @@ void ShortcutSheet::fill() {
 }
 
 QWidget* ShortcutSheet::block(const ShortcutGroup& group) {
-    auto* made = new QWidget;
+    auto* made = new QWidget(this);  // for its font
     auto* grid = new QGridLayout(made);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setVerticalSpacing(2);
     grid->setHorizontalSpacing(12);
     grid->setColumnStretch(0, 1);
     auto* title = new QLabel(group.title);
-    QFont bold = title->font();
+    QFont bold = font();
     bold.setBold(true);
     title->setFont(bold);
     grid->addWidget(title, 0, 0, 1, 2);

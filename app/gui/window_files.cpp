@@ -195,6 +195,7 @@ void WindowFiles::listTrials(const QString& path) {
 
 void WindowFiles::reload(const QString& why) {
     if (!opened_ || opener_.busy()) return;
+    if (window_.overlay().shownCourse()) return window_.overlay().reload(why);
     OpenRequest request = *opened_;
     const Shown* const shown = window_.shown();
     // A seed of the user's own stays; the scenario's may be what has changed.

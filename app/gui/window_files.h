@@ -40,6 +40,8 @@ public:
     void takeCourse(const OpenRun& run);
     /// What is open, once more from its files: as a branch that goes up to the shown tick.
     void reload(const QString& why);
+    /// What came of that.
+    void takeReloaded(Expected<OpenRun> run, const QString& why);
     /// Ends what is being opened; false: nothing is.
     bool cancel() { return opener_.cancel(); }
 
@@ -79,7 +81,6 @@ private:
     void saved(const QString& path, const Expected<bool>& done, std::size_t branches);
     void savedScenario(const QString& path, const Expected<void>& done);
     void recordingChanged(const QString& path, const QString& error);
-    void takeReloaded(Expected<OpenRun> run, const QString& why);
     void sayNotSaved(const Error& error, const QString& action);
     void sayError(const Error& error, const QString& topic);
 

@@ -49,7 +49,8 @@ std::vector<std::size_t> chosen(const Comparison& comparison, const ComparedDive
     for (const std::size_t course : worstFirst(comparison))
         for (std::size_t i = 0; i < found.courses.size(); ++i)
             if (found.courses[i].course == course) order.push_back(i);
-    if (comparison.requests.size() > 1 && order.size() > most) order.resize(most);
+    const bool single = comparison.requests.size() == 1 && most > 0;
+    if (!single && order.size() > most) order.resize(most);
     return order;
 }
 

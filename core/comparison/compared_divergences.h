@@ -14,7 +14,7 @@ struct DivergenceOptions {
     bool fromHeldOut = false;  ///< instead of the constants, heldOutBound() of each robot's network
     std::vector<OtherModel> models{};
     /// The causes of so many courses are looked for, of those that diverge the ones with the largest mean error; of a
-    /// single course those of all robots.
+    /// single course those of all robots. 0: of none.
     std::size_t diagnosed = 5;
     std::function<bool(double)> progress{};  ///< share of the causes; from any thread, one at a time; false: cancelled
 };

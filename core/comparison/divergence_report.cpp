@@ -1,5 +1,7 @@
 #include "comparison/divergence_report.h"
 
+#include <cctype>
+
 #include "comparison/divergence_text.h"
 #include "evaluation/format.h"
 #include "evaluation/html.h"
@@ -7,6 +9,17 @@
 
 namespace mrose {
 namespace {
+
+/// As markup, with numbers and units on one line.
+std::string unbroken(const std::string& text) {
+    std::string kept;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool afterDigit = i > 0 && std::isdigit(static_cast<unsigned char>(text[i - 1])) != 0;
+        const bool unit = i + 1 < text.size() && std::isdigit(static_cast<unsigned char>(text[i + 1])) == 0;
+        kept += text[i] == ' ' && afterDigit && unit ? "\u00a0" : std::string(1, text[i]);
+    }
+    return escaped(kept);
+}
 
 std::string courseText(const Comparison& comparison, const ComparedCourse& course) {
     const CourseRequest& request = comparison.requests[course.request];
@@ -33,20 +46,20 @@ std::string trialTable(const Diagnosis& diagnosis) {
     for (std::size_t i = 0; i < useful.size(); ++i) {
         const bool likely = diagnosis.likely == i;
         const auto shown = [&](const std::string& text) { return likely ? cat("<b>", text, "</b>") : text; };
-        table.row({shown(escaped(useful[i].what)), shown(explainedText(useful[i]))});
+        table.row({shown(unbroken(useful[i].what)), shown(unbroken(explainedText(useful[i])))});
     }
     const std::string useless = uselessText(diagnosis);
     return cat(useful.empty() ? "" : table.text(),
-               useless.empty() ? "" : element("p", "soft", cat("Explains nothing: ", escaped(useless), ".")));
+               useless.empty() ? "" : element("p", "soft", cat("Explains nothing: ", unbroken(useless), ".")));
 }
 
 std::string diagnosisCard(const Comparison& comparison, const CourseDivergence& diverging) {
     const ComparedCourse& course = comparison.courses[diverging.course];
     std::string text;
     if (comparison.requests.size() > 1) text += element("p", "soft", courseText(comparison, course));
-    text += element("p", "", escaped(divergenceText(diverging.divergence)) + ".");
+    text += element("p", "", cat("It ", unbroken(divergenceText(diverging.divergence)), "."));
     if (diverging.diagnosis)
-        text += cat(element("p", "", cat("Likely cause: ", escaped(causeText(*diverging.diagnosis)), ".")),
+        text += cat(element("p", "", cat("Likely cause: ", unbroken(causeText(*diverging.diagnosis)), ".")),
                     trialTable(*diverging.diagnosis));
     return card(escaped(comparison.robots[course.robot].name), text);
 }

@@ -20,8 +20,8 @@ struct Kind {
 
 std::optional<Kind> kindOf(const Log& log) {
     if (log.format == "mrclam") return Kind{"create.toml", "create", "mrclam_arena.toml", {"1", "2", "3", "4", "5"}};
-    if (log.format == "husky-windows") return Kind{"husky.toml", "husky", placeName, {}};
-    if (log.synthetic) return Kind{"pioneer1.toml", "pioneer", placeName, {}};
+    if (log.format == "husky-windows") return Kind{"husky.toml", "husky", placeName, {"husky"}};
+    if (log.synthetic) return Kind{"pioneer1.toml", "pioneer", placeName, {"reference"}};
     return {};
 }
 

@@ -75,7 +75,7 @@ ControllerSetting logPlayer(const Context& context) {
     }
     auto content = parseExcerpt((*file)->text, (*file)->shown);
     if (!content) return table.adopt(content.error()), ControllerSetting{};
-    return {std::make_shared<CommandPlayer>(content->commands), content->start};
+    return {std::make_shared<CommandPlayer>(content->commands), content->start, excerpt};
 }
 
 ControllerSetting goToPose(const Context& context) {

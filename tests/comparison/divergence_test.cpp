@@ -13,7 +13,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double degree = std::numbers::pi / 180;
-constexpr Nanoseconds step = 100 * ms;
+constexpr Nanoseconds apart = 100 * ms;
 
 /// A robot that stands at the origin, and its simulation, so far off after each step.
 ComparedCourse courseOff(const std::vector<double>& position, const std::vector<double>& heading = {}) {
@@ -30,7 +30,7 @@ ComparedCourse courseOff(const std::vector<double>& position, const std::vector<
 std::optional<Divergence> divergenceOf(const std::vector<double>& position, const std::vector<double>& heading = {},
                                        DivergenceBound bound = {}) {
     bound.constant = {0.1, 10 * degree};
-    return firstDivergence(courseOff(position, heading), step, bound);
+    return firstDivergence(courseOff(position, heading), apart, bound);
 }
 
 TEST(FirstDivergence, IsTheFirstInstantFromWhichTheBoundIsExceededForSoLong) {
@@ -94,11 +94,11 @@ TEST(FirstDivergence, HeadingCountsAsWellAndIsWrapped) {
 TEST(FirstDivergence, BoundMayDependOnTheTime) {
     DivergenceBound bound;
     bound.bySteps = {{0.01, 1}, {0.02, 1}, {0.05, 1}, {0.3, 1}};
-    const auto found = firstDivergence(courseOff({0, 0.01, 0.1, 0.2, 0.31, 0.32, 0.33, 0.34}), step, bound);
+    const auto found = firstDivergence(courseOff({0, 0.01, 0.1, 0.2, 0.31, 0.32, 0.33, 0.34}), apart, bound);
     ASSERT_TRUE(found);
     EXPECT_EQ(found->time, 500 * ms) << "the last bound goes on";
     EXPECT_EQ(found->bound.position, 0.3);
-    EXPECT_EQ(firstDivergence(courseOff({0, 0.03, 0.1, 0.4, 0.5, 0.6}), step, bound)->time, 200 * ms);
+    EXPECT_EQ(firstDivergence(courseOff({0, 0.03, 0.1, 0.4, 0.5, 0.6}), apart, bound)->time, 200 * ms);
 }
 
 /// Straight on at 0.5 m/s, then on the spot at 1 rad/s.
@@ -113,7 +113,7 @@ ComparedCourse driveThenTurn(int driving, int turning) {
 
 TEST(HeldOutBound, IsThreeTimesTheTypicalErrorAtThatPathAndRotation) {
     const MotionNetwork::HeldOut heldOut{100, 10, 2, 3};
-    const DivergenceBound bound = heldOutBound(heldOut, driveThenTurn(100, 100), step);
+    const DivergenceBound bound = heldOutBound(heldOut, driveThenTurn(100, 100), apart);
     ASSERT_EQ(bound.bySteps.size(), 200u);
     // P is the mean over time of an error that grows in proportion: at the end it is twice that.
     const DivergenceBound::At driven = bound.at(99), turned = bound.at(199);
@@ -130,11 +130,11 @@ TEST(HeldOutBound, IsThreeTimesTheTypicalErrorAtThatPathAndRotation) {
 TEST(HeldOutBound, CountsThePathAcrossGaps) {
     const MotionNetwork::HeldOut heldOut{100, 10, 2, 3};
     ComparedCourse course = driveThenTurn(100, 0);
-    const double whole = heldOutBound(heldOut, course, step).at(99).position;
+    const double whole = heldOutBound(heldOut, course, apart).at(99).position;
     for (std::size_t k = 33; k < 58; ++k) course.real.truth[k] = {nan, nan, nan};
-    EXPECT_NEAR(heldOutBound(heldOut, course, step).at(99).position, whole, 1e-9);
+    EXPECT_NEAR(heldOutBound(heldOut, course, apart).at(99).position, whole, 1e-9);
     course.real.truth[0] = {nan, nan, nan};
-    const DivergenceBound bound = heldOutBound(heldOut, course, step);
+    const DivergenceBound bound = heldOutBound(heldOut, course, apart);
     EXPECT_NEAR(bound.at(99).position, whole * 0.99, 1e-9) << "of the first step nothing is known";
 }
 

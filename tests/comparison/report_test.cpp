@@ -152,6 +152,7 @@ TEST(ComparisonReport, ShowsWhereTheRobotsLeaveTheRealCourseAndWhy) {
         EXPECT_EQ(countOf(html, "Likely cause: motion model right.net, which explains "), diagnosed);
         EXPECT_EQ(countOf(html, "<b>motion model right.net</b>"), diagnosed);
         EXPECT_NE(html.find("off by more than 10.0 cm or 10.0° for 0.3 s."), std::string::npos);
+        EXPECT_EQ(countOf(html, "It leaves the real course after "), diagnosed);
         // A ring in each legend and robot's picture, in the error plots of a single course alone.
         const std::size_t pictures = countOf(html, "aria-label=\"Real and predicted path\"");
         EXPECT_EQ(countOf(html, "<circle class=\"leaves\""), 1 + pictures + (many ? 0 : 2))

@@ -33,6 +33,21 @@ TEST(TomlEdit, LeavesAllElse) {
     EXPECT_EQ(edited(text, {"", "seed"}, "7"), "seed = 7\n" + text);
 }
 
+TEST(TomlEdit, LeavesATableOutWithAllThatBelongsToIt) {
+    const std::string text =
+        "version = 1\n[[a]] # first\nname = \"x\"\n[a.c]\nd = 1\n[[a.e]]\nf = 1\n[[a]]\nname = \"y\"\n[g]\nh = 1\n";
+    const auto without = [&](const std::string& path) {
+        const auto result = withoutTomlTable(text, "f", path);
+        return result ? *result : result.error().message();
+    };
+    EXPECT_EQ(without("a[0]"), "version = 1\n[[a]]\nname = \"y\"\n[g]\nh = 1\n");
+    EXPECT_EQ(without("a[1]"), "version = 1\n[[a]] # first\nname = \"x\"\n[a.c]\nd = 1\n[[a.e]]\nf = 1\n[g]\nh = 1\n");
+    EXPECT_EQ(without("a[2]"), "f: has no a[2]");
+    const auto inlineTable = withoutTomlTable("a = [{ b = 1 }, { b = 2 }]", "f", "a[0]");
+    ASSERT_FALSE(inlineTable);
+    EXPECT_NE(inlineTable.error().message().find("expected a table under [[a]]"), std::string::npos);
+}
+
 TEST(TomlEdit, InlineTablesOddLettersAndLineEnds) {
     EXPECT_EQ(edited("a = [{ name = \"süß\", b = 1 }, {name='y'}]\r\n", {"a[0]", "n"}, "2"),
               "a = [{ n = 2, name = \"süß\", b = 1 }, {name='y'}]\r\n");
