@@ -1,6 +1,7 @@
 #include "comparison/compare.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -163,7 +164,7 @@ const char* name(CourseUse use) {
 }
 
 Expected<Comparison> compare(const LogWorld& world, std::span<const CourseRequest> requests,
-                             const ComparisonOptions& options) {
+                             const ComparisonOptions& options, const std::function<bool(double share)>& goesOn) {
     const Nanoseconds tick = world.parts().scene.tickLength, step = options.windows.step;
     if (step % tick != 0)
         return fail({},
@@ -171,7 +172,15 @@ Expected<Comparison> compare(const LogWorld& world, std::span<const CourseReques
                         " s, the step of the comparison",
                     0, "tick_s");
     std::vector<Driven> driven(requests.size());
-    parallelFor(requests.size(), [&](std::size_t i) { driven[i] = drive(world, requests[i], options); });
+    std::atomic<std::size_t> done = 0;
+    std::atomic<bool> wanted = true;
+    parallelFor(requests.size(), [&](std::size_t i) {
+        if (!wanted) return;
+        driven[i] = drive(world, requests[i], options);
+        ++done;
+        if (goesOn && !goesOn(static_cast<double>(done) / static_cast<double>(requests.size()))) wanted = false;
+    });
+    if (!wanted) return fail({}, "the comparison was ended before its end");
     Comparison comparison;
     comparison.scenario = world.parts().name;
     comparison.seed = options.seed;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -71,9 +72,11 @@ struct Comparison {
 };
 
 /// Drives every course in a world of its own and compares. The result is the same for any number of threads. Error:
-/// the scenario's ticks do not divide the step; no course has any ground truth at its start.
+/// the scenario's ticks do not divide the step; no course has any ground truth at its start; `goesOn`, told which share
+/// is done by any thread after each course, said no.
 Expected<Comparison> compare(const LogWorld& world, std::span<const CourseRequest> requests,
-                             const ComparisonOptions& options = {});
+                             const ComparisonOptions& options = {},
+                             const std::function<bool(double share)>& goesOn = {});
 
 /// m, the mean position error over the instants that are known; below zero where none is.
 double knownMean(const ComparedCourse& course);

@@ -6,11 +6,11 @@
 #include "logs/robot_log.h"
 #include "motion/motion_network.h"
 
-namespace mrose::cli {
+namespace mrose {
 
 /// What must be known of a network and a log before the errors of the one on the other are believed, a sentence each:
 /// another kind of robot, robots that it was not learned from, a log that it was learned from. `heldOutOnly`: the log
 /// is but the part that was kept from learning.
 std::vector<std::string> noticesOf(const MotionNetwork& network, const Log& log, bool heldOutOnly = false);
 
-}  // namespace mrose::cli
+}  // namespace mrose

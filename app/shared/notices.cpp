@@ -1,10 +1,10 @@
-#include "notices.h"
+#include "shared/notices.h"
 
 #include <algorithm>
 
-#include "common.h"
+#include "shared/log_files.h"
 
-namespace mrose::cli {
+namespace mrose {
 namespace {
 
 std::string listOf(const std::vector<std::string>& names) {
@@ -50,4 +50,4 @@ std::vector<std::string> noticesOf(const MotionNetwork& network, const Log& log,
     return notices;
 }
 
-}  // namespace mrose::cli
+}  // namespace mrose

@@ -1,11 +1,10 @@
-#include "models.h"
+#include "shared/evaluation_models.h"
 
-#include "common.h"
 #include "evaluation/format.h"
 #include "motion/kinematic.h"
 #include "version.h"
 
-namespace mrose::cli {
+namespace mrose {
 namespace {
 
 template <class MakeModel>
@@ -33,10 +32,11 @@ NamedModel named(const RobotModels& models) {
             }};
 }
 
-ReportContext reportContext(const MotionNetwork& network, const std::string& path, const Log& log) {
+ReportContext reportContext(const MotionNetwork& network, const std::string& path, const Log& log,
+                            const std::string& commandLine) {
     ReportContext context;
     context.program = "mrose " MROSE_VERSION;
-    context.commandLine = commandLine();
+    context.commandLine = commandLine;
     context.synthetic = log.synthetic;
     for (const auto& source : network.training.logs) context.trainingLogs.push_back({source.path, source.hash});
     const auto fact = [&](const char* name, std::string value) {
@@ -85,4 +85,4 @@ std::vector<RobotModels> kinematicBaselines(const MotionNetwork& network, const 
     return baselines;
 }
 
-}  // namespace mrose::cli
+}  // namespace mrose
