@@ -16,7 +16,7 @@
 namespace mrose {
 namespace {
 
-constexpr double fitMargin = 16, grabPixels = 6, dragPixels = 4;
+constexpr double grabPixels = 6, dragPixels = 4;
 /// What Ctrl rounds moves and turns to.
 constexpr double roundMetres = 0.1, roundTurn = std::numbers::pi / 12;
 
@@ -164,14 +164,17 @@ void FieldView::paintEvent(QPaintEvent* /*event*/) {
 
 void FieldView::paint(QPainter& painter, const QSizeF& size) const {
     if (!frame_) return;
-    ViewTransform view = view_;
-    view.setSize(size);
-    view.fit(view_.shown(), 0);  // as much as the window shows
-    FieldPainter field(painter, view, theme_, layers_);
-    field.place(frame_->scene().environment);
-    LabelPlacer labels = labels_;
-    field.frame(*frame_, focus_, labels);
-    field.corners();
+    FieldPicture as = picture();
+    as.following = false;
+    as.focus = focus_;
+    as.labels = labels_;
+    as.paint(painter, size, *frame_);
+}
+
+FieldPicture FieldView::picture() const {
+    FieldPicture picture{view_, theme_, layers_, {focus_.selected, {}, {}}, following_, font()};
+    if (fitted_) picture.whole = wholeArea();
+    return picture;
 }
 
 void FieldView::resizeEvent(QResizeEvent* event) {

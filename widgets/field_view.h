@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "widgets/field_frame.h"
-#include "widgets/field_painter.h"
+#include "widgets/field_picture.h"
 
 namespace mrose {
 
@@ -52,6 +52,8 @@ public:
     QString readoutAt(const QPointF& pixels) const;
     /// The same picture for a file of another size.
     void paint(QPainter& painter, const QSizeF& size) const;
+    /// How it draws, for pictures of other ticks; without what the mouse does.
+    FieldPicture picture() const;
 
     QSize sizeHint() const override { return {900, 560}; }
     QSize minimumSizeHint() const override { return {240, 180}; }

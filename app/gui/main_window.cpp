@@ -23,6 +23,7 @@
 #include <cmath>
 #include <limits>
 
+#include "background_work.h"
 #include "branch_panel.h"
 #include "command_panel.h"
 #include "fault_messages.h"
@@ -70,6 +71,7 @@ MainWindow::MainWindow(QWidget* parent)
       messages_(new MessageBar),
       files_(new WindowFiles(*this, *messages_)),
       memory_(new WindowMemory(*this)),
+      background_(new BackgroundWork(this)),
       progress_(new WorkProgress(*this, *messages_)) {
     view_->setObjectName("field");
     timeline_->setObjectName("timeline");
@@ -105,6 +107,7 @@ void MainWindow::makeActions() {
     addViewActions(*this);
     addLayerActions(*this);
     addPlotActions(*this);
+    addExportActions(*this);
     actions_.addSeparator(tr("&View"));
     int number = 0;
     for (QDockWidget* dock : findChildren<QDockWidget*>())
@@ -145,8 +148,11 @@ void MainWindow::connectAll() {
     });
 }
 
-/// The plots' thread looks at the session, and ends before it.
-MainWindow::~MainWindow() { delete plots_; }
+/// What looks at the session from threads of its own ends before it.
+MainWindow::~MainWindow() {
+    delete background_;
+    delete plots_;
+}
 
 void MainWindow::showPlots() { findChild<QDockWidget*>("plots")->show(); }
 

@@ -22,6 +22,7 @@ class TimelineBar;
 
 namespace mrose::gui {
 
+class BackgroundWork;
 class BranchPanel;
 class CommandPanel;
 class PlotPanel;
@@ -58,6 +59,7 @@ public:
     MessageBar& messages() const { return *messages_; }
     WindowFiles& files() const { return *files_; }
     WindowMemory& memory() const { return *memory_; }
+    BackgroundWork& background() const { return *background_; }
     WorkProgress& progress() const { return *progress_; }
     void changeSpeed(int by);  ///< steps of the list of speeds
     /// Simulated seconds per second, one of the list from now on; 0: as fast as possible.
@@ -99,6 +101,7 @@ private:
     MessageBar* messages_;
     WindowFiles* files_;
     WindowMemory* memory_;
+    BackgroundWork* background_;
     WorkProgress* progress_;
     std::shared_ptr<const Shown> shown_;
     std::int64_t plannedTicks_ = 0;

@@ -327,50 +327,61 @@ PlotCurve PlotPanel::curveOf(const ValueKey& key, const PlottedValue& value, con
 }
 
 /// A robot's colour; more curves of one robot on one axis differ in lightness. What is no robot's has none of those.
-std::vector<QColor> PlotPanel::coloursOf(const std::vector<PlottedValue>& values) const {
+std::vector<QColor> PlotPanel::coloursOf(const std::vector<PlottedValue>& values, const Theme& theme) {
     std::vector<QColor> colours;
     std::map<std::pair<std::uint32_t, QString>, int> used;
-    const std::array others{theme_.text, theme_.contact, theme_.accent, theme_.quietText};
+    const std::array others{theme.text, theme.contact, theme.accent, theme.quietText};
     for (const PlottedValue& value : values) {
         if (!value.colourOf) {
             colours.push_back(others[static_cast<std::size_t>(used[{noBody, {}}]++) % others.size()]);
             continue;
         }
-        const QColor base = visible(robotColour(*value.colourOf), theme_);
-        colours.push_back(variant(base, used[{*value.colourOf, value.unit}]++ % 3, theme_));
+        const QColor base = visible(robotColour(*value.colourOf), theme);
+        colours.push_back(variant(base, used[{*value.colourOf, value.unit}]++ % 3, theme));
     }
     return colours;
 }
 
-void PlotPanel::rebuild() {
-    hint_->setVisible(keys_.empty());
-    view_->setVisible(!keys_.empty());
+std::vector<PlottedValue> PlotPanel::values() const {
     std::vector<PlottedValue> values;
     if (shown_)
         for (const ValueKey& key : keys_)
             values.push_back(plottedValue(*shown_->frame->scenario, key).value_or(PlottedValue{}));
-    colours_ = coloursOf(values);
+    return values;
+}
+
+QString PlotPanel::ghostName() const {
+    if (!shown_ || keys_.empty()) return {};
+    const auto ghost = ghostBranch();
+    return !ghost ? QString() : *ghost == 0 ? tr("the run") : shown_->branches[*ghost].name;
+}
+
+std::vector<PlotCurve> PlotPanel::curvesIn(const Theme& theme) const {
+    if (!shown_ || keys_.empty()) return {};
+    const std::vector<PlottedValue> plotted = values();
+    const std::vector<QColor> colours = coloursOf(plotted, theme);
     std::vector<PlotCurve> curves;
     const auto addCurves = [&](std::uint32_t branch, bool ghost) {
         const std::vector<Piece> course = courseOf(branch);
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            PlotCurve curve = curveOf(keys_[i], values[i], course);
-            curve.colour = colours_[i];
+        for (std::size_t i = 0; i < plotted.size(); ++i) {
+            PlotCurve curve = curveOf(keys_[i], plotted[i], course);
+            curve.colour = colours[i];
             curve.ghost = ghost;
             if (ghost) curve.id += "\nghost";
             curves.push_back(std::move(curve));
         }
     };
-    QString ghostName;
-    if (shown_ && !keys_.empty()) {
-        if (const auto ghost = ghostBranch()) {
-            addCurves(*ghost, true);
-            ghostName = *ghost == 0 ? tr("the run") : shown_->branches[*ghost].name;
-        }
-        addCurves(shown_->branch, false);
-    }
+    if (const auto ghost = ghostBranch()) addCurves(*ghost, true);
+    addCurves(shown_->branch, false);
+    return curves;
+}
+
+void PlotPanel::rebuild() {
+    hint_->setVisible(keys_.empty());
+    view_->setVisible(!keys_.empty());
+    colours_ = coloursOf(values(), theme_);
     series_->want(keys_);
-    view_->setCurves(std::move(curves), ghostName);
+    view_->setCurves(curvesIn(theme_), ghostName());
     updateList();
     if (shown_) follow();
 }

@@ -47,6 +47,11 @@ public:
 
     const std::vector<ValueKey>& keys() const { return keys_; }
     std::map<ValueKey, QColor> plotted() const;
+    /// The course whose curves are beside those of the shown one; nothing: none.
+    std::optional<std::uint32_t> ghostBranch() const;
+    QString ghostName() const;
+    /// All of them in the colours of a theme. They live as long as this.
+    std::vector<PlotCurve> curvesIn(const Theme& theme) const;
     PlotView& view() const { return *view_; }
     ValueSeries& series() const { return *series_; }
 
@@ -66,12 +71,12 @@ private:
     void dropUnknown();
     std::vector<Piece> courseOf(std::uint32_t branch) const;
     PlotCurve curveOf(const ValueKey& key, const PlottedValue& value, const std::vector<Piece>& course) const;
-    std::optional<std::uint32_t> ghostBranch() const;
+    std::vector<PlottedValue> values() const;
     void follow();
     void updateList();
     void updateNumbers();
     void updateProgress();
-    std::vector<QColor> coloursOf(const std::vector<PlottedValue>& values) const;
+    static std::vector<QColor> coloursOf(const std::vector<PlottedValue>& values, const Theme& theme);
 
     std::unique_ptr<ValueSeries> series_;
     std::shared_ptr<const Shown> shown_;
