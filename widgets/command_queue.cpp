@@ -161,7 +161,8 @@ void CommandQueue::paintLane(QPainter& painter, bool rotation) const {
     painter.fillRect(box, theme_.dark ? theme_.surround : QColor(Qt::white));
     painter.setPen(theme_.line);
     painter.drawLine(QPointF(now, zero), QPointF(end, zero));
-    QColor fill = content_.colour.isValid() ? content_.colour : theme_.accent;
+    QColor fill = seenOn(theme_.dark ? theme_.surround : QColor(Qt::white),
+                         content_.colour.isValid() ? content_.colour : theme_.accent, theme_.dark ? 2.5 : 1);
     QColor separator = theme_.quietText;
     fill.setAlpha(theme_.dark ? 110 : 120);
     separator.setAlpha(90);
@@ -223,9 +224,11 @@ void CommandQueue::paintScale(QPainter& painter) const {
     const Nanoseconds step = end > 600 * millisecond   ? 500 * millisecond
                              : end > 250 * millisecond ? 100 * millisecond
                                                        : 50 * millisecond;
-    for (Nanoseconds until = step; until <= end; until += step) {
+    constexpr double leastApart = 34;  // pixels, of two numbers
+    const auto every = static_cast<Nanoseconds>(std::ceil(leastApart / std::max(1.0, pixelOf(step) - pixelOf(0))));
+    for (Nanoseconds until = every * step; until <= end; until += every * step) {
         const double x = pixelOf(until);
-        const bool last = until + step > end;
+        const bool last = until + every * step > end;
         const QString text = QString::number(until / millisecond) + (last ? " ms" : "");
         painter.drawLine(QPointF(x, top - 2), QPointF(x, top + 1));
         painter.drawText(QRectF(std::min(x - 30, width() - side - 60), top, 60, 14),

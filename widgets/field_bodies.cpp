@@ -11,6 +11,8 @@ namespace {
 /// Bodies smaller than this (pixels) are dots.
 constexpr double leastDetail = 5;
 
+constexpr double ringGap = 6, knobStalk = 8;  // pixels
+
 /// A body that is too small for its shape: in its robot's colour, with a line to where it faces.
 void drawDot(const FieldCanvas& canvas, const FieldFrame& frame, std::size_t body, double reach, bool heading) {
     const bool robot = body < frame.state.robots.size();
@@ -31,17 +33,27 @@ void drawRim(const FieldCanvas& canvas, const FieldFrame& frame, std::size_t bod
     const Shape& shape = frame.scene().shapeOf(body);
     const double width = std::clamp(0.14 * canvas.pixels(shape.reach), 1.5, 4.0);
     const QColor colour = robotColour(body);
-    canvas.outline(shape, frame.poseOf(body), roundPen(QColor(0, 0, 0, 150), 2 * width + 2));
+    canvas.outline(shape, frame.poseOf(body), roundPen(withAlpha(setOff(colour), 150), 2 * width + 2));
     canvas.outline(shape, frame.poseOf(body), roundPen(colour, 2 * width));
 }
 
 void ring(const FieldCanvas& canvas, const FieldFrame& frame, std::size_t body, const QColor& colour, double width) {
-    const double radius = canvas.pixels(frame.scene().shapeOf(body).reach) + 6;
+    const double radius = canvas.pixels(frame.scene().shapeOf(body).reach) + ringGap;
     canvas.painter.setBrush(Qt::NoBrush);
     for (const QPen& pen : {roundPen(canvas.theme.halo, width + 2), roundPen(colour, width)}) {
         canvas.painter.setPen(pen);
         canvas.painter.drawEllipse(canvas.at(position(frame.poseOf(body))), radius, radius);
     }
+}
+
+void drawKnob(const FieldCanvas& canvas, const FieldFrame& frame, std::size_t robot) {
+    const QPointF at = knobAt(canvas.view, frame, robot), from = canvas.at(position(frame.poseOf(robot)));
+    const QPointF along = (at - from) / std::max(1.0, QLineF(from, at).length());
+    canvas.casedLine(at - (knobStalk + knobRadius) * along, at - knobRadius * along,
+                     roundPen(canvas.theme.accent, 1.6));
+    canvas.painter.setPen(roundPen(canvas.theme.accent, 1.6));
+    canvas.painter.setBrush(canvas.theme.panel);
+    canvas.painter.drawEllipse(at, knobRadius, knobRadius);
 }
 
 void drawMoved(const FieldCanvas& canvas, const FieldFrame& frame, std::size_t body, const Pose& to) {
@@ -57,6 +69,22 @@ void drawMoved(const FieldCanvas& canvas, const FieldFrame& frame, std::size_t b
 }
 
 }  // namespace
+
+bool hasKnob(const FieldFrame& frame, const FieldFocus& focus) {
+    return focus.turnable && !focus.moved && focus.selected && *focus.selected < frame.state.robots.size();
+}
+
+QPointF knobAt(const ViewTransform& view, const FieldFrame& frame, std::size_t robot) {
+    const Pose& pose = frame.poseOf(robot);
+    const double away = view.scale() * frame.scene().shapeOf(robot).reach + ringGap + knobStalk + knobRadius;
+    return view.toPixels(position(pose)) + away * QPointF(std::cos(pose.heading), -std::sin(pose.heading));
+}
+
+QRectF knobBox(const ViewTransform& view, const FieldFrame& frame, const FieldFocus& focus) {
+    if (!hasKnob(frame, focus)) return {};
+    return QRectF(-knobRadius, -knobRadius, 2 * knobRadius, 2 * knobRadius)
+        .translated(knobAt(view, frame, *focus.selected));
+}
 
 std::vector<std::size_t> visibleBodies(const FieldCanvas& canvas, const FieldFrame& frame) {
     std::vector<std::size_t> bodies;
@@ -91,6 +119,7 @@ void drawFocus(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFo
         ring(canvas, frame, *focus.hovered, withAlpha(canvas.theme.accent, 150), 1);
     if (!focus.selected || *focus.selected >= count) return;
     ring(canvas, frame, *focus.selected, canvas.theme.accent, 2);
+    if (hasKnob(frame, focus)) drawKnob(canvas, frame, *focus.selected);
     if (focus.moved) drawMoved(canvas, frame, *focus.selected, *focus.moved);
 }
 

@@ -15,6 +15,13 @@ QPen roundPen(const QColor& colour, double width, Qt::PenStyle style) {
     return {colour, width, style, style == Qt::SolidLine ? Qt::RoundCap : Qt::FlatCap, Qt::RoundJoin};
 }
 
+QPen modelPen(std::size_t model, double width) {
+    const QVector<qreal> dashes = modelDashes(model);
+    QPen pen = roundPen(modelColour(model), width, dashes.isEmpty() ? Qt::SolidLine : Qt::CustomDashLine);
+    if (!dashes.isEmpty()) pen.setDashPattern(dashes);
+    return pen;
+}
+
 QColor withAlpha(QColor colour, int alpha) {
     colour.setAlpha(alpha);
     return colour;

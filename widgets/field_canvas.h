@@ -13,6 +13,8 @@ namespace mrose {
 /// A pen of one device pixel whatever the scale: fast, where there is much to draw.
 QPen hairline(const QColor& colour, Qt::PenStyle style = Qt::SolidLine);
 QPen roundPen(const QColor& colour, double width, Qt::PenStyle style = Qt::SolidLine);
+/// Of a motion model: its colour and its dashes.
+QPen modelPen(std::size_t model, double width);
 QColor withAlpha(QColor colour, int alpha);
 
 /// What all parts of the field's picture are drawn with: a painter in pixels, and where metres lie in them.

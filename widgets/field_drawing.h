@@ -15,7 +15,17 @@ namespace mrose {
 struct FieldFocus {
     std::optional<std::size_t> selected, hovered;  ///< bodies
     std::optional<Pose> moved;                     ///< where the selected body is being dragged to
+    bool turnable = false;                         ///< the selected robot has a knob to be turned by
 };
+
+/// Where that knob is: before the robot, on a short stalk.
+constexpr double knobRadius = 5;  // pixels
+bool hasKnob(const FieldFrame& frame, const FieldFocus& focus);
+QPointF knobAt(const ViewTransform& view, const FieldFrame& frame, std::size_t robot);
+QRectF knobBox(const ViewTransform& view, const FieldFrame& frame, const FieldFocus& focus);  ///< empty: it has none
+
+/// Along the upper and the left edge, where the grid is shown.
+constexpr double rulerWidth = 30, rulerHeight = 17;  // pixels
 
 /// A few words beside something; placed when all of a picture are known.
 struct FieldLabel {
@@ -26,6 +36,7 @@ struct FieldLabel {
     QColor colour;
     std::optional<QColor> chip;  ///< the colour that its robot is known by
     bool first = false;          ///< chooses its place before others
+    bool note = false;  ///< what a robot thinks, not what is there: slanted, with the sign of a note for a chip
 };
 
 /// More visible bodies than these are drawn in the plain and fast way.
@@ -49,8 +60,17 @@ void drawSensors(const FieldCanvas& canvas, const FieldFrame& frame, const Field
 void drawTrails(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus);
 void drawGhosts(const FieldCanvas& canvas, const FieldFrame& frame);
 void drawPredicted(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus);
+/// Where real robots came from and go to in the next seconds, hollow where those of simulated ones are solid.
+void drawRealWays(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus);
+void drawModelWays(const FieldCanvas& canvas, const FieldFrame& frame);
 void drawBodies(const FieldCanvas& canvas, const FieldFrame& frame, bool headings);
 void drawFocus(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus);
+/// Outlines, and lines from simulated robots to real ones that are elsewhere.
+void drawRealRobots(const FieldCanvas& canvas, const FieldFrame& frame, bool headings);
+void drawModelRobots(const FieldCanvas& canvas, const FieldFrame& frame, bool headings);
+/// How far those in focus are off, and who is there in reality alone.
+void addRealNames(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus,
+                  std::vector<FieldLabel>& labels);
 void drawBeliefs(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus);
 void drawNotes(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus,
                std::vector<FieldLabel>& labels);
@@ -59,13 +79,13 @@ void drawKicks(const FieldCanvas& canvas, const FieldFrame& frame, std::vector<F
 
 void addNames(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus,
               std::vector<FieldLabel>& labels);
-/// Off one another and, where that can be, off bodies.
-void drawLabels(const FieldCanvas& canvas, const FieldFrame& frame, std::vector<FieldLabel> labels,
-                LabelPlacer& placer);
+/// Off one another and, where that can be, off bodies; never in `kept`, which is somebody else's place.
+void drawLabels(const FieldCanvas& canvas, const FieldFrame& frame, std::vector<FieldLabel> labels, LabelPlacer& placer,
+                const QRectF& kept = {});
 /// One where it is told.
 void drawPlate(const FieldCanvas& canvas, const QRectF& box, const FieldLabel& label);
 QSizeF plateSize(const FieldCanvas& canvas, const FieldLabel& label);
-QFont plateFont(const QPainter& painter);
+QFont plateFont(const QPainter& painter, bool note = false);
 
 /// The visible bodies, in order.
 std::vector<std::size_t> visibleBodies(const FieldCanvas& canvas, const FieldFrame& frame);

@@ -6,8 +6,6 @@
 namespace mrose {
 namespace {
 
-constexpr double rulerWidth = 30, rulerHeight = 17;  // pixels
-
 QString metresText(double value, double step) {
     const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
     return QString::number(std::abs(value) < step / 2 ? 0 : value, 'f', decimals);

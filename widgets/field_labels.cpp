@@ -4,6 +4,7 @@
 
 #include "widgets/field_drawing.h"
 #include "widgets/field_readout.h"
+#include "widgets/real_robots.h"
 
 namespace mrose {
 namespace {
@@ -19,16 +20,29 @@ void drawLeader(const FieldCanvas& canvas, const QRectF& box, const FieldLabel& 
     if (shown > 4) canvas.casedLine(from, from + shown / size * along, roundPen(canvas.theme.onFloor, 1));
 }
 
+/// A robot's colour: a disc beside its name, the sign of a note beside what it thinks.
+void drawChip(const FieldCanvas& canvas, const QPointF& middle, const FieldLabel& label) {
+    canvas.painter.setPen(roundPen(withAlpha(setOff(*label.chip), 150), 1));
+    canvas.painter.setBrush(*label.chip);
+    if (!label.note) return canvas.painter.drawEllipse(middle, chipSize / 2, chipSize / 2);
+    for (const QPen& pen : {roundPen(setOff(*label.chip), 3), roundPen(*label.chip, 1.6)}) {
+        canvas.painter.setPen(pen);
+        canvas.painter.drawLine(middle - QPointF(chipSize / 2, 0), middle + QPointF(chipSize / 2, 0));
+        canvas.painter.drawLine(middle - QPointF(0, chipSize / 2), middle + QPointF(0, chipSize / 2));
+    }
+}
+
 }  // namespace
 
-QFont plateFont(const QPainter& painter) {
+QFont plateFont(const QPainter& painter, bool note) {
     QFont font = painter.font();
     font.setPointSizeF(8.5);
+    font.setItalic(note);
     return font;
 }
 
 QSizeF plateSize(const FieldCanvas& canvas, const FieldLabel& label) {
-    const QFontMetricsF metrics(plateFont(canvas.painter));
+    const QFontMetricsF metrics(plateFont(canvas.painter, label.note));
     const double chip = label.chip ? chipSize + chipGap : 0;
     return {std::ceil(metrics.horizontalAdvance(label.text) + chip + 2 * padding), std::ceil(metrics.height()) + 1};
 }
@@ -40,12 +54,11 @@ void drawPlate(const FieldCanvas& canvas, const QRectF& box, const FieldLabel& l
     painter.drawRoundedRect(box, 3, 3);
     QRectF text = box.adjusted(padding, 0, -padding, 0);
     if (label.chip) {
-        painter.setPen(roundPen(QColor(0, 0, 0, 150), 1));
-        painter.setBrush(*label.chip);
-        painter.drawEllipse(QPointF(text.left() + chipSize / 2, box.center().y()), chipSize / 2, chipSize / 2);
+        const QPointF middle(text.left() + chipSize / 2, box.center().y());
+        drawChip(canvas, middle, label);
         text.setLeft(text.left() + chipSize + chipGap);
     }
-    painter.setFont(plateFont(painter));
+    painter.setFont(plateFont(painter, label.note));
     painter.setPen(label.colour);
     painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter, label.text);
 }
@@ -69,15 +82,17 @@ void addNames(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFoc
     }
 }
 
-void drawLabels(const FieldCanvas& canvas, const FieldFrame& frame, std::vector<FieldLabel> labels,
-                LabelPlacer& placer) {
+void drawLabels(const FieldCanvas& canvas, const FieldFrame& frame, std::vector<FieldLabel> labels, LabelPlacer& placer,
+                const QRectF& kept) {
     placer.begin(QRectF(QPointF(0, 0), canvas.view.size()).adjusted(2, 2, -2, -2));
+    if (!kept.isEmpty()) placer.keepFree(kept);
     if (labels.empty()) return;
-    for (const std::size_t body : visibleBodies(canvas, frame)) {
-        const double half = 0.85 * canvas.pixels(frame.scene().shapeOf(body).reach);
-        const QPointF at = canvas.at(position(frame.poseOf(body)));
-        placer.avoid({at - QPointF(half, half), QSizeF(2 * half, 2 * half)});
-    }
+    const auto avoid = [&](const Shape& shape, const Pose& pose) {
+        const double half = 0.85 * canvas.pixels(shape.reach);
+        placer.avoid({canvas.at(position(pose)) - QPointF(half, half), QSizeF(2 * half, 2 * half)});
+    };
+    for (const std::size_t body : visibleBodies(canvas, frame)) avoid(frame.scene().shapeOf(body), frame.poseOf(body));
+    for (const RealRobot& real : realRobots(frame)) avoid(*real.shape, real.pose);
     std::stable_partition(labels.begin(), labels.end(), [](const FieldLabel& label) { return label.first; });
     for (const FieldLabel& label : labels) {
         const auto place = placer.place({label.key, canvas.at(label.at), label.clearance, plateSize(canvas, label)});

@@ -17,6 +17,8 @@ enum class FieldLayer {
     predicted,
     beliefs,
     ghosts,
+    reality,
+    models,
     legend,
     count,
 };
@@ -41,6 +43,9 @@ inline constexpr std::array<FieldLayerText, static_cast<std::size_t>(FieldLayer:
      true},
     {FieldLayer::beliefs, "layer_beliefs", "Beliefs", "B", "Where robots think that they and others are", false},
     {FieldLayer::ghosts, "layer_ghosts", "Ghosts", "J", "The same moment in other branches", true},
+    {FieldLayer::reality, "layer_reality", "Reality", "R", "Where the real robots were at that time, by their log",
+     true},
+    {FieldLayer::models, "layer_models", "Models", "Y", "What other motion models make of the same commands", true},
     {FieldLayer::legend, "layer_legend", "Legend", "I", "What the layers' lines and signs stand for", false},
 }};
 

@@ -7,8 +7,32 @@
 
 #include "widgets/field_readout.h"
 #include "widgets/layer_sample.h"
+#include "widgets/real_robots.h"
 
 namespace mrose {
+namespace {
+
+struct LegendRow {
+    FieldLayer layer;
+    QString text;
+    std::optional<std::size_t> model = {};
+};
+
+/// Of a layer that draws nothing without a reality none; of models one each.
+std::vector<LegendRow> legendRows(const FieldFrame& frame, const FieldLayers& layers) {
+    std::vector<LegendRow> rows;
+    for (const FieldLayerText& text : fieldLayerTexts) {
+        if (!layers.has(text.layer) || !hasSample(text.layer)) continue;
+        const bool models = text.layer == FieldLayer::models;
+        if (!models && (text.layer != FieldLayer::reality || frame.reality))
+            rows.push_back({text.layer, QObject::tr(text.name)});
+        for (std::size_t m = 0; models && frame.reality && m < frame.reality->models.size(); ++m)
+            rows.push_back({text.layer, QString::fromStdString(frame.reality->models[m].name), m});
+    }
+    return rows;
+}
+
+}  // namespace
 
 FieldArea areaOf(const Environment& environment) {
     FieldArea area{{1, 1}, {-1, -1}};
@@ -27,6 +51,7 @@ FieldArea areaOf(const FieldFrame& frame) {
     FieldArea area = areaOf(frame.scene().environment);
     for (std::size_t body = 0; body < frame.scene().bodyCount(); ++body)
         area.include(position(frame.poseOf(body)), frame.scene().shapeOf(body).reach);
+    if (frame.reality) area.include(areaOf(*frame.reality));
     return area;
 }
 
@@ -42,22 +67,31 @@ void FieldPainter::frame(const FieldFrame& frame, const FieldFocus& focus, Label
     std::vector<FieldLabel> labels;
     canvas_.painter.setRenderHint(QPainter::Antialiasing);
     if (layers_.has(FieldLayer::sensors)) drawSensors(canvas_, frame, focus);
+    const bool real = layers_.has(FieldLayer::reality), models = layers_.has(FieldLayer::models);
+    if (real && layers_.has(FieldLayer::trails)) drawRealWays(canvas_, frame, focus);
+    if (models && layers_.has(FieldLayer::trails)) drawModelWays(canvas_, frame);
     if (layers_.has(FieldLayer::trails)) drawTrails(canvas_, frame, focus);
     if (layers_.has(FieldLayer::ghosts)) drawGhosts(canvas_, frame);
     if (layers_.has(FieldLayer::predicted)) drawPredicted(canvas_, frame, focus);
     drawBodies(canvas_, frame, layers_.has(FieldLayer::headings));
+    if (models) drawModelRobots(canvas_, frame, layers_.has(FieldLayer::headings));
+    if (real) drawRealRobots(canvas_, frame, layers_.has(FieldLayer::headings));
     drawFocus(canvas_, frame, focus);
     if (layers_.has(FieldLayer::names)) addNames(canvas_, frame, focus, labels);
+    if (real && layers_.has(FieldLayer::names)) addRealNames(canvas_, frame, focus, labels);
     if (layers_.has(FieldLayer::beliefs)) drawBeliefs(canvas_, frame, focus);
     if (layers_.has(FieldLayer::contacts)) drawContacts(canvas_, frame, labels);
     drawKicks(canvas_, frame, labels);
     if (layers_.has(FieldLayer::targets)) drawNotes(canvas_, frame, focus, labels);
-    drawLabels(canvas_, frame, std::move(labels), placer);
-    if (focus.moved && focus.selected) moved(frame, *focus.selected, *focus.moved);
+    if (!focus.moved || !focus.selected)
+        return drawLabels(canvas_, frame, std::move(labels), placer, knobBox(canvas_.view, frame, focus));
+    const auto [box, numbers] = moved(frame, *focus.selected, *focus.moved);
+    drawLabels(canvas_, frame, std::move(labels), placer, box);
+    drawPlate(canvas_, box, numbers);
 }
 
 /// Where a body is being moved to, in numbers above it.
-void FieldPainter::moved(const FieldFrame& frame, std::size_t body, const Pose& pose) {
+std::pair<QRectF, FieldLabel> FieldPainter::moved(const FieldFrame& frame, std::size_t body, const Pose& pose) const {
     FieldLabel label;
     label.text = poseText(pose);
     if (const std::string on = whatIsAt(frame, body, pose); !on.empty())
@@ -68,18 +102,18 @@ void FieldPainter::moved(const FieldFrame& frame, std::size_t body, const Pose& 
     const double away = canvas_.pixels(frame.scene().shapeOf(body).reach) + 12;
     const double left = std::clamp(at.x() - size.width() / 2, 4.0, std::max(4.0, all.width() - size.width() - 4));
     const double above = at.y() - away - size.height();
-    drawPlate(canvas_, {QPointF(left, above > 4 ? above : at.y() + away), size}, label);
+    return {QRectF(QPointF(left, above > 4 ? above : at.y() + away), size), label};
 }
 
-void FieldPainter::corners() {
+void FieldPainter::corners(const FieldFrame& frame) {
     ruler();
-    if (layers_.has(FieldLayer::legend)) legend();
+    if (layers_.has(FieldLayer::legend)) legend(frame);
 }
 
 void FieldPainter::ruler() {
     const double metres = roundStep(70 / canvas_.view.scale()), pixels = canvas_.pixels(metres);
-    const double x = layers_.has(FieldLayer::grid) ? 46 : 16;
-    const QPointF left(x, std::round(canvas_.view.size().height() - 18)), right = left + QPointF(pixels, 0);
+    const double x = layers_.has(FieldLayer::grid) ? rulerWidth + 16 : 16;
+    const QPointF left(x, std::round(canvas_.view.size().height() - 13)), right = left + QPointF(pixels, 0);
     QPainter& painter = canvas_.painter;
     painter.setRenderHint(QPainter::Antialiasing, false);
     for (const QPen& pen : {QPen(canvas_.theme.halo, 4), QPen(canvas_.theme.text, 1)}) {
@@ -93,33 +127,35 @@ void FieldPainter::ruler() {
     label.text = lengthText(metres);
     label.colour = canvas_.theme.onFloor;
     const QSizeF size = plateSize(canvas_, label);
-    drawPlate(canvas_, {(left + right) / 2 - QPointF(size.width() / 2, size.height() + 6), size}, label);
+    drawPlate(canvas_, {right + QPointF(6, -size.height() / 2), size}, label);
 }
 
-void FieldPainter::legend() {
+void FieldPainter::legend(const FieldFrame& frame) {
     constexpr double row = 20, sampleWidth = 34, margin = 10;
-    std::vector<const FieldLayerText*> shown;
-    for (const FieldLayerText& text : fieldLayerTexts)
-        if (layers_.has(text.layer) && hasSample(text.layer)) shown.push_back(&text);
-    if (shown.empty()) return;
+    const std::vector<LegendRow> rows = legendRows(frame, layers_);
+    if (rows.empty()) return;
     QPainter& painter = canvas_.painter;
     painter.setFont(plateFont(painter));
     double width = 0;
-    for (const FieldLayerText* text : shown)
-        width = std::max(width, QFontMetricsF(painter.font()).horizontalAdvance(QObject::tr(text->name)));
-    const QSizeF size(sampleWidth + width + 3 * margin, row * static_cast<double>(shown.size()) + margin);
+    for (const LegendRow& one : rows)
+        width = std::max(width, QFontMetricsF(painter.font()).horizontalAdvance(one.text));
+    const QSizeF size(sampleWidth + width + 3 * margin, row * static_cast<double>(rows.size()) + margin);
     const QSizeF all = canvas_.view.size();
     const QRectF box(QPointF(all.width() - size.width() - 12, all.height() - size.height() - 12), size);
     painter.setPen(roundPen(canvas_.theme.line, 1));
     painter.setBrush(withAlpha(canvas_.theme.panel, 235));
     painter.drawRoundedRect(box, 5, 5);
     double top = box.top() + margin / 2;
-    for (const FieldLayerText* text : shown) {
-        drawSample(painter, {box.left() + margin, top + 2, sampleWidth, row - 4}, text->layer, canvas_.theme);
+    for (const LegendRow& one : rows) {
+        const QRectF sample(box.left() + margin, top + 2, sampleWidth, row - 4);
+        if (one.model)
+            drawModelSample(painter, sample, *one.model);
+        else
+            drawSample(painter, sample, one.layer, canvas_.theme);
         painter.setFont(plateFont(painter));
         painter.setPen(canvas_.theme.text);
         painter.drawText(QRectF(box.left() + 2 * margin + sampleWidth, top, width + margin, row),
-                         Qt::AlignLeft | Qt::AlignVCenter, QObject::tr(text->name));
+                         Qt::AlignLeft | Qt::AlignVCenter, one.text);
         top += row;
     }
 }

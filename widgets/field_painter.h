@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "widgets/field_drawing.h"
 
 namespace mrose {
@@ -18,15 +20,16 @@ public:
     void place(const Environment& environment);
     /// Bodies and all layers. `labels` remembers where names stood.
     void frame(const FieldFrame& frame, const FieldFocus& focus, LabelPlacer& labels);
-    /// A scale bar in the lower left corner and, if its layer is shown, the legend in the lower right one.
-    void corners();
+    /// A scale bar in the lower left corner and, if its layer is shown, the legend in the lower right one:
+    /// what the shown layers draw of this frame.
+    void corners(const FieldFrame& frame);
     /// A distance measured by hand.
     void measure(const Point& from, const Point& to);
 
 private:
     void ruler();
-    void legend();
-    void moved(const FieldFrame& frame, std::size_t body, const Pose& pose);
+    void legend(const FieldFrame& frame);
+    std::pair<QRectF, FieldLabel> moved(const FieldFrame& frame, std::size_t body, const Pose& pose) const;
 
     FieldCanvas canvas_;
     const FieldLayers& layers_;

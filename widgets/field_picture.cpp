@@ -10,13 +10,14 @@ void FieldPicture::paint(QPainter& painter, const QSizeF& size, const FieldFrame
     if (size != as.size()) {
         const FieldArea seen = as.shown();
         as.setSize(size);
-        whole ? as.fit(*whole, fitMargin) : as.fit(seen, 0);
+        const QRectF all(QPointF(0, 0), size);
+        whole ? as.fit(*whole, all.marginsRemoved(margins)) : as.fit(seen, all);
     }
     painter.setFont(font);
     FieldPainter field(painter, as, theme, layers);
     field.place(frame.scene().environment);
     field.frame(frame, on, labels);
-    field.corners();
+    field.corners(frame);
 }
 
 }  // namespace mrose

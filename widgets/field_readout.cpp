@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "widgets/value_catalogue.h"
+
 namespace mrose {
 namespace {
 
@@ -81,6 +83,13 @@ QString signReadout(const FieldFrame& frame, const Point& at, double reach) {
                                      .arg(nameOfBody(frame, static_cast<std::uint32_t>(robot)),
                                           QString::fromStdString(note.label), fixed(point.x, 2), fixed(point.y, 2));
     return lines.join('\n');
+}
+
+QString noteText(const FieldFrame& frame, std::size_t robot, const Annotation& note) {
+    const QString label = QString::fromStdString(note.label);
+    return bodyNamed(frame.scene(), note.label) == noBody
+               ? label
+               : QObject::tr("%1\u2019s %2").arg(QString::fromStdString(frame.nameOf(robot)), label);
 }
 
 std::string whatIsAt(const FieldFrame& frame, std::size_t body, const Pose& pose) {

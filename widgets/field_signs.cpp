@@ -13,6 +13,15 @@ std::uint64_t labelKey(std::uint64_t kind, std::uint64_t first, std::uint64_t se
     return kind << 56 | (first & 0xffffff) << 28 | (second & 0xffffff);
 }
 
+/// Of 255: how strong the notes of others than the selected robot are, and where none is selected.
+constexpr int faintest = 70, faint = 120;
+
+void drawNoteLine(const FieldCanvas& canvas, const QPolygonF& points, const QColor& colour, bool selected) {
+    if (selected) return canvas.casedLine(points, roundPen(colour, 2, Qt::DotLine));
+    canvas.painter.setPen(roundPen(colour, 1.4, Qt::DotLine));
+    canvas.painter.drawPolyline(points);
+}
+
 }  // namespace
 
 void drawBeliefs(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus) {
@@ -51,15 +60,14 @@ void drawNotes(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFo
     for (std::size_t robot = 0; robot < frame.insights.size(); ++robot) {
         const bool selected = focus.selected == robot;
         if (!few && !selected) continue;
-        const QColor colour = withAlpha(robotColour(robot), selected || !focus.selected ? 240 : 110);
+        const QColor colour = withAlpha(robotColour(robot), selected ? 240 : focus.selected ? faintest : faint);
         const std::vector<Annotation>& notes = frame.insights[robot].decision.annotations;
         for (std::size_t i = 0; i < notes.size(); ++i) {
             const Annotation& note = notes[i];
             if (note.kind == Annotation::Kind::line) {
                 WayLine line;
                 for (const Point& point : note.points) line.add(canvas.at(point));
-                for (const QPolygonF& points : line.lines())
-                    canvas.casedLine(points, roundPen(colour, selected ? 2 : 1.4, Qt::DotLine));
+                for (const QPolygonF& points : line.lines()) drawNoteLine(canvas, points, colour, selected);
             }
             if (note.kind != Annotation::Kind::point) continue;
             for (const Point& point : note.points) {
@@ -69,8 +77,10 @@ void drawNotes(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFo
                 label.key = labelKey(2, robot, i);
                 label.at = point;
                 label.clearance = 8;
-                label.text = QString::fromStdString(note.label);
+                label.text = noteText(frame, robot, note);
                 label.colour = canvas.theme.onFloor;
+                label.chip = robotColour(robot);
+                label.note = true;
             }
         }
     }

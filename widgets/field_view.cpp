@@ -12,11 +12,12 @@
 #include <utility>
 
 #include "widgets/field_readout.h"
+#include "widgets/real_robots.h"
 
 namespace mrose {
 namespace {
 
-constexpr double grabPixels = 6, dragPixels = 4;
+constexpr double fitMargin = 16, scaleBarHeight = 26, grabPixels = 6, dragPixels = 4;
 /// What Ctrl rounds moves and turns to.
 constexpr double roundMetres = 0.1, roundTurn = std::numbers::pi / 12;
 
@@ -33,7 +34,9 @@ FieldView::FieldView(QWidget* parent) : QWidget(parent) {
 
 void FieldView::setFrame(std::shared_ptr<const FieldFrame> frame) {
     const bool other = !frame_ || !frame || frame_->scenario != frame->scenario;
+    const bool otherReality = frame_ && frame && frame_->reality != frame->reality;
     frame_ = std::move(frame);
+    if (otherReality && fitted_) fit();
     if (other) {
         const std::size_t bodies = frame_ ? frame_->scene().bodyCount() : 0;
         if (focus_.selected && *focus_.selected >= bodies) setSelected(std::nullopt);
@@ -48,6 +51,12 @@ void FieldView::setFrame(std::shared_ptr<const FieldFrame> frame) {
 void FieldView::setEditable(bool editable) {
     editable_ = editable;
     if (!editable && focus_.moved) cancelDrag();
+    if (std::exchange(focus_.turnable, editable) != editable) update();
+}
+
+void FieldView::setEmptyText(const QString& text) {
+    emptyText_ = text;
+    update();
 }
 
 void FieldView::setTheme(const Theme& theme) {
@@ -59,6 +68,7 @@ void FieldView::setTheme(const Theme& theme) {
 void FieldView::setLayers(const FieldLayers& layers) {
     layers_ = layers;
     place_ = {};
+    if (fitted_) fit();  // rulers take room
     update();
     emit layersChanged(layers);
 }
@@ -86,15 +96,38 @@ void FieldView::followSelected() {
 
 FieldArea FieldView::wholeArea() const {
     if (!frame_) return {{0, 0}, {-1, -1}};
-    const FieldArea place = areaOf(frame_->scene().environment);
-    return place.empty() ? areaOf(*frame_) : place;
+    FieldArea place = areaOf(frame_->scene().environment);
+    if (place.empty()) return areaOf(*frame_);
+    if (frame_->reality) place.include(areaOf(*frame_->reality));
+    return place;
+}
+
+QMarginsF FieldView::fitMargins() const {
+    const QMarginsF margins(fitMargin, fitMargin, fitMargin, scaleBarHeight);
+    return layers_.has(FieldLayer::grid) ? margins + QMarginsF(rulerWidth, rulerHeight, 0, 0) : margins;
+}
+
+/// What is left for what is fitted, above or else beside what is covered.
+QRectF FieldView::freeRect(bool aboveCovered) const {
+    QRectF free = QRectF(rect()).marginsRemoved(fitMargins());
+    if (!covered_.isEmpty() && aboveCovered) free.setBottom(std::min(free.bottom(), covered_.top() - fitMargin));
+    if (!covered_.isEmpty() && !aboveCovered) free.setRight(std::min(free.right(), covered_.left() - fitMargin));
+    return free;
 }
 
 void FieldView::fit() {
     if (!frame_) return;
-    view_.fit(wholeArea(), fitMargin);
+    ViewTransform beside = view_;
+    beside.fit(wholeArea(), freeRect(false));
+    view_.fit(wholeArea(), freeRect(true));
+    if (beside.scale() > view_.scale()) view_ = beside;
     fitted_ = true;
     update();
+}
+
+void FieldView::setCovered(const QRectF& covered) {
+    covered_ = covered;
+    if (fitted_) fit();
 }
 
 void FieldView::setView(const ViewTransform& view) {
@@ -148,6 +181,8 @@ void FieldView::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     if (!frame_) {
         painter.fillRect(rect(), theme_.surround);
+        painter.setPen(theme_.quietText);
+        painter.drawText(rect().adjusted(40, 40, -40, -40), Qt::AlignCenter | Qt::TextWordWrap, emptyText_);
         return;
     }
     const double ratio = painter.deviceTransform().m11();  // of what is painted on, be it a screen or a picture
@@ -157,7 +192,7 @@ void FieldView::paintEvent(QPaintEvent* /*event*/) {
     painter.drawPixmap(0, 0, place_);
     FieldPainter field(painter, view_, theme_, layers_);
     field.frame(*frame_, focus_, labels_);
-    field.corners();
+    field.corners(*frame_);
     if (!(toldView_ == view_)) emit viewChanged(toldView_ = view_);
     if (drag_ == Drag::measure) field.measure(view_.toMetres(pressedAt_), view_.toMetres(draggedTo_));
 }
@@ -167,6 +202,7 @@ void FieldView::paint(QPainter& painter, const QSizeF& size) const {
     FieldPicture as = picture();
     as.following = false;
     as.focus = focus_;
+    as.focus.turnable = false;
     as.labels = labels_;
     as.paint(painter, size, *frame_);
 }
@@ -174,6 +210,7 @@ void FieldView::paint(QPainter& painter, const QSizeF& size) const {
 FieldPicture FieldView::picture() const {
     FieldPicture picture{view_, theme_, layers_, {focus_.selected, {}, {}}, following_, font()};
     if (fitted_) picture.whole = wholeArea();
+    picture.margins = fitMargins();
     return picture;
 }
 
@@ -196,10 +233,11 @@ void FieldView::mousePressEvent(QMouseEvent* event) {
     if (drag_ != Drag::none || !frame_) return;
     button_ = event->button();
     pressedAt_ = draggedTo_ = event->localPos();
-    const std::optional<std::size_t> body = bodyAt(pressedAt_);
-    pressedOnBody_ = body.has_value();
     const bool measuring = button_ == Qt::LeftButton && event->modifiers().testFlag(Qt::ShiftModifier);
     drag_ = measuring ? Drag::measure : Drag::pressed;
+    pressedOnKnob_ = !measuring && button_ == Qt::LeftButton && onKnob(pressedAt_);
+    const std::optional<std::size_t> body = pressedOnKnob_ ? focus_.selected : bodyAt(pressedAt_);
+    pressedOnBody_ = body.has_value();
     if (!measuring && body) setSelected(body);
 }
 
@@ -217,17 +255,28 @@ void FieldView::mouseMoveEvent(QMouseEvent* event) {
         drag(at, event->modifiers().testFlag(Qt::ControlModifier));
         return;
     }
-    const std::optional<std::size_t> body = bodyAt(at);
+    const bool knob = onKnob(at);
+    const std::optional<std::size_t> body = knob ? focus_.selected : bodyAt(at);
+    setCursor(knob        ? Qt::CrossCursor
+              : !body     ? Qt::ArrowCursor
+              : editable_ ? Qt::SizeAllCursor
+                          : Qt::PointingHandCursor);
     if (body == focus_.hovered) return;
     focus_.hovered = body;
-    setCursor(body ? (editable_ ? Qt::SizeAllCursor : Qt::PointingHandCursor) : Qt::ArrowCursor);
     update();
+}
+
+/// At the end of the selected robot's arrow.
+bool FieldView::onKnob(const QPointF& at) const {
+    if (!frame_ || !hasKnob(*frame_, focus_)) return false;
+    return QLineF(knobAt(view_, *frame_, *focus_.selected), at).length() <= knobRadius + grabPixels / 2;
 }
 
 /// A press has become a drag: of what?
 void FieldView::beginDrag() {
     const bool onBody = focus_.selected && bodyAt(pressedAt_) == focus_.selected;
-    drag_ = Drag::pan;
+    drag_ = pressedOnKnob_ ? Drag::turn : Drag::pan;
+    if (pressedOnKnob_) return;
     if (onBody && !editable_ && button_ == Qt::LeftButton) emit dragRefused();
     if (onBody && editable_ && button_ != Qt::MiddleButton)
         drag_ = button_ == Qt::RightButton ? Drag::turn : Drag::move;
@@ -277,7 +326,7 @@ void FieldView::cancelDrag() {
 void FieldView::mouseReleaseEvent(QMouseEvent* event) {
     if (drag_ == Drag::none || event->button() != button_) return;
     const Drag done = std::exchange(drag_, Drag::none);
-    if (done == Drag::pressed && button_ == Qt::LeftButton && !bodyAt(pressedAt_)) setSelected(std::nullopt);
+    if (done == Drag::pressed && button_ == Qt::LeftButton && !pressedOnBody_) setSelected(std::nullopt);
     const std::optional<Pose> moved = std::exchange(focus_.moved, std::nullopt);
     if (moved && focus_.selected) emit bodyMoved(*focus_.selected, *moved);
     update();
@@ -316,10 +365,16 @@ void FieldView::leaveEvent(QEvent* /*event*/) {
 
 QString FieldView::readoutAt(const QPointF& pixels) const {
     if (!frame_) return {};
-    QString signs = signReadout(*frame_, view_.toMetres(pixels), grabPixels / view_.scale());
+    if (onKnob(pixels)) return tr("Drag it to turn %1").arg(QString::fromStdString(frame_->nameOf(*focus_.selected)));
+    const QString signs = signReadout(*frame_, view_.toMetres(pixels), grabPixels / view_.scale());
     const std::optional<std::size_t> body = bodyAt(pixels);
-    if (!body) return signs;
-    return signs.isEmpty() ? bodyReadout(*frame_, *body) : bodyReadout(*frame_, *body) + '\n' + signs;
+    QStringList parts;
+    if (body) parts += bodyReadout(*frame_, *body);
+    if (layers_.has(FieldLayer::reality)) parts += realReadout(*frame_, body, view_.toMetres(pixels));
+    if (body && layers_.has(FieldLayer::models)) parts += modelReadout(*frame_, *body);
+    parts += signs;
+    parts.removeAll({});
+    return parts.join('\n');
 }
 
 bool FieldView::event(QEvent* event) {

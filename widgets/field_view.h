@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QMarginsF>
 #include <QPixmap>
 #include <QWidget>
 #include <memory>
@@ -14,8 +15,9 @@ namespace mrose {
 /// to them it asks for by signals.
 ///
 /// Wheel: zoom at the cursor. Left drag: of a body while editing is allowed, moves it; elsewhere, moves the view; with
-/// Shift, measures. Right drag of a body: turns it. With Ctrl both go by round numbers; Escape takes them back. Click:
-/// selects. Double click on a body: follows it. Resting on something: tells of it.
+/// Shift, measures. Drag of the selected robot's knob, or right drag of a body: turns it. With Ctrl both go by round
+/// numbers; Escape takes them back. Click: selects. Double click on a body: follows it. Resting on something: tells of
+/// it.
 class FieldView final : public QWidget {
     Q_OBJECT
 
@@ -25,6 +27,8 @@ public:
     void setFrame(std::shared_ptr<const FieldFrame> frame);
     void setTheme(const Theme& theme);
     void setLayers(const FieldLayers& layers);
+    /// What is said where there is no frame.
+    void setEmptyText(const QString& text);
     /// Whether bodies can be dragged: while the run stands.
     void setEditable(bool editable);
     void setSelected(std::optional<std::size_t> body);
@@ -43,6 +47,8 @@ public:
     /// All of the place; empty where nothing is shown.
     FieldArea wholeArea() const;
     void fit();
+    /// What lies over a corner of the view at its right: what is fitted stays clear of it. Empty: nothing does.
+    void setCovered(const QRectF& covered);
     void zoom(double factor);  ///< about the middle
     void panBy(const QPointF& pixels);
     /// Moves the selected body by metres and radians, if that is allowed. While the Alt key is held the moves add up,
@@ -56,7 +62,7 @@ public:
     FieldPicture picture() const;
 
     QSize sizeHint() const override { return {900, 560}; }
-    QSize minimumSizeHint() const override { return {240, 180}; }
+    QSize minimumSizeHint() const override { return {180, 140}; }
 
 signals:
     void bodySelected(std::optional<std::size_t> body);
@@ -84,6 +90,9 @@ private:
     void drag(const QPointF& at, bool round);
     void beginDrag();
     Pose draggedPose(const QPointF& at, bool round) const;
+    bool onKnob(const QPointF& at) const;
+    QMarginsF fitMargins() const;
+    QRectF freeRect(bool aboveCovered) const;
     void cancelDrag();
     void finishNudge();
     void drawPlace(double ratio);
@@ -95,7 +104,10 @@ private:
     ViewTransform view_;
     FieldFocus focus_;
     mutable LabelPlacer labels_;  ///< where they stood in the last picture
-    bool editable_ = false, following_ = false, fitted_ = true, nudging_ = false, pressedOnBody_ = false;
+    bool editable_ = false, following_ = false, fitted_ = true, nudging_ = false, pressedOnBody_ = false,
+         pressedOnKnob_ = false;
+    QRectF covered_;
+    QString emptyText_;
     Drag drag_ = Drag::none;
     Qt::MouseButton button_ = Qt::NoButton;
     QPointF pressedAt_, draggedTo_;

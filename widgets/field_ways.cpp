@@ -23,7 +23,7 @@ QVector<QPolygonF> wayOf(const FieldCanvas& canvas, const Trails& trails, std::s
 }
 
 /// Colours that are this near to the floor's are set off from it.
-constexpr double leastContrast = 2;
+constexpr double leastContrast = 1.45;
 
 void drawFading(const FieldCanvas& canvas, const QVector<QPolygonF>& lines, const QColor& colour, double width,
                 bool cased) {

@@ -67,11 +67,14 @@ Inspector::Inspector(QWidget* parent)
     tree_->header()->setSectionResizeMode(Delegate::nameColumn, QHeaderView::Interactive);
     tree_->header()->setSectionResizeMode(Delegate::valueColumn, QHeaderView::Stretch);
     tree_->header()->setSectionResizeMode(Delegate::plotColumn, QHeaderView::Fixed);
-    tree_->header()->resizeSection(Delegate::nameColumn, 148);
     tree_->header()->resizeSection(Delegate::plotColumn, Delegate::markWidth);
     tree_->installEventFilter(this);
+    tree_->viewport()->installEventFilter(this);
     layout->addWidget(tree_, 1);
     const auto pathOf = [](const QTreeWidgetItem* item) { return item->data(0, Delegate::pathRole).toString(); };
+    connect(tree_->header(), &QHeaderView::sectionResized, this, [this](int column, int, int size) {
+        if (column == Delegate::nameColumn && !fitting_) nameWidth_ = size;
+    });
     connect(tree_, &QTreeWidget::itemExpanded, this, [this, pathOf](QTreeWidgetItem* item) {
         open_.insert(pathOf(item));
         if (!syncing_) refresh();
@@ -145,7 +148,17 @@ void Inspector::showMenu(const QPoint& place) {
     menu.exec(tree_->viewport()->mapToGlobal(place));
 }
 
+/// Where there is little room, names give way: numbers are never cut.
+void Inspector::fitColumns() {
+    const int numbers = tree_->fontMetrics().horizontalAdvance("-000.000 rad/s") + 14;
+    const int room = tree_->viewport()->width() - Delegate::markWidth - numbers;
+    fitting_ = true;
+    tree_->header()->resizeSection(Delegate::nameColumn, std::clamp(room, 40, std::max(40, nameWidth_)));
+    fitting_ = false;
+}
+
 bool Inspector::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == tree_->viewport() && event->type() == QEvent::Resize) fitColumns();
     if (watched != tree_ || tree_->currentItem() == nullptr) return QWidget::eventFilter(watched, event);
     QTreeWidgetItem* item = tree_->currentItem();
     const auto key = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride

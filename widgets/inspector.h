@@ -38,6 +38,7 @@ public:
     CommandQueue& queue() const { return *queue_; }
 
     QSize sizeHint() const override { return {330, 560}; }
+    QSize minimumSizeHint() const override { return {230, 160}; }
 
 signals:
     /// To be plotted, or not any longer.
@@ -57,13 +58,15 @@ private:
     std::optional<ValueKey> valueOf(const QTreeWidgetItem* item) const;
     void askForPlot(const QTreeWidgetItem* item);
     void showMenu(const QPoint& place);
+    void fitColumns();
 
     std::shared_ptr<const FieldFrame> frame_;
     std::optional<std::size_t> body_;
     Theme theme_ = Theme::light();
     std::map<ValueKey, QColor> plotted_;
     QSet<QString> open_;  ///< paths of rows whose children are shown
-    bool syncing_ = false;
+    bool syncing_ = false, fitting_ = false;
+    int nameWidth_ = 148;  ///< pixels, of the column as the user likes it
     QLabel *chip_, *title_, *hint_;
     CommandQueue* queue_;
     QTreeWidget* tree_;

@@ -92,6 +92,12 @@ InspectorRow kickRows(const RowWriter& write) {
     return section;
 }
 
+/// In the colour of contacts, unless it is too small for the digits that are shown.
+void setNotable(InspectorRow& row, bool touched) {
+    row.notable = touched && row.value.toDouble() != 0;
+    row.quiet = !row.notable;
+}
+
 /// How a body came to be where it is not planned to be.
 void contactRows(const RowWriter& write, std::vector<InspectorRow>& rows) {
     std::vector<std::uint32_t> others;
@@ -102,14 +108,13 @@ void contactRows(const RowWriter& write, std::vector<InspectorRow>& rows) {
         if (std::find(others.begin(), others.end(), other) == others.end()) others.push_back(other);
     }
     InspectorRow all = write.number(QObject::tr("Contact"), "impulse", QObject::tr("of all touches in the last tick"));
-    all.notable = !others.empty();
-    all.quiet = others.empty();
+    setNotable(all, !others.empty());
     all.open = true;
     for (const std::uint32_t other : others) {
         const std::string of = other == noBody ? wallName : write.frame.nameOf(other);
         InspectorRow row = write.number(QObject::tr("with %1").arg(QString::fromStdString(of)), "impulse from",
                                         QObject::tr("along the normal, in the last tick"), of);
-        row.notable = all.notable;
+        setNotable(row, true);
         all.children.push_back(std::move(row));
     }
     rows.push_back(std::move(all));
@@ -132,8 +137,7 @@ InspectorRow predictionRows(const RowWriter& write) {
                                          {QObject::tr("Put to the left by"), "pushed left"},
                                          {QObject::tr("Turned by"), "pushed round"}}) {
         rows.push_back(write.number(name, quantity, off));
-        rows.back().notable = touched;
-        rows.back().quiet = !touched;
+        setNotable(rows.back(), touched);
     }
     const bool pushed = write.frame.state.robots[write.body].pushed;
     rows.push_back(RowWriter::text(QObject::tr("Wheels"),

@@ -16,7 +16,7 @@ constexpr std::array gaps{4.0, 18.0, 36.0, 58.0};  // pixels
 constexpr int sideCount = sides.size(), slotCount = sideCount * static_cast<int>(gaps.size());
 
 /// What covering a body wholly costs, in pixels of distance; and how much better another place must be to move there.
-constexpr double bodyCost = 120, patience = 45;
+constexpr double bodyCost = 400, patience = 45;
 
 /// Of a place that covers nothing; ascends with the slot.
 double baseCost(int slot) { return gaps[static_cast<std::size_t>(slot / sideCount)] + 0.8 * (slot % sideCount); }

@@ -27,6 +27,7 @@ public:
     /// Another picture: `frame` holds all labels.
     void begin(const QRectF& frame);
     void avoid(const QRectF& body) { bodies_.push_back(body); }
+    void keepFree(const QRectF& box) { taken_.push_back(box); }  ///< no label stands there
     /// Nothing: there is no room.
     std::optional<Placed> place(const Wanted& wanted);
 

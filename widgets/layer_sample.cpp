@@ -32,7 +32,44 @@ void drawOutlineSample(const FieldCanvas& canvas, const QRectF& box, const QColo
     canvas.painter.drawEllipse(box.center(), radius, radius);
 }
 
+void drawRing(const FieldCanvas& canvas, const QRectF& box, const QColor& colour, double width) {
+    const double radius = box.height() / 2 - 2;
+    canvas.painter.setBrush(Qt::NoBrush);
+    for (const QPen& pen : {roundPen(withAlpha(setOff(colour), 190), width + 1.8), roundPen(colour, width)}) {
+        canvas.painter.setPen(pen);
+        canvas.painter.drawEllipse(QPointF(box.right() - inset - radius, box.center().y()), radius, radius);
+    }
+}
+
+/// An outline at the end of a hollow way.
+void drawRealSample(const FieldCanvas& canvas, const QRectF& box, const QColor& colour) {
+    canvas.painter.setPen(roundPen(colour, 1));
+    const double right = box.right() - inset - box.height() + 4;
+    for (const double side : {-1.8, 1.8})
+        canvas.painter.drawLine(QPointF(box.left() + inset, box.center().y() + side),
+                                QPointF(right, box.center().y() + side));
+    drawRing(canvas, box, colour, 2);
+}
+
+/// A field of view from the left end of the box to the right one.
+void drawSector(QPainter& painter, const QRectF& box) {
+    constexpr double half = 16;  // degrees
+    const double radius = box.width() - 2 * inset;
+    const QPointF eye(box.left() + inset, box.center().y());
+    painter.drawPie(QRectF(eye - QPointF(radius, radius), 2 * QSizeF(radius, radius)), static_cast<int>(-half * 16),
+                    static_cast<int>(2 * half * 16));
+}
+
 }  // namespace
+
+void drawModelSample(QPainter& painter, const QRectF& box, std::size_t model) {
+    const ViewTransform unused;
+    const Theme theme;
+    const FieldCanvas canvas{painter, unused, theme};
+    canvas.casedLine({box.left() + inset, box.center().y()}, {box.right() - inset - box.height() + 4, box.center().y()},
+                     modelPen(model, 1.4));
+    drawRing(canvas, box, modelColour(model), 1.3);
+}
 
 bool hasSample(FieldLayer layer) {
     return layer != FieldLayer::grid && layer != FieldLayer::names && layer != FieldLayer::legend;
@@ -58,10 +95,7 @@ void drawSample(QPainter& painter, const QRectF& box, FieldLayer layer, const Th
         case FieldLayer::sensors:
             painter.setPen(Qt::NoPen);
             painter.setBrush(withAlpha(colour, 110));
-            painter.drawPie(QRectF(box.left() - box.width() / 2 + inset, box.center().y() - box.width(),
-                                   2 * box.width(), 2 * box.width())
-                                .adjusted(4, 4, -4, -4),
-                            -22 * 16, 44 * 16);
+            drawSector(painter, box);
             break;
         case FieldLayer::contacts:
             canvas.arrow(box.center(), across(box).front(), theme.contact, 3);
@@ -77,6 +111,12 @@ void drawSample(QPainter& painter, const QRectF& box, FieldLayer layer, const Th
             break;
         case FieldLayer::ghosts:
             drawOutlineSample(canvas, box, neutral, true);
+            break;
+        case FieldLayer::reality:
+            drawRealSample(canvas, box, colour);
+            break;
+        case FieldLayer::models:
+            drawModelSample(painter, box, 0);
             break;
         default:
             break;

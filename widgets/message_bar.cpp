@@ -15,11 +15,6 @@ namespace {
 
 constexpr int signSize = 16, stripe = 3;
 
-QColor mixed(const QColor& a, const QColor& b, double share) {
-    const auto part = [share](int x, int y) { return static_cast<int>(x + share * (y - x)); };
-    return {part(a.red(), b.red()), part(a.green(), b.green()), part(a.blue(), b.blue())};
-}
-
 /// A disc with "!" or "i".
 QPixmap sign(MessageBar::Kind kind, const Theme& theme, double ratio) {
     QPixmap pixmap(QSize(signSize, signSize) * ratio);

@@ -29,6 +29,15 @@ double leastSpan(const QString& unit) { return unit == QString::fromUtf8("\u00b0
 
 }  // namespace
 
+QPen curvePen(const PlotCurve& curve) {
+    QColor colour = curve.colour;
+    if (curve.ghost) colour.setAlpha(150);
+    QPen pen(colour, curve.ghost ? 1 : 1.6, curve.style);
+    if (curve.style == Qt::DashLine) pen.setDashPattern({5, 2.5});
+    if (curve.style == Qt::DotLine) pen.setDashPattern({1.5, 2});
+    return pen;
+}
+
 struct PlotView::Band {
     QString unit;
     QCPAxisRect* rect = nullptr;
@@ -174,9 +183,7 @@ void PlotView::paintTheme() {
         band->unknown->setPen(Qt::NoPen);
         band->unknown->setBrush(theme_.dark ? theme_.panel.lighter(115) : theme_.surround);
         for (const auto& [curve, graph] : band->graphs) {
-            const PlotCurve& of = curves_[curve];
-            QPen pen(of.colour, of.ghost ? 1 : 1.6, of.ghost ? Qt::DashLine : of.dotted ? Qt::DotLine : Qt::SolidLine);
-            graph->setPen(pen);
+            graph->setPen(curvePen(curves_[curve]));
         }
     }
 }
@@ -353,7 +360,11 @@ QString PlotView::textAt(std::int64_t tick) const {
             return other.ghost && other.name == curve.name;
         });
         rows += QString("<tr><td><font color='%1'>%2</font>&nbsp;</td><td>%3</td>")
-                    .arg(curve.colour.name(), QString::fromUtf8("\u2501\u2501"), curve.name.toHtmlEscaped());
+                    .arg(curve.colour.name(),
+                         curve.style == Qt::SolidLine  ? QString::fromUtf8("\u2501\u2501")
+                         : curve.style == Qt::DashLine ? QString::fromUtf8("\u2578\u2578")
+                                                       : QString::fromUtf8("\u00b7\u00b7\u00b7"),
+                         curve.name.toHtmlEscaped());
         rows += number(fixedText(curve.at(tick), curve.decimals));
         if (ghost != curves_.end()) rows += number(fixedText(ghost->at(tick), curve.decimals));
         rows += "<td>&nbsp;" + curve.unit.toHtmlEscaped() + "</td></tr>";

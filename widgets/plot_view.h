@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QColor>
+#include <QPen>
 #include <QPointF>
 #include <QString>
 #include <QVector>
@@ -26,13 +27,16 @@ struct PlotCurve {
     QString name;  ///< "red 1  speed"
     QString unit;  ///< curves of one unit share an axis
     QColor colour;
-    bool ghost = false;  ///< of another course: thin and dashed, beside the curve of the same name
-    bool dotted = false;
+    bool ghost = false;  ///< of another course: thin and pale, beside the curve of the same name
+    Qt::PenStyle style = Qt::SolidLine;
     int decimals = 3;
     /// Points (tick, number) between two ticks, of each `step` of them a few (curve_sampling.h).
     std::function<void(std::int64_t from, std::int64_t to, std::int64_t step, QVector<QPointF>& points)> sample;
     std::function<double(std::int64_t tick)> at;  ///< NaN: unknown
 };
+
+/// What it is drawn with, also in a legend.
+QPen curvePen(const PlotCurve& curve);
 
 /// Curves over one axis of time, a stack of axes for the units. It shows the tick of the timeline; press or drag asks
 /// for another. The wheel zooms the time at the mouse, the right or middle button drags it, a double click shows all.

@@ -49,14 +49,37 @@ Theme Theme::darkOne() {
 
 QColor robotColour(std::size_t robot) {
     static const std::array<QColor, 8> colours{QColor(230, 159, 0),   QColor(86, 180, 233), QColor(240, 228, 66),
-                                               QColor(204, 121, 167), QColor(213, 94, 0),   QColor(0, 158, 115),
-                                               QColor(0, 114, 178),   QColor(222, 222, 222)};
+                                               QColor(204, 121, 167), QColor(218, 66, 0),   QColor(94, 0, 120),
+                                               QColor(0, 126, 200),   QColor(226, 238, 255)};
     return colours[robot % colours.size()];
+}
+
+QColor modelColour(std::size_t model) {
+    static const std::array<QColor, 4> colours{QColor(136, 34, 85), QColor(51, 34, 136), QColor(17, 119, 51),
+                                               QColor(102, 60, 20)};
+    return colours[model % colours.size()];
+}
+
+QVector<qreal> modelDashes(std::size_t model) {
+    static const std::array<QVector<qreal>, 4> dashes{QVector<qreal>{}, {5, 3}, {1.5, 2.5}, {6, 2.5, 1.5, 2.5}};
+    return dashes[model % dashes.size()];
+}
+
+QColor mixed(const QColor& one, const QColor& other, double share) {
+    const auto between = [share](int a, int b) { return static_cast<int>(std::lround(a + share * (b - a))); };
+    return {between(one.red(), other.red()), between(one.green(), other.green()), between(one.blue(), other.blue())};
 }
 
 double contrast(const QColor& a, const QColor& b) {
     const double more = std::max(luminance(a), luminance(b)), less = std::min(luminance(a), luminance(b));
     return (more + 0.05) / (less + 0.05);
+}
+
+QColor seenOn(const QColor& ground, QColor colour, double leastContrast) {
+    const bool dark = setOff(ground) == QColor(255, 255, 255);
+    for (int i = 0; i < 20 && contrast(colour, ground) < leastContrast; ++i)
+        colour = dark ? colour.lighter(112) : colour.darker(112);
+    return colour;
 }
 
 QColor setOff(const QColor& colour) {

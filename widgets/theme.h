@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QColor>
+#include <QVector>
 #include <cstddef>
 
 #include "geometry/shape.h"
@@ -22,12 +23,23 @@ struct Theme {
     static Theme darkOne();
 };
 
-/// The colour that a robot is known by: of eight that people with any colour vision can tell apart (Okabe and Ito 2008,
-/// "Color Universal Design", with a light grey for its black), then again from the first.
+/// The colour that a robot is known by: of eight that people with any colour vision can tell apart, then again from the
+/// first. They are those of Okabe and Ito 2008, "Color Universal Design", but plum for its green, which is lost on a
+/// green field, a lighter blue and a bluish white for its black.
 QColor robotColour(std::size_t robot);
 
+/// The colour that a motion model is known by where several are laid over one another, then again from the first: dark
+/// ones, so that none is taken for a robot's, which people with any colour vision can tell apart (after Tol 2021,
+/// "Colour Schemes", muted). Beside it each has a way of dashing lines.
+QColor modelColour(std::size_t model);
+QVector<qreal> modelDashes(std::size_t model);  ///< empty: a solid line
+
+/// A colour that lies between two: `share` 0 ... 1 of the second.
+QColor mixed(const QColor& one, const QColor& other, double share);
 /// How well two colours are told apart: 1 ... 21, the contrast ratio of WCAG 2.1 with the channels' gamma taken as 2.2.
 double contrast(const QColor& a, const QColor& b);
+/// As much lighter on a dark ground, or darker on a light one, as it must be to be seen there; of the same hue.
+QColor seenOn(const QColor& ground, QColor colour, double leastContrast);
 /// Black or white, whichever a colour is seen better on.
 QColor setOff(const QColor& colour);
 

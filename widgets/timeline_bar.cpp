@@ -85,6 +85,8 @@ QColor TimelineBar::colourOf(TimelineMark::Kind kind, const Theme& theme) {
             return QColor(0, 158, 115);
         case TimelineMark::Kind::fault:
             return theme.warning;
+        case TimelineMark::Kind::hit:
+            return theme.dark ? QColor(200, 150, 255) : QColor(120, 50, 190);
         case TimelineMark::Kind::stop:
             break;
     }
@@ -312,6 +314,10 @@ QString TimelineBar::nameOf(const TimelineMark& mark) const {
         return QString::fromStdString(which < robots ? scene.robots[which].name : scene.objects[which - robots].name);
     };
     switch (mark.kind) {
+        case TimelineMark::Kind::hit: {
+            const auto found = content_.breakpoints.find(mark.body);
+            return found == content_.breakpoints.end() ? QString() : found->second;
+        }
         case TimelineMark::Kind::contact:
             return tr("%1 and %2").arg(body(mark.body), body(mark.other));
         case TimelineMark::Kind::goal:

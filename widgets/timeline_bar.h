@@ -2,6 +2,7 @@
 
 #include <QWidget>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -28,6 +29,7 @@ public:
         std::shared_ptr<const std::vector<TimelineMark>> marks;  ///< in the order of their ticks
         std::vector<std::int64_t> branches;                      ///< ticks at which others departed from it
         std::shared_ptr<const Scenario> scenario;                ///< for names; may be null
+        std::map<std::uint32_t, QString> breakpoints;            ///< what they wait for, by their numbers
     };
     explicit TimelineBar(QWidget* parent = nullptr);
 

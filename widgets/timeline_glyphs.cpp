@@ -56,17 +56,21 @@ void drawMark(QPainter& painter, const QPointF& middle, TimelineMark::Kind kind,
                                             {-4.5, 1.9},
                                             {-4.5, -1.9}}));
             break;
+        case TimelineMark::Kind::hit:
+            painter.drawPolygon(at(middle, {{0, -5.2}, {5.2, 0}, {0, 5.2}, {-5.2, 0}}));
+            break;
     }
 }
 
 QString markName(TimelineMark::Kind kind) {
-    static constexpr std::array<const char*, markKinds> names{"contact", "kick", "goal", "controller failed",
-                                                              "stop asked for"};
+    static constexpr std::array<const char*, markKinds> names{"contact",           "kick",           "goal",
+                                                              "controller failed", "stop asked for", "breakpoint"};
     return QObject::tr(names[static_cast<std::size_t>(kind)]);
 }
 
 QString markLetter(TimelineMark::Kind kind) {
-    static constexpr std::array<const char*, markKinds> letters{"\u25cf", "\u25b6", "\u2605", "\u2716", "\u25a0"};
+    static constexpr std::array<const char*, markKinds> letters{"\u25cf", "\u25b6", "\u2605",
+                                                                "\u2716", "\u25a0", "\u25c6"};
     return QString::fromUtf8(letters[static_cast<std::size_t>(kind)]);
 }
 

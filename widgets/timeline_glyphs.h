@@ -7,7 +7,7 @@
 
 namespace mrose {
 
-constexpr int markKinds = 5;
+constexpr int markKinds = 6;
 
 /// A sign about 9 pixels wide, of another shape for each kind: colours alone do not tell all people.
 void drawMark(QPainter& painter, const QPointF& middle, TimelineMark::Kind kind, const Theme& theme);

@@ -15,6 +15,12 @@ void FieldArea::include(const Point& point, double reach) {
     most = {std::max(most.x, high.x), std::max(most.y, high.y)};
 }
 
+void FieldArea::include(const FieldArea& other) {
+    if (other.empty()) return;
+    include(other.least);
+    include(other.most);
+}
+
 FieldArea ViewTransform::shown() const {
     const Point half{size_.width() / 2 / scale_, size_.height() / 2 / scale_};
     return {centre_ - half, centre_ + half};
@@ -28,13 +34,14 @@ void ViewTransform::zoom(double factor, const QPointF& about) {
 
 void ViewTransform::pan(const QPointF& from, const QPointF& to) { centre_ = centre_ + (toMetres(from) - toMetres(to)); }
 
-void ViewTransform::fit(const FieldArea& area, double margin) {
+void ViewTransform::fit(const FieldArea& area, const QRectF& into) {
     if (area.empty()) return;
-    centre_ = area.middle();
     const Point extent = area.most - area.least;
-    const double width = std::max(1.0, size_.width() - 2 * margin), height = std::max(1.0, size_.height() - 2 * margin);
+    const double width = std::max(1.0, into.width()), height = std::max(1.0, into.height());
     scale_ = std::clamp(std::min(width / std::max(extent.x, 1e-3), height / std::max(extent.y, 1e-3)), leastScale,
                         mostScale);
+    const QPointF off = into.center() - QPointF(size_.width() / 2, size_.height() / 2);
+    centre_ = area.middle() - Point{off.x() / scale_, -off.y() / scale_};
 }
 
 }  // namespace mrose

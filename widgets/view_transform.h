@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QPointF>
+#include <QRectF>
 #include <QSizeF>
 
 #include "geometry/point.h"
@@ -14,6 +15,7 @@ struct FieldArea {
     bool empty() const { return most.x < least.x || most.y < least.y; }
     Point middle() const { return 0.5 * (least + most); }
     void include(const Point& point, double reach = 0);
+    void include(const FieldArea& other);
 };
 
 /// Where the field's metres (y up) lie in a picture's pixels (y down).
@@ -46,8 +48,8 @@ public:
     void zoom(double factor, const QPointF& about);
     /// What lies at `from` comes to lie at `to`.
     void pan(const QPointF& from, const QPointF& to);
-    /// All of an area, in the middle, with `margin` pixels to spare on each side.
-    void fit(const FieldArea& area, double margin);
+    /// All of an area, in the middle of a rectangle of the picture (pixels).
+    void fit(const FieldArea& area, const QRectF& into);
 
     bool operator==(const ViewTransform&) const = default;
 

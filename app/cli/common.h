@@ -13,6 +13,7 @@
 #include "io/error.h"
 #include "shared/flag_checks.h"
 #include "shared/log_files.h"
+#include "shared/notices.h"
 #include "shared/shell_quoted.h"
 
 namespace mrose::cli {

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "common.h"
+#include "compare_divergence.h"
 #include "comparison/comparison_files.h"
 #include "comparison/comparison_report.h"
 #include "evaluation/format.h"
@@ -16,9 +17,11 @@ struct CompareFlags {
     LogComparisonRequest what;
     std::string folder;
     PluginFlags plugins;
+    DivergenceFlags divergence;
 };
 
-void printComparison(const Comparison& comparison, const std::vector<std::string>& notices) {
+void printComparison(const Comparison& comparison, const ComparedDivergences& divergences,
+                     const std::vector<std::string>& notices) {
     const Nanoseconds step = comparison.evaluation.options.windows.step;
     const CourseRequest& first = comparison.requests.front();
     const bool one = comparison.requests.size() == 1;
@@ -41,20 +44,23 @@ void printComparison(const Comparison& comparison, const std::vector<std::string
         "path,\nHd: time-mean heading error over rotation, summed over these windows. final: median errors at the end "
         "of "
         "the\ncourses. touches: how often the simulated robot began to touch something.");
+    printDivergences(comparison, divergences);
     std::vector<std::string> notes = notices;
     for (std::string& remark : remarksOn(comparison)) notes.push_back(std::move(remark));
     if (!notes.empty()) std::puts("");
     for (const std::string& note : notes) std::printf("Note: %s\n", note.c_str());
 }
 
-int deliver(const LogComparison& compared, const CompareFlags& flags, const CommonFlags& common) {
-    const auto& [comparison, scene, context] = compared;
+int deliver(const LogComparison& compared, const ComparedDivergences& divergences, const CompareFlags& flags,
+            const CommonFlags& common) {
+    const auto& [log, world, comparison, context] = compared;
     if (common.json)
-        std::fputs(comparisonJson(comparison, context.notices).c_str(), stdout);
+        std::fputs(comparisonJson(comparison, context.notices, &divergences).c_str(), stdout);
     else
-        printComparison(comparison, context.notices);
+        printComparison(comparison, divergences, context.notices);
     if (flags.folder.empty()) return success;
-    if (const auto written = writeComparison(comparison, scene, context, flags.folder); !written)
+    if (const auto written = writeComparison(comparison, world.parts().scene, context, flags.folder, &divergences);
+        !written)
         return report(written.error());
     if (!common.json)
         std::printf("\nreport: %s\n", (std::filesystem::path(flags.folder) / "report.html").string().c_str());
@@ -65,9 +71,16 @@ int compareScenario(const CompareFlags& flags, const CommonFlags& common) {
     if (!flags.folder.empty())
         if (const auto writable = checkComparisonFolder(flags.folder, common.overwrite); !writable)
             return report(writable.error());
+    watchInterrupts();
     const auto compared = compareLog(flags.what, {pluginLoader(flags.plugins), watchPlugins}, commandLine());
     if (!compared) return report(compared.error());
-    return deliver(*compared, flags, common);
+    const auto divergences = findDivergences(compared->world, compared->comparison, flags.divergence, common.quiet);
+    if (!divergences) return report(divergences.error(), compared->comparison.scenario);
+    if (divergences->cancelled) {
+        std::fprintf(stderr, "mrose: interrupted; nothing written\n");
+        return interrupted;
+    }
+    return deliver(*compared, *divergences, flags, common);
 }
 
 }  // namespace
@@ -80,6 +93,7 @@ Subcommand addCompare(CLI::App& app, CommonFlags& common) {
         "  mrose compare mrclam_replay.toml --log MRCLAM_Dataset6 --every 10 --report comparison\n"
         "  mrose compare mrclam_replay.toml --log MRCLAM_Dataset7 --robots 1,2 --start 120 --duration 30\n"
         "  mrose compare mrclam_replay.toml --log MRCLAM_Dataset7 --robots 1,2 --windows windows.csv\n"
+        "  mrose compare mrclam_replay.toml --log MRCLAM_Dataset6 --start 120 --duration 60 --model mine.net\n"
         "Each course begins with the poses and velocities of the real robots and the commands before; from there on "
         "the "
         "simulation gets their commands alone. It collides with what is in the world; mrose predict knows no "
@@ -112,6 +126,7 @@ Subcommand addCompare(CLI::App& app, CommonFlags& common) {
         ->excludes(every);
     sub->add_option("--report", flags->folder, "Folder for report.html, errors.csv, courses.csv and results.json")
         ->check(someName());
+    addDivergenceFlags(*sub, flags->divergence);
     addPluginFlags(*sub, flags->plugins);
     sub->callback([sub, flags, &common] {
         if (sub->count("--seed") > 0) flags->what.seed = common.seed;

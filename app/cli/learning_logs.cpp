@@ -6,6 +6,7 @@
 #include "common.h"
 #include "identification/drive_fit.h"
 #include "identification/held_out_groups.h"
+#include "shared/notices.h"
 
 namespace mrose::cli {
 namespace {

@@ -6,6 +6,7 @@
 #include "identification/robot_identification.h"
 #include "io/file.h"
 #include "learning_logs.h"
+#include "shared/notices.h"
 #include "train_flags.h"
 
 namespace mrose::cli {

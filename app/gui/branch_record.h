@@ -38,6 +38,7 @@ public:
     const CoursePointer& coursePointer() const { return course_; }
     Playback& playback() { return playback_; }
     const PoseTrack& track() const { return track_; }
+    PoseTrack& track() { return track_; }
     const std::vector<TimelineMark>& marks() const { return marks_; }
     const std::vector<KickOrder>& kickOrders() const { return kickOrders_; }
     /// When a robot first had a fault of these words.

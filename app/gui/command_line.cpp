@@ -20,6 +20,8 @@ constexpr const char* examples =
     "  mrose-gui\n"
     "  mrose-gui office_corridor.toml --seed 7 --dark\n"
     "  mrose-gui --at 3.42 game.mcap\n"
+    "  mrose-gui --log MRCLAM_Dataset6\n"
+    "  mrose-gui mrclam_replay.toml --log MRCLAM_Dataset6 --robots 1,2 --start 120 --every 5\n"
     "  mrose-gui --at 12.5 soccer.toml --trial 17 --seed 4\n"
     "  mrose-gui --offscreen --run soccer.toml --ticks 400 --select 'red 2' --screenshot soccer.png\n"
     "  mrose-gui --offscreen --run soccer.toml --duration 10 --film game.mp4\n"
@@ -83,7 +85,20 @@ void addFlags(CLI::App& app, CommandLine& line, std::string& run, std::string& s
     app.add_option("--seed", line.seed, "Seed of everything random; the same seed gives the same run")
         ->check(someSeed());
     app.add_option("--trial", line.trial, "Start as this trial of a batch does; 0: as the scenario says");
-    app.add_option("--log", line.log, "Read this log instead of those that the scenario names");
+    app.add_option("--log", line.log,
+                   "Lay this log over its simulation; of a scenario: read it instead of those that it names");
+    CLI::Option* start =
+        app.add_option("--start", line.start, "Where in the log to begin, s after its robots are there")
+            ->check(numberRange(0.0, 1e7));
+    app.add_option("--every", line.every, "Start again from the real robots every so many s; nothing: 10")
+        ->check(numberRange(0.1, 1e7));
+    app.add_flag("--windows", line.windows, "Start where `mrose evaluate` does")->excludes(start);
+    app.add_option("--robots", line.robots, "Only these robots of the log, by their names there: 1,2")->delimiter(',');
+    app.add_option("--model", line.models,
+                   "Lay another motion model over as well: a network's file, or a kinematic one")
+        ->check(someName());
+    app.add_option("--robot", line.robotFile,
+                   "Robot file of the log's robots, where the log cannot tell and no scenario is given");
     app.add_option("--plugin-limit", line.pluginLimit, "How long a plug-in may take for a decision, in s")
         ->check(numberRange(0.01, 1e6))
         ->capture_default_str();
@@ -93,6 +108,11 @@ void addFlags(CLI::App& app, CommandLine& line, std::string& run, std::string& s
     app.add_option("--layers", line.layers, "Show these layers and no others, with commas between them; or none")
         ->delimiter(',')
         ->check(someLayer());
+    app.add_option("--break", line.breaks,
+                   "Stop where this condition begins to hold, or at contact, kick, goal, fault, breakHere(); may be "
+                   "given several times. With --run it ends there and says when")
+        ->allow_extra_args(false)
+        ->check(someName());
     app.add_flag("--dark", line.dark, "Dark colours");
     app.add_flag("--remember", line.remember, "Use and keep the user's layout with --offscreen and --script, too");
     app.add_option("--size", size, "Of the window, pixels: 1280x800")->check(someSize());

@@ -18,10 +18,16 @@ struct CommandLine {
     std::optional<std::uint64_t> seed;
     std::uint32_t trial = 0;
     std::string log;
+    std::optional<double> start, every;  ///< s, of the log
+    bool windows = false;
+    std::vector<std::string> robots;  ///< of the log
+    std::string robotFile;
+    std::vector<std::string> models;  ///< to be laid over as well
     double pluginLimit = 2;       ///< s
     std::optional<double> speed;  ///< simulated seconds per second; 0: as fast as possible
     std::string select;           ///< a body's name, or its number from 1
     std::vector<std::string> layers;
+    std::vector<std::string> breaks;  ///< texts of breakpoints
     bool dark = false;
     bool remember = false;                    ///< of the layout, where nobody is to work with the window
     std::optional<std::pair<int, int>> size;  ///< pixels

@@ -5,6 +5,7 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QVBoxLayout>
@@ -60,10 +61,14 @@ CommandPanel::CommandPanel(QWidget* parent)
     form->addRow(tr("Kick"), kick);
     form->addRow(tr("for"), periods_);
     layout->addLayout(form);
-    apply_->setToolTip(tr("Begins a branch at that decision, with this command in its place (Ctrl+Return)"));
+    apply_->setToolTip(
+        tr("Begins a branch at that decision, with this command in its place (Return in a field, or Ctrl+Return)"));
     layout->addWidget(apply_);
     layout->addStretch();
     connect(apply_, &QPushButton::clicked, this, &CommandPanel::apply);
+    for (QAbstractSpinBox* box : {static_cast<QAbstractSpinBox*>(v_), static_cast<QAbstractSpinBox*>(w_),
+                                  static_cast<QAbstractSpinBox*>(power_), static_cast<QAbstractSpinBox*>(periods_)})
+        connect(box->findChild<QLineEdit*>(), &QLineEdit::returnPressed, this, &CommandPanel::apply);
     connect(kick_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
             [this](int index) { power_->setEnabled(index > 0); });
     connect(periods_, QOverload<int>::of(&QSpinBox::valueChanged), this,
@@ -157,13 +162,12 @@ void CommandPanel::apply() {
         order.kicks = kicks;
     else if (kick_->currentIndex() > 0)
         order.kicks.push_back({static_cast<std::uint32_t>(kick_->currentIndex() - 1), power_->value() / 100});
-    Edit edit{tr("%1: %2 m/s, %3 rad/s%4")
-                  .arg(QString::fromStdString(frame.nameOf(*body_)))
-                  .arg(v_->value(), 0, 'f', 2)
-                  .arg(w_->value(), 0, 'f', 2)
-                  .arg(order.kicks.empty() ? (kicks.empty() ? QString() : tr(", no kick"))
-                                           : tr(", kick %1 %").arg(power_->value(), 0, 'f', 0))
-                  .toStdString()};
+    QStringList changed;
+    if (order.command.v != before.v) changed << tr("%1 m/s").arg(v_->value(), 0, 'f', 2);
+    if (order.command.w != before.w) changed << tr("%1 rad/s").arg(w_->value(), 0, 'f', 2);
+    if (!sameKick) changed << (order.kicks.empty() ? tr("no kick") : tr("kick %1 %").arg(power_->value(), 0, 'f', 0));
+    if (changed.isEmpty()) changed << tr("as decided");
+    Edit edit{(QString::fromStdString(frame.nameOf(*body_)) + ": " + changed.join(", ")).toStdString()};
     edit.tick = told->tick;
     edit.orders = {order};
     edit.afterDeciding = order.robot;

@@ -1,7 +1,9 @@
 #include <QFileDialog>
 #include <QMenu>
 
+#include "logs/log_reader.h"
 #include "main_window.h"
+#include "overlay.h"
 #include "window_actions.h"
 #include "window_files.h"
 #include "window_memory.h"
@@ -26,6 +28,8 @@ QString askForName(MainWindow& window, const QString& title, const QString& kind
 
 /// Scripts wait until it is open, people need not.
 Expected<void> openPath(MainWindow& window, const QString& path) {
+    if (window.actions().unattended() && looksLikeLog(path.toStdString()))
+        return window.overlay().openNow({path.toStdString(), ""});
     if (window.actions().unattended()) return window.files().openNow({path.toStdString()});
     window.files().open(path);
     return {};

@@ -6,10 +6,13 @@
 #include <fstream>
 #include <string_view>
 
+#include "logs/log_reader.h"
+
 namespace mrose::gui {
 namespace {
 
-constexpr const char* expected = "expected a scenario (.toml), a recording (.mcap), a network (.net) or results.csv";
+constexpr const char* expected =
+    "expected a scenario (.toml), a recording (.mcap), a network (.net), a log or results.csv";
 constexpr std::string_view recordingMagic{"\x89MCAP", 5};
 
 std::string notThis(const std::string& what) { return what + "; " + expected; }
@@ -39,7 +42,7 @@ Expected<std::string> beginningOf(const std::string& path) {
     std::error_code error;
     const auto status = std::filesystem::status(path, error);
     if (!std::filesystem::exists(status)) return fail(path, notThis("does not exist"));
-    if (std::filesystem::is_directory(status)) return fail(path, notThis("is a folder"));
+    if (std::filesystem::is_directory(status)) return fail(path, notThis("is a folder without a log"));
     if (!std::filesystem::is_regular_file(status)) return fail(path, notThis("is no regular file"));
     std::ifstream file(path, std::ios::binary);
     if (!file) return fail(path, std::string("cannot be read: ") + std::strerror(errno));
@@ -52,6 +55,9 @@ Expected<std::string> beginningOf(const std::string& path) {
 }  // namespace
 
 Expected<FileKind> fileKind(const std::string& path) {
+    std::error_code ignored;
+    const bool folder = std::filesystem::is_directory(path, ignored);
+    if (folder && looksLikeLog(path)) return FileKind::log;
     const auto bytes = beginningOf(path);
     if (!bytes) return tl::unexpected(bytes.error());
     if (bytes->empty()) return fail(path, notThis("is empty"));
@@ -64,6 +70,7 @@ Expected<FileKind> fileKind(const std::string& path) {
         return fail(path, "describes " + std::string(format == "mrose environment" ? "an " : "a ") + format.substr(6) +
                               "; open a scenario that names it");
     if (bytes->starts_with("trial,seed,")) return FileKind::results;
+    if (looksLikeLog(path)) return FileKind::log;
     // Its reader says what is wrong with it, and where.
     if (std::filesystem::path(path).extension() == ".toml") return FileKind::scenario;
     if (std::filesystem::path(path).extension() == ".net") return FileKind::network;

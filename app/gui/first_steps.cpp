@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <QToolButton>
 
+#include "command_panel.h"
 #include "main_window.h"
 #include "plot_panel.h"
 #include "widgets/field_view.h"
@@ -48,7 +49,9 @@ FirstSteps::FirstSteps(MainWindow& window) : QFrame(&window.field()), window_(wi
     add({tr("%1, %2").arg(key("tick_back"), key("tick_forward")), tr("a tick back, a tick on")},
         {"tick_back", "tick_forward"});
     add({key("cause_of_kick"), tr("the decision behind the last kick")}, {"cause_of_kick"});
-    add({tr("Drag a robot"), tr("a branch; its old course is a ghost")}, {});
+    add({key("change_command"), tr("another command there: a branch")}, {"apply_command"});
+    const std::size_t command = steps_.size() - 1;
+    add({tr("Drag a robot"), tr("a branch; its knob turns it")}, {});
     const std::size_t branch = steps_.size() - 1;
     add({key("side_by_side"), tr("both courses side by side")}, {"side_by_side"});
     add({tr("Click a number"), tr("in the inspector, to plot it")}, {});
@@ -56,8 +59,8 @@ FirstSteps::FirstSteps(MainWindow& window) : QFrame(&window.field()), window_(wi
     connect(&window_.plots(), &PlotPanel::changed, this, [this, plot] {
         if (!window_.plots().keys().empty()) tick(plot);
     });
-    add({key("undo"), tr("undoes")}, {"undo"});
-    add({key("shortcuts"), tr("all keys")}, {"shortcuts"});
+    add({tr("%1, %2").arg(key("undo"), key("shortcuts")), tr("undoes; shows all keys")}, {"undo", "shortcuts"});
+    connect(&window_.commandPanel(), &CommandPanel::branchRequested, this, [this, command] { tick(command); });
     connect(&window_, &MainWindow::updated, this, [this, branch] {
         const std::vector<BranchInfo>& branches = window_.shown()->branches;
         const bool begun = branches.size() > std::exchange(branches_, branches.size());
@@ -96,12 +99,18 @@ void FirstSteps::tick(std::size_t step) {
     marks_[step]->setForegroundRole(QPalette::Link);
 }
 
-/// At the bottom, where the field leaves room.
+/// In a corner, of which the fitted field stays clear.
 void FirstSteps::place() {
     const QSize size = sizeHint().boundedTo(parentWidget()->size());
     setGeometry(QRect(
         QPoint(parentWidget()->width() - size.width() - margin, parentWidget()->height() - size.height() - margin),
         size));
+    window_.field().setCovered(geometry());
+}
+
+void FirstSteps::setVisible(bool visible) {
+    QFrame::setVisible(visible);
+    if (!visible) window_.field().setCovered({});
 }
 
 bool FirstSteps::eventFilter(QObject* watched, QEvent* event) {

@@ -22,6 +22,7 @@ public:
         bool done = false;
     };
     const std::vector<Step>& steps() const { return steps_; }
+    void setVisible(bool visible) override;
 
 signals:
     void closeRequested();

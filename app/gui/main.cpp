@@ -10,7 +10,9 @@
 #include "command_line.h"
 #include "film.h"
 #include "io/file.h"
+#include "logs/log_reader.h"
 #include "main_window.h"
+#include "overlay.h"
 #include "plot_panel.h"
 #include "plugin/plugin_host.h"
 #include "qt_messages.h"
@@ -20,6 +22,7 @@
 #include "shortcut_sheet.h"
 #include "widgets/field_view.h"
 #include "widgets/message_bar.h"
+#include "widgets/timeline_bar.h"
 #include "window_actions.h"
 #include "window_files.h"
 #include "window_memory.h"
@@ -37,6 +40,33 @@ int report(const Error& error) {
 
 OpenRequest requestOf(const CommandLine& line) {
     return {line.file.empty() ? "soccer.toml" : line.file, line.trial, line.seed, line.log, line.pluginLimit};
+}
+
+/// A log given as FILE or with --log is laid over its simulation; --run and recordings are opened as they are.
+std::optional<OverlayRequest> overlayOf(const CommandLine& line) {
+    const std::string place = logPlaceOf(line.file);
+    const bool isLog = !line.file.empty() && looksLikeLog(place);
+    if (line.run || (!isLog && line.log.empty())) return {};
+    return OverlayRequest{isLog ? place : logPlaceOf(line.log),
+                          isLog ? "" : line.file,
+                          line.robotFile,
+                          line.robots,
+                          line.models,
+                          line.seed,
+                          line.pluginLimit};
+}
+
+OverlayPlan planOf(const CommandLine& line) {
+    OverlayPlan plan;
+    plan.cut = line.windows ? OverlayPlan::Cut::windows : line.duration ? OverlayPlan::Cut::once : plan.cut;
+    plan.start = line.start.value_or(plan.start);
+    plan.length = line.every ? *line.every : line.duration.value_or(plan.length);
+    return plan;
+}
+
+Expected<void> openNow(MainWindow& window, const CommandLine& line) {
+    if (const auto overlay = overlayOf(line)) return window.overlay().openNow(*overlay, planOf(line));
+    return window.files().openNow(requestOf(line), line.at);
 }
 
 /// How the run is looked at, once it is there.
@@ -57,7 +87,18 @@ Expected<void> select(MainWindow& window, const std::string& text) {
     return {};
 }
 
-/// To the end that the command line gives: at a speed, or as fast as it goes.
+/// Error: one does not fit what is open.
+Expected<std::vector<Breakpoint>> breakpointsOf(MainWindow& window, const CommandLine& line) {
+    std::vector<Breakpoint> breakpoints;
+    for (const std::string& text : line.breaks) {
+        if (auto fits = checkBreakText(text, *window.shown()->course); !fits)
+            return fail("--break " + text, wrongWith(fits.error()));
+        breakpoints.emplace_back().text = text;
+    }
+    return breakpoints;
+}
+
+/// To the end that the command line gives, or to a break: at a speed, or as fast as it goes.
 void runToEnd(MainWindow& window, const CommandLine& line) {
     const FieldFrame& frame = *window.shown()->frame;
     const Nanoseconds duration = line.duration ? fromSeconds(*line.duration) : frame.scenario->parts().duration;
@@ -66,11 +107,15 @@ void runToEnd(MainWindow& window, const CommandLine& line) {
         window.session().stopAt(end);
         window.session().play();
         settle(window);
-        while (window.shown()->playing && window.shown()->tick() < end) letPass(20);
-        window.session().pause();
+        while (window.shown()->playing) letPass(20);
+    } else {
+        window.session().seek(end);
+        settle(window);
     }
-    window.session().seek(end);
-    settle(window);
+    if (line.breaks.empty()) return;
+    const Shown& shown = *window.shown();
+    const QString none = QObject::tr("no break up to %1").arg(clockText(shown.frame->scene().timeOf(shown.tick())));
+    std::puts((shown.atBreak ? shown.message : none).toUtf8().constData());
 }
 
 /// Whether all held.
@@ -106,22 +151,28 @@ int finish(MainWindow& window, const CommandLine& line, bool held) {
 /// What is done when the run is there, with somebody to work with it.
 void begin(MainWindow& window, const CommandLine& line) {
     look(window, line);
+    if (const auto breakpoints = breakpointsOf(window, line); !breakpoints)
+        window.messages().add({MessageBar::Kind::error, QString::fromStdString(breakpoints.error().message())});
+    else
+        for (const Breakpoint& breakpoint : *breakpoints) window.session().addBreakpoint(breakpoint);
     if (!line.select.empty())
         if (const auto selected = select(window, line.select); !selected)
             window.messages().add({MessageBar::Kind::error, QString::fromStdString(selected.error().message())});
     if (!line.record.empty()) window.files().record(QString::fromStdString(line.record), line.overwrite);
-    if (line.duration) {
+    if (line.duration && !overlayOf(line)) {
         const FieldFrame& frame = *window.shown()->frame;
         window.session().stopAt(frame.state.tick + frame.scene().ticksOf(fromSeconds(*line.duration)));
     }
-    if (!line.file.empty()) return;
+    if (!line.file.empty() || !line.log.empty()) return;
     showFirstSteps(window);
     window.session().play();
 }
 
 int work(MainWindow& window, const CommandLine& line) {
     window.QWidget::show();
-    if (line.file.empty())
+    if (const auto overlay = overlayOf(line))
+        window.overlay().open(*overlay, planOf(line));
+    else if (line.file.empty())
         window.files().open(requestOf(line), line.at);
     else
         window.files().open(QString::fromStdString(line.file), requestOf(line), line.at);
@@ -137,10 +188,14 @@ int work(MainWindow& window, const CommandLine& line) {
 /// With nobody: to the end that the command line or the script gives.
 int runAlone(MainWindow& window, const CommandLine& line) {
     window.actions().setUnattended(true);
-    if (const auto opened = window.files().openNow(requestOf(line), line.at); !opened) return report(opened.error());
+    if (const auto opened = openNow(window, line); !opened) return report(opened.error());
     window.QWidget::show();
     settle(window);
     look(window, line);
+    // Nobody is there to go on: nothing stops but what is asked for.
+    const auto breakpoints = breakpointsOf(window, line);
+    if (!breakpoints) return report(breakpoints.error());
+    window.session().setBreakpoints(*breakpoints);
     if (!line.record.empty()) window.files().record(QString::fromStdString(line.record), line.overwrite);
     const bool endGiven = line.ticks || line.duration;
     if (line.run ? endGiven || !line.at
@@ -154,6 +209,7 @@ int runAlone(MainWindow& window, const CommandLine& line) {
         if (!done) return report(done.error());
         held = *done;
     }
+    if (line.script.empty()) window.overlay().settle();
     settle(window);
     for (const MessageBar::Message& message : window.messages().messages())
         std::fprintf(stderr, "mrose-gui: %s\n", message.text.toStdString().c_str());
@@ -178,6 +234,7 @@ int runWindow(const CommandLine& line) {
         return 0;
     }
     if (line.interactive() || line.remember) window.memory().restore(WindowMemory::ofUser());
+    window.overlay().setFollows(!line.run);
     if (line.size) window.resize(line.size->first, line.size->second);
     if (line.dark && !window.actions()["dark"].isChecked()) window.actions()["dark"].trigger();
     const int status = line.interactive() ? work(window, line) : runAlone(window, line);

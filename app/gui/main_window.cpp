@@ -14,6 +14,7 @@
 #include <QMimeData>
 #include <QPainter>
 #include <QStatusBar>
+#include <QStatusTipEvent>
 #include <QStyle>
 #include <QToolBar>
 #include <QToolButton>
@@ -25,11 +26,15 @@
 
 #include "background_work.h"
 #include "branch_panel.h"
+#include "breakpoint_panel.h"
 #include "command_panel.h"
 #include "fault_messages.h"
+#include "overlay.h"
+#include "overlay_panel.h"
 #include "plot_panel.h"
 #include "side_view.h"
 #include "view_export.h"
+#include "widgets/course_strip.h"
 #include "widgets/field_view.h"
 #include "widgets/icons.h"
 #include "widgets/inspector.h"
@@ -61,6 +66,7 @@ MainWindow::MainWindow(QWidget* parent)
       inspector_(new Inspector),
       plots_(new PlotPanel(*session_)),
       branches_(new BranchPanel),
+      breakpoints_(new BreakpointPanel),
       command_(new CommandPanel),
       speed_(new QComboBox),
       seed_(new QToolButton),
@@ -72,7 +78,10 @@ MainWindow::MainWindow(QWidget* parent)
       files_(new WindowFiles(*this, *messages_)),
       memory_(new WindowMemory(*this)),
       background_(new BackgroundWork(this)),
-      progress_(new WorkProgress(*this, *messages_)) {
+      progress_(new WorkProgress(*this, *messages_)),
+      overlay_(new Overlay(*this)),
+      reality_(new OverlayPanel(*overlay_)),
+      strip_(new CourseStrip) {
     view_->setObjectName("field");
     timeline_->setObjectName("timeline");
     setWindowTitle("mrose");
@@ -84,6 +93,7 @@ MainWindow::MainWindow(QWidget* parent)
     layout->setSpacing(0);
     layout->addWidget(messages_);
     layout->addWidget(view_, 1);
+    layout->addWidget(strip_);
     layout->addWidget(timeline_);
     setCentralWidget(middle);
     makeDocks();
@@ -93,6 +103,7 @@ MainWindow::MainWindow(QWidget* parent)
     connectAll();
     new FaultMessages(*this, *messages_);
     setTheme(Theme::light());
+    field().setEmptyText(tr("Nothing is open: Ctrl+O opens a scenario or a recording, or drop one here"));
     memory_->keepAsNew();
 }
 
@@ -101,9 +112,11 @@ void MainWindow::makeActions() {
         messages_->add({MessageBar::Kind::error, QString::fromStdString(error.message())});
     });
     addFileActions(*this);
+    addOverlayActions(*this);
     addEditActions(*this);
     addTimeActions(*this);
     addBranchActions(*this);
+    addBreakActions(*this);
     addViewActions(*this);
     addLayerActions(*this);
     addPlotActions(*this);
@@ -121,7 +134,9 @@ void MainWindow::makeActions() {
 
 void MainWindow::connectAll() {
     connect(session_, &Session::shown, this, &MainWindow::update);
-    connect(timeline_, &TimelineBar::tickRequested, session_, &Session::seek);
+    // Who scrubs is not stopped.
+    connect(timeline_, &TimelineBar::tickRequested, session_,
+            [this](std::int64_t tick) { session_->seek(tick, false); });
     connect(&field(), &FieldView::bodySelected, inspector_, &Inspector::setBody);
     connect(&field(), &FieldView::bodySelected, command_, &CommandPanel::setRobot);
     connect(inspector_, &Inspector::commandActivated, this, [this](qint64 issued) {
@@ -154,7 +169,9 @@ MainWindow::~MainWindow() {
     delete plots_;
 }
 
-void MainWindow::showPlots() { findChild<QDockWidget*>("plots")->show(); }
+void MainWindow::showPlots() { showDock("plots"); }
+
+void MainWindow::showDock(const char* name) { findChild<QDockWidget*>(name)->show(); }
 
 void MainWindow::changeSpeed(int by) {
     speed_->setCurrentIndex(std::clamp(speed_->currentIndex() + by, 0, speed_->count() - 1));
@@ -206,13 +223,17 @@ void MainWindow::makeDocks() {
         return made;
     };
     dock("branches", tr("Branches"), branches_, Qt::LeftDockWidgetArea);
+    dock("breakpoints", tr("Breakpoints"), breakpoints_, Qt::LeftDockWidgetArea);
     dock("command", tr("Change a command"), command_, Qt::LeftDockWidgetArea);
+    dock("reality", tr("Reality"), reality_, Qt::LeftDockWidgetArea)->hide();
     dock("inspector", tr("Inspector"), inspector_, Qt::RightDockWidgetArea);
     dock("plots", tr("Plots"), plots_, Qt::BottomDockWidgetArea)->hide();
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     resizeDocks({findChild<QDockWidget*>("branches"), findChild<QDockWidget*>("inspector")}, {250, 330},
                 Qt::Horizontal);
+    resizeDocks({findChild<QDockWidget*>("branches"), findChild<QDockWidget*>("breakpoints")}, {220, 260},
+                Qt::Vertical);
 }
 
 void MainWindow::makeStatusBar() {
@@ -256,10 +277,13 @@ void MainWindow::setTheme(const Theme& theme) {
     QApplication::setPalette(palette);
     view_->setTheme(theme_);
     branches_->setTheme(theme_);
+    breakpoints_->setTheme(theme_);
     timeline_->setTheme(theme_);
     messages_->setTheme(theme_);
     inspector_->setTheme(theme_);
     plots_->setTheme(theme_);
+    reality_->setTheme(theme_);
+    strip_->setTheme(theme_);
     const std::initializer_list<std::pair<const char*, Icon>> icons{{"tick_forward", Icon::tickForward},
                                                                     {"tick_back", Icon::tickBack},
                                                                     {"period_forward", Icon::periodForward},
@@ -296,6 +320,8 @@ void MainWindow::update(std::shared_ptr<const Shown> what) {
     content.tickLength = shown_->frame->scene().tickLength;
     content.marks = shown_->marks;
     content.scenario = shown_->frame->scenario;
+    for (const BreakpointState& state : shown_->breakpoints)
+        content.breakpoints[state.breakpoint.id] = QString::fromStdString(state.breakpoint.text);
     if (shown_->branch != 0) content.departed = shown_->branches[shown_->branch].departed;
     for (const BranchInfo& branch : shown_->branches)
         if (branch.parent == shown_->branch && branch.departed > 0) content.branches.push_back(branch.departed);
@@ -313,8 +339,10 @@ void MainWindow::updateStatus() {
     actions_["play"].setText(playing ? tr("&Pause") : tr("&Play"));
     if (!shown_) return;
     seed_->setText(tr("seed %1").arg(shown_->frame->state.seed));
-    clock_->setText(
-        tr("%1   tick %2").arg(clockText(shown_->frame->scene().timeOf(shown_->tick()))).arg(shown_->tick()));
+    const Nanoseconds now = shown_->frame->scene().timeOf(shown_->tick());
+    const auto& reality = shown_->frame->reality;
+    clock_->setText(tr("%1   tick %2").arg(clockText(now)).arg(shown_->tick()) +
+                    (reality ? tr("   log %1").arg(clockText(reality->start + now)) : QString()));
     factor_->setText(
         playing ? tr("real-time factor %1").arg(shown_->realTimeFactor, 0, 'f', shown_->realTimeFactor < 10 ? 2 : 0)
                 : tr("paused"));
@@ -362,6 +390,7 @@ QString MainWindow::askText(const QString& title, const QString& label, const QS
 
 void MainWindow::say(const QString& text) {
     saidAt_ = shown_ ? shown_->tick() : 0;
+    said_ = text;
     message_->setText(text);
     message_->setToolTip(text);
 }
@@ -382,6 +411,14 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 void MainWindow::dropEvent(QDropEvent* event) {
     event->acceptProposedAction();
     files_->drop(*event->mimeData());
+}
+
+/// What an action does stands in the place of the message for as long as it is pointed at, beside the clock.
+bool MainWindow::event(QEvent* event) {
+    if (event->type() != QEvent::StatusTip) return QMainWindow::event(event);
+    const QString tip = static_cast<QStatusTipEvent*>(event)->tip();
+    message_->setText(tip.isEmpty() ? said_ : tip);
+    return true;
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -14,6 +14,7 @@ class QLabel;
 class QToolButton;
 
 namespace mrose {
+class CourseStrip;
 class FieldView;
 class Inspector;
 class MessageBar;
@@ -24,7 +25,10 @@ namespace mrose::gui {
 
 class BackgroundWork;
 class BranchPanel;
+class BreakpointPanel;
 class CommandPanel;
+class Overlay;
+class OverlayPanel;
 class PlotPanel;
 class SideView;
 class WindowFiles;
@@ -49,8 +53,13 @@ public:
     Inspector& inspector() const { return *inspector_; }
     PlotPanel& plots() const { return *plots_; }
     void showPlots();  ///< their dock, where it is hidden
+    void showDock(const char* name);
     CommandPanel& commandPanel() const { return *command_; }
     BranchPanel& branchPanel() const { return *branches_; }
+    Overlay& overlay() const { return *overlay_; }
+    OverlayPanel& overlayPanel() const { return *reality_; }
+    CourseStrip& courseStrip() const { return *strip_; }
+    BreakpointPanel& breakpointPanel() const { return *breakpoints_; }
     void setSideBySide(bool on);
     /// Asks the user for a line; empty: they thought better of it.
     QString askText(const QString& title, const QString& label, const QString& suggestion = {});
@@ -76,6 +85,7 @@ protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
+    bool event(QEvent* event) override;
 
 private:
     void makeActions();
@@ -94,6 +104,7 @@ private:
     Inspector* inspector_;
     PlotPanel* plots_;
     BranchPanel* branches_;
+    BreakpointPanel* breakpoints_;
     CommandPanel* command_;
     QComboBox* speed_;
     QToolButton* seed_;
@@ -103,11 +114,15 @@ private:
     WindowMemory* memory_;
     BackgroundWork* background_;
     WorkProgress* progress_;
+    Overlay* overlay_;
+    OverlayPanel* reality_;
+    CourseStrip* strip_;
     std::shared_ptr<const Shown> shown_;
     std::int64_t plannedTicks_ = 0;
     QString title_;
     std::int64_t saidAt_ = 0;  ///< the tick shown when something was said
     QString told_;             ///< the session's last message
+    QString said_;             ///< what the status bar says when no action is pointed at
     Theme theme_ = Theme::light();
 };
 

@@ -208,10 +208,14 @@ Expected<OpenRun> openAny(const OpenRequest& request, const OpenProgress& progre
             return openRecorded(request, progress);
         case FileKind::network:
             return fail(request.file, "is a network; open a scenario, select a robot, then open the network for it");
+        case FileKind::log:
+            return fail(request.file, "is a log; open it as a real log, or name it by --log");
         case FileKind::results:
             break;
     }
-    return fail(request.file, "holds results of many runs; expected a scenario or a recording");
+    return fail(request.file,
+                "lists the runs of a batch, to choose from in the window on a display; without one, open a run by its "
+                "scenario, trial and seed, which its column command names");
 }
 
 }  // namespace

@@ -53,7 +53,8 @@ void addPlotActions(MainWindow& window) {
         [&plots](bool) { plots.clear(); });
     QObject::connect(&inspector, &Inspector::plotRequested, &plots, &PlotPanel::toggle);
     QObject::connect(&inspector, &Inspector::plotOfAllRequested, &plots, &PlotPanel::toggleOfAll);
-    QObject::connect(&plots, &PlotPanel::tickRequested, &window.session(), &Session::seek);
+    QObject::connect(&plots, &PlotPanel::tickRequested, &window.session(),
+                     [&window](std::int64_t tick) { window.session().seek(tick, false); });
     QObject::connect(&plots, &PlotPanel::changed, &window, [&window, &plots, &inspector] {
         inspector.setPlotted(plots.plotted());
         if (!plots.keys().empty()) window.showPlots();

@@ -37,21 +37,24 @@ Theme paperTheme() {
 
 struct LegendEntry {
     QString text;
-    QColor colour;
-    Qt::PenStyle style = Qt::SolidLine;
+    QPen pen;
     QPoint at = {};  ///< its left end and middle
 };
 
 std::vector<LegendEntry> legendOf(const std::vector<PlotCurve>& curves, const QString& ghostName, const Theme& theme) {
     std::vector<LegendEntry> legend;
-    bool ghosts = false;
+    const PlotCurve* ghost = nullptr;
     for (const PlotCurve& curve : curves) {
-        ghosts = ghosts || curve.ghost;
+        if (curve.ghost) ghost = &curve;
         if (curve.ghost) continue;
         const QString unit = curve.unit.isEmpty() ? QString() : " (" + curve.unit + ')';
-        legend.push_back({curve.name.simplified() + unit, curve.colour, curve.dotted ? Qt::DotLine : Qt::SolidLine});
+        legend.push_back({curve.name.simplified() + unit, curvePen(curve)});
     }
-    if (ghosts) legend.push_back({ghostName, theme.quietText, Qt::DashLine});
+    if (ghost == nullptr) return legend;
+    PlotCurve any = *ghost;
+    any.colour = theme.text;
+    any.style = Qt::SolidLine;
+    legend.push_back({QObject::tr("thin: %1").arg(ghostName), curvePen(any)});
     return legend;
 }
 
@@ -70,7 +73,7 @@ int placeLegend(std::vector<LegendEntry>& legend, const QFontMetrics& metrics) {
 void drawLegend(QPainter& painter, const std::vector<LegendEntry>& legend, const Theme& theme) {
     painter.setRenderHint(QPainter::Antialiasing);
     for (const LegendEntry& entry : legend) {
-        painter.setPen(QPen(entry.colour, entry.style == Qt::DashLine ? 1.2 : 2, entry.style));
+        painter.setPen(entry.pen);
         painter.drawLine(entry.at, entry.at + QPoint(legendSample, 0));
         painter.setPen(theme.text);
         painter.drawText(

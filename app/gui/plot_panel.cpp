@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPainter>
 #include <QProgressBar>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -18,22 +19,45 @@
 namespace mrose::gui {
 namespace {
 
-constexpr int sideWidth = 320;
+constexpr int mostSideWidth = 336, leastSideWidth = 190, narrowSideWidth = 260;
 constexpr std::int64_t worthABar = 2000;  // ticks to be computed
-constexpr double leastApart = 45;         // of lightness, of a curve and its background
+constexpr double leastContrast = 1.9;     // of a curve and its ground
 
-/// As the robot is known by, but to be seen on the plot's ground.
-QColor visible(QColor colour, const Theme& theme) {
-    const int ground = theme.dark ? 30 : 255;
-    for (int i = 0; i < 8 && std::abs(qGray(colour.rgb()) - ground) < leastApart; ++i)
-        colour = theme.dark ? colour.lighter(115) : colour.darker(115);
-    return colour;
+QColor groundOf(const Theme& theme) { return theme.dark ? theme.surround : QColor(Qt::white); }
+
+/// One robot's curves on one axis are told apart by their lines, and by how light they are.
+QColor variant(const QColor& colour, int which, const Theme& theme) {
+    constexpr double apart = 2.2, leastOfVariant = 2.6;  // contrasts: with the first, and with the ground
+    const auto shaded = [&](bool lighter) {
+        QColor shade = colour;
+        for (int i = 0; i < 16 && contrast(shade, colour) < apart; ++i) {
+            const QColor next = lighter ? shade.lighter(112) : shade.darker(112);
+            const double before = contrast(shade, groundOf(theme)), after = contrast(next, groundOf(theme));
+            if (after < before && after < leastOfVariant) break;
+            shade = next;
+        }
+        return shade;
+    };
+    const QColor darker = shaded(false), lighter = shaded(true);
+    const bool darkerIsFarther = contrast(darker, colour) > contrast(lighter, colour);
+    return which == 0 ? colour : darkerIsFarther == (which == 1) ? darker : lighter;
 }
 
-/// The second and third curve of one robot on one axis.
-QColor variant(const QColor& colour, int which, const Theme& theme) {
-    if (which == 0) return colour;
-    return theme.dark ? colour.lighter(100 + 30 * which) : colour.darker(100 + 45 * which);
+constexpr std::array styles{Qt::SolidLine, Qt::DashLine, Qt::DotLine};
+
+/// The curve's line, as a legend shows it.
+QPixmap sampleOf(const PlotCurve& curve, double ratio) {
+    constexpr int width = 22, height = 12;
+    QPixmap sample(QSize(width, height) * ratio);
+    sample.setDevicePixelRatio(ratio);
+    sample.fill(Qt::transparent);
+    QPainter painter(&sample);
+    QPen pen = curvePen(curve);
+    pen.setWidthF(2.4);
+    pen.setCapStyle(Qt::FlatCap);
+    painter.setPen(pen);
+    painter.drawLine(QPointF(0, height / 2), QPointF(width - 2, height / 2));
+    return sample;
 }
 
 }  // namespace
@@ -80,7 +104,7 @@ PlotPanel::~PlotPanel() = default;
 
 QWidget* PlotPanel::makeSide() {
     auto* side = new QWidget;
-    side->setFixedWidth(sideWidth);
+    side_ = side;
     QFont small = font();
     small.setPointSizeF(std::min(9.5, small.pointSizeF()));
     side->setFont(small);
@@ -99,8 +123,11 @@ QWidget* PlotPanel::makeSide() {
     list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     list_->header()->setSectionResizeMode(1, QHeaderView::Fixed);
     list_->header()->setSectionResizeMode(2, QHeaderView::Fixed);
-    list_->header()->resizeSection(1, 66);
-    list_->header()->resizeSection(2, 44);
+    list_->header()->resizeSection(1, 58);
+    list_->header()->resizeSection(2, 40);
+    list_->setTextElideMode(Qt::ElideMiddle);
+    list_->setIndentation(0);
+    list_->setIconSize({22, 12});
     list_->setContextMenuPolicy(Qt::CustomContextMenu);
     list_->installEventFilter(this);
     connect(list_, &QTreeWidget::customContextMenuRequested, this, [this](const QPoint& place) {
@@ -186,7 +213,7 @@ Expected<void> PlotPanel::addExpression(const QString& text) {
     error_->setVisible(!added);
     if (added) return added;
     const QString message = QString::fromStdString(added.error().message());
-    error_->setText(error_->fontMetrics().elidedText(message, Qt::ElideRight, sideWidth - 14));
+    error_->setText(error_->fontMetrics().elidedText(message, Qt::ElideRight, side_->width() - 14));
     error_->setToolTip(message);
     return added;
 }
@@ -230,7 +257,7 @@ void PlotPanel::clear() {
 
 std::map<ValueKey, QColor> PlotPanel::plotted() const {
     std::map<ValueKey, QColor> plotted;
-    for (std::size_t i = 0; i < keys_.size(); ++i) plotted.emplace(keys_[i], colours_[i]);
+    for (std::size_t i = 0; i < keys_.size(); ++i) plotted.emplace(keys_[i], looks_[i].colour);
     return plotted;
 }
 
@@ -326,20 +353,22 @@ PlotCurve PlotPanel::curveOf(const ValueKey& key, const PlottedValue& value, con
     return curve;
 }
 
-/// A robot's colour; more curves of one robot on one axis differ in lightness. What is no robot's has none of those.
-std::vector<QColor> PlotPanel::coloursOf(const std::vector<PlottedValue>& values, const Theme& theme) {
-    std::vector<QColor> colours;
+/// A robot's colour; more curves of one robot on one axis differ in line and lightness. What is no robot's has none of
+/// those colours.
+std::vector<PlotPanel::Look> PlotPanel::looksOf(const std::vector<PlottedValue>& values, const Theme& theme) {
+    std::vector<Look> looks;
     std::map<std::pair<std::uint32_t, QString>, int> used;
     const std::array others{theme.text, theme.contact, theme.accent, theme.quietText};
     for (const PlottedValue& value : values) {
         if (!value.colourOf) {
-            colours.push_back(others[static_cast<std::size_t>(used[{noBody, {}}]++) % others.size()]);
+            looks.push_back({others[static_cast<std::size_t>(used[{noBody, {}}]++) % others.size()]});
             continue;
         }
-        const QColor base = visible(robotColour(*value.colourOf), theme);
-        colours.push_back(variant(base, used[{*value.colourOf, value.unit}]++ % 3, theme));
+        const QColor base = seenOn(groundOf(theme), robotColour(*value.colourOf), leastContrast);
+        const int which = used[{*value.colourOf, value.unit}]++ % static_cast<int>(styles.size());
+        looks.push_back({variant(base, which, theme), styles[static_cast<std::size_t>(which)]});
     }
-    return colours;
+    return looks;
 }
 
 std::vector<PlottedValue> PlotPanel::values() const {
@@ -359,13 +388,14 @@ QString PlotPanel::ghostName() const {
 std::vector<PlotCurve> PlotPanel::curvesIn(const Theme& theme) const {
     if (!shown_ || keys_.empty()) return {};
     const std::vector<PlottedValue> plotted = values();
-    const std::vector<QColor> colours = coloursOf(plotted, theme);
+    const std::vector<Look> looks = looksOf(plotted, theme);
     std::vector<PlotCurve> curves;
     const auto addCurves = [&](std::uint32_t branch, bool ghost) {
         const std::vector<Piece> course = courseOf(branch);
         for (std::size_t i = 0; i < plotted.size(); ++i) {
             PlotCurve curve = curveOf(keys_[i], plotted[i], course);
-            curve.colour = colours[i];
+            curve.colour = looks[i].colour;
+            curve.style = looks[i].style;
             curve.ghost = ghost;
             if (ghost) curve.id += "\nghost";
             curves.push_back(std::move(curve));
@@ -379,7 +409,7 @@ std::vector<PlotCurve> PlotPanel::curvesIn(const Theme& theme) const {
 void PlotPanel::rebuild() {
     hint_->setVisible(keys_.empty());
     view_->setVisible(!keys_.empty());
-    colours_ = coloursOf(values(), theme_);
+    looks_ = looksOf(values(), theme_);
     series_->want(keys_);
     view_->setCurves(curvesIn(theme_), ghostName());
     updateList();
@@ -393,9 +423,10 @@ void PlotPanel::updateList() {
         QTreeWidgetItem* item = list_->topLevelItem(i);
         if (item == nullptr) item = new QTreeWidgetItem(list_);
         const auto value = plottedValue(*shown_->frame->scenario, keys_[static_cast<std::size_t>(i)]);
-        QPixmap chip(12, 12);
-        chip.fill(colours_[static_cast<std::size_t>(i)]);
-        item->setIcon(0, chip);
+        PlotCurve curve;
+        curve.colour = looks_[static_cast<std::size_t>(i)].colour;
+        curve.style = looks_[static_cast<std::size_t>(i)].style;
+        item->setIcon(0, sampleOf(curve, devicePixelRatioF()));
         item->setText(0, value ? value->name : QString());
         item->setToolTip(0, item->text(0));
         item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
@@ -426,6 +457,13 @@ void PlotPanel::updateProgress() {
     if (mostBehind_ <= worthABar) return;
     bar_->setRange(0, 1000);
     bar_->setValue(static_cast<int>(1000 * (mostBehind_ - behind) / mostBehind_));
+}
+
+/// Most of the width is the plot's.
+void PlotPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    side_->setFixedWidth(std::clamp(width() / 2, leastSideWidth, mostSideWidth));
+    list_->setColumnHidden(2, side_->width() < narrowSideWidth);  // axes say the units, too
 }
 
 bool PlotPanel::eventFilter(QObject* watched, QEvent* event) {

@@ -63,6 +63,7 @@ signals:
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     struct Piece;  ///< of a course: some ticks of a branch
@@ -76,18 +77,23 @@ private:
     void updateList();
     void updateNumbers();
     void updateProgress();
-    static std::vector<QColor> coloursOf(const std::vector<PlottedValue>& values, const Theme& theme);
+    struct Look {
+        QColor colour;
+        Qt::PenStyle style = Qt::SolidLine;
+    };
+    static std::vector<Look> looksOf(const std::vector<PlottedValue>& values, const Theme& theme);
 
     std::unique_ptr<ValueSeries> series_;
     std::shared_ptr<const Shown> shown_;
     std::vector<ValueKey> keys_;  ///< in the order in which they were added
-    std::vector<QColor> colours_;
+    std::vector<Look> looks_;
     std::optional<std::int64_t> hovered_;
     std::int64_t mostBehind_ = 0;
     Theme theme_ = Theme::light();
 
     PlotView* view_;
     QLabel* hint_;
+    QWidget* side_ = nullptr;
     QTreeWidget* list_;
     QLineEdit* expression_;
     QLabel* error_;

@@ -6,14 +6,7 @@ namespace mrose::gui {
 
 void PoseTrack::add(const WorldState& state) {
     const auto in = static_cast<std::uint32_t>(ticks_ % TrailBlock::capacity);
-    if (in == 0) {
-        blocks_.push_back(std::make_shared<TrailBlock>(state.robots.size() + state.objects.size()));
-        if (blocks_.size() > 1 && blocks_.size() * blocks_.back()->bytes() > mostBytes) {
-            blocks_.pop_front();
-            first_ += TrailBlock::capacity;
-            ticks_ -= TrailBlock::capacity;
-        }
-    }
+    if (in == 0) blocks_.push_back(std::make_shared<TrailBlock>(state.robots.size() + state.objects.size()));
     std::size_t body = 0;
     const auto put = [&](const Pose& pose) {
         blocks_.back()->at(body++, in) = {static_cast<float>(pose.x), static_cast<float>(pose.y),
@@ -22,6 +15,14 @@ void PoseTrack::add(const WorldState& state) {
     for (const RobotState& robot : state.robots) put(robot.pose);
     for (const ObjectState& object : state.objects) put(object.pose);
     ++ticks_;
+}
+
+bool PoseTrack::forgetEarliest() {
+    if (blocks_.size() < 2) return false;
+    blocks_.pop_front();
+    first_ += TrailBlock::capacity;
+    ticks_ -= TrailBlock::capacity;
+    return true;
 }
 
 void PoseTrack::addTrails(std::int64_t tick, std::size_t ticks, Trails& trails) const {

@@ -10,13 +10,16 @@
 
 namespace mrose::gui {
 
-/// Where all bodies of a branch were at each tick, to draw trails and ghosts from: 12 bytes a body and tick. Of long
-/// runs with many bodies the earliest are forgotten.
+/// Where all bodies of a branch were at each tick, to draw trails and ghosts from: 12 bytes a body and tick. The
+/// earliest can be forgotten.
 class PoseTrack {
 public:
     explicit PoseTrack(const WorldState& start) : first_(start.tick) { add(start); }
 
     void add(const WorldState& state);
+    std::size_t bytes() const { return blocks_.size() * blocks_.back()->bytes(); }
+    /// The earliest block; false: there is but one.
+    bool forgetEarliest();
     std::int64_t first() const { return first_; }
     std::int64_t last() const { return first_ + ticks_ - 1; }
 
@@ -26,8 +29,6 @@ public:
     std::vector<Pose> posesAt(std::int64_t tick) const;
 
 private:
-    static constexpr std::size_t mostBytes = std::size_t{64} << 20;
-
     std::deque<std::shared_ptr<TrailBlock>> blocks_;  ///< all full but the last
     std::int64_t first_ = 0, ticks_ = 0;
 };

@@ -2,11 +2,13 @@
 
 #include <QDir>
 
+#include "comparison/compared_divergences.h"
 #include "comparison/comparison_report.h"
 #include "export_outcome.h"
 #include "io/file.h"
 #include "io/number_text.h"
 #include "main_window.h"
+#include "shared/motion_models.h"
 #include "shared/plugin_process.h"
 #include "shared/shell_quoted.h"
 
@@ -16,6 +18,8 @@ namespace {
 constexpr double pluginLimit = 2;  // s
 /// Of its progress the rest is writing.
 constexpr double computing = 0.95;
+/// Of a comparison's; the rest are causes.
+constexpr double comparing = 0.5;
 
 using Progress = BackgroundWork::Progress;
 using Outcome = BackgroundWork::Outcome;
@@ -61,6 +65,28 @@ Outcome makeAndWrite(const std::function<Expected<Made>(const Progress&)>& make,
     return true;
 }
 
+/// As mrose compare has it without further flags.
+struct ComparisonWithCauses {
+    LogComparison compared;
+    ComparedDivergences divergences;
+};
+
+Expected<ComparisonWithCauses> compareWithCauses(const LogComparisonRequest& request,
+                                                 const LogComparisonPlugins& plugins, const std::string& folder,
+                                                 const Progress& progress) {
+    auto compared = compareLog(request, plugins, commandOf(request, folder),
+                               [&](double share) { return progress(comparing * share); });
+    if (!compared) return tl::unexpected(compared.error());
+    DivergenceOptions options;
+    auto models = modelsToTry(compared->world, {});
+    if (!models) return tl::unexpected(models.error());
+    options.models = std::move(*models);
+    options.progress = [&](double share) { return progress(comparing + (1 - comparing) * share); };
+    auto divergences = divergencesOf(compared->world, compared->comparison, options);
+    if (!divergences) return tl::unexpected(divergences.error());
+    return ComparisonWithCauses{std::move(*compared), std::move(*divergences)};
+}
+
 QString pageIn(const QString& folder) { return QDir(folder).filePath("report.html"); }
 
 }  // namespace
@@ -88,10 +114,11 @@ Expected<void> exportComparison(MainWindow& window, const LogComparisonRequest& 
     return exportInBackground(
         window, {QObject::tr("Comparing %1").arg(QString::fromStdString(request.scenario)), pageIn(folder)},
         [request, path, plugins](const Progress& progress) {
-            return makeAndWrite<LogComparison>(
-                [&](const Progress& goesOn) { return compareLog(request, plugins, commandOf(request, path), goesOn); },
-                [&](const LogComparison& made) {
-                    return writeComparison(made.comparison, made.scene, made.context, path);
+            return makeAndWrite<ComparisonWithCauses>(
+                [&](const Progress& goesOn) { return compareWithCauses(request, plugins, path, goesOn); },
+                [&](const ComparisonWithCauses& made) {
+                    return writeComparison(made.compared.comparison, made.compared.world.parts().scene,
+                                           made.compared.context, path, &made.divergences);
                 },
                 progress);
         });

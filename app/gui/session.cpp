@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <utility>
 
 namespace mrose::gui {
@@ -12,6 +13,20 @@ constexpr auto framePeriod = std::chrono::microseconds(16'667);
 constexpr auto measuredOver = std::chrono::milliseconds(500);
 /// Who falls behind by more than this does not catch up later.
 constexpr auto mostBehind = std::chrono::milliseconds(100);
+
+using Marks = std::shared_ptr<const std::vector<TimelineMark>>;
+
+Marks withHits(const Marks& happened, const std::vector<TimelineMark>& hits) {
+    if (hits.empty()) return happened;
+    std::vector<TimelineMark> all;
+    std::merge(happened->begin(), happened->end(), hits.begin(), hits.end(), std::back_inserter(all),
+               [](const TimelineMark& a, const TimelineMark& b) { return a.tick < b.tick; });
+    return std::make_shared<const std::vector<TimelineMark>>(std::move(all));
+}
+
+QString secondsText(const TimeTravel& run, std::int64_t tick) {
+    return QString::number(toSeconds(run.course().scene().timeOf(tick)), 'f', 2);
+}
 
 }  // namespace
 
@@ -39,9 +54,11 @@ void Session::open(const OpenRun& run) {
         if (recorder_) endRecording(recorder_->finish(*run_));
         run_.emplace(run);
         end_.reset();
+        breakpoints_.forgetRun();
         ++runs_;
         learning_ = true;
         marks_.reset();
+        happened_.reset();
         message_.clear();
         playing_ = false;
     });
@@ -84,10 +101,11 @@ void Session::stepBy(std::int64_t ticks) {
     });
 }
 
-void Session::seek(std::int64_t tick) {
+void Session::seek(std::int64_t tick, bool breaks) {
     {
         const std::lock_guard lock(mutex_);
         seekTo_ = tick;
+        seekBreaks_ = breaks;
     }
     wake_.notify_all();
 }
@@ -96,7 +114,11 @@ void Session::show(std::uint32_t branch, std::int64_t tick) {
     request([this, branch, tick] {
         if (!run_ || branch >= run_->branches().size()) return;
         message_.clear();
-        if (auto done = run_->show(branch, tick); !done) message_ = QString::fromStdString(done.error().message());
+        if (auto done = run_->show(branch, tick); !done)
+            message_ = QString::fromStdString(done.error().message());
+        else if (run_->tick() != tick)
+            message_ = tr("This branch has not come to %1 s: it is shown at %2 s, the nearest that it has")
+                           .arg(secondsText(*run_, tick), secondsText(*run_, run_->tick()));
         anchor();
     });
 }
@@ -105,10 +127,13 @@ void Session::branchOff(const Edit& edit, std::optional<std::int64_t> seek) {
     request([this, edit, seek] {
         if (!run_) return;
         stop(QString());
-        if (auto done = run_->branchOff(edit); !done)
+        if (auto done = run_->branchOff(edit); !done) {
             message_ = QString::fromStdString(done.error().message());
-        else if (seek)
-            goTo(*seek);
+            return;
+        }
+        if (seek) goTo(*seek, false);
+        if (message_.isEmpty())
+            message_ = tr("A branch begins here: Space plays it, S shows both courses side by side");
     });
 }
 
@@ -118,19 +143,22 @@ void Session::showBeside(std::optional<std::uint32_t> branch) {
     });
 }
 
+Session::Progress Session::progressOf(const QString& what) {
+    return [this, what, toldAt = Clock::now()](double share) mutable {
+        if (Clock::now() - toldAt >= 2 * framePeriod) {
+            emit working(what, share);
+            toldAt = Clock::now();
+        }
+        return !cancelled_ && !quit_;
+    };
+}
+
 void Session::run(const QString& what, std::function<QString(TimeTravel&, const Progress&)> job) {
     request([this, what, job = std::move(job)] {
         if (!run_) return;
         cancelled_ = false;
         emit working(what, 0);
-        auto toldAt = Clock::now();
-        const QString said = job(*run_, [&](double share) {
-            if (Clock::now() - toldAt >= 2 * framePeriod) {
-                emit working(what, share);
-                toldAt = Clock::now();
-            }
-            return !cancelled_ && !quit_;
-        });
+        const QString said = job(*run_, progressOf(what));
         emit working(what, 1);
         message_ = said;
         anchor();
@@ -200,9 +228,8 @@ void Session::showCauseOfKick() {
         }
         const Scene& scene = run_->course().scene();
         const SceneRobot& robot = scene.robots[cause->order.robot];
-        message_ = tr("%1 decided here to kick; the kick of %2 s is its work")
-                       .arg(QString::fromStdString(robot.name))
-                       .arg(toSeconds(scene.timeOf(cause->kicked)), 0, 'f', 2);
+        message_ = tr("%1 decided here to kick; the kick of %2 s is its work. E changes what it decided")
+                       .arg(QString::fromStdString(robot.name), secondsText(*run_, cause->kicked));
         subject_ = cause->order.robot;
     });
 }
@@ -278,7 +305,7 @@ void Session::work() {
             const auto called = [this] {
                 return quit_ || !requests_.empty() || seekTo_.has_value() || !looks_.empty();
             };
-            if (playing_ || learning_ || recording_)
+            if (playing_ || learning_ || recording_ || judging_)
                 wake_.wait_until(lock, nextFrame, called);
             else
                 wake_.wait(lock, called);
@@ -293,12 +320,15 @@ void Session::work() {
         busy_ = true;
         std::deque<Request> requests = std::exchange(requests_, {});
         const std::optional<std::int64_t> seekTo = std::exchange(seekTo_, std::nullopt);
+        const bool breaks = seekBreaks_;
         lock.unlock();
         bool changed = !requests.empty() || seekTo;
         for (const Request& request : requests) request();
-        if (seekTo && run_) goTo(*seekTo);
+        if (seekTo && run_) goTo(*seekTo, breaks);
         if (playing_) changed = playTicks() || changed;
         if (learning_ && run_) changed = learn() || changed;
+        judging_ = run_ && (changed || judging_);
+        if (judging_ && !playing_ && !learning_) changed = learnBreaks() || changed;
         if (recorder_ && (changed || recording_)) followRecording();
         if (changed && run_) publish();
         nextFrame = std::max(Clock::now(), nextFrame + framePeriod);
@@ -315,12 +345,15 @@ bool Session::superseded() {
 }
 
 /// To a tick that has been, or by simulating up to one that has not; whatever is asked for meanwhile ends that.
-void Session::goTo(std::int64_t tick) {
+void Session::goTo(std::int64_t tick, bool breaks) {
     message_.clear();
+    atBreak_ = false;
     Expected<void> done = run_->seek(tick);
     auto shownAt = Clock::now();
     while (done && run_->tick() < tick) {
+        if (breaks) breakpoints_.leave(*run_);
         done = run_->forward();
+        if (done && breaks && stopsHere()) break;
         if (run_->tick() % 16 != 0) continue;
         if (superseded()) break;
         if (Clock::now() - shownAt < framePeriod) continue;
@@ -370,9 +403,10 @@ bool Session::playTicks() {
     };
     bool any = false;
     while (playing_ && due(run_->tick() + 1) <= Clock::now() && Clock::now() - begin < framePeriod) {
+        breakpoints_.leave(*run_);
         if (auto done = run_->forward(); !done) return stop(QString::fromStdString(done.error().message())), true;
         any = true;
-        if (!run_->breakReason().empty()) stop(QString::fromStdString(run_->breakReason()));
+        stopsHere();
         const ScenarioParts& parts = run_->course().scenario->parts();
         if (playing_ && run_->tick() == end_.value_or(parts.scene.ticksOf(parts.duration)))
             stop(tr("%1 s are over; it can go on").arg(toSeconds(parts.scene.timeOf(run_->tick())), 0, 'g', 6));
@@ -394,6 +428,7 @@ bool Session::playTicks() {
 void Session::stop(const QString& why) {
     playing_ = false;
     factor_ = 0;
+    atBreak_ = false;
     message_ = why;
 }
 
@@ -404,12 +439,17 @@ void Session::publish() {
     what->subject = std::exchange(subject_, std::nullopt);
     std::size_t known = 0;  // marks of branches never grow but at their ends
     for (std::uint32_t i = 0; i < run_->branches().size(); ++i) known += run_->record(i).marks().size();
-    if (!marks_ || marksOf_ != run_->branch() || marksKnown_ != known) {
-        marks_ = std::make_shared<const std::vector<TimelineMark>>(run_->marks());
-        marksOf_ = run_->branch();
-        marksKnown_ = known;
-    }
+    const bool others = !happened_ || marksOf_ != run_->branch() || marksKnown_ != known;
+    if (others) happened_ = std::make_shared<const std::vector<TimelineMark>>(run_->marks());
+    if (!marks_ || others || marksBreaks_ != breakpoints_.version())
+        marks_ = withHits(happened_, breakpoints_.marks(*run_));
+    marksOf_ = run_->branch();
+    marksKnown_ = known;
+    marksBreaks_ = breakpoints_.version();
     what->marks = marks_;
+    what->breakpoints = breakpoints_.states(*run_, *happened_);
+    what->atBreak = atBreak_;
+    what->canDiverge = breakpoints_.canDiverge();
     what->playing = playing_;
     what->realTimeFactor = factor_;
     what->message = message_;

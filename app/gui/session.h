@@ -13,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "breakpoints.h"
 #include "run_recorder.h"
 #include "shown.h"
 #include "time_travel.h"
@@ -37,7 +38,8 @@ public:
     /// Playing stops at that tick, instead of where the scenario says; it can go on from there.
     void stopAt(std::int64_t tick);
     void stepBy(std::int64_t ticks);  ///< and stand there; backwards where negative
-    void seek(std::int64_t tick);     ///< goes on playing if it was
+    /// Goes on playing if it was. On the way through what has not yet been simulated breakpoints stop it, if they may.
+    void seek(std::int64_t tick, bool breaks = true);
     void show(std::uint32_t branch, std::int64_t tick);
     /// A branch, which stands at its beginning; then to `seek`, if that is later. What goes wrong is in Shown::message.
     void branchOff(const Edit& edit, std::optional<std::int64_t> seek = {});
@@ -50,6 +52,22 @@ public:
     /// What really happened beside the run that was opened as the `run`th; of another run it is left out.
     void setReality(std::uint64_t run, std::shared_ptr<const Reality> reality);
     void setFrameOptions(const TimeTravel::FrameOptions& options);
+
+    // Breakpoints are the run's: another one that is opened has none but breakHere(). Shown::breakpoints tells of them.
+
+    void setBreakpoints(const std::vector<Breakpoint>& breakpoints);
+    void addBreakpoint(const Breakpoint& breakpoint);
+    void changeBreakpoint(const Breakpoint& breakpoint);  ///< the one with its number
+    void removeBreakpoint(std::uint32_t id);
+    void enableBreakpoints(bool enabled);
+    /// What "divergence" waits for; empty: no log is laid over.
+    void setDivergence(TickPredicate diverged);
+    /// As fast as possible to where a breakpoint stops next; without one to where playing ends. Only cancel() ends it.
+    void runToBreak();
+    /// To where one was met last.
+    void backToBreak();
+    /// To where such a text was met last, whether it is a breakpoint or not.
+    void backToLast(const QString& text);
 
     /// Told now and then which share is done; false: it is to end.
     using Progress = std::function<bool(double share)>;
@@ -89,7 +107,12 @@ private:
     bool learn();
     void followRecording();
     void endRecording(const Expected<void>& done);
-    void goTo(std::int64_t tick);
+    void goTo(std::int64_t tick, bool breaks = true);
+    bool stopsHere();
+    void goToStop(const Breakpoints::Answer& answer, const QString& none);
+    void simulateToBreak(const Progress& progress);
+    Progress progressOf(const QString& what);
+    bool learnBreaks();
     bool superseded();
     void serveLooks();
     void anchor();
@@ -101,6 +124,9 @@ private:
     std::optional<TimeTravel> run_;
     std::uint64_t runs_ = 0;  ///< opened so far
     bool learning_ = false;   ///< there are ticks of a file that nobody has looked at
+    Breakpoints breakpoints_;
+    bool atBreak_ = false;  ///< one of them stopped it at the shown tick
+    bool judging_ = false;  ///< there may be ticks of which breakpoints do not know whether they are met
     std::optional<RunRecorder> recorder_;
     bool recording_ = false;  ///< there are ticks that it has not yet written
     std::chrono::steady_clock::time_point nextFlush_;
@@ -119,6 +145,8 @@ private:
     std::shared_ptr<const std::vector<TimelineMark>> marks_;
     std::uint32_t marksOf_ = 0;
     std::size_t marksKnown_ = 0;
+    std::uint64_t marksBreaks_ = 0;
+    std::shared_ptr<const std::vector<TimelineMark>> happened_;  ///< those that are no breakpoints'
 
     // Shared.
     std::mutex mutex_;
@@ -126,6 +154,7 @@ private:
     std::deque<Request> requests_;
     std::deque<Look> looks_;
     std::optional<std::int64_t> seekTo_;
+    bool seekBreaks_ = true;
     std::atomic<bool> quit_ = false;
     bool busy_ = false;
     std::atomic<bool> cancelled_ = false;

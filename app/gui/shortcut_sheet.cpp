@@ -11,7 +11,8 @@
 namespace mrose::gui {
 namespace {
 
-constexpr int mostColumns = 3, gap = 40;  // pixels
+constexpr int mostColumns = 5, gap = 26;  // pixels
+constexpr double smallFont = 8.5;         // points
 
 QString plain(QString menuText) { return menuText.remove('&').remove(QString::fromUtf8("\u2026")); }
 
@@ -19,8 +20,9 @@ ShortcutGroup mouseGestures() {
     using Tr = QObject;
     return {Tr::tr("Mouse"),
             {{Tr::tr("Click"), Tr::tr("Select a robot or object"), {}},
-             {Tr::tr("Drag a body"), Tr::tr("Move it, while the run stands"), {}},
-             {Tr::tr("Right-drag a body"), Tr::tr("Turn it, while the run stands"), {}},
+             {Tr::tr("Drag a body"), Tr::tr("Move it"), Tr::tr("While the run stands")},
+             {Tr::tr("Drag its knob"), Tr::tr("Turn the selected robot"), Tr::tr("While the run stands")},
+             {Tr::tr("Right-drag a body"), Tr::tr("Turn it"), Tr::tr("While the run stands")},
              {Tr::tr("Drag the field"), Tr::tr("Move the view"), {}},
              {Tr::tr("Shift+drag"), Tr::tr("Measure"), {}},
              {Tr::tr("Wheel"), Tr::tr("Zoom at the cursor"), {}},
@@ -70,21 +72,24 @@ QString shortcutText(const std::vector<ShortcutGroup>& groups) {
 ShortcutSheet::ShortcutSheet(const Actions& actions, QWidget* parent)
     : QDialog(parent), actions_(actions), line_(new QLineEdit), area_(new QScrollArea) {
     setWindowTitle(tr("Shortcuts"));
+    QFont small = font();
+    small.setPointSizeF(std::min(smallFont, small.pointSizeF()));
+    setFont(small);
     setObjectName("shortcut_sheet");
     line_->setPlaceholderText(tr("Search"));
     line_->setAccessibleName(tr("Search the shortcuts"));
     area_->setWidgetResizable(true);
     area_->setFrameShape(QFrame::NoFrame);
     auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(20, 16, 20, 16);
-    layout->setSpacing(12);
+    layout->setContentsMargins(16, 12, 16, 12);
+    layout->setSpacing(10);
     layout->addWidget(line_);
     layout->addWidget(area_, 1);
     connect(line_, &QLineEdit::textChanged, this, &ShortcutSheet::search);
     area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     fill();
-    const QSize room = screen()->availableSize().expandedTo(parent->size()) * 9 / 10;
-    resize(std::min(room.width(), mostColumns * (blockWidth_ + gap) + 2 * gap), std::min(room.height(), 720));
+    const QSize room = screen()->availableSize().expandedTo(parent->size()) * 97 / 100;
+    resize(std::min(room.width(), mostColumns * (blockWidth_ + gap) + 2 * gap), std::min(room.height(), 740));
 }
 
 void ShortcutSheet::search(const QString& words) {
@@ -123,7 +128,7 @@ void ShortcutSheet::fill() {
     std::vector<std::pair<int, QVBoxLayout*>> columns;  // heights
     for (int i = 0; i < columns_; ++i) {
         columns.emplace_back(0, new QVBoxLayout);
-        columns.back().second->setSpacing(18);
+        columns.back().second->setSpacing(12);
         across->addLayout(columns.back().second, 1);
     }
     for (const auto& [height, widget] : blocks) {
@@ -141,7 +146,7 @@ QWidget* ShortcutSheet::block(const ShortcutGroup& group) {
     auto* made = new QWidget;
     auto* grid = new QGridLayout(made);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setVerticalSpacing(5);
+    grid->setVerticalSpacing(2);
     grid->setHorizontalSpacing(12);
     grid->setColumnStretch(0, 1);
     auto* title = new QLabel(group.title);

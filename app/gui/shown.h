@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "breakpoints.h"
 #include "time_travel.h"
 #include "world/state_hash.h"
 
@@ -38,6 +39,9 @@ struct Shown {
     std::vector<BranchInfo> branches;
     std::shared_ptr<const std::vector<TimelineMark>> marks;
     std::vector<BranchRecord::FirstFault> faults;  ///< up to the shown tick
+    std::vector<BreakpointState> breakpoints;
+    bool atBreak = false;     ///< one of them stopped it here
+    bool canDiverge = false;  ///< a breakpoint on divergence has something to ask
     bool playing = false;
     double realTimeFactor = 0;  ///< achieved; 0 while it stands
     bool canUndo = false, canRedo = false;

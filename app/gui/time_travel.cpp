@@ -29,7 +29,8 @@ History historyOf(const OpenRun& run) {
 
 }  // namespace
 
-TimeTravel::TimeTravel(const OpenRun& run) : history_(historyOf(run)), shown_(0, {run.start}), reality_(run.reality) {
+TimeTravel::TimeTravel(const OpenRun& run, std::size_t mostTrackBytes)
+    : history_(historyOf(run)), mostTrackBytes_(mostTrackBytes), shown_(0, {run.start}), reality_(run.reality) {
     if (!run.recorded()) records_.emplace_back(run.course, run.start, std::vector<HandOrder>{});
     for (const OpenRun::Recorded& recorded : run.branches)
         records_.emplace_back(recorded.course, recorded.start, std::vector<HandOrder>{});
@@ -54,14 +55,22 @@ std::int64_t TimeTravel::firstOf(std::uint32_t branch) const {
     return std::min(way.tick, firstOf(way.parent));
 }
 
+std::vector<TimeTravel::Part> TimeTravel::parts() const {
+    std::vector<Part> parts{{branch_, timelineOf(branch_).first(), last()}};
+    for (;;) {
+        const std::int64_t begin = parts.front().first;
+        const std::uint32_t before = ownerOf(parts.front().branch, begin - 1);
+        if (before == parts.front().branch) return parts;
+        parts.insert(parts.begin(), {before, timelineOf(before).first(), begin - 1});
+    }
+}
+
 std::vector<TimelineMark> TimeTravel::marks() const {
-    std::vector<std::uint32_t> way{branch_};
-    while (ownerOf(way.back(), branches()[way.back()].tick - 1) != way.back())
-        way.push_back(branches()[way.back()].parent);
     std::vector<TimelineMark> marks;
-    for (std::size_t i = way.size(); i-- > 0;) {
-        const std::int64_t until = i > 0 ? branches()[way[i - 1]].tick : last();
-        for (const TimelineMark& mark : records_[way[i]].marks())
+    for (const Part& part : parts()) {
+        // What a branch begins with has come about in the one before.
+        const std::int64_t until = part.branch == branch_ ? part.last : part.last + 1;
+        for (const TimelineMark& mark : records_[part.branch].marks())
             if (mark.tick <= until) marks.push_back(mark);
     }
     return marks;
@@ -90,6 +99,7 @@ Expected<void> TimeTravel::forward() {
         if (known) record.add(state(), trace);
         // What would have happened goes on beside what was changed.
         goOnWith(branches()[branch_].parent, std::numeric_limits<std::int64_t>::max());
+        keepTracksSmall();
     }
     followBeside();
     return {};
@@ -239,14 +249,40 @@ std::optional<std::uint32_t> TimeTravel::beside() const {
     return beside_ ? std::optional(beside_->branch) : std::nullopt;
 }
 
+std::size_t TimeTravel::trackBytes() const {
+    std::size_t sum = 0;
+    for (const BranchRecord& record : records_) sum += record.track().bytes();
+    return sum;
+}
+
+void TimeTravel::keepTracksSmall() {
+    while (trackBytes() > mostTrackBytes_) {
+        const auto smaller = [](const BranchRecord& a, const BranchRecord& b) {
+            return a.track().bytes() < b.track().bytes();
+        };
+        if (!std::max_element(records_.begin(), records_.end(), smaller)->track().forgetEarliest()) return;
+    }
+}
+
 Expected<bool> TimeTravel::learn(std::int64_t ticks) {
     for (std::uint32_t branch = 0; branch < records_.size(); ++branch)
         if (records_[branch].last() < timelineOf(branch).last()) {
             auto more = records_[branch].learn(timelineOf(branch), ticks);
+            keepTracksSmall();
             if (!more || *more) return more;
             return learn(0);
         }
     return false;
+}
+
+Expected<void> TimeTravel::learnUpTo(std::int64_t tick) {
+    for (const Part& part : parts()) {
+        BranchRecord& record = records_[part.branch];
+        const std::int64_t missing = std::min(tick, part.last) - record.last();
+        if (missing <= 0) continue;
+        if (auto more = record.learn(timelineOf(part.branch), missing); !more) return tl::unexpected(more.error());
+    }
+    return {};
 }
 
 FieldFrame TimeTravel::frame(const FrameOptions& options) const { return frameOf(shown_, options); }

@@ -38,7 +38,9 @@ struct Edit {
 /// (session.h) drives it, and so can a test.
 class TimeTravel {
 public:
-    explicit TimeTravel(const OpenRun& run);
+    /// Of `mostTrackBytes` all branches together keep where bodies were, for trails and ghosts; of the largest track
+    /// the earliest ticks are forgotten.
+    explicit TimeTravel(const OpenRun& run, std::size_t mostTrackBytes = std::size_t{64} << 20);
 
     const WorldState& state() const { return shown_.state(); }
     std::int64_t tick() const { return shown_.tick(); }
@@ -52,6 +54,13 @@ public:
     std::int64_t last() const { return lastOf(branch_); }
     std::int64_t firstOf(std::uint32_t branch) const;  ///< of its course
     std::int64_t lastOf(std::uint32_t branch) const { return timelineOf(branch).last(); }
+    /// A branch's ticks in the shown branch's course.
+    struct Part {
+        std::uint32_t branch = 0;
+        std::int64_t first = 0, last = 0;
+    };
+    /// What that course consists of, in the order of time.
+    std::vector<Part> parts() const;
     /// What happened in the shown branch's course, in the order of time.
     std::vector<TimelineMark> marks() const;
     /// Why the last tick asks to stop here; empty: it does not.
@@ -59,6 +68,7 @@ public:
     /// Of the tick that led here; nullptr: none is known.
     const StepTrace* trace() const { return shown_.trace(); }
     std::size_t memory() const { return history_.size(); }  ///< bytes of the timelines, roughly
+    std::size_t trackBytes() const;
 
     /// One tick on: along the branch where it has been before, otherwise into what has not yet happened.
     Expected<void> forward();
@@ -102,6 +112,8 @@ public:
 
     /// Of branches that came from a file: looks at so many of their ticks for trails and marks; whether there are more.
     Expected<bool> learn(std::int64_t ticks);
+    /// The same of the shown branch's course, up to a tick.
+    Expected<void> learnUpTo(std::int64_t tick);
 
     struct FrameOptions {
         std::size_t trailTicks = 500;
@@ -126,12 +138,14 @@ private:
     Expected<void> walk(Cursor& cursor, std::uint32_t branch, std::int64_t from, std::int64_t to);
     void goOnWith(std::uint32_t branch, std::int64_t most);
     void followBeside();
+    void keepTracksSmall();
     void addTrails(std::uint32_t branch, std::int64_t tick, std::size_t ticks, Trails& trails) const;
     std::vector<std::vector<Pose>> predictedPaths(const Cursor& cursor, Nanoseconds ahead) const;
     std::vector<Ghost> ghostsOf(const Cursor& cursor, std::size_t trailTicks) const;
 
     History history_;
     std::deque<BranchRecord> records_;  ///< of each branch
+    std::size_t mostTrackBytes_;
     std::uint32_t branch_ = 0;
     Cursor shown_;  ///< in the branch's course
     struct Beside {

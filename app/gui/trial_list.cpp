@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 #include <charconv>
 #include <filesystem>
+#include <map>
 
 #include "experiment/results_row.h"
 #include "io/file.h"
@@ -17,6 +18,8 @@ namespace {
 /// The columns that every batch begins with; those of its goals follow. Where the end stands.
 constexpr std::size_t leadingColumns = 9, endColumn = 3;
 constexpr const char* firstColumns = "trial,seed,end,time_s,touches,kicks,hits,faults,driven_m";
+
+constexpr int columnGap = 18;  // pixels, beyond what a column needs
 
 /// Leading columns, and goals.
 std::vector<std::size_t> shownColumns(const std::vector<std::string>& titles) {
@@ -32,6 +35,18 @@ std::string shortened(const std::string& cell) {
     const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
     if (error != std::errc() || end != cell.data() + cell.size() || cell.find('.') == std::string::npos) return cell;
     return QString::number(number, 'f', 2).toStdString();
+}
+
+/// "driven_m" as a person reads it.
+QString titleOf(const std::string& column) {
+    static const std::map<std::string, const char*> titles{
+        {"trial", "Trial"}, {"seed", "Seed"}, {"end", "Ended by"},  {"time_s", "Time (s)"},    {"touches", "Touches"},
+        {"kicks", "Kicks"}, {"hits", "Hits"}, {"faults", "Faults"}, {"driven_m", "Driven (m)"}};
+    if (const auto known = titles.find(column); known != titles.end()) return QObject::tr(known->second);
+    constexpr std::string_view goals = "goals ";
+    if (column.starts_with(goals))
+        return QObject::tr("Goals in %1").arg(QString::fromStdString(column.substr(goals.size())));
+    return QString::fromStdString(column);
 }
 
 /// As a shell takes a line apart that was quoted for it by apostrophes.
@@ -127,7 +142,6 @@ TrialList::TrialList(const QString& path, TrialTable table, QWidget* parent)
     : QDialog(parent), rows_(std::move(table.rows)), list_(new QTableWidget) {
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("%1 \u2013 runs: %2").arg(QFileInfo(path).fileName()).arg(rows_.size()));
-    resize(760, 480);
     auto* layout = new QVBoxLayout(this);
     auto* hint = new QLabel(tr("Choose a run to open it at the tick where it ended; a column's title sorts by it."));
     hint->setWordWrap(true);
@@ -137,7 +151,7 @@ TrialList::TrialList(const QString& path, TrialTable table, QWidget* parent)
     list_->setColumnCount(static_cast<int>(table.columns.size()));
     list_->setRowCount(static_cast<int>(rows_.size()));
     QStringList titles;
-    for (const std::string& column : table.columns) titles << QString::fromStdString(column);
+    for (const std::string& column : table.columns) titles << titleOf(column);
     list_->setHorizontalHeaderLabels(titles);
     list_->setSelectionBehavior(QAbstractItemView::SelectRows);
     list_->setSelectionMode(QAbstractItemView::SingleSelection);
@@ -154,6 +168,9 @@ TrialList::TrialList(const QString& path, TrialTable table, QWidget* parent)
     list_->setSortingEnabled(true);
     list_->sortItems(0);
     list_->resizeColumnsToContents();
+    for (int column = 0; column < list_->columnCount(); ++column)
+        list_->setColumnWidth(column, list_->columnWidth(column) + columnGap);
+    resize(list_->horizontalHeader()->length() + 64, 480);
     connect(list_, &QTableWidget::cellActivated, this, [this](int row, int) { choose(row); });
     connect(list_, &QTableWidget::cellDoubleClicked, this, [this](int row, int) { choose(row); });
 }

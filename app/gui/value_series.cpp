@@ -114,16 +114,37 @@ std::int64_t ValueSeries::behindNow() const {
     return behind;
 }
 
+std::optional<NextTicks> nextTicks(const ValueSeries::Way& way, const std::vector<std::int64_t>& ends) {
+    const auto [least, most] = std::minmax_element(ends.begin(), ends.end());
+    if (ends.empty() || *least > way.last) return {};
+    NextTicks next;
+    next.front = *most <= way.last && *most > std::max(*least, way.first);
+    next.tick = std::max(way.first, next.front ? *most : *least);
+    for (std::size_t i = 0; i < ends.size(); ++i)
+        if (next.front ? ends[i] == *most : ends[i] <= way.last) next.values.push_back(i);
+    return next;
+}
+
 std::optional<ValueSeries::Task> ValueSeries::nextTask() const {
     for (const Way& way : ways_) {
-        std::int64_t tick = way.last + 1;
+        std::vector<std::int64_t> ends;
         for (const ValueKey& key : values_) {
             const auto found = series_.find({way.branch, key});
-            tick = std::min(tick, found == series_.end() ? way.first : std::max(way.first, found->second.end()));
+            ends.push_back(found == series_.end() ? way.first : found->second.end());
         }
-        if (tick <= way.last) return Task{run_, way.branch, tick, way.last, values_};
+        const auto next = nextTicks(way, ends);
+        if (!next) continue;
+        Task task{run_, way.branch, next->tick, way.last, {}, next->front};
+        for (const std::size_t value : next->values) task.values.push_back(values_[value]);
+        return task;
     }
     return {};
+}
+
+bool ValueSeries::frontWaits() const {
+    const std::lock_guard lock(mutex_);
+    const auto next = nextTask();
+    return next && next->front;
 }
 
 void ValueSeries::work() {
@@ -200,7 +221,7 @@ bool ValueSeries::prepare(Walker& walker, const Task& task) {
 /// Some ticks of a branch, for all values at once.
 void ValueSeries::go(const Task& task) {
     if (std::exchange(walkersOf_, task.run) != task.run) walkers_.clear();
-    std::unique_ptr<Walker>& walker = walkers_[task.branch];
+    std::unique_ptr<Walker>& walker = walkers_[{task.branch, task.front}];
     if (!walker) walker = std::make_unique<Walker>();
     if (!prepare(*walker, task)) return;
     std::erase_if(walker->values, [&](const auto& one) {
@@ -232,6 +253,7 @@ bool ValueSeries::tell(Walker& walker, const Task& task) {
             first = told + 1;
             for (std::vector<float>& column : columns) column.clear();
             delivered = Clock::now();
+            if (!task.front && frontWaits()) return true;
         }
         if (goesOn && !walker.cursor->advance(*walker.course->scenario, *walker.playback, *walker.timeline))
             return append(task, first, columns), false;

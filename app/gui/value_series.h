@@ -56,6 +56,7 @@ private:
         std::uint32_t branch = 0;
         std::int64_t tick = 0, last = 0;
         std::vector<ValueKey> values;
+        bool front = false;
     };
     using Series = std::map<std::pair<std::uint32_t, ValueKey>, TickNumbers>;
 
@@ -69,11 +70,13 @@ private:
     void append(const Task& task, std::int64_t first, const std::vector<std::vector<float>>& columns);
     void giveUp(const Task& task, std::int64_t last);
     std::int64_t behindNow() const;
+    bool frontWaits() const;
     void announce();
 
     Session& session_;
-    std::map<std::uint32_t, std::unique_ptr<Walker>> walkers_;  ///< of the thread: one for each branch
-    std::uint64_t walkersOf_ = 0;                               ///< the run in which they walk
+    /// Of the thread: for each branch one, and one more for a front.
+    std::map<std::pair<std::uint32_t, bool>, std::unique_ptr<Walker>> walkers_;
+    std::uint64_t walkersOf_ = 0;  ///< the run in which they walk
 
     mutable std::mutex mutex_;
     std::condition_variable wake_, settled_;
@@ -87,5 +90,14 @@ private:
 
     std::thread worker_;
 };
+
+/// What of a branch is to be computed next.
+struct NextTicks {
+    std::int64_t tick = 0;  ///< the first
+    bool front = false;     ///< of the values that are known farthest: the newest go before another one's past
+    std::vector<std::size_t> values;
+};
+/// `ends`: for each value the tick after the last that is known. Nothing: all are known.
+std::optional<NextTicks> nextTicks(const ValueSeries::Way& way, const std::vector<std::int64_t>& ends);
 
 }  // namespace mrose::gui

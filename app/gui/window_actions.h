@@ -6,9 +6,11 @@ class MainWindow;
 
 // What the window can be told to do, a function for each menu. Called once, in the order of the menu bar.
 void addFileActions(MainWindow& window);
+void addOverlayActions(MainWindow& window);
 void addEditActions(MainWindow& window);
 void addTimeActions(MainWindow& window);
 void addBranchActions(MainWindow& window);
+void addBreakActions(MainWindow& window);
 void addViewActions(MainWindow& window);
 void addLayerActions(MainWindow& window);
 void addPlotActions(MainWindow& window);

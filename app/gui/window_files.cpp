@@ -10,6 +10,7 @@
 
 #include "file_kind.h"
 #include "main_window.h"
+#include "overlay.h"
 #include "run_recorder.h"
 #include "scenario/state_scenario.h"
 #include "trial_list.h"
@@ -63,6 +64,7 @@ void WindowFiles::open(const QString& path, OpenRequest how, std::optional<doubl
     if (!kind) return sayError(kind.error(), "open");
     how.file = place.absoluteFilePath().toStdString();
     if (*kind == FileKind::results) return listTrials(place.absoluteFilePath());
+    if (*kind == FileKind::log) return window_.overlay().open({how.file, ""});
     if (*kind != FileKind::network) return open(how, at);
     if (opened_) return offerNetwork(place.absoluteFilePath());
     // A robot to try it with.
@@ -89,11 +91,11 @@ Expected<void> WindowFiles::take(Expected<OpenRun> run, std::optional<double> at
         return tl::unexpected(run.error());
     }
     messages_.clear();
-    opened_ = run->source;
-    watch_.watch(run->files);
-    savedBranches_ = std::max<std::size_t>(1, run->branches.size());
-    window_.show(*run);
+    takeCourse(*run);
+    window_.memory().restoreBreakpoints();
+    window_.overlay().follow(*run);
     for (const std::string& note : run->notes) messages_.add({Kind::note, text(note)});
+    offerBranches(*run);
     if (!network_.isEmpty()) offerNetwork(std::exchange(network_, {}));
     window_.memory().addRecent(text(run->source.file));
     if (!at) return {};
@@ -107,8 +109,32 @@ Expected<void> WindowFiles::take(Expected<OpenRun> run, std::optional<double> at
                                            .arg(*at, 0, 'f', 2)});
         tick = std::min(tick, last);
     }
-    window_.session().seek(tick);
+    window_.session().seek(tick, false);
     return {};
+}
+
+void WindowFiles::takeCourse(const OpenRun& run) {
+    opened_ = run.source;
+    watch_.watch(run.files);
+    savedBranches_ = std::max<std::size_t>(1, run.branches.size());
+    window_.show(run);
+}
+
+/// A recording begins with the run itself: what was tried in it last is one click away.
+void WindowFiles::offerBranches(const OpenRun& run) {
+    if (run.branches.size() < 2) return;
+    const auto last = static_cast<std::uint32_t>(run.branches.size() - 1);
+    const Branch& branch = run.branches.back().branch;
+    const QString name = branch.name.empty() ? tr("the last one") : tr("\u201c%1\u201d").arg(text(branch.name));
+    messages_.add({Kind::note,
+                   tr("%1 holds the run, which is shown, and %n branch(es) of it", nullptr, static_cast<int>(last))
+                       .arg(nameOf(text(run.source.file))),
+                   "branches",
+                   {{tr("Show %1").arg(name), tr("The branch that was begun last, where it begins"),
+                     [this, last, tick = branch.timeline.first()] {
+                         window_.session().show(last, tick);
+                         messages_.remove("branches");
+                     }}}});
 }
 
 void WindowFiles::drop(const QMimeData& what) {
@@ -124,6 +150,7 @@ void WindowFiles::drop(const QMimeData& what) {
 }
 
 void WindowFiles::offerNetwork(const QString& path) {
+    if (window_.overlay().world()) return offerModel(path);
     const auto selected = window_.field().selected();
     const bool robot = selected && window_.shown() && *selected < window_.shown()->frame->state.robots.size();
     if (robot) {
@@ -139,9 +166,28 @@ void WindowFiles::offerNetwork(const QString& path) {
            [this, path] { offerNetwork(path); }}}});
 }
 
+/// Beside a log a network has two uses.
+void WindowFiles::offerModel(const QString& path) {
+    messages_.add({Kind::note,
+                   tr("%1 is a network").arg(nameOf(path)),
+                   "network",
+                   {{tr("Lay over"), tr("Show beside the run what it makes of the same commands"),
+                     [this, path] {
+                         messages_.remove("network");
+                         window_.overlay().addModel(path.toStdString());
+                     }},
+                    {tr("Use for the selected robot"), tr("Swap the motion model of the selected robot, as a branch"),
+                     [this, path] {
+                         messages_.remove("network");
+                         if (const auto done = window_.actions().perform("swap_model", path); !done)
+                             sayError(done.error(), "network");
+                     }}}});
+}
+
 void WindowFiles::listTrials(const QString& path) {
     auto trials = readTrials(path.toStdString());
     if (!trials) return sayError(trials.error(), "open");
+    window_.field().setEmptyText(tr("Choose one of the runs in the list"));
     auto* list = new TrialList(path, std::move(*trials), &window_);
     connect(list, &TrialList::chosen, this, [this](const OpenRequest& request, double at) { open(request, at); });
     list->show();

@@ -36,6 +36,8 @@ public:
     void drop(const QMimeData& what);
     /// Tells a network to swap_model, or what is missing for it.
     void offerNetwork(const QString& path);
+    /// A course of the log that is open: the window's run from now on.
+    void takeCourse(const OpenRun& run);
     /// What is open, once more from its files: as a branch that goes up to the shown tick.
     void reload(const QString& why);
     /// Ends what is being opened; false: nothing is.
@@ -70,7 +72,9 @@ signals:
 
 private:
     Expected<void> take(Expected<OpenRun> run, std::optional<double> at);
+    void offerModel(const QString& path);
     void listTrials(const QString& path);
+    void offerBranches(const OpenRun& run);
     Expected<void> checkNotRead(const QString& path) const;
     void saved(const QString& path, const Expected<bool>& done, std::size_t branches);
     void savedScenario(const QString& path, const Expected<void>& done);

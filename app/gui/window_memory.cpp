@@ -5,8 +5,12 @@
 #include <QGuiApplication>
 #include <QMenu>
 #include <QScreen>
+#include <QUrl>
+#include <algorithm>
+#include <optional>
 
 #include "main_window.h"
+#include "window_files.h"
 
 namespace mrose::gui {
 namespace {
@@ -24,6 +28,28 @@ void forTastes(Actions& actions, const Each& each) {
     for (const Actions::Group& group : actions.groups())
         for (QAction* action : group.actions)
             if (action->isCheckable() && isTaste(action->objectName())) each(*action);
+}
+
+QString breaksKey(const QString& file) {
+    return "breakpoints/" + QString::fromLatin1(QUrl::toPercentEncoding(file, {}, "."));
+}
+
+/// "on once 3 robot[2].speed > 0.5"
+QString breakLine(const Breakpoint& breakpoint) {
+    return QString("%1 %2 %3 %4")
+        .arg(breakpoint.enabled ? "on" : "off", breakpoint.oneShot ? "once" : "always")
+        .arg(breakpoint.from)
+        .arg(QString::fromStdString(breakpoint.text));
+}
+
+std::optional<Breakpoint> breakOf(const QString& line) {
+    Breakpoint breakpoint;
+    breakpoint.enabled = line.section(' ', 0, 0) == "on";
+    breakpoint.oneShot = line.section(' ', 1, 1) == "once";
+    breakpoint.from = std::max(1, line.section(' ', 2, 2).toInt());
+    breakpoint.text = line.section(' ', 3).toStdString();
+    if (breakpoint.text.empty()) return {};
+    return breakpoint;
 }
 
 QString tasteKey(const QAction& action) { return "view/" + action.objectName(); }
@@ -103,6 +129,26 @@ void WindowMemory::changeRecent(const std::function<void()>& change) {
     if (!settings_) return;
     settings_->setValue(recentKey, recent_);
     settings_->sync();
+}
+
+void WindowMemory::keepBreakpoints(const std::vector<BreakpointState>& states) {
+    if (!settings_ || breaksOf_.isEmpty()) return;
+    QStringList lines;
+    for (const BreakpointState& state : states) lines << breakLine(state.breakpoint);
+    if (lines == breaks_) return;
+    breaks_ = lines;
+    settings_->setValue(breaksKey(breaksOf_), lines);
+}
+
+void WindowMemory::restoreBreakpoints() {
+    const auto& opened = window_.files().opened();
+    breaksOf_ = opened ? QString::fromStdString(opened->file) : QString();
+    breaks_.clear();
+    if (!settings_ || breaksOf_.isEmpty() || !settings_->contains(breaksKey(breaksOf_))) return;
+    std::vector<Breakpoint> breakpoints;
+    for (const QString& line : settings_->value(breaksKey(breaksOf_)).toStringList())
+        if (const auto breakpoint = breakOf(line)) breakpoints.push_back(*breakpoint);
+    window_.session().setBreakpoints(breakpoints);
 }
 
 void WindowMemory::fillRecent(QMenu& menu, std::function<void(const QString&)> open) {

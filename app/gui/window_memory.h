@@ -6,10 +6,13 @@
 #include <QStringList>
 #include <functional>
 #include <memory>
+#include <vector>
 
 class QMenu;
 
 namespace mrose::gui {
+
+struct BreakpointState;
 
 class MainWindow;
 
@@ -38,6 +41,10 @@ public:
     void addRecent(const QString& file);
     void forgetRecent(const QString& file);
     void clearRecent();
+    /// The breakpoints of the run that is open, by the file that it was opened from.
+    void keepBreakpoints(const std::vector<BreakpointState>& states);
+    void restoreBreakpoints();
+
     /// Fills a menu whenever it is about to be shown.
     void fillRecent(QMenu& menu, std::function<void(const QString&)> open);
 
@@ -49,6 +56,8 @@ private:
     QSize newSize_;
     QByteArray newState_;
     QStringList recent_;
+    QString breaksOf_;    ///< the file whose breakpoints are kept now
+    QStringList breaks_;  ///< as they were kept last
 };
 
 }  // namespace mrose::gui

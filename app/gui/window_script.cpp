@@ -5,6 +5,7 @@
 #include <QEventLoop>
 #include <QTimer>
 #include <QWindow>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -14,6 +15,7 @@
 #include "condition/condition.h"
 #include "export_script.h"
 #include "main_window.h"
+#include "overlay_script.h"
 #include "plot_panel.h"
 #include "script_world.h"
 #include "widgets/field_view.h"
@@ -151,6 +153,8 @@ private:
     static const std::map<std::string, Function>& functions() {
         static const std::map<std::string, Function> all{
             {"select", &WindowScript::select},
+            {"reality", &WindowScript::reality},
+            {"worst", &WindowScript::worst},
             {"plot", &WindowScript::plot},
             {"drag", &WindowScript::drag},
             {"pause", &WindowScript::pause},
@@ -222,6 +226,25 @@ private:
         const auto which = body(given);
         if (!which) return tl::unexpected(which.error());
         window_.field().setSelected(*which);
+        return Value{};
+    }
+
+    /// Of the log that is laid over: reality("p").
+    Expected<Value> reality(Given& given) {
+        const std::string what = given.text(0);
+        if (given.error()) return Value{};
+        Expected<void> done;
+        Value value = overlayValue(window_, what, done);
+        if (!done) return tl::unexpected(done.error());
+        return value;
+    }
+
+    /// The course that is so far down in the list: worst(1).
+    Expected<Value> worst(Given& given) {
+        const double place = given.has(0) ? given.number(0) : 1;
+        if (given.error()) return Value{};
+        if (auto opened = openWorst(window_, static_cast<int>(std::clamp(place, 0.0, 1e6))); !opened)
+            return tl::unexpected(opened.error());
         return Value{};
     }
 

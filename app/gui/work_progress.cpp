@@ -4,6 +4,7 @@
 
 #include "background_work.h"
 #include "main_window.h"
+#include "overlay.h"
 #include "widgets/message_bar.h"
 #include "window_files.h"
 
@@ -88,6 +89,7 @@ void WorkProgress::cancel() {
     if (window_.files().cancel()) return;
     if (window_.background().cancel()) return;
     if (!work_.isEmpty()) return window_.session().cancel();
+    if (window_.overlay().cancel()) return;
     messages_.dismiss();
 }
 

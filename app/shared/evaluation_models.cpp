@@ -1,7 +1,7 @@
 #include "shared/evaluation_models.h"
 
 #include "evaluation/format.h"
-#include "motion/kinematic.h"
+#include "motion/kinematic_baselines.h"
 #include "version.h"
 
 namespace mrose {
@@ -12,15 +12,6 @@ RobotModels modelsOf(std::string name, const Log& log, MakeModel make) {
     RobotModels models{std::move(name), {}};
     for (const RobotLog& robot : log.robots) models.byRobot.emplace(robot.robot, make(robot.robot));
     return models;
-}
-
-using Identified = MotionNetwork::Identified;
-
-/// What was identified for a robot; for an unknown one the first of the known stands in.
-const Identified& identifiedOf(const MotionNetwork& network, const std::string& robot) {
-    for (const Identified& identified : network.identified)
-        if (identified.robot == robot) return identified;
-    return network.identified.front();
 }
 
 }  // namespace
@@ -50,7 +41,7 @@ ReportContext reportContext(const MotionNetwork& network, const std::string& pat
     fact("period", fixed(1000 * toSeconds(network.period), 0) + " ms");
     fact("layers", std::to_string(network.mlp.shape.inputs) + " inputs, " + std::to_string(network.mlp.shape.hidden) +
                        " tanh, " + std::to_string(network.mlp.shape.outputs) + " outputs");
-    for (const Identified& robot : network.identified)
+    for (const MotionNetwork::Identified& robot : network.identified)
         fact("dead time", "robot " + robot.robot + ": v " + fixed(1000 * robot.v.deadTime, 0) + " ± " +
                               fixed(1000 * robot.v.deadTimeError, 0) + " ms, w " + fixed(1000 * robot.w.deadTime, 0) +
                               " ± " + fixed(1000 * robot.w.deadTimeError, 0) + " ms");
@@ -69,18 +60,14 @@ RobotModels learnedModels(const std::shared_ptr<const LearnedMotion>& motion, co
     return modelsOf(name, log, [&](const std::string& robot) { return std::make_unique<LearnedModel>(motion, robot); });
 }
 
-std::vector<RobotModels> kinematicBaselines(const MotionNetwork& network, const Log& log) {
+std::vector<RobotModels> kinematicModels(const MotionNetwork& network, const Log& log) {
     // A command acts when it was issued, not at the next period of some network.
     constexpr Nanoseconds period = 10'000'000;
     std::vector<RobotModels> baselines;
-    baselines.push_back(modelsOf("velocity = command", log, [&](const std::string&) {
-        return std::make_unique<KinematicModel>(KinematicParameters{}, period);
-    }));
-    if (network.identified.empty()) return baselines;
-    for (const auto& [name, member] :
-         {std::pair{"+ dead time", &Identified::delayed}, std::pair{"+ lag, gains, biases", &Identified::dynamic}})
-        baselines.push_back(modelsOf(name, log, [&, fitted = member](const std::string& robot) {
-            return std::make_unique<KinematicModel>(identifiedOf(network, robot).*fitted, period);
+    const std::vector<KinematicBaseline> named = kinematicBaselines(network, {});
+    for (std::size_t i = 0; i < named.size(); ++i)
+        baselines.push_back(modelsOf(named[i].name, log, [&](const std::string& robot) {
+            return std::make_unique<KinematicModel>(kinematicBaselines(network, robot)[i].parameters, period);
         }));
     return baselines;
 }

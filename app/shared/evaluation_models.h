@@ -28,6 +28,6 @@ RobotModels learnedModels(const std::shared_ptr<const LearnedMotion>& motion, co
 
 /// What a network is compared with: velocity = command; the same after the identified dead time; with lag, gains and
 /// biases as well. Their parameters were identified from the logs that the network was learned from.
-std::vector<RobotModels> kinematicBaselines(const MotionNetwork& network, const Log& log);
+std::vector<RobotModels> kinematicModels(const MotionNetwork& network, const Log& log);
 
 }  // namespace mrose

@@ -80,15 +80,17 @@ Expected<LogComparison> compareLog(const LogComparisonRequest& request, const Lo
     if (!loaded) return tl::unexpected(loaded.error());
     if (plugins.loaded) plugins.loaded(loaded->parts);
     const auto networks = networksOf(loaded->parts);
-    const auto log = openLog(request.log, {}, networks.empty() ? std::nullopt : networks.front()->drive);
-    if (!log) return tl::unexpected(log.error());
+    auto opened = openLog(placeOfLog(request.log), {}, networks.empty() ? std::nullopt : networks.front()->drive);
+    if (!opened) return tl::unexpected(opened.error());
+    const auto log = std::make_shared<const Log>(std::move(*opened));
     ComparisonOptions options;
     options.seed = request.seed.value_or(loaded->parts.seed);
-    const auto world = LogWorld::create(std::move(loaded->parts), *log, request.robots);
+    if (goesOn) options.progress = [&](std::span<const ComparedCourse>, double share) { return goesOn(share); };
+    auto world = LogWorld::create(std::move(loaded->parts), *log, request.robots);
     if (!world) return errorOf(world.error(), source.shown(loaded->name));
     const auto requests = coursesAsked(request, *world);
     if (!requests) return tl::unexpected(requests.error());
-    auto comparison = compare(*world, *requests, options, goesOn);
+    auto comparison = compare(*world, *requests, options);
     if (!comparison) return errorOf(comparison.error(), source.shown(loaded->name));
     const Nanoseconds step = comparison->evaluation.options.windows.step;
     std::optional<Nanoseconds> asked;
@@ -99,7 +101,7 @@ Expected<LogComparison> compareLog(const LogComparisonRequest& request, const Lo
     context.commandLine = commandLine;
     context.synthetic = log->synthetic;
     context.notices = noticesAbout(*world, *comparison, asked);
-    return LogComparison{std::move(*comparison), world->parts().scene, std::move(context)};
+    return LogComparison{log, std::move(*world), std::move(*comparison), std::move(context)};
 }
 
 }  // namespace mrose

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,10 +29,11 @@ struct LogComparisonPlugins {
     std::function<void(ScenarioParts&)> loaded = {};
 };
 
-/// What a report is written from.
+/// What a report is written from, and what further questions are asked of.
 struct LogComparison {
+    std::shared_ptr<const Log> log;  ///< the world's
+    LogWorld world;
     Comparison comparison;
-    Scene scene;
     ReportContext context;
 };
 

@@ -54,7 +54,7 @@ Expected<LogEvaluation> evaluateLog(const LogEvaluationRequest& request, const s
         models.push_back(learnedModels(*other, *log));
         models.back().name = fileName(path);
     }
-    for (RobotModels& baseline : kinematicBaselines(network, *log)) models.push_back(std::move(baseline));
+    for (RobotModels& baseline : kinematicModels(network, *log)) models.push_back(std::move(baseline));
     std::vector<NamedModel> views;
     for (const RobotModels& m : models) views.push_back(named(m));
 

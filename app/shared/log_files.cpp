@@ -39,10 +39,4 @@ Expected<std::shared_ptr<const LearnedMotion>> openNetwork(const std::string& pa
     return std::make_shared<const LearnedMotion>(std::move(*network));
 }
 
-std::string robotKind(const Log& log) {
-    if (log.format == "mrclam") return "irobot-create";
-    if (log.format == "husky-windows") return "husky";
-    return log.synthetic ? "reference-robot" : "";
-}
-
 }  // namespace mrose

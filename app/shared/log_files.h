@@ -19,7 +19,4 @@ Expected<Log> openLog(const std::string& source, const std::vector<std::string>&
 /// Loads a network and makes it ready for use. Error: a period that predictions of logs cannot be made with, too.
 Expected<std::shared_ptr<const LearnedMotion>> openNetwork(const std::string& path);
 
-/// The kind of robot that a log's format tells; "" where it tells none.
-std::string robotKind(const Log& log);
-
 }  // namespace mrose

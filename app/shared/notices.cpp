@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "shared/log_files.h"
-
 namespace mrose {
 namespace {
 
@@ -42,6 +40,12 @@ std::string ofKnownLog(const MotionNetwork& network, const Log& log) {
 }
 
 }  // namespace
+
+std::string robotKind(const Log& log) {
+    if (log.format == "mrclam") return "irobot-create";
+    if (log.format == "husky-windows") return "husky";
+    return log.synthetic ? "reference-robot" : "";
+}
 
 std::vector<std::string> noticesOf(const MotionNetwork& network, const Log& log, bool heldOutOnly) {
     std::vector<std::string> notices{ofOtherKind(network, log), ofUnknownRobots(network, log)};

@@ -8,6 +8,9 @@
 
 namespace mrose {
 
+/// The kind of robot that a log's format tells; "" where it tells none.
+std::string robotKind(const Log& log);
+
 /// What must be known of a network and a log before the errors of the one on the other are believed, a sentence each:
 /// another kind of robot, robots that it was not learned from, a log that it was learned from. `heldOutOnly`: the log
 /// is but the part that was kept from learning.

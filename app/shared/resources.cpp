@@ -11,6 +11,13 @@ bool holdsResources(const std::filesystem::path& folder) {
            std::filesystem::is_directory(folder / "resources" / "robots", ignored);
 }
 
+/// Where logs are looked for beside the current folder.
+std::vector<std::filesystem::path> dataFolders() {
+    const char* const data = std::getenv("MROSE_DATA");
+    if (data == nullptr || *data == '\0') return {};
+    return {data, std::filesystem::path(data) / "mrclam"};
+}
+
 }  // namespace
 
 std::filesystem::path resourceFolder() {
@@ -24,12 +31,17 @@ std::filesystem::path resourceFolder() {
     return program.parent_path().parent_path() / "share" / "mrose";
 }
 
+std::string placeOfLog(const std::string& name) {
+    std::error_code ignored;
+    if (name.empty() || std::filesystem::exists(name, ignored)) return name;
+    for (const std::filesystem::path& folder : dataFolders())
+        if (std::filesystem::exists(folder / name, ignored)) return (folder / name).string();
+    return name;
+}
+
 DiskDescriptions openDescriptions(const std::string& log) {
-    DiskDescriptions::Options options{resourceFolder(), {"."}, log};
-    if (const char* const data = std::getenv("MROSE_DATA"); data != nullptr && *data != '\0') {
-        options.logFolders.push_back(data);
-        options.logFolders.push_back(std::filesystem::path(data) / "mrclam");
-    }
+    DiskDescriptions::Options options{resourceFolder(), {"."}, placeOfLog(log)};
+    for (const std::filesystem::path& folder : dataFolders()) options.logFolders.push_back(folder);
     return DiskDescriptions(std::move(options));
 }
 

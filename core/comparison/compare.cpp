@@ -1,7 +1,6 @@
 #include "comparison/compare.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -15,6 +14,7 @@ namespace mrose {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t reportedCourses = 16;
 constexpr int stepsBefore = 2;  // as the referee's windows, a start needs truth without a gap so long before
 
 /// One course of all robots.
@@ -103,6 +103,12 @@ Driven drive(const LogWorld& world, const CourseRequest& request, const Comparis
     return driven;
 }
 
+bool tellProgress(std::span<const Driven> part, std::size_t done, std::size_t all, const ComparisonOptions& options) {
+    std::vector<ComparedCourse> courses;
+    for (const Driven& driven : part) courses.insert(courses.end(), driven.robots.begin(), driven.robots.end());
+    return options.progress(courses, static_cast<double>(done) / static_cast<double>(all));
+}
+
 template <class Belongs>
 ComparedSummary summarised(const Comparison& comparison, Belongs belongs) {
     ComparedSummary summary;
@@ -164,7 +170,7 @@ const char* name(CourseUse use) {
 }
 
 Expected<Comparison> compare(const LogWorld& world, std::span<const CourseRequest> requests,
-                             const ComparisonOptions& options, const std::function<bool(double share)>& goesOn) {
+                             const ComparisonOptions& options) {
     const Nanoseconds tick = world.parts().scene.tickLength, step = options.windows.step;
     if (step % tick != 0)
         return fail({},
@@ -172,15 +178,15 @@ Expected<Comparison> compare(const LogWorld& world, std::span<const CourseReques
                         " s, the step of the comparison",
                     0, "tick_s");
     std::vector<Driven> driven(requests.size());
-    std::atomic<std::size_t> done = 0;
-    std::atomic<bool> wanted = true;
-    parallelFor(requests.size(), [&](std::size_t i) {
-        if (!wanted) return;
-        driven[i] = drive(world, requests[i], options);
-        ++done;
-        if (goesOn && !goesOn(static_cast<double>(done) / static_cast<double>(requests.size()))) wanted = false;
-    });
-    if (!wanted) return fail({}, "the comparison was ended before its end");
+    const std::size_t part = options.progress ? reportedCourses : std::max<std::size_t>(1, requests.size());
+    for (std::size_t from = 0; from < requests.size(); from += part) {
+        const std::size_t to = std::min(requests.size(), from + part);
+        parallelFor(to - from, [&](std::size_t i) { driven[from + i] = drive(world, requests[from + i], options); });
+        for (std::size_t i = from; i < to; ++i)
+            for (ComparedCourse& course : driven[i].robots) course.request = i;
+        if (options.progress && !tellProgress({driven.data() + from, to - from}, to, requests.size(), options))
+            return fail(world.log().source, "was not compared: cancelled");
+    }
     Comparison comparison;
     comparison.scenario = world.parts().name;
     comparison.seed = options.seed;
@@ -191,10 +197,7 @@ Expected<Comparison> compare(const LogWorld& world, std::span<const CourseReques
         comparison.touches += driven[i].touches;
         comparison.faults += driven[i].faults;
         if (comparison.firstFault.empty()) comparison.firstFault = driven[i].firstFault;
-        for (ComparedCourse& course : driven[i].robots) {
-            course.request = i;
-            comparison.courses.push_back(std::move(course));
-        }
+        for (ComparedCourse& course : driven[i].robots) comparison.courses.push_back(std::move(course));
     }
     if (std::all_of(comparison.courses.begin(), comparison.courses.end(),
                     [](const ComparedCourse& course) { return course.use == CourseUse::absent; }))

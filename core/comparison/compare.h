@@ -52,6 +52,9 @@ struct ComparedSummary {
 struct ComparisonOptions {
     std::uint64_t seed = 1;
     WindowOptions windows{};  ///< `step` and what is too little motion; courses have their own lengths
+    /// Told in the caller's thread, part by part, what has become of the courses, and which share of them is done.
+    /// False: it is to end. Empty: nobody asks.
+    std::function<bool(std::span<const ComparedCourse> part, double share)> progress = {};
 };
 
 /// A simulated world beside the log that it repeats. It holds no reference to either.
@@ -72,11 +75,9 @@ struct Comparison {
 };
 
 /// Drives every course in a world of its own and compares. The result is the same for any number of threads. Error:
-/// the scenario's ticks do not divide the step; no course has any ground truth at its start; `goesOn`, told which share
-/// is done by any thread after each course, said no.
+/// the scenario's ticks do not divide the step; no course has any ground truth at its start; `progress` ended it.
 Expected<Comparison> compare(const LogWorld& world, std::span<const CourseRequest> requests,
-                             const ComparisonOptions& options = {},
-                             const std::function<bool(double share)>& goesOn = {});
+                             const ComparisonOptions& options = {});
 
 /// m, the mean position error over the instants that are known; below zero where none is.
 double knownMean(const ComparedCourse& course);

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "comparison/compare.h"
+#include "comparison/compared_divergences.h"
 
 namespace mrose {
 
@@ -12,10 +12,12 @@ namespace mrose {
 std::string errorsCsv(const Comparison& comparison);
 
 /// One row per robot and course: where it starts (on the log's clock and on the take's), what becomes of it, what is
-/// known of its errors, touches.
-std::string coursesCsv(const Comparison& comparison);
+/// known of its errors, touches; with `divergences` when it diverges, and the cause where it was looked for.
+std::string coursesCsv(const Comparison& comparison, const ComparedDivergences* divergences = nullptr);
 
-/// All figures, by robot and together, with sentences that a reader must know. What is not defined is null.
-std::string comparisonJson(const Comparison& comparison, const std::vector<std::string>& notices);
+/// All figures, by robot and together, with sentences that a reader must know; with `divergences` where they diverge,
+/// and what was tried. What is not defined is null.
+std::string comparisonJson(const Comparison& comparison, const std::vector<std::string>& notices,
+                           const ComparedDivergences* divergences = nullptr);
 
 }  // namespace mrose

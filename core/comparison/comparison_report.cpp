@@ -5,6 +5,7 @@
 
 #include "comparison/comparison_files.h"
 #include "comparison/course_figures.h"
+#include "comparison/divergence_report.h"
 #include "drawing/content_text.h"
 #include "evaluation/format.h"
 #include "evaluation/html.h"
@@ -179,7 +180,8 @@ std::vector<std::size_t> shownCourses(const Comparison& comparison, const std::v
     return shown;
 }
 
-std::string robotCard(const Comparison& comparison, const ComparedCourse& course) {
+std::string robotCard(const Comparison& comparison, std::size_t index, const ComparedDivergences* divergences) {
+    const ComparedCourse& course = comparison.courses[index];
     const WindowErrors& errors = course.errors;
     std::string what =
         cat("course\u00a0", std::to_string(course.request + 1), " · from\u00a0", escaped(startText(comparison, course)),
@@ -188,16 +190,19 @@ std::string robotCard(const Comparison& comparison, const ComparedCourse& course
         what += cat(" · at the end ", fixed(100 * errors.positionFinal, 1), "\u00a0cm, ",
                     fixed(degrees * errors.headingFinal, 1), "°");
     if (course.use == CourseUse::gap) what += " · gap in the ground truth";
+    if (const auto* const left = divergences == nullptr ? nullptr : divergences->of(index))
+        what += cat(" · leaves the real course after ", secondsText(left->divergence.time), "\u00a0s");
     if (course.touched) what += cat(" · touched after ", secondsText(*course.touched), "\u00a0s");
     return card(escaped(comparison.robots[course.robot].name),
-                cat(element("p", "soft", what), robotFigure(comparison, course)));
+                cat(element("p", "soft", what), robotFigure(comparison, index, divergences)));
 }
 
-std::string pictures(const Comparison& comparison, const Environment& environment) {
+std::string pictures(const Comparison& comparison, const Environment& environment,
+                     const ComparedDivergences* divergences) {
     const std::vector<std::size_t> worst = worstFirst(comparison);
     const std::vector<std::size_t> shown = shownCourses(comparison, worst);
     std::string cards;
-    for (const std::size_t i : shown) cards += robotCard(comparison, comparison.courses[i]);
+    for (const std::size_t i : shown) cards += robotCard(comparison, i, divergences);
     const std::size_t request = comparison.courses[worst.front()].request;
     std::string text =
         cat(heading("Where they drove"),
@@ -205,14 +210,16 @@ std::string pictures(const Comparison& comparison, const Environment& environmen
                                                       : "All robots in the course with the largest mean error."),
             element("div", "card",
                     element("div", "scene",
-                            cat(courseFigure(comparison, request, environment), courseTable(comparison, request)))),
+                            cat(courseFigure(comparison, request, environment, divergences),
+                                courseTable(comparison, request)))),
             heading("Real beside simulated paths"),
             paragraph(cat("Both axes have the same scale; the bar below each picture, which is also the grid’s "
                           "spacing, says which. ",
                           shown.size() == worst.size()
                               ? ""
                               : "From the worst course down to a good one, by the mean position error.")),
-            robotFigureLegend(comparison), element("div", "paths", cards));
+            robotFigureLegend(comparison, divergences != nullptr && !divergences->courses.empty()),
+            element("div", "paths", cards));
     if (worst.size() > shown.size())
         text += cat(heading("The worst courses"),
                     paragraph(cat("The ", std::to_string(std::min(worst.size(), listedCourses)), " of ",
@@ -299,7 +306,8 @@ std::vector<std::string> remarksOn(const Comparison& comparison) {
     return remarks;
 }
 
-std::string comparisonHtml(const Comparison& comparison, const Scene& scene, const ReportContext& context) {
+std::string comparisonHtml(const Comparison& comparison, const Scene& scene, const ReportContext& context,
+                           const ComparedDivergences* divergences) {
     std::string remarks;
     for (const std::string& remark : remarksOn(comparison)) remarks += element("li", "", escaped(remark));
     const std::string body =
@@ -311,12 +319,13 @@ std::string comparisonHtml(const Comparison& comparison, const Scene& scene, con
             heading("By robot"), tableCard(robotTable(comparison)),
             remarks.empty() ? "" : element("ul", "soft", remarks), heading("Error against time"),
             paragraph("One line for each robot: the median of its courses at that time, where ground truth is known."),
-            errorLinesLegend(comparison),
+            errorLinesLegend(comparison, divergences),
             element("div", "pair",
-                    cat(card("Position", errorLinesFigure(comparison, ErrorKind::position)),
-                        card("Heading", errorLinesFigure(comparison, ErrorKind::heading)))),
-            pictures(comparison, scene.environment), heading("What the words mean"), definitions(comparison),
-            provenance(comparison, context));
+                    cat(card("Position", errorLinesFigure(comparison, ErrorKind::position, divergences)),
+                        card("Heading", errorLinesFigure(comparison, ErrorKind::heading, divergences)))),
+            divergences == nullptr ? "" : divergenceSection(comparison, *divergences),
+            pictures(comparison, scene.environment, divergences), heading("What the words mean"),
+            definitions(comparison), provenance(comparison, context));
     return reportPage(cat(escaped(comparison.scenario), " beside ", escaped(comparison.evaluation.source)), body);
 }
 
@@ -325,10 +334,10 @@ Expected<void> checkComparisonFolder(const std::filesystem::path& folder, bool o
 }
 
 Expected<void> writeComparison(const Comparison& comparison, const Scene& scene, const ReportContext& context,
-                               const std::filesystem::path& folder) {
-    const std::string contents[] = {errorsCsv(comparison), coursesCsv(comparison),
-                                    comparisonJson(comparison, context.notices),
-                                    comparisonHtml(comparison, scene, context)};
+                               const std::filesystem::path& folder, const ComparedDivergences* divergences) {
+    const std::string contents[] = {errorsCsv(comparison), coursesCsv(comparison, divergences),
+                                    comparisonJson(comparison, context.notices, divergences),
+                                    comparisonHtml(comparison, scene, context, divergences)};
     std::vector<NamedFile> files;
     for (std::size_t i = 0; i < std::size(contents); ++i) files.push_back({comparisonFiles[i], contents[i]});
     return writeReportFiles(folder, std::move(files));

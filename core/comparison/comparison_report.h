@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "comparison/compare.h"
+#include "comparison/compared_divergences.h"
 #include "evaluation/report.h"
 #include "scene/scene.h"
 
@@ -15,13 +15,14 @@ Expected<void> checkComparisonFolder(const std::filesystem::path& folder, bool o
 
 /// Writes report.html (one file that needs nothing else), errors.csv, courses.csv and results.json into `folder`, which
 /// is made where it is missing. Each file appears whole or not at all. `scene` is what the pictures show round the
-/// paths.
+/// paths; where they diverge is said where `divergences` is given.
 Expected<void> writeComparison(const Comparison& comparison, const Scene& scene, const ReportContext& context,
-                               const std::filesystem::path& folder);
+                               const std::filesystem::path& folder, const ComparedDivergences* divergences = nullptr);
 
 /// Plain sentences: what was left out of the figures and why, contacts, faults. For tables and reports alike.
 std::vector<std::string> remarksOn(const Comparison& comparison);
 
-std::string comparisonHtml(const Comparison& comparison, const Scene& scene, const ReportContext& context);
+std::string comparisonHtml(const Comparison& comparison, const Scene& scene, const ReportContext& context,
+                           const ComparedDivergences* divergences = nullptr);
 
 }  // namespace mrose

@@ -51,16 +51,33 @@ std::string intervalText(Nanoseconds interval) {
                                             : cat(secondsText(interval, interval < nanosecondsPerSecond ? 1 : 0), " s");
 }
 
+/// The step after which a course has left the real one: an index into its errors and its simulated poses.
+std::optional<std::size_t> stepLeft(const Comparison& comparison, std::size_t course,
+                                    const ComparedDivergences* divergences) {
+    const CourseDivergence* const diverging = divergences == nullptr ? nullptr : divergences->of(course);
+    if (diverging == nullptr) return std::nullopt;
+    return static_cast<std::size_t>(diverging->divergence.time / comparison.evaluation.options.windows.step) - 1;
+}
+
+void drawBound(SvgPlot& plot, double bound, PlotPoint most, const char* text) {
+    if (bound > most.y) return;
+    const PlotPoint ends[] = {{0, bound}, {most.x, bound}};
+    plot.line(ends, "floorline");
+    plot.label({0, bound}, 6, -5, text, "tick");
+}
+
 }  // namespace
 
-std::string errorLinesLegend(const Comparison& comparison) {
+std::string errorLinesLegend(const Comparison& comparison, const ComparedDivergences* divergences) {
     std::string entries;
     for (std::size_t i = 0; i < comparison.robots.size(); ++i)
         entries += lineEntry(seriesClass(i), comparison.robots[i].name);
+    if (divergences != nullptr && !divergences->courses.empty() && comparison.requests.size() == 1)
+        entries += leavesEntry();
     return element("div", "legend", entries);
 }
 
-std::string errorLinesFigure(const Comparison& comparison, ErrorKind kind) {
+std::string errorLinesFigure(const Comparison& comparison, ErrorKind kind, const ComparedDivergences* divergences) {
     const bool position = kind == ErrorKind::position;
     std::vector<std::vector<PlotPoint>> lines;
     PlotPoint most{0, 0};
@@ -72,14 +89,24 @@ std::string errorLinesFigure(const Comparison& comparison, ErrorKind kind) {
     SvgPlot plot({}, {0, most.x}, {0, 1.06 * most.y},
                  position ? "Position error against time" : "Heading error against time");
     plot.axes("time since the start (s)", position ? "position error (cm)" : "heading error (°)");
+    if (divergences != nullptr && !divergences->fromHeldOut) {
+        const DivergenceBound::At& bound = divergences->bound.constant;
+        drawBound(plot, position ? 100 * bound.position : degrees * bound.heading, most, "bound");
+    }
     for (std::size_t i = lines.size(); i-- > 0;) plot.line(lines[i], seriesClass(i));
+    for (std::size_t i = 0; i < comparison.courses.size() && comparison.requests.size() == 1; ++i)
+        if (const auto left = stepLeft(comparison, i, divergences);
+            left && (position ? divergences->of(i)->divergence.byPosition : divergences->of(i)->divergence.byHeading))
+            plot.circle(lines[comparison.courses[i].robot][*left + 1], 5.5, "leaves");
     return plot.text();
 }
 
-std::string courseFigure(const Comparison& comparison, std::size_t request, const Environment& environment) {
+std::string courseFigure(const Comparison& comparison, std::size_t request, const Environment& environment,
+                         const ComparedDivergences* divergences) {
     std::vector<DrawnCourse> drawn;
     std::string absent;
-    for (const ComparedCourse& course : comparison.courses) {
+    for (std::size_t i = 0; i < comparison.courses.size(); ++i) {
+        const ComparedCourse& course = comparison.courses[i];
         if (course.request != request) continue;
         if (course.simulated.empty()) {
             absent += (absent.empty() ? "; no ground truth then of " : ", ") + comparison.robots[course.robot].name;
@@ -89,6 +116,7 @@ std::string courseFigure(const Comparison& comparison, std::size_t request, cons
         shown.simulated.insert(shown.simulated.end(), course.simulated.begin(), course.simulated.end());
         if (std::isfinite(course.errors.positionFinal))
             shown.miss = fixed(100 * course.errors.positionFinal, 1) + " cm";
+        if (const auto left = stepLeft(comparison, i, divergences)) shown.leaves = *left + 1;
         drawn.push_back(std::move(shown));
     }
     const CourseRequest& shown = comparison.requests[request];
@@ -103,18 +131,21 @@ std::string courseFigure(const Comparison& comparison, std::size_t request, cons
                        drawn);
 }
 
-std::string robotFigure(const Comparison& comparison, const ComparedCourse& course) {
+std::string robotFigure(const Comparison& comparison, std::size_t index, const ComparedDivergences* divergences) {
+    const ComparedCourse& course = comparison.courses[index];
     const Nanoseconds every = arrowInterval(comparison, cardArrows) / comparison.evaluation.options.windows.step;
     return pathFigure({.real = course.real.truth,
                        .start = course.real.measuredPose,
                        .predicted = {course.simulated},
-                       .arrowEvery = static_cast<std::size_t>(std::max<Nanoseconds>(1, every))});
+                       .arrowEvery = static_cast<std::size_t>(std::max<Nanoseconds>(1, every)),
+                       .leaves = stepLeft(comparison, index, divergences)});
 }
 
-std::string robotFigureLegend(const Comparison& comparison) {
-    return element("div", "legend",
-                   cat(lineEntry("real", "real path"), lineEntry(seriesClass(0), "simulated path"),
-                       pathMarkEntries(intervalText(arrowInterval(comparison, cardArrows)))));
+std::string robotFigureLegend(const Comparison& comparison, bool divergences) {
+    return element(
+        "div", "legend",
+        cat(lineEntry("real", "real path"), lineEntry(seriesClass(0), "simulated path"),
+            pathMarkEntries(intervalText(arrowInterval(comparison, cardArrows))), divergences ? leavesEntry() : ""));
 }
 
 }  // namespace mrose

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "comparison/compare.h"
+#include "comparison/compared_divergences.h"
 #include "scene/environment.h"
 
 namespace mrose {
@@ -11,14 +11,19 @@ enum class ErrorKind { position, heading };
 
 /// Error against time, a line for each robot: the median of its courses at each instant at which some are known, which
 /// is the error itself where it has but one. cm or degrees.
-std::string errorLinesFigure(const Comparison& comparison, ErrorKind kind);
-std::string errorLinesLegend(const Comparison& comparison);
+/// With `divergences` the bound, where it is a constant, and a ring where a robot leaves a single course by that error.
+std::string errorLinesFigure(const Comparison& comparison, ErrorKind kind,
+                             const ComparedDivergences* divergences = nullptr);
+std::string errorLinesLegend(const Comparison& comparison, const ComparedDivergences* divergences = nullptr);
 
-/// All robots that are in the world of one course, in their environment, really and simulated.
-std::string courseFigure(const Comparison& comparison, std::size_t request, const Environment& environment);
+/// All robots that are in the world of one course, in their environment, really and simulated, and where they leave
+/// the real course.
+std::string courseFigure(const Comparison& comparison, std::size_t request, const Environment& environment,
+                         const ComparedDivergences* divergences = nullptr);
 
-/// One robot in one course, real and simulated.
-std::string robotFigure(const Comparison& comparison, const ComparedCourse& course);
-std::string robotFigureLegend(const Comparison& comparison);
+/// One robot in one course (an index into Comparison::courses), real and simulated.
+std::string robotFigure(const Comparison& comparison, std::size_t course,
+                        const ComparedDivergences* divergences = nullptr);
+std::string robotFigureLegend(const Comparison& comparison, bool divergences = false);
 
 }  // namespace mrose

@@ -53,6 +53,15 @@ Expected<std::vector<CourseRequest>> coursesOf(const LogWorld& world, const Stre
                                         secondsText(options.every.value_or(0)) + " s, no longer than --duration");
 }
 
+std::vector<CourseRequest> coursesOfWindows(const LogWorld& world, std::span<const Window> windows) {
+    std::vector<CourseRequest> courses;
+    for (const Window& window : windows) {
+        const Trajectory& trajectory = world.log().robots[window.robot].trajectories[window.trajectory];
+        addCourses(world, {.trajectory = &trajectory, .time = window.start, .steps = window.steps()}, courses);
+    }
+    return courses;
+}
+
 Expected<std::vector<CourseRequest>> requestedCourses(const LogWorld& world, std::vector<WindowRequest> windows,
                                                       const std::vector<std::string>& robots, int steps,
                                                       const std::string& fileName) {

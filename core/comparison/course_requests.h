@@ -30,6 +30,9 @@ struct StretchOptions {
 /// Error: the start lies beyond it, or no course fits in; a length that is no whole number of steps.
 Expected<std::vector<CourseRequest>> coursesOf(const LogWorld& world, const StretchOptions& options);
 
+/// A course for each of these windows whose robot and trajectory the world has, in their order.
+std::vector<CourseRequest> coursesOfWindows(const LogWorld& world, std::span<const Window> windows);
+
 /// A course for each window of a file; robots that are not compared are left out where `robots` names the compared
 /// ones. Error: as for requestedStarts; a robot that the scenario does not play, or not in that trajectory.
 Expected<std::vector<CourseRequest>> requestedCourses(const LogWorld& world, std::vector<WindowRequest> windows,

@@ -55,13 +55,6 @@ std::optional<std::size_t> trajectoryNamed(const RobotLog& robot, const std::str
     return std::nullopt;
 }
 
-/// What a robot is told, on a clock that begins at the start.
-std::shared_ptr<const Controller> playerFrom(const RolloutStart& start, Nanoseconds duration) {
-    std::vector<StampedCommand> commands = commandsRead(start, start.time + duration);
-    for (StampedCommand& command : commands) command.time -= start.time;
-    return std::make_shared<const CommandPlayer>(commands);
-}
-
 }  // namespace
 
 Expected<LogWorld> LogWorld::create(ScenarioParts parts, const Log& log, const Names& robots) {
@@ -164,9 +157,15 @@ Expected<Take> LogWorld::takeOf(const std::vector<std::size_t>& trajectories, bo
     return take;
 }
 
-LogWorld::Opened LogWorld::openAt(std::size_t take, Nanoseconds start, Nanoseconds duration, std::uint64_t seed) const {
-    Opened opened;
-    ScenarioParts parts = parts_;
+std::shared_ptr<const Controller> LogWorld::player(const RolloutStart& start, Nanoseconds duration) {
+    std::vector<StampedCommand> commands = commandsRead(start, start.time + duration);
+    for (StampedCommand& command : commands) command.time -= start.time;
+    return std::make_shared<const CommandPlayer>(commands);
+}
+
+LogWorld::OpenedParts LogWorld::partsAt(std::size_t take, Nanoseconds start, Nanoseconds duration) const {
+    OpenedParts opened;
+    ScenarioParts& parts = opened.parts = parts_;
     std::vector<bool> removed(parts.scene.robots.size());
     for (std::size_t i = 0; i < robots_.size(); ++i) {
         const std::size_t body = robots_[i].body;
@@ -179,11 +178,19 @@ LogWorld::Opened LogWorld::openAt(std::size_t take, Nanoseconds start, Nanosecon
         robot.start = measured->pose;
         robot.velocity = *measured->velocity;
         robot.phase = 0;
-        parts.controllers[body] = playerFrom(*measured, duration);
+        parts.controllers[body] = player(*measured, duration);
     }
     const std::vector<std::size_t> bodies = removeRobots(parts, removed);
     for (const ComparedRobot& robot : robots_) opened.bodies.push_back(bodies[robot.body]);
-    opened.scenario = std::make_shared<const Scenario>(std::move(parts));
+    return opened;
+}
+
+LogWorld::Opened LogWorld::openAt(std::size_t take, Nanoseconds start, Nanoseconds duration, std::uint64_t seed) const {
+    OpenedParts made = partsAt(take, start, duration);
+    Opened opened;
+    opened.starts = std::move(made.starts);
+    opened.bodies = std::move(made.bodies);
+    opened.scenario = std::make_shared<const Scenario>(std::move(made.parts));
     opened.state = opened.scenario->initialState(seed);
     return opened;
 }

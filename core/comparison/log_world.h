@@ -62,6 +62,18 @@ public:
     /// the other bodies begin as the scenario says.
     Opened openAt(std::size_t take, Nanoseconds start, Nanoseconds duration, std::uint64_t seed) const;
 
+    /// What that world is made of, for whoever wants something in it otherwise. Velocities that are not measured are
+    /// filled in in the scene, but not in `starts`.
+    struct OpenedParts {
+        ScenarioParts parts;
+        std::vector<std::optional<RolloutStart>> starts;  ///< as in Opened
+        std::vector<std::size_t> bodies;                  ///< likewise
+    };
+    OpenedParts partsAt(std::size_t take, Nanoseconds start, Nanoseconds duration) const;
+
+    /// What tells a robot the commands of its start's trajectory, for `duration`, on a clock that begins at the start.
+    static std::shared_ptr<const Controller> player(const RolloutStart& start, Nanoseconds duration);
+
 private:
     LogWorld(ScenarioParts parts, const Log& log) : parts_(std::move(parts)), log_(&log) {}
     Expected<void> findRobots(const std::vector<std::string>& chosen);

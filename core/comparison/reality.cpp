@@ -23,6 +23,7 @@ std::span<const StampedPose> Reality::Robot::posesBetween(Nanoseconds from, Nano
 }
 
 std::optional<Pose> Reality::ModelCourse::poseAt(std::size_t robot, Nanoseconds now) const {
+    if (robot >= poses.size()) return {};
     const std::vector<Pose>& course = poses[robot];
     if (now < 0 || now / step >= static_cast<Nanoseconds>(course.size())) return {};
     return course[static_cast<std::size_t>(now / step)];
@@ -32,6 +33,13 @@ const Reality::Robot* Reality::robotNamed(const std::string& simulated) const {
     const auto found =
         std::find_if(robots.begin(), robots.end(), [&](const Robot& robot) { return robot.name == simulated; });
     return found == robots.end() ? nullptr : &*found;
+}
+
+std::optional<PoseError> Reality::modelError(const ModelCourse& model, std::size_t robot, Nanoseconds now) const {
+    const auto predicted = model.poseAt(robot, now);
+    if (!predicted) return {};
+    const auto real = robots[robot].poseAt(now - now % model.step);
+    return real ? std::optional(poseError(*real, *predicted)) : std::nullopt;
 }
 
 PoseError poseError(const Pose& real, const Pose& simulated) {

@@ -11,6 +11,12 @@
 
 namespace mrose {
 
+/// As windowErrors() has it: m, and rad, absolute, wrapped.
+struct PoseError {
+    double position = 0, heading = 0;
+};
+PoseError poseError(const Pose& real, const Pose& simulated);
+
 /// What really happened beside a run that begins at an instant of a log, on the run's clock. A value; whoever shows the
 /// run shows it too, and errors of the simulated robots are against it.
 struct Reality {
@@ -30,7 +36,8 @@ struct Reality {
     struct ModelCourse {
         std::string name;
         Nanoseconds step = 0;
-        std::vector<std::vector<Pose>> poses;  ///< by robot of `robots`: at 0, step, 2 step ...; empty: it has none
+        std::vector<std::vector<Pose>>
+            poses;  ///< by robot of `robots`: at 0, step, 2 step ...; empty or missing: it has none
 
         /// The one at or before that instant; nothing beyond its end.
         std::optional<Pose> poseAt(std::size_t robot, Nanoseconds now) const;
@@ -42,13 +49,10 @@ struct Reality {
 
     /// Of the simulated robot of that name; nullptr: none really drove beside it.
     const Robot* robotNamed(const std::string& simulated) const;
+    /// How far a model is from a robot of `robots`, at the last of its instants up to `now`; nothing where one of the
+    /// two is unknown then.
+    std::optional<PoseError> modelError(const ModelCourse& model, std::size_t robot, Nanoseconds now) const;
 };
-
-/// As windowErrors() has it: m, and rad, absolute, wrapped.
-struct PoseError {
-    double position = 0, heading = 0;
-};
-PoseError poseError(const Pose& real, const Pose& simulated);
 
 /// Beside LogWorld::openAt() of that take and start. `log` is the world's.
 Reality realityOf(const LogWorld& world, std::shared_ptr<const Log> log, std::size_t take, Nanoseconds start);

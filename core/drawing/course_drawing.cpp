@@ -20,6 +20,9 @@ const SvgDrawing::Style simulatedStyle{.stroke = simulated, .strokeWidth = simul
 const SvgDrawing::Style missStyle{.stroke = quietMark, .strokeWidth = missWidth, .dotted = true, .labelsAvoid = true};
 const SvgDrawing::Style startStyle{.fill = white, .stroke = quietMark, .strokeWidth = 2.5, .labelsAvoid = true};
 
+constexpr Colour leaving{213, 94, 0};
+const SvgDrawing::Style leavesStyle{.fill = white, .stroke = leaving, .strokeWidth = 3, .labelsAvoid = true};
+
 bool isKnown(const Pose& pose) { return std::isfinite(pose.x) && std::isfinite(pose.y); }
 
 /// With half a metre to spare, 3 m wide and high at least; nothing where there are no paths.
@@ -65,13 +68,15 @@ void addMiss(SvgDrawing& drawing, const DrawnCourse& course) {
     if (!course.miss.empty()) drawing.labelBeside(0.5 * (ends[0] + ends[1]), course.miss);
 }
 
-std::vector<Entry> legend(const CoursePicture& picture) {
+std::vector<Entry> legend(const CoursePicture& picture, bool anyLeaves) {
     using Symbol = Entry::Symbol;
-    return {{Symbol::line, realStyle, "real path"},
-            {Symbol::line, simulatedStyle, "simulated path"},
-            {Symbol::dot, startStyle, "start"},
-            {Symbol::pointer, {.fill = simulated}, "heading, " + picture.arrowInterval},
-            {Symbol::line, missStyle, "error at the end"}};
+    std::vector<Entry> entries{{Symbol::line, realStyle, "real path"},
+                               {Symbol::line, simulatedStyle, "simulated path"},
+                               {Symbol::dot, startStyle, "start"},
+                               {Symbol::pointer, {.fill = simulated}, "heading, " + picture.arrowInterval},
+                               {Symbol::line, missStyle, "error at the end"}};
+    if (anyLeaves) entries.push_back({Symbol::dot, leavesStyle, "leaves the real course"});
+    return entries;
 }
 
 }  // namespace
@@ -90,10 +95,16 @@ std::string drawCourses(const Environment& environment, const CoursePicture& pic
         drawing.dot(position(*start), startRadius, startStyle);
         drawing.labelBeside(position(*start), course.name);
     }
-    for (const DrawnCourse& course : courses) addMiss(drawing, course);
+    bool anyLeaves = false;
+    for (const DrawnCourse& course : courses) {
+        addMiss(drawing, course);
+        if (!course.leaves) continue;
+        drawing.dot(position(course.simulated[*course.leaves]), startRadius, leavesStyle);
+        anyLeaves = true;
+    }
     return drawing.text({.title = picture.title,
                          .subtitle = picture.subtitle,
-                         .legend = legend(picture),
+                         .legend = legend(picture, anyLeaves),
                          .longestSide = 760,
                          .shown = areaRound(courses)});
 }

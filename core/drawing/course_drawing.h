@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,7 +16,8 @@ namespace mrose {
 struct DrawnCourse {
     std::string name;  ///< written beside the start
     std::vector<Pose> real, simulated;
-    std::string miss;  ///< written beside the ends: how far they are apart; may be empty
+    std::string miss;                        ///< written beside the ends: how far they are apart; may be empty
+    std::optional<std::size_t> leaves = {};  ///< where it leaves the real course, in `simulated`: a ring
 };
 
 struct CoursePicture {

@@ -129,6 +129,11 @@ std::string pathMarkEntries(std::string_view interval) {
                "</span>\n", "<span>", swatch("<path class=\"line miss\" d=\"M1 6H33\"/>"), "error at the end</span>\n");
 }
 
+std::string leavesEntry() {
+    return cat("<span>", swatch("<circle class=\"leaves\" cx=\"17\" cy=\"6\" r=\"4.5\"/>"),
+               "leaves the real course</span>\n");
+}
+
 std::vector<std::size_t> drawnModels(const Evaluation& evaluation) {
     const auto& models = evaluation.models;
     std::vector<std::size_t> drawn{0};
@@ -260,6 +265,7 @@ std::string pathFigure(const PathFigure& figure) {
     drawArrows(plot, figure.arrowEvery, figure.real, "arrow real");
     drawArrows(plot, figure.arrowEvery, withStart(figure.start, predicted), "arrow s0");
     plot.circle({figure.real[0].x, figure.real[0].y}, 4.5, "start");
+    if (figure.leaves) plot.circle({predicted[*figure.leaves].x, predicted[*figure.leaves].y}, 5.5, "leaves");
     plot.scaleBar(bar, lengthText(bar));
     return plot.text();
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -44,7 +45,9 @@ struct PathFigure {
     std::vector<std::span<const Pose>> predicted = {};  ///< the first is the one that matters
     std::vector<std::size_t> models = {0};              ///< whose they are: the series of each
     std::size_t arrowEvery = 10;
+    std::optional<std::size_t> leaves = {};  ///< where the first prediction leaves the real path, in it: a ring
 };
+std::string leavesEntry();  ///< of a legend
 std::string pathFigure(const PathFigure& figure);
 
 /// Real and predicted path of one window on equal axes, heading arrows every second.

@@ -81,6 +81,7 @@ path.axis { stroke: var(--soft); stroke-width: 1.2; fill: none; }
 .band { fill: var(--c0); stroke: none; opacity: .15; } .band.inner { opacity: .24; }
 .arrow { stroke: var(--c); fill: var(--c); stroke-width: 1.3; stroke-dasharray: none; } .arrow.real { --c: var(--realarrow); }
 .start { fill: var(--card); stroke: var(--ink); stroke-width: 2; }
+.leaves { fill: var(--card); stroke: var(--c1); stroke-width: 2.6; }
 .miss { stroke: var(--soft); stroke-width: 1.2; stroke-dasharray: 2 3; }
 .floorline { --c: var(--soft); stroke-width: 1.4; stroke-dasharray: 5 3; }
 rect.k0 { fill: var(--k0); } rect.k1 { fill: var(--k1); } rect.k2 { fill: var(--k2); }

@@ -72,6 +72,22 @@ std::string shownToml(const toml::node& node) {
     return out.str();
 }
 
+/// The lines at which tables begin that are no part of `left`.
+void addTableLines(const toml::table& table, const toml::table* left, std::vector<toml::source_index>& lines) {
+    if (&table == left) return;
+    const auto add = [&](const toml::table& inner) {
+        if (&inner != left && !inner.is_inline() && inner.source().begin.line > 0)
+            lines.push_back(inner.source().begin.line);
+        addTableLines(inner, left, lines);
+    };
+    for (const auto& [key, node] : table) {
+        if (const toml::table* const inner = node.as_table()) add(*inner);
+        if (const toml::array* const array = node.as_array())
+            for (const toml::node& element : *array)
+                if (const toml::table* const inner = element.as_table()) add(*inner);
+    }
+}
+
 /// The tables that a path such as "robot[].controller" names.
 std::vector<std::string> tablesAt(const toml::table& root, const std::string& path) {
     const std::size_t each = path.find("[]");
@@ -109,6 +125,30 @@ Expected<std::string> withTomlValues(const std::string& text, const std::string&
         if (!wanted || node == nullptr || shownToml(*node) != shownToml(*wanted->get("value")))
             return fail(file, edit.place.key + " cannot be written into its text", 0, edit.place.table);
     }
+    return edited;
+}
+
+Expected<std::string> withoutTomlTable(const std::string& text, const std::string& file, const std::string& path) {
+    const auto root = parsedToml(text, file);
+    if (!root) return tl::unexpected(root.error());
+    const toml::table* const table = tableAt(*root, path);
+    const std::string array = path.substr(0, path.find('['));
+    if (table == nullptr || table == &*root) return fail(file, "has no " + path);
+    const auto count = [&](const toml::table& in) {
+        const toml::array* const tables = in.get_as<toml::array>(array);
+        return tables != nullptr ? tables->size() : 0;
+    };
+    std::vector<toml::source_index> lines;
+    addTableLines(*root, table, lines);
+    const std::size_t begin = lineStart(text, table->source().begin.line);
+    std::size_t end = text.size();
+    for (const toml::source_index line : lines)
+        if (const std::size_t at = lineStart(text, line); at > begin) end = std::min(end, at);
+    std::string edited = text;
+    edited.erase(begin, end - begin);
+    const auto found = parsedToml(edited, file);
+    if (table->is_inline() || !found || count(*found) + 1 != count(*root))
+        return fail(file, "cannot be left out of its text; expected a table under [[" + array + "]]", 0, path);
     return edited;
 }
 

@@ -30,6 +30,10 @@ inline Expected<std::string> withTomlValue(const std::string& text, const std::s
     return withTomlValues(text, file, {&edit, 1});
 }
 
+/// The text without one table of an array of tables, by its path: "robot[2]", with all that belongs to it. Error: the
+/// text has a syntax error; the table is not one that stands under a [[header]] of its own.
+Expected<std::string> withoutTomlTable(const std::string& text, const std::string& file, const std::string& path);
+
 /// A string in a text: where it is, and what it says.
 struct TomlString {
     TomlPlace place;

@@ -22,14 +22,17 @@ void countGaps(const std::vector<Sample>& samples, double limit, std::int64_t& c
     }
 }
 
-/// Drops the samples for which isBad(previous kept, sample, next) holds; the first and the last always stay.
+/// Drops the samples for which isBad(previous kept, sample, next) holds, into `into` if it is given; the first and
+/// the last always stay.
 template <class Sample, class Predicate>
-std::int64_t dropBetween(std::vector<Sample>& samples, Predicate isBad) {
+std::int64_t dropBetween(std::vector<Sample>& samples, Predicate isBad, std::vector<Sample>* into = nullptr) {
     if (samples.size() < 3) return 0;
     std::size_t kept = 1;
     for (std::size_t i = 1; i < samples.size(); ++i)
         if (i + 1 == samples.size() || !isBad(samples[kept - 1], samples[i], samples[i + 1]))
             samples[kept++] = samples[i];
+        else if (into != nullptr)
+            into->push_back(samples[i]);
     const std::size_t dropped = samples.size() - kept;
     samples.resize(kept);
     return static_cast<std::int64_t>(dropped);
@@ -103,10 +106,11 @@ std::optional<ClockReset> findClockReset(std::span<const Nanoseconds> times) {
     return std::nullopt;
 }
 
-void conditionCommands(std::vector<StampedCommand>& commands, const LogOptions& options, LogDefects& defects) {
+void conditionCommands(std::vector<StampedCommand>& commands, const LogOptions& options, LogDefects& defects,
+                       std::vector<StampedCommand>* blips) {
     sortByTime(commands, defects);
     keepLastOfEqualStamps(commands, defects);
-    if (options.dropBlips) defects.blips += dropBetween(commands, isBlip);
+    if (options.dropBlips) defects.blips += dropBetween(commands, isBlip, blips);
     countGaps(commands, options.commandGap, defects.commandGaps, defects.longestCommandGap);
 }
 

@@ -48,8 +48,10 @@ void keepLastOfEqualStamps(std::vector<Sample>& samples, LogDefects& defects) {
     samples.resize(kept);
 }
 
-/// Sorts by time (stable), keeps the last of equal stamps, drops blips if so told, and counts gaps.
-void conditionCommands(std::vector<StampedCommand>& commands, const LogOptions& options, LogDefects& defects);
+/// Sorts by time (stable), keeps the last of equal stamps, drops blips if so told (into `blips`, if it is given), and
+/// counts gaps.
+void conditionCommands(std::vector<StampedCommand>& commands, const LogOptions& options, LogDefects& defects,
+                       std::vector<StampedCommand>* blips = nullptr);
 
 /// Sorts by time (stable), keeps the last of equal stamps, drops outliers, unwraps headings, and counts gaps.
 void conditionPoses(std::vector<StampedPose>& poses, const LogOptions& options, LogDefects& defects);

@@ -161,7 +161,7 @@ void merge(CsvChannels& channels, const LogOptions& options, Trajectory& traject
     if (trajectory.poses.empty())
         trajectory.poses = pairPoses(alone[xChannel].samples, alone[yChannel].samples, alone[headingChannel].samples,
                                      fromSeconds(options.poseGap), defects);
-    conditionCommands(trajectory.commands, options, defects);
+    conditionCommands(trajectory.commands, options, defects, &trajectory.blips);
     conditionPoses(trajectory.poses, options, defects);
 }
 

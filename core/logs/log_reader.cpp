@@ -18,15 +18,24 @@ std::string beginning(const std::filesystem::path& file) {
     return text;
 }
 
-bool holdsCsv(const std::filesystem::path& folder) {
+/// Whether a folder holds a CSV file, or one that begins as a log does.
+bool holdsCsv(const std::filesystem::path& folder, bool logs = false) {
     std::error_code ignored;
     for (std::filesystem::directory_iterator entry(folder, ignored), end; !ignored && entry != end;
          entry.increment(ignored))
-        if (entry->path().extension() == ".csv") return true;
+        if (entry->path().extension() == ".csv" && (!logs || looksLikeCsvLog(beginning(entry->path())))) return true;
     return false;
 }
 
 }  // namespace
+
+bool looksLikeLog(const std::filesystem::path& source) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(source, ignored)) return isMrclamFolder(source) || holdsCsv(source, true);
+    if (!std::filesystem::is_regular_file(source, ignored)) return false;
+    const std::string text = beginning(source);
+    return looksLikeHusky(text) || looksLikeCsvLog(text);
+}
 
 Expected<Log> readLog(const std::filesystem::path& source, const LogOptions& options) {
     std::error_code error;

@@ -16,6 +16,9 @@ struct LogOptions {
     DifferentialDrive drive{};  ///< for logs of wheel commands
 };
 
+/// Whether a place holds a log of some format, as far as its beginning tells: without reading it.
+bool looksLikeLog(const std::filesystem::path& source);
+
 /// Opens a log of any known format: an MRCLAM folder, a Husky windows file, a CSV file or a folder of CSV files. Which
 /// one it is is told from its content. Error: nothing known, or the first thing wrong with it.
 Expected<Log> readLog(const std::filesystem::path& source, const LogOptions& options = {});

@@ -131,7 +131,7 @@ Expected<RobotLog> readRobot(Log& log, int number, const std::filesystem::path& 
     auto commands = parseMrclamOdometry(*content, odometry.string());
     if (!commands) return tl::unexpected(commands.error());
     trajectory.commands = std::move(*commands);
-    conditionCommands(trajectory.commands, options, robot.defects);
+    conditionCommands(trajectory.commands, options, robot.defects, &trajectory.blips);
 
     const auto truth = odometry.parent_path() / ("Robot" + std::to_string(number) + std::string(truthSuffix));
     if (!std::filesystem::exists(truth)) return robot;

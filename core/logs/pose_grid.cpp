@@ -8,7 +8,7 @@ namespace mrose {
 namespace {
 
 constexpr Nanoseconds millisecond = 1'000'000;
-constexpr Nanoseconds halfWidth = 60 * millisecond, gapLimit = 200 * millisecond;
+constexpr Nanoseconds halfWidth = 60 * millisecond;
 constexpr Nanoseconds startWidth = 200 * millisecond, oldest = 600 * millisecond;
 constexpr std::size_t fewest = 4;  // samples of a fit
 
@@ -121,7 +121,7 @@ PoseGrid poseGrid(const Trajectory& trajectory, Nanoseconds step, const GridMarg
                                                : chord(poses[after - 1], poses[after], time);
         grid.poses.push_back(line.value);
         grid.velocities.push_back(velocityOf(line));
-        grid.ok.push_back(poses[after].time - poses[after - 1].time < gapLimit);
+        grid.ok.push_back(poses[after].time - poses[after - 1].time < truthGap);
     }
     return grid;
 }
@@ -136,15 +136,23 @@ Pose truthAt(std::span<const StampedPose> poses, Nanoseconds time) {
                                              : chord(poses[next - 1], poses[next], time).value;
 }
 
+std::optional<Velocity> velocityAt(Poses poses, Nanoseconds time) {
+    if (!truthIsKnown(poses, time) || poses.front().time > time - halfWidth || poses.back().time < time + halfWidth)
+        return std::nullopt;
+    const std::size_t low = firstNotBefore(poses, time - halfWidth), high = firstNotBefore(poses, time + halfWidth);
+    if (high - low < fewest) return std::nullopt;
+    return velocityOf(fitLine(poses.subspan(low, high - low), time));
+}
+
 bool truthIsKnown(Poses poses, Nanoseconds time) {
     if (poses.size() < 2 || time < poses.front().time || time > poses.back().time) return false;
     const std::size_t after = std::max<std::size_t>(firstNotBefore(poses, time), 1);
-    return poses[after].time - poses[after - 1].time < gapLimit;
+    return poses[after].time - poses[after - 1].time < truthGap;
 }
 
 MeasuredStart measuredStart(const Trajectory& trajectory, Nanoseconds time) {
     const Poses known(trajectory.poses.begin(), behind(trajectory.poses, time));
-    if (known.empty() || time - known.back().time > gapLimit) return {};
+    if (known.empty() || time - known.back().time > truthGap) return {};
     const Poses recent = recentPoses(known, time);
     MeasuredStart start{true, known.back().pose, measuredVelocity(trajectory, time).value_or(Velocity{})};
     if (recent.size() < fewest) return start;

@@ -8,6 +8,9 @@
 
 namespace mrose {
 
+/// Between measured poses that lie this far apart there is no truth.
+inline constexpr Nanoseconds truthGap = 200'000'000;
+
 /// Ground truth on a regular grid of instants, by a local linear fit over +-60 ms (the definition of the referee of the
 /// MRCLAM windows). `start` is a whole multiple of `step`, `ok[i]` false where the truth has a gap of 0.2 s or more
 /// around instant i.
@@ -32,6 +35,10 @@ PoseGrid poseGrid(const Trajectory& trajectory, Nanoseconds step = 100'000'000, 
 /// Truth at one instant, as on a grid; next to the ends of the poses, where a fit would be one-sided, interpolated. At
 /// least one pose.
 Pose truthAt(std::span<const StampedPose> poses, Nanoseconds time);
+
+/// The velocity at one instant from the truth on both sides of it, as on a grid: what measuredStart is an estimate of.
+/// Nothing where the fit would be one-sided or there is no truth.
+std::optional<Velocity> velocityAt(std::span<const StampedPose> poses, Nanoseconds time);
 
 /// Whether there is truth at `time`: it lies within the poses, and not in a gap of 0.2 s or more (PoseGrid::ok).
 bool truthIsKnown(std::span<const StampedPose> poses, Nanoseconds time);

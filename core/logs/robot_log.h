@@ -43,6 +43,8 @@ struct Trajectory {
         false;  ///< the command has been in force long enough that the motion no longer changes (Husky windows)
     std::vector<StampedCommand> commands;
     std::vector<StampedPose> poses;  ///< empty: the log has no ground truth
+    /// Single zero commands that the reader dropped from `commands`, should the robot have obeyed them all the same.
+    std::vector<StampedCommand> blips = {};
     /// What the robot itself measured, where the log has it: wheel speeds through the drive, and the gyro (v is 0). A
     /// prediction may use it up to its start. Like commands it may begin before the poses.
     std::vector<StampedVelocity> measuredVelocity, measuredRotation;

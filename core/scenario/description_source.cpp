@@ -56,20 +56,24 @@ Expected<const Log*> DiskDescriptions::log(const std::filesystem::path& path, co
     return &logs_.emplace(key, std::move(*log)).first->second;
 }
 
-Expected<std::optional<std::string>> DiskDescriptions::excerpt(const LogExcerpt& excerpt) {
+std::optional<std::filesystem::path> DiskDescriptions::logPlace(const LogExcerpt& excerpt) const {
+    if (!options_.log.empty()) return options_.log;
     std::vector<std::filesystem::path> places{shown(excerpt.log)};
     for (const std::filesystem::path& folder : options_.logFolders) places.push_back(folder / excerpt.reference);
-    if (!options_.log.empty()) places = {options_.log};
-    for (const std::filesystem::path& place : places) {
-        std::error_code ignored;
-        if (!std::filesystem::exists(place, ignored) && options_.log.empty()) continue;
-        const auto found = log(place, excerpt.drive.value_or(DifferentialDrive{}));
-        if (!found) return tl::unexpected(found.error());
-        auto text = excerptText(**found, excerpt);
-        if (!text) return tl::unexpected(text.error());
-        return std::move(*text);
-    }
-    return std::nullopt;
+    std::error_code ignored;
+    for (const std::filesystem::path& place : places)
+        if (std::filesystem::exists(place, ignored)) return place;
+    return {};
+}
+
+Expected<std::optional<std::string>> DiskDescriptions::excerpt(const LogExcerpt& excerpt) {
+    const auto place = logPlace(excerpt);
+    if (!place) return std::nullopt;
+    const auto found = log(*place, excerpt.drive.value_or(DifferentialDrive{}));
+    if (!found) return tl::unexpected(found.error());
+    auto text = excerptText(**found, excerpt);
+    if (!text) return tl::unexpected(text.error());
+    return std::move(*text);
 }
 
 Expected<std::optional<std::string>> KeptDescriptions::text(const std::string& name) {

@@ -55,6 +55,8 @@ public:
     Expected<std::optional<std::string>> text(const std::string& name) override;
     Expected<std::optional<std::string>> excerpt(const LogExcerpt& excerpt) override;
     std::string shown(const std::string& name) const override;
+    /// Where the log of an excerpt lies; nothing where none is found.
+    std::optional<std::filesystem::path> logPlace(const LogExcerpt& excerpt) const;
 
 private:
     Expected<const Log*> log(const std::filesystem::path& path, const DifferentialDrive& drive);

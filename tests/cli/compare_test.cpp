@@ -1,6 +1,8 @@
 // `mrose compare` as its users run it.
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <map>
 #include <sstream>
 
@@ -38,7 +40,7 @@ protected:
 
     /// compare with `more`; its result as JSON.
     Json result(Words words) {
-        words.push_back("--json");
+        words.insert(words.end(), {"--json", "--quiet"});
         const ProgramResult ran = runMrose(words);
         EXPECT_EQ(ran.status, 0) << ran.err;
         EXPECT_EQ(ran.err, "");
@@ -144,12 +146,84 @@ TEST_F(CompareProgram, OneCourseAsTheScenarioRunsOrManyThatRestart) {
 }
 
 TEST_F(CompareProgram, SaysWhatItComparesAndNeverForPeopleAndProgramsAtOnce) {
-    const ProgramResult ran = runMrose({"compare", scenario(), "--log", shippedLog(), "--every", "10"});
+    const ProgramResult ran = runMrose({"compare", scenario(), "--log", shippedLog(), "--every", "10", "--quiet"});
     EXPECT_EQ(ran.status, 0);
     EXPECT_EQ(ran.err, "");
     for (const char* part : {"replay beside ", "twin", "windows", "P %", "Hd %", "final cm", "final deg", "touches",
                              "Note: The log comes from a simulated robot"})
         EXPECT_NE(ran.out.find(part), std::string::npos) << part << '\n' << ran.out;
+}
+
+TEST_F(CompareProgram, SaysWhereTheRobotLeavesTheRealCourseAndWhy) {
+    const Words tight{"--bound-position", "0.02", "--bound-heading", "3"};
+    const auto with = [&](Words words, const Words& more) {
+        words.insert(words.end(), more.begin(), more.end());
+        return words;
+    };
+    const Words one{"compare", scenario(), "--log", shippedLog(), "--start", "10", "--duration", "20", "--quiet"};
+    const ProgramResult ran = runMrose(with(one, tight));
+    EXPECT_EQ(ran.status, 0) << ran.err;
+    for (const char* part : {"A robot leaves the real course where it is off by more than 2.0 cm or 3.0° for 0.3 s.",
+                             "twin: leaves the real course after ", "  likely cause: ", "tried", "explains",
+                             "dead time ", "velocity at the start ", "no more than the network's held-out error",
+                             "motion model velocity = command + lag, gains, biases"})
+        EXPECT_NE(ran.out.find(part), std::string::npos) << part << '\n' << ran.out;
+    const Json said = result(with(one, tight))["divergence"];
+    ASSERT_EQ(said["courses"].size(), 1u) << said;
+    const Json& course = said["courses"][0];
+    EXPECT_TRUE(course["position_m"] > 0.02 || course["heading_rad"] > 3 / 57.3) << course;
+    EXPECT_GT(course["tried"].size(), 5u);
+    EXPECT_EQ(result(one)["divergence"]["all"]["courses"], 1);
+
+    const Json without = result(with(with(one, tight), {"--no-causes"}))["divergence"]["courses"][0];
+    EXPECT_FALSE(without.contains("tried"));
+    EXPECT_EQ(without["time_s"], course["time_s"]);
+    // Another network, by name; held for longer it is later or never.
+    const Json more = result(with(with(one, tight), {"--model", (sourceFolder() / "nets/create.net").string()}));
+    EXPECT_EQ(more["divergence"]["courses"][0]["tried"].size(), course["tried"].size() + 1);
+    const Json many = result(with({"compare", scenario(), "--log", shippedLog(), "--every", "5"}, tight))["divergence"];
+    EXPECT_GT(many["all"]["diverging"], 5);
+    EXPECT_EQ(std::count_if(many["courses"].begin(), many["courses"].end(),
+                            [](const Json& c) { return c.contains("tried"); }),
+              5);
+    const Json heldOut =
+        result({"compare", scenario(), "--log", shippedLog(), "--every", "10", "--bound-network"})["divergence"];
+    EXPECT_EQ(heldOut["bound"]["from_held_out"], true);
+    EXPECT_FALSE(heldOut["bound"].contains("position_m"));
+    EXPECT_LT(heldOut["all"]["diverging"], many["all"]["diverging"]);
+}
+
+TEST_F(CompareProgram, DivergenceFlagsThatDoNotFit) {
+    const Words words{"compare", scenario(), "--log", shippedLog()};
+    const auto with = [&](const Words& more) {
+        Words all = words;
+        all.insert(all.end(), more.begin(), more.end());
+        return runMrose(all);
+    };
+    expectOneLine(with({"--bound-network", "--bound-position", "1"}), {"--bound-position", "--bound-network"}, 2);
+    expectOneLine(with({"--bound-heading", "-3"}), {"--bound-heading", "-3"}, 2);
+    expectOneLine(with({"--no-causes", "--model", "x.net"}), {"--model", "--no-causes"}, 2);
+    expectOneLine(with({"--model", path("none.net"), "--quiet"}), {path("none.net")});
+    write("odd.toml", "[robot]\n");
+    expectOneLine(with({"--model", path("odd.toml"), "--quiet"}), {path("odd.toml")});
+}
+
+TEST_F(CompareProgram, LogsAreFoundWhereScenariosFindThem) {
+    const std::string file = scenario();
+    std::filesystem::create_directory(path("mrclam"));
+    std::filesystem::create_directory_symlink(shippedLog(), path("mrclam/named"));
+    const Words words{"compare", file, "--log", "named", "--quiet", "--no-causes", "--every", "10"};
+    expectOneLine(runMrose(words), {"named: "});
+    const char* const before = std::getenv("MROSE_DATA");
+    const std::string kept = before == nullptr ? "" : before;
+    setenv("MROSE_DATA", path("").c_str(), 1);
+    const ProgramResult found = runMrose(words);
+    if (before == nullptr)
+        unsetenv("MROSE_DATA");
+    else
+        setenv("MROSE_DATA", kept.c_str(), 1);
+    EXPECT_EQ(found.status, 0) << found.err;
+    EXPECT_NE(found.out.find("replay beside " + path("mrclam/named")), std::string::npos) << found.out;
 }
 
 TEST_F(CompareProgram, TheSameWhateverTheNumberOfThreads) {

@@ -1,7 +1,6 @@
 #include "comparison/compare.h"
 
 #include <cmath>
-#include <mutex>
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -128,30 +127,6 @@ TEST(Compare, ErrorsAreThoseOfAGainThatIsWrong) {
     }
     EXPECT_NEAR(comparison.all.counted.p, 5.05, 1e-4);
     EXPECT_EQ(comparison.summaries[0].counted.p, comparison.all.counted.p);
-}
-
-TEST(Compare, TellsHowFarItIsAndEndsWhenToldTo) {
-    const Log log = threeRobots();
-    const auto world = LogWorld::create(playersOf(log, heldCommands()), log);
-    ASSERT_TRUE(world);
-    const auto requests = coursesOf(*world, {0, std::nullopt, 5 * second});
-    ASSERT_TRUE(requests);
-    std::mutex mutex;
-    double most = 0;
-    std::size_t told = 0;
-    const auto whole = compare(*world, *requests, {}, [&](double share) {
-        const std::lock_guard lock(mutex);
-        most = std::max(most, share);
-        ++told;
-        return true;
-    });
-    ASSERT_TRUE(whole);
-    EXPECT_EQ(told, requests->size());
-    EXPECT_EQ(most, 1);
-    EXPECT_EQ(errorsCsv(*whole), errorsCsv(*compare(*world, *requests)));
-    const auto ended = compare(*world, *requests, {}, [](double) { return false; });
-    ASSERT_FALSE(ended);
-    EXPECT_EQ(ended.error().message(), "the comparison was ended before its end");
 }
 
 TEST(Compare, WorstCourseIsFirst) {

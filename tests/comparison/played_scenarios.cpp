@@ -50,17 +50,4 @@ Log shippedLog() {
     return std::move(*log);
 }
 
-std::vector<CourseRequest> coursesOfWindows(const LogWorld& world, const std::vector<Window>& windows) {
-    std::vector<CourseRequest> courses;
-    for (const Window& window : windows)
-        for (std::size_t take = 0; take < world.takes().size(); ++take) {
-            std::size_t robot = 0;
-            while (world.robots()[robot].real != window.robot) ++robot;
-            const Take::Part& part = world.takes()[take].parts[robot];
-            if (part.trajectory == window.trajectory)
-                courses.push_back({take, window.start - part.origin, window.steps(), robot});
-        }
-    return courses;
-}
-
 }  // namespace mrose

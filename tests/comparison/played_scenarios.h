@@ -25,7 +25,4 @@ std::shared_ptr<const MotionModel> wearyModel();
 /// The synthetic log that ships: one robot, six trajectories.
 Log shippedLog();
 
-/// As many windows as the evaluation has, each asked of its own robot.
-std::vector<CourseRequest> coursesOfWindows(const LogWorld& world, const std::vector<Window>& windows);
-
 }  // namespace mrose

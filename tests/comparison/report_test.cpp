@@ -1,6 +1,7 @@
 #include <regex>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "comparison/comparison_files.h"
 #include "comparison/comparison_report.h"
@@ -120,6 +121,60 @@ TEST(ComparisonReport, RanksTheWorstCoursesAndSaysWhatDoesNotCount) {
     const double end = compared.comparison.all.counted.positionFinal.median;
     EXPECT_NE(html.find("(median) it is " + fixed(100 * end, 1) + "\u00a0cm off"), std::string::npos)
         << "sentence and tiles are of the same courses";
+}
+
+/// With a robot that is 20 % too fast: it leaves the real course, in the page, the table and the JSON alike.
+TEST(ComparisonReport, ShowsWhereTheRobotsLeaveTheRealCourseAndWhy) {
+    const Log log = logOf({obedientTrajectory(0, 40 * second, [](double t) {
+        return Command{0.2, 0.2 * std::sin(t)};
+    })});
+    for (const bool many : {false, true}) {
+        ScenarioParts parts = playersOf(log, std::make_shared<const HeldCommandModel>(100'000'000, 1.2));
+        parts.scene.robots[0].name = "a <b>";
+        const Scene scene = parts.scene;
+        const auto world = LogWorld::create(std::move(parts), log);
+        const auto requests =
+            coursesOf(*world, {second, std::nullopt, many ? std::optional(8 * second) : std::nullopt});
+        const Comparison comparison = *compare(*world, *requests);
+        DivergenceOptions options;
+        options.models = {{"right.net", {std::make_shared<const HeldCommandModel>()}}};
+        options.diagnosed = 3;
+        const auto found = divergencesOf(*world, comparison, options);
+        ASSERT_TRUE(found) << found.error().message();
+        ASSERT_EQ(found->all.diverging, comparison.courses.size());
+        const std::size_t diagnosed = many ? 3 : 1;
+        const Divergence& first = found->courses.front().divergence;
+        EXPECT_NEAR(toSeconds(first.time), 0.1 / 0.04, 0.15) << "0.04 m/s too fast";
+
+        const std::string html = comparisonHtml(comparison, scene, {.program = "p", .commandLine = "c"}, &*found);
+        EXPECT_EQ(stillOpen(html), std::vector<std::string>{"closed html"});
+        for (const char* undefined : {"nan", "inf<"}) EXPECT_EQ(html.find(undefined), std::string::npos) << undefined;
+        EXPECT_EQ(countOf(html, "Likely cause: motion model right.net, which explains "), diagnosed);
+        EXPECT_EQ(countOf(html, "<b>motion model right.net</b>"), diagnosed);
+        EXPECT_NE(html.find("off by more than 10.0 cm or 10.0° for 0.3 s."), std::string::npos);
+        // A ring in each legend and robot's picture, in the error plots of a single course alone.
+        const std::size_t pictures = countOf(html, "aria-label=\"Real and predicted path\"");
+        EXPECT_EQ(countOf(html, "<circle class=\"leaves\""), 1 + pictures + (many ? 0 : 2))
+            << "in the plot of positions, and its legend";
+        EXPECT_EQ(countOf(html, ">bound</text>"), 1u) << "of the positions; headings stay far below theirs";
+        EXPECT_EQ(countOf(comparisonHtml(comparison, scene, {}), "leaves the real course"), 0u);
+
+        const auto json = nlohmann::json::parse(comparisonJson(comparison, {}, &*found))["divergence"];
+        EXPECT_EQ(json["all"]["diverging"], comparison.courses.size());
+        EXPECT_EQ(json["all"]["median_s"], found->all.medianTime);
+        EXPECT_EQ(json["bound"]["position_m"], 0.1);
+        EXPECT_EQ(json["courses"][0]["time_s"], toSeconds(first.time));
+        EXPECT_EQ(json["courses"][0]["position_m"], first.position);
+        std::size_t causes = 0;
+        for (const auto& course : json["courses"]) {
+            if (!course.contains("cause")) continue;
+            ++causes;
+            EXPECT_EQ(course["cause"]["what"], "motion model right.net");
+            EXPECT_EQ(course["cause"], course["tried"][0]);
+        }
+        EXPECT_EQ(causes, diagnosed);
+        EXPECT_EQ(countOf(coursesCsv(comparison, &*found), ",motion model right.net\n"), diagnosed);
+    }
 }
 
 TEST(ComparisonReport, CsvQuotesNamesAndLeavesUnknownCellsEmpty) {

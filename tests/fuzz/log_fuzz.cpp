@@ -54,7 +54,9 @@ void requireConditioned(Rows rows, Condition condition) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace mrose;
     const std::string_view text(reinterpret_cast<const char*>(data), size);
-    requireConditioned(parseMrclamOdometry(text, "odometry"), conditionCommands);
+    requireConditioned(parseMrclamOdometry(text, "odometry"), [](auto& rows, const LogOptions& options, auto& defects) {
+        conditionCommands(rows, options, defects);
+    });
     requireConditioned(parseMrclamGroundtruth(text, "truth"), conditionPoses);
     requireSound(parseHusky(text, "husky"));
     requireSound(parseCsv(text, "csv"));

@@ -102,6 +102,21 @@ TEST_F(BranchTest, TypedCommandIsTold) {
     EXPECT_EQ(window.shown()->hash, hashOf(expected));
 }
 
+/// Return in a field will do, and the branch is called by what was changed.
+TEST_F(BranchTest, ReturnTriesTheTypedCommand) {
+    seek(100);
+    window.field().setSelected(1);
+    const auto boxes = window.commandPanel().findChildren<QDoubleSpinBox*>();
+    key(Qt::Key_E);
+    QTest::keyClicks(boxes[0], "-0.25");
+    EXPECT_EQ(window.shown()->branches.size(), 1u);
+    QTest::keyClick(boxes[0], Qt::Key_Return);
+    settle();
+    ASSERT_EQ(window.shown()->branches.size(), 2u);
+    EXPECT_EQ(window.shown()->branches[1].name, "red 2: -0.25 m/s");
+    EXPECT_TRUE(window.shown()->message.contains("Space plays it")) << window.shown()->message.toStdString();
+}
+
 TEST_F(BranchTest, CommandThatIsNotChangedChangesNothing) {
     const std::shared_ptr<const Scenario> scenario = window.shown()->frame->scenario;
     seek(333);
@@ -262,6 +277,46 @@ TEST_F(BranchTest, WhatLiesBesideGoesOn) {
     StepBuffers buffers;
     while (expected.tick < 180) step(scenario, expected, buffers);
     EXPECT_NEAR(window.shown()->beside->state.objects[0].pose.x, expected.objects[0].pose.x, 1e-6);
+}
+
+TEST_F(BranchTest, ChoosingABranchThatEndsEarlierSaysSo) {
+    seek(100);
+    drag(pixelOf(8), pixelOf(8) + QPointF(40, 0));
+    seek(150);
+    key(Qt::Key_Z, Qt::ControlModifier);
+    seek(100);
+    window.session().show(1, 300);
+    settle();
+    EXPECT_EQ(state().tick, 150);
+    EXPECT_TRUE(window.shown()->message.contains("6.00 s") && window.shown()->message.contains("3.00 s"))
+        << window.shown()->message.toStdString();
+    window.session().show(1, 120);
+    settle();
+    EXPECT_EQ(window.shown()->message, QString());
+}
+
+/// Of all branches together, whatever was played in which.
+TEST_F(BranchTest, TracksOfAllBranchesShareTheirRoom) {
+    const auto opened = openRun({"soccer.toml"});
+    ASSERT_TRUE(opened);
+    constexpr std::size_t most = 100'000;
+    TimeTravel whole(*opened), limited(*opened, most);
+    for (int branch = 0; branch < 3; ++branch) {
+        for (TimeTravel* run : {&whole, &limited}) {
+            ASSERT_TRUE(run->branchOff({"more noise", {}, [](const Scenario&, WorldState& state) { ++state.seed; }}));
+            for (int i = 0; i < 400; ++i) ASSERT_TRUE(run->forward());
+            ASSERT_TRUE(run->seek(run->tick() - 100));
+        }
+        EXPECT_LE(limited.trackBytes(), most);
+    }
+    EXPECT_GT(whole.trackBytes(), most);
+    // What is kept is the newest, and as it was.
+    const PoseTrack &all = whole.record(3).track(), &kept = limited.record(3).track();
+    EXPECT_GT(kept.first(), all.first());
+    EXPECT_EQ(kept.last(), all.last());
+    EXPECT_EQ(kept.posesAt(kept.first()), all.posesAt(kept.first()));
+    EXPECT_EQ(kept.posesAt(kept.last()), all.posesAt(kept.last()));
+    EXPECT_EQ(hashOf(limited.state()), hashOf(whole.state()));
 }
 
 TEST_F(BranchTest, PlayingStopsWhereTheScenarioEndsAndGoesOnWhenAsked) {

@@ -142,6 +142,18 @@ TEST_F(FileTest, RunWithBranchesIsSavedAndOpenedAgain) {
     window.session().show(1, 140);
     settle();
     EXPECT_EQ(window.shown()->hash, thrown);
+
+    // What was tried last is offered.
+    open(path("saved.mcap"));
+    const std::vector<MessageBar::Message> said = window.messages().messages();
+    ASSERT_EQ(said.size(), 1u);
+    EXPECT_TRUE(said[0].buttons.size() == 1 && said[0].buttons[0].text.contains("thrown"));
+    EXPECT_EQ(window.shown()->branch, 0u);
+    said[0].buttons[0].run();
+    settle();
+    EXPECT_EQ(window.shown()->branch, 1u);
+    EXPECT_EQ(window.shown()->tick(), 100);
+    EXPECT_TRUE(window.messages().messages().empty());
 }
 
 TEST_F(FileTest, SavedStateGoesOnAsTheRunWould) {
@@ -212,6 +224,12 @@ TEST_F(FileTest, RunsOfABatchAreListedAndOpenedWhereTheyEnded) {
     auto* list = window.findChild<QTableWidget*>();
     ASSERT_NE(list, nullptr);
     ASSERT_EQ(list->rowCount(), 6);
+    QStringList titles;
+    for (int column = 0; column < list->columnCount(); ++column) {
+        titles << list->horizontalHeaderItem(column)->text();
+        EXPECT_GE(list->columnWidth(column), list->fontMetrics().horizontalAdvance(titles.back()) + 12);
+    }
+    EXPECT_TRUE(titles.contains("Time (s)") && titles.contains("Driven (m)")) << titles.join(", ").toStdString();
     list->sortItems(3, Qt::DescendingOrder);
     const std::string trial = list->item(0, 0)->text().toStdString(), seed = list->item(0, 1)->text().toStdString();
     const std::string end = list->item(0, 3)->text().toStdString();

@@ -3,6 +3,10 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenuBar>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QStatusBar>
+#include <QStatusTipEvent>
 #include <QToolButton>
 #include <map>
 #include <set>
@@ -97,6 +101,55 @@ TEST_F(HelpTest, SheetShowsEveryShortcutAndFindsThem) {
     EXPECT_FALSE(sheet->isVisible());
 }
 
+TEST_F(HelpTest, SheetShowsAllOnAnUsualScreen) {
+    window.resize(1280, 800);
+    key(Qt::Key_F1);
+    auto* sheet = window.findChild<ShortcutSheet*>();
+    ASSERT_NE(sheet, nullptr);
+    settle();
+    EXPECT_LE(sheet->width(), 1280);
+    EXPECT_LE(sheet->height(), 800);
+    EXPECT_EQ(sheet->findChild<QScrollArea*>()->verticalScrollBar()->maximum(), 0);
+}
+
+/// What an action does is told while it is pointed at, and not in place of what was said.
+TEST_F(HelpTest, PointingAtAnActionLeavesTheMessageThere) {
+    const auto message = [&] {
+        QStringList shown;
+        for (const QLabel* label : window.statusBar()->findChildren<QLabel*>())
+            if (label->isVisible()) shown << label->text();
+        return shown.join('|');
+    };
+    window.say("red 1 kicked");
+    const QString before = message();
+    ASSERT_TRUE(before.contains("red 1 kicked") && before.contains("tick 0")) << before.toStdString();
+    QStatusTipEvent points("Play or pause"), leaves("");
+    QApplication::sendEvent(&window, &points);
+    EXPECT_TRUE(message().contains("Play or pause") && message().contains("tick 0")) << message().toStdString();
+    QApplication::sendEvent(&window, &leaves);
+    EXPECT_EQ(message(), before);
+}
+
+TEST_F(HelpTest, FirstStepsLeaveTheFieldFree) {
+    key(Qt::Key_F1, Qt::ShiftModifier);
+    auto* card = window.findChild<FirstSteps*>();
+    const FieldView& field = window.field();
+    const auto place = [&] {
+        const FieldArea area = field.wholeArea();
+        return QRectF(field.transform().toPixels({area.least.x, area.most.y}),
+                      field.transform().toPixels({area.most.x, area.least.y}));
+    };
+    for (const QSize size : {QSize(1280, 800), QSize(1600, 760), QSize(1024, 700)}) {
+        window.resize(size);
+        settle();
+        EXPECT_FALSE(place().intersects(card->geometry())) << size.width();
+        EXPECT_TRUE(QRectF(field.rect()).contains(place())) << size.width();
+    }
+    const QRectF with = place();
+    key(Qt::Key_F1, Qt::ShiftModifier);
+    EXPECT_NE(place(), with) << "all of the room is the field's again";
+}
+
 TEST_F(HelpTest, KeysAsTextHaveALineForEachAction) {
     const QString text = shortcutText(shortcutGroups(window.actions()));
     EXPECT_TRUE(text.startsWith("File\n")) << text.toStdString();
@@ -130,13 +183,16 @@ TEST_F(HelpTest, FirstStepsAreTickedOffAsTheyAreDone) {
     EXPECT_EQ(doneSteps(*card), 2u);
     drag(pixelOf(2), pixelOf(2) + QPointF(40, -30));
     EXPECT_EQ(doneSteps(*card), 3u);
-    key(Qt::Key_Z, Qt::ControlModifier);
     key(Qt::Key_K);
     key(Qt::Key_S);
+    EXPECT_EQ(doneSteps(*card), 5u);
+    key(Qt::Key_S);
+    key(Qt::Key_E);
+    key(Qt::Key_Return, Qt::ControlModifier);
     EXPECT_EQ(doneSteps(*card), 6u);
     ASSERT_TRUE(window.plots().addExpression("ball.speed"));
     EXPECT_EQ(doneSteps(*card), 7u);
-    key(Qt::Key_F1);
+    key(Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(doneSteps(*card), card->steps().size());
 }
 

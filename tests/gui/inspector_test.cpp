@@ -129,6 +129,39 @@ TEST_F(InspectorTest, SaysWhatContactChangedAndBetweenWhom) {
     EXPECT_EQ(value({"Motion model", "Put ahead by"}), text(ahead, 4, "m"));
 }
 
+/// What rounds to nothing alarms nobody.
+TEST_F(InspectorTest, TouchBelowTheShownDigitsIsQuiet) {
+    FieldFrame touched = frame();
+    for (const double impulse : {0.3, 0.004}) {
+        touched.contacts = {{0, 1, 0, {0, 0}, {1, 0}, impulse}};
+        const std::vector<InspectorRow> rows = inspectorRows(touched, 0, [](const QString&) { return false; });
+        const auto model =
+            std::find_if(rows.begin(), rows.end(), [](const auto& row) { return row.name == "Motion model"; });
+        ASSERT_NE(model, rows.end());
+        const auto contact = std::find_if(model->children.begin(), model->children.end(),
+                                          [](const auto& row) { return row.name == "Contact"; });
+        ASSERT_NE(contact, model->children.end());
+        EXPECT_EQ(contact->notable, impulse > 0.1) << contact->value.toStdString();
+        EXPECT_EQ(contact->quiet, impulse < 0.1);
+        ASSERT_EQ(contact->children.size(), 1u);
+        EXPECT_EQ(contact->children[0].notable, impulse > 0.1);
+    }
+}
+
+TEST_F(InspectorTest, NumbersAreNotCutWhereThereIsLittleRoom) {
+    select(2);
+    window.resize(1024, 700);
+    settle();
+    for (const int width : {330, 240, 230}) {
+        inspector().setFixedWidth(width);
+        settle();
+        const int room = tree().header()->sectionSize(Delegate::valueColumn);
+        EXPECT_GE(room, tree().fontMetrics().horizontalAdvance("-12.345 rad/s") + 9) << width;
+        EXPECT_LE(tree().header()->length(), tree().viewport()->width()) << width;
+        EXPECT_GE(tree().header()->sectionSize(Delegate::nameColumn), 50) << width;
+    }
+}
+
 TEST_F(InspectorTest, SetsWhatIsSeenAgainstTheTruth) {
     seek(400);
     std::size_t robot = 0;

@@ -5,6 +5,7 @@
 #include <QWheelEvent>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include <qcustomplot.h>
 
@@ -330,6 +331,58 @@ TEST_F(PlotTest, CurvesHaveTheirRobotsColoursAndAnAxisForEachUnit) {
     plots().remove({"heading", "red 1"});
     settlePlots();
     EXPECT_EQ(canvas().axisRectCount(), 1);
+}
+
+/// In both themes: by their lines, and by how light they are, also to who sees no hues; and from the ground.
+TEST_F(PlotTest, CurvesOfOneRobotAreToldApart) {
+    for (const bool dark : {false, true}) {
+        if (dark) window.actions()["dark"].trigger();
+        const QColor ground = dark ? Theme::darkOne().surround : QColor(Qt::white);
+        for (std::size_t robot = 0; robot < scenario().scene().robots.size(); ++robot) {
+            const std::string& name = scenario().scene().robots[robot].name;
+            plots().clear();
+            for (const char* quantity : {"speed", "commanded forward", "forward in effect"}) plot({quantity, name});
+            const std::vector<PlotCurve>& curves = view().curves();
+            ASSERT_EQ(curves.size(), 3u);
+            std::set<Qt::PenStyle> styles;
+            for (const PlotCurve& one : curves) {
+                styles.insert(one.style);
+                EXPECT_GT(contrast(one.colour, ground), 1.8) << name << ' ' << dark;
+            }
+            EXPECT_EQ(styles.size(), 3u);
+            EXPECT_GT(contrast(curves[0].colour, curves[1].colour), 1.5) << name << ' ' << dark;
+        }
+    }
+}
+
+TEST_F(PlotTest, GhostsAreThinnerAndPalerThanWhatTheyAreGhostsOf) {
+    PlotCurve curve;
+    curve.style = Qt::DashLine;
+    PlotCurve ghost = curve;
+    ghost.ghost = true;
+    EXPECT_LT(curvePen(ghost).widthF(), curvePen(curve).widthF());
+    EXPECT_LT(curvePen(ghost).color().alpha(), curvePen(curve).color().alpha());
+    EXPECT_EQ(curvePen(ghost).dashPattern(), curvePen(curve).dashPattern());
+}
+
+TEST(ValueSeries, NewestTicksGoBeforeThePastOfAnotherValue) {
+    const ValueSeries::Way way{0, 100, 999};
+    const auto next = [&](const std::vector<std::int64_t>& ends) { return nextTicks(way, ends); };
+    EXPECT_FALSE(next({}));
+    EXPECT_FALSE(next({1000, 1000}));
+    // One is new and has all of its past before it: those that have come far go on first.
+    const auto front = next({990, 100, 990});
+    EXPECT_TRUE(front->front);
+    EXPECT_EQ(front->tick, 990);
+    EXPECT_EQ(front->values, (std::vector<std::size_t>{0, 2}));
+    const auto past = next({1000, 100, 1000});
+    EXPECT_FALSE(past->front);
+    EXPECT_EQ(past->tick, 100);
+    EXPECT_EQ(past->values, (std::vector<std::size_t>{1}));
+    const auto begin = next({0, 100});
+    EXPECT_FALSE(begin->front);
+    EXPECT_EQ(begin->tick, 100);
+    EXPECT_EQ(begin->values.size(), 2u);
 }
 
 TEST_F(PlotTest, AnotherRunKeepsOnlyWhatItHas) {

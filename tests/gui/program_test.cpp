@@ -73,6 +73,25 @@ TEST_F(GuiProgram, RunHasTheStatesOfMrose) {
               offscreen({"--run", "soccer.toml", "--ticks", "100", "--speed", "20", "--print-hash"}).out);
 }
 
+TEST_F(GuiProgram, RunEndsAtABreakAndSaysWhen) {
+    const std::string condition = "robot[2].speed > 0.5";
+    const ProgramResult plain = runMrose({"run", "soccer.toml", "--until", condition, "--quiet"});
+    const std::string state = plain.out.substr(plain.out.find("state "));
+    for (const char* speed : {"0", "50"}) {
+        const ProgramResult result = offscreen(
+            {"--run", "soccer.toml", "--break", condition, "--break", "time > 50", "--speed", speed, "--print-hash"});
+        EXPECT_EQ(result.status, 0) << result.err;
+        EXPECT_THAT(result.out, StartsWith("stopped at "));
+        EXPECT_THAT(result.out, HasSubstr(" s: " + condition + '\n'));
+        EXPECT_EQ(result.out.substr(result.out.find("state ")), state);
+    }
+    EXPECT_EQ(offscreen({"--run", "soccer.toml", "--ticks", "100", "--break", "time > 50"}).out,
+              "no break up to 2.00 s\n");
+    expectOneLine(offscreen({"--run", "soccer.toml", "--break", "robot[2].sped > 1"}),
+                  {"--break robot[2].sped > 1: there is no 'sped'"}, 1);
+    expectOneLine(offscreen({"--run", "soccer.toml", "--break"}), {"--break"}, 2);
+}
+
 TEST_F(GuiProgram, ScenarioRunsAsLongAsItSays) {
     const std::string quick = write("quick.toml", [] {
         std::ifstream file(sourceFolder() / "resources/scenarios/soccer.toml");
@@ -159,6 +178,10 @@ TEST_F(GuiProgram, WhatIsWrongWithFilesIsOneLineAndStatusOne) {
                   {"where.png: cannot be written"}, 1);
     expectOneLine(offscreen({"--run", "soccer.toml", "--ticks", "1", "--select", "red 9"}),
                   {"--select red 9", "red 1, red 2"}, 1);
+    expectOneLine(offscreen({write("results.csv",
+                                   "trial,seed,end,time_s,touches,kicks,hits,faults,driven_m,command\n"
+                                   "1,1,duration,1,0,0,0,0,0,mrose run soccer.toml --trial 1 --seed 1\n")}),
+                  {"results.csv", "scenario, trial and seed"}, 1);
     const std::string there = write("game.mcap", "earlier");
     expectOneLine(offscreen({"--run", "soccer.toml", "--ticks", "1", "--record", there}), {"is there already"}, 1);
 }

@@ -79,8 +79,12 @@ TEST(Conditioning, DropsSingleZeroCommandsBetweenEqualMovingOnes) {
     LogDefects found;
     auto commands = drive(100);
     for (const std::size_t i : {5u, 30u, 32u, 90u}) commands[i].command = {};
-    conditionCommands(commands, {}, found);
+    std::vector<StampedCommand> blips;
+    conditionCommands(commands, {}, found, &blips);
     EXPECT_EQ(found.blips, 4);
+    ASSERT_EQ(blips.size(), 4u) << "kept elsewhere";
+    EXPECT_EQ(blips[2].time, 32 * 15 * ms);
+    EXPECT_EQ(blips[2].command, Command{});
     EXPECT_EQ(commands.size(), 96u);
     for (const auto& sample : commands) EXPECT_EQ(sample.command, (Command{0.08, 0.4}));
 }

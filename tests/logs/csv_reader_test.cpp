@@ -142,6 +142,8 @@ TEST(CsvReader, DefectsAreCounted) {
     EXPECT_EQ(found.outOfOrder, 2);  // once among the commands, once among the poses
     EXPECT_EQ(found.duplicates, 2);
     EXPECT_EQ(found.blips, 1);
+    ASSERT_EQ(only(log).blips.size(), 1u);
+    EXPECT_EQ(only(log).blips[0].time, 600'000'000);
     EXPECT_EQ(found.poseOutliers, 1);
     EXPECT_EQ(found.headingWraps, 1);
     EXPECT_EQ(only(log).commands.size(), 98u);

@@ -162,6 +162,7 @@ TEST(MrclamReader, RealLogsAgreeWithAPlainReadingOfTheFiles) {
             EXPECT_EQ(static_cast<std::size_t>(robot.defects.poseGaps), poses.gaps);
             EXPECT_NEAR(robot.defects.longestPoseGap, poses.longest, 1e-6);
             // As published: hundreds of blips of one sample, of which those between equal commands are dropped.
+            EXPECT_EQ(trajectory.blips.size(), static_cast<std::size_t>(robot.defects.blips));
             EXPECT_GE(robot.defects.blips, 90);
             EXPECT_LE(robot.defects.blips, 265);
         }

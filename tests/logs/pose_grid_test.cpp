@@ -142,6 +142,30 @@ TEST(MeasuredStart, FindsPoseAndVelocityOfASteadyRobotAlsoBetweenSamples) {
     }
 }
 
+TEST(VelocityAt, IsThatOfTheGridAndOnlyFromBothSides) {
+    const Trajectory trajectory = irregular(6);
+    const PoseGrid grid = poseGrid(trajectory);
+    ASSERT_GT(grid.size(), 20u);
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+        const auto velocity = velocityAt(trajectory.poses, grid.time(i));
+        if (!grid.ok[i]) {
+            EXPECT_FALSE(velocity) << i;
+        } else if (velocity) {
+            EXPECT_EQ(*velocity, grid.velocities[i]) << i;
+        }
+    }
+    // A robot that begins to turn at 1 s: before it, the truth up to then knows nothing of it.
+    Trajectory turning = arc(0.3, 0, 15 * ms);
+    for (StampedPose& pose : turning.poses)
+        if (pose.time > 1000 * ms) pose.pose.heading = toSeconds(pose.time - 1000 * ms);
+    EXPECT_NEAR(measuredStart(turning, 1000 * ms).velocity.w, 0, 1e-9);
+    EXPECT_NEAR(velocityAt(turning.poses, 1000 * ms)->w, 0.5, 0.1);
+    EXPECT_NEAR(velocityAt(turning.poses, 1100 * ms)->w, 1, 1e-9);
+    EXPECT_FALSE(velocityAt(turning.poses, 50 * ms)) << "one-sided";
+    EXPECT_FALSE(velocityAt(turning.poses, turning.poses.back().time - 50 * ms));
+    EXPECT_FALSE(velocityAt({}, 0));
+}
+
 TEST(MeasuredStart, ReadsNothingLater) {
     const Trajectory whole = irregular(5);
     for (const std::size_t last : {100u, 400u, 800u}) {

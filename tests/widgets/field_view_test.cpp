@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include "widgets/field_drawing.h"
 #include "widgets/field_fixture.h"
 #include "widgets/field_readout.h"
 
@@ -114,7 +115,7 @@ TEST_F(FieldViewTest, ScreenOfTwoDevicePixelsAPixelIsDrawnAtItsFullResolution) {
         LabelPlacer labels;
         field.place(frame.scene().environment);
         field.frame(frame, {}, labels);
-        field.corners();
+        field.corners(frame);
         painter.end();
         EXPECT_EQ(differences(rendered(view, ratio), direct).size(), 0u) << ratio;
     }
@@ -243,6 +244,77 @@ TEST_F(FieldViewTest, CtrlRoundsAndShiftMeasures) {
     EXPECT_EQ(moved.size(), 2u);
 }
 
+TEST_F(FieldViewTest, KnobOfTheSelectedRobotTurnsIt) {
+    FieldFrame frame = frameOfDiscs({{1, 1, 0.5}, {-2, 0, 0}});
+    show(frame);
+    view.setSelected(0);
+    const QPointF knob = knobAt(view.transform(), frame, 0);
+    const QPointF along = knob - pixelOf({1, 1});
+    EXPECT_NEAR(std::atan2(-along.y(), along.x()), 0.5, 1e-9) << "before the robot";
+    const QImage playing = rendered(view);
+    view.setEditable(true);
+    std::vector<QPoint> changed = differences(playing, rendered(view));
+    EXPECT_GT(changed.size(), 40u);
+    for (const QPoint& p : changed) EXPECT_LT(QLineF(p, knob).length(), 20);
+    EXPECT_TRUE(view.readoutAt(knob).contains("turn robot 1"));
+    const QPointF turned(along.y(), -along.x());  // a quarter, counter-clockwise
+    drag(knob, pixelOf({1, 1}) + turned);
+    ASSERT_EQ(moved.size(), 1u);
+    EXPECT_EQ(moved[0].first, 0u);
+    EXPECT_NEAR(wrapAngle(moved[0].second.heading - 0.5), 90 * degree, 1e-6);
+    EXPECT_EQ(moved[0].second.x, 1);
+    EXPECT_EQ(view.selected(), 0u);
+    // A click there changes nothing, and while it plays there is none.
+    QTest::mouseClick(&view, Qt::LeftButton, {}, knob.toPoint());
+    EXPECT_EQ(view.selected(), 0u);
+    view.setEditable(false);
+    drag(knob, knob + QPointF(0, 60));
+    EXPECT_EQ(moved.size(), 1u);
+}
+
+TEST_F(FieldViewTest, FittedPlaceStaysClearOfRulersScaleBarAndWhatLiesOverIt) {
+    show(frameOfDiscs({{0, 0, 0}}));
+    const auto place = [&] { return QRectF(pixelOf({-5, 4}), pixelOf({5, -4})); };
+    EXPECT_LE(place().bottom(), 640 - 24) << "the scale bar";
+    view.setLayers(only({FieldLayer::grid}));
+    EXPECT_GE(place().left(), rulerWidth);
+    EXPECT_GE(place().top(), rulerHeight);
+    view.setLayers(FieldLayers::none());
+    for (const QRectF& card : {QRectF(500, 400, 290, 230), QRectF(700, 200, 90, 430)}) {
+        view.setCovered(card);
+        EXPECT_FALSE(place().intersects(card));
+        EXPECT_TRUE(QRectF(view.rect()).contains(place()));
+    }
+    view.zoom(3);
+    const double scale = view.transform().scale();
+    view.setCovered({});
+    EXPECT_EQ(view.transform().scale(), scale) << "who has zoomed keeps what is seen";
+}
+
+TEST_F(FieldViewTest, NotesOfOthersThanTheSelectedRobotAreFaint) {
+    FieldFrame frame = frameOfDiscs({{-4, -3, 0}, {-4, 3, 0}});
+    for (const std::size_t robot : {0u, 1u})
+        frame.insights[robot].decision.annotations = {
+            {Annotation::Kind::line, "way", 0, "", {{-2, robot * 2.0 - 1}, {3, robot * 2.0 - 1}}}};
+    show(frame);
+    const QImage nothing = rendered(view);
+    view.setLayers(only({FieldLayer::targets}));
+    const auto strength = [&](double y) {
+        const QImage with = rendered(view);
+        int most = 0;
+        for (const QPoint& p : differences(nothing, with))
+            if (std::abs(p.y() - pixelOf({0, y}).y()) < 6)
+                most = std::max(most, std::abs(qGray(with.pixel(p)) - qGray(nothing.pixel(p))));
+        return most;
+    };
+    view.setSelected(0);
+    const int own = strength(-1), other = strength(1);
+    EXPECT_GT(other, 3);
+    EXPECT_GT(own, 2 * other);
+    view.setSelected(1);
+    EXPECT_GT(strength(1), 1.5 * other);
+}
+
 TEST_F(FieldViewTest, NudgeMovesTheSelectedBodyWhileTheRunStands) {
     show(frameOfDiscs({{1, 1, 0.5}}));
     view.setSelected(0);
@@ -254,6 +326,13 @@ TEST_F(FieldViewTest, NudgeMovesTheSelectedBodyWhileTheRunStands) {
     EXPECT_NEAR(moved[0].second.x, 1.01, 1e-12);
     EXPECT_NEAR(moved[0].second.y, 0.98, 1e-12);
     EXPECT_NEAR(moved[0].second.heading, 0.6, 1e-12);
+}
+
+TEST_F(FieldViewTest, EmptyFieldSaysWhatToDo) {
+    view.setFrame(nullptr);
+    const QImage empty = rendered(view);
+    view.setEmptyText("Drop a scenario here");
+    EXPECT_GT(differences(empty, rendered(view)).size(), 100u);
 }
 
 TEST_F(FieldViewTest, FileShowsTheSameAsTheWindow) {
@@ -295,6 +374,9 @@ TEST_F(FieldViewTest, TellsOfWhatItRestsOn) {
         << body.toStdString();
     EXPECT_TRUE(view.readoutAt(pixelOf({1.3, 1})).contains("robot 1 on robot 2: 13.1 N s"));
     EXPECT_TRUE(view.readoutAt(pixelOf({3, -2})).contains("robot 2: aim"));
+    EXPECT_EQ(noteText(frame, 1, {Annotation::Kind::point, "aim", 0, "", {}}), "aim");
+    EXPECT_EQ(noteText(frame, 1, {Annotation::Kind::point, "ball", 0, "", {}}),
+              QString::fromUtf8("robot 2\u2019s ball"));
     EXPECT_EQ(view.readoutAt(pixelOf({-4, -3})), QString());
     EXPECT_EQ(whatIsAt(frame, 0, {-1.5, 0, 0}), "robot 2");
     EXPECT_EQ(whatIsAt(frame, 0, {-1.3, 0, 0}), "");

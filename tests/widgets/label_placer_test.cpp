@@ -91,6 +91,15 @@ TEST(LabelPlacer, LabelsOfATremblingCrowdStay) {
     EXPECT_LE(jumps, 70) << "in 7000 places";
 }
 
+TEST(LabelPlacer, LabelsLeaveFreeWhatIsKept) {
+    LabelPlacer placer;
+    placer.begin(frame);
+    const auto usual = placer.place({1, {300, 300}, bodyRadius, {54, 17}});
+    placer.begin(frame);
+    placer.keepFree(usual->box);
+    EXPECT_FALSE(placer.place({1, {300, 300}, bodyRadius, {54, 17}})->box.intersects(usual->box));
+}
+
 TEST(LabelPlacer, WhereThereIsNoRoomThereIsNoLabel) {
     LabelPlacer placer;
     placer.begin({0, 0, 50, 20});

@@ -16,5 +16,16 @@ TEST(ViewTransform, WhatLiesAtTheCursorStaysThereWhileZooming) {
     EXPECT_NEAR(view.toMetres(cursor).y, before.y, 1e-12);
 }
 
+TEST(ViewTransform, FitsIntoAPartOfThePicture) {
+    ViewTransform view;
+    view.setSize({640, 480});
+    const QRectF into(100, 30, 400, 300);
+    view.fit({{-1, 2}, {5, 4}}, into);
+    const QPointF least = view.toPixels({-1, 2}), most = view.toPixels({5, 4});
+    EXPECT_NEAR(least.x(), into.left(), 1e-9);
+    EXPECT_NEAR(most.x(), into.right(), 1e-9);
+    EXPECT_NEAR((least.y() + most.y()) / 2, into.center().y(), 1e-9);
+}
+
 }  // namespace
 }  // namespace mrose

@@ -1,0 +1,113 @@
+#include "compare_divergence.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "comparison/divergence_text.h"
+#include "evaluation/format.h"
+#include "shared/motion_models.h"
+
+namespace mrose::cli {
+namespace {
+
+DivergenceOptions optionsOf(const DivergenceFlags& flags) {
+    DivergenceOptions options;
+    options.bound.constant = {flags.position, flags.heading / degrees};
+    options.bound.held = fromSeconds(flags.held);
+    options.fromHeldOut = flags.heldOut;
+    if (flags.noCauses) options.diagnosed = 0;
+    return options;
+}
+
+/// "create 1 in course 3, from 20.0 s": whose and which.
+std::string whichOf(const Comparison& comparison, const CourseDivergence& diverging) {
+    const ComparedCourse& course = comparison.courses[diverging.course];
+    const std::string& robot = comparison.robots[course.robot].name;
+    if (comparison.requests.size() == 1) return robot;
+    const CourseRequest& request = comparison.requests[course.request];
+    const std::string& take = comparison.takes[request.take];
+    return robot + ", course " + std::to_string(course.request + 1) + " (from " + secondsText(request.start) + " s" +
+           (take.empty() ? "" : " of " + take) + ")";
+}
+
+void printCause(const Diagnosis& diagnosis) {
+    std::printf("  likely cause: %s\n", causeText(diagnosis).c_str());
+    TextTable table({"    tried", "explains"});
+    for (const CauseTrial& trial : usefulTrials(diagnosis)) table.add({"    " + trial.what, explainedText(trial)});
+    if (!usefulTrials(diagnosis).empty()) std::fputs(table.text().c_str(), stdout);
+    if (const std::string useless = uselessText(diagnosis); !useless.empty())
+        std::printf("    explains nothing: %s\n", useless.c_str());
+}
+
+void printSummary(const Comparison& comparison, const ComparedDivergences& divergences) {
+    TextTable table({"", "courses", "diverge", "median s"});
+    const auto add = [&](const std::string& name, const ComparedDivergences::Summary& s) {
+        table.add({name, std::to_string(s.courses), std::to_string(s.diverging), fixed(s.medianTime, 1)});
+    };
+    for (std::size_t i = 0; i < comparison.robots.size(); ++i) add(comparison.robots[i].name, divergences.robots[i]);
+    if (comparison.robots.size() > 1) add("all", divergences.all);
+    std::fputs(table.text().c_str(), stdout);
+}
+
+}  // namespace
+
+void addDivergenceFlags(CLI::App& sub, DivergenceFlags& flags) {
+    sub.add_option("--bound-position", flags.position, "A robot farther off than this, in m, has left the real course")
+        ->check(numberRange(1e-4, 1e4))
+        ->capture_default_str();
+    sub.add_option("--bound-heading", flags.heading, "Likewise a heading farther off than this, in degrees")
+        ->check(numberRange(0.01, 180.0))
+        ->capture_default_str();
+    sub.add_flag("--bound-network", flags.heldOut,
+                 "Instead of both: three times what the network's held-out error makes of the path and rotation so far")
+        ->excludes("--bound-position")
+        ->excludes("--bound-heading");
+    sub.add_option("--held", flags.held, "For how long it must be farther off, in s")
+        ->check(numberRange(0.0, 1e4))
+        ->capture_default_str();
+    CLI::Option* causes = sub.add_flag("--no-causes", flags.noCauses, "Do not look for the causes");
+    sub.add_option("--model", flags.models,
+                   "Network file that may explain it, beside those that ship for the robot and plain kinematics")
+        ->excludes(causes);
+}
+
+Expected<ComparedDivergences> findDivergences(const LogWorld& world, const Comparison& comparison,
+                                              const DivergenceFlags& flags, bool quiet) {
+    DivergenceOptions options = optionsOf(flags);
+    if (!flags.noCauses) {
+        auto models = modelsToTry(world, flags.models);
+        if (!models) return tl::unexpected(models.error());
+        options.models = std::move(*models);
+    }
+    ProgressLine line(quiet);
+    int shown = -1;
+    options.progress = [&](double share) {
+        const int percent = static_cast<int>(100 * share);
+        const int apart = line.terminal() ? 1 : 25;
+        if (percent / apart != shown / apart || shown < 0) line.show("causes: " + std::to_string(percent) + " %");
+        shown = percent;
+        return !wasInterrupted();
+    };
+    auto found = divergencesOf(world, comparison, options);
+    line.clear();
+    return found;
+}
+
+void printDivergences(const Comparison& comparison, const ComparedDivergences& divergences) {
+    std::printf("\n%s\n", boundText(divergences).c_str());
+    if (divergences.courses.empty()) {
+        std::puts("No robot leaves the real course.");
+        return;
+    }
+    if (comparison.requests.size() > 1) {
+        std::puts("");
+        printSummary(comparison, divergences);
+    }
+    for (const CourseDivergence& diverging : divergences.courses) {
+        if (!diverging.diagnosis && comparison.requests.size() > 1) continue;
+        std::printf("\n%s: %s\n", whichOf(comparison, diverging).c_str(), divergenceText(diverging.divergence).c_str());
+        if (diverging.diagnosis) printCause(*diverging.diagnosis);
+    }
+}
+
+}  // namespace mrose::cli

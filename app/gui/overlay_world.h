@@ -1,0 +1,53 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparison/compare.h"
+#include "open_run.h"
+#include "scenario/description_texts.h"
+
+namespace mrose::gui {
+
+/// A real log that is to be laid over a simulation of it.
+struct OverlayRequest {
+    std::string log;             ///< its place, or its name in the folder that MROSE_DATA names; empty: the scenario's
+    std::string scenario;        ///< whose robots play it; empty: one that suits the log (scenarioOfLog())
+    std::string robotFile = {};  ///< of its robots, where no scenario is given
+    std::vector<std::string> robots = {};  ///< only these, by their names in the log; empty: all
+    std::vector<std::string> models = {};  ///< to be laid over as well: overlayModel()
+    std::optional<std::uint64_t> seed = {};
+    double pluginLimit = 2;                 ///< s
+    std::optional<Descriptions> kept = {};  ///< the scenario as a recording has it, instead of any file
+};
+
+/// A log with the scenario that plays it, ready to be opened at any instant. It never changes.
+struct OverlayWorld {
+    OverlayRequest request;
+    std::string place;  ///< of the log
+    std::shared_ptr<const Log> log;
+    Descriptions descriptions;  ///< without what is told from the log
+    std::shared_ptr<const LogWorld> played;
+    std::uint64_t seed = 1;
+    std::map<std::string, std::string> files;  ///< as OpenRun::files
+    std::vector<std::string> notes;            ///< what must be known before its figures are believed
+
+    const LogWorld& world() const { return *played; }
+    std::string name() const;  ///< of the log: "MRCLAM_Dataset6"
+};
+using OverlayWorldPointer = std::shared_ptr<const OverlayWorld>;
+
+/// Error: the first thing wrong with log or scenario, or with both together.
+Expected<OverlayWorldPointer> openOverlayWorld(const OverlayRequest& request, const OpenProgress& progress = {});
+
+/// One course as a run that begins as the comparison's does. With `goesOn` its robots are told what they were told to
+/// the log's end, and not to the course's alone. Error: as of describeCourse(); no robot has ground truth there.
+Expected<OpenRun> openCourse(const OverlayWorld& overlay, const CourseRequest& course, bool goesOn);
+
+/// Where a log lies: as it is named, or in the folder that MROSE_DATA names; as it is named where it is nowhere.
+std::string logPlaceOf(const std::string& named);
+
+}  // namespace mrose::gui

@@ -1,0 +1,117 @@
+#include "comparison/compared_divergences.h"
+
+#include <algorithm>
+#include <mutex>
+
+#include "learning/parallel_for.h"
+
+namespace mrose {
+namespace {
+
+/// One number from several works at once.
+class SharedProgress {
+public:
+    SharedProgress(const std::function<bool(double)>& told, std::size_t works) : told_(told), shares_(works) {}
+
+    bool set(std::size_t work, double share) {
+        const std::scoped_lock lock(mutex_);
+        shares_[work] = share;
+        double sum = 0;
+        for (const double s : shares_) sum += s;
+        goesOn_ = goesOn_ && (!told_ || told_(sum / static_cast<double>(shares_.size())));
+        return goesOn_;
+    }
+
+private:
+    const std::function<bool(double)>& told_;
+    std::mutex mutex_;
+    std::vector<double> shares_;
+    bool goesOn_ = true;
+};
+
+ComparedDivergences::Summary summaryOf(const Comparison& comparison, const ComparedDivergences& found,
+                                       std::optional<std::size_t> robot) {
+    ComparedDivergences::Summary summary;
+    std::vector<double> times;
+    for (const ComparedCourse& course : comparison.courses)
+        summary.courses += !course.simulated.empty() && (!robot || course.robot == *robot) ? 1 : 0;
+    for (const CourseDivergence& diverging : found.courses)
+        if (!robot || comparison.courses[diverging.course].robot == *robot)
+            times.push_back(toSeconds(diverging.divergence.time));
+    summary.diverging = times.size();
+    summary.medianTime = quantile(times, 0.5);
+    return summary;
+}
+
+/// Indices into `found` of those whose causes are looked for.
+std::vector<std::size_t> chosen(const Comparison& comparison, const ComparedDivergences& found, std::size_t most) {
+    std::vector<std::size_t> order;
+    for (const std::size_t course : worstFirst(comparison))
+        for (std::size_t i = 0; i < found.courses.size(); ++i)
+            if (found.courses[i].course == course) order.push_back(i);
+    if (comparison.requests.size() > 1 && order.size() > most) order.resize(most);
+    return order;
+}
+
+}  // namespace
+
+const CourseDivergence* ComparedDivergences::of(std::size_t course) const {
+    const auto found =
+        std::find_if(courses.begin(), courses.end(), [&](const CourseDivergence& c) { return c.course == course; });
+    return found == courses.end() ? nullptr : &*found;
+}
+
+Expected<DivergenceBound> boundFor(const LogWorld& world, const ComparedCourse& course,
+                                   const DivergenceOptions& options, Nanoseconds step) {
+    if (!options.fromHeldOut) return options.bound;
+    const MotionNetwork* const network = networkOf(world, course.robot);
+    if (network == nullptr || network->heldOut.windows == 0)
+        return fail({}, "\"" + world.robots()[course.robot].name +
+                            "\" moves by no network with held-out errors; expected a bound in metres and degrees");
+    DivergenceBound bound = heldOutBound(network->heldOut, course, step);
+    bound.held = options.bound.held;
+    return bound;
+}
+
+Expected<ComparedDivergences> divergencesOf(const LogWorld& world, const Comparison& comparison,
+                                            const DivergenceOptions& options) {
+    const Nanoseconds step = comparison.evaluation.options.windows.step;
+    ComparedDivergences found;
+    found.bound = options.bound;
+    found.fromHeldOut = options.fromHeldOut;
+    std::vector<DivergenceBound> bounds;
+    for (std::size_t i = 0; i < comparison.courses.size(); ++i) {
+        const ComparedCourse& course = comparison.courses[i];
+        if (course.simulated.empty()) continue;
+        auto bound = boundFor(world, course, options, step);
+        if (!bound) return tl::unexpected(bound.error());
+        const auto divergence = firstDivergence(course, step, *bound);
+        if (!divergence) continue;
+        found.courses.push_back({i, *divergence, std::nullopt});
+        bounds.push_back(std::move(*bound));
+    }
+    for (std::size_t robot = 0; robot < comparison.robots.size(); ++robot)
+        found.robots.push_back(summaryOf(comparison, found, robot));
+    found.all = summaryOf(comparison, found, std::nullopt);
+
+    const std::vector<std::size_t> works = chosen(comparison, found, options.diagnosed);
+    std::vector<std::optional<Expected<Diagnosis>>> diagnoses(works.size());
+    SharedProgress progress(options.progress, works.size());
+    parallelFor(works.size(), [&](std::size_t i) {
+        const CourseDivergence& diverging = found.courses[works[i]];
+        const ComparedCourse& course = comparison.courses[diverging.course];
+        DiagnosisOptions diagnosis{.bound = bounds[works[i]], .models = options.models};
+        diagnosis.seed = comparison.seed;
+        diagnosis.step = step;
+        diagnosis.progress = [&, i](double share) { return progress.set(i, share); };
+        diagnoses[i] = diagnose(world, comparison.requests[course.request], course, diverging.divergence, diagnosis);
+    });
+    for (std::size_t i = 0; i < works.size(); ++i) {
+        if (!*diagnoses[i]) return tl::unexpected(diagnoses[i]->error());
+        found.cancelled = found.cancelled || (*diagnoses[i])->cancelled;
+        found.courses[works[i]].diagnosis = std::move(**diagnoses[i]);
+    }
+    return found;
+}
+
+}  // namespace mrose

@@ -1,0 +1,72 @@
+#include "comparison/divergence_report.h"
+
+#include "comparison/divergence_text.h"
+#include "evaluation/format.h"
+#include "evaluation/html.h"
+#include "evaluation/report_page.h"
+
+namespace mrose {
+namespace {
+
+std::string courseText(const Comparison& comparison, const ComparedCourse& course) {
+    const CourseRequest& request = comparison.requests[course.request];
+    const std::string& take = comparison.takes[request.take];
+    return cat("course\u00a0", std::to_string(course.request + 1), " · from\u00a0", secondsText(request.start),
+               "\u00a0s", take.empty() ? "" : cat(" of ", escaped(take)));
+}
+
+std::string summaryTable(const Comparison& comparison, const ComparedDivergences& divergences) {
+    HtmlTable table({"", "courses", "leave it", "median s"}, "dense");
+    const auto add = [&](const std::string& name, const ComparedDivergences::Summary& s) {
+        table.row({name, std::to_string(s.courses), std::to_string(s.diverging),
+                   s.diverging == 0 ? "" : fixed(s.medianTime, 1)});
+    };
+    for (std::size_t i = 0; i < comparison.robots.size(); ++i)
+        add(escaped(comparison.robots[i].name), divergences.robots[i]);
+    if (comparison.robots.size() > 1) add("all", divergences.all);
+    return table.text();
+}
+
+std::string trialTable(const Diagnosis& diagnosis) {
+    HtmlTable table({"changed alone", "explains"}, "small");
+    const std::span<const CauseTrial> useful = usefulTrials(diagnosis);
+    for (std::size_t i = 0; i < useful.size(); ++i) {
+        const bool likely = diagnosis.likely == i;
+        const auto shown = [&](const std::string& text) { return likely ? cat("<b>", text, "</b>") : text; };
+        table.row({shown(escaped(useful[i].what)), shown(explainedText(useful[i]))});
+    }
+    const std::string useless = uselessText(diagnosis);
+    return cat(useful.empty() ? "" : table.text(),
+               useless.empty() ? "" : element("p", "soft", cat("Explains nothing: ", escaped(useless), ".")));
+}
+
+std::string diagnosisCard(const Comparison& comparison, const CourseDivergence& diverging) {
+    const ComparedCourse& course = comparison.courses[diverging.course];
+    std::string text;
+    if (comparison.requests.size() > 1) text += element("p", "soft", courseText(comparison, course));
+    text += element("p", "", escaped(divergenceText(diverging.divergence)) + ".");
+    if (diverging.diagnosis)
+        text += cat(element("p", "", cat("Likely cause: ", escaped(causeText(*diverging.diagnosis)), ".")),
+                    trialTable(*diverging.diagnosis));
+    return card(escaped(comparison.robots[course.robot].name), text);
+}
+
+}  // namespace
+
+std::string divergenceSection(const Comparison& comparison, const ComparedDivergences& divergences) {
+    std::string text = cat(heading("Where they leave the real course"), paragraph(escaped(boundText(divergences))));
+    if (divergences.courses.empty()) return text + paragraph("None of them does.");
+    const bool many = comparison.requests.size() > 1;
+    if (many) text += tableCard(summaryTable(comparison, divergences));
+    std::string cards;
+    for (const CourseDivergence& diverging : divergences.courses)
+        if (diverging.diagnosis || !many) cards += diagnosisCard(comparison, diverging);
+    if (cards.empty()) return text;
+    text += paragraph(cat(many ? "The courses with the largest mean errors among them. " : "",
+                          "Each was run again up to shortly after it left the real course, with one thing changed at a "
+                          "time; a change explains the part of the error (its root mean square, position and heading "
+                          "in units of their bounds) that is gone with it."));
+    return text + element("div", "paths", cards);
+}
+
+}  // namespace mrose

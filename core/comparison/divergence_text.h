@@ -1,0 +1,28 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "comparison/compared_divergences.h"
+
+namespace mrose {
+
+/// "leaves the real course after 12.3 s: 10.4 cm and 3.2° off, beyond 10.0 cm"; with the time since when nothing is
+/// known where the ground truth has a gap there.
+std::string divergenceText(const Divergence& divergence);
+
+/// "dead time 20 ms longer, which explains 93 % of the error"; "none of these; dead time 20 ms longer explains 34 % of
+/// the error".
+std::string causeText(const Diagnosis& diagnosis);
+
+/// "28 %", of an error.
+std::string explainedText(const CauseTrial& trial);
+/// What was tried and explains less than half a percent, in a list; empty where everything does more.
+std::string uselessText(const Diagnosis& diagnosis);
+/// The others, the best first.
+std::span<const CauseTrial> usefulTrials(const Diagnosis& diagnosis);
+
+/// What it is to leave the real course, in a sentence.
+std::string boundText(const ComparedDivergences& divergences);
+
+}  // namespace mrose

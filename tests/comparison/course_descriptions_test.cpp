@@ -1,0 +1,132 @@
+#include "comparison/course_descriptions.h"
+
+#include <gmock/gmock.h>
+
+#include "comparison/log_scenario.h"
+#include "comparison/played_scenarios.h"
+#include "evaluation/test_models.h"
+#include "scenario/scenario_file.h"
+#include "simulation/step.h"
+#include "support/places.h"
+#include "world/state_hash.h"
+
+namespace mrose {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+/// A log of Creates that drive a gentle curve side by side; the second is not seen any more after 9 s.
+Log twoCreates() {
+    Log log;
+    log.source = "Creates";
+    log.format = "mrclam";
+    for (const std::string name : {"1", "2"}) {
+        RobotLog robot{name, {}, {}};
+        robot.trajectories.push_back(
+            obedientTrajectory(10 * second, 20 * second, [](double t) { return Command{0.1, 0.02 * t}; }));
+        for (StampedPose& stamped : robot.trajectories[0].poses) stamped.pose.y += name == "1" ? 0 : 1.5;
+        if (name == "2")
+            std::erase_if(robot.trajectories[0].poses,
+                          [](const StampedPose& stamped) { return stamped.time > 19 * second; });
+        log.robots.push_back(std::move(robot));
+    }
+    return log;
+}
+
+struct LoadedLog {
+    Log log;
+    Descriptions descriptions;
+    std::optional<LogWorld> world;
+};
+
+void load(LoadedLog& loaded, const std::string& robotFile = "") {
+    const auto made = scenarioOfLog(loaded.log, "/logs/it", robotFile);
+    ASSERT_TRUE(made) << made.error().message();
+    DiskDescriptions disk({sourceFolder(), {}, ""});
+    LayeredDescriptions source(made->texts, disk);
+    auto scenario = loadScenario(made->scenario, source, {{}, false});
+    ASSERT_TRUE(scenario) << scenario.error().message();
+    loaded.descriptions = {scenario->name, scenario->texts};
+    auto world = LogWorld::create(std::move(scenario->parts), loaded.log);
+    ASSERT_TRUE(world) << world.error().message();
+    loaded.world.emplace(std::move(*world));
+}
+
+/// Both go on alike, from texts alone.
+void expectSameRun(const DescribedCourse& course, LogWorld::Opened opened, int ticks) {
+    KeptDescriptions source(course.descriptions.texts);
+    auto loaded = loadScenario(course.descriptions.scenario, source);
+    ASSERT_TRUE(loaded) << loaded.error().message();
+    const Scenario again(std::move(loaded->parts));
+    WorldState state = again.initialState();
+    ASSERT_EQ(hashOf(state), hashOf(opened.state));
+    ASSERT_EQ(hashOf(course.state), hashOf(opened.state));
+    StepBuffers buffers;
+    for (int i = 0; i < ticks; ++i) {
+        step(again, state, buffers);
+        step(*opened.scenario, opened.state, buffers);
+        ASSERT_EQ(hashOf(state), hashOf(opened.state)) << "tick " << i;
+    }
+}
+
+TEST(CourseDescriptions, CourseOfTheShippedLogRunsFromItsTextsAloneAsItWasOpened) {
+    LoadedLog loaded{shippedLog(), {}, {}};
+    ASSERT_NO_FATAL_FAILURE(load(loaded));
+    const LogWorld& world = *loaded.world;
+    ASSERT_GT(world.takes().size(), 1u);
+    const CourseRequest request{1, 7'300'000'123, 100};
+    const Nanoseconds length = 10 * second;
+    const LogWorld::Opened opened = world.openAt(request.take, request.start, length, 7);
+    const auto course = describeCourse(world, opened, loaded.descriptions, "/logs/it", request, length, length);
+    ASSERT_TRUE(course) << course.error().message();
+    EXPECT_EQ(course->scenario->parts().duration, length);
+    expectSameRun(*course, opened, 500);
+}
+
+TEST(CourseDescriptions, RobotThatNobodySeesIsNoPartOfTheText) {
+    LoadedLog loaded{twoCreates(), {}, {}};
+    ASSERT_NO_FATAL_FAILURE(load(loaded));
+    const LogWorld& world = *loaded.world;
+    for (const Nanoseconds start : {2 * second, 12 * second}) {
+        const LogWorld::Opened opened = world.openAt(0, start, 5 * second, 1);
+        const auto course =
+            describeCourse(world, opened, loaded.descriptions, "/logs/it", {0, start, 50}, 5 * second, 5 * second);
+        ASSERT_TRUE(course) << course.error().message();
+        const std::string& text = course->descriptions.texts.at(course->descriptions.scenario);
+        EXPECT_THAT(text, HasSubstr("create 1"));
+        if (start > 9 * second)
+            EXPECT_THAT(text, Not(HasSubstr("create 2")));
+        else
+            EXPECT_THAT(text, HasSubstr("create 2"));
+        expectSameRun(*course, opened, 250);
+    }
+}
+
+TEST(LogScenario, TellsWhatIsMissingForALogOfUnknownRobots) {
+    Log log = twoCreates();
+    log.format = "csv";
+    const auto made = scenarioOfLog(log, "/logs/it");
+    ASSERT_FALSE(made);
+    EXPECT_THAT(made.error().message(), HasSubstr("--robot"));
+    EXPECT_THAT(made.error().message(), HasSubstr("--scenario"));
+    LoadedLog loaded{log, {}, {}};
+    ASSERT_NO_FATAL_FAILURE(load(loaded, "husky.toml"));
+    EXPECT_EQ(loaded.world->parts().scene.typeOf(0).name, "Husky");
+    const Polygon& area = loaded.world->parts().scene.environment.floor.area;
+    for (const RobotLog& robot : log.robots)
+        for (const StampedPose& stamped : robot.trajectories[0].poses) {
+            EXPECT_GE(stamped.pose.x, area[0].x + 1);
+            EXPECT_LE(stamped.pose.y, area[2].y - 1);
+        }
+}
+
+TEST(LogScenario, CreatesOfTheNetworkAreKnownByTheirNumbers) {
+    LoadedLog loaded{twoCreates(), {}, {}};
+    ASSERT_NO_FATAL_FAILURE(load(loaded));
+    const auto& model = dynamic_cast<const LearnedModel&>(loaded.world->parts().scene.modelOf(1));
+    EXPECT_EQ(model.network().robots[static_cast<std::size_t>(model.robot())], "2");
+}
+
+}  // namespace
+}  // namespace mrose

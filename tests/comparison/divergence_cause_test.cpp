@@ -1,0 +1,267 @@
+#include "comparison/divergence_cause.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include <gtest/gtest.h>
+
+#include "comparison/compared_divergences.h"
+#include "comparison/course_rerun.h"
+#include "comparison/divergence_text.h"
+#include "comparison/planted_logs.h"
+#include "comparison/played_scenarios.h"
+#include "learning/parallel_for.h"
+#include "motion/kinematic.h"
+#include "support/units.h"
+
+namespace mrose {
+namespace {
+
+/// What is said of one planted log; nothing: it does not diverge.
+std::optional<Diagnosis> diagnosed(const PlantedLog& planted) {
+    const auto world = LogWorld::create(planted.parts, planted.log);
+    if (!world) return std::nullopt;
+    const auto comparison = compare(*world, {&planted.request, 1});
+    if (!comparison) return std::nullopt;
+    const ComparedCourse& course = comparison->courses.front();
+    DiagnosisOptions options;
+    options.bound = planted.bound;
+    options.models = planted.models;
+    const auto divergence = firstDivergence(course, options.step, options.bound);
+    if (!divergence) return std::nullopt;
+    auto diagnosis = diagnose(*world, planted.request, course, *divergence, options);
+    return diagnosis ? std::optional(std::move(*diagnosis)) : std::nullopt;
+}
+
+constexpr int none = 6;  // after the causes
+constexpr std::size_t wanted = 50, attempts = 100;
+
+/// How often each cause was named for logs of one kind.
+struct Named {
+    std::array<std::size_t, none + 1> causes{};
+    std::size_t diverged = 0, made = 0;
+};
+
+Named namedFor(Planted kind) {
+    std::vector<std::optional<Diagnosis>> diagnoses(attempts);
+    parallelFor(attempts, [&](std::size_t i) { diagnoses[i] = diagnosed(plantedLog(kind, i)); });
+    Named named;
+    for (const auto& diagnosis : diagnoses) {
+        if (named.diverged == wanted) break;
+        ++named.made;
+        if (!diagnosis) continue;
+        ++named.diverged;
+        const int cause = diagnosis->likely ? static_cast<int>(diagnosis->trials[*diagnosis->likely].kind) : none;
+        ++named.causes[static_cast<std::size_t>(cause)];
+    }
+    return named;
+}
+
+TEST(DivergenceCause, IsNamedWherePlantedAndNoOtherwise) {
+    std::printf("%-18s%8s%8s", "synthetic, planted", "made", "diverged");
+    for (int cause = 0; cause < none; ++cause) std::printf("%23s", name(static_cast<CauseKind>(cause)));
+    std::printf("%15s\n", "none of these");
+    for (int kind = 0; kind < plantedKinds; ++kind) {
+        const auto planted = static_cast<Planted>(kind);
+        const Named named = namedFor(planted);
+        std::printf("%-18s%8zu%8zu", name(planted), named.made, named.diverged);
+        for (int cause = 0; cause <= none; ++cause)
+            std::printf("%*zu", cause == none ? 15 : 23, named.causes[static_cast<std::size_t>(cause)]);
+        std::printf("\n");
+        const auto right = static_cast<std::size_t>(causeOf(planted) ? static_cast<int>(*causeOf(planted)) : none);
+        EXPECT_EQ(named.diverged, wanted) << name(planted);
+        EXPECT_GE(10 * named.causes[right], 9 * named.diverged) << name(planted);
+    }
+}
+
+/// A planted log, compared, with what it needs to be diagnosed.
+struct Compared {
+    PlantedLog planted;
+    LogWorld world;
+    Comparison comparison;
+    DiagnosisOptions options;
+
+    explicit Compared(PlantedLog made)
+        : planted(std::move(made)),
+          world(*LogWorld::create(planted.parts, planted.log)),
+          comparison(*compare(world, {&planted.request, 1})) {
+        options.bound = planted.bound;
+        options.models = planted.models;
+    }
+    const ComparedCourse& course() const { return comparison.courses.front(); }
+    Divergence divergence() const { return *firstDivergence(course(), options.step, options.bound); }
+    Expected<Diagnosis> diagnosis() const { return diagnose(world, planted.request, course(), divergence(), options); }
+    CourseRerun rerun(int steps) const { return {world, planted.request, course(), options.step, steps, 1}; }
+};
+
+/// The first planted log of a kind that diverges.
+Compared firstOf(Planted kind) {
+    for (std::uint64_t number = 0;; ++number) {
+        Compared compared(plantedLog(kind, number));
+        if (firstDivergence(compared.course(), compared.options.step, compared.options.bound)) return compared;
+    }
+}
+
+TEST(CourseRerun, IsTheCourseItselfWhereNothingIsChanged) {
+    const Compared compared = firstOf(Planted::noise);
+    const ComparedCourse& course = compared.course();
+    const CourseRerun rerun = compared.rerun(40);
+    const std::vector<Pose> same(course.simulated.begin(), course.simulated.begin() + 40);
+    EXPECT_EQ(rerun.later(0), same);
+    EXPECT_EQ(rerun.obeying({}), same);
+    EXPECT_EQ(rerun.startingAt(*course.real.measuredVelocity), same);
+    EXPECT_EQ(rerun.untouched(), same) << "there is nothing to touch";
+    EXPECT_EQ(rerun.movedBy(compared.planted.parts.scene.models[0]), same);
+    EXPECT_NE(rerun.later(rerun.tick()), same);
+    EXPECT_NE(rerun.noisy(rerun.type().motionNoise, 2), same);
+}
+
+TEST(CourseRerun, LaterCommandsAreTheSameDriveLater) {
+    // A robot at rest that is told to go: with commands 0.2 s later it is where it was 0.2 s before.
+    Trajectory trajectory;
+    for (Nanoseconds t = 0; t <= 10 * second; t += 20 * ms) trajectory.poses.push_back({t, {}});
+    for (int i = 0; i < 100; ++i) trajectory.commands.push_back({i * 100 * ms, {i < 50 ? 0 : 0.4, i < 70 ? 0 : 1.0}});
+    PlantedLog planted = plantedLog(Planted::push, 0);
+    planted.log.robots[0].trajectories = {trajectory};
+    planted.request = {0, 4 * second, 50};
+    planted.parts.scene.robotTypes[0].motionNoise = {};
+    const Compared compared(std::move(planted));
+    const auto same = compared.rerun(50).later(0), later = compared.rerun(50).later(200 * ms);
+    for (std::size_t k = 2; k < 50; ++k) {
+        EXPECT_NEAR(later[k].x, same[k - 2].x, 1e-9) << k;
+        EXPECT_NEAR(later[k].heading, same[k - 2].heading, 1e-9) << k;
+    }
+}
+
+TEST(CourseRerun, CarriedOverAGapItKeepsTheErrorFromBefore) {
+    const Compared compared = firstOf(Planted::largerWheels);
+    const ComparedCourse& course = compared.course();
+    const auto carried = compared.rerun(40).carried(10, 20);
+    ASSERT_EQ(carried.size(), 40u);
+    for (std::size_t k = 0; k < 10; ++k) EXPECT_EQ(carried[k], course.simulated[k]);
+    for (std::size_t k = 10; k < 20; ++k) {
+        const Pose real = relative(course.real.truth[10], course.real.truth[k + 1]),
+                   simulated = relative(course.simulated[9], carried[k]);
+        EXPECT_NEAR(simulated.x, real.x, 1e-9);
+        EXPECT_NEAR(simulated.y, real.y, 1e-9);
+        EXPECT_NEAR(simulated.heading, real.heading, 1e-9);
+    }
+    // Then it drives on by itself, at first as fast as the real one.
+    const Pose real = relative(course.real.truth[20], course.real.truth[21]);
+    EXPECT_NEAR(relative(carried[19], carried[20]).x, real.x, 0.01);
+    EXPECT_NEAR(relative(carried[19], carried[20]).heading, real.heading, 0.03);
+}
+
+TEST(Diagnosis, ProgressAscendsAndCancels) {
+    Compared compared = firstOf(Planted::blip);
+    std::vector<double> shares;
+    compared.options.progress = [&](double share) {
+        shares.push_back(share);
+        return true;
+    };
+    const auto whole = compared.diagnosis();
+    ASSERT_TRUE(whole) << whole.error().message();
+    EXPECT_FALSE(whole->cancelled);
+    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+    EXPECT_LE(shares.back(), 1);
+    EXPECT_TRUE(std::is_sorted(whole->trials.begin(), whole->trials.end(),
+                               [](const auto& a, const auto& b) { return a.explained > b.explained; }));
+    for (const CauseTrial& trial : whole->trials)
+        EXPECT_EQ(static_cast<Nanoseconds>(trial.simulated.size()) * compared.options.step, whole->until) << trial.what;
+
+    compared.options.progress = [&](double) { return --compared.options.seed > 0; };  // how often it goes on
+    compared.options.seed = 3;
+    const auto cancelled = compared.diagnosis();
+    ASSERT_TRUE(cancelled);
+    EXPECT_TRUE(cancelled->cancelled);
+    EXPECT_FALSE(cancelled->likely);
+    EXPECT_LT(cancelled->trials.size(), whole->trials.size());
+}
+
+TEST(Diagnosis, RefusesAModelWhosePeriodDoesNotFit) {
+    Compared compared = firstOf(Planted::largerWheels);
+    compared.options.models = {{"odd.net", {std::make_shared<const KinematicModel>(KinematicParameters{}, 30 * ms)}}};
+    const auto diagnosis = compared.diagnosis();
+    ASSERT_FALSE(diagnosis);
+    EXPECT_EQ(diagnosis.error().message(),
+              "odd.net: has a period of 0.03 s; expected a whole number of the scenario's ticks of 0.02 s");
+}
+
+TEST(Diagnosis, SaysWhatItFound) {
+    const auto diagnosis = firstOf(Planted::contact).diagnosis();
+    ASSERT_TRUE(diagnosis && diagnosis->likely);
+    EXPECT_EQ(causeText(*diagnosis).find("without contact, which explains "), 0u) << causeText(*diagnosis);
+    const auto pushed = firstOf(Planted::push).diagnosis();
+    ASSERT_TRUE(pushed && !pushed->likely);
+    EXPECT_EQ(causeText(*pushed).find("none of these; the best, "), 0u) << causeText(*pushed);
+}
+
+/// The shipped log of the reference robot, by its network: without noise in the robot's file, its held-out error says
+/// what is likely.
+TEST(Diagnosis, ErrorsWithinTheHeldOutOnesAreNoise) {
+    const Log log = shippedLog();
+    const auto world = LogWorld::create(playersOf(log, learnedModels(log, "pioneer.net")), log);
+    ASSERT_TRUE(world) << world.error().message();
+    const auto requests = coursesOf(*world, {0, std::nullopt, 10 * second});
+    const auto comparison = compare(*world, *requests);
+    ASSERT_TRUE(comparison);
+    DivergenceOptions options{.bound = {.constant = {0.02, 0.02}}};
+    const auto tight = divergencesOf(*world, *comparison, options);
+    ASSERT_TRUE(tight) << tight.error().message();
+    ASSERT_GT(tight->all.diverging, 5u) << "of a bound so tight";
+    std::size_t diagnosed = 0;
+    for (const CourseDivergence& diverging : tight->courses) {
+        if (!diverging.diagnosis) continue;
+        ++diagnosed;
+        const ComparedCourse& course = comparison->courses[diverging.course];
+        const DivergenceBound likely = heldOutBound(networkOf(*world, 0)->heldOut, course, 100 * ms);
+        bool within = true;
+        for (std::size_t k = 0; k < static_cast<std::size_t>(diverging.diagnosis->until / (100 * ms)); ++k)
+            within = within && std::hypot(course.errors.position[k] / likely.at(k).position,
+                                          course.errors.heading[k] / likely.at(k).heading) <= 1;
+        const auto& trials = diverging.diagnosis->trials;
+        const auto noise = std::find_if(trials.begin(), trials.end(),
+                                        [](const CauseTrial& trial) { return trial.kind == CauseKind::noise; });
+        ASSERT_NE(noise, trials.end());
+        if (within) EXPECT_EQ(noise->explained, 1);
+    }
+    EXPECT_EQ(diagnosed, 5u) << "the worst";
+    // By the held-out errors themselves fewer diverge.
+    options.fromHeldOut = true;
+    EXPECT_LT(divergencesOf(*world, *comparison, options)->all.diverging, tight->all.diverging);
+}
+
+TEST(ComparedDivergences, AreThoseOfTheCourses) {
+    const Log log = shippedLog();
+    const auto world = LogWorld::create(playersOf(log, wearyModel()), log);
+    ASSERT_TRUE(world);
+    const auto requests = coursesOf(*world, {0, std::nullopt, 8 * second});
+    const auto comparison = compare(*world, *requests);
+    ASSERT_TRUE(comparison);
+    DivergenceOptions options;
+    options.diagnosed = 2;
+    const auto found = divergencesOf(*world, *comparison, options);
+    ASSERT_TRUE(found) << found.error().message();
+    std::vector<double> times;
+    for (std::size_t i = 0; i < comparison->courses.size(); ++i) {
+        const auto divergence = firstDivergence(comparison->courses[i], 100 * ms, options.bound);
+        const CourseDivergence* const here = found->of(i);
+        ASSERT_EQ(here != nullptr, divergence.has_value());
+        if (!divergence) continue;
+        EXPECT_EQ(here->divergence.time, divergence->time);
+        times.push_back(toSeconds(divergence->time));
+    }
+    ASSERT_GT(times.size(), 4u);
+    EXPECT_EQ(found->all.diverging, times.size());
+    EXPECT_EQ(found->all.courses, comparison->courses.size() - comparison->all.of(CourseUse::absent));
+    EXPECT_EQ(found->all.medianTime, quantile(times, 0.5));
+    EXPECT_NE(found->of(worstFirst(*comparison).front())->diagnosis, std::nullopt) << "the worst course first";
+    const auto asked = boundFor(*world, comparison->courses.front(), {.fromHeldOut = true}, 100 * ms);
+    ASSERT_FALSE(asked);
+    EXPECT_NE(asked.error().message().find("moves by no network with held-out errors"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace mrose

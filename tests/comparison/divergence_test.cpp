@@ -1,0 +1,142 @@
+#include "comparison/divergence.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "support/units.h"
+
+namespace mrose {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double degree = std::numbers::pi / 180;
+constexpr Nanoseconds step = 100 * ms;
+
+/// A robot that stands at the origin, and its simulation, so far off after each step.
+ComparedCourse courseOff(const std::vector<double>& position, const std::vector<double>& heading = {}) {
+    ComparedCourse course;
+    course.real.truth.resize(position.size() + 1);
+    for (std::size_t k = 0; k < position.size(); ++k) {
+        if (std::isnan(position[k])) course.real.truth[k + 1] = {nan, nan, nan};
+        course.simulated.push_back({0.6 * position[k], -0.8 * position[k], k < heading.size() ? heading[k] : 0});
+    }
+    course.errors = windowErrors(course.real.truth, course.simulated);
+    return course;
+}
+
+std::optional<Divergence> divergenceOf(const std::vector<double>& position, const std::vector<double>& heading = {},
+                                       DivergenceBound bound = {}) {
+    bound.constant = {0.1, 10 * degree};
+    return firstDivergence(courseOff(position, heading), step, bound);
+}
+
+TEST(FirstDivergence, IsTheFirstInstantFromWhichTheBoundIsExceededForSoLong) {
+    const auto found = divergenceOf({0, 0.05, 0.2, 0.09, 0.11, 0.12, 0.13, 0.3, 0.4});
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->time, 500 * ms) << "0.3 s before it was beyond for an instant only";
+    EXPECT_EQ(found->within, 400 * ms);
+    EXPECT_NEAR(found->position, 0.11, 1e-12);
+    EXPECT_TRUE(found->byPosition);
+    EXPECT_FALSE(found->byHeading);
+    EXPECT_EQ(found->bound, (DivergenceBound::At{0.1, 10 * degree}));
+}
+
+TEST(FirstDivergence, ThatIsNotHeldDoesNotCount) {
+    // Beyond at 0.2, 0.3 and 0.4 s: 0.2 s.
+    EXPECT_FALSE(divergenceOf({0, 0.2, 0.2, 0.2, 0, 0}));
+    EXPECT_EQ(divergenceOf({0, 0.2, 0.2, 0.2, 0.2, 0})->time, 200 * ms);
+    EXPECT_FALSE(divergenceOf({0, 0, 0.2, 0.2, 0.2})) << "at the end too";
+    DivergenceBound atOnce;
+    atOnce.held = 0;
+    EXPECT_EQ(divergenceOf({0, 0.2, 0}, {}, atOnce)->time, 200 * ms);
+    EXPECT_FALSE(divergenceOf({0, 0.1, 0.1, 0.1, 0.1, 0.1})) << "on the bound is not beyond it";
+}
+
+TEST(FirstDivergence, MayBeThereFromTheFirstInstantOnOrNever) {
+    const auto found = divergenceOf({0.2, 0.2, 0.2, 0.2, 0.2});
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->time, 100 * ms);
+    EXPECT_EQ(found->within, 0);
+    EXPECT_FALSE(divergenceOf(std::vector<double>(100, 0.05)));
+    EXPECT_FALSE(divergenceOf({})) << "of a robot that was not in the world";
+    EXPECT_FALSE(divergenceOf(std::vector<double>(20, nan)));
+}
+
+TEST(FirstDivergence, GapsInTheTruthNeitherProveNorDisproveIt) {
+    // Beyond before and behind the gap.
+    const auto across = divergenceOf({0, 0.2, nan, nan, nan, 0.2});
+    ASSERT_TRUE(across);
+    EXPECT_EQ(across->time, 200 * ms);
+    EXPECT_FALSE(divergenceOf({0, 0.2, nan, nan, nan, 0.05, 0.05, 0.05}));
+    // It left the course within the gap: nobody knows when.
+    const auto within = divergenceOf({0, 0.05, nan, nan, nan, 0.2, 0.2, 0.2, 0.2});
+    ASSERT_TRUE(within);
+    EXPECT_EQ(within->within, 200 * ms);
+    EXPECT_EQ(within->time, 600 * ms);
+}
+
+TEST(FirstDivergence, HeadingCountsAsWellAndIsWrapped) {
+    const std::vector<double> still(8, 0.0);
+    const auto found = divergenceOf(still, {0, 0, 2 * std::numbers::pi, 11 * degree, -12 * degree, 0.3, 0.3, 0.3});
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->time, 400 * ms) << "a whole turn is no error";
+    EXPECT_NEAR(found->heading, 11 * degree, 1e-12);
+    EXPECT_TRUE(found->byHeading);
+    EXPECT_FALSE(found->byPosition);
+    EXPECT_FALSE(divergenceOf(still, std::vector<double>(8, 2 * std::numbers::pi - 9 * degree)));
+    // First the one, then the other is beyond: either is enough at each instant.
+    EXPECT_EQ(divergenceOf({0, 0.2, 0.2, 0, 0, 0}, {0, 0, 0, 0.3, 0.3, 0})->time, 200 * ms);
+}
+
+TEST(FirstDivergence, BoundMayDependOnTheTime) {
+    DivergenceBound bound;
+    bound.bySteps = {{0.01, 1}, {0.02, 1}, {0.05, 1}, {0.3, 1}};
+    const auto found = firstDivergence(courseOff({0, 0.01, 0.1, 0.2, 0.31, 0.32, 0.33, 0.34}), step, bound);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->time, 500 * ms) << "the last bound goes on";
+    EXPECT_EQ(found->bound.position, 0.3);
+    EXPECT_EQ(firstDivergence(courseOff({0, 0.03, 0.1, 0.4, 0.5, 0.6}), step, bound)->time, 200 * ms);
+}
+
+/// Straight on at 0.5 m/s, then on the spot at 1 rad/s.
+ComparedCourse driveThenTurn(int driving, int turning) {
+    ComparedCourse course;
+    for (int k = 0; k <= driving + turning; ++k) {
+        course.real.truth.push_back({0.05 * std::min(k, driving), 0, 0.1 * std::max(0, k - driving)});
+        if (k > 0) course.simulated.push_back(course.real.truth.back());
+    }
+    return course;
+}
+
+TEST(HeldOutBound, IsThreeTimesTheTypicalErrorAtThatPathAndRotation) {
+    const MotionNetwork::HeldOut heldOut{100, 10, 2, 3};
+    const DivergenceBound bound = heldOutBound(heldOut, driveThenTurn(100, 100), step);
+    ASSERT_EQ(bound.bySteps.size(), 200u);
+    // P is the mean over time of an error that grows in proportion: at the end it is twice that.
+    const DivergenceBound::At driven = bound.at(99), turned = bound.at(199);
+    EXPECT_NEAR(driven.position, 3 * 2 * 0.02 * 5, 1e-9) << "2 % of 5 m";
+    EXPECT_NEAR(turned.position, driven.position, 1e-9) << "the path does not grow any more";
+    EXPECT_NEAR(turned.heading, 3 * 2 * 0.03 * 10, 1e-9) << "3 % of 10 rad";
+    // A heading that is off by h puts it h / 2 of its path off: 2 * 0.02 of it typically.
+    EXPECT_NEAR(driven.heading, 3 * 2 * 0.02 * 2, 1e-9);
+    EXPECT_NEAR(bound.at(49).position, driven.position / 2, 1e-9);
+    EXPECT_NEAR(bound.at(0).position, 0.02, 1e-12) << "no less than what the start is measured to";
+    EXPECT_EQ(bound.at(1000), turned);
+}
+
+TEST(HeldOutBound, CountsThePathAcrossGaps) {
+    const MotionNetwork::HeldOut heldOut{100, 10, 2, 3};
+    ComparedCourse course = driveThenTurn(100, 0);
+    const double whole = heldOutBound(heldOut, course, step).at(99).position;
+    for (std::size_t k = 33; k < 58; ++k) course.real.truth[k] = {nan, nan, nan};
+    EXPECT_NEAR(heldOutBound(heldOut, course, step).at(99).position, whole, 1e-9);
+    course.real.truth[0] = {nan, nan, nan};
+    const DivergenceBound bound = heldOutBound(heldOut, course, step);
+    EXPECT_NEAR(bound.at(99).position, whole * 0.99, 1e-9) << "of the first step nothing is known";
+}
+
+}  // namespace
+}  // namespace mrose

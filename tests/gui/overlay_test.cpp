@@ -1,0 +1,394 @@
+// A real log laid over its simulation: opened, its courses chosen, its figures those of `mrose compare` and `evaluate`.
+#include "overlay.h"
+
+#include <QDockWidget>
+#include <QTreeView>
+#include <QTreeWidget>
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include <gmock/gmock.h>
+
+#include "evaluation/evaluate.h"
+#include "gui/file_fixture.h"
+#include "logs/csv_writer.h"
+#include "logs/log_reader.h"
+#include "motion/learned_model.h"
+#include "overlay_panel.h"
+#include "recording/recording.h"
+#include "support/places.h"
+#include "synthetic/log_generator.h"
+#include "widgets/course_strip.h"
+#include "widgets/field_view.h"
+#include "window_files.h"
+#include "window_script.h"
+
+namespace mrose::gui {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class OverlayTest : public FileTest {
+protected:
+    OverlayTest() : overlay(window.overlay()), panel(window.overlayPanel()) {
+        window.QWidget::show();
+        window.resize(1280, 800);
+    }
+
+    static std::string shipped() { return (sourceFolder() / "resources" / "logs" / "pioneer" / "random.csv").string(); }
+
+    void settleAll() {
+        for (int i = 0; i < 3; ++i) {
+            overlay.settle();
+            window.session().settle();
+            QApplication::processEvents();
+        }
+    }
+    void openLog(const std::string& log, const OverlayPlan& plan = {}) {
+        const auto opened = overlay.openNow({log, ""}, plan);
+        ASSERT_TRUE(opened) << opened.error().message();
+        settleAll();
+        ASSERT_NE(overlay.comparison(), nullptr);
+    }
+    std::string refusal(const OverlayRequest& request, const OverlayPlan& plan = {}) {
+        const auto opened = overlay.openNow(request, plan);
+        return opened ? "" : opened.error().message();
+    }
+    void clickLine(int line) {
+        QTreeView& list = panel.list();
+        const QModelIndex index = list.model()->index(line, 0);
+        list.scrollTo(index);
+        QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, list.visualRect(index).center());
+        settleAll();
+    }
+    Reality reality() const { return *window.shown()->frame->reality; }
+
+    /// A log that the shipped generator makes, of a jink, in the folder of the test.
+    std::string makeLog(const std::function<void(Log&)>& change = {}) {
+        std::optional<Log> log = generateLog({Course::jink, 2, -1, 1}, 5);
+        if (change) change(*log);
+        const std::string file = path("made.csv");
+        EXPECT_TRUE(writeCsv(file, *log));
+        return file;
+    }
+
+    Overlay& overlay;
+    OverlayPanel& panel;
+};
+
+/// As `mrose compare` would do it.
+Comparison comparedAlone(const Overlay& overlay) {
+    ComparisonOptions options;
+    options.seed = overlay.world()->seed;
+    auto comparison = compare(overlay.world()->world(), overlay.requests(), options);
+    EXPECT_TRUE(comparison) << comparison.error().message();
+    return std::move(*comparison);
+}
+
+TEST_F(OverlayTest, DroppedLogIsShownAtItsFirstCourseWithAllOthersInTheList) {
+    dropFile(shipped());
+    QApplication::processEvents();
+    settleAll();
+    ASSERT_TRUE(overlay.world());
+    ASSERT_NE(window.shown(), nullptr);
+    EXPECT_EQ(overlay.shownCourse(), 0u);
+    EXPECT_TRUE(window.findChild<QDockWidget*>("reality")->isVisible());
+    EXPECT_TRUE(window.courseStrip().isVisible());
+    ASSERT_TRUE(window.shown()->frame->reality);
+    const auto real = reality().robots[0].poseAt(0);
+    ASSERT_TRUE(real);
+    const Pose& simulated = window.shown()->frame->state.robots[0].pose;
+    EXPECT_LT(std::hypot(real->x - simulated.x, real->y - simulated.y), 0.02) << "it begins where the real one was";
+    EXPECT_EQ(panel.list().model()->rowCount(), static_cast<int>(overlay.rows().size()));
+    EXPECT_THAT(notes(), Contains(HasSubstr("simulated robot")));
+    EXPECT_THAT(errors(), IsEmpty());
+}
+
+TEST_F(OverlayTest, FiguresAreThoseOfCompareToTheLastBit) {
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped()));
+    const Comparison alone = comparedAlone(overlay);
+    EXPECT_EQ(overlay.comparison()->all.counted.p, alone.all.counted.p);
+    EXPECT_EQ(overlay.comparison()->all.counted.hd, alone.all.counted.hd);
+    std::size_t simulated = 0;
+    for (const ComparedCourse& course : alone.courses) {
+        if (course.use == CourseUse::absent) continue;
+        ++simulated;
+        const OverlayRow* const row = overlay.rowOf(course.request, course.robot);
+        ASSERT_NE(row, nullptr);
+        EXPECT_EQ(row->position, knownMean(course));
+        if (course.use == CourseUse::counted) EXPECT_EQ(row->heading, course.errors.headingMean);
+    }
+    EXPECT_EQ(overlay.rows().size(), simulated);
+    const std::vector<std::size_t> order = worstFirst(alone);
+    for (int line = 0; line < panel.courses()->rowCount(); ++line) {
+        const ComparedCourse& course = alone.courses[order[static_cast<std::size_t>(line)]];
+        EXPECT_EQ(panel.courses()->row(line).position, knownMean(course)) << "line " << line;
+    }
+}
+
+TEST_F(OverlayTest, RunOfACourseIsTheOneThatWasCompared) {
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped()));
+    clickLine(0);
+    const OverlayRow& worst = panel.courses()->row(0);
+    EXPECT_EQ(overlay.shownCourse(), worst.request);
+    const Comparison alone = comparedAlone(overlay);
+    const auto course = std::find_if(alone.courses.begin(), alone.courses.end(), [&](const ComparedCourse& c) {
+        return c.request == worst.request && c.robot == worst.robot;
+    });
+    const Scene& scene = window.shown()->frame->scene();
+    for (const std::size_t k : {9u, 49u, 99u}) {
+        seek(scene.ticksOf(static_cast<Nanoseconds>(k + 1) * WindowOptions{}.step));
+        EXPECT_EQ(state().robots[0].pose, course->simulated[k]);
+        const auto real = reality().robots[0].poseAt(scene.timeOf(state().tick));
+        ASSERT_TRUE(real);
+        EXPECT_EQ(poseError(*real, state().robots[0].pose).position, course->errors.position[k]);
+    }
+}
+
+TEST_F(OverlayTest, KeyGoesToWhereItLeavesTheRealCourse) {
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped()));
+    overlay.setBound({{0.02, 0.05}, false});
+    settleAll();
+    clickLine(0);
+    const OverlayRow* const row = overlay.shownRow();
+    ASSERT_NE(row, nullptr);
+    ASSERT_TRUE(row->divergence);
+    window.field().setFocus();
+    QTest::keyClick(&window, Qt::Key_D);
+    window.session().settle();
+    const Scene& scene = window.shown()->frame->scene();
+    EXPECT_EQ(scene.timeOf(state().tick), row->divergence->time);
+    const auto real = reality().robots[0].poseAt(row->divergence->time);
+    const PoseError error = poseError(*real, state().robots[0].pose);
+    EXPECT_TRUE(error.position > 0.02 || error.heading > 0.05);
+    EXPECT_EQ(error.position, row->divergence->position);
+    ASSERT_TRUE(overlay.finding());
+    ASSERT_TRUE(overlay.finding()->diagnosis) << overlay.finding()->error.toStdString();
+    EXPECT_EQ(panel.causes().causes().topLevelItemCount(),
+              static_cast<int>(overlay.finding()->diagnosis->trials.size()));
+    EXPECT_THAT(panel.causes().text().toStdString(), HasSubstr("explains"));
+}
+
+TEST_F(OverlayTest, CauseThatIsClickedIsLaidBeside) {
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped()));
+    overlay.setBound({{0.02, 0.05}, false});
+    settleAll();
+    clickLine(0);
+    ASSERT_TRUE(overlay.finding() && overlay.finding()->diagnosis);
+    EXPECT_THAT(reality().models, IsEmpty());
+    QTreeWidget& causes = panel.causes().causes();
+    QTest::mouseClick(causes.viewport(), Qt::LeftButton, {}, causes.visualItemRect(causes.topLevelItem(0)).center());
+    settleAll();
+    ASSERT_EQ(reality().models.size(), 1u);
+    EXPECT_EQ(reality().models[0].name, overlay.finding()->diagnosis->trials[0].what);
+    ASSERT_FALSE(reality().models[0].poses[0].empty());
+    EXPECT_EQ(reality().models[0].poses[0].front(), window.shown()->frame->state.robots[0].pose);
+}
+
+TEST_F(OverlayTest, WindowsAreThoseOfEvaluateWithItsFigures) {
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {OverlayPlan::Cut::windows, 0, 10}));
+    const auto log = readLog(shipped());
+    ASSERT_TRUE(log);
+    auto network = loadNetwork(sourceFolder() / "nets" / "pioneer.net");
+    ASSERT_TRUE(network);
+    const LearnedModel model(std::make_shared<const LearnedMotion>(std::move(*network)), "reference");
+    const NamedModel named = NamedModel::same("network", model);
+    const auto evaluation = evaluate(*log, {&named, 1});
+    ASSERT_TRUE(evaluation);
+    ASSERT_EQ(overlay.requests().size(), evaluation->windows.size());
+    EXPECT_EQ(overlay.rows().size(), evaluation->windows.size());
+    ASSERT_TRUE(overlay.models().front().evaluated);
+    EXPECT_EQ(overlay.models().front().evaluated->p, evaluation->models[0].all.p);
+    EXPECT_EQ(overlay.models().front().evaluated->hd, evaluation->models[0].all.hd);
+}
+
+TEST_F(OverlayTest, SecondModelDrivesTheSameCommandsBeside) {
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped()));
+    ASSERT_FALSE(modelNames(*overlay.world()).empty());
+    const auto simple = modelNames(*overlay.world()).back();
+    ASSERT_TRUE(window.actions().perform("add_model", QString::fromStdString(simple)));
+    settleAll();
+    ASSERT_EQ(overlay.models().size(), 2u);
+    const OverlayModel& model = overlay.models()[1];
+    ASSERT_TRUE(model.compared);
+    ComparisonOptions options;
+    options.seed = overlay.world()->seed;
+    const auto alone = compare(*model.world, overlay.requests(), options);
+    ASSERT_TRUE(alone);
+    EXPECT_EQ(model.compared->counted.p, alone->all.counted.p);
+    EXPECT_NE(model.compared->counted.p, overlay.comparison()->all.counted.p);
+    ASSERT_EQ(reality().models.size(), 1u);
+    const auto& first = alone->courses.front();
+    for (const std::size_t k : {0u, 99u}) {
+        const auto pose = reality().models[0].poseAt(0, static_cast<Nanoseconds>(k + 1) * WindowOptions{}.step);
+        ASSERT_TRUE(pose);
+        EXPECT_EQ(*pose, first.simulated[k]);
+    }
+    panel.models().topLevelItem(1)->setCheckState(0, Qt::Unchecked);
+    settleAll();
+    EXPECT_THAT(reality().models, IsEmpty());
+}
+
+TEST_F(OverlayTest, PlayingGoesOnIntoTheNextCourse) {
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {OverlayPlan::Cut::every, 0, 2}));
+    window.setSpeed(0);
+    window.session().play();
+    EXPECT_TRUE(waitFor([&] { return overlay.shownCourse() == 2u; }));
+    overlay.setRestarts(false);
+    window.session().pause();
+    settleAll();
+    EXPECT_EQ(reality().start, 4 * nanosecondsPerSecond);
+}
+
+TEST_F(OverlayTest, BranchThatIsNotSavedHoldsTheNextCourseBack) {
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {OverlayPlan::Cut::every, 0, 2}));
+    seek(10);
+    window.session().branchOff({"mine"});
+    settleAll();
+    bool asked = false;
+    window.files().setQuestion([&](const QString&) {
+        asked = true;
+        return WindowFiles::Answer::cancel;
+    });
+    clickLine(1);
+    EXPECT_TRUE(asked);
+    EXPECT_EQ(overlay.shownCourse(), 0u);
+}
+
+TEST_F(OverlayTest, ClickOnTheStripOpensTheCourseThere) {
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped()));
+    CourseStrip& strip = window.courseStrip();
+    QTest::mouseClick(&strip, Qt::LeftButton, {}, QPoint(static_cast<int>(strip.pixelOf(3)), strip.height() / 2));
+    settleAll();
+    EXPECT_EQ(overlay.shownCourse(), 3u);
+    EXPECT_EQ(reality().start, overlay.requests()[3].start);
+    const QString told = strip.textAt(strip.pixelOf(3));
+    EXPECT_THAT(told.toStdString(), HasSubstr("off on average"));
+}
+
+TEST_F(OverlayTest, RecordedCourseReopensExactlyAndFindsItsLog) {
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped()));
+    clickLine(0);
+    const Nanoseconds start = reality().start;
+    seek(100);
+    const StateHash hash = window.shown()->hash;
+    ASSERT_TRUE(window.files().saveRecording(qPath("course.mcap")));
+    settleAll();
+    MainWindow other;
+    other.QWidget::show();
+    ASSERT_TRUE(other.open(qPath("course.mcap")));
+    other.session().seek(100);
+    other.session().settle();
+    EXPECT_EQ(other.shown()->hash, hash);
+    other.overlay().settle();
+    other.session().settle();
+    ASSERT_TRUE(other.shown()->frame->reality);
+    EXPECT_EQ(other.shown()->frame->reality->robots[0].origin, reality().robots[0].origin) << "from " << start;
+}
+
+TEST_F(OverlayTest, SavedStateOfACourseGoesOnAsTheCourse) {
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped()));
+    seek(120);
+    ASSERT_TRUE(window.files().saveScenario(qPath("state.toml")));
+    settleAll();
+    EXPECT_THAT(errors(), IsEmpty());
+    EXPECT_TRUE(std::filesystem::exists(path("state.toml")));
+}
+
+TEST_F(OverlayTest, CancelledComparisonKeepsWhatIsDone) {
+    const auto opened = overlay.openNow({shipped(), ""}, {OverlayPlan::Cut::every, 0, 0.5});
+    ASSERT_TRUE(opened) << opened.error().message();
+    ASSERT_LT(overlay.share(), 1);
+    EXPECT_TRUE(window.actions().perform("cancel", {}));
+    EXPECT_EQ(overlay.share(), 1);
+    settleAll();
+    EXPECT_EQ(overlay.comparison(), nullptr);
+    EXPECT_LT(overlay.rows().size(), overlay.requests().size());
+}
+
+TEST_F(OverlayTest, EachWrongLogIsAnsweredByOneLineThatSaysWhatToDo) {
+    EXPECT_THAT(refusal({path("nowhere.csv"), ""}), HasSubstr("does not exist"));
+    const std::string noTruth = makeLog([](Log& log) {
+        for (Trajectory& trajectory : log.robots[0].trajectories) trajectory.poses.clear();
+    });
+    EXPECT_THAT(refusal({noTruth, ""}), HasSubstr("no ground truth"));
+    write("foreign.csv", "t,v_cmd,w_cmd,x,y,heading\n0,0.1,0,1,2,0\n0.1,0.1,0,1.01,2,0\n0.2,0.1,0,1.02,2,0\n");
+    EXPECT_THAT(refusal({path("foreign.csv"), ""}), HasSubstr("--robot"));
+    EXPECT_THAT(refusal({path("foreign.csv"), "mrclam_replay.toml"}), HasSubstr("has no robot"));
+    EXPECT_THAT(refusal({shipped(), "soccer.toml"}), HasSubstr("plays no log"));
+    write("half.csv", "t,v_cmd,w_cmd,x,y,heading\n0,0.1,0,1,2");
+    EXPECT_THAT(refusal({path("half.csv"), ""}), HasSubstr("half.csv"));
+    OverlayPlan late;
+    late.start = 5000;
+    EXPECT_THAT(refusal({shipped(), ""}, late), HasSubstr("earlier start"));
+    EXPECT_FALSE(overlay.world());
+    for (const std::string& error : errors()) EXPECT_EQ(error.find('\n'), std::string::npos);
+}
+
+TEST_F(OverlayTest, GapInTheTruthIsSaidAndTheRestGoesOn) {
+    const std::string gap = makeLog([](Log& log) {
+        std::erase_if(log.robots[0].trajectories[0].poses, [](const StampedPose& stamped) {
+            return stamped.time > 5 * nanosecondsPerSecond && stamped.time < 7 * nanosecondsPerSecond;
+        });
+    });
+    ASSERT_NO_FATAL_FAILURE(openLog(gap, {OverlayPlan::Cut::every, 0, 4}));
+    EXPECT_THAT(overlay.rows(), Contains(testing::Field(&OverlayRow::use, CourseUse::gap)));
+    EXPECT_THAT(overlay.rows(), Contains(testing::Field(&OverlayRow::use, CourseUse::counted)));
+}
+
+TEST_F(OverlayTest, ScriptsAskForFiguresAndOpenTheWorst) {
+    const std::string script = "open_log('" + shipped() + "')\n" +
+                               "worst(1)\n"
+                               "expect(reality('p') > 0 and reality('courses') > 10)\n"
+                               "expect(reality('error') > 0, 'an error')\n"
+                               "say(reality('robot'))\n"
+                               "reality('nonsense')\n";
+    std::vector<std::string> words;
+    const auto done = runScript(window, script, "s.lua",
+                                {[&](const std::string& said) { words.push_back(said); },
+                                 [&](const std::string& mistake) { ADD_FAILURE() << mistake; }});
+    ASSERT_FALSE(done);
+    EXPECT_THAT(done.error().message(), HasSubstr("expected one of"));
+    EXPECT_THAT(words, testing::ElementsAre("pioneer reference"));
+}
+
+/// The real logs, where they are.
+class MrclamOverlayTest : public OverlayTest {
+protected:
+    void SetUp() override {
+        const char* const data = std::getenv("MROSE_DATA");
+        if (data == nullptr || *data == '\0') GTEST_SKIP() << "MROSE_DATA is not set";
+        if (!looksLikeLog(logPlaceOf("MRCLAM_Dataset6"))) GTEST_SKIP() << "no MRCLAM data set 6";
+    }
+};
+
+TEST_F(MrclamOverlayTest, WorstWindowLeavesTheRealCourseForAReason) {
+    ASSERT_NO_FATAL_FAILURE(openLog(logPlaceOf("MRCLAM_Dataset6"), {OverlayPlan::Cut::every, 0, 10}));
+    EXPECT_EQ(overlay.world()->world().robots().size(), 5u);
+    const Comparison alone = comparedAlone(overlay);
+    EXPECT_EQ(overlay.comparison()->all.counted.p, alone.all.counted.p);
+    clickLine(0);
+    ASSERT_TRUE(overlay.shownRow());
+    EXPECT_EQ(overlay.shownRow()->position, knownMean(alone.courses[worstFirst(alone).front()]));
+    ASSERT_TRUE(overlay.shownRow()->divergence);
+    ASSERT_TRUE(overlay.finding() && overlay.finding()->diagnosis);
+    EXPECT_TRUE(overlay.goToDivergence());
+    settleAll();
+    EXPECT_EQ(window.shown()->frame->scene().timeOf(state().tick), overlay.shownRow()->divergence->time);
+}
+
+TEST_F(MrclamOverlayTest, ScenarioThatPlaysItGetsItsOverlayToo) {
+    open("mrclam_replay.toml");
+    settleAll();
+    ASSERT_TRUE(overlay.world());
+    ASSERT_TRUE(window.shown()->frame->reality);
+    EXPECT_FALSE(overlay.shownCourse());
+    EXPECT_EQ(reality().start, 0);
+    EXPECT_FALSE(overlay.rows().empty());
+}
+
+}  // namespace
+}  // namespace mrose::gui

@@ -1,0 +1,106 @@
+#include "widgets/real_robots.h"
+
+#include <QObject>
+#include <QStringList>
+#include <algorithm>
+#include <numbers>
+
+#include "widgets/field_readout.h"
+
+namespace mrose {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+Nanoseconds timeOf(const FieldFrame& frame) { return frame.scene().timeOf(frame.state.tick); }
+
+QString degreesText(double radians) { return QString::number(radians / degree, 'f', 1) + QString::fromUtf8("\u00b0"); }
+
+std::optional<RealRobot> realRobot(const FieldFrame& frame, std::size_t index, std::optional<std::size_t> body) {
+    const Reality::Robot& of = frame.reality->robots[index];
+    const Nanoseconds now = timeOf(frame);
+    RealRobot robot{index, body, &frame.scene().shapeOf(body.value_or(0)), {}, {}, {}};
+    if (const auto pose = of.poseAt(now)) {
+        robot.pose = *pose;
+        if (body) robot.apart = poseError(*pose, frame.poseOf(*body));
+        return robot;
+    }
+    const std::vector<StampedPose>& poses = of.trajectory->poses;
+    const auto next = std::upper_bound(poses.begin(), poses.end(), of.origin + now,
+                                       [](Nanoseconds t, const StampedPose& pose) { return t < pose.time; });
+    if (next == poses.begin()) return std::nullopt;
+    robot.pose = std::prev(next)->pose;
+    robot.lostFor = of.origin + now - std::prev(next)->time;
+    return robot;
+}
+
+}  // namespace
+
+std::optional<std::size_t> bodyOf(const FieldFrame& frame, const Reality::Robot& robot) {
+    const std::vector<SceneRobot>& robots = frame.scene().robots;
+    const auto found =
+        std::find_if(robots.begin(), robots.end(), [&](const SceneRobot& one) { return one.name == robot.name; });
+    if (found == robots.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - robots.begin());
+}
+
+std::vector<RealRobot> realRobots(const FieldFrame& frame) {
+    std::vector<RealRobot> robots;
+    if (!frame.reality || frame.scene().robots.empty()) return robots;
+    for (std::size_t i = 0; i < frame.reality->robots.size(); ++i)
+        if (auto robot = realRobot(frame, i, bodyOf(frame, frame.reality->robots[i]))) robots.push_back(*robot);
+    return robots;
+}
+
+std::optional<RealRobot> realRobotOf(const FieldFrame& frame, std::size_t body) {
+    if (!frame.reality || body >= frame.scene().robots.size()) return std::nullopt;
+    const Reality::Robot* const robot = frame.reality->robotNamed(frame.scene().robots[body].name);
+    if (robot == nullptr) return std::nullopt;
+    return realRobot(frame, static_cast<std::size_t>(robot - frame.reality->robots.data()), body);
+}
+
+QColor realColour(std::optional<std::size_t> body, const Theme& theme) {
+    return body ? robotColour(*body) : mixed(theme.quietText, theme.onFloor, 0.3);
+}
+
+QString errorText(const PoseError& error) { return lengthText(error.position) + ", " + degreesText(error.heading); }
+
+QString realReadout(const FieldFrame& frame, const RealRobot& robot) {
+    const QString name = QObject::tr("real %1").arg(QString::fromStdString(frame.reality->robots[robot.index].name));
+    if (robot.lostFor)
+        return QObject::tr("%1: no ground truth for %2 s").arg(name).arg(toSeconds(*robot.lostFor), 0, 'f', 1);
+    if (robot.apart) return QObject::tr("%1: %2 away").arg(name, errorText(*robot.apart));
+    return name + '\n' + poseText(robot.pose);
+}
+
+QString realReadout(const FieldFrame& frame, std::optional<std::size_t> body, const Point& at) {
+    QStringList lines;
+    for (const RealRobot& robot : realRobots(frame))
+        if (body ? robot.body == body : distance(position(robot.pose), at) <= robot.shape->reach)
+            lines += realReadout(frame, robot);
+    return lines.join('\n');
+}
+
+QString modelReadout(const FieldFrame& frame, std::size_t body) {
+    const auto real = realRobotOf(frame, body);
+    if (!real) return {};
+    QStringList lines;
+    for (const Reality::ModelCourse& model : frame.reality->models)
+        if (const auto error = frame.reality->modelError(model, real->index, timeOf(frame)))
+            lines += QObject::tr("%1: %2 away").arg(QString::fromStdString(model.name), errorText(*error));
+    return lines.join('\n');
+}
+
+FieldArea areaOf(const Reality& reality) {
+    constexpr Nanoseconds span = 60 * nanosecondsPerSecond;
+    FieldArea area{{1, 1}, {-1, -1}};
+    for (const Reality::Robot& robot : reality.robots)
+        for (const StampedPose& stamped : robot.posesBetween(0, span)) area.include(position(stamped.pose));
+    for (const Reality::ModelCourse& model : reality.models)
+        for (const std::vector<Pose>& poses : model.poses)
+            for (std::size_t i = 0; i < poses.size() && static_cast<Nanoseconds>(i) * model.step <= span; ++i)
+                area.include(position(poses[i]));
+    return area;
+}
+
+}  // namespace mrose

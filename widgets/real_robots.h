@@ -1,0 +1,47 @@
+#pragma once
+
+#include <QString>
+#include <optional>
+#include <vector>
+
+#include "widgets/field_frame.h"
+#include "widgets/theme.h"
+#include "widgets/view_transform.h"
+
+namespace mrose {
+
+/// A real robot at a frame's time.
+struct RealRobot {
+    std::size_t index = 0;               ///< in Reality::robots
+    std::optional<std::size_t> body;     ///< its simulated one; nothing: that is not in the world
+    const Shape* shape = nullptr;        ///< of its simulated one, or of the world's first robot; never null
+    Pose pose;                           ///< now, or where it was measured last
+    std::optional<Nanoseconds> lostFor;  ///< for how long nobody has known where it is; nothing: it is known
+    std::optional<PoseError> apart;      ///< of its simulated one; nothing: one of the two is not there
+
+    bool known() const { return !lostFor; }
+};
+
+/// Those that have been seen so far, in the order of Reality::robots; empty where no reality is known.
+std::vector<RealRobot> realRobots(const FieldFrame& frame);
+/// The one that drove what a body repeats; nothing: none.
+std::optional<RealRobot> realRobotOf(const FieldFrame& frame, std::size_t body);
+/// The body that stands for a real robot; nothing: it is not in the world.
+std::optional<std::size_t> bodyOf(const FieldFrame& frame, const Reality::Robot& robot);
+
+/// The colour of a robot with or without a body; grey without.
+QColor realColour(std::optional<std::size_t> body, const Theme& theme);
+
+/// "12 cm, 4.1 deg", with the sign of a degree.
+QString errorText(const PoseError& error);
+/// "real create 1: 12 cm, 4.1 deg away", or for how long it has not been seen.
+QString realReadout(const FieldFrame& frame, const RealRobot& robot);
+/// Of the real robot of a body, or without a body of those whose shapes lie at a point; empty: there is none.
+QString realReadout(const FieldFrame& frame, std::optional<std::size_t> body, const Point& at);
+/// How far each model is from the real robot of a body, a line each; empty: there are none.
+QString modelReadout(const FieldFrame& frame, std::size_t body);
+
+/// All that real robots and models drive in the run's first minute.
+FieldArea areaOf(const Reality& reality);
+
+}  // namespace mrose
