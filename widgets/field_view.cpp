@@ -102,10 +102,14 @@ FieldArea FieldView::wholeArea() const {
     return place;
 }
 
+QMarginsF FieldView::fitMargins() const {
+    const QMarginsF margins(fitMargin, fitMargin, fitMargin, scaleBarHeight);
+    return layers_.has(FieldLayer::grid) ? margins + QMarginsF(rulerWidth, rulerHeight, 0, 0) : margins;
+}
+
 /// What is left for what is fitted, above or else beside what is covered.
 QRectF FieldView::freeRect(bool aboveCovered) const {
-    QRectF free = QRectF(rect()).adjusted(fitMargin, fitMargin, -fitMargin, -scaleBarHeight);
-    if (layers_.has(FieldLayer::grid)) free.adjust(rulerWidth, rulerHeight, 0, 0);
+    QRectF free = QRectF(rect()).marginsRemoved(fitMargins());
     if (!covered_.isEmpty() && aboveCovered) free.setBottom(std::min(free.bottom(), covered_.top() - fitMargin));
     if (!covered_.isEmpty() && !aboveCovered) free.setRight(std::min(free.right(), covered_.left() - fitMargin));
     return free;
@@ -195,16 +199,19 @@ void FieldView::paintEvent(QPaintEvent* /*event*/) {
 
 void FieldView::paint(QPainter& painter, const QSizeF& size) const {
     if (!frame_) return;
-    ViewTransform view = view_;
-    view.setSize(size);
-    view.fit(view_.shown(), QRectF(QPointF(0, 0), size));  // as much as the window shows
-    FieldPainter field(painter, view, theme_, layers_);
-    field.place(frame_->scene().environment);
-    LabelPlacer labels = labels_;
-    FieldFocus focus = focus_;
-    focus.turnable = false;
-    field.frame(*frame_, focus, labels);
-    field.corners(*frame_);
+    FieldPicture as = picture();
+    as.following = false;
+    as.focus = focus_;
+    as.focus.turnable = false;
+    as.labels = labels_;
+    as.paint(painter, size, *frame_);
+}
+
+FieldPicture FieldView::picture() const {
+    FieldPicture picture{view_, theme_, layers_, {focus_.selected, {}, {}}, following_, font()};
+    if (fitted_) picture.whole = wholeArea();
+    picture.margins = fitMargins();
+    return picture;
 }
 
 void FieldView::resizeEvent(QResizeEvent* event) {

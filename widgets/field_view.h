@@ -1,12 +1,13 @@
 #pragma once
 
+#include <QMarginsF>
 #include <QPixmap>
 #include <QWidget>
 #include <memory>
 #include <optional>
 
 #include "widgets/field_frame.h"
-#include "widgets/field_painter.h"
+#include "widgets/field_picture.h"
 
 namespace mrose {
 
@@ -57,6 +58,8 @@ public:
     QString readoutAt(const QPointF& pixels) const;
     /// The same picture for a file of another size.
     void paint(QPainter& painter, const QSizeF& size) const;
+    /// How it draws, for pictures of other ticks; without what the mouse does.
+    FieldPicture picture() const;
 
     QSize sizeHint() const override { return {900, 560}; }
     QSize minimumSizeHint() const override { return {240, 180}; }
@@ -88,6 +91,7 @@ private:
     void beginDrag();
     Pose draggedPose(const QPointF& at, bool round) const;
     bool onKnob(const QPointF& at) const;
+    QMarginsF fitMargins() const;
     QRectF freeRect(bool aboveCovered) const;
     void cancelDrag();
     void finishNudge();

@@ -2,6 +2,7 @@
 
 #include <QLabel>
 #include <QMouseEvent>
+#include <QPicture>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -117,6 +118,7 @@ void PlotView::addBand(const QString& unit, int row) {
     band->rect = new QCPAxisRect(plot_);
     // The margins are fixed: nothing moves when labels get longer.
     band->rect->setAutoMargins(QCP::msNone);
+    band->rect->setLayer("background");  // below its grid
     plot_->plotLayout()->addElement(row, 0, band->rect);
     for (QCPAxis* axis : band->rect->axes()) {
         axis->setLayer("axes");
@@ -248,6 +250,12 @@ void PlotView::showAll() {
     refresh();
 }
 
+void PlotView::showRange(double from, double to) {
+    all_ = false;
+    setRange(from, to);
+    refresh();
+}
+
 void PlotView::zoom(double factor, double aboutPixel) {
     const double width = std::max(1, plot_->width() - leftMargin - rightMargin);
     const double share = std::clamp((aboutPixel - leftMargin) / width, 0.0, 1.0);
@@ -288,6 +296,23 @@ void PlotView::refresh() {
 void PlotView::draw() {
     dirty_ = true;
     plot_->replot();
+}
+
+void PlotView::paint(QPainter& painter, const QSize& size) {
+    for (const auto& band : bands_) {
+        band->now->setVisible(false);
+        band->mouse->setVisible(false);
+        band->unknown->setVisible(false);
+    }
+    plot_->resize(size);
+    draw();
+    // It paints by a painter of its own.
+    QPicture picture;
+    QCPPainter recorder(&picture);
+    recorder.setMode(QCPPainter::pmVectorized);
+    plot_->toPainter(&recorder, size.width(), size.height());
+    recorder.end();
+    painter.drawPicture(0, 0, picture);
 }
 
 /// Numbers may come at each tick: who plays needs no more pictures than eyes can follow.

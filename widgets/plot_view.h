@@ -66,6 +66,7 @@ public:
         bool operator==(const Time&) const = default;
     };
     void setTime(const Time& time);
+    const Time& time() const { return time_; }
     void refresh();
     void draw();  ///< at once
     /// The curves have grown: before long.
@@ -73,6 +74,7 @@ public:
     void setTheme(const Theme& theme);
 
     void showAll();                               ///< all that is known, also as it grows
+    void showRange(double from, double to);       ///< ticks
     void zoom(double factor, double aboutPixel);  ///< larger than 1: closer
     bool showsAll() const { return all_; }
     /// What is seen of the time, in ticks.
@@ -82,6 +84,8 @@ public:
     std::int64_t tickAt(double pixel) const;
     /// Where a number of a curve is drawn; nothing: there is no such curve.
     std::optional<QPointF> placeOf(const QString& curve, double tick, double number) const;
+    /// The curves and their axes without cursor and mouse, for a picture of this size; of a view that is not shown.
+    void paint(QPainter& painter, const QSize& size);
     /// What the read-out says of a tick.
     QString textAt(std::int64_t tick) const;
 

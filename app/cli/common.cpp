@@ -11,10 +11,7 @@
 
 #include <unistd.h>
 
-#include "evaluation/rollout.h"
 #include "io/file.h"
-#include "io/number_text.h"
-#include "logs/log_reader.h"
 
 namespace mrose::cli {
 namespace {
@@ -83,45 +80,6 @@ int report(const Error& error) {
 int report(Error error, const std::string& file) {
     if (error.file.empty()) error.file = file;
     return report(error);
-}
-
-Expected<Log> openLog(const std::string& source, const std::vector<std::string>& robots,
-                      const std::optional<DifferentialDrive>& drive) {
-    LogOptions options;
-    if (drive) options.drive = *drive;
-    auto log = readLog(source, options);
-    if (!log || robots.empty()) return log;
-    std::vector<RobotLog> chosen;
-    for (const std::string& name : robots) {
-        const auto found = std::find_if(log->robots.begin(), log->robots.end(),
-                                        [&](const RobotLog& robot) { return robot.robot == name; });
-        if (found == log->robots.end()) return fail(source, "has no robot \"" + name + '"');
-        const bool again =
-            std::any_of(chosen.begin(), chosen.end(), [&](const RobotLog& r) { return r.robot == name; });
-        if (!again) chosen.push_back(*found);
-    }
-    log->robots = std::move(chosen);
-    return log;
-}
-
-Expected<std::shared_ptr<const LearnedMotion>> openNetwork(const std::string& path) {
-    auto network = loadNetwork(path);
-    if (!network) return tl::unexpected(network.error());
-    const Nanoseconds step = RolloutOptions{}.step;
-    if (step % network->period != 0)
-        return fail(path,
-                    "is " + numberText(toSeconds(network->period)) + "; expected a period that divides " +
-                        numberText(toSeconds(step)) + " s, the step of predictions",
-                    0, "period_s");
-    return std::make_shared<const LearnedMotion>(std::move(*network));
-}
-
-std::string shellQuoted(const std::string& word) {
-    const auto plain = [](unsigned char c) { return std::isalnum(c) || std::strchr("-_./,:=+@%", c); };
-    if (!word.empty() && std::all_of(word.begin(), word.end(), plain)) return word;
-    std::string out = "'";
-    for (const char c : word) out += c == '\'' ? "'\\''" : std::string(1, c);
-    return out + '\'';
 }
 
 std::string commandLine() { return givenCommandLine; }

@@ -11,9 +11,10 @@
 #include <nlohmann/json.hpp>
 
 #include "io/error.h"
-#include "logs/robot_log.h"
-#include "motion/learned_model.h"
 #include "shared/flag_checks.h"
+#include "shared/log_files.h"
+#include "shared/notices.h"
+#include "shared/shell_quoted.h"
 
 namespace mrose::cli {
 
@@ -62,17 +63,6 @@ Expected<void> checkOutput(const std::string& output, const std::vector<std::str
 int report(const Error& error);
 /// The same of what names no file of its own.
 int report(Error error, const std::string& file);
-
-/// Opens a log; `drive` is for logs of wheel commands. Robots not in `robots` are left out, unless it is empty. Error:
-/// an unknown robot too.
-Expected<Log> openLog(const std::string& source, const std::vector<std::string>& robots,
-                      const std::optional<DifferentialDrive>& drive = {});
-
-/// Loads a network and makes it ready for use. Error: a period that predictions of logs cannot be made with, too.
-Expected<std::shared_ptr<const LearnedMotion>> openNetwork(const std::string& path);
-
-/// A word as a shell takes it for one.
-std::string shellQuoted(const std::string& word);
 
 /// The command line as it can be typed again.
 std::string commandLine();

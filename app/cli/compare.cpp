@@ -1,7 +1,6 @@
 #include "comparison/compare.h"
 
 #include <cstdio>
-#include <set>
 
 #include "common.h"
 #include "compare_divergence.h"
@@ -9,76 +8,17 @@
 #include "comparison/comparison_report.h"
 #include "evaluation/format.h"
 #include "plugins.h"
-#include "scenario/scenario_file.h"
-#include "shared/notices.h"
-#include "shared/resources.h"
-#include "version.h"
+#include "shared/log_comparison.h"
 
 namespace mrose::cli {
 namespace {
 
 struct CompareFlags {
-    std::string scenario, log, windows, folder;
-    std::vector<std::string> robots;
-    double start = 0;
-    std::optional<double> duration, every;
-    std::optional<std::uint64_t> seed;
+    LogComparisonRequest what;
+    std::string folder;
     PluginFlags plugins;
     DivergenceFlags divergence;
 };
-
-/// The networks that the scenario's log players move by.
-std::vector<const MotionNetwork*> networksOf(const ScenarioParts& parts) {
-    std::vector<const MotionNetwork*> networks;
-    for (const LogPlayer& player : parts.players)
-        if (const auto* learned = dynamic_cast<const LearnedModel*>(&parts.scene.modelOf(player.robot)))
-            if (std::find(networks.begin(), networks.end(), &learned->network()) == networks.end())
-                networks.push_back(&learned->network());
-    return networks;
-}
-
-/// What must be known before the figures are believed. `asked`: how long a course was to be.
-std::vector<std::string> noticesAbout(const LogWorld& world, const Comparison& comparison,
-                                      std::optional<Nanoseconds> asked) {
-    // Only the robots that are compared need to be known.
-    Log compared = world.log();
-    std::erase_if(compared.robots, [&](const RobotLog& robot) {
-        return std::none_of(world.robots().begin(), world.robots().end(),
-                            [&](const ComparedRobot& r) { return r.realName == robot.robot; });
-    });
-    std::vector<std::string> notices;
-    if (compared.synthetic)
-        notices.push_back("The log comes from a simulated robot: nothing here tells of a real one.");
-    const Nanoseconds length = comparison.requests.front().steps * comparison.evaluation.options.windows.step;
-    if (asked && length < *asked)
-        notices.push_back("The ground truth ends " + secondsText(length) +
-                          " s after the start: compared up to there, not " + secondsText(*asked, 0) + " s.");
-    for (const MotionNetwork* network : networksOf(world.parts()))
-        for (std::string& notice : noticesOf(*network, compared))
-            if (std::find(notices.begin(), notices.end(), notice) == notices.end())
-                notices.push_back(std::move(notice));
-    return notices;
-}
-
-Expected<std::vector<CourseRequest>> coursesAsked(const CompareFlags& flags, const LogWorld& world) {
-    constexpr double windowLength = 10;
-    if (flags.windows.empty()) {
-        StretchOptions options;
-        options.start = fromSeconds(flags.start);
-        if (flags.duration) options.duration = fromSeconds(*flags.duration);
-        if (flags.every) options.every = fromSeconds(*flags.every);
-        if (!flags.duration && !flags.every)
-            options.duration = std::max(options.step, world.parts().duration / options.step * options.step);
-        return coursesOf(world, options);
-    }
-    auto windows = readWindows(flags.windows);
-    if (!windows) return tl::unexpected(windows.error());
-    const Nanoseconds length = fromSeconds(flags.duration.value_or(windowLength)), step = WindowOptions{}.step;
-    if (length % step != 0)
-        return fail({}, secondsText(length) + " s is no whole number of steps of " + secondsText(step) + " s", 0,
-                    "--duration");
-    return requestedCourses(world, std::move(*windows), flags.robots, static_cast<int>(length / step), flags.windows);
-}
 
 void printComparison(const Comparison& comparison, const ComparedDivergences& divergences,
                      const std::vector<std::string>& notices) {
@@ -111,17 +51,9 @@ void printComparison(const Comparison& comparison, const ComparedDivergences& di
     for (const std::string& note : notes) std::printf("Note: %s\n", note.c_str());
 }
 
-int deliver(const Comparison& comparison, const ComparedDivergences& divergences, const LogWorld& world,
-            const CompareFlags& flags, const CommonFlags& common) {
-    const Nanoseconds step = comparison.evaluation.options.windows.step;
-    std::optional<Nanoseconds> asked;
-    ReportContext context;
-    context.program = "mrose " MROSE_VERSION;
-    context.commandLine = commandLine();
-    context.synthetic = world.log().synthetic;
-    if (flags.windows.empty() && !flags.every)
-        asked = flags.duration ? fromSeconds(*flags.duration) : world.parts().duration / step * step;
-    context.notices = noticesAbout(world, comparison, asked);
+int deliver(const LogComparison& compared, const ComparedDivergences& divergences, const CompareFlags& flags,
+            const CommonFlags& common) {
+    const auto& [log, world, comparison, context] = compared;
     if (common.json)
         std::fputs(comparisonJson(comparison, context.notices, &divergences).c_str(), stdout);
     else
@@ -140,28 +72,15 @@ int compareScenario(const CompareFlags& flags, const CommonFlags& common) {
         if (const auto writable = checkComparisonFolder(flags.folder, common.overwrite); !writable)
             return report(writable.error());
     watchInterrupts();
-    DiskDescriptions source = openDescriptions(flags.log);
-    auto loaded = loadScenario(flags.scenario, source, {pluginLoader(flags.plugins), false});
-    if (!loaded) return report(loaded.error());
-    watchPlugins(loaded->parts);
-    const auto networks = networksOf(loaded->parts);
-    const auto log = openLog(placeOfLog(flags.log), {}, networks.empty() ? std::nullopt : networks.front()->drive);
-    if (!log) return report(log.error());
-    ComparisonOptions options;
-    options.seed = flags.seed.value_or(loaded->parts.seed);
-    const auto world = LogWorld::create(std::move(loaded->parts), *log, flags.robots);
-    if (!world) return report(world.error(), source.shown(loaded->name));
-    const auto requests = coursesAsked(flags, *world);
-    if (!requests) return report(requests.error());
-    const auto comparison = compare(*world, *requests, options);
-    if (!comparison) return report(comparison.error(), source.shown(loaded->name));
-    const auto divergences = findDivergences(*world, *comparison, flags.divergence, common.quiet);
-    if (!divergences) return report(divergences.error(), source.shown(loaded->name));
+    const auto compared = compareLog(flags.what, {pluginLoader(flags.plugins), watchPlugins}, commandLine());
+    if (!compared) return report(compared.error());
+    const auto divergences = findDivergences(compared->world, compared->comparison, flags.divergence, common.quiet);
+    if (!divergences) return report(divergences.error(), compared->comparison.scenario);
     if (divergences->cancelled) {
         std::fprintf(stderr, "mrose: interrupted; nothing written\n");
         return interrupted;
     }
-    return deliver(*comparison, *divergences, *world, flags, common);
+    return deliver(*compared, *divergences, flags, common);
 }
 
 }  // namespace
@@ -182,25 +101,26 @@ Subcommand addCompare(CLI::App& app, CommonFlags& common) {
     addSeed(*sub, common);
     addThreads(*sub, common);
     addOverwrite(*sub, common);
-    sub->add_option("SCENARIO", flags->scenario,
+    sub->add_option("SCENARIO", flags->what.scenario,
                     "Scenario file, or the name of one that ships, with robots that play a log")
         ->required();
     sub->get_option("--seed")->default_str("the scenario's");
-    sub->add_option("--log", flags->log, "The log to play and to compare with")->required();
-    sub->add_option("--robots", flags->robots,
+    sub->add_option("--log", flags->what.log, "The log to play and to compare with")->required();
+    sub->add_option("--robots", flags->what.robots,
                     "Only these robots, by their names in the log: 1,2; the others are not in the world")
         ->delimiter(',');
-    CLI::Option* start =
-        sub->add_option("--start", flags->start, "Where in the log to begin, in s after all of its robots are there")
-            ->check(numberRange(0.0, 1e7))
-            ->capture_default_str();
-    sub->add_option("--duration", flags->duration,
+    CLI::Option* start = sub->add_option("--start", flags->what.start,
+                                         "Where in the log to begin, in s after all of its robots are there")
+                             ->check(numberRange(0.0, 1e7))
+                             ->capture_default_str();
+    sub->add_option("--duration", flags->what.duration,
                     "How long to compare, in s; otherwise what the scenario says, with --every to the log's end, with "
                     "--windows 10")
         ->check(numberRange(0.1, 1e7));
-    CLI::Option* every = sub->add_option("--every", flags->every, "Start again from the real robots every so many s")
-                             ->check(numberRange(0.1, 1e7));
-    sub->add_option("--windows", flags->windows,
+    CLI::Option* every =
+        sub->add_option("--every", flags->what.every, "Start again from the real robots every so many s")
+            ->check(numberRange(0.1, 1e7));
+    sub->add_option("--windows", flags->what.windows,
                     "CSV file that says which windows, as for mrose predict: a course for each")
         ->excludes(start)
         ->excludes(every);
@@ -209,7 +129,7 @@ Subcommand addCompare(CLI::App& app, CommonFlags& common) {
     addDivergenceFlags(*sub, flags->divergence);
     addPluginFlags(*sub, flags->plugins);
     sub->callback([sub, flags, &common] {
-        if (sub->count("--seed") > 0) flags->seed = common.seed;
+        if (sub->count("--seed") > 0) flags->what.seed = common.seed;
     });
     return {sub, [flags, &common] { return compareScenario(*flags, common); }};
 }

@@ -5,19 +5,14 @@
 #include "common.h"
 #include "evaluation/format.h"
 #include "evaluation/report.h"
-#include "identification/held_out_groups.h"
-#include "models.h"
-#include "shared/notices.h"
+#include "shared/log_evaluation.h"
 
 namespace mrose::cli {
 namespace {
 
 struct EvaluateFlags {
-    std::string network, log, folder;
-    std::vector<std::string> robots, against;
-    double horizon = 10;
-    bool noFloor = false, heldOut = false;
-    std::vector<std::size_t> shown;
+    LogEvaluationRequest what;
+    std::string folder;
 };
 
 std::string robotList(const Evaluation& evaluation) {
@@ -73,66 +68,19 @@ void printTable(const Evaluation& evaluation, const std::vector<std::string>& no
     for (const std::string& notice : notices) std::printf("Note: %s\n", notice.c_str());
 }
 
-/// The part of the log that the network has never seen.
-Expected<Log> heldOutPart(Log log, const MotionNetwork& network, const std::string& path) {
-    if (!network.heldOut.groups.holdsAny()) return fail(path, "was learned without --hold-out: it has seen its logs");
-    const auto& known = network.training.logs;
-    for (const LogFile& file : log.files)
-        if (std::none_of(known.begin(), known.end(), [&](const auto& source) { return source.hash == file.hash; }))
-            return fail(file.path, "is no log that " + path + " was learned from; --held-out is for those");
-    return partOf(std::move(log), network.heldOut.groups, LogPart::heldOut);
-}
-
-/// Their indices.
-Expected<std::vector<std::size_t>> chosenWindows(const std::vector<std::size_t>& numbers, std::size_t count) {
-    std::vector<std::size_t> indices;
-    for (const std::size_t number : numbers) {
-        if (number < 1 || number > count)
-            return fail({}, "there is no window " + std::to_string(number) + " of " + std::to_string(count), 0,
-                        "--show");
-        indices.push_back(number - 1);
-    }
-    return indices;
-}
-
 int evaluateNetwork(const EvaluateFlags& flags, const CommonFlags& common) {
     if (!flags.folder.empty())
         if (const auto writable = checkReportFolder(flags.folder, common.overwrite); !writable)
             return report(writable.error());
-    const auto motion = openNetwork(flags.network);
-    if (!motion) return report(motion.error());
-    auto log = openLog(flags.log, flags.robots, (*motion)->network().drive);
-    if (log && flags.heldOut) log = heldOutPart(std::move(*log), (*motion)->network(), flags.network);
-    if (!log) return report(log.error());
-    std::vector<RobotModels> models;
-    models.push_back(learnedModels(*motion, *log));
-    for (const std::string& path : flags.against) {
-        const auto other = openNetwork(path);
-        if (!other) return report(other.error());
-        models.push_back(learnedModels(*other, *log));
-        models.back().name = std::filesystem::path(path).filename().string();
-    }
-    models.front().name = std::filesystem::path(flags.network).filename().string();
-    for (RobotModels& baseline : kinematicBaselines((*motion)->network(), *log)) models.push_back(std::move(baseline));
-    std::vector<NamedModel> views;
-    for (const RobotModels& m : models) views.push_back(named(m));
-
-    EvaluationOptions options;
-    options.windows.horizon = fromSeconds(flags.horizon);
-    options.withFloor = !flags.noFloor;
-    const auto evaluation = evaluate(*log, views, options);
-    if (!evaluation) return report(evaluation.error());
-    const auto chosen = chosenWindows(flags.shown, evaluation->windows.size());
-    if (!chosen) return report(chosen.error());
-    ReportContext context = reportContext((*motion)->network(), flags.network, *log);
-    context.notices = noticesOf((*motion)->network(), *log, flags.heldOut);
-    context.chosen = *chosen;
+    const auto evaluated = evaluateLog(flags.what, commandLine());
+    if (!evaluated) return report(evaluated.error());
+    const auto& [evaluation, context] = *evaluated;
     if (common.json)
-        std::puts(resultsJson(*evaluation, context).c_str());
+        std::puts(resultsJson(evaluation, context).c_str());
     else
-        printTable(*evaluation, context.notices);
+        printTable(evaluation, context.notices);
     if (flags.folder.empty()) return success;
-    if (const auto written = writeReport(*evaluation, context, flags.folder); !written) return report(written.error());
+    if (const auto written = writeReport(evaluation, context, flags.folder); !written) return report(written.error());
     if (!common.json)
         std::printf("\nreport: %s\n", (std::filesystem::path(flags.folder) / "report.html").string().c_str());
     return success;
@@ -150,23 +98,24 @@ Subcommand addEvaluate(CLI::App& app, CommonFlags& common) {
                       "  mrose evaluate husky.net --log husky_windows.csv --held-out\n"
                       "The log should be one that the network was not learned from, or the part of it held out.");
     addOverwrite(*sub, common);
-    sub->add_option("NET", flags->network, "Network file")->required();
-    sub->add_option("--log", flags->log, "The log to compare with")->required();
-    sub->add_option("--robots", flags->robots, "Only these robots, by name: 1,2")->delimiter(',');
-    sub->add_option("--against", flags->against, "Other network files, beside it in all tables and pictures");
-    sub->add_option("--horizon", flags->horizon, "Length of a window in s")
+    sub->add_option("NET", flags->what.network, "Network file")->required();
+    sub->add_option("--log", flags->what.log, "The log to compare with")->required();
+    sub->add_option("--robots", flags->what.robots, "Only these robots, by name: 1,2")->delimiter(',');
+    sub->add_option("--against", flags->what.against, "Other network files, beside it in all tables and pictures");
+    sub->add_option("--horizon", flags->what.horizon, "Length of a window in s")
         ->check(numberRange(0.5, 3600.0))
         ->capture_default_str();
     CLI::Option* folder =
         sub->add_option("--report", flags->folder,
                         "Folder for report.html, results.csv, results.json and windows.csv (for mrose predict)")
             ->check(someName());
-    sub->add_option("--show", flags->shown, "Windows whose paths the report shows too, by number: 12,40")
+    sub->add_option("--show", flags->what.shown, "Windows whose paths the report shows too, by number: 12,40")
         ->delimiter(',')
         ->needs(folder);
-    sub->add_flag("--held-out", flags->heldOut,
+    sub->add_flag("--held-out", flags->what.heldOut,
                   "Only the part of the log that mrose train --hold-out kept from learning");
-    sub->add_flag("--no-floor", flags->noFloor, "Do not compare near-identical commands");
+    sub->add_flag_callback(
+        "--no-floor", [flags] { flags->what.withFloor = false; }, "Do not compare near-identical commands");
     return {sub, [flags, &common] { return evaluateNetwork(*flags, common); }};
 }
 

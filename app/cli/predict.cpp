@@ -5,7 +5,7 @@
 #include "evaluation/format.h"
 #include "evaluation/prediction_files.h"
 #include "io/file.h"
-#include "models.h"
+#include "shared/evaluation_models.h"
 #include "shared/notices.h"
 
 namespace mrose::cli {

@@ -24,6 +24,7 @@ constexpr const char* examples =
     "  mrose-gui mrclam_replay.toml --log MRCLAM_Dataset6 --robots 1,2 --start 120 --every 5\n"
     "  mrose-gui --at 12.5 soccer.toml --trial 17 --seed 4\n"
     "  mrose-gui --offscreen --run soccer.toml --ticks 400 --select 'red 2' --screenshot soccer.png\n"
+    "  mrose-gui --offscreen --run soccer.toml --duration 10 --film game.mp4\n"
     "  mrose-gui --offscreen --script tour.lua\n"
     "A scenario is a file or the name of one that ships. Offscreen, no display is needed. The same scenario and seed\n"
     "give the same states as with `mrose run`, to the last bit.\n"
@@ -118,6 +119,8 @@ void addFlags(CLI::App& app, CommandLine& line, std::string& run, std::string& s
     app.add_option("--script", line.script, "Lua file that drives the window; its expect() decides the exit status")
         ->check(someName());
     app.add_option("--screenshot", line.screenshot, "Save a picture of the window (.png, .svg or .pdf), and end")
+        ->check(someName());
+    app.add_option("--film", line.film, "Export what was run as a film (.mp4; needs ffmpeg), and end")
         ->check(someName());
     app.add_option("--record", line.record, "Write a recording (MCAP) while the run goes on")->check(someName());
     app.add_flag("--overwrite", line.overwrite, "Replace a recording that is there already");

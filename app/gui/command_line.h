@@ -31,11 +31,11 @@ struct CommandLine {
     bool dark = false;
     bool remember = false;                    ///< of the layout, where nobody is to work with the window
     std::optional<std::pair<int, int>> size;  ///< pixels
-    std::string script, screenshot, record;
+    std::string script, screenshot, record, film;
     bool overwrite = false, printHash = false, printKeys = false;
 
     /// Somebody is to work with the window.
-    bool interactive() const { return !run && !offscreen && script.empty() && screenshot.empty(); }
+    bool interactive() const { return !run && !offscreen && script.empty() && screenshot.empty() && film.empty(); }
 };
 
 /// What it asks for, or the exit status where it has been answered: help, the version, or one line on standard error

@@ -12,24 +12,16 @@
 namespace mrose::gui {
 namespace {
 
-/// Where the last file was.
-QString folderOf(MainWindow& window) {
-    const QStringList& recent = window.memory().recentFiles();
-    for (const QString& file : recent)
-        if (const QFileInfo place(file); place.isAbsolute() && place.dir().exists()) return place.path();
-    return {};
-}
-
 QString askForFile(MainWindow& window) {
     return QFileDialog::getOpenFileName(
-        &window, QObject::tr("Open"), folderOf(window),
+        &window, QObject::tr("Open"), window.memory().lastFolder(),
         QObject::tr("What mrose opens (*.toml *.mcap *.net *.csv);;Scenarios (*.toml);;Recordings (*.mcap);;"
                     "Networks (*.net);;Results of a batch (*.csv);;All files (*)"));
 }
 
 /// A name with an extension of its kind.
 QString askForName(MainWindow& window, const QString& title, const QString& kinds, const QString& extension) {
-    QString path = QFileDialog::getSaveFileName(&window, title, folderOf(window), kinds);
+    QString path = QFileDialog::getSaveFileName(&window, title, window.memory().lastFolder(), kinds);
     if (!path.isEmpty() && QFileInfo(path).suffix().isEmpty()) path += extension;
     return path;
 }

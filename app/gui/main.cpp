@@ -8,6 +8,7 @@
 
 #include "application.h"
 #include "command_line.h"
+#include "film.h"
 #include "io/file.h"
 #include "logs/log_reader.h"
 #include "main_window.h"
@@ -15,6 +16,7 @@
 #include "plot_panel.h"
 #include "plugin/plugin_host.h"
 #include "qt_messages.h"
+#include "sequence_export.h"
 #include "shared/plugin_process.h"
 #include "shared/resources.h"
 #include "shortcut_sheet.h"
@@ -196,7 +198,8 @@ int runAlone(MainWindow& window, const CommandLine& line) {
     window.session().setBreakpoints(*breakpoints);
     if (!line.record.empty()) window.files().record(QString::fromStdString(line.record), line.overwrite);
     const bool endGiven = line.ticks || line.duration;
-    if (line.run ? endGiven || !line.at : endGiven || (line.script.empty() && line.screenshot.empty() && !line.at))
+    if (line.run ? endGiven || !line.at
+                 : endGiven || (line.script.empty() && line.screenshot.empty() && line.film.empty() && !line.at))
         runToEnd(window, line);
     if (!line.select.empty())
         if (const auto selected = select(window, line.select); !selected) return report(selected.error());
@@ -213,12 +216,16 @@ int runAlone(MainWindow& window, const CommandLine& line) {
     if (!line.screenshot.empty())
         if (const auto saved = window.saveImage(QString::fromStdString(line.screenshot)); !saved)
             return report(saved.error());
+    if (!line.film.empty())
+        if (const auto made = exportFilm(window, QString::fromStdString(line.film)); !made) return report(made.error());
     return finish(window, line, held);
 }
 
 int runWindow(const CommandLine& line) {
     if (!line.screenshot.empty())
         if (const auto free = checkWritable(line.screenshot); !free) return report(free.error());
+    if (!line.film.empty())
+        if (const auto can = checkFilm(QString::fromStdString(line.film)); !can) return report(can.error());
     if (!line.record.empty())
         if (const auto free = checkWritable(line.record, line.overwrite); !free) return report(free.error());
     MainWindow window;

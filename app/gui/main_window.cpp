@@ -24,6 +24,7 @@
 #include <cmath>
 #include <limits>
 
+#include "background_work.h"
 #include "branch_panel.h"
 #include "breakpoint_panel.h"
 #include "command_panel.h"
@@ -76,6 +77,7 @@ MainWindow::MainWindow(QWidget* parent)
       messages_(new MessageBar),
       files_(new WindowFiles(*this, *messages_)),
       memory_(new WindowMemory(*this)),
+      background_(new BackgroundWork(this)),
       progress_(new WorkProgress(*this, *messages_)),
       overlay_(new Overlay(*this)),
       reality_(new OverlayPanel(*overlay_)),
@@ -118,6 +120,7 @@ void MainWindow::makeActions() {
     addViewActions(*this);
     addLayerActions(*this);
     addPlotActions(*this);
+    addExportActions(*this);
     actions_.addSeparator(tr("&View"));
     int number = 0;
     for (QDockWidget* dock : findChildren<QDockWidget*>())
@@ -161,8 +164,11 @@ void MainWindow::connectAll() {
     });
 }
 
-/// The plots' thread looks at the session, and ends before it.
-MainWindow::~MainWindow() { delete plots_; }
+/// What looks at the session from threads of its own ends before it.
+MainWindow::~MainWindow() {
+    delete background_;
+    delete plots_;
+}
 
 void MainWindow::showPlots() { showDock("plots"); }
 

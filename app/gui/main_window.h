@@ -23,6 +23,7 @@ class MessageBar;
 
 namespace mrose::gui {
 
+class BackgroundWork;
 class BranchPanel;
 class BreakpointPanel;
 class CommandPanel;
@@ -69,6 +70,7 @@ public:
     MessageBar& messages() const { return *messages_; }
     WindowFiles& files() const { return *files_; }
     WindowMemory& memory() const { return *memory_; }
+    BackgroundWork& background() const { return *background_; }
     WorkProgress& progress() const { return *progress_; }
     void changeSpeed(int by);  ///< steps of the list of speeds
     /// Simulated seconds per second, one of the list from now on; 0: as fast as possible.
@@ -113,6 +115,7 @@ private:
     MessageBar* messages_;
     WindowFiles* files_;
     WindowMemory* memory_;
+    BackgroundWork* background_;
     WorkProgress* progress_;
     Overlay* overlay_;
     OverlayPanel* reality_;

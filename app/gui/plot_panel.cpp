@@ -21,29 +21,10 @@ namespace {
 
 constexpr int mostSideWidth = 336, leastSideWidth = 190, narrowSideWidth = 260;
 constexpr std::int64_t worthABar = 2000;  // ticks to be computed
-constexpr double leastContrast = 1.9;     // of a curve and its ground
 
-QColor groundOf(const Theme& theme) { return theme.dark ? theme.surround : QColor(Qt::white); }
-
-/// One robot's curves on one axis are told apart by their lines, and by how light they are.
-QColor variant(const QColor& colour, int which, const Theme& theme) {
-    constexpr double apart = 2.2, leastOfVariant = 2.6;  // contrasts: with the first, and with the ground
-    const auto shaded = [&](bool lighter) {
-        QColor shade = colour;
-        for (int i = 0; i < 16 && contrast(shade, colour) < apart; ++i) {
-            const QColor next = lighter ? shade.lighter(112) : shade.darker(112);
-            const double before = contrast(shade, groundOf(theme)), after = contrast(next, groundOf(theme));
-            if (after < before && after < leastOfVariant) break;
-            shade = next;
-        }
-        return shade;
-    };
-    const QColor darker = shaded(false), lighter = shaded(true);
-    const bool darkerIsFarther = contrast(darker, colour) > contrast(lighter, colour);
-    return which == 0 ? colour : darkerIsFarther == (which == 1) ? darker : lighter;
+const Reality* realityOf(const std::shared_ptr<const Shown>& shown) {
+    return shown ? shown->frame->reality.get() : nullptr;
 }
-
-constexpr std::array styles{Qt::SolidLine, Qt::DashLine, Qt::DotLine};
 
 /// The curve's line, as a legend shows it.
 QPixmap sampleOf(const PlotCurve& curve, double ratio) {
@@ -359,72 +340,47 @@ PlotCurve PlotPanel::curveOf(const ValueKey& key, const PlottedValue& value, con
     return curve;
 }
 
-/// Of the overlaid motion model that a number is of; nothing: of none.
-std::optional<std::size_t> PlotPanel::modelOf(const ValueKey& key) const {
-    if (!shown_ || !shown_->frame->reality || key.of.empty() || !readsReality(key)) return {};
-    const std::vector<Reality::ModelCourse>& models = shown_->frame->reality->models;
-    const auto found = std::find_if(models.begin(), models.end(),
-                                    [&](const Reality::ModelCourse& model) { return model.name == key.of; });
-    if (found == models.end()) return {};
-    return static_cast<std::size_t>(found - models.begin());
-}
-
-/// A model's colour and dashes, or a robot's colour; more curves of one robot on one axis differ in line and lightness.
-/// What is no robot's has none of those colours.
-std::vector<PlotPanel::Look> PlotPanel::looksOf(const std::vector<PlottedValue>& values) const {
-    std::vector<Look> looks;
-    std::map<std::pair<std::uint32_t, QString>, int> used;
-    std::map<std::pair<std::size_t, QString>, int> usedOfModels;
-    const std::array others{theme_.text, theme_.contact, theme_.accent, theme_.quietText};
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const PlottedValue& value = values[i];
-        if (const auto model = modelOf(keys_[i])) {
-            const QColor base = seenOn(groundOf(theme_), modelColour(*model), leastContrast);
-            const int which = usedOfModels[{*model, value.unit}]++ % static_cast<int>(styles.size());
-            looks.push_back({variant(base, which, theme_), modelStyle(*model)});
-            continue;
-        }
-        if (!value.colourOf) {
-            looks.push_back({others[static_cast<std::size_t>(used[{noBody, {}}]++) % others.size()]});
-            continue;
-        }
-        const QColor base = seenOn(groundOf(theme_), robotColour(*value.colourOf), leastContrast);
-        const int which = used[{*value.colourOf, value.unit}]++ % static_cast<int>(styles.size());
-        looks.push_back({variant(base, which, theme_), styles[static_cast<std::size_t>(which)]});
-    }
-    return looks;
-}
-
-void PlotPanel::rebuild() {
-    hint_->setVisible(keys_.empty());
-    view_->setVisible(!keys_.empty());
+std::vector<PlottedValue> PlotPanel::values() const {
     std::vector<PlottedValue> values;
     if (shown_)
         for (const ValueKey& key : keys_)
             values.push_back(plottedValue(*shown_->frame->scenario, key).value_or(PlottedValue{}));
-    looks_ = looksOf(values);
+    return values;
+}
+
+QString PlotPanel::ghostName() const {
+    if (!shown_ || keys_.empty()) return {};
+    const auto ghost = ghostBranch();
+    return !ghost ? QString() : *ghost == 0 ? tr("the run") : shown_->branches[*ghost].name;
+}
+
+std::vector<PlotCurve> PlotPanel::curvesIn(const Theme& theme) const {
+    if (!shown_ || keys_.empty()) return {};
+    const std::vector<PlottedValue> plotted = values();
+    const std::vector<CurveLook> looks = looksOf(keys_, plotted, realityOf(shown_), theme);
     std::vector<PlotCurve> curves;
     const auto addCurves = [&](std::uint32_t branch, bool ghost) {
         const std::vector<Piece> course = courseOf(branch);
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            PlotCurve curve = curveOf(keys_[i], values[i], course);
-            curve.colour = looks_[i].colour;
-            curve.style = looks_[i].style;
+        for (std::size_t i = 0; i < plotted.size(); ++i) {
+            PlotCurve curve = curveOf(keys_[i], plotted[i], course);
+            curve.colour = looks[i].colour;
+            curve.style = looks[i].style;
             curve.ghost = ghost;
             if (ghost) curve.id += "\nghost";
             curves.push_back(std::move(curve));
         }
     };
-    QString ghostName;
-    if (shown_ && !keys_.empty()) {
-        if (const auto ghost = ghostBranch()) {
-            addCurves(*ghost, true);
-            ghostName = *ghost == 0 ? tr("the run") : shown_->branches[*ghost].name;
-        }
-        addCurves(shown_->branch, false);
-    }
+    if (const auto ghost = ghostBranch()) addCurves(*ghost, true);
+    addCurves(shown_->branch, false);
+    return curves;
+}
+
+void PlotPanel::rebuild() {
+    hint_->setVisible(keys_.empty());
+    view_->setVisible(!keys_.empty());
+    looks_ = looksOf(keys_, values(), realityOf(shown_), theme_);
     series_->want(keys_);
-    view_->setCurves(std::move(curves), ghostName);
+    view_->setCurves(curvesIn(theme_), ghostName());
     updateList();
     if (shown_) follow();
 }

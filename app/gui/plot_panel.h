@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "curve_looks.h"
 #include "session.h"
 #include "value_series.h"
 #include "widgets/plot_view.h"
@@ -49,6 +50,11 @@ public:
 
     const std::vector<ValueKey>& keys() const { return keys_; }
     std::map<ValueKey, QColor> plotted() const;
+    /// The course whose curves are beside those of the shown one; nothing: none.
+    std::optional<std::uint32_t> ghostBranch() const;
+    QString ghostName() const;
+    /// All of them in the colours of a theme. They live as long as this.
+    std::vector<PlotCurve> curvesIn(const Theme& theme) const;
     PlotView& view() const { return *view_; }
     ValueSeries& series() const { return *series_; }
 
@@ -69,22 +75,16 @@ private:
     void dropUnknown();
     std::vector<Piece> courseOf(std::uint32_t branch) const;
     PlotCurve curveOf(const ValueKey& key, const PlottedValue& value, const std::vector<Piece>& course) const;
-    std::optional<std::uint32_t> ghostBranch() const;
+    std::vector<PlottedValue> values() const;
     void follow();
     void updateList();
     void updateNumbers();
     void updateProgress();
-    std::optional<std::size_t> modelOf(const ValueKey& key) const;
-    struct Look {
-        QColor colour;
-        Qt::PenStyle style = Qt::SolidLine;
-    };
-    std::vector<Look> looksOf(const std::vector<PlottedValue>& values) const;
 
     std::unique_ptr<ValueSeries> series_;
     std::shared_ptr<const Shown> shown_;
     std::vector<ValueKey> keys_;  ///< in the order in which they were added
-    std::vector<Look> looks_;
+    std::vector<CurveLook> looks_;
     std::optional<std::int64_t> hovered_;
     std::int64_t mostBehind_ = 0;
     Theme theme_ = Theme::light();

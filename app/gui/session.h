@@ -84,6 +84,9 @@ public:
     /// ends.
     using Look = std::function<void(TimeTravel* travel, std::uint64_t run)>;
     void look(Look what);
+    // For those whom its thread calls: what frames are made with, and how many runs were opened.
+    const TimeTravel::FrameOptions& frameOptions() const { return frameOptions_; }
+    std::uint64_t runs() const { return runs_; }
     /// Whether something is under way that was asked for, or a tick.
     bool busy();
 

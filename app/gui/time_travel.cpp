@@ -76,7 +76,6 @@ std::vector<TimelineMark> TimeTravel::marks() const {
     return marks;
 }
 
-/// One tick on in a branch's course, where it has been.
 Expected<void> TimeTravel::advance(Cursor& cursor, std::uint32_t branch) {
     const std::uint32_t owner = ownerOf(branch, cursor.tick() + 1);
     if (owner != cursor.branch()) {

@@ -51,7 +51,9 @@ public:
     const BranchRecord& record(std::uint32_t branch) const { return records_[branch]; }
     const Course& course() const { return records_[owner()].course(); }
     std::int64_t first() const { return firstOf(branch_); }
-    std::int64_t last() const { return timelineOf(branch_).last(); }
+    std::int64_t last() const { return lastOf(branch_); }
+    std::int64_t firstOf(std::uint32_t branch) const;  ///< of its course
+    std::int64_t lastOf(std::uint32_t branch) const { return timelineOf(branch).last(); }
     /// A branch's ticks in the shown branch's course.
     struct Part {
         std::uint32_t branch = 0;
@@ -77,6 +79,10 @@ public:
 
     /// To one of a branch's own ticks, without going there.
     Expected<Cursor> cursorAt(std::uint32_t branch, std::int64_t tick);
+    /// The same of a branch's course, which begins with ticks of those that it came from.
+    Expected<Cursor> courseAt(std::uint32_t branch, std::int64_t tick);
+    /// One tick on in a branch's course, where it has been.
+    Expected<void> advance(Cursor& cursor, std::uint32_t branch);
 
     /// A branch that begins with what an edit makes of a state; shown from now on. Error: its tick cannot be reached,
     /// or the state does not fit; then nothing has changed.
@@ -117,6 +123,8 @@ public:
     };
     FieldFrame frame(const FrameOptions& options) const;
     FieldFrame frame() const { return frame(FrameOptions{}); }
+    /// Of another place in the shown branch's course than the shown tick.
+    FieldFrame frameOf(const Cursor& cursor, const FrameOptions& options) const;
     /// Of the branch beside, at this tick or the nearest of its own; nothing where there is none.
     std::optional<FieldFrame> besideFrame(const FrameOptions& options) const;
 
@@ -124,9 +132,6 @@ private:
     const Timeline& timelineOf(std::uint32_t branch) const { return history_.branches()[branch].timeline; }
     /// Whose tick that is in a branch's course.
     std::uint32_t ownerOf(std::uint32_t branch, std::int64_t tick) const;
-    std::int64_t firstOf(std::uint32_t branch) const;
-    Expected<Cursor> courseAt(std::uint32_t branch, std::int64_t tick);
-    Expected<void> advance(Cursor& cursor, std::uint32_t branch);
     const std::shared_ptr<const Scenario>& scenarioOf(std::uint32_t branch) const {
         return records_[branch].course().scenario;
     }
@@ -134,7 +139,6 @@ private:
     void goOnWith(std::uint32_t branch, std::int64_t most);
     void followBeside();
     void keepTracksSmall();
-    FieldFrame frameOf(const Cursor& cursor, const FrameOptions& options) const;
     void addTrails(std::uint32_t branch, std::int64_t tick, std::size_t ticks, Trails& trails) const;
     std::vector<std::vector<Pose>> predictedPaths(const Cursor& cursor, Nanoseconds ahead) const;
     std::vector<Ghost> ghostsOf(const Cursor& cursor, std::size_t trailTicks) const;

@@ -5,6 +5,7 @@
 #include <QImage>
 #include <QPageSize>
 #include <QPdfWriter>
+#include <QStringList>
 #include <QSvgGenerator>
 
 #include "io/file.h"
@@ -55,7 +56,16 @@ bool drawPdf(QBuffer& buffer, const Picture& picture) {
     return paintOn(pdf, picture);
 }
 
+tl::unexpected<Error> noPicture(const QString& path) {
+    return fail(path.toStdString(), "is no kind of picture that can be written; expected .png, .svg or .pdf");
+}
+
 }  // namespace
+
+Expected<void> checkPicture(const QString& path) {
+    if (!QStringList{"png", "svg", "pdf"}.contains(QFileInfo(path).suffix().toLower())) return noPicture(path);
+    return checkWritable(path.toStdString());
+}
 
 Expected<void> writePicture(const Picture& picture, const QString& path, int pixels) {
     const std::string name = path.toStdString();
@@ -71,7 +81,7 @@ Expected<void> writePicture(const Picture& picture, const QString& path, int pix
     else if (extension == "pdf")
         drawn = drawPdf(buffer, picture);
     else
-        return fail(name, "is no kind of picture that can be written; expected .png, .svg or .pdf");
+        return noPicture(path);
     if (!drawn) return fail(name, "the picture could not be drawn");
     return writeFileAtomically(name, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
 }

@@ -17,8 +17,11 @@ struct Picture {
     std::function<void(QPainter&)> paint;
 };
 
-/// Writes PNG (of so many pixels a unit), SVG or PDF, as the extension says, wholly or not at all. Error: another
-/// extension; what the system says.
+/// Error unless a picture could be written there: another extension than .png, .svg or .pdf; what the system says.
+Expected<void> checkPicture(const QString& path);
+
+/// Writes PNG (of so many pixels a unit), SVG or PDF, as the extension says, wholly or not at all. Error: as
+/// checkPicture().
 Expected<void> writePicture(const Picture& picture, const QString& path, int pixels = 2);
 
 }  // namespace mrose::gui

@@ -14,6 +14,7 @@ void addBreakActions(MainWindow& window);
 void addViewActions(MainWindow& window);
 void addLayerActions(MainWindow& window);
 void addPlotActions(MainWindow& window);
+void addExportActions(MainWindow& window);
 void addHelpActions(MainWindow& window);
 
 /// At a start without arguments: what to try first, unless somebody has closed it before.

@@ -1,5 +1,6 @@
 #include "window_memory.h"
 
+#include <QDir>
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QMenu>
@@ -94,6 +95,12 @@ void WindowMemory::resetLayout() {
     window_.setWindowState(window_.windowState() & ~(Qt::WindowMaximized | Qt::WindowFullScreen));
     window_.resize(newSize_);
     window_.restoreState(newState_, layoutVersion);
+}
+
+QString WindowMemory::lastFolder() const {
+    for (const QString& file : recent_)
+        if (const QFileInfo place(file); place.isAbsolute() && place.dir().exists()) return place.path();
+    return {};
 }
 
 void WindowMemory::addRecent(const QString& file) {

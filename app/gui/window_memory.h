@@ -37,6 +37,7 @@ public:
 
     /// The latest first.
     const QStringList& recentFiles() const { return recent_; }
+    QString lastFolder() const;  ///< where the last of them is that is still there; may be empty
     void addRecent(const QString& file);
     void forgetRecent(const QString& file);
     void clearRecent();

@@ -13,6 +13,7 @@
 #include <lua.hpp>
 
 #include "condition/condition.h"
+#include "export_script.h"
 #include "main_window.h"
 #include "overlay_script.h"
 #include "plot_panel.h"
@@ -30,7 +31,7 @@ namespace mrose::gui {
 namespace {
 
 /// Of a call: what Lua gave, and gets.
-using Value = std::variant<std::monostate, bool, double, std::string>;
+using Value = ScriptValue;
 using Values = std::vector<Value>;
 
 constexpr LuaLimits scriptLimits{std::size_t{16} << 20, std::size_t{1} << 20, 1'000'000};
@@ -183,6 +184,10 @@ private:
 
     Expected<Value> call(const std::string& name, const Values& values) {
         const auto found = functions().find(name);
+        if (const auto exported = exportByScript(window_, name, values)) {
+            if (!*exported) return tl::unexpected(exported->error());
+            return Value{};
+        }
         if (found == functions().end()) return perform(name, values);
         Given given(values);
         auto answer = (this->*found->second)(given);

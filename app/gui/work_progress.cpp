@@ -1,5 +1,8 @@
 #include "work_progress.h"
 
+#include <QProgressDialog>
+
+#include "background_work.h"
 #include "main_window.h"
 #include "overlay.h"
 #include "widgets/message_bar.h"
@@ -10,7 +13,8 @@ namespace {
 
 /// What is done sooner needs no word.
 constexpr int workPatience = 300;  // ms
-constexpr const char *openingTopic = "opening", *workTopic = "work";
+constexpr const char *openingTopic = "opening", *workTopic = "work", *backgroundTopic = "background";
+constexpr int wholeShare = 1000;
 
 }  // namespace
 
@@ -28,6 +32,7 @@ WorkProgress::WorkProgress(MainWindow& window, MessageBar& messages)
     patience_.setInterval(workPatience);
     connect(&patience_, &QTimer::timeout, this, &WorkProgress::show);
     connect(&window.session(), &Session::working, this, &WorkProgress::work);
+    connect(&window.background(), &BackgroundWork::progress, this, &WorkProgress::tellBackground);
     connect(&window, &MainWindow::updated, this, [this] {
         const Shown& shown = *window_.shown();
         if (!shown.goal) return work({}, 1);
@@ -59,8 +64,30 @@ void WorkProgress::show() {
                    share_});
 }
 
+void WorkProgress::tellBackground(const QString& what, double share) {
+    if (share >= 1) {
+        messages_.remove(backgroundTopic);
+        delete dialog_;
+        return;
+    }
+    if (window_.actions().unattended()) return;
+    if (!apart_)
+        return messages_.add({MessageBar::Kind::progress,
+                              what,
+                              backgroundTopic,
+                              {{tr("Cancel"), tr("End this here (Esc)"), [this] { window_.background().cancel(); }}},
+                              share});
+    if (!dialog_) {
+        dialog_ = new QProgressDialog(what, tr("Cancel"), 0, wholeShare, &window_);
+        dialog_->setMinimumWidth(420);
+        connect(dialog_, &QProgressDialog::canceled, this, [this] { window_.background().cancel(); });
+    }
+    dialog_->setValue(static_cast<int>(share * wholeShare));
+}
+
 void WorkProgress::cancel() {
     if (window_.files().cancel()) return;
+    if (window_.background().cancel()) return;
     if (!work_.isEmpty()) return window_.session().cancel();
     if (window_.overlay().cancel()) return;
     messages_.dismiss();

@@ -87,8 +87,24 @@ Expected<PercentErrors> errorsOnFloor(const NamedModel& named, const Log& log, c
     return PercentErrors{path > 0 ? 100 * position / path : nan, rotation > 0 ? 100 * heading / rotation : nan};
 }
 
+/// Asks whether it is to go on, of the steps of all models.
+class Steps {
+public:
+    Steps(std::size_t count, const std::function<bool(double)>& goesOn) : count_(count), goesOn_(goesOn) {}
+    Expected<void> done() {
+        ++done_;
+        if (!goesOn_ || goesOn_(static_cast<double>(done_) / static_cast<double>(count_))) return {};
+        return fail("", "the evaluation was ended before its end");
+    }
+
+private:
+    std::size_t count_, done_ = 0;
+    const std::function<bool(double)>& goesOn_;
+};
+
 Expected<ModelEvaluation> evaluateModel(const NamedModel& named, const Log& log, const Evaluation& evaluation,
-                                        std::span<const Part> parts, std::span<const RelativePieces> pieces) {
+                                        std::span<const Part> parts, std::span<const RelativePieces> pieces,
+                                        Steps& steps) {
     ModelEvaluation model;
     model.name = named.name;
     const RolloutOptions options{.step = evaluation.options.windows.step};
@@ -97,11 +113,13 @@ Expected<ModelEvaluation> evaluateModel(const NamedModel& named, const Log& log,
     auto predicted = rollOut(named, log, rolloutStarts(log, evaluation.windows), robots, options);
     if (!predicted) return tl::unexpected(predicted.error());
     model.predicted = std::move(*predicted);
+    if (auto goesOn = steps.done(); !goesOn) return tl::unexpected(goesOn.error());
     compare(evaluation, parts, model);
     for (const RelativePieces& piece : pieces) {
         const auto ends = rollOut(named, log, piece.starts, piece.robots, options);
         if (!ends) return tl::unexpected(ends.error());
         model.relative.push_back(relativePoseError(piece, *ends));
+        if (auto goesOn = steps.done(); !goesOn) return tl::unexpected(goesOn.error());
     }
     const auto onFloor = errorsOnFloor(named, log, evaluation.floor, options.step);
     const auto onTurning = errorsOnFloor(named, log, evaluation.turningFloor, options.step);
@@ -185,7 +203,8 @@ Evaluation evaluated(const Log& log, std::vector<Window> windows, std::string mo
     return evaluation;
 }
 
-Expected<Evaluation> evaluate(const Log& log, std::span<const NamedModel> models, const EvaluationOptions& options) {
+Expected<Evaluation> evaluate(const Log& log, std::span<const NamedModel> models, const EvaluationOptions& options,
+                              const std::function<bool(double share)>& goesOn) {
     auto windows = findWindows(log, options.robots, options.windows);
     if (!windows) return tl::unexpected(windows.error());
     Evaluation evaluation = describe(log, std::move(*windows), options);
@@ -195,13 +214,15 @@ Expected<Evaluation> evaluate(const Log& log, std::span<const NamedModel> models
         RelativePieces piece = relativePieces(log, evaluation.windows, horizon, options.windows.step);
         if (!piece.starts.empty()) pieces.push_back(std::move(piece));
     }
+    Steps steps(models.size() * (pieces.size() + 1) + 1, goesOn);
     if (options.withFloor) {
         evaluation.floor = findFloor(log, options.robots, options.windows, options.floor);
         if (options.turningFloor.horizon < evaluation.floor->horizon)
             evaluation.turningFloor = findFloor(log, options.robots, options.windows, options.turningFloor);
     }
+    if (auto ready = steps.done(); !ready) return tl::unexpected(ready.error());
     for (const NamedModel& named : models) {
-        auto model = evaluateModel(named, log, evaluation, parts, pieces);
+        auto model = evaluateModel(named, log, evaluation, parts, pieces, steps);
         if (!model) return tl::unexpected(model.error());
         evaluation.models.push_back(std::move(*model));
     }

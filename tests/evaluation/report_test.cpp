@@ -311,5 +311,27 @@ TEST(SvgPlot, EqualScaleHasSquarePixelsAndContainsTheRanges) {
     EXPECT_THAT(plot.text(), HasSubstr("M50.00 100.00L150.00 0.00\""));
 }
 
+TEST(Evaluation, TellsHowFarItIsAndEndsWhenToldTo) {
+    const Log log = logOf({obedientTrajectory(0, 120 * second, wandering)});
+    const HeldCommandModel held(100'000'000);
+    const std::vector models{NamedModel::same("a", held), NamedModel::same("b", held)};
+    std::vector<double> shares;
+    const auto note = [&](double share) {
+        shares.push_back(share);
+        return true;
+    };
+    ASSERT_TRUE(evaluate(log, models, {}, note));
+    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+    EXPECT_EQ(shares.back(), 1);
+    EXPECT_GT(shares.size(), 2 * models.size());
+    for (std::size_t last = 1; last < shares.size(); ++last) {
+        std::size_t asked = 0;
+        const auto ended = evaluate(log, models, {}, [&](double) { return ++asked < last; });
+        ASSERT_FALSE(ended);
+        EXPECT_EQ(asked, last);
+        EXPECT_EQ(ended.error().message(), "the evaluation was ended before its end");
+    }
+}
+
 }  // namespace
 }  // namespace mrose

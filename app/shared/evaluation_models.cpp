@@ -1,11 +1,10 @@
-#include "models.h"
+#include "shared/evaluation_models.h"
 
-#include "common.h"
 #include "evaluation/format.h"
 #include "motion/kinematic_baselines.h"
 #include "version.h"
 
-namespace mrose::cli {
+namespace mrose {
 namespace {
 
 template <class MakeModel>
@@ -24,10 +23,11 @@ NamedModel named(const RobotModels& models) {
             }};
 }
 
-ReportContext reportContext(const MotionNetwork& network, const std::string& path, const Log& log) {
+ReportContext reportContext(const MotionNetwork& network, const std::string& path, const Log& log,
+                            const std::string& commandLine) {
     ReportContext context;
     context.program = "mrose " MROSE_VERSION;
-    context.commandLine = commandLine();
+    context.commandLine = commandLine;
     context.synthetic = log.synthetic;
     for (const auto& source : network.training.logs) context.trainingLogs.push_back({source.path, source.hash});
     const auto fact = [&](const char* name, std::string value) {
@@ -60,16 +60,16 @@ RobotModels learnedModels(const std::shared_ptr<const LearnedMotion>& motion, co
     return modelsOf(name, log, [&](const std::string& robot) { return std::make_unique<LearnedModel>(motion, robot); });
 }
 
-std::vector<RobotModels> kinematicBaselines(const MotionNetwork& network, const Log& log) {
+std::vector<RobotModels> kinematicModels(const MotionNetwork& network, const Log& log) {
     // A command acts when it was issued, not at the next period of some network.
     constexpr Nanoseconds period = 10'000'000;
     std::vector<RobotModels> baselines;
-    const std::vector<KinematicBaseline> named = mrose::kinematicBaselines(network, {});
+    const std::vector<KinematicBaseline> named = kinematicBaselines(network, {});
     for (std::size_t i = 0; i < named.size(); ++i)
         baselines.push_back(modelsOf(named[i].name, log, [&](const std::string& robot) {
-            return std::make_unique<KinematicModel>(mrose::kinematicBaselines(network, robot)[i].parameters, period);
+            return std::make_unique<KinematicModel>(kinematicBaselines(network, robot)[i].parameters, period);
         }));
     return baselines;
 }
 
-}  // namespace mrose::cli
+}  // namespace mrose

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <QString>
+
+#include "io/error.h"
+
+namespace mrose::gui {
+
+class MainWindow;
+
+/// What is plotted, over the stretch of time that the plots show, for paper: light, with a legend. PNG, SVG or PDF, as
+/// the extension says. Waits in the background for numbers that are being computed; see exportInBackground().
+Expected<void> exportPlots(MainWindow& window, const QString& path);
+
+/// All numbers of what is plotted, a row for each tick that is known of the shown branch or the one beside: time_s,
+/// tick, then a column for each curve with its unit, exactly as they were computed. Cells of what is unknown are empty.
+Expected<void> exportValues(MainWindow& window, const QString& path);
+
+}  // namespace mrose::gui

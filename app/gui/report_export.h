@@ -1,0 +1,21 @@
+#pragma once
+
+#include <QString>
+
+#include "io/error.h"
+#include "shared/log_comparison.h"
+#include "shared/log_evaluation.h"
+
+namespace mrose::gui {
+
+class MainWindow;
+
+/// Writes the report that `mrose evaluate --report` writes, in the background; see exportInBackground(). Error: a
+/// report is there already, without `overwrite`; the folder cannot be written.
+Expected<void> exportReport(MainWindow& window, const LogEvaluationRequest& request, const QString& folder,
+                            bool overwrite = false);
+/// That of `mrose compare --report`.
+Expected<void> exportComparison(MainWindow& window, const LogComparisonRequest& request, const QString& folder,
+                                bool overwrite = false);
+
+}  // namespace mrose::gui

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparison/compare.h"
+#include "evaluation/report.h"
+#include "scenario/scenario_file.h"
+
+namespace mrose {
+
+/// Which scenario is to be put beside which log, and which courses of it.
+struct LogComparisonRequest {
+    std::string scenario, log;
+    std::string windows = {};              ///< a file of windows, one course each; empty: a stretch
+    std::vector<std::string> robots = {};  ///< of the log, by name; empty: all that are played
+    double start = 0;                      ///< s, on the take's clock
+    std::optional<double> duration = {}, every = {};
+    std::optional<std::uint64_t> seed = {};  ///< nothing: the scenario's
+};
+
+/// How controllers in shared libraries are loaded, and what is to be told of what was loaded.
+struct LogComparisonPlugins {
+    PluginLoader load;
+    std::function<void(ScenarioParts&)> loaded = {};
+};
+
+/// What a report is written from, and what further questions are asked of.
+struct LogComparison {
+    std::shared_ptr<const Log> log;  ///< the world's
+    LogWorld world;
+    Comparison comparison;
+    ReportContext context;
+};
+
+/// Opens scenario and log, and drives the courses. `commandLine`: what the report says that it was made by. `goesOn`:
+/// see compare(). Error: a file; those of LogWorld::create(), coursesOf(), requestedCourses() and compare().
+Expected<LogComparison> compareLog(const LogComparisonRequest& request, const LogComparisonPlugins& plugins,
+                                   const std::string& commandLine,
+                                   const std::function<bool(double share)>& goesOn = {});
+
+}  // namespace mrose

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/error.h"
+#include "logs/robot_log.h"
+#include "motion/learned_model.h"
+
+namespace mrose {
+
+/// Opens a log; `drive` is for logs of wheel commands. Robots not in `robots` are left out, unless it is empty. Error:
+/// an unknown robot too.
+Expected<Log> openLog(const std::string& source, const std::vector<std::string>& robots,
+                      const std::optional<DifferentialDrive>& drive = {});
+
+/// Loads a network and makes it ready for use. Error: a period that predictions of logs cannot be made with, too.
+Expected<std::shared_ptr<const LearnedMotion>> openNetwork(const std::string& path);
+
+}  // namespace mrose

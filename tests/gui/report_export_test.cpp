@@ -1,0 +1,120 @@
+// Reports from within the window, beside those of `mrose`.
+#include "report_export.h"
+
+#include <QAction>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+
+#include <gmock/gmock.h>
+
+#include "background_work.h"
+#include "gui/export_fixture.h"
+#include "report_dialog.h"
+#include "support/places.h"
+#include "support/run_program.h"
+#include "widgets/message_bar.h"
+#include "window_script.h"
+
+namespace mrose::gui {
+namespace {
+
+using testing::HasSubstr;
+
+class ReportExportTest : public ExportTest {
+protected:
+    static std::string shippedLog() { return (sourceFolder() / "resources/logs/pioneer").string(); }
+    static std::string shippedNetwork() { return (sourceFolder() / "nets/pioneer.net").string(); }
+    std::string place(const std::string& name) const { return path(name).toStdString(); }
+    std::string run(const std::string& text) {
+        const auto outcome = runScript(window, text, "s.lua", {[](const auto&) {}, [](const auto&) {}});
+        return outcome ? "" : outcome.error().message();
+    }
+    std::string scenario() const {
+        folder.write("r.toml",
+                     "format = \"mrose robot\"\nversion = 1\nname = \"r\"\nshape = \"pioneer1.toml\"\nmass_kg = 7\n"
+                     "[motion]\nnetwork = \"pioneer.net\"\nrobot = \"reference\"\n");
+        folder.write("e.toml",
+                     "format = \"mrose environment\"\nversion = 1\nname = \"plane\"\n[floor]\n"
+                     "area_m = [[-50, -50], [50, -50], [50, 50], [-50, 50]]\n");
+        return folder
+            .write("s.toml",
+                   "format = \"mrose scenario\"\nversion = 1\nname = \"replay\"\nenvironment = \"e.toml\"\n"
+                   "duration_s = 20\n[[robot]]\nname = \"twin\"\ntype = \"r.toml\"\n"
+                   "controller = { kind = \"log_player\", log = \"x\", robot = \"reference\" }\n")
+            .string();
+    }
+};
+
+/// All files, to the last byte: the command that they tell is the same.
+TEST_F(ReportExportTest, IsTheOneOfMroseEvaluate) {
+    ASSERT_EQ(runMrose({"evaluate", shippedNetwork(), "--log", shippedLog(), "--report", place("report")}).status, 0);
+    std::filesystem::rename(folder.path() / "report", folder.path() / "theirs");
+    EXPECT_EQ(run("export_report('" + shippedLog() + "', '" + shippedNetwork() + "', '" + place("report") + "')"), "");
+    for (const char* file : {"report.html", "results.csv", "results.json", "windows.csv"}) {
+        EXPECT_GT(read(std::string("report/") + file).size(), 100u) << file;
+        EXPECT_TRUE(read(std::string("report/") + file) == read(std::string("theirs/") + file)) << file;
+    }
+}
+
+TEST_F(ReportExportTest, IsTheOneOfMroseCompare) {
+    const std::string scene = scenario();
+    ASSERT_EQ(
+        runMrose({"compare", scene, "--log", shippedLog(), "--every", "10.0", "--report", place("report")}).status, 0);
+    std::filesystem::rename(folder.path() / "report", folder.path() / "theirs");
+    EXPECT_EQ(run("export_comparison('" + scene + "', '" + shippedLog() + "', '" + place("report") + "', 10)"), "");
+    for (const char* file : {"report.html", "errors.csv", "courses.csv", "results.json"}) {
+        EXPECT_GT(read(std::string("report/") + file).size(), 100u) << file;
+        EXPECT_TRUE(read(std::string("report/") + file) == read(std::string("theirs/") + file)) << file;
+    }
+}
+
+TEST_F(ReportExportTest, WhatIsWrongIsOneLine) {
+    folder.write("there/report.html", "an earlier one");
+    const std::string log = "'" + shippedLog() + "'", network = "'" + shippedNetwork() + "'";
+    EXPECT_THAT(run("export_report(" + log + ", " + network + ", '" + place("there") + "')"),
+                HasSubstr("is there already; expected another folder"));
+    EXPECT_THAT(run("export_report(" + log + ", '" + place("no.net") + "', '" + place("new") + "')"),
+                HasSubstr("no.net: cannot be read"));
+    EXPECT_THAT(run("export_report('" + place("no.csv") + "', " + network + ", '" + place("new") + "')"),
+                HasSubstr("no.csv"));
+    EXPECT_THAT(run("export_report(" + log + ")"), HasSubstr("expected a log, a network and a folder"));
+    EXPECT_THAT(run("export_comparison('soccer.toml', " + log + ", '" + place("new") + "')"), HasSubstr("soccer"));
+    EXPECT_EQ(files(), std::vector<std::string>{"there"});
+    EXPECT_EQ(read("there/report.html"), "an earlier one");
+}
+
+TEST_F(ReportExportTest, CancelledOneLeavesNothing) {
+    ASSERT_TRUE(exportReport(window, {shippedNetwork(), shippedLog()}, path("report")));
+    window.actions()["cancel"].trigger();
+    finish();
+    EXPECT_THAT(said(), testing::ElementsAre("Not exported: cancelled"));
+    EXPECT_EQ(files(), std::vector<std::string>{});
+}
+
+TEST_F(ReportExportTest, DialogueAsksForWhatItTakes) {
+    window.actions()["export_report"].trigger();
+    auto* dialog = window.findChild<ReportDialog*>("report_dialog");
+    ASSERT_NE(dialog, nullptr);
+    EXPECT_TRUE(dialog->isVisible());
+    const auto says = [&](const char* text) {
+        for (const QLabel* label : dialog->findChildren<QLabel*>())
+            if (label->text().contains(text)) return true;
+        return false;
+    };
+    dialog->start();
+    EXPECT_TRUE(says("choose a log first"));
+    dialog->findChild<QLineEdit*>("log")->setText(QString::fromStdString(shippedLog()));
+    dialog->findChild<QLineEdit*>("network")->setText(QString::fromStdString(shippedNetwork()));
+    dialog->findChild<QLineEdit*>("folder")->setText(path("report"));
+    dialog->start();
+    EXPECT_FALSE(dialog->isVisible());
+    finish();
+    EXPECT_TRUE(isThere("report/report.html"));
+    ASSERT_EQ(said().size(), 1u);
+    EXPECT_THAT(said()[0], HasSubstr("report.html"));
+    EXPECT_EQ(window.messages().messages()[0].buttons[0].text, "Open");
+}
+
+}  // namespace
+}  // namespace mrose::gui
