@@ -4,40 +4,14 @@
 #include <optional>
 #include <vector>
 
-#include "comparison/compared_divergences.h"
 #include "job_queue.h"
 #include "overlay_models.h"
+#include "overlay_rows.h"
 #include "overlay_world.h"
 
 namespace mrose::gui {
 
 class MainWindow;
-
-/// Where the simulated robots start beside the real ones.
-struct OverlayPlan {
-    enum class Cut {
-        once,    ///< at one start
-        every,   ///< again and again, so that courses follow each other
-        windows  ///< as `mrose evaluate` cuts the log: a course for each robot and window
-    };
-    Cut cut = Cut::every;
-    double start = 0;    ///< s after the log's start; not of windows
-    double length = 10;  ///< s, of a course
-    bool operator==(const OverlayPlan&) const = default;
-};
-
-/// One robot in one course, as lists show it.
-struct OverlayRow {
-    std::size_t request = 0, robot = 0;  ///< in Overlay::requests() and LogWorld::robots()
-    Nanoseconds start = 0;               ///< on the take's clock
-    CourseUse use = CourseUse::counted;
-    double position = 0;  ///< m, time-mean; below zero where nothing is known
-    double share = 0;     ///< %: of the path; not a number where it hardly drives
-    double heading = 0;   ///< rad, time-mean; not a number where not all is known
-    std::optional<Manoeuvre> manoeuvre;
-    std::optional<Divergence> divergence;
-    bool touched = false;
-};
 
 /// A real log laid over its simulation: where the simulated robots start, what becomes of each course, and which of
 /// them the window shows as its run. Works in the background; changed() tells.
