@@ -45,6 +45,7 @@ struct FieldFrame {
     std::shared_ptr<const Reality> reality;  ///< what the real robots did at that time; may be null
 
     const Scene& scene() const { return scenario->scene(); }
+    Nanoseconds now() const { return scene().timeOf(state.tick); }
     const Pose& poseOf(std::size_t body) const { return Scenario::poseOf(state, body); }
     const std::string& nameOf(std::size_t body) const {
         const Scene& s = scene();

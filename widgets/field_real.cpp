@@ -16,8 +16,6 @@ constexpr double wayWidth = 5, wayHollow = 2.6;  // pixels
 /// Robots nearer than this (pixels; m) to their simulated ones have no line to them.
 constexpr double leastErrorPixels = 5, leastError = 0.01;
 
-Nanoseconds timeOf(const FieldFrame& frame) { return frame.scene().timeOf(frame.state.tick); }
-
 /// How far back trails reach in this frame.
 Nanoseconds trailSpan(const FieldFrame& frame) {
     const auto ticks = static_cast<std::int64_t>(frame.trails.ticks());
@@ -133,7 +131,7 @@ void drawError(const FieldCanvas& canvas, const FieldFrame& frame, const RealRob
 
 void drawRealWays(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus) {
     const QColor floor = floorColour(frame.scene().environment, canvas.theme);
-    const Nanoseconds now = timeOf(frame);
+    const Nanoseconds now = frame.now();
     canvas.painter.setBrush(Qt::NoBrush);
     for (const RealRobot& robot : realRobots(frame)) {
         const Reality::Robot& of = frame.reality->robots[robot.index];
@@ -148,7 +146,7 @@ void drawRealWays(const FieldCanvas& canvas, const FieldFrame& frame, const Fiel
 
 void drawModelWays(const FieldCanvas& canvas, const FieldFrame& frame) {
     if (!frame.reality) return;
-    const Nanoseconds now = timeOf(frame), span = trailSpan(frame);
+    const Nanoseconds now = frame.now(), span = trailSpan(frame);
     canvas.painter.setBrush(Qt::NoBrush);
     for (std::size_t m = 0; m < frame.reality->models.size(); ++m) {
         const Reality::ModelCourse& model = frame.reality->models[m];
@@ -167,7 +165,7 @@ void drawModelRobots(const FieldCanvas& canvas, const FieldFrame& frame, bool he
     for (std::size_t m = 0; m < frame.reality->models.size(); ++m)
         for (std::size_t i = 0; i < frame.reality->robots.size(); ++i) {
             const auto body = bodyOf(frame, frame.reality->robots[i]);
-            const auto pose = modelPose(frame.reality->models[m], i, timeOf(frame));
+            const auto pose = modelPose(frame.reality->models[m], i, frame.now());
             if (!body || !pose) continue;
             const Shape& shape = frame.scene().shapeOf(*body);
             if (canvas.visible(position(*pose), shape.reach))

@@ -32,15 +32,6 @@ double leastSpan(const QString& unit) { return unit == QString::fromUtf8("\u00b0
 
 }  // namespace
 
-QPen curvePen(const PlotCurve& curve) {
-    QColor colour = curve.colour;
-    if (curve.ghost) colour.setAlpha(150);
-    QPen pen(colour, curve.ghost ? 1 : 1.6, curve.style);
-    if (curve.style == Qt::DashLine) pen.setDashPattern({5, 2.5});
-    if (curve.style == Qt::DotLine) pen.setDashPattern({1.5, 2});
-    return pen;
-}
-
 struct PlotView::Band {
     QString unit;
     QCPAxisRect* rect = nullptr;

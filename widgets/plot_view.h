@@ -12,6 +12,7 @@
 #include <optional>
 #include <vector>
 
+#include "widgets/plot_curve.h"
 #include "widgets/theme.h"
 #include "world/time.h"
 
@@ -20,29 +21,6 @@ class QLabel;
 class QTimer;
 
 namespace mrose {
-
-/// Some number over the ticks. Who draws it asks for as much as is seen.
-struct PlotCurve {
-    QString id;    ///< its own
-    QString name;  ///< "red 1  speed"
-    QString unit;  ///< curves of one unit share an axis
-    QColor colour;
-    bool ghost = false;  ///< of another course: thin and pale, beside the curve of the same name
-    Qt::PenStyle style = Qt::SolidLine;
-    int decimals = 3;
-    /// Points (tick, number) between two ticks, of each `step` of them a few (curve_sampling.h).
-    std::function<void(std::int64_t from, std::int64_t to, std::int64_t step, QVector<QPointF>& points)> sample;
-    std::function<double(std::int64_t tick)> at;  ///< NaN: unknown
-};
-
-/// What curves of a unit are held against: a dashed line through (tick, number), whose last number goes on.
-struct PlotLevel {
-    QString unit;
-    QVector<QPointF> points;
-    bool operator==(const PlotLevel& other) const { return unit == other.unit && points == other.points; }
-};
-/// What it is drawn with, also in a legend.
-QPen curvePen(const PlotCurve& curve);
 
 /// Curves over one axis of time, a stack of axes for the units. It shows the tick of the timeline; press or drag asks
 /// for another. The wheel zooms the time at the mouse, the right or middle button drags it, a double click shows all.

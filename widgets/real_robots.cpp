@@ -10,15 +10,13 @@
 namespace mrose {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
-
-Nanoseconds timeOf(const FieldFrame& frame) { return frame.scene().timeOf(frame.state.tick); }
-
-QString degreesText(double radians) { return QString::number(radians / degree, 'f', 1) + QString::fromUtf8("\u00b0"); }
+QString degreesText(double radians) {
+    return QString::number(radians * 180 / std::numbers::pi, 'f', 1) + QString::fromUtf8("\u00b0");
+}
 
 std::optional<RealRobot> realRobot(const FieldFrame& frame, std::size_t index, std::optional<std::size_t> body) {
     const Reality::Robot& of = frame.reality->robots[index];
-    const Nanoseconds now = timeOf(frame);
+    const Nanoseconds now = frame.now();
     RealRobot robot{index, body, &frame.scene().shapeOf(body.value_or(0)), {}, {}, {}};
     if (const auto pose = of.poseAt(now)) {
         robot.pose = *pose;
@@ -86,7 +84,7 @@ QString modelReadout(const FieldFrame& frame, std::size_t body) {
     if (!real) return {};
     QStringList lines;
     for (const Reality::ModelCourse& model : frame.reality->models)
-        if (const auto error = frame.reality->modelError(model, real->index, timeOf(frame)))
+        if (const auto error = frame.reality->modelError(model, real->index, frame.now()))
             lines += QObject::tr("%1: %2 away").arg(QString::fromStdString(model.name), errorText(*error));
     return lines.join('\n');
 }

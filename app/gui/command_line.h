@@ -23,9 +23,9 @@ struct CommandLine {
     std::vector<std::string> robots;  ///< of the log
     std::string robotFile;
     std::vector<std::string> models;  ///< to be laid over as well
-    double pluginLimit = 2;       ///< s
-    std::optional<double> speed;  ///< simulated seconds per second; 0: as fast as possible
-    std::string select;           ///< a body's name, or its number from 1
+    double pluginLimit = 2;           ///< s
+    std::optional<double> speed;      ///< simulated seconds per second; 0: as fast as possible
+    std::string select;               ///< a body's name, or its number from 1
     std::vector<std::string> layers;
     std::vector<std::string> breaks;  ///< texts of breakpoints
     bool dark = false;

@@ -62,7 +62,7 @@ void addPlotActions(MainWindow& window) {
                                 },
                                 [&plots](const QString& text) { return plots.addExpression(text); }});
     actions.add(menu,
-                {"plot_errors", QObject::tr("Plot the &errors"), QKeySequence("Shift+R"),
+                {"plot_errors", QObject::tr("Plot &the errors"), QKeySequence("Shift+R"),
                  QObject::tr("How far the selected robot, or all, and overlaid models are from the real ones, or no "
                              "longer")},
                 [&window, &plots](bool) {

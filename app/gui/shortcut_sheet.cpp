@@ -89,7 +89,7 @@ ShortcutSheet::ShortcutSheet(const Actions& actions, QWidget* parent)
     area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     fill();
     const QSize room = screen()->availableSize().expandedTo(parent->size()) * 97 / 100;
-    resize(std::min(room.width(), mostColumns * (blockWidth_ + gap) + 2 * gap), std::min(room.height(), 740));
+    resize(std::min(room.width(), mostColumns * (blockWidth_ + gap) + 2 * gap), std::min(room.height(), 776));
 }
 
 void ShortcutSheet::search(const QString& words) {

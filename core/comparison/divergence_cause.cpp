@@ -166,6 +166,7 @@ private:
 
     /// The same of a robot whose file has no noise: its network's errors are likely up to heldOutBound().
     bool tryHeldOut() {
+        if (!options_.bound.bySteps.empty()) return true;  // it is beyond that already
         const auto* learned = dynamic_cast<const LearnedModel*>(&rerun_.model());
         if (learned == nullptr || learned->network().heldOut.windows == 0) return true;
         const DivergenceBound likely = heldOutBound(learned->network().heldOut, rerun_.course(), rerun_.step());

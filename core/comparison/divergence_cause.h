@@ -44,7 +44,8 @@ struct Diagnosis {
 struct DiagnosisOptions {
     DivergenceBound bound{};  ///< beyond which the course diverges; errors are measured in it
     std::vector<OtherModel> models{};
-    /// Of the robots' motion, per period; nothing: what their files say, or else the held-out errors of their networks.
+    /// Of the robots' motion, per period; nothing: what their files say, or else the held-out errors of
+    /// their networks (unless these are the bound).
     std::optional<MotionNoise> noise{};
     std::uint64_t seed = 1;                  ///< that of the comparison
     Nanoseconds step = 100'000'000;          ///< likewise

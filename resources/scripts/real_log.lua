@@ -1,0 +1,14 @@
+-- A log laid over its simulation: the course that is farthest off, where it leaves the real one, and why. Pictures are made in
+-- the current folder; ./demo runs this where there is no display.
+--   mrose-gui --offscreen --script real_log.lua --log MRCLAM_Dataset6
+expect(reality("windows") > 0, "courses are compared")
+worst(1)
+fit()
+select(reality("robot"))
+plot_errors()
+go_to_divergence()
+screenshot("reality.png")
+say(reality("robot"), "from", reality("start"), "s on is off by", reality("error"), "m on average")
+if reality("divergence") then
+    say("leaves the real course after", reality("divergence"), "s;", reality("cause"), reality("explained"))
+end
