@@ -11,7 +11,7 @@
 namespace mrose::gui {
 namespace {
 
-constexpr int patience = 50;  // ms, between looks at whether it is to go on
+constexpr int pipePatience = 50;  // ms, between looks at whether it is to go on
 
 QStringList ffmpegArguments(const QSize& size, double framesPerSecond, const std::filesystem::path& file) {
     const QString pixels = QString("%1x%2").arg(size.width()).arg(size.height());
@@ -79,7 +79,7 @@ Expected<void> Film::add(const QImage& frame) {
     const QImage plain = frame.convertToFormat(QImage::Format_RGB32);
     ffmpeg_.write(reinterpret_cast<const char*>(plain.constBits()), plain.sizeInBytes());
     while (ffmpeg_.state() == QProcess::Running && ffmpeg_.bytesToWrite() > 0 && goesOn_())
-        ffmpeg_.waitForBytesWritten(patience);
+        ffmpeg_.waitForBytesWritten(pipePatience);
     said_ += ffmpeg_.readAllStandardError();
     if (ffmpeg_.state() != QProcess::Running) return broken();
     return {};
@@ -87,7 +87,7 @@ Expected<void> Film::add(const QImage& frame) {
 
 Expected<bool> Film::finish() {
     ffmpeg_.closeWriteChannel();
-    while (ffmpeg_.state() == QProcess::Running && goesOn_()) ffmpeg_.waitForFinished(patience);
+    while (ffmpeg_.state() == QProcess::Running && goesOn_()) ffmpeg_.waitForFinished(pipePatience);
     if (ffmpeg_.state() == QProcess::Running) return false;
     if (ffmpeg_.exitStatus() != QProcess::NormalExit || ffmpeg_.exitCode() != 0) return broken();
     QFile whole(QString::fromStdString(file_.beside().string()));

@@ -200,9 +200,9 @@ Outcome writeValues(ValueTable table, Session& session, const std::string& path,
         const auto span = walk.known(goesOn);
         if (!span) return tl::unexpected(span.error());
         if (!*span) return false;
-        const auto [first, last] = **span;
+        const std::int64_t first = (*span)->first;
         course.first = first;
-        std::vector<std::int64_t> ticks(static_cast<std::size_t>(last - first + 1));
+        std::vector<std::int64_t> ticks(static_cast<std::size_t>((*span)->last - first + 1));
         std::iota(ticks.begin(), ticks.end(), first);
         ValueReader reader(table, course);
         const auto visit = [&](const TimeTravel& travel, const Cursor& at) {

@@ -22,7 +22,7 @@ namespace {
 
 constexpr int lineWidth = 380;
 
-std::string words(const QLineEdit* line) { return line->text().trimmed().toStdString(); }
+std::string textOf(const QLineEdit* line) { return line->text().trimmed().toStdString(); }
 
 std::vector<std::string> listFrom(const QLineEdit* line) {
     std::vector<std::string> list;
@@ -153,7 +153,7 @@ ReportDialog* showReportDialog(MainWindow& window) {
                                          QObject::tr("Where report.html and its tables go; made if need be"));
     dialog->setAction([=, &window]() -> Expected<void> {
         if (auto all = needed({{log, "a log"}, {network, "a network"}, {folder, "a folder"}}); !all) return all;
-        LogEvaluationRequest request{words(network), words(log), listFrom(robots), listFrom(against)};
+        LogEvaluationRequest request{textOf(network), textOf(log), listFrom(robots), listFrom(against)};
         return exportReport(window, request, folder->text().trimmed(), dialog->replaces());
     });
     dialog->show();
@@ -180,14 +180,14 @@ ReportDialog* showComparisonDialog(MainWindow& window) {
                                          QObject::tr("Where report.html and its tables go; made if need be"));
     dialog->setAction([=, &window]() -> Expected<void> {
         if (auto all = needed({{scenario, "a scenario"}, {log, "a log"}, {folder, "a folder"}}); !all) return all;
-        LogComparisonRequest request{words(scenario), words(log)};
+        LogComparisonRequest request{textOf(scenario), textOf(log)};
         request.robots = listFrom(robots);
         if (!every->text().trimmed().isEmpty()) {
             bool number = false;
             const double seconds = every->text().trimmed().toDouble(&number);
             if (!number || !(seconds >= 0.1 && seconds <= 1e7))
                 return fail(
-                    "", "starting again every \"" + words(every) + "\" s makes no sense; expected 0.1 at the least");
+                    "", "starting again every \"" + textOf(every) + "\" s makes no sense; expected 0.1 at the least");
             request.every = seconds;
         }
         return exportComparison(window, request, folder->text().trimmed(), dialog->replaces());
