@@ -356,7 +356,7 @@ Expected<bool> Breakpoints::learn(const TimeTravel& run) {
         if (!fails) open.push_back(question);
     }
     if (open.empty()) return false;
-    const auto more = BreakSearch(run, *judge_).learn(open);
+    Expected<bool> more = BreakSearch(run, *judge_).learn(open);
     if (more && *more) ++version_;
     return more;
 }

@@ -37,7 +37,7 @@ QPixmap sampleOf(const PlotCurve& curve, double ratio) {
     pen.setWidthF(2.4);
     pen.setCapStyle(Qt::FlatCap);
     painter.setPen(pen);
-    painter.drawLine(QPointF(0, height / 2), QPointF(width - 2, height / 2));
+    painter.drawLine(QPointF(0, height / 2.0), QPointF(width - 2, height / 2.0));
     return sample;
 }
 

@@ -94,10 +94,13 @@ std::string errorLinesFigure(const Comparison& comparison, ErrorKind kind, const
         drawBound(plot, position ? 100 * bound.position : degrees * bound.heading, most, "bound");
     }
     for (std::size_t i = lines.size(); i-- > 0;) plot.line(lines[i], seriesClass(i));
-    for (std::size_t i = 0; i < comparison.courses.size() && comparison.requests.size() == 1; ++i)
-        if (const auto left = stepLeft(comparison, i, divergences);
-            left && (position ? divergences->of(i)->divergence.byPosition : divergences->of(i)->divergence.byHeading))
+    for (std::size_t i = 0; i < comparison.courses.size() && comparison.requests.size() == 1; ++i) {
+        const CourseDivergence* of = divergences != nullptr ? divergences->of(i) : nullptr;
+        const auto left = stepLeft(comparison, i, divergences);
+        if (of == nullptr || !left) continue;
+        if (position ? of->divergence.byPosition : of->divergence.byHeading)
             plot.circle(lines[comparison.courses[i].robot][*left + 1], 5.5, "leaves");
+    }
     return plot.text();
 }
 

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Makes the README's pictures of the window, from window.lua: make_window.sh [FOLDER]. Needs no display; ./demo or ./check
+# Makes the README's pictures of the window, from window.lua and, with the real logs, reality.lua: make_window.sh [FOLDER]. Needs no display; ./demo or ./check
 # have built the program. With ImageMagick they have a palette, and a third of the bytes.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
@@ -7,7 +7,14 @@ program=${MROSE_GUI:-$here/../../build/mrose-gui}
 program=$(cd "$(dirname "$program")" && pwd)/$(basename "$program")
 cd "${1:-$here}"
 "$program" --offscreen --size 1280x800 --script "$here/window.lua"
-for picture in window.png window_dark.png; do
+pictures="window.png window_dark.png"
+# The real logs are not part of mrose.
+log=${MROSE_DATA:-}/mrclam/MRCLAM_Dataset6
+if [ -d "$log" ]; then
+    "$program" --offscreen --size 1360x850 --script "$here/reality.lua" --log "$log"
+    pictures="$pictures reality.png"
+fi
+for picture in $pictures; do
     if command -v convert >/dev/null; then convert "$picture" +dither -colors 255 -strip "PNG8:$picture"; fi
     echo "$PWD/$picture"
 done
