@@ -209,7 +209,8 @@ Expected<std::vector<std::int64_t>> sequenceTicks(const SequenceSettings& settin
     if (!(frames <= mostFrames))
         return fail("", "these are more than 200000 frames; expected a shorter stretch, or a higher speed");
     std::vector<std::int64_t> ticks;
-    for (double k = 0; k < frames; ++k) ticks.push_back(std::llround((from + k * apart) / toSeconds(tickLength)));
+    for (std::int64_t k = 0; k < static_cast<std::int64_t>(frames); ++k)
+        ticks.push_back(std::llround((from + static_cast<double>(k) * apart) / toSeconds(tickLength)));
     return ticks;
 }
 
