@@ -44,10 +44,10 @@ OpenRequest requestOf(const CommandLine& line) {
 
 /// A log given as FILE or with --log is laid over its simulation; --run and recordings are opened as they are.
 std::optional<OverlayRequest> overlayOf(const CommandLine& line) {
-    const std::string place = logPlaceOf(line.file);
+    const std::string place = placeOfLog(line.file);
     const bool isLog = !line.file.empty() && looksLikeLog(place);
     if (line.run || (!isLog && line.log.empty())) return {};
-    return OverlayRequest{isLog ? place : logPlaceOf(line.log),
+    return OverlayRequest{isLog ? place : placeOfLog(line.log),
                           isLog ? "" : line.file,
                           line.robotFile,
                           line.robots,

@@ -6,6 +6,7 @@
 #include "overlay.h"
 #include "overlay_panel.h"
 #include "overlay_strip.h"
+#include "shared/resources.h"
 #include "widgets/field_view.h"
 #include "window_actions.h"
 
@@ -21,7 +22,7 @@ QString askForLog(MainWindow& window) {
 }
 
 Expected<void> openLogAt(MainWindow& window, const QString& path) {
-    const OverlayRequest request{logPlaceOf(path.toStdString()), ""};
+    const OverlayRequest request{placeOfLog(path.toStdString()), ""};
     if (window.actions().unattended()) return window.overlay().openNow(request);
     window.overlay().open(request);
     return {};

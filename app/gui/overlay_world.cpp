@@ -1,14 +1,12 @@
 #include "overlay_world.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 
 #include "comparison/course_descriptions.h"
 #include "comparison/log_scenario.h"
 #include "io/file.h"
 #include "logs/log_reader.h"
-#include "motion/learned_model.h"
 #include "scenario/scenario_file.h"
 #include "shared/notices.h"
 #include "shared/opening.h"
@@ -37,16 +35,6 @@ Expected<std::shared_ptr<const Log>> logAt(const std::string& place, const std::
     return std::make_shared<const Log>(std::move(*log));
 }
 
-/// The networks that a scenario's log players move by.
-std::vector<const MotionNetwork*> networksPlayed(const ScenarioParts& parts) {
-    std::vector<const MotionNetwork*> networks;
-    for (const LogPlayer& player : parts.players)
-        if (const auto* learned = dynamic_cast<const LearnedModel*>(&parts.scene.modelOf(player.robot)))
-            if (std::find(networks.begin(), networks.end(), &learned->network()) == networks.end())
-                networks.push_back(&learned->network());
-    return networks;
-}
-
 Expected<LoadedScenario> withoutLogs(const std::string& name, DescriptionSource& source, const OverlayRequest& request,
                                      std::map<std::string, std::string>& files) {
     const PluginLoader isolated = [&](const std::string& path,
@@ -67,7 +55,7 @@ Expected<LoadedScenario> withoutLogs(const std::string& name, DescriptionSource&
 Expected<LoadedScenario> scenarioNamed(OverlayWorld& overlay, std::shared_ptr<const Log>& log,
                                        const OpenProgress& progress) {
     const OverlayRequest& request = overlay.request;
-    DiskDescriptions source = openDescriptions(request.log.empty() ? "" : logPlaceOf(request.log));
+    DiskDescriptions source = openDescriptions(request.log.empty() ? "" : placeOfLog(request.log));
     LayeredDescriptions kept(request.kept ? request.kept->texts : std::map<std::string, std::string>{}, source);
     auto loaded = withoutLogs(request.kept ? request.kept->scenario : request.scenario, kept, request, overlay.files);
     if (!loaded) return loaded;
@@ -80,7 +68,7 @@ Expected<LoadedScenario> scenarioNamed(OverlayWorld& overlay, std::shared_ptr<co
                                                     "\" was not found; expected it in the folder that MROSE_DATA "
                                                     "names, or another one by --log");
     overlay.place = fullPath(place->string());
-    const auto networks = networksPlayed(loaded->parts);
+    const auto networks = networksOf(loaded->parts);
     auto read = logAt(overlay.place, networks.empty() ? std::nullopt : networks.front()->drive, progress);
     if (!read) return tl::unexpected(read.error());
     log = std::move(*read);
@@ -91,7 +79,7 @@ Expected<LoadedScenario> scenarioNamed(OverlayWorld& overlay, std::shared_ptr<co
 Expected<LoadedScenario> scenarioMade(OverlayWorld& overlay, std::shared_ptr<const Log>& log,
                                       const OpenProgress& progress) {
     const OverlayRequest& request = overlay.request;
-    overlay.place = fullPath(logPlaceOf(request.log));
+    overlay.place = fullPath(placeOfLog(request.log));
     auto read = logAt(overlay.place, {}, progress);
     if (!read) return tl::unexpected(read.error());
     log = std::move(*read);
@@ -101,7 +89,7 @@ Expected<LoadedScenario> scenarioMade(OverlayWorld& overlay, std::shared_ptr<con
     LayeredDescriptions source(made->texts, disk);
     auto loaded = withoutLogs(made->scenario, source, request, overlay.files);
     if (!loaded) return loaded;
-    const auto networks = networksPlayed(loaded->parts);
+    const auto networks = networksOf(loaded->parts);
     if (networks.empty() || !networks.front()->drive) return loaded;
     // Wheel commands are read by the geometry that the network was learned with.
     auto again = logAt(overlay.place, networks.front()->drive, progress);
@@ -152,7 +140,7 @@ Expected<OverlayWorldPointer> openOverlayWorld(const OverlayRequest& request, co
     opening.descriptions = {loaded->name, std::move(loaded->texts)};
     opening.seed = request.seed.value_or(loaded->parts.seed);
     const std::vector<std::string> shared = sharedRobots(request, loaded->parts, *opening.log);
-    const auto networks = networksPlayed(loaded->parts);
+    const auto networks = networksOf(loaded->parts);
     auto world = LogWorld::create(std::move(loaded->parts), *opening.log, shared);
     if (!world) {
         if (world.error().file.empty()) world.error().file = loaded->name;
@@ -183,16 +171,6 @@ Expected<OpenRun> openCourse(const OverlayWorld& overlay, const CourseRequest& c
     run.reality = std::make_shared<const Reality>(realityOf(world, overlay.log, course.take, course.start));
     run.files = overlay.files;
     return run;
-}
-
-std::string logPlaceOf(const std::string& named) {
-    std::error_code ignored;
-    const char* const data = std::getenv("MROSE_DATA");
-    if (fs::exists(named, ignored) || data == nullptr || *data == '\0') return named;
-    for (const fs::path& place :
-         {fs::path(data) / named, fs::path(data) / "mrclam" / named, fs::path(data) / "drive" / named})
-        if (fs::exists(place, ignored)) return place.string();
-    return named;
 }
 
 }  // namespace mrose::gui

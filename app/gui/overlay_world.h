@@ -47,7 +47,4 @@ Expected<OverlayWorldPointer> openOverlayWorld(const OverlayRequest& request, co
 /// the log's end, and not to the course's alone. Error: as of describeCourse(); no robot has ground truth there.
 Expected<OpenRun> openCourse(const OverlayWorld& overlay, const CourseRequest& course, bool goesOn);
 
-/// Where a log lies: as it is named, or in the folder that MROSE_DATA names; as it is named where it is nowhere.
-std::string logPlaceOf(const std::string& named);
-
 }  // namespace mrose::gui

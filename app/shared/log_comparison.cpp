@@ -11,16 +11,6 @@
 namespace mrose {
 namespace {
 
-/// The networks that the scenario's log players move by.
-std::vector<const MotionNetwork*> networksOf(const ScenarioParts& parts) {
-    std::vector<const MotionNetwork*> networks;
-    for (const LogPlayer& player : parts.players)
-        if (const auto* learned = dynamic_cast<const LearnedModel*>(&parts.scene.modelOf(player.robot)))
-            if (std::find(networks.begin(), networks.end(), &learned->network()) == networks.end())
-                networks.push_back(&learned->network());
-    return networks;
-}
-
 /// What must be known before the figures are believed. `asked`: how long a course was to be.
 std::vector<std::string> noticesAbout(const LogWorld& world, const Comparison& comparison,
                                       std::optional<Nanoseconds> asked) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "motion/learned_model.h"
+
 namespace mrose {
 namespace {
 
@@ -40,6 +42,15 @@ std::string ofKnownLog(const MotionNetwork& network, const Log& log) {
 }
 
 }  // namespace
+
+std::vector<const MotionNetwork*> networksOf(const ScenarioParts& parts) {
+    std::vector<const MotionNetwork*> networks;
+    for (const LogPlayer& player : parts.players)
+        if (const auto* learned = dynamic_cast<const LearnedModel*>(&parts.scene.modelOf(player.robot)))
+            if (std::find(networks.begin(), networks.end(), &learned->network()) == networks.end())
+                networks.push_back(&learned->network());
+    return networks;
+}
 
 std::string robotKind(const Log& log) {
     if (log.format == "mrclam") return "irobot-create";

@@ -5,11 +5,15 @@
 
 #include "logs/robot_log.h"
 #include "motion/motion_network.h"
+#include "scenario/scenario.h"
 
 namespace mrose {
 
 /// The kind of robot that a log's format tells; "" where it tells none.
 std::string robotKind(const Log& log);
+
+/// The networks that a scenario's log players move by, each once.
+std::vector<const MotionNetwork*> networksOf(const ScenarioParts& parts);
 
 /// What must be known of a network and a log before the errors of the one on the other are believed, a sentence each:
 /// another kind of robot, robots that it was not learned from, a log that it was learned from. `heldOutOnly`: the log

@@ -15,7 +15,7 @@ bool holdsResources(const std::filesystem::path& folder) {
 std::vector<std::filesystem::path> dataFolders() {
     const char* const data = std::getenv("MROSE_DATA");
     if (data == nullptr || *data == '\0') return {};
-    return {data, std::filesystem::path(data) / "mrclam"};
+    return {data, std::filesystem::path(data) / "mrclam", std::filesystem::path(data) / "drive"};
 }
 
 }  // namespace

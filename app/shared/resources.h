@@ -11,8 +11,8 @@ namespace mrose {
 /// share/mrose beside the program's folder, where it is installed, or the source tree in which it was built.
 std::filesystem::path resourceFolder();
 
-/// Where a log of that name is: as it is named; otherwise in the folder that MROSE_DATA names, or in mrclam/ there; as
-/// it is named, too, where it is nowhere.
+/// Where a log of that name is: as it is named; otherwise in the folder that MROSE_DATA names, or in mrclam/ or drive/
+/// there; as it is named, too, where it is nowhere.
 std::string placeOfLog(const std::string& name);
 
 /// Description files on disk. `log`, unless it is empty, is read instead of the logs that scenarios name.

@@ -19,6 +19,7 @@
 #include "overlay_panel.h"
 #include "plot_panel.h"
 #include "recording/recording.h"
+#include "shared/resources.h"
 #include "support/places.h"
 #include "synthetic/log_generator.h"
 #include "widgets/course_strip.h"
@@ -395,12 +396,12 @@ protected:
     void SetUp() override {
         const char* const data = std::getenv("MROSE_DATA");
         if (data == nullptr || *data == '\0') GTEST_SKIP() << "MROSE_DATA is not set";
-        if (!looksLikeLog(logPlaceOf("MRCLAM_Dataset6"))) GTEST_SKIP() << "no MRCLAM data set 6";
+        if (!looksLikeLog(placeOfLog("MRCLAM_Dataset6"))) GTEST_SKIP() << "no MRCLAM data set 6";
     }
 };
 
 TEST_F(MrclamOverlayTest, WorstWindowLeavesTheRealCourseForAReason) {
-    ASSERT_NO_FATAL_FAILURE(openLog(logPlaceOf("MRCLAM_Dataset6"), {OverlayPlan::Cut::every, 0, 10}));
+    ASSERT_NO_FATAL_FAILURE(openLog(placeOfLog("MRCLAM_Dataset6"), {OverlayPlan::Cut::every, 0, 10}));
     EXPECT_EQ(overlay.world()->world().robots().size(), 5u);
     const Comparison alone = comparedAlone(overlay);
     EXPECT_EQ(overlay.comparison()->all.counted.p, alone.all.counted.p);
