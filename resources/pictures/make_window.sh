@@ -1,6 +1,6 @@
 #!/bin/sh
-# Makes the README's pictures of the window, from window.lua and, with the real logs, reality.lua: make_window.sh [FOLDER]. Needs no display; ./demo or ./check
-# have built the program. With ImageMagick they have a palette, and a third of the bytes.
+# Makes the README's pictures of the window, from window.lua and, with the real logs, reality.lua: make_window.sh [FOLDER].
+# Needs no display; ./demo or ./check have built the program. With ImageMagick they have a palette, and a third of the bytes.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 program=${MROSE_GUI:-$here/../../build/mrose-gui}
