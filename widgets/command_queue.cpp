@@ -117,7 +117,7 @@ QString CommandQueue::textOf(const Instant& instant) const {
         return until > 0 ? tr("%1, in %2 ms").arg(when).arg((until + millisecond / 2) / millisecond)
                          : tr("%1, now").arg(when);
     };
-    return tr("%1 m/s, %2 rad/s\ntold at %3\nforward speed takes effect at %4\nrotation takes effect at %5")
+    return tr("%1 m/s, %2 rad/s\ntold at %3\nforward speed takes effect at %4\nturning takes effect at %5")
         .arg(instant.command.v, 0, 'f', 4)
         .arg(instant.command.w, 0, 'f', 4)
         .arg(clockText(instant.issued), effect(instant.untilV, content_.deadTimes.v),
@@ -162,9 +162,9 @@ void CommandQueue::paintLane(QPainter& painter, bool rotation) const {
     painter.setPen(theme_.line);
     painter.drawLine(QPointF(now, zero), QPointF(end, zero));
     QColor fill = seenOn(theme_.dark ? theme_.surround : QColor(Qt::white),
-                         content_.colour.isValid() ? content_.colour : theme_.accent, theme_.dark ? 2.5 : 1);
+                         content_.colour.isValid() ? content_.colour : theme_.accent, theme_.dark ? 2.5 : 1.7);
     QColor separator = theme_.quietText;
-    fill.setAlpha(theme_.dark ? 110 : 120);
+    fill.setAlpha(theme_.dark ? 80 : 120);
     separator.setAlpha(90);
     const auto untilOf = [&](const Instant& instant) { return rotation ? instant.untilW : instant.untilV; };
     for (std::size_t i = 0; i < instants_.size() && deadTime > 0; ++i) {
@@ -190,9 +190,11 @@ void CommandQueue::paintLane(QPainter& painter, bool rotation) const {
         }
         const QString number = fixedText(value, 2);
         if (untilOf(instant) <= 0 || painter.fontMetrics().horizontalAdvance(number) + 5 > next - x) continue;
-        painter.setPen(number == fixedText(before, 2) ? theme_.quietText : theme_.text);
-        painter.drawText(QRectF(x + 3, value >= 0 && level - 13 >= box.top() ? level - 13 : level + 1, next - x, 12),
-                         Qt::AlignLeft | Qt::AlignVCenter, number);
+        const bool above = value >= 0 && level - 13 >= box.top();
+        // On the bar itself nothing is quiet.
+        painter.setPen(above && number == fixedText(before, 2) ? theme_.quietText : theme_.text);
+        painter.drawText(QRectF(x + 3, above ? level - 13 : level + 1, next - x, 12), Qt::AlignLeft | Qt::AlignVCenter,
+                         number);
     }
     painter.setBrush(Qt::NoBrush);
     painter.setPen(theme_.line);

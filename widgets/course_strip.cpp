@@ -1,14 +1,14 @@
 #include "widgets/course_strip.h"
 
-#include <QHelpEvent>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QToolTip>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "widgets/field_readout.h"
 #include "widgets/timeline_bar.h"
+#include "widgets/tool_tip.h"
 
 namespace mrose {
 namespace {
@@ -17,10 +17,6 @@ namespace {
 constexpr double stripMargin = 18, legendWidth = 168, cellsTop = 18, cellsHeight = 15;
 /// The colours reach up to an error that so many courses stay below: one outlier does not make all others alike.
 constexpr double colouredShare = 0.95;
-
-QString errorText(double metres) {
-    return metres < 1 ? QString::number(100 * metres, 'f', 1) + " cm" : QString::number(metres, 'f', 2) + " m";
-}
 
 }  // namespace
 
@@ -92,7 +88,7 @@ QString CourseStrip::textAt(double pixel) const {
     if (cell == nullptr) return tr("No course begins here: there is no ground truth, or the robot stands");
     const QString where = tr("%1 to %2").arg(clockText(cell->from), clockText(cell->to));
     if (!std::isfinite(cell->error)) return tr("%1: no ground truth").arg(where);
-    QString text = tr("%1: %2 off on average").arg(where, errorText(cell->error));
+    QString text = tr("%1: %2 off on average").arg(where, lengthText(cell->error));
     if (cell->diverges)
         text += tr(", leaves the real course after %1 s").arg(toSeconds(*cell->diverges - cell->from), 0, 'f', 1);
     return text;
@@ -145,7 +141,7 @@ void CourseStrip::paintLegend(QPainter& painter) const {
     painter.setPen(theme_.quietText);
     painter.drawText(QRectF(left - 46, cellsTop, 40, cellsHeight), Qt::AlignRight | Qt::AlignVCenter, tr("0 cm"));
     painter.drawText(QRectF(left + bar + 6, cellsTop, 70, cellsHeight), Qt::AlignLeft | Qt::AlignVCenter,
-                     errorText(worst_));
+                     lengthText(worst_));
 }
 
 void CourseStrip::paintEvent(QPaintEvent* /*event*/) {
@@ -170,12 +166,7 @@ void CourseStrip::mousePressEvent(QMouseEvent* event) {
 }
 
 bool CourseStrip::event(QEvent* event) {
-    if (event->type() == QEvent::ToolTip) {
-        const auto* help = static_cast<QHelpEvent*>(event);
-        QToolTip::showText(help->globalPos(), textAt(help->pos().x()), this);
-        return true;
-    }
-    return QWidget::event(event);
+    return showToolTip(event, *this, [this](int pixel) { return textAt(pixel); }) || QWidget::event(event);
 }
 
 }  // namespace mrose

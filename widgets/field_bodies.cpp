@@ -11,7 +11,7 @@ namespace {
 /// Bodies smaller than this (pixels) are dots.
 constexpr double leastDetail = 5;
 
-constexpr double ringGap = 6, knobStalk = 8;  // pixels
+constexpr double ringGap = 6, elsewhereGap = 3, knobStalk = 8;  // pixels
 
 /// A body that is too small for its shape: in its robot's colour, with a line to where it faces.
 void drawDot(const FieldCanvas& canvas, const FieldFrame& frame, std::size_t body, double reach, bool heading) {
@@ -19,7 +19,8 @@ void drawDot(const FieldCanvas& canvas, const FieldFrame& frame, std::size_t bod
     const Pose& pose = frame.poseOf(body);
     const QPointF at = canvas.at(position(pose));
     const double radius = std::max(2.0, canvas.pixels(reach));
-    const QColor colour = robot ? robotColour(body) : toQColor(frame.scene().shapeOf(body).parts.front().colour);
+    const QColor colour =
+        robot ? robotColour(frame.scene(), body) : toQColor(frame.scene().shapeOf(body).parts.front().colour);
     canvas.painter.setPen(Qt::NoPen);
     canvas.painter.setBrush(colour);
     canvas.painter.drawRect(QRectF(at - QPointF(radius, radius), QSizeF(2 * radius, 2 * radius)));
@@ -32,7 +33,7 @@ void drawDot(const FieldCanvas& canvas, const FieldFrame& frame, std::size_t bod
 void drawRim(const FieldCanvas& canvas, const FieldFrame& frame, std::size_t body) {
     const Shape& shape = frame.scene().shapeOf(body);
     const double width = std::clamp(0.14 * canvas.pixels(shape.reach), 1.5, 4.0);
-    const QColor colour = robotColour(body);
+    const QColor colour = robotColour(frame.scene(), body);
     canvas.outline(shape, frame.poseOf(body), roundPen(withAlpha(setOff(colour), 150), 2 * width + 2));
     canvas.outline(shape, frame.poseOf(body), roundPen(colour, 2 * width));
 }
@@ -44,6 +45,21 @@ void ring(const FieldCanvas& canvas, const FieldFrame& frame, std::size_t body, 
         canvas.painter.setPen(pen);
         canvas.painter.drawEllipse(canvas.at(position(frame.poseOf(body))), radius, radius);
     }
+}
+
+/// A thin ring, and a line to where the body is in the other course.
+void drawElsewhere(const FieldCanvas& canvas, const FieldFrame& frame, std::size_t body, const Point& there) {
+    const Pose& pose = frame.poseOf(body);
+    const double radius = canvas.pixels(frame.scene().shapeOf(body).reach) + elsewhereGap;
+    const QPointF from = canvas.at(position(pose)), along = canvas.at(there) - from;
+    const double size = std::hypot(along.x(), along.y());
+    canvas.painter.setBrush(Qt::NoBrush);
+    for (const QPen& pen : {roundPen(canvas.theme.halo, 3), roundPen(canvas.theme.onFloor, 1.2)}) {
+        canvas.painter.setPen(pen);
+        canvas.painter.drawEllipse(from, radius, radius);
+    }
+    if (size > radius)
+        canvas.casedLine(from + radius / size * along, canvas.at(there), roundPen(canvas.theme.onFloor, 1.2));
 }
 
 void drawKnob(const FieldCanvas& canvas, const FieldFrame& frame, std::size_t robot) {
@@ -69,6 +85,11 @@ void drawMoved(const FieldCanvas& canvas, const FieldFrame& frame, std::size_t b
 }
 
 }  // namespace
+
+bool FieldFocus::isQuiet(std::size_t body) const {
+    const bool looked = selected == body || hovered == body;
+    return !lit.empty() && !looked && std::find(lit.begin(), lit.end(), body) == lit.end();
+}
 
 bool hasKnob(const FieldFrame& frame, const FieldFocus& focus) {
     return focus.turnable && !focus.moved && focus.selected && *focus.selected < frame.state.robots.size();
@@ -106,13 +127,16 @@ void drawBodies(const FieldCanvas& canvas, const FieldFrame& frame, bool heading
         if (robot && !many) drawRim(canvas, frame, body);
         canvas.shape(shape, frame.poseOf(body), !many);
         if (!robot) continue;
-        if (headings) canvas.heading(shape, frame.poseOf(body), many ? robotColour(body) : QColor(255, 255, 255));
+        if (headings)
+            canvas.heading(shape, frame.poseOf(body), many ? robotColour(frame.scene(), body) : QColor(255, 255, 255));
     }
     canvas.painter.setRenderHint(QPainter::Antialiasing);
 }
 
 void drawFocus(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus) {
     const std::size_t count = frame.scene().bodyCount();
+    for (std::size_t body = 0; body < std::min(count, focus.elsewhere.size()); ++body)
+        if (focus.elsewhere[body]) drawElsewhere(canvas, frame, body, *focus.elsewhere[body]);
     if (focus.hovered && *focus.hovered < count && focus.hovered != focus.selected)
         ring(canvas, frame, *focus.hovered, withAlpha(canvas.theme.accent, 150), 1);
     if (!focus.selected || *focus.selected >= count) return;

@@ -16,6 +16,12 @@ struct FieldFocus {
     std::optional<std::size_t> selected, hovered;  ///< bodies
     std::optional<Pose> moved;                     ///< where the selected body is being dragged to
     bool turnable = false;                         ///< the selected robot has a knob to be turned by
+    std::vector<std::size_t> lit;                  ///< bodies that an answer is about: all others are quiet; or none
+    /// Where each body is in another course that is looked at beside this one; nothing: at the same place.
+    std::vector<std::optional<Point>> elsewhere;
+    QRectF covered;  ///< pixels over which something else lies: nothing to be read is drawn there
+
+    bool isQuiet(std::size_t body) const;
 };
 
 /// Where that knob is: before the robot, on a short stalk.
@@ -36,6 +42,8 @@ struct FieldLabel {
     QColor colour;
     std::optional<QColor> chip;  ///< the colour that its robot is known by
     bool first = false;          ///< chooses its place before others
+    bool last = false;           ///< chooses it after others
+    bool quiet = false;          ///< drawn faintly
     bool note = false;  ///< what a robot thinks, not what is there: slanted, with the sign of a note for a chip
 };
 
@@ -74,7 +82,8 @@ void addRealNames(const FieldCanvas& canvas, const FieldFrame& frame, const Fiel
 void drawBeliefs(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus);
 void drawNotes(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus,
                std::vector<FieldLabel>& labels);
-void drawContacts(const FieldCanvas& canvas, const FieldFrame& frame, std::vector<FieldLabel>& labels);
+void drawContacts(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus,
+                  std::vector<FieldLabel>& labels);
 void drawKicks(const FieldCanvas& canvas, const FieldFrame& frame, std::vector<FieldLabel>& labels);
 
 void addNames(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus,

@@ -42,6 +42,7 @@ struct FieldFrame {
     std::vector<std::vector<Pose>> predicted;  ///< of each robot, if all go on as commanded; may be empty
     Nanoseconds predictedStep = 0;             ///< between those
     std::vector<Ghost> ghosts;
+    std::vector<std::uint32_t> failed;       ///< robots whose controllers have failed up to here
     std::shared_ptr<const Reality> reality;  ///< what the real robots did at that time; may be null
 
     const Scene& scene() const { return scenario->scene(); }

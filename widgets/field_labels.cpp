@@ -10,6 +10,7 @@ namespace mrose {
 namespace {
 
 constexpr double chipSize = 7, padding = 4, chipGap = 4;  // pixels
+constexpr double quietOpacity = 0.7;
 
 /// From a label that had to go far away to what it names.
 void drawLeader(const FieldCanvas& canvas, const QRectF& box, const FieldLabel& label) {
@@ -49,6 +50,7 @@ QSizeF plateSize(const FieldCanvas& canvas, const FieldLabel& label) {
 
 void drawPlate(const FieldCanvas& canvas, const QRectF& box, const FieldLabel& label) {
     QPainter& painter = canvas.painter;
+    painter.setOpacity(label.quiet ? quietOpacity : 1);
     painter.setPen(Qt::NoPen);
     painter.setBrush(canvas.theme.halo);
     painter.drawRoundedRect(box, 3, 3);
@@ -61,6 +63,7 @@ void drawPlate(const FieldCanvas& canvas, const QRectF& box, const FieldLabel& l
     painter.setFont(plateFont(painter, label.note));
     painter.setPen(label.colour);
     painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter, label.text);
+    painter.setOpacity(1);
 }
 
 void addNames(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus,
@@ -77,8 +80,14 @@ void addNames(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFoc
         label.clearance = reach + (looked ? 7 : 0);
         label.text = QString::fromStdString(frame.nameOf(body));
         label.colour = canvas.theme.onFloor;
-        if (body < frame.state.robots.size()) label.chip = robotColour(body);
+        if (std::find(frame.failed.begin(), frame.failed.end(), body) != frame.failed.end()) {
+            label.text += QObject::tr(": failed");
+            label.colour = canvas.theme.warning;
+        }
+        if (body < frame.state.robots.size()) label.chip = robotColour(frame.scene(), body);
         label.first = looked;
+        label.last = body < focus.elsewhere.size() && focus.elsewhere[body];
+        label.quiet = focus.isQuiet(body);
     }
 }
 
@@ -93,6 +102,7 @@ void drawLabels(const FieldCanvas& canvas, const FieldFrame& frame, std::vector<
     };
     for (const std::size_t body : visibleBodies(canvas, frame)) avoid(frame.scene().shapeOf(body), frame.poseOf(body));
     for (const RealRobot& real : realRobots(frame)) avoid(*real.shape, real.pose);
+    std::stable_partition(labels.begin(), labels.end(), [](const FieldLabel& label) { return !label.last; });
     std::stable_partition(labels.begin(), labels.end(), [](const FieldLabel& label) { return label.first; });
     for (const FieldLabel& label : labels) {
         const auto place = placer.place({label.key, canvas.at(label.at), label.clearance, plateSize(canvas, label)});

@@ -32,10 +32,12 @@ std::vector<LegendRow> legendRows(const FieldFrame& frame, const FieldLayers& la
     return rows;
 }
 
-constexpr double legendRowHeight = 20, legendSampleWidth = 34, legendMargin = 10;  // pixels
+constexpr double legendRowHeight = 20, legendSampleWidth = 34, legendMargin = 10, aboveScale = 20;  // pixels
 
-/// In the lower right corner; empty where there is nothing to explain.
-QRectF legendBox(const FieldCanvas& canvas, const std::vector<LegendRow>& rows) {
+/// In the lower right corner, or above or beside what lies there, wherever it hides less of the place; empty where
+/// there is nothing to explain.
+QRectF legendBox(const FieldCanvas& canvas, const FieldFrame& frame, const FieldLayers& layers, const QRectF& covered) {
+    const std::vector<LegendRow> rows = legendRows(frame, layers);
     if (rows.empty()) return {};
     const QFontMetricsF metrics(plateFont(canvas.painter));
     double width = 0;
@@ -43,7 +45,17 @@ QRectF legendBox(const FieldCanvas& canvas, const std::vector<LegendRow>& rows) 
     const QSizeF size(legendSampleWidth + width + 3 * legendMargin,
                       legendRowHeight * static_cast<double>(rows.size()) + legendMargin);
     const QSizeF all = canvas.view.size();
-    return {QPointF(all.width() - size.width() - 12, all.height() - size.height() - 12), size};
+    const QRectF corner(QPointF(all.width() - size.width() - 12, all.height() - size.height() - 12), size);
+    if (!corner.intersects(covered)) return corner;
+    const QRectF above = corner.translated(0, covered.top() - 8 - corner.bottom());
+    const QRectF aside = corner.translated(covered.left() - 8 - corner.right(), -aboveScale);
+    const FieldArea area = areaOf(frame.scene().environment);
+    const QRectF place(canvas.at({area.least.x, area.most.y}), canvas.at({area.most.x, area.least.y}));
+    const auto hidden = [&](const QRectF& box) {
+        const QRectF common = box & place;
+        return common.width() * common.height();
+    };
+    return aside.left() >= legendMargin && hidden(aside) < hidden(above) ? aside : above;
 }
 
 }  // namespace
@@ -94,11 +106,12 @@ void FieldPainter::frame(const FieldFrame& frame, const FieldFocus& focus, Label
     if (layers_.has(FieldLayer::names)) addNames(canvas_, frame, focus, labels);
     if (real && layers_.has(FieldLayer::names)) addRealNames(canvas_, frame, focus, labels);
     if (layers_.has(FieldLayer::beliefs)) drawBeliefs(canvas_, frame, focus);
-    if (layers_.has(FieldLayer::contacts)) drawContacts(canvas_, frame, labels);
+    if (layers_.has(FieldLayer::contacts)) drawContacts(canvas_, frame, focus, labels);
     drawKicks(canvas_, frame, labels);
     if (layers_.has(FieldLayer::targets)) drawNotes(canvas_, frame, focus, labels);
     std::vector<QRectF> kept;
-    if (layers_.has(FieldLayer::legend)) kept.push_back(legendBox(canvas_, legendRows(frame, layers_)));
+    if (layers_.has(FieldLayer::legend)) kept.push_back(legendBox(canvas_, frame, layers_, focus.covered));
+    if (!focus.covered.isEmpty()) kept.push_back(focus.covered);
     if (hasKnob(frame, focus)) kept.push_back(knobBox(canvas_.view, frame, *focus.selected));
     if (!focus.moved || !focus.selected) return drawLabels(canvas_, frame, std::move(labels), placer, kept);
     const auto [box, numbers] = moved(frame, *focus.selected, *focus.moved);
@@ -110,7 +123,7 @@ void FieldPainter::frame(const FieldFrame& frame, const FieldFocus& focus, Label
 /// Where a body is being moved to, in numbers above it.
 std::pair<QRectF, FieldLabel> FieldPainter::moved(const FieldFrame& frame, std::size_t body, const Pose& pose) const {
     FieldLabel label;
-    label.text = poseText(pose);
+    label.text = poseText(frame, body, pose);
     if (const std::string on = whatIsAt(frame, body, pose); !on.empty())
         label.text += QObject::tr("   on %1").arg(QString::fromStdString(on));
     label.colour = canvas_.theme.onFloor;
@@ -122,9 +135,9 @@ std::pair<QRectF, FieldLabel> FieldPainter::moved(const FieldFrame& frame, std::
     return {QRectF(QPointF(left, above > 4 ? above : at.y() + away), size), label};
 }
 
-void FieldPainter::corners(const FieldFrame& frame) {
+void FieldPainter::corners(const FieldFrame& frame, const QRectF& covered) {
     ruler();
-    if (layers_.has(FieldLayer::legend)) legend(frame);
+    if (layers_.has(FieldLayer::legend)) legend(frame, covered);
 }
 
 void FieldPainter::ruler() {
@@ -147,12 +160,12 @@ void FieldPainter::ruler() {
     drawPlate(canvas_, {right + QPointF(6, -size.height() / 2), size}, label);
 }
 
-void FieldPainter::legend(const FieldFrame& frame) {
+void FieldPainter::legend(const FieldFrame& frame, const QRectF& covered) {
     const std::vector<LegendRow> rows = legendRows(frame, layers_);
     if (rows.empty()) return;
     constexpr double row = legendRowHeight, sampleWidth = legendSampleWidth, margin = legendMargin;
     QPainter& painter = canvas_.painter;
-    const QRectF box = legendBox(canvas_, rows);
+    const QRectF box = legendBox(canvas_, frame, layers_, covered);
     painter.setPen(roundPen(canvas_.theme.line, 1));
     painter.setBrush(withAlpha(canvas_.theme.panel, 235));
     painter.drawRoundedRect(box, 5, 5);

@@ -22,13 +22,14 @@ public:
     void frame(const FieldFrame& frame, const FieldFocus& focus, LabelPlacer& labels);
     /// A scale bar in the lower left corner and, if its layer is shown, the legend in the lower right one:
     /// what the shown layers draw of this frame.
-    void corners(const FieldFrame& frame);
+    /// Clear of what is `covered` (pixels).
+    void corners(const FieldFrame& frame, const QRectF& covered = {});
     /// A distance measured by hand.
     void measure(const Point& from, const Point& to);
 
 private:
     void ruler();
-    void legend(const FieldFrame& frame);
+    void legend(const FieldFrame& frame, const QRectF& covered);
     std::pair<QRectF, FieldLabel> moved(const FieldFrame& frame, std::size_t body, const Pose& pose) const;
 
     FieldCanvas canvas_;

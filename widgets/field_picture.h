@@ -16,7 +16,7 @@ struct FieldPicture {
     FieldFocus focus;
     bool following = false;  ///< the selected body stays in the middle
     QFont font;
-    std::optional<FieldArea> whole = {};  ///< the view shows all of the place: so do pictures of any size
+    std::optional<FieldArea> whole = {};  ///< the view is fitted to it: so are pictures of any size
     QMarginsF margins = {};               ///< about it, pixels
     LabelPlacer labels = {};
 

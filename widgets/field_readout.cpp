@@ -45,6 +45,13 @@ QString poseText(const Pose& pose) {
              QString::fromUtf8("\u00b0"));
 }
 
+QString poseText(const FieldFrame& frame, std::size_t body, const Pose& pose) {
+    const std::vector<ConvexPiece>& pieces = frame.scene().shapeOf(body).pieces;
+    const bool round = pieces.size() == 1 && pieces[0].isCircle() && length(pieces[0].centre) < 1e-9;
+    if (body < frame.state.robots.size() || !round) return poseText(pose);
+    return QObject::tr("x %1 m   y %2 m").arg(fixed(pose.x, 2), fixed(pose.y, 2));
+}
+
 QString impulseText(double impulse) { return fixed(impulse, impulse < 9.995 ? 2 : 1) + " N s"; }
 
 QString bodyReadout(const FieldFrame& frame, std::size_t body) {
@@ -55,7 +62,7 @@ QString bodyReadout(const FieldFrame& frame, std::size_t body) {
     QString text = QString::fromStdString(kind) == name || kind.empty()
                        ? name
                        : name + QString::fromUtf8("  \u00b7  ") + QString::fromStdString(kind);
-    text += '\n' + poseText(frame.poseOf(body)) + '\n';
+    text += '\n' + poseText(frame, body, frame.poseOf(body)) + '\n';
     if (body >= robots) {
         const Twist& velocity = frame.state.objects[body - robots].velocity_W;
         return text + QObject::tr("%1 m/s").arg(fixed(std::hypot(velocity.x, velocity.y), 2));

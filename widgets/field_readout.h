@@ -13,6 +13,8 @@ namespace mrose {
 QString lengthText(double metres);
 /// "x -1.09 m   y 0.88 m   12.3 deg", with the sign of a degree.
 QString poseText(const Pose& pose);
+/// The same of a body: without the heading of what is round and faces nowhere.
+QString poseText(const FieldFrame& frame, std::size_t body, const Pose& pose);
 /// "0.24 N s", "13.1 N s".
 QString impulseText(double impulse);
 

@@ -103,7 +103,7 @@ void drawOutline(const FieldCanvas& canvas, const Shape& shape, const Pose& pose
 
 /// Where it was seen last.
 void drawLost(const FieldCanvas& canvas, const RealRobot& robot) {
-    const QColor colour = withAlpha(realColour(robot.body, canvas.theme), 170);
+    const QColor colour = withAlpha(realColour(robot.place, canvas.theme), 170);
     QPen pen = roundPen(colour, 1.4, Qt::CustomDashLine);
     pen.setDashPattern({3, 3});
     canvas.painter.setBrush(Qt::NoBrush);
@@ -135,7 +135,7 @@ void drawRealWays(const FieldCanvas& canvas, const FieldFrame& frame, const Fiel
     canvas.painter.setBrush(Qt::NoBrush);
     for (const RealRobot& robot : realRobots(frame)) {
         const Reality::Robot& of = frame.reality->robots[robot.index];
-        const QColor colour = realColour(robot.body, canvas.theme);
+        const QColor colour = realColour(robot.place, canvas.theme);
         const bool others = focus.selected && *focus.selected < frame.scene().robots.size() &&
                             focus.selected != robot.body;  // keep behind it
         drawHollow(canvas, wayBetween(canvas, of, now, now + ahead), mixed(colour, floor, others ? 0.75 : 0.6), floor);
@@ -178,7 +178,7 @@ void drawRealRobots(const FieldCanvas& canvas, const FieldFrame& frame, bool hea
     for (const RealRobot& robot : robots) {
         if (!canvas.visible(position(robot.pose), robot.shape->reach)) continue;
         if (robot.known())
-            drawOutline(canvas, *robot.shape, robot.pose, realColour(robot.body, canvas.theme), 2,
+            drawOutline(canvas, *robot.shape, robot.pose, realColour(robot.place, canvas.theme), 2,
                         headings ? Heading::arrow : Heading::none);
         else
             drawLost(canvas, robot);
@@ -201,7 +201,7 @@ void addRealNames(const FieldCanvas& canvas, const FieldFrame& frame, const Fiel
                          ? QObject::tr("real: %1").arg(errorText(*robot.apart))
                          : QObject::tr("real %1").arg(QString::fromStdString(frame.reality->robots[robot.index].name));
         label.colour = canvas.theme.onFloor;
-        label.chip = realColour(robot.body, canvas.theme);
+        label.chip = realColour(robot.place, canvas.theme);
         label.first = looked;
     }
 }

@@ -69,7 +69,7 @@ void drawSensors(const FieldCanvas& canvas, const FieldFrame& frame, const Field
         const Pose& pose = frame.poseOf(robot);
         const double range = sight == nullptr || sight->range == 0 ? farthest : sight->range;
         if (sight == nullptr || !canvas.visible(position(pose), range)) continue;
-        const QColor colour = withAlpha(robotColour(robot), focus.selected == robot ? 90 : 46);
+        const QColor colour = withAlpha(robotColour(frame.scene(), robot), focus.selected == robot ? 90 : 46);
         painter.setBrush(colour);
         if (sight->range == 0) {
             QRadialGradient fading(canvas.at(position(pose)), canvas.pixels(range));

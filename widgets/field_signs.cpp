@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "widgets/field_drawing.h"
@@ -15,6 +16,22 @@ std::uint64_t labelKey(std::uint64_t kind, std::uint64_t first, std::uint64_t se
 
 /// Of 255: how strong the notes of others than the selected robot are, and where none is selected.
 constexpr int faintest = 70, faint = 120;
+/// Of those of whom an answer is not.
+constexpr int quiet = 30;
+
+bool hasNumber(const ContactReport& contact) { return contact.impulse >= 0.05; }
+
+/// Whose number is seen: of all that have one, or where an answer is about some bodies, of the strongest on them.
+bool isNumbered(const FieldFrame& frame, const FieldFocus& focus, const ContactReport& contact) {
+    if (focus.lit.empty()) return hasNumber(contact);
+    const ContactReport* strongest = nullptr;
+    for (const ContactReport& one : frame.contacts) {
+        const bool about = std::any_of(focus.lit.begin(), focus.lit.end(),
+                                       [&](std::size_t body) { return body == one.bodyA || body == one.bodyB; });
+        if (about && hasNumber(one) && (strongest == nullptr || one.impulse > strongest->impulse)) strongest = &one;
+    }
+    return strongest == &contact;
+}
 
 void drawNoteLine(const FieldCanvas& canvas, const QPolygonF& points, const QColor& colour, bool selected) {
     if (selected) return canvas.casedLine(points, roundPen(colour, 2, Qt::DotLine));
@@ -30,14 +47,14 @@ void drawBeliefs(const FieldCanvas& canvas, const FieldFrame& frame, const Field
         const RobotInsight& insight = frame.insights[robot];
         if (!insight.observed || (!few && focus.selected != robot)) continue;
         const Observation& seen = insight.observation;
-        const QColor colour = robotColour(robot);
+        const QColor colour = robotColour(frame.scene(), robot);
         if (seen.localised) {
             const Shape& shape = frame.scene().shapeOf(robot);
             if (focus.selected == robot)
                 canvas.outline(shape, seen.self, roundPen(withAlpha(setOff(colour), 110), 2.6));
             canvas.outline(shape, seen.self, roundPen(colour, 1.4, Qt::DashLine));
             canvas.casedLine(canvas.at(position(frame.poseOf(robot))), canvas.at(position(seen.self)),
-                             roundPen(colour, 1.2));
+                             roundPen(colour, 0.8, Qt::DashLine));
         }
         if (focus.selected != robot) continue;
         const Placement at(seen.self);
@@ -60,7 +77,8 @@ void drawNotes(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFo
     for (std::size_t robot = 0; robot < frame.insights.size(); ++robot) {
         const bool selected = focus.selected == robot;
         if (!few && !selected) continue;
-        const QColor colour = withAlpha(robotColour(robot), selected ? 240 : focus.selected ? faintest : faint);
+        const int alpha = selected ? 240 : focus.isQuiet(robot) ? quiet : focus.selected ? faintest : faint;
+        const QColor colour = withAlpha(robotColour(frame.scene(), robot), alpha);
         const std::vector<Annotation>& notes = frame.insights[robot].decision.annotations;
         for (std::size_t i = 0; i < notes.size(); ++i) {
             const Annotation& note = notes[i];
@@ -79,7 +97,7 @@ void drawNotes(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFo
                 label.clearance = 8;
                 label.text = noteText(frame, robot, note);
                 label.colour = canvas.theme.onFloor;
-                label.chip = robotColour(robot);
+                label.chip = robotColour(frame.scene(), robot);
                 label.note = true;
             }
         }
@@ -91,8 +109,10 @@ double impulsePixels(double impulse, double scale) {
     return std::clamp(0.6 * scale, 12.0, longestImpulse) * impulse / (impulse + half);
 }
 
-void drawContacts(const FieldCanvas& canvas, const FieldFrame& frame, std::vector<FieldLabel>& labels) {
+void drawContacts(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus,
+                  std::vector<FieldLabel>& labels) {
     const bool few = frame.contacts.size() <= mostNames;
+    std::map<std::uint64_t, std::uint64_t> touches;
     canvas.painter.setRenderHint(QPainter::Antialiasing, frame.contacts.size() <= mostSmooth);
     for (const ContactReport& contact : frame.contacts) {
         if (!canvas.visible(contact.position, 0.5)) continue;
@@ -104,9 +124,13 @@ void drawContacts(const FieldCanvas& canvas, const FieldFrame& frame, std::vecto
         canvas.painter.setPen(few ? roundPen(QColor(255, 255, 255), 1.2) : hairline(QColor(255, 255, 255)));
         canvas.painter.setBrush(canvas.theme.contact);
         canvas.painter.drawEllipse(at, 3.5, 3.5);
-        if (!few || contact.impulse < 0.05) continue;
+        // Two bodies may touch at several places, each of which keeps its own number beside it.
+        const std::uint64_t pair =
+            labelKey(3, contact.bodyA, contact.bodyB == noBody ? ~contact.obstacle : contact.bodyB);
+        const std::uint64_t which = touches[pair]++;
+        if (!few || !isNumbered(frame, focus, contact)) continue;
         FieldLabel& label = labels.emplace_back();
-        label.key = labelKey(3, contact.bodyA, contact.bodyB == noBody ? ~contact.obstacle : contact.bodyB);
+        label.key = pair | (which & 0xf) << 24;
         label.at = contact.position;
         label.clearance = 8;
         label.text = impulseText(contact.impulse);

@@ -17,11 +17,29 @@
 namespace mrose {
 namespace {
 
+/// About bodies that are lit up, m, and how large the largest of them is seen then, pixels from its middle.
+constexpr double litMargin = 2, leastLit = 24;
 constexpr double fitMargin = 16, scaleBarHeight = 26, grabPixels = 6, dragPixels = 4;
 /// What Ctrl rounds moves and turns to.
 constexpr double roundMetres = 0.1, roundTurn = std::numbers::pi / 12;
 
 double rounded(double value, double step) { return step * std::round(value / step); }
+
+QRectF pixelsOf(const ViewTransform& view, const FieldArea& area) {
+    return {view.toPixels({area.least.x, area.most.y}), view.toPixels({area.most.x, area.least.y})};
+}
+
+/// An area in the middle of a rectangle, or above or beside what is covered where it need not be smaller for that.
+void fitClear(ViewTransform& view, const FieldArea& area, const QRectF& into, const QRectF& covered) {
+    view.fit(area, into);
+    const QRectF place = pixelsOf(view, area);
+    if (!place.intersects(covered)) return;
+    const double up = place.bottom() + fitMargin - covered.top(), left = place.right() + fitMargin - covered.left();
+    if (up <= place.top() - into.top())
+        view.pan({0, up}, {0, 0});
+    else if (left <= place.left() - into.left())
+        view.pan({left, 0}, {0, 0});
+}
 
 }  // namespace
 
@@ -36,7 +54,7 @@ void FieldView::setFrame(std::shared_ptr<const FieldFrame> frame) {
     const bool other = !frame_ || !frame || frame_->scenario != frame->scenario;
     const bool otherReality = frame_ && frame && frame_->reality != frame->reality;
     frame_ = std::move(frame);
-    if (otherReality && fitted_) fit();
+    if (otherReality && fitted_) fitAgain();
     if (other) {
         const std::size_t bodies = frame_ ? frame_->scene().bodyCount() : 0;
         if (focus_.selected && *focus_.selected >= bodies) setSelected(std::nullopt);
@@ -50,6 +68,7 @@ void FieldView::setFrame(std::shared_ptr<const FieldFrame> frame) {
 
 void FieldView::setEditable(bool editable) {
     editable_ = editable;
+    if (!editable) focus_.lit.clear();
     if (!editable && focus_.moved) cancelDrag();
     if (std::exchange(focus_.turnable, editable) != editable) update();
 }
@@ -68,7 +87,7 @@ void FieldView::setTheme(const Theme& theme) {
 void FieldView::setLayers(const FieldLayers& layers) {
     layers_ = layers;
     place_ = {};
-    if (fitted_) fit();  // rulers take room
+    if (fitted_) fitAgain();  // rulers take room
     update();
     emit layersChanged(layers);
 }
@@ -77,6 +96,7 @@ void FieldView::setSelected(std::optional<std::size_t> body) {
     if (body == focus_.selected) return;
     finishNudge();
     focus_.selected = body;
+    focus_.lit.clear();
     emit bodySelected(body);
     followSelected();
     update();
@@ -107,27 +127,76 @@ QMarginsF FieldView::fitMargins() const {
     return layers_.has(FieldLayer::grid) ? margins + QMarginsF(rulerWidth, rulerHeight, 0, 0) : margins;
 }
 
-/// What is left for what is fitted, above or else beside what is covered.
-QRectF FieldView::freeRect(bool aboveCovered) const {
-    QRectF free = QRectF(rect()).marginsRemoved(fitMargins());
-    if (!covered_.isEmpty() && aboveCovered) free.setBottom(std::min(free.bottom(), covered_.top() - fitMargin));
-    if (!covered_.isEmpty() && !aboveCovered) free.setRight(std::min(free.right(), covered_.left() - fitMargin));
-    return free;
+void FieldView::fit() {
+    part_.reset();
+    fitAgain();
 }
 
-void FieldView::fit() {
+void FieldView::fit(const FieldArea& area) {
+    part_ = area;
+    fitAgain();
+}
+
+void FieldView::fitAgain() {
     if (!frame_) return;
-    ViewTransform beside = view_;
-    beside.fit(wholeArea(), freeRect(false));
-    view_.fit(wholeArea(), freeRect(true));
-    if (beside.scale() > view_.scale()) view_ = beside;
+    fitClear(view_, part_.value_or(wholeArea()), QRectF(rect()).marginsRemoved(fitMargins()), focus_.covered);
     fitted_ = true;
+    focus_.lit.clear();
     update();
 }
 
+QRectF FieldView::fittedPlace() const {
+    const FieldArea area = wholeArea();
+    if (area.empty()) return {};
+    ViewTransform fitted = view_;
+    fitClear(fitted, area, QRectF(rect()).marginsRemoved(fitMargins()), focus_.covered);
+    return pixelsOf(fitted, area);
+}
+
+double FieldView::fittedScale(const QSizeF& size) const {
+    const FieldArea area = wholeArea();
+    if (area.empty()) return 0;
+    ViewTransform fitted = view_;
+    fitted.fit(area, QRectF({0, 0}, size).marginsRemoved(fitMargins()));
+    return fitted.scale();
+}
+
 void FieldView::setCovered(const QRectF& covered) {
-    covered_ = covered;
-    if (fitted_) fit();
+    if (std::exchange(focus_.covered, covered) == covered) return;
+    if (fitted_ && frame_)
+        fitClear(view_, part_.value_or(wholeArea()), QRectF(rect()).marginsRemoved(fitMargins()), covered);
+    update();
+}
+
+void FieldView::lightUp(const std::vector<std::size_t>& bodies) {
+    if (!frame_ || bodies.empty()) return;
+    FieldArea near{{1, 1}, {-1, -1}}, close = near;
+    double reach = 0;
+    for (const std::size_t body : bodies) {
+        near.include(position(frame_->poseOf(body)), litMargin);
+        close.include(position(frame_->poseOf(body)), frame_->scene().shapeOf(body).reach);
+        reach = std::max(reach, frame_->scene().shapeOf(body).reach);
+    }
+    const FieldArea seen = view_.shown();
+    const bool inside = close.least.x >= seen.least.x && close.least.y >= seen.least.y && close.most.x <= seen.most.x &&
+                        close.most.y <= seen.most.y;
+    // Who has chosen a scale at which they are seen well keeps it.
+    if (!inside || reach * view_.scale() < leastLit) {
+        view_.fit(near, QRectF(rect()).marginsRemoved(fitMargins()));
+        fitted_ = false;
+    }
+    focus_.lit = bodies;
+    update();
+}
+
+void FieldView::setElsewhere(std::vector<std::optional<Point>> elsewhere) {
+    focus_.elsewhere = std::move(elsewhere);
+    update();
+}
+
+void FieldView::followLabels(const LabelPlacer& labels) {
+    likeLabels_ = labels;
+    if (!labels_.standsLike(labels)) update();
 }
 
 void FieldView::setView(const ViewTransform& view) {
@@ -191,8 +260,10 @@ void FieldView::paintEvent(QPaintEvent* /*event*/) {
         drawPlace(ratio);
     painter.drawPixmap(0, 0, place_);
     FieldPainter field(painter, view_, theme_, layers_);
+    if (likeLabels_) labels_.followOther(*likeLabels_);
     field.frame(*frame_, focus_, labels_);
-    field.corners(*frame_);
+    field.corners(*frame_, focus_.covered);
+    if (!labels_.standsLike(toldLabels_)) emit labelsMoved(toldLabels_ = labels_);
     if (!(toldView_ == view_)) emit viewChanged(toldView_ = view_);
     if (drag_ == Drag::measure) field.measure(view_.toMetres(pressedAt_), view_.toMetres(draggedTo_));
 }
@@ -203,20 +274,21 @@ void FieldView::paint(QPainter& painter, const QSizeF& size) const {
     as.following = false;
     as.focus = focus_;
     as.focus.turnable = false;
+    as.focus.covered = {};
     as.labels = labels_;
     as.paint(painter, size, *frame_);
 }
 
 FieldPicture FieldView::picture() const {
     FieldPicture picture{view_, theme_, layers_, {focus_.selected, {}, {}}, following_, font()};
-    if (fitted_) picture.whole = wholeArea();
+    if (fitted_) picture.whole = part_.value_or(wholeArea());
     picture.margins = fitMargins();
     return picture;
 }
 
 void FieldView::resizeEvent(QResizeEvent* event) {
     view_.setSize(event->size());
-    if (fitted_) fit();
+    if (fitted_) fitAgain();
 }
 
 void FieldView::wheelEvent(QWheelEvent* event) {

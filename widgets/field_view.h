@@ -47,8 +47,22 @@ public:
     /// All of the place; empty where nothing is shown.
     FieldArea wholeArea() const;
     void fit();
-    /// What lies over a corner of the view at its right: what is fitted stays clear of it. Empty: nothing does.
+    /// A part of it instead, until the user looks elsewhere; another run, too, is shown whole at first.
+    void fit(const FieldArea& area);
+    bool showsPart() const { return fitted_ && part_; }  ///< of fit(area), still
+    /// Where all of the place lies in the view when it is fitted, pixels.
+    QRectF fittedPlace() const;
+    /// Of all of the place when it is fitted into a view of that size, pixels per metre; 0: nothing is shown.
+    double fittedScale(const QSizeF& size) const;
+    /// What lies over a corner: labels, the legend and what is fitted stay clear of it, but no smaller. Empty: nothing.
     void setCovered(const QRectF& covered);
+    /// Shows some bodies, near enough to see what they do, and all others quietly, until another one is selected, all
+    /// of the place is shown or the run goes on.
+    void lightUp(const std::vector<std::size_t>& bodies);
+    /// Of each body where it is in another course; nothing: at the same place.
+    void setElsewhere(std::vector<std::optional<Point>> elsewhere);
+    /// Labels stand where those of another view do, where they can.
+    void followLabels(const LabelPlacer& labels);
     void zoom(double factor);  ///< about the middle
     void panBy(const QPointF& pixels);
     /// Moves the selected body by metres and radians, if that is allowed. While the Alt key is held the moves add up,
@@ -71,6 +85,7 @@ signals:
     void followRequested();
     void dragRefused();  ///< of a body, while bodies cannot be moved
     void viewChanged(const ViewTransform& view);
+    void labelsMoved(const LabelPlacer& labels);
     void layersChanged(const FieldLayers& layers);
 
 protected:
@@ -92,7 +107,7 @@ private:
     Pose draggedPose(const QPointF& at, bool round) const;
     bool onKnob(const QPointF& at) const;
     QMarginsF fitMargins() const;
-    QRectF freeRect(bool aboveCovered) const;
+    void fitAgain();
     void cancelDrag();
     void finishNudge();
     void drawPlace(double ratio);
@@ -104,9 +119,11 @@ private:
     ViewTransform view_;
     FieldFocus focus_;
     mutable LabelPlacer labels_;  ///< where they stood in the last picture
+    LabelPlacer toldLabels_;
+    std::optional<LabelPlacer> likeLabels_;  ///< those of another view
     bool editable_ = false, following_ = false, fitted_ = true, nudging_ = false, pressedOnBody_ = false,
          pressedOnKnob_ = false;
-    QRectF covered_;
+    std::optional<FieldArea> part_;  ///< that is fitted; nothing: all of the place
     QString emptyText_;
     Drag drag_ = Drag::none;
     Qt::MouseButton button_ = Qt::NoButton;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "widgets/field_drawing.h"
 
@@ -7,17 +8,23 @@ namespace mrose {
 namespace {
 
 QColor wayColour(const FieldFrame& frame, std::size_t body) {
-    return body < frame.state.robots.size() ? robotColour(body) : QColor(255, 255, 255);
+    return body < frame.state.robots.size() ? robotColour(frame.scene(), body) : QColor(255, 255, 255);
 }
 
 /// Long ago is faint: the share of a trail's lines from which on each is drawn stronger.
 constexpr int fadingSteps = 4;
 
-QVector<QPolygonF> wayOf(const FieldCanvas& canvas, const Trails& trails, std::size_t body) {
+/// Faster is nothing that moves here: who is farther off after a tick was put there.
+constexpr double fastest = 30;  // m/s
+
+QVector<QPolygonF> wayOf(const FieldCanvas& canvas, const Trails& trails, std::size_t body, Nanoseconds tickLength) {
+    const double farthest = fastest * toSeconds(tickLength);
     WayLine way;
+    std::optional<Point> before;
     trails.visit(body, [&](const Point& point, bool begins) {
-        if (begins) way.begin();
+        if (begins || (before && distance(*before, point) > farthest)) way.begin();
         way.add(canvas.at(point));
+        before = point;
     });
     return way.lines();
 }
@@ -52,7 +59,7 @@ void drawTrails(const FieldCanvas& canvas, const FieldFrame& frame, const FieldF
     const QColor floor = floorColour(frame.scene().environment, canvas.theme);
     canvas.painter.setBrush(Qt::NoBrush);
     for (std::size_t body = 0; body < frame.trails.bodies(); ++body) {
-        const QVector<QPolygonF> lines = wayOf(canvas, frame.trails, body);
+        const QVector<QPolygonF> lines = wayOf(canvas, frame.trails, body, frame.scene().tickLength);
         const QColor colour = wayColour(frame, body);
         if (few || focus.selected == body) {
             drawFading(canvas, lines, colour, focus.selected == body ? 2.4 : 1.6,
@@ -73,7 +80,8 @@ void drawGhosts(const FieldCanvas& canvas, const FieldFrame& frame) {
         for (std::size_t body = 0; body < ghost.trails.bodies(); ++body) {
             canvas.painter.setPen(few ? roundPen(withAlpha(wayColour(frame, body), 170), 1.4, Qt::DotLine)
                                       : hairline(withAlpha(wayColour(frame, body), 130)));
-            for (const QPolygonF& line : wayOf(canvas, ghost.trails, body)) canvas.painter.drawPolyline(line);
+            for (const QPolygonF& line : wayOf(canvas, ghost.trails, body, frame.scene().tickLength))
+                canvas.painter.drawPolyline(line);
         }
         for (std::size_t body = 0; body < ghost.bodies.size(); ++body) {
             const Shape& shape = ghost.scenario->scene().shapeOf(body);

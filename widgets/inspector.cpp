@@ -155,6 +155,7 @@ void Inspector::fitColumns() {
     fitting_ = true;
     tree_->header()->resizeSection(Delegate::nameColumn, std::clamp(room, 40, std::max(40, nameWidth_)));
     fitting_ = false;
+    tree_->doItemsLayout();  // texts may need another line now, or one less
 }
 
 bool Inspector::eventFilter(QObject* watched, QEvent* event) {
@@ -193,9 +194,9 @@ void Inspector::refreshHead(bool robot) {
     title_->setText(type.compare(name, Qt::CaseInsensitive) == 0 ? name : name + "  \u00b7  " + type);
     if (!robot) return;
     chip_->setStyleSheet(QString("background:%1;border:1px solid %2;border-radius:7px")
-                             .arg(robotColour(*body_).name(), theme_.line.name()));
+                             .arg(robotColour(frame_->scene(), *body_).name(), theme_.line.name()));
     CommandQueue::Content content = commandsOf(*frame_->scenario, frame_->state, *body_);
-    content.colour = robotColour(*body_);
+    content.colour = robotColour(frame_->scene(), *body_);
     queue_->setContent(std::move(content));
 }
 

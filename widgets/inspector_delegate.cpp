@@ -2,12 +2,38 @@
 
 #include <QApplication>
 #include <QPainter>
+#include <QTreeView>
 
 namespace mrose {
 
 QSize InspectorDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
     const int more = index.siblingAtColumn(nameColumn).data(headRole).toBool() ? 8 : 3;
-    return {QStyledItemDelegate::sizeHint(option, index).width(), option.fontMetrics.height() + more};
+    const auto* tree = qobject_cast<const QTreeView*>(option.widget);
+    const bool two = tree != nullptr && index.column() == valueColumn &&
+                     takesTwoLines(option.fontMetrics, tree->columnWidth(valueColumn), index);
+    return {QStyledItemDelegate::sizeHint(option, index).width(), (two ? 2 : 1) * option.fontMetrics.height() + more};
+}
+
+namespace {
+
+/// Where there is no mark, there is room for more words.
+int wordRoom(int columnWidth, const QModelIndex& index) {
+    const bool mark =
+        index.siblingAtColumn(InspectorDelegate::plotColumn).data(InspectorDelegate::plottableRole).toBool();
+    return columnWidth - 4 + (mark ? 0 : InspectorDelegate::markWidth - 4);
+}
+
+bool isNumber(const QString& value) {
+    bool numeric = false;
+    value.toDouble(&numeric);
+    return numeric || value == QString::fromUtf8("\u2013");
+}
+
+}  // namespace
+
+bool InspectorDelegate::takesTwoLines(const QFontMetrics& metrics, int columnWidth, const QModelIndex& index) const {
+    const QString value = index.data(Qt::DisplayRole).toString();
+    return !isNumber(value) && metrics.horizontalAdvance(value) > wordRoom(columnWidth, index);
 }
 
 void InspectorDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
@@ -35,16 +61,13 @@ void InspectorDelegate::paintValue(QPainter& painter, const QStyleOptionViewItem
     const bool selected = option.state.testFlag(QStyle::State_Selected);
     const QColor ink = selected ? option.palette.color(QPalette::HighlightedText)
                                 : index.data(Qt::ForegroundRole).value<QBrush>().color();
-    bool numeric = false;
-    value.toDouble(&numeric);
     painter.setFont(option.font);
     painter.setPen(ink);
-    if (!numeric && value != QString::fromUtf8("\u2013")) {
-        // Where there is no mark, there is room for more words.
-        const int more = index.siblingAtColumn(plotColumn).data(plottableRole).toBool() ? 0 : markWidth - 4;
-        const QRect room = box.adjusted(0, 0, more, 0);
-        painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
-                         metrics.elidedText(value, Qt::ElideRight, room.width()));
+    if (!isNumber(value)) {
+        QRect room = box;
+        room.setWidth(wordRoom(option.rect.width(), index));
+        const bool two = takesTwoLines(metrics, option.rect.width(), index);
+        painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter | (two ? Qt::TextWordWrap : 0), value);
         return;
     }
     const int unitWidth = metrics.horizontalAdvance("rad/s") + 5;
@@ -65,8 +88,8 @@ void InspectorDelegate::paintMark(QPainter& painter, const QRect& box, const QMo
         painter.setBrush(plotted);
         painter.drawRoundedRect(QRectF(middle.x() - 8, middle.y() - 6, 16, 12), 3, 3);
     }
-    const QColor ink =
-        plotted.isValid() ? (plotted.lightness() > 140 ? Qt::black : Qt::white) : theme_.line.darker(115);
+    const QColor ink = plotted.isValid() ? (plotted.lightness() > 140 ? Qt::black : Qt::white)
+                                         : seenOn(theme_.panel, theme_.line, 2.2);
     painter.setPen(QPen(ink, 1.3));
     painter.drawPolyline(QPolygonF(
         {middle + QPointF(-5, 3), middle + QPointF(-2, -2), middle + QPointF(1, 1), middle + QPointF(5, -4)}));

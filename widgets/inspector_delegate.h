@@ -24,6 +24,8 @@ public:
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 
 private:
+    /// Words that do not fit take a second line.
+    bool takesTwoLines(const QFontMetrics& metrics, int columnWidth, const QModelIndex& index) const;
     void paintValue(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index) const;
     void paintMark(QPainter& painter, const QRect& box, const QModelIndex& index) const;
 

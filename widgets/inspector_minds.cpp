@@ -16,13 +16,20 @@ constexpr std::size_t mostHexBytes = 4096, bytesInRow = 8;
 
 QString pointText(const Point& point) { return QString("%1, %2 m").arg(fixedText(point.x, 2), fixedText(point.y, 2)); }
 
+/// An error is told from a value by its unit: "0.023 m off".
+InspectorRow asError(InspectorRow row) {
+    row.unit = QObject::tr("%1 off").arg(row.unit);
+    return row;
+}
+
 InspectorRow noteRow(const RowWriter& write, const Annotation& note) {
     const QString tip = QObject::tr("the controller's own note");
-    const QString name = QString::fromStdString(note.label);
+    const NoteLabel label = noteLabel(note.label);
+    const QString name = QString::fromStdString(note.kind == Annotation::Kind::value ? label.name : note.label);
     InspectorRow row = RowWriter::text(name, {}, tip);
     switch (note.kind) {
         case Annotation::Kind::value:
-            return write.number(name, "note", tip, note.label);
+            return write.number(name, ValueKey{"note", write.bodyName, label.name, label.unit}, tip);
         case Annotation::Kind::text:
             row.value = QString::fromStdString(note.text);
             return row;
@@ -80,8 +87,8 @@ InspectorRow seenRow(const RowWriter& write, std::size_t other) {
     const std::string& of = write.frame.nameOf(other);
     const ValueKey error{"error in seeing", write.bodyName, of};
     InspectorRow row =
-        write.number(QString::fromStdString(of), error,
-                     QObject::tr("how far off it sees this body: measured then, against where it is now"));
+        asError(write.number(QString::fromStdString(of), error,
+                             QObject::tr("how far off it sees this body: measured then, against where it is now")));
     row.id = QString::fromStdString(of);
     if (row.quiet) {
         row.value = QObject::tr("not in sight");
@@ -175,8 +182,8 @@ InspectorRow perceptionRows(const RowWriter& write) {
         section.quiet = true;
     }
     InspectorRow self =
-        write.number(QObject::tr("Itself"), "error of own place",
-                     QObject::tr("how far off it takes itself to be: as measured, against where it is now"));
+        asError(write.number(QObject::tr("Itself"), "error of own place",
+                             QObject::tr("how far off it takes itself to be: as measured, against where it is now")));
     if (self.quiet) {
         self.value = QObject::tr("not yet");
         self.unit.clear();

@@ -142,7 +142,7 @@ InspectorRow predictionRows(const RowWriter& write) {
     }
     const bool pushed = write.frame.state.robots[write.body].pushed;
     rows.push_back(RowWriter::text(QObject::tr("Wheels"),
-                                   pushed ? QObject::tr("bring it back to its way") : QObject::tr("follow the model"),
+                                   pushed ? QObject::tr("bring it back") : QObject::tr("follow the model"),
                                    QObject::tr("a pushed robot returns to its way as fast as traction allows")));
     rows.back().notable = pushed;
     rows.back().plot = ValueKey{"recovers", write.bodyName};

@@ -24,6 +24,10 @@ public:
         bool far = false;  ///< a line should lead there
     };
 
+    /// The next picture's labels stand beside the same sides as those of another placer's last one, where they can.
+    void followOther(const LabelPlacer& other) { slots_ = other.slots_; }
+    bool standsLike(const LabelPlacer& other) const { return slots_ == other.slots_; }
+
     /// Another picture: `frame` holds all labels.
     void begin(const QRectF& frame);
     void avoid(const QRectF& body) { bodies_.push_back(body); }

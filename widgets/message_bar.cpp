@@ -1,5 +1,6 @@
 #include "widgets/message_bar.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
@@ -13,7 +14,7 @@
 namespace mrose {
 namespace {
 
-constexpr int signSize = 16, stripe = 3;
+constexpr int signSize = 16, stripe = 3, widestButton = 220;  // pixels
 
 /// A disc with "!" or "i".
 QPixmap sign(MessageBar::Kind kind, const Theme& theme, double ratio) {
@@ -112,8 +113,10 @@ protected:
 
 private:
     void addButton(QHBoxLayout& layout, const Button& button) {
-        auto* made = new QPushButton(button.text, this);
-        made->setToolTip(button.tip);
+        auto* made = new QPushButton(this);
+        const QString text = made->fontMetrics().elidedText(button.text, Qt::ElideMiddle, widestButton);
+        made->setText(text);
+        made->setToolTip(text == button.text ? button.tip : button.text + '\n' + button.tip);
         made->setMinimumWidth(made->sizeHint().width() + 16);
         // A copy: what it does may well remove this line.
         QObject::connect(made, &QPushButton::clicked, this, [run = button.run] {
@@ -137,6 +140,32 @@ MessageBar::MessageBar(QWidget* parent) : QWidget(parent), layout_(new QVBoxLayo
     hide();
 }
 
+void MessageBar::standOver(QWidget& host) {
+    setParent(&host);
+    host.installEventFilter(this);
+    place();
+}
+
+void MessageBar::place() {
+    const QWidget* host = parentWidget();
+    if (host == nullptr || lines_.empty()) return;
+    if (host->layout() != nullptr && host->layout()->indexOf(this) >= 0) return;
+    const int wide = host->width();
+    setGeometry(0, 0, wide, layout_->hasHeightForWidth() ? layout_->totalHeightForWidth(wide) : sizeHint().height());
+    raise();
+}
+
+bool MessageBar::event(QEvent* event) {
+    const bool done = QWidget::event(event);
+    if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Show) place();
+    return done;
+}
+
+bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == parentWidget() && event->type() == QEvent::Resize) place();
+    return QWidget::eventFilter(watched, event);
+}
+
 void MessageBar::add(Message message) {
     for (std::size_t i = lines_.size(); i-- > 0;) {
         const Message& there = lines_[i]->message();
@@ -148,12 +177,15 @@ void MessageBar::add(Message message) {
             return lines_[i]->progressTo(message.text, message.share);
         drop(i);
     }
+    const Kind kind = message.kind;
+    const QString text = message.text;
     auto* line = new Line(*this, std::move(message));
     line->setTheme(theme_);
     lines_.push_back(line);
     layout_->addWidget(line);
     makeRoom();
     show();
+    emit added(kind, text);
 }
 
 void MessageBar::makeRoom() {

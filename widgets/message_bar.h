@@ -32,6 +32,9 @@ public:
 
     explicit MessageBar(QWidget* parent = nullptr);
 
+    /// Along another widget's upper edge, over what it shows: it does not move when something is said.
+    void standOver(QWidget& host);
+
     void add(Message message);
     /// All of a topic; nothing where there is none.
     void remove(const QString& topic);
@@ -43,11 +46,19 @@ public:
     bool has(const QString& topic) const;
     void setTheme(const Theme& theme);
 
+signals:
+    void added(MessageBar::Kind kind, const QString& text);
+
+protected:
+    bool event(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     class Line;
     static constexpr std::size_t most = 4;  ///< notes give way before errors
     void drop(std::size_t index);
     void makeRoom();
+    void place();
 
     std::vector<Line*> lines_;
     QVBoxLayout* layout_;

@@ -11,4 +11,14 @@ QPen curvePen(const PlotCurve& curve) {
     return pen;
 }
 
+QPen aheadPen(const PlotCurve& curve, const QColor& ground) {
+    constexpr double own = 0.42;
+    const auto mixed = [&](double of, double with) { return own * of + (1 - own) * with; };
+    QPen pen = curvePen(curve);
+    pen.setColor(QColor::fromRgbF(mixed(curve.colour.redF(), ground.redF()),
+                                  mixed(curve.colour.greenF(), ground.greenF()),
+                                  mixed(curve.colour.blueF(), ground.blueF())));
+    return pen;
+}
+
 }  // namespace mrose

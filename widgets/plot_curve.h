@@ -12,13 +12,17 @@ namespace mrose {
 
 /// Some number over the ticks. Who draws it asks for as much as is seen.
 struct PlotCurve {
-    QString id;    ///< its own
-    QString name;  ///< "red 1  speed"
-    QString unit;  ///< curves of one unit share an axis
+    QString id;        ///< its own
+    QString name;      ///< "red 1  speed"
+    QString unit;      ///< curves of one unit share an axis
+    QString label;     ///< what tells it from those beside it, for lists; empty: its name
+    QString quantity;  ///< what all curves of its axis may be of, for the axis's title; empty: nothing is said
     QColor colour;
     bool ghost = false;  ///< of another course: thin and pale, beside the curve of the same name
     Qt::PenStyle style = Qt::SolidLine;
     int decimals = 3;
+    bool fromZero = false;   ///< it is never below, and an axis of such curves begins there
+    QVector<QPointF> ahead;  ///< (tick, number): known before it has happened; drawn faintly from there on
     /// Points (tick, number) between two ticks, of each `step` of them a few (curve_sampling.h).
     std::function<void(std::int64_t from, std::int64_t to, std::int64_t step, QVector<QPointF>& points)> sample;
     std::function<double(std::int64_t tick)> at;  ///< NaN: unknown
@@ -26,6 +30,8 @@ struct PlotCurve {
 
 /// What it is drawn with, also in a legend.
 QPen curvePen(const PlotCurve& curve);
+/// What is drawn of it ahead of time, on a ground of that colour. It covers: what is drawn in pieces has no seams.
+QPen aheadPen(const PlotCurve& curve, const QColor& ground);
 
 /// What curves of a unit are held against: a dashed line through (tick, number), whose last number goes on.
 struct PlotLevel {

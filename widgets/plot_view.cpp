@@ -11,13 +11,14 @@
 
 #include <qcustomplot.h>
 
+#include "widgets/plot_band.h"
 #include "widgets/timeline_bar.h"
 #include "widgets/value_catalogue.h"
 
 namespace mrose {
 namespace {
 
-constexpr int leftMargin = 66, rightMargin = 12;
+constexpr double timesCurves = 10;
 constexpr double shortestView = 10;  // ticks
 constexpr int shortestPause = 40;    // ms, between pictures while numbers come
 constexpr double growth = 1.15;      // of the view, when the known time outgrows it
@@ -25,24 +26,15 @@ constexpr double growth = 1.15;      // of the view, when the known time outgrow
 /// Of so many ticks in a pixel a curve is a band of noise: it is drawn in Qt's fast way, one pixel wide.
 constexpr std::int64_t dense = 16;
 
-QString unitLabel(const QString& unit) { return unit.isEmpty() ? QObject::tr("number") : unit; }
+QString titleOf(const QString& quantity, const QString& unit) {
+    if (quantity.isEmpty()) return unit.isEmpty() ? QObject::tr("number") : unit;
+    return unit.isEmpty() ? quantity : quantity + " (" + unit + ')';
+}
 
 /// The least range that an axis shows, so that noise of the last digit does not fill it.
 double leastSpan(const QString& unit) { return unit == QString::fromUtf8("\u00b0") ? 4 : 0.02; }
 
 }  // namespace
-
-struct PlotView::Band {
-    QString unit;
-    QCPAxisRect* rect = nullptr;
-    QCPItemLine *now = nullptr, *mouse = nullptr, *instant = nullptr;
-    std::vector<std::pair<std::size_t, QCPGraph*>> levels;  ///< with the level's index
-    QCPItemRect* unknown = nullptr;
-    std::vector<std::pair<std::size_t, QCPGraph*>> graphs;  ///< with the curve's index
-
-    QCPAxis* time() const { return rect->axis(QCPAxis::atBottom); }
-    QCPAxis* value() const { return rect->axis(QCPAxis::atLeft); }
-};
 
 PlotView::PlotView(QWidget* parent)
     : QWidget(parent), plot_(new QCustomPlot), readOut_(new QLabel(this)), soon_(new QTimer(this)) {
@@ -91,9 +83,15 @@ void PlotView::layOut() {
             addBand(curves_[i].unit, static_cast<int>(bands_.size()));
             band = bands_.end() - 1;
         }
+        if (!curves_[i].ahead.isEmpty())
+            (*band)->ahead.emplace_back(i, plot_->addGraph((*band)->time(), (*band)->value()));
         (*band)->graphs.emplace_back(i, plot_->addGraph((*band)->time(), (*band)->value()));
     }
     for (const auto& band : bands_) {
+        QString quantity = curves_[band->graphs.front().first].quantity;
+        for (const auto& [index, graph] : band->graphs)
+            if (curves_[index].quantity != quantity) quantity.clear();
+        band->title->setText(titleOf(quantity, band->unit));
         addReferences(*band);
         const bool bottom = band == bands_.back();
         band->time()->setTickLabels(bottom);
@@ -117,7 +115,6 @@ void PlotView::addBand(const QString& unit, int row) {
     }
     band->time()->grid()->setVisible(true);
     band->value()->grid()->setVisible(true);
-    band->value()->setLabel(unitLabel(unit));
     band->value()->setNumberFormat("gb");
     band->value()->setRange(-1e-9, 1e-9);  // an empty one is refused; any data widen it
     const auto line = [&](QCPItemLine*& item) {
@@ -146,6 +143,14 @@ void PlotView::addBand(const QString& unit, int row) {
         corner->setTypeX(QCPItemPosition::ptPlotCoords);
         corner->setTypeY(QCPItemPosition::ptAxisRectRatio);
     }
+    band->title = new QCPItemText(plot_);
+    band->title->setLayer("axes");  // above the curves
+    band->title->setClipToAxisRect(false);
+    band->title->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
+    band->title->position->setAxisRect(band->rect);
+    band->title->position->setType(QCPItemPosition::ptAxisRectRatio);
+    band->title->position->setCoords(0, 0);
+    band->title->setPadding({4, 1, 4, 1});
     bands_.push_back(std::move(band));
 }
 
@@ -191,6 +196,12 @@ void PlotView::paintTheme() {
             axis->grid()->setPen(QPen(grid, 0));
             axis->grid()->setZeroLinePen(QPen(theme_.line, 0));
         }
+        band->title->setFont(small);
+        band->title->setColor(theme_.text);
+        QColor ground = theme_.dark ? theme_.surround : QColor(Qt::white);
+        ground.setAlpha(190);
+        band->title->setBrush(ground);
+        band->title->setPen(Qt::NoPen);
         band->now->setPen(QPen(theme_.accent, 2));
         band->mouse->setPen(QPen(theme_.quietText, 0, Qt::DotLine));
         band->instant->setPen(QPen(TimelineBar::colourOf(TimelineMark::Kind::divergence, theme_), 1));
@@ -211,7 +222,10 @@ void PlotView::setTime(const Time& time) {
         const auto first = static_cast<double>(time_.first), last = static_cast<double>(time_.last);
         // Some room at the right, so that the scale does not change at each tick.
         const bool fits = from_ == first && to_ >= last && last - first > 0.6 * (to_ - from_);
-        if (!fits) setRange(first, std::max(first + (last - first) * growth, first + 250));
+        if (time_.end >= time_.last && time_.end > time_.first)
+            setRange(first, reach());
+        else if (!fits)
+            setRange(first, std::max(first + (last - first) * growth, first + 250));
     } else {
         keepNowInView();
     }
@@ -234,10 +248,23 @@ void PlotView::setRange(double from, double to) {
     to_ = std::max(to, from + shortestView);
 }
 
+/// As far as anything is known or awaited.
+double PlotView::reach() const { return static_cast<double>(std::max(time_.last, time_.end)); }
+
+QStringList PlotView::titles() const {
+    QStringList titles;
+    for (const auto& band : bands_) titles << band->title->text();
+    return titles;
+}
+
+std::pair<double, double> PlotView::rangeOf(int axis) const {
+    const QCPRange range = bands_[static_cast<std::size_t>(axis)]->value()->range();
+    return {range.lower, range.upper};
+}
+
 void PlotView::showAll() {
     all_ = true;
-    const auto first = static_cast<double>(time_.first), last = static_cast<double>(time_.last);
-    setRange(first, last);
+    setRange(static_cast<double>(time_.first), reach());
     refresh();
 }
 
@@ -251,10 +278,10 @@ void PlotView::zoom(double factor, double aboutPixel) {
     const double width = std::max(1, plot_->width() - leftMargin - rightMargin);
     const double share = std::clamp((aboutPixel - leftMargin) / width, 0.0, 1.0);
     const double about = from_ + share * (to_ - from_);
-    const double known = static_cast<double>(time_.last - time_.first) * growth + 250;
+    const double known = (reach() - static_cast<double>(time_.first)) * growth + 250;
     const double length = std::clamp((to_ - from_) / factor, shortestView, std::max(known, shortestView));
     double from = about - share * length;
-    from = std::clamp(from, static_cast<double>(time_.first) - 0.5 * length, static_cast<double>(time_.last));
+    from = std::clamp(from, static_cast<double>(time_.first) - 0.5 * length, reach());
     all_ = false;
     setRange(from, from + length);
     refresh();
@@ -345,10 +372,15 @@ void PlotView::fillBand(Band& band) {
         }
         graph->data()->set(drawn, true);
     }
+    fillAhead(band, least, most);
+    // Beside a bound many times as large nothing would be seen of the curves.
+    const double size = least <= most ? std::max(std::abs(least), std::abs(most)) : 0;
+    const double farthest = size > 0 ? timesCurves * size : std::numeric_limits<double>::infinity();
     for (const auto& [index, graph] : band.levels) {
         QVector<QCPGraphData> drawn;
         for (const QPointF& point : levels_[index].points) {
             drawn.append({seconds(point.x()), point.y()});
+            if (std::abs(point.y()) > std::max(farthest, leastSpan(band.unit))) continue;
             least = std::min(least, point.y());
             most = std::max(most, point.y());
         }
@@ -361,12 +393,36 @@ void PlotView::fillBand(Band& band) {
     band.time()->setRange(seconds(from_), seconds(to_));
     band.value()->ticker()->setTickCount(std::clamp(plot_->height() / static_cast<int>(bands_.size()) / 30, 1, 6));
     if (least > most) return;
+    const bool fromZero = std::all_of(band.graphs.begin(), band.graphs.end(),
+                                      [&](const auto& graph) { return curves_[graph.first].fromZero; });
+    if (fromZero) least = 0;
     const double middle = (least + most) / 2, span = std::max(most - least, leastSpan(band.unit));
     const QCPRange now = band.value()->range();
     // A range that fits stays.
-    const double low = middle - 0.5 * span, high = middle + 0.5 * span;
-    if (low >= now.lower && high <= now.upper && span > 0.6 * now.size()) return;
-    band.value()->setRange(low - 0.08 * span, high + 0.08 * span);
+    const double low = fromZero ? 0 : middle - 0.5 * span, high = low + span;
+    const bool begins = !fromZero || now.lower == 0;
+    if (begins && low >= now.lower && high <= now.upper && span > 0.6 * now.size()) return;
+    band.value()->setRange(fromZero ? 0 : low - 0.08 * span, high + 0.08 * span);
+}
+
+/// From where the run has come to.
+void PlotView::fillAhead(Band& band, double& least, double& most) {
+    const auto last = static_cast<double>(time_.last);
+    for (const auto& [index, graph] : band.ahead) {
+        const PlotCurve& curve = curves_[index];
+        QVector<QCPGraphData> drawn;
+        const double joint = curve.at(time_.last);
+        if (std::isfinite(joint)) drawn.append({seconds(last), joint});
+        for (const QPointF& point : curve.ahead) {
+            if (point.x() <= last) continue;
+            drawn.append({seconds(point.x()), point.y()});
+            if (!std::isfinite(point.y())) continue;
+            least = std::min(least, point.y());
+            most = std::max(most, point.y());
+        }
+        graph->setPen(aheadPen(curve, theme_.dark ? theme_.surround : QColor(Qt::white)));
+        graph->data()->set(drawn, true);
+    }
 }
 
 void PlotView::moveCursor() {
@@ -377,118 +433,6 @@ void PlotView::moveCursor() {
         band->unknown->topLeft->setCoords(last, 0);
         band->unknown->bottomRight->setCoords(std::max(last, seconds(to_)), 1);
     }
-}
-
-QString PlotView::textAt(std::int64_t tick) const {
-    QString text = QString("<b>%1</b>&nbsp;&nbsp;%2<table cellspacing=0>")
-                       .arg(clockText(tick * time_.tickLength), tr("tick %1").arg(tick));
-    const auto number = [](const QString& digits) { return "<td align=right>&nbsp;&nbsp;" + digits + "</td>"; };
-    bool ghosts = false;
-    QString rows;
-    for (const PlotCurve& curve : curves_) {
-        if (curve.ghost) continue;
-        const auto ghost = std::find_if(curves_.begin(), curves_.end(), [&](const PlotCurve& other) {
-            return other.ghost && other.name == curve.name;
-        });
-        rows += QString("<tr><td><font color='%1'>%2</font>&nbsp;</td><td>%3</td>")
-                    .arg(curve.colour.name(),
-                         curve.style == Qt::SolidLine  ? QString::fromUtf8("\u2501\u2501")
-                         : curve.style == Qt::DashLine ? QString::fromUtf8("\u2578\u2578")
-                                                       : QString::fromUtf8("\u00b7\u00b7\u00b7"),
-                         curve.name.toHtmlEscaped());
-        rows += number(fixedText(curve.at(tick), curve.decimals));
-        if (ghost != curves_.end()) rows += number(fixedText(ghost->at(tick), curve.decimals));
-        rows += "<td>&nbsp;" + curve.unit.toHtmlEscaped() + "</td></tr>";
-        ghosts = ghosts || ghost != curves_.end();
-    }
-    if (ghosts)
-        text +=
-            QString("<tr><td></td><td></td><td align=right>&nbsp;&nbsp;%1</td><td align=right>&nbsp;&nbsp;%2</td></tr>")
-                .arg(tr("here"), ghostName_.toHtmlEscaped());
-    return text + rows + "</table>";
-}
-
-void PlotView::hover(std::optional<double> pixel, const QPoint& place) {
-    const bool inside = pixel && !bands_.empty() && *pixel >= leftMargin && *pixel <= plot_->width() - rightMargin;
-    std::optional<std::int64_t> tick;
-    if (inside) tick = tickAt(*pixel);
-    for (const auto& band : bands_) {
-        band->mouse->setVisible(inside);
-        if (!inside) continue;
-        const double at = seconds(static_cast<double>(*tick));
-        band->mouse->start->setCoords(at, 0);
-        band->mouse->end->setCoords(at, 1);
-    }
-    plot_->layer("overlay")->replot();
-    readOut_->setVisible(inside);
-    if (inside) {
-        readOut_->setText(textAt(*tick));
-        readOut_->adjustSize();
-        const bool right = place.x() + 16 + readOut_->width() > width();
-        readOut_->move(right ? place.x() - 12 - readOut_->width() : place.x() + 14,
-                       std::clamp(place.y() - readOut_->height() / 2, 0, std::max(0, height() - readOut_->height())));
-        readOut_->raise();
-    }
-    emit hovered(tick);
-}
-
-bool PlotView::press(const QMouseEvent& event) {
-    if (event.button() == Qt::LeftButton && !bands_.empty()) {
-        seeking_ = true;
-        emit tickRequested(tickAt(event.localPos().x()));
-    } else if (event.button() == Qt::RightButton || event.button() == Qt::MiddleButton) {
-        panFrom_ = event.localPos().x();
-    }
-    return true;
-}
-
-bool PlotView::move(const QMouseEvent& event) {
-    const double pixel = event.localPos().x();
-    if (seeking_) emit tickRequested(tickAt(pixel));
-    if (panFrom_) {
-        const double width = std::max(1, plot_->width() - leftMargin - rightMargin);
-        const double by = (*panFrom_ - pixel) / width * (to_ - from_), length = to_ - from_;
-        const double from =
-            std::clamp(from_ + by, static_cast<double>(time_.first) - 0.5 * length, static_cast<double>(time_.last));
-        panFrom_ = pixel;
-        all_ = false;
-        setRange(from, from + length);
-        refresh();
-    }
-    hover(pixel, event.pos());
-    return true;
-}
-
-bool PlotView::eventFilter(QObject* watched, QEvent* event) {
-    if (watched != plot_) return QWidget::eventFilter(watched, event);
-    switch (event->type()) {
-        case QEvent::MouseButtonPress:
-            return press(*static_cast<QMouseEvent*>(event));
-        case QEvent::MouseMove:
-            return move(*static_cast<QMouseEvent*>(event));
-        case QEvent::MouseButtonRelease:
-            seeking_ = false;
-            panFrom_.reset();
-            return true;
-        case QEvent::MouseButtonDblClick:
-            showAll();
-            return true;
-        case QEvent::Wheel: {
-            const auto* wheel = static_cast<QWheelEvent*>(event);
-            zoom(std::pow(1.2, wheel->angleDelta().y() / 120.0), wheel->position().x());
-            event->accept();
-            return true;
-        }
-        case QEvent::Leave:
-            hover({}, {});
-            break;
-        case QEvent::Resize:
-            dirty_ = true;
-            break;
-        default:
-            break;
-    }
-    return QWidget::eventFilter(watched, event);
 }
 
 }  // namespace mrose

@@ -37,10 +37,12 @@ public:
     /// Levels that are not to be exceeded, and the instant at which they were: a thin upright line.
     void setReferences(std::vector<PlotLevel> levels, std::optional<std::int64_t> instant);
     const std::vector<PlotLevel>& levels() const { return levels_; }
+    std::optional<std::int64_t> instant() const { return instant_; }
     struct Time {
         std::int64_t first = 0, last = 0;  ///< ticks that are known
         std::int64_t now = 0;
         Nanoseconds tickLength = 20'000'000;
+        std::int64_t end = 0;  ///< how far the axis reaches at the least, where all is shown
         bool operator==(const Time&) const = default;
     };
     void setTime(const Time& time);
@@ -60,6 +62,8 @@ public:
     double to() const { return to_; }
     double pixelOf(double tick) const;  ///< from the left of this widget
     std::int64_t tickAt(double pixel) const;
+    QStringList titles() const;                         ///< of the axes, from above: "speed (m/s)"
+    std::pair<double, double> rangeOf(int axis) const;  ///< least and greatest number that is seen
     /// Where a number of a curve is drawn; nothing: there is no such curve.
     std::optional<QPointF> placeOf(const QString& curve, double tick, double number) const;
     /// The curves and their axes without cursor and mouse, for a picture of this size; of a view that is not shown.
@@ -86,12 +90,15 @@ private:
     void fill();
     void fillBand(Band& band);
     void addReferences(Band& band);
+    void fillAhead(Band& band, double& least, double& most);
     void moveCursor();
+    double reach() const;
     void setRange(double from, double to);
     void keepNowInView();
     void hover(std::optional<double> pixel, const QPoint& place);
     bool press(const QMouseEvent& event);
     bool move(const QMouseEvent& event);
+    double numberAt(const PlotCurve& curve, std::int64_t tick) const;
     double seconds(double tick) const;
 
     QCustomPlot* plot_;

@@ -17,7 +17,9 @@ QString degreesText(double radians) {
 std::optional<RealRobot> realRobot(const FieldFrame& frame, std::size_t index, std::optional<std::size_t> body) {
     const Reality::Robot& of = frame.reality->robots[index];
     const Nanoseconds now = frame.now();
-    RealRobot robot{index, body, &frame.scene().shapeOf(body.value_or(0)), {}, {}, {}};
+    const Scene& scene = frame.scene();
+    const auto place = body ? std::optional(scene.placeOf(*body)) : std::nullopt;
+    RealRobot robot{index, body, place, &scene.shapeOf(body.value_or(0)), {}, {}, {}};
     if (const auto pose = of.poseAt(now)) {
         robot.pose = *pose;
         if (body) robot.apart = poseError(*pose, frame.poseOf(*body));
@@ -57,8 +59,8 @@ std::optional<RealRobot> realRobotOf(const FieldFrame& frame, std::size_t body) 
     return realRobot(frame, static_cast<std::size_t>(robot - frame.reality->robots.data()), body);
 }
 
-QColor realColour(std::optional<std::size_t> body, const Theme& theme) {
-    return body ? robotColour(*body) : mixed(theme.quietText, theme.onFloor, 0.3);
+QColor realColour(std::optional<std::size_t> place, const Theme& theme) {
+    return place ? robotColour(*place) : mixed(theme.quietText, theme.onFloor, 0.3);
 }
 
 QString errorText(const PoseError& error) { return lengthText(error.position) + ", " + degreesText(error.heading); }

@@ -14,6 +14,7 @@ namespace mrose {
 struct RealRobot {
     std::size_t index = 0;               ///< in Reality::robots
     std::optional<std::size_t> body;     ///< its simulated one; nothing: that is not in the world
+    std::optional<std::size_t> place;    ///< of that one: Scene::placeOf()
     const Shape* shape = nullptr;        ///< of its simulated one, or of the world's first robot; never null
     Pose pose;                           ///< now, or where it was measured last
     std::optional<Nanoseconds> lostFor;  ///< for how long nobody has known where it is; nothing: it is known
@@ -29,8 +30,8 @@ std::optional<RealRobot> realRobotOf(const FieldFrame& frame, std::size_t body);
 /// The body that stands for a real robot; nothing: it is not in the world.
 std::optional<std::size_t> bodyOf(const FieldFrame& frame, const Reality::Robot& robot);
 
-/// The colour of a robot with or without a body; grey without.
-QColor realColour(std::optional<std::size_t> body, const Theme& theme);
+/// The colour of a real robot, by RealRobot::place; grey without.
+QColor realColour(std::optional<std::size_t> place, const Theme& theme);
 
 /// "12 cm, 4.1 deg", with the sign of a degree.
 QString errorText(const PoseError& error);

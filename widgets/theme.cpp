@@ -54,6 +54,10 @@ QColor robotColour(std::size_t robot) {
     return colours[robot % colours.size()];
 }
 
+QColor robotColour(const Scene& scene, std::size_t robot) {
+    return robotColour(robot < scene.robots.size() ? scene.placeOf(robot) : robot);
+}
+
 QColor modelColour(std::size_t model) {
     static const std::array<QColor, 4> colours{QColor(136, 34, 85), QColor(51, 34, 136), QColor(17, 119, 51),
                                                QColor(102, 60, 20)};

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "geometry/shape.h"
+#include "scene/scene.h"
 
 namespace mrose {
 
@@ -27,6 +28,8 @@ struct Theme {
 /// first. They are those of Okabe and Ito 2008, "Color Universal Design", but plum for its green, which is lost on a
 /// green field, a lighter blue and a bluish white for its black.
 QColor robotColour(std::size_t robot);
+/// Of a robot of a scene, in which others may have been left out.
+QColor robotColour(const Scene& scene, std::size_t robot);
 
 /// The colour that a motion model is known by where several are laid over one another, then again from the first: dark
 /// ones, so that none is taken for a robot's, which people with any colour vision can tell apart (after Tol 2021,

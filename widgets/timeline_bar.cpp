@@ -1,26 +1,38 @@
 #include "widgets/timeline_bar.h"
 
+#include <QApplication>
 #include <QHelpEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QScreen>
 #include <QToolTip>
 #include <QWheelEvent>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "widgets/timeline_glyphs.h"
+#include "widgets/timeline_signs.h"
 
 namespace mrose {
 namespace {
 
-// Pixels, from above to below: flags with times, signs of what happened, the track, the scale.
-constexpr double sideMargin = 18, flagTop = 2, flagHeight = 15, signs = 24, trackTop = 31, trackHeight = 14;
-/// Signs do not lie nearer to each other than this.
+using namespace timeline;
+
+constexpr double sideMargin = 18;
+/// Signs of a kind do not lie nearer to each other than this.
 constexpr double leastSignGap = 9;
 constexpr double mostPixelsPerTick = 40;
-/// Marks so near to the cursor are told of.
-constexpr double told = 4;
+/// Of marks whose robot is not asked about, and between a mark and its name.
+constexpr double faintly = 0.4, nameGap = 9;
+/// What was pressed and has not gone farther than this is a click.
+constexpr double clickPixels = 3;
+
+QFont countFont(QFont font) {
+    font.setPointSizeF(7);
+    return font;
+}
 
 double secondsBetweenLabels(double pixelsPerSecond) {
     const double least = 90 / std::max(pixelsPerSecond, 1e-9);
@@ -82,7 +94,7 @@ QColor TimelineBar::colourOf(TimelineMark::Kind kind, const Theme& theme) {
         case TimelineMark::Kind::kick:
             return theme.dark ? QColor(240, 228, 66) : QColor(176, 132, 0);
         case TimelineMark::Kind::goal:
-            return QColor(0, 158, 115);
+            return theme.dark ? QColor(40, 210, 150) : QColor(0, 158, 115);
         case TimelineMark::Kind::fault:
             return theme.warning;
         case TimelineMark::Kind::divergence:
@@ -149,14 +161,16 @@ void TimelineBar::paintEvent(QPaintEvent* /*event*/) {
     painter.fillRect(rect(), theme_.panel);
     painter.setPen(theme_.line);
     painter.drawLine(0, 0, width(), 0);
+    if (!content_.scenario && content_.end <= content_.first) return;  // nothing is open
     painter.setRenderHint(QPainter::Antialiasing);
     paintTrack(painter);
     paintUnknown(painter);
     paintScale(painter);
+    paintContacts(painter);
     paintMarks(painter);
     paintNoted(painter);
     paintBranches(painter);
-    if (hovered_ && !dragging_) paintFlag(painter, tickAt(*hovered_), false);
+    if (hovered_ && !dragging_) paintFlag(painter, tickOf(*hovered_), false);
     paintFlag(painter, content_.now, true);
 }
 
@@ -203,12 +217,12 @@ void TimelineBar::paintScale(QPainter& painter) const {
          static_cast<double>(i) * step <= until + 1e-9; ++i) {
         const double time = static_cast<double>(i) * step, x = at(time);
         painter.setPen(theme_.line);
-        painter.drawLine(QPointF(x, trackTop + trackHeight), QPointF(x, trackTop + trackHeight + 4));
+        painter.drawLine(QPointF(x, scaleTop), QPointF(x, scaleTop + 3));
         painter.setPen(theme_.quietText);
         const QString text = scaleText(time, end, decimals);
         const double wide = QFontMetricsF(small).horizontalAdvance(text) + 2;
         const double left = std::clamp(x - wide / 2, 1.0, std::max(1.0, width() - wide - 1));
-        painter.drawText(QRectF(left, trackTop + trackHeight + 3, wide, 13), Qt::AlignHCenter | Qt::AlignTop, text);
+        painter.drawText(QRectF(left, scaleTop + 2, wide, 13), Qt::AlignHCenter | Qt::AlignTop, text);
     }
 }
 
@@ -222,52 +236,89 @@ std::span<const TimelineMark> TimelineBar::marksBetween(std::int64_t from, std::
     return {begin, end};
 }
 
-void TimelineBar::paintMarks(QPainter& painter) const {
-    // Contacts are many: a line in each pixel, the higher the more there are. Of other marks that lie too near to one
-    // another the rarest kind is seen.
-    std::vector<int> contacts(static_cast<std::size_t>(std::max(width(), 1)), 0);
-    struct Sign {
-        double x;
-        TimelineMark::Kind kind;
-    };
-    std::vector<Sign> shown;
+std::vector<TimelineSign> TimelineBar::signs() const {
+    if (!content_.marks) return {};
+    const QFontMetricsF metrics(countFont(font()));
+    return signsOf(
+        *content_.marks, [this](std::int64_t tick) { return pixelOf(tick); },
+        [&](int count) {
+            return count < 2 ? leastSignGap : leastSignGap + 7 + metrics.horizontalAdvance(QString::number(count));
+        });
+}
+
+/// Contacts are many: a line in each pixel, the higher the more there are, compared with where they are most.
+void TimelineBar::paintContacts(QPainter& painter) const {
+    constexpr int least = 3, few = 4;
+    std::vector<int> counts(static_cast<std::size_t>(std::max(width(), 1)), 0);
     const double origin = pixelOf(0), perTick = pixelOf(1) - origin;
-    const auto marks = marksBetween(tickAt(-1), tickAt(width()));
-    for (const TimelineMark& mark : marks) {
+    int most = few;
+    for (const TimelineMark& mark : marksBetween(tickAt(-1), tickAt(width()))) {
         const double x = origin + perTick * static_cast<double>(mark.tick);
-        if (x < 0 || x >= width()) continue;
-        if (mark.kind == TimelineMark::Kind::contact)
-            ++contacts[static_cast<std::size_t>(x)];
-        else if (shown.empty() || x - shown.back().x >= leastSignGap)
-            shown.push_back({x, mark.kind});
-        else
-            shown.back().kind = std::max(shown.back().kind, mark.kind);
+        if (mark.kind != TimelineMark::Kind::contact || x < 0 || x >= width()) continue;
+        most = std::max(most, ++counts[static_cast<std::size_t>(x)]);
     }
     painter.setRenderHint(QPainter::Antialiasing, false);
     const QColor touched = colourOf(TimelineMark::Kind::contact, theme_);
-    for (std::size_t x = 0; x < contacts.size(); ++x) {
-        if (contacts[x] == 0) continue;
-        const int high = std::min(static_cast<int>(trackHeight) - 2, 5 + 2 * std::ilogb(contacts[x]));
-        painter.fillRect(QRect(static_cast<int>(x), static_cast<int>(trackTop + trackHeight) - 1 - high, 1, high),
+    for (std::size_t x = 0; x < counts.size(); ++x) {
+        if (counts[x] == 0) continue;
+        const int high = least + (static_cast<int>(contactHeight) - least) * counts[x] / most;
+        painter.fillRect(QRect(static_cast<int>(x), static_cast<int>(contactTop + contactHeight) - high, 1, high),
                          touched);
     }
     painter.setRenderHint(QPainter::Antialiasing);
-    for (const Sign& sign : shown) {
-        painter.fillRect(QRectF(sign.x - 0.5, signs + 4, 1, trackTop + trackHeight - signs - 6),
-                         colourOf(sign.kind, theme_));
-        drawMark(painter, {sign.x, signs}, sign.kind, theme_);
+}
+
+/// A sign in its lane, on a thin line that leads to its instant.
+void TimelineBar::paintSign(QPainter& painter, double x, TimelineMark::Kind kind) const {
+    const double lane = laneOf(kind);
+    QColor stem = colourOf(kind, theme_);
+    stem.setAlpha(120);
+    painter.fillRect(QRectF(x - 0.5, lane + 4, 1, trackTop + trackHeight - lane - 4), stem);
+    drawMark(painter, {x, lane}, kind, theme_);
+}
+
+void TimelineBar::paintMarks(QPainter& painter) const {
+    painter.setFont(countFont(font()));
+    for (const TimelineSign& sign : signs()) {
+        if (sign.x < -sign.width || sign.x > width()) continue;
+        paintSign(painter, sign.x, sign.kind);
+        if (sign.count < 2) continue;
+        painter.setPen(theme_.text);
+        painter.drawText(QRectF(sign.x + 5, laneOf(sign.kind) - 6, sign.width, 12), Qt::AlignLeft | Qt::AlignVCenter,
+                         QString::number(sign.count));
     }
 }
 
 void TimelineBar::paintNoted(QPainter& painter) const {
+    QFont small = font();
+    small.setPointSizeF(8);
+    painter.setFont(small);
     for (const Content::Noted& noted : content_.noted) {
-        const double x = pixelOf(noted.mark.tick);
-        const QColor colour = colourOf(noted.mark.kind, theme_);
+        const double x = pixelOf(noted.mark.tick), lane = laneOf(noted.mark.kind);
+        painter.setOpacity(noted.faint ? faintly : 1);
         // Above what else is there: it hides a run's own mark, and says so by its tool tip alone.
-        painter.fillRect(QRectF(x - 6.5, signs - 6, 13, 12), theme_.panel);
-        painter.fillRect(QRectF(x - 0.75, signs + 6, 1.5, trackTop + trackHeight - signs - 6), colour);
-        drawMark(painter, {x, signs}, noted.mark.kind, theme_);
+        painter.fillRect(QRectF(x - 6.5, lane - 5, 13, 10), theme_.panel);
+        paintSign(painter, x, noted.mark.kind);
+        painter.setOpacity(1);
+        if (QFontMetricsF(small).horizontalAdvance(noted.name) > roomBeside(noted)) continue;
+        painter.setPen(noted.faint ? theme_.quietText : theme_.text);
+        painter.drawText(QRectF(x + nameGap, lane - 7, width(), 14), Qt::AlignLeft | Qt::AlignVCenter, noted.name);
     }
+}
+
+/// Up to the next sign, or the end.
+double TimelineBar::roomBeside(const Content::Noted& noted) const {
+    const double begin = pixelOf(noted.mark.tick) + nameGap;
+    double room = width() - begin;
+    const auto stopAt = [&](std::int64_t tick) { room = std::min(room, pixelOf(tick) - nameGap - begin); };
+    for (const Content::Noted& other : content_.noted)
+        if (other.mark.tick > noted.mark.tick) stopAt(other.mark.tick);
+    for (const TimelineMark& mark : marksBetween(noted.mark.tick + 1, tickAt(width())))
+        if (mark.kind != TimelineMark::Kind::contact) {
+            stopAt(mark.tick);
+            break;
+        }
+    return room;
 }
 
 /// Thinly along the track's upper edge.
@@ -294,7 +345,7 @@ void TimelineBar::paintFlag(QPainter& painter, std::int64_t tick, bool now) cons
     if (x < sideMargin - 1 || x > sideMargin + room() + 1) return;
     const QColor colour = now ? theme_.accent : theme_.quietText;
     painter.setPen(QPen(colour, now ? 2 : 1));
-    painter.drawLine(QPointF(x, flagTop + flagHeight), QPointF(x, trackTop + trackHeight + 3));
+    painter.drawLine(QPointF(x, flagTop + flagHeight), QPointF(x, scaleTop));
     QFont small = font();
     small.setPointSizeF(8);
     painter.setFont(small);
@@ -308,17 +359,41 @@ void TimelineBar::paintFlag(QPainter& painter, std::int64_t tick, bool now) cons
     painter.drawText(box, Qt::AlignCenter, text);
 }
 
-void TimelineBar::ask(double pixel) { emit tickRequested(tickAt(pixel)); }
+/// What a click there asks for: the nearest mark within a few pixels, in its own lane rather than in another, or else
+/// the instant itself.
+std::int64_t TimelineBar::tickOf(const QPointF& pixel) const {
+    constexpr double halfLane = 5, aside = 0.15;
+    std::int64_t found = tickAt(pixel.x());
+    double least = std::numeric_limits<double>::infinity();
+    const auto consider = [&](std::int64_t tick, double lane, double width) {
+        const double x = pixelOf(tick), off = std::abs(pixel.y() - lane);
+        const bool onCount = off <= halfLane && pixel.x() >= x && pixel.x() <= x + width;
+        const double away = onCount ? 0 : std::abs(pixel.x() - x);
+        if (away > told || away + aside * off >= least) return;
+        least = away + aside * off;
+        found = tick;
+    };
+    for (const TimelineSign& sign : signs())
+        consider(sign.first, laneOf(sign.kind), sign.count > 1 ? sign.width - told : 0);
+    for (const Content::Noted& noted : content_.noted) consider(noted.mark.tick, laneOf(noted.mark.kind), 0);
+    for (const std::int64_t branch : content_.branches) consider(branch, trackTop + trackHeight / 2, 0);
+    if (content_.departed > content_.first) consider(content_.departed, trackTop + trackHeight / 2, 0);
+    return found;
+}
 
 void TimelineBar::mousePressEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton) return;
     dragging_ = true;
-    ask(event->localPos().x());
+    pressedAt_ = event->localPos().x();
+    emit tickRequested(tickOf(event->localPos()));
 }
 
 void TimelineBar::mouseMoveEvent(QMouseEvent* event) {
-    hovered_ = event->localPos().x();
-    if (dragging_) ask(*hovered_);
+    hovered_ = event->localPos();
+    if (dragging_ && (!pressedAt_ || std::abs(hovered_->x() - *pressedAt_) > clickPixels)) {
+        pressedAt_.reset();
+        emit tickRequested(tickAt(hovered_->x()));
+    }
     update();
 }
 
@@ -336,77 +411,6 @@ void TimelineBar::wheelEvent(QWheelEvent* event) {
 void TimelineBar::leaveEvent(QEvent* /*event*/) {
     hovered_.reset();
     update();
-}
-
-QString TimelineBar::nameOf(const TimelineMark& mark) const {
-    if (!content_.scenario) return {};
-    const Scene& scene = content_.scenario->scene();
-    const auto body = [&](std::uint32_t which) {
-        const std::size_t robots = scene.robots.size();
-        if (which >= scene.bodyCount()) return tr("the place");
-        return QString::fromStdString(which < robots ? scene.robots[which].name : scene.objects[which - robots].name);
-    };
-    switch (mark.kind) {
-        case TimelineMark::Kind::hit: {
-            const auto found = content_.breakpoints.find(mark.body);
-            return found == content_.breakpoints.end() ? QString() : found->second;
-        }
-        case TimelineMark::Kind::contact:
-            return tr("%1 and %2").arg(body(mark.body), body(mark.other));
-        case TimelineMark::Kind::goal:
-            return mark.other < scene.environment.goals.size()
-                       ? QString::fromStdString(scene.environment.goals[mark.other].name)
-                       : QString();
-        default:
-            return body(mark.body);
-    }
-}
-
-QString TimelineBar::textAt(double pixel) const {
-    constexpr int mostLines = 6;
-    const std::int64_t tick = tickAt(pixel);
-    QString text = tr("%1, tick %2").arg(clockText(tick * content_.tickLength)).arg(tick);
-    std::array<int, markKinds> counts{};
-    std::array<QStringList, markKinds> names;
-    for (const TimelineMark& mark : marksBetween(tickAt(pixel - told - 1), tickAt(pixel + told + 1))) {
-        if (std::abs(pixelOf(mark.tick) - pixel) > told) continue;
-        const auto kind = static_cast<std::size_t>(mark.kind);
-        ++counts[kind];
-        const QString name = nameOf(mark).toHtmlEscaped();
-        if (!name.isEmpty() && names[kind].size() < mostLines && !names[kind].contains(name)) names[kind] += name;
-    }
-    for (int kind = markKinds - 1; kind >= 0; --kind) {
-        const auto i = static_cast<std::size_t>(kind);
-        if (counts[i] == 0) continue;
-        const auto which = static_cast<TimelineMark::Kind>(kind);
-        text += QString("<br><span style=\"color:%1\">%2</span> %3")
-                    .arg(colourOf(which, theme_).name(), markLetter(which), markName(which));
-        if (counts[i] > 1) text += QString::fromUtf8(" \u00d7 %1").arg(counts[i]);
-        if (!names[i].isEmpty()) text += ": " + names[i].join(", ");
-        if (names[i].size() == mostLines) text += QString::fromUtf8(" \u2026");
-    }
-    for (const Content::Noted& noted : content_.noted)
-        if (std::abs(pixelOf(noted.mark.tick) - pixel) <= told + 2)
-            text += QString("<br><span style=\"color:%1\">%2</span> %3: %4")
-                        .arg(colourOf(noted.mark.kind, theme_).name(), markLetter(noted.mark.kind),
-                             markName(noted.mark.kind), noted.text.toHtmlEscaped());
-    for (const auto& [from, to] : content_.unknown)
-        if (tick > from && tick < to) {
-            text += "<br>" + tr("no ground truth");
-            break;
-        }
-    for (const std::int64_t branch : content_.branches)
-        if (std::abs(pixelOf(branch) - pixel) <= told) text += "<br>" + tr("a branch departs");
-    return text;
-}
-
-bool TimelineBar::event(QEvent* event) {
-    if (event->type() == QEvent::ToolTip) {
-        const auto* help = static_cast<QHelpEvent*>(event);
-        QToolTip::showText(help->globalPos(), textAt(help->pos().x()), this);
-        return true;
-    }
-    return QWidget::event(event);
 }
 
 }  // namespace mrose

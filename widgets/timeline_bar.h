@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QWidget>
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -11,13 +12,16 @@
 
 #include "scenario/scenario.h"
 #include "widgets/theme.h"
+#include "widgets/timeline_glyphs.h"
 #include "widgets/timeline_mark.h"
+#include "widgets/timeline_signs.h"
 #include "world/time.h"
 
 namespace mrose {
 
-/// A branch's ticks from left to right, what happened in them, and now. Press or drag: asks for that tick. Wheel: zooms
-/// at the cursor, with Shift along the time. Resting: tells what happened there.
+/// A branch's ticks from left to right, what happened in them, and now. Press: asks for that tick, or for the mark
+/// beside it; drag: for each. Wheel: zooms at the cursor, with Shift along the time. Resting: tells what happened
+/// there.
 class TimelineBar final : public QWidget {
     Q_OBJECT
 
@@ -32,6 +36,8 @@ public:
         struct Noted {
             TimelineMark mark;
             QString text;
+            QString name = {};   ///< beside the mark, where there is room
+            bool faint = false;  ///< of somebody who is not asked about
         };
         std::vector<Noted> noted;
         /// From one tick to another: there nobody knows what really happened.
@@ -61,8 +67,8 @@ public:
 
     static QColor colourOf(TimelineMark::Kind kind, const Theme& theme);
 
-    QSize sizeHint() const override { return {600, 66}; }
-    QSize minimumSizeHint() const override { return {200, 66}; }
+    QSize sizeHint() const override { return {600, timeline::height}; }
+    QSize minimumSizeHint() const override { return {200, timeline::height}; }
 
 signals:
     void tickRequested(std::int64_t tick);
@@ -77,14 +83,23 @@ protected:
     bool event(QEvent* event) override;
 
 private:
-    void ask(double pixel);
+    /// Pixels: marks so near to the cursor are told of, and a click goes to the nearest of them.
+    static constexpr double told = 4;
+
+    std::int64_t tickOf(const QPointF& pixel) const;
+    std::vector<TimelineSign> signs() const;
+    std::array<std::pair<double, double>, markKinds> toldBetween(double pixel) const;
+    void showToolTip(double pixel);
     double length() const;  ///< pixels, of all ticks
     double room() const;    ///< pixels, of what is seen of them
     void setOffset(double offset);
     void paintTrack(QPainter& painter) const;
     void paintScale(QPainter& painter) const;
+    void paintContacts(QPainter& painter) const;
+    void paintSign(QPainter& painter, double x, TimelineMark::Kind kind) const;
     void paintMarks(QPainter& painter) const;
     void paintNoted(QPainter& painter) const;
+    double roomBeside(const Content::Noted& noted) const;
     void paintUnknown(QPainter& painter) const;
     void paintBranches(QPainter& painter) const;
     void paintFlag(QPainter& painter, std::int64_t tick, bool now) const;
@@ -94,8 +109,9 @@ private:
     Content content_;
     Theme theme_ = Theme::light();
     bool dragging_ = false;
-    std::optional<double> hovered_;  ///< pixel
-    double zoom_ = 1, offset_ = 0;   ///< pixels of all ticks that lie left of what is seen
+    std::optional<QPointF> hovered_;
+    std::optional<double> pressedAt_;  ///< until it is dragged
+    double zoom_ = 1, offset_ = 0;     ///< pixels of all ticks that lie left of what is seen
 };
 
 /// "12.40 s", "1:02.40", "1:00:02.40": an instant of a run.

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
+#include <sstream>
 #include <string_view>
 
 #include "condition/condition.h"
+#include "io/nearest_word.h"
 #include "widgets/command_queue.h"
 
 namespace mrose {
@@ -107,7 +110,7 @@ std::optional<Pose> measuredSelf(const Subject& s) {
 const Annotation* note(const Subject& s) {
     if (s.insight() == nullptr) return nullptr;
     for (const Annotation& note : s.insight()->decision.annotations)
-        if (note.label == s.key.of) return &note;
+        if (note.label == s.key.of || noteLabel(note.label).name == s.key.of) return &note;
     return nullptr;
 }
 
@@ -320,6 +323,22 @@ const Quantity* quantityNamed(const std::string& name) {
     return found == std::end(quantities) ? nullptr : found;
 }
 
+/// How far two names are from one another, of words in any order: each word of one against the nearest of the other.
+std::size_t wordsApart(const std::string& written, const std::string& name) {
+    const auto wordsOf = [](const std::string& text) {
+        std::istringstream stream(text);
+        return std::vector<std::string>(std::istream_iterator<std::string>(stream), {});
+    };
+    const std::vector<std::string> known = wordsOf(name);
+    std::size_t sum = 0;
+    for (const std::string& word : wordsOf(written)) {
+        std::size_t least = word.size();
+        for (const std::string& other : known) least = std::min(least, wordDistance(word, other));
+        sum += least;
+    }
+    return 2 * sum + known.size();
+}
+
 bool fits(Whose whose, const Scene& scene, std::uint32_t body) {
     if (body >= scene.bodyCount()) return false;
     return whose == Whose::body || (whose == Whose::robot) == (body < scene.robots.size());
@@ -354,13 +373,40 @@ Expected<PlottedValue> expressionValue(const Scenario& scenario, const ValueKey&
 
 }  // namespace
 
+namespace {
+
+/// Bodies, or else the quantities of that body, the nearest to what was written first.
+std::string namesThereAre(const Scene& scene, const ValueKey& key) {
+    const std::uint32_t body = bodyNamed(scene, key.body);
+    std::vector<std::string> names;
+    if (body != noBody)
+        for (const Quantity& quantity : quantities) {
+            if (fits(quantity.whose, scene, body)) names.emplace_back(quantity.name);
+        }
+    else
+        for (std::size_t i = 0; i < scene.bodyCount(); ++i)
+            names.push_back(i < scene.robots.size() ? scene.robots[i].name
+                                                    : scene.objects[i - scene.robots.size()].name);
+    const std::string& written = body != noBody ? key.quantity : key.body;
+    std::vector<std::pair<std::size_t, std::string>> ranked;
+    for (const std::string& name : names) ranked.emplace_back(wordsApart(written, name), name);
+    std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::string text = body != noBody ? "of " + key.body + " there are " : "there are ";
+    const std::size_t listed = std::min<std::size_t>(ranked.size(), 12);
+    for (std::size_t i = 0; i < listed; ++i) text += (i > 0 ? ", " : "") + ranked[i].second;
+    if (listed < ranked.size()) text += " ...";
+    return text;
+}
+
+}  // namespace
+
 Expected<PlottedValue> plottedValue(const Scenario& scenario, const ValueKey& key) {
     if (key.quantity == expressionQuantity) return expressionValue(scenario, key);
     const Scene& scene = scenario.scene();
     const Quantity* const quantity = quantityNamed(key.quantity);
     const std::uint32_t body = bodyNamed(scene, key.body);
     if (quantity == nullptr || !fits(quantity->whose, scene, body))
-        return fail({}, "there is no " + key.quantity + " of " + key.body);
+        return fail({}, "there is no " + key.quantity + " of " + key.body + "; " + namesThereAre(scene, key));
     PlottedValue value;
     const QString of = QString::fromStdString(key.of), what = QObject::tr(quantity->name);
     value.name = QString::fromStdString(key.body) + "  ";
@@ -372,7 +418,7 @@ Expected<PlottedValue> plottedValue(const Scenario& scenario, const ValueKey& ke
     value.angle = unit == std::string_view("rad") || unit == std::string_view(degreeSign);
     value.unit = QString::fromUtf8(value.angle ? degreeSign : unit);
     value.decimals = quantity->text.decimals;
-    if (body < scene.robots.size()) value.colourOf = body;
+    if (body < scene.robots.size()) value.colourOf = static_cast<std::uint32_t>(scene.placeOf(body));
     value.read = [key, body, read = quantity->read, other = bodyNamed(scene, key.of)](const Moment& at) {
         return read({at, body, other, key});
     };
@@ -384,6 +430,12 @@ double readValue(const Moment& moment, const ValueKey& key, std::uint32_t body) 
     if (quantity == nullptr || !fits(quantity->whose, moment.scene(), body)) return unknown;
     const std::uint32_t other = key.of.empty() ? noBody : bodyNamed(moment.scene(), key.of);
     return quantity->read({moment, body, other, key});
+}
+
+NoteLabel noteLabel(const std::string& label) {
+    const std::size_t unit = label.rfind(" (");
+    if (unit == std::string::npos || unit == 0 || !label.ends_with(')')) return {label, {}};
+    return {label.substr(0, unit), label.substr(unit + 2, label.size() - unit - 3)};
 }
 
 bool readsReality(const ValueKey& key) {

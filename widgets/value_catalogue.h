@@ -46,7 +46,7 @@ struct PlottedValue {
     QString unit;  ///< "m/s"; empty: it has none
     int decimals = 3;
     bool angle = false;                     ///< degrees that go round from 180 to -180
-    std::optional<std::uint32_t> colourOf;  ///< the robot whose colour it has
+    std::optional<std::uint32_t> colourOf;  ///< which robot's colour it has: Scene::placeOf()
     std::function<double(const Moment&)> read;
 };
 
@@ -79,6 +79,12 @@ bool readsReality(const ValueKey& key);
 
 /// Bodies by name, robots first; noBody: none of them.
 std::uint32_t bodyNamed(const Scene& scene, const std::string& name);
+
+/// A note's label without the unit that it may end in: "ball speed" and "m/s" of "ball speed (m/s)".
+struct NoteLabel {
+    std::string name, unit;
+};
+NoteLabel noteLabel(const std::string& label);
 
 /// What stands still, as `of` of a push.
 inline constexpr const char* wallName = "wall";

@@ -173,8 +173,8 @@ Subcommand addBatch(CLI::App& app, CommonFlags& common) {
         "  mrose batch soccer.toml --trials 50 --seeds 1..20 --until 'goals[1] + goals[2] > 0' -o goals\n"
         "Every trial starts elsewhere, as [variation] in the scenario says; every seed has another noise. Killed or\n"
         "interrupted, the same command goes on where it was, with more --trials too, and with --isolate where a "
-        "plug-in\n"
-        "has ended it. Each row has the command that runs its trial alone, and the starts and parameters that vary.");
+        "plug-in\nhas ended it. Each row has the command that runs its trial alone, and the starts and parameters that "
+        "vary.");
     addSeed(*sub, common);
     addThreads(*sub, common);
     addRunFlags(*sub, flags->run);

@@ -42,8 +42,7 @@ void printComparison(const Comparison& comparison, const ComparedDivergences& di
     std::puts(
         "\nwindows: courses with ground truth throughout in which the robot moves; P: time-mean position error over "
         "path,\nHd: time-mean heading error over rotation, summed over these windows. final: median errors at the end "
-        "of "
-        "the\ncourses. touches: how often the simulated robot began to touch something.");
+        "of the\ncourses. touches: how often the simulated robot began to touch something.");
     printDivergences(comparison, divergences);
     std::vector<std::string> notes = notices;
     for (std::string& remark : remarksOn(comparison)) notes.push_back(std::move(remark));
@@ -53,7 +52,7 @@ void printComparison(const Comparison& comparison, const ComparedDivergences& di
 
 int deliver(const LogComparison& compared, const ComparedDivergences& divergences, const CompareFlags& flags,
             const CommonFlags& common) {
-    const auto& [log, world, comparison, context] = compared;
+    const auto& [world, comparison, context] = compared;
     if (common.json)
         std::fputs(comparisonJson(comparison, context.notices, &divergences).c_str(), stdout);
     else
@@ -89,21 +88,26 @@ Subcommand addCompare(CLI::App& app, CommonFlags& common) {
     auto flags = std::make_shared<CompareFlags>();
     CLI::App* sub = addSubcommand(
         app, common, "compare", "Put simulated robots beside the real ones whose log they play, with their errors",
-        "  mrose compare mrclam_replay.toml --log MRCLAM_Dataset6\n"
+        "  mrose compare --log MRCLAM_Dataset6\n"
+        "  mrose compare --log mine.csv --robot husky.toml --every 2\n"
         "  mrose compare mrclam_replay.toml --log MRCLAM_Dataset6 --every 10 --report comparison\n"
         "  mrose compare mrclam_replay.toml --log MRCLAM_Dataset7 --robots 1,2 --start 120 --duration 30\n"
         "  mrose compare mrclam_replay.toml --log MRCLAM_Dataset7 --robots 1,2 --windows windows.csv\n"
         "  mrose compare mrclam_replay.toml --log MRCLAM_Dataset6 --start 120 --duration 60 --model mine.net\n"
         "Each course begins with the poses and velocities of the real robots and the commands before; from there on "
-        "the "
-        "simulation gets their commands alone. It collides with what is in the world; mrose predict knows no "
+        "the simulation gets their commands alone. It collides with what is in the world; mrose predict knows no "
         "contacts.");
     addSeed(*sub, common);
     addThreads(*sub, common);
     addOverwrite(*sub, common);
-    sub->add_option("SCENARIO", flags->what.scenario,
-                    "Scenario file, or the name of one that ships, with robots that play a log")
-        ->required();
+    CLI::Option* scenario = sub->add_option(
+        "SCENARIO", flags->what.scenario,
+        "Scenario file, or the name of one that ships, with robots that play a log; without it one is made "
+        "for the log: its robots alone, Creates of MRCLAM in the arena of these logs");
+    sub->add_option("--robot", flags->what.robotFile,
+                    "Without a scenario: robot file, or the name of one that ships, of what drove, where the log does "
+                    "not tell (CSV)")
+        ->excludes(scenario);
     sub->get_option("--seed")->default_str("the scenario's");
     sub->add_option("--log", flags->what.log, "The log to play and to compare with")->required();
     sub->add_option("--robots", flags->what.robots,
@@ -115,7 +119,7 @@ Subcommand addCompare(CLI::App& app, CommonFlags& common) {
                              ->capture_default_str();
     sub->add_option("--duration", flags->what.duration,
                     "How long to compare, in s; otherwise what the scenario says, with --every to the log's end, with "
-                    "--windows 10")
+                    "--windows 10; without a scenario a log of short trajectories is cut as mrose evaluate does")
         ->check(numberRange(0.1, 1e7));
     CLI::Option* every =
         sub->add_option("--every", flags->what.every, "Start again from the real robots every so many s")

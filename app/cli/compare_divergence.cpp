@@ -12,9 +12,10 @@ namespace {
 
 DivergenceOptions optionsOf(const DivergenceFlags& flags) {
     DivergenceOptions options;
-    options.bound.constant = {flags.position, flags.heading / degrees};
     options.bound.held = fromSeconds(flags.held);
-    options.fromHeldOut = flags.heldOut;
+    options.fromHeldOut = !flags.position && !flags.heading;
+    if (flags.position) options.bound.constant.position = *flags.position;
+    if (flags.heading) options.bound.constant.heading = *flags.heading / degrees;
     if (flags.noCauses) options.diagnosed = 0;
     return options;
 }
@@ -31,6 +32,7 @@ std::string whichOf(const Comparison& comparison, const CourseDivergence& diverg
 }
 
 void printCause(const Diagnosis& diagnosis) {
+    if (const std::string parting = partingText(diagnosis); !parting.empty()) std::printf("  %s\n", parting.c_str());
     std::printf("  likely cause: %s\n", causeText(diagnosis).c_str());
     TextTable table({"    tried", "explains"});
     for (const CauseTrial& trial : usefulTrials(diagnosis)) table.add({"    " + trial.what, explainedText(trial)});
@@ -52,16 +54,15 @@ void printSummary(const Comparison& comparison, const ComparedDivergences& diver
 }  // namespace
 
 void addDivergenceFlags(CLI::App& sub, DivergenceFlags& flags) {
-    sub.add_option("--bound-position", flags.position, "A robot farther off than this, in m, has left the real course")
-        ->check(numberRange(1e-4, 1e4))
-        ->capture_default_str();
-    sub.add_option("--bound-heading", flags.heading, "Likewise a heading farther off than this, in degrees")
-        ->check(numberRange(0.01, 180.0))
-        ->capture_default_str();
-    sub.add_flag("--bound-network", flags.heldOut,
-                 "Instead of both: three times what the network's held-out error makes of the path and rotation so far")
-        ->excludes("--bound-position")
-        ->excludes("--bound-heading");
+    sub.add_option(
+           "--bound-position", flags.position,
+           "A robot farther off than this, in m, has left the real course (0.1 beside --bound-heading); without "
+           "both, one that is off by three times what its network's held-out errors make of the path and "
+           "rotation so far, or by 0.1 m or 10 degrees where it has none")
+        ->check(numberRange(1e-4, 1e4));
+    sub.add_option("--bound-heading", flags.heading,
+                   "Likewise a heading farther off than this, in degrees (10 beside --bound-position)")
+        ->check(numberRange(0.01, 180.0));
     sub.add_option("--held", flags.held, "For how long it must be farther off, in s")
         ->check(numberRange(0.0, 1e4))
         ->capture_default_str();
@@ -103,8 +104,12 @@ void printDivergences(const Comparison& comparison, const ComparedDivergences& d
         std::puts("");
         printSummary(comparison, divergences);
     }
-    for (const CourseDivergence& diverging : divergences.courses) {
-        if (!diverging.diagnosis && comparison.requests.size() > 1) continue;
+    const bool many = comparison.requests.size() > 1;
+    if (const std::string counts = causeCounts(divergences); many && !counts.empty())
+        std::printf("\nLikely causes: %s. The courses with the largest mean errors:\n", counts.c_str());
+    for (const std::size_t index : worstOf(comparison, divergences, shownDivergences)) {
+        const CourseDivergence& diverging = divergences.courses[index];
+        if (!diverging.diagnosis && many) continue;
         std::printf("\n%s: %s\n", whichOf(comparison, diverging).c_str(), divergenceText(diverging.divergence).c_str());
         if (diverging.diagnosis) printCause(*diverging.diagnosis);
     }

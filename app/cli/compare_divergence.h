@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,8 +11,9 @@ namespace mrose::cli {
 
 /// Flags about where simulated robots leave the real course, and why.
 struct DivergenceFlags {
-    double position = 0.1, heading = 10, held = 0.3;  ///< m, degrees, s
-    bool heldOut = false, noCauses = false;
+    std::optional<double> position, heading;  ///< m, degrees; neither: what the networks' held-out errors make likely
+    double held = 0.3;                        ///< s
+    bool noCauses = false;
     std::vector<std::string> models;
 };
 void addDivergenceFlags(CLI::App& sub, DivergenceFlags& flags);

@@ -222,6 +222,7 @@ Subcommand addRun(CLI::App& app, CommonFlags& common) {
     addOverwrite(*sub, common);
     addRunFlags(*sub, flags->run);
     sub->add_option("--trial", flags->run.trial, "Start as this trial of a batch does; 0: as the scenario says")
+        ->check(someTrial())
         ->capture_default_str();
     sub->add_option("--speed", flags->speed, "Times real time; 0: as fast as it goes")
         ->check(numberRange(0.0, 1e6))

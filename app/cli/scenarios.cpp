@@ -22,6 +22,7 @@ Expected<OpenScenario> openScenario(const std::string& name, std::uint32_t trial
     auto loaded = loadScenario(name, source, {loadAndHash});
     if (!loaded) return tl::unexpected(loaded.error());
     watchPlugins(loaded->parts);
+    for (const std::string& sentence : startsApartText(*loaded)) report({"", 0, 0, "note", sentence});
     auto parts = varied(loaded->parts, trial);
     if (!parts) return tl::unexpected(parts.error());
     keepTrial(loaded->texts, trial);

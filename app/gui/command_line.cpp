@@ -81,16 +81,19 @@ void addFlags(CLI::App& app, CommandLine& line, std::string& run, std::string& s
     app.add_option("--duration", line.duration, "Run for so many seconds; nothing: as the scenario says")
         ->check(numberRange(0.0, 1e6))
         ->excludes(ticks);
-    app.add_option("--at", line.at, "Open at this time, s")->check(numberRange(0.0, 1e6));
+    app.add_option("--at", line.at, "Open at this time, s; with a log: --start")->check(numberRange(0.0, 1e6));
     app.add_option("--seed", line.seed, "Seed of everything random; the same seed gives the same run")
         ->check(someSeed());
-    app.add_option("--trial", line.trial, "Start as this trial of a batch does; 0: as the scenario says");
+    app.add_option("--trial", line.trial, "Start as this trial of a batch does; 0: as the scenario says")
+        ->check(someTrial());
     app.add_option("--log", line.log,
                    "Lay this log over its simulation; of a scenario: read it instead of those that it names");
     CLI::Option* start =
         app.add_option("--start", line.start, "Where in the log to begin, s after its robots are there")
             ->check(numberRange(0.0, 1e7));
-    app.add_option("--every", line.every, "Start again from the real robots every so many s; nothing: 10")
+    app.add_option("--every", line.every,
+                   "Start again from the real robots every so many s; nothing: 10, or windows as of `mrose evaluate` "
+                   "where the log's trajectories are shorter")
         ->check(numberRange(0.1, 1e7));
     app.add_flag("--windows", line.windows, "Start where `mrose evaluate` does")->excludes(start);
     app.add_option("--robots", line.robots, "Only these robots of the log, by their names there: 1,2")->delimiter(',');
@@ -107,6 +110,7 @@ void addFlags(CLI::App& app, CommandLine& line, std::string& run, std::string& s
         ->check(someName());
     app.add_option("--layers", line.layers, "Show these layers and no others, with commas between them; or none")
         ->delimiter(',')
+        ->allow_extra_args(false)
         ->check(someLayer());
     app.add_option("--break", line.breaks,
                    "Stop where this condition begins to hold, or at contact, kick, goal, fault, breakHere(); may be "
@@ -130,6 +134,15 @@ void addFlags(CLI::App& app, CommandLine& line, std::string& run, std::string& s
 
 }  // namespace
 
+std::string flagOfALog(const CommandLine& line) {
+    if (line.start) return "--start";
+    if (line.every) return "--every";
+    if (line.windows) return "--windows";
+    if (!line.robots.empty()) return "--robots";
+    if (!line.robotFile.empty()) return "--robot";
+    return line.models.empty() ? "" : "--model";
+}
+
 ParsedCommandLine parseCommandLine(int argc, char** argv) {
     CLI::App app("The window: run, stop, step, rewind and branch what robots do.", "mrose-gui");
     app.footer(examples);
@@ -147,6 +160,8 @@ ParsedCommandLine parseCommandLine(int argc, char** argv) {
         if (line.run) line.file = run;
         if (!size.empty()) line.size = parseSize(size);
         if (line.ticks && !line.run) throw CLI::RequiresError("--ticks", "--run");
+        if (const std::string flag = flagOfALog(line); line.run && !flag.empty())
+            throw CLI::ValidationError(flag, "is for a log over its simulation; --run opens a scenario as it is");
         if (line.overwrite && line.record.empty()) throw CLI::RequiresError("--overwrite", "--record");
     } catch (const CLI::ParseError& error) {
         parsed.status = app.exit(error) == 0 ? 0 : usage;

@@ -38,6 +38,10 @@ struct CommandLine {
     bool interactive() const { return !run && !offscreen && script.empty() && screenshot.empty() && film.empty(); }
 };
 
+/// A flag that says something of a log which is laid over its simulation, and nothing without one; empty: none is
+/// given.
+std::string flagOfALog(const CommandLine& line);
+
 /// What it asks for, or the exit status where it has been answered: help, the version, or one line on standard error
 /// and 2.
 struct ParsedCommandLine {

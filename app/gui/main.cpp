@@ -6,27 +6,27 @@
 #include <exception>
 #include <memory>
 
+#include "actions/window_actions.h"
 #include "application.h"
 #include "command_line.h"
-#include "film.h"
+#include "export/film.h"
+#include "export/sequence_export.h"
+#include "files/window_files.h"
 #include "io/file.h"
 #include "logs/log_reader.h"
-#include "main_window.h"
-#include "overlay.h"
-#include "plot_panel.h"
+#include "panels/plot_panel.h"
+#include "panels/shortcut_sheet.h"
 #include "plugin/plugin_host.h"
 #include "qt_messages.h"
-#include "sequence_export.h"
+#include "reality/overlay.h"
+#include "scripting/window_script.h"
 #include "shared/plugin_process.h"
 #include "shared/resources.h"
-#include "shortcut_sheet.h"
 #include "widgets/field_view.h"
 #include "widgets/message_bar.h"
 #include "widgets/timeline_bar.h"
-#include "window_actions.h"
-#include "window_files.h"
-#include "window_memory.h"
-#include "window_script.h"
+#include "window/main_window.h"
+#include "window/window_memory.h"
 
 namespace {
 
@@ -56,11 +56,16 @@ std::optional<OverlayRequest> overlayOf(const CommandLine& line) {
                           line.pluginLimit};
 }
 
-OverlayPlan planOf(const CommandLine& line) {
+/// Nothing: the one that suits the log.
+std::optional<OverlayPlan> planOf(const CommandLine& line) {
+    if (!line.windows && !line.duration && !line.every && !line.start) return {};
     OverlayPlan plan;
-    plan.cut = line.windows ? OverlayPlan::Cut::windows : line.duration ? OverlayPlan::Cut::once : plan.cut;
+    plan.cut = line.windows                   ? OverlayPlan::Cut::windows
+               : line.duration && !line.every ? OverlayPlan::Cut::once
+                                              : OverlayPlan::Cut::every;
     plan.start = line.start.value_or(plan.start);
     plan.length = line.every ? *line.every : line.duration.value_or(plan.length);
+    if (line.every && line.duration) plan.stretch = line.duration;
     return plan;
 }
 
@@ -109,7 +114,7 @@ void runToEnd(MainWindow& window, const CommandLine& line) {
         settle(window);
         while (window.shown()->playing) letPass(20);
     } else {
-        window.session().seek(end);
+        window.session().seek(end, true);
         settle(window);
     }
     if (line.breaks.empty()) return;
@@ -170,6 +175,11 @@ void begin(MainWindow& window, const CommandLine& line) {
 
 int work(MainWindow& window, const CommandLine& line) {
     window.QWidget::show();
+    // Until the run is there: who called from a terminal may look there.
+    const QMetaObject::Connection said =
+        QObject::connect(&window.messages(), &MessageBar::added, [](MessageBar::Kind kind, const QString& text) {
+            if (kind == MessageBar::Kind::error) std::fprintf(stderr, "mrose-gui: %s\n", text.toUtf8().constData());
+        });
     if (const auto overlay = overlayOf(line))
         window.overlay().open(*overlay, planOf(line));
     else if (line.file.empty())
@@ -177,12 +187,19 @@ int work(MainWindow& window, const CommandLine& line) {
     else
         window.files().open(QString::fromStdString(line.file), requestOf(line), line.at);
     const auto once = std::make_shared<QMetaObject::Connection>();
-    *once = QObject::connect(&window, &MainWindow::updated, &window, [&window, &line, once] {
+    *once = QObject::connect(&window, &MainWindow::updated, &window, [&window, &line, once, said] {
         QObject::disconnect(*once);
         begin(window, line);
+        QObject::disconnect(said);
     });
     QApplication::exec();
     return finish(window, line, true);
+}
+
+std::string firstError(const MainWindow& window) {
+    for (const MessageBar::Message& message : window.messages().messages())
+        if (message.kind == MessageBar::Kind::error) return message.text.toStdString();
+    return {};
 }
 
 /// With nobody: to the end that the command line or the script gives.
@@ -191,6 +208,10 @@ int runAlone(MainWindow& window, const CommandLine& line) {
     if (const auto opened = openNow(window, line); !opened) return report(opened.error());
     window.QWidget::show();
     settle(window);
+    if (!line.models.empty())
+        if (const std::string wrong = firstError(window); !wrong.empty()) return report({"", 0, 0, "", wrong});
+    if (line.run && !line.log.empty() && window.shown()->course->scenario->parts().players.empty())
+        return report(Error{"--log " + line.log, 0, 0, "", "is not read: " + line.file + " plays no log"});
     look(window, line);
     // Nobody is there to go on: nothing stops but what is asked for.
     const auto breakpoints = breakpointsOf(window, line);
@@ -198,12 +219,15 @@ int runAlone(MainWindow& window, const CommandLine& line) {
     window.session().setBreakpoints(*breakpoints);
     if (!line.record.empty()) window.files().record(QString::fromStdString(line.record), line.overwrite);
     const bool endGiven = line.ticks || line.duration;
+    bool held = true;
     if (line.run ? endGiven || !line.at
-                 : endGiven || (line.script.empty() && line.screenshot.empty() && line.film.empty() && !line.at))
+                 : endGiven || (line.script.empty() && line.screenshot.empty() && line.film.empty() && !line.at)) {
         runToEnd(window, line);
+        // As of `mrose run`; a script says itself what it expects.
+        held = !line.script.empty() || window.shown()->faults.empty();
+    }
     if (!line.select.empty())
         if (const auto selected = select(window, line.select); !selected) return report(selected.error());
-    bool held = true;
     if (!line.script.empty()) {
         const auto done = script(window, line.script);
         if (!done) return report(done.error());
@@ -222,6 +246,16 @@ int runAlone(MainWindow& window, const CommandLine& line) {
 }
 
 int runWindow(const CommandLine& line) {
+    if (line.at && overlayOf(line)) {
+        std::fputs("mrose-gui: --at is a time of the run alone; with a log --start says where in it to begin\n",
+                   stderr);
+        return 2;
+    }
+    if (const std::string flag = flagOfALog(line); !flag.empty() && !overlayOf(line)) {
+        std::fprintf(stderr, "mrose-gui: %s: is for a log over its simulation; name one as FILE or with --log\n",
+                     flag.c_str());
+        return 2;
+    }
     if (!line.screenshot.empty())
         if (const auto free = checkWritable(line.screenshot); !free) return report(free.error());
     if (!line.film.empty())

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <limits>
 #include <string>
 
 namespace mrose {
@@ -23,15 +24,31 @@ CLI::Validator someName() {
         [](const std::string& text) { return text.empty() ? "is empty; expected a name" : std::string(); }, "");
 }
 
-CLI::Validator someSeed() {
+namespace {
+
+/// Whole numbers from 0 to `most`; `what` they are.
+CLI::Validator wholeNumber(const char* what, std::uint64_t most) {
     return CLI::Validator(
-        [](std::string& text) {
+        [what, most](std::string& text) {
             std::uint64_t value = 0;
-            const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
-            if (parsed.ec == std::errc::result_out_of_range) return text + " is above 18446744073709551615";
-            return text.starts_with('-') ? text + " is below 0" : std::string();
+            const char* const end = text.data() + text.size();
+            const auto parsed = std::from_chars(text.data(), end, value);
+            if (parsed.ec == std::errc::result_out_of_range || (parsed.ec == std::errc() && value > most))
+                return text + " is above " + std::to_string(most);
+            if (parsed.ec == std::errc() && parsed.ptr == end) return std::string();
+            double number = 0;
+            const auto below = std::from_chars(text.data(), end, number);
+            return text + (below.ec == std::errc() && below.ptr == end && number < 0
+                               ? std::string(" is below 0")
+                               : std::string(" is no ") + what + "; expected a whole number from 0 on");
         },
         "");
 }
+
+}  // namespace
+
+CLI::Validator someSeed() { return wholeNumber("seed", std::numeric_limits<std::uint64_t>::max()); }
+
+CLI::Validator someTrial() { return wholeNumber("trial", std::numeric_limits<std::uint32_t>::max()); }
 
 }  // namespace mrose

@@ -13,4 +13,7 @@ CLI::Validator someName();
 /// Accepts seeds: whole numbers of 64 bits. CLI11 itself takes what is too large for the largest there is.
 CLI::Validator someSeed();
 
+/// Accepts numbers of trials: whole ones from 0 on.
+CLI::Validator someTrial();
+
 }  // namespace mrose

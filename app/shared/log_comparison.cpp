@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "comparison/log_scenario.h"
 #include "evaluation/format.h"
 #include "shared/log_files.h"
 #include "shared/notices.h"
@@ -14,28 +15,35 @@ namespace {
 /// What must be known before the figures are believed. `asked`: how long a course was to be.
 std::vector<std::string> noticesAbout(const LogWorld& world, const Comparison& comparison,
                                       std::optional<Nanoseconds> asked) {
-    // Only the robots that are compared need to be known.
-    Log compared = world.log();
-    std::erase_if(compared.robots, [&](const RobotLog& robot) {
-        return std::none_of(world.robots().begin(), world.robots().end(),
-                            [&](const ComparedRobot& r) { return r.realName == robot.robot; });
-    });
     std::vector<std::string> notices;
-    if (compared.synthetic)
+    if (world.log().synthetic)
         notices.push_back("The log comes from a simulated robot: nothing here tells of a real one.");
     const Nanoseconds length = comparison.requests.front().steps * comparison.evaluation.options.windows.step;
     if (asked && length < *asked)
         notices.push_back("The ground truth ends " + secondsText(length) +
                           " s after the start: compared up to there, not " + secondsText(*asked, 0) + " s.");
     for (const MotionNetwork* network : networksOf(world.parts()))
-        for (std::string& notice : noticesOf(*network, compared))
+        for (std::string& notice : noticesOf(*network, world))
             if (std::find(notices.begin(), notices.end(), notice) == notices.end())
                 notices.push_back(std::move(notice));
     return notices;
 }
 
+constexpr Nanoseconds windowLength = 10 * nanosecondsPerSecond;
+
+/// Of a log whose trajectories are short, where nothing says which courses are meant: the same as in the window.
+/// Nothing: one course, as long as the scenario says.
+std::optional<std::vector<CourseRequest>> suitedWindows(const LogComparisonRequest& request, const LogWorld& world) {
+    const bool told =
+        !request.scenario.empty() || !request.windows.empty() || request.start > 0 || request.duration || request.every;
+    const auto length = told ? std::nullopt : windowsThatSuit(world, windowLength);
+    if (!length) return {};
+    auto courses = coursesOfAllWindows(world, *length);
+    if (!courses) return {};
+    return std::move(*courses);
+}
+
 Expected<std::vector<CourseRequest>> coursesAsked(const LogComparisonRequest& request, const LogWorld& world) {
-    constexpr double windowLength = 10;
     if (request.windows.empty()) {
         StretchOptions options;
         options.start = fromSeconds(request.start);
@@ -47,7 +55,8 @@ Expected<std::vector<CourseRequest>> coursesAsked(const LogComparisonRequest& re
     }
     auto windows = readWindows(request.windows);
     if (!windows) return tl::unexpected(windows.error());
-    const Nanoseconds length = fromSeconds(request.duration.value_or(windowLength)), step = WindowOptions{}.step;
+    const Nanoseconds length = request.duration ? fromSeconds(*request.duration) : windowLength,
+                      step = WindowOptions{}.step;
     if (length % step != 0)
         return fail({}, secondsText(length) + " s is no whole number of steps of " + secondsText(step) + " s", 0,
                     "--duration");
@@ -61,12 +70,25 @@ tl::unexpected<Error> errorOf(Error error, const std::string& file) {
     return tl::unexpected(std::move(error));
 }
 
+/// The scenario that is asked for, or one that suits the log.
+Expected<LoadedScenario> scenarioFor(const LogComparisonRequest& request, const PluginLoader& plugins,
+                                     DiskDescriptions& disk) {
+    if (!request.scenario.empty()) return loadScenario(request.scenario, disk, {plugins, false});
+    const std::string place = placeOfLog(request.log);
+    const auto log = openLog(place, {}, std::nullopt);
+    if (!log) return tl::unexpected(log.error());
+    const auto made = scenarioOfLog(*log, place, request.robotFile);
+    if (!made) return tl::unexpected(made.error());
+    LayeredDescriptions source(made->texts, disk);
+    return loadScenario(made->scenario, source, {plugins, false});
+}
+
 }  // namespace
 
 Expected<LogComparison> compareLog(const LogComparisonRequest& request, const LogComparisonPlugins& plugins,
                                    const std::string& commandLine, const std::function<bool(double share)>& goesOn) {
     DiskDescriptions source = openDescriptions(request.log);
-    auto loaded = loadScenario(request.scenario, source, {plugins.load, false});
+    auto loaded = scenarioFor(request, plugins.load, source);
     if (!loaded) return tl::unexpected(loaded.error());
     if (plugins.loaded) plugins.loaded(loaded->parts);
     const auto networks = networksOf(loaded->parts);
@@ -76,22 +98,28 @@ Expected<LogComparison> compareLog(const LogComparisonRequest& request, const Lo
     ComparisonOptions options;
     options.seed = request.seed.value_or(loaded->parts.seed);
     if (goesOn) options.progress = [&](std::span<const ComparedCourse>, double share) { return goesOn(share); };
-    auto world = LogWorld::create(std::move(loaded->parts), *log, request.robots);
+    auto world = LogWorld::create(std::move(loaded->parts), log, request.robots);
     if (!world) return errorOf(world.error(), source.shown(loaded->name));
-    const auto requests = coursesAsked(request, *world);
+    auto suited = suitedWindows(request, *world);
+    const bool cut = suited.has_value();
+    const auto requests =
+        cut ? Expected<std::vector<CourseRequest>>(std::move(*suited)) : coursesAsked(request, *world);
     if (!requests) return tl::unexpected(requests.error());
     auto comparison = compare(*world, *requests, options);
     if (!comparison) return errorOf(comparison.error(), source.shown(loaded->name));
     const Nanoseconds step = comparison->evaluation.options.windows.step;
     std::optional<Nanoseconds> asked;
-    if (request.windows.empty() && !request.every)
+    if (request.windows.empty() && !request.every && !cut)
         asked = request.duration ? fromSeconds(*request.duration) : world->parts().duration / step * step;
     ReportContext context;
     context.program = "mrose " MROSE_VERSION;
     context.commandLine = commandLine;
     context.synthetic = log->synthetic;
     context.notices = noticesAbout(*world, *comparison, asked);
-    return LogComparison{log, std::move(*world), std::move(*comparison), std::move(context)};
+    if (cut)
+        context.notices.push_back("The log's trajectories are short: compared in windows of " +
+                                  secondsText(requests->front().steps * step) + " s, as `mrose evaluate` cuts them.");
+    return LogComparison{std::move(*world), std::move(*comparison), std::move(context)};
 }
 
 }  // namespace mrose

@@ -15,7 +15,8 @@ namespace mrose {
 
 /// Which scenario is to be put beside which log, and which courses of it.
 struct LogComparisonRequest {
-    std::string scenario, log;
+    std::string scenario, log;             ///< no scenario: one that is made for the log
+    std::string robotFile = {};            ///< what kind its robots are then, where the log cannot tell
     std::string windows = {};              ///< a file of windows, one course each; empty: a stretch
     std::vector<std::string> robots = {};  ///< of the log, by name; empty: all that are played
     double start = 0;                      ///< s, on the take's clock
@@ -31,7 +32,6 @@ struct LogComparisonPlugins {
 
 /// What a report is written from, and what further questions are asked of.
 struct LogComparison {
-    std::shared_ptr<const Log> log;  ///< the world's
     LogWorld world;
     Comparison comparison;
     ReportContext context;

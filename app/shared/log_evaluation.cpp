@@ -45,6 +45,11 @@ Expected<LogEvaluation> evaluateLog(const LogEvaluationRequest& request, const s
     auto log = openLog(request.log, request.robots, network.drive);
     if (log && request.heldOut) log = heldOutPart(std::move(*log), network, request.network);
     if (!log) return tl::unexpected(log.error());
+    for (const RobotLog& robot : log->robots)
+        for (const Trajectory& trajectory : robot.trajectories)
+            if (!trajectory.commands.empty() && !trajectory.poses.empty())
+                if (auto overlap = checkOverlap(robot.robot, trajectory); !overlap)
+                    return fail(log->source, overlap.error().cause);
     std::vector<RobotModels> models;
     models.push_back(learnedModels(*motion, *log));
     models.back().name = fileName(request.network);

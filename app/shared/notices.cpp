@@ -13,10 +13,9 @@ std::string listOf(const std::vector<std::string>& names) {
     return text;
 }
 
-std::string ofOtherKind(const MotionNetwork& network, const Log& log) {
-    const std::string kind = robotKind(log);
-    if (kind.empty() || network.robotType == "robot" || kind == network.robotType) return {};
-    return "The network is of another kind of robot (" + network.robotType + ") than the log (" + kind +
+std::string ofOtherKind(const MotionNetwork& network, const std::string& kind, const std::string& whose) {
+    if (kind.empty() || kind == "robot" || network.robotType == "robot" || kind == network.robotType) return {};
+    return "The network is of another kind of robot (" + network.robotType + ") than " + whose + " (" + kind +
            "): its predictions mean little.";
 }
 
@@ -59,10 +58,27 @@ std::string robotKind(const Log& log) {
 }
 
 std::vector<std::string> noticesOf(const MotionNetwork& network, const Log& log, bool heldOutOnly) {
-    std::vector<std::string> notices{ofOtherKind(network, log), ofUnknownRobots(network, log)};
+    std::vector<std::string> notices{ofOtherKind(network, robotKind(log), "the log"), ofUnknownRobots(network, log)};
     if (!heldOutOnly) notices.push_back(ofKnownLog(network, log));
     std::erase(notices, std::string());
     return notices;
+}
+
+std::vector<std::string> noticesOf(const MotionNetwork& network, const LogWorld& world) {
+    Log compared;
+    compared.files = world.log().files;
+    for (const ComparedRobot& robot : world.robots()) compared.robots.push_back({robot.realName, {}, {}});
+    std::vector<std::string> notices{otherKindNotice(network, world), ofUnknownRobots(network, compared),
+                                     ofKnownLog(network, compared)};
+    std::erase(notices, std::string());
+    return notices;
+}
+
+std::string otherKindNotice(const MotionNetwork& network, const LogWorld& world) {
+    const std::string kind = robotKind(world.log());
+    const auto own = networksOf(world.parts());
+    if (!kind.empty() || own.empty()) return ofOtherKind(network, kind, "the log");
+    return ofOtherKind(network, own.front()->robotType, "the scenario's");
 }
 
 }  // namespace mrose

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "comparison/log_world.h"
 #include "logs/robot_log.h"
 #include "motion/motion_network.h"
 #include "scenario/scenario.h"
@@ -19,5 +20,10 @@ std::vector<const MotionNetwork*> networksOf(const ScenarioParts& parts);
 /// another kind of robot, robots that it was not learned from, a log that it was learned from. `heldOutOnly`: the log
 /// is but the part that was kept from learning.
 std::vector<std::string> noticesOf(const MotionNetwork& network, const Log& log, bool heldOutOnly = false);
+/// The same of the robots of a log that are compared. Where the log tells no kind of robot, theirs is what they move
+/// by.
+std::vector<std::string> noticesOf(const MotionNetwork& network, const LogWorld& world);
+/// Of these, the one that it is of another kind of robot; empty: it is not.
+std::string otherKindNotice(const MotionNetwork& network, const LogWorld& world);
 
 }  // namespace mrose

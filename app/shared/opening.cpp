@@ -1,7 +1,13 @@
 #include "shared/opening.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
+#include <cmath>
+#include <csignal>
+
+#include <fcntl.h>
+#include <unistd.h>
 
 #include "experiment/variation.h"
 #include "io/number_text.h"
@@ -22,6 +28,9 @@ std::vector<std::filesystem::path> placesOf(const std::filesystem::path& named,
 /// No description has this name.
 constexpr const char* trialName = "mrose:trial";
 
+/// Metres, to the millimetre.
+std::string millimetresText(double metres) { return numberText(std::round(1000 * metres) / 1000); }
+
 }  // namespace
 
 std::vector<std::string> startsOutsideText(const Scene& scene) {
@@ -34,11 +43,31 @@ std::vector<std::string> startsOutsideText(const Scene& scene) {
         const std::size_t object = body - scene.robots.size();
         const Pose& start = robot ? scene.robots[body].start : scene.objects[object].start;
         const std::string name = robot ? scene.robots[body].name : scene.objects[object].name;
-        sentences.push_back('"' + name + "\" starts at (" + numberText(start.x) + ", " + numberText(start.y) +
+        sentences.push_back('"' + name + "\" starts at (" + millimetresText(start.x) + ", " + millimetresText(start.y) +
                             "), outside of what the environment's walls and floor area span");
     }
     if (outside.size() > most) sentences.push_back("so do " + std::to_string(outside.size() - most) + " more");
     return sentences;
+}
+
+std::vector<std::string> startsApartText(const LoadedScenario& loaded) {
+    constexpr double apart = 0.0005, turned = 0.001;  // m, rad
+    const ScenarioParts& parts = loaded.parts;
+    if (parts.saved == nullptr || !parts.players.empty()) return {};
+    KeptDescriptions source(loaded.texts);
+    const auto asWritten = loadScenario(loaded.name, source, {.playLogs = false});
+    if (!asWritten) return {};
+    std::string names;
+    for (std::size_t i = 0; i < parts.scene.robots.size(); ++i) {
+        const SceneRobot &robot = parts.scene.robots[i], &written = asWritten->parts.scene.robots[i];
+        const bool same = distance(position(robot.start), position(written.start)) < apart &&
+                          std::abs(wrapAngle(robot.start.heading - written.start.heading)) < turned;
+        if (!same) names += (names.empty() ? "" : ", ") + robot.name;
+    }
+    if (names.empty()) return {};
+    return {loaded.name + ": the start lines of " + names +
+            " are not where initial_state has them, which holds; without initial_state the run begins at the start "
+            "lines"};
 }
 
 PluginLoader findingLoader(const std::filesystem::path& recording, PluginLoader load) {
@@ -53,6 +82,22 @@ PluginLoader findingLoader(const std::filesystem::path& recording, PluginLoader 
         }
         return fail("", "the plug-in is neither " + looked);
     };
+}
+
+std::optional<bool> isBeingWritten(const std::filesystem::path& path) {
+    const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (file < 0) return {};
+    // The system gives a lease to read only where nobody writes. Who begins to meanwhile waits for its end below; the
+    // signal about that is one that is ignored.
+    std::optional<bool> written;
+    if (::fcntl(file, F_SETSIG, SIGURG) == 0) {
+        if (::fcntl(file, F_SETLEASE, F_RDLCK) == 0)
+            written = false;
+        else if (errno == EAGAIN)
+            written = true;
+    }
+    ::close(file);
+    return written;
 }
 
 void keepTrial(std::map<std::string, std::string>& texts, std::uint32_t trial) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,9 +14,15 @@ namespace mrose {
 /// A sentence for each body that starts outside the walls, of the first ten: most are a mistake.
 std::vector<std::string> startsOutsideText(const Scene& scene);
 
+/// Of a scenario that goes on from a saved state: a sentence where a robot's start line is not where it stands in it.
+std::vector<std::string> startsApartText(const LoadedScenario& loaded);
+
 /// Loads plug-ins that a recording names from wherever they are found: as they were named, seen from the current
 /// folder; the same seen from the recording's; beside the recording. Error: all places where there is none.
 PluginLoader findingLoader(const std::filesystem::path& recording, PluginLoader load);
+
+/// Whether some program has a file open to write to it; nothing: the system does not tell.
+std::optional<bool> isBeingWritten(const std::filesystem::path& path);
 
 /// A trial's number, kept among the texts that a scenario was made from, so that a recording tells it.
 void keepTrial(std::map<std::string, std::string>& texts, std::uint32_t trial);

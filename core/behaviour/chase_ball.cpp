@@ -193,7 +193,7 @@ void ChaseBall::annotate(const Memory& memory, Decision& decision) const {
     if (memory.ball.known == 0) return;
     const Point ball = memory.ball.position;
     decision.annotations.push_back({.kind = Annotation::Kind::point, .label = "ball", .points = {ball}});
-    decision.annotations.push_back({.label = "ball speed", .value = length(memory.ball.velocity)});
+    decision.annotations.push_back({.label = "ball speed (m/s)", .value = length(memory.ball.velocity)});
     decision.annotations.push_back({.kind = Annotation::Kind::point, .label = "aim", .points = {memory.aim}});
     decision.annotations.push_back(
         {.kind = Annotation::Kind::line, .label = "shot", .points = {ball, options_.target}});

@@ -202,8 +202,7 @@ Expected<Comparison> compare(const LogWorld& world, std::span<const CourseReques
     if (std::all_of(comparison.courses.begin(), comparison.courses.end(),
                     [](const ComparedCourse& course) { return course.use == CourseUse::absent; }))
         return fail(world.log().source,
-                    "has no ground truth of any compared robot where a course starts; expected "
-                    "another --start");
+                    "has no ground truth of any compared robot where a course starts; expected another start");
     summariseAll(world, options.windows, comparison);
     return comparison;
 }

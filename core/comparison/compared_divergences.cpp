@@ -11,7 +11,7 @@ namespace {
 /// One number from several works at once.
 class SharedProgress {
 public:
-    SharedProgress(const std::function<bool(double)>& told, std::size_t works) : told_(told), shares_(works) {}
+    SharedProgress(const Progress& told, std::size_t works) : told_(told), shares_(works) {}
 
     bool set(std::size_t work, double share) {
         const std::scoped_lock lock(mutex_);
@@ -23,7 +23,7 @@ public:
     }
 
 private:
-    const std::function<bool(double)>& told_;
+    const Progress& told_;
     std::mutex mutex_;
     std::vector<double> shares_;
     bool goesOn_ = true;
@@ -43,15 +43,10 @@ ComparedDivergences::Summary summaryOf(const Comparison& comparison, const Compa
     return summary;
 }
 
-/// Indices into `found` of those whose causes are looked for.
-std::vector<std::size_t> chosen(const Comparison& comparison, const ComparedDivergences& found, std::size_t most) {
-    std::vector<std::size_t> order;
-    for (const std::size_t course : worstFirst(comparison))
-        for (std::size_t i = 0; i < found.courses.size(); ++i)
-            if (found.courses[i].course == course) order.push_back(i);
-    const bool single = comparison.requests.size() == 1 && most > 0;
-    if (!single && order.size() > most) order.resize(most);
-    return order;
+/// Null: it moves by no network with held-out errors.
+const MotionNetwork::HeldOut* heldOutOf(const LogWorld& world, std::size_t robot) {
+    const MotionNetwork* const network = networkOf(world, robot);
+    return network != nullptr && network->heldOut.windows > 0 ? &network->heldOut : nullptr;
 }
 
 }  // namespace
@@ -62,14 +57,27 @@ const CourseDivergence* ComparedDivergences::of(std::size_t course) const {
     return found == courses.end() ? nullptr : &*found;
 }
 
-Expected<DivergenceBound> boundFor(const LogWorld& world, const ComparedCourse& course,
-                                   const DivergenceOptions& options, Nanoseconds step) {
-    if (!options.fromHeldOut) return options.bound;
-    const MotionNetwork* const network = networkOf(world, course.robot);
-    if (network == nullptr || network->heldOut.windows == 0)
-        return fail({}, "\"" + world.robots()[course.robot].name +
-                            "\" moves by no network with held-out errors; expected a bound in metres and degrees");
-    DivergenceBound bound = heldOutBound(network->heldOut, course, step);
+std::vector<std::size_t> worstOf(const Comparison& comparison, const ComparedDivergences& found, std::size_t most) {
+    std::vector<std::size_t> order;
+    for (const std::size_t course : worstFirst(comparison))
+        for (std::size_t i = 0; i < found.courses.size(); ++i)
+            if (found.courses[i].course == course) order.push_back(i);
+    const bool single = comparison.requests.size() == 1 && most > 0;
+    if (!single && order.size() > most) order.resize(most);
+    return order;
+}
+
+bool knowsHeldOut(const LogWorld& world) {
+    for (std::size_t robot = 0; robot < world.robots().size(); ++robot)
+        if (heldOutOf(world, robot) != nullptr) return true;
+    return false;
+}
+
+DivergenceBound boundFor(const LogWorld& world, const ComparedCourse& course, const DivergenceOptions& options,
+                         Nanoseconds step) {
+    const MotionNetwork::HeldOut* const heldOut = options.fromHeldOut ? heldOutOf(world, course.robot) : nullptr;
+    if (heldOut == nullptr) return options.bound;
+    DivergenceBound bound = heldOutBound(*heldOut, course, step);
     bound.held = options.bound.held;
     return bound;
 }
@@ -79,23 +87,22 @@ Expected<ComparedDivergences> divergencesOf(const LogWorld& world, const Compari
     const Nanoseconds step = comparison.evaluation.options.windows.step;
     ComparedDivergences found;
     found.bound = options.bound;
-    found.fromHeldOut = options.fromHeldOut;
+    found.fromHeldOut = options.fromHeldOut && knowsHeldOut(world);
     std::vector<DivergenceBound> bounds;
     for (std::size_t i = 0; i < comparison.courses.size(); ++i) {
         const ComparedCourse& course = comparison.courses[i];
         if (course.simulated.empty()) continue;
-        auto bound = boundFor(world, course, options, step);
-        if (!bound) return tl::unexpected(bound.error());
-        const auto divergence = firstDivergence(course, step, *bound);
+        DivergenceBound bound = boundFor(world, course, options, step);
+        const auto divergence = firstDivergence(course, step, bound);
         if (!divergence) continue;
         found.courses.push_back({i, *divergence, std::nullopt});
-        bounds.push_back(std::move(*bound));
+        bounds.push_back(std::move(bound));
     }
     for (std::size_t robot = 0; robot < comparison.robots.size(); ++robot)
         found.robots.push_back(summaryOf(comparison, found, robot));
     found.all = summaryOf(comparison, found, std::nullopt);
 
-    const std::vector<std::size_t> works = chosen(comparison, found, options.diagnosed);
+    const std::vector<std::size_t> works = worstOf(comparison, found, options.diagnosed);
     std::vector<std::optional<Expected<Diagnosis>>> diagnoses(works.size());
     SharedProgress progress(options.progress, works.size());
     parallelFor(works.size(), [&](std::size_t i) {

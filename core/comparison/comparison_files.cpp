@@ -67,6 +67,11 @@ nlohmann::ordered_json json(const Comparison& comparison, const CourseDivergence
     const Diagnosis& diagnosis = *diverging.diagnosis;
     result["cause"] = diagnosis.likely ? json(diagnosis.trials[*diagnosis.likely]) : nlohmann::ordered_json();
     result["tried"] = nlohmann::ordered_json::array();
+    if (diagnosis.parting)
+        result["parting"] = {
+            {"from_s", toSeconds(diagnosis.parting->from)}, {"to_s", toSeconds(diagnosis.parting->to)},
+            {"ahead_m", diagnosis.parting->ahead},          {"left_m", diagnosis.parting->left},
+            {"turn_rad", diagnosis.parting->turn},          {"explained", diagnosis.parting->explained}};
     for (const CauseTrial& trial : diagnosis.trials) result["tried"].push_back(json(trial));
     return result;
 }

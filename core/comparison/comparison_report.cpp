@@ -154,9 +154,7 @@ std::string courseTable(const Comparison& comparison, std::size_t request) {
         const WindowErrors& errors = course.errors;
         if (course.simulated.empty())
             absent += element("p", "soft",
-                              cat("<b>", name,
-                                  "</b> is not in this course: the log has no ground truth of "
-                                  "it at the start."));
+                              cat("<b>", name, "</b> is not in this course: the log has no ground truth of it there."));
         else
             table.row({name, knownText(course.real.path, 2), meanText(course), knownText(100 * errors.positionFinal, 1),
                        knownText(degrees * errors.headingFinal, 1)});

@@ -36,6 +36,8 @@ LogExcerpt excerptOf(const LogWorld& world, std::size_t robot, const std::string
 std::string courseText(const LogWorld& world, const RolloutStart& start, std::size_t robot, Nanoseconds duration) {
     Trajectory part{.name = start.trajectory->name};
     part.commands = commandsRead(start, start.time + duration);
+    // A log has two rows at least.
+    if (part.commands.size() == 1) part.commands.push_back({start.time + duration, part.commands.front().command});
     part.poses = {{start.time, start.pose}};
     Log text;
     text.synthetic = world.log().synthetic;
@@ -98,6 +100,22 @@ Expected<void> beginWith(Descriptions& descriptions, const Scenario& scenario, c
     return {};
 }
 
+/// Where others are left out the numbers stay.
+Expected<void> keepNumbers(Descriptions& descriptions, const Scene& present) {
+    std::vector<TomlEdit> edits;
+    for (const SceneRobot& robot : present.robots) {
+        if (!robot.place) continue;
+        const auto table = tableOf(descriptions, robot.name);
+        if (!table) return tl::unexpected(table.error());
+        edits.push_back({{*table, "number", "name"}, std::to_string(*robot.place + 1)});
+    }
+    std::string& text = descriptions.texts.at(descriptions.scenario);
+    auto edited = withTomlValues(text, descriptions.scenario, edits);
+    if (!edited) return tl::unexpected(edited.error());
+    text = std::move(*edited);
+    return {};
+}
+
 }  // namespace
 
 Expected<DescribedCourse> describeCourse(const LogWorld& world, const LogWorld::Opened& opened,
@@ -106,6 +124,8 @@ Expected<DescribedCourse> describeCourse(const LogWorld& world, const LogWorld::
     DescribedCourse course{descriptions, nullptr, {}};
     if (auto left = leaveOutAbsent(course.descriptions, opened.scenario->scene()); !left)
         return tl::unexpected(left.error());
+    if (auto kept = keepNumbers(course.descriptions, opened.scenario->scene()); !kept)
+        return tl::unexpected(kept.error());
     for (std::size_t robot = 0; robot < world.robots().size(); ++robot) {
         if (!opened.starts[robot]) continue;
         const LogExcerpt excerpt = excerptOf(world, robot, log, request.take, request.start);

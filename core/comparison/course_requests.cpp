@@ -62,6 +62,36 @@ std::vector<CourseRequest> coursesOfWindows(const LogWorld& world, std::span<con
     return courses;
 }
 
+Expected<std::vector<CourseRequest>> coursesOfAllWindows(const LogWorld& world, Nanoseconds length) {
+    WindowOptions options;
+    options.horizon = length;
+    std::vector<std::string> robots;
+    for (const ComparedRobot& robot : world.robots()) robots.push_back(robot.realName);
+    const auto windows = findWindows(world.log(), robots, options);
+    if (!windows) return tl::unexpected(windows.error());
+    auto courses = coursesOfWindows(world, *windows);
+    if (courses.empty()) return fail(world.log().source, "has no window of the scenario's robots");
+    return courses;
+}
+
+std::optional<Nanoseconds> windowsThatSuit(const LogWorld& world, Nanoseconds every) {
+    Nanoseconds driven = 0, covered = 0;
+    std::vector<Nanoseconds> lengths;
+    for (std::size_t take = 0; take < world.takes().size(); ++take) {
+        const Nanoseconds length = std::max<Nanoseconds>(0, world.takes()[take].length);
+        driven += length;
+        covered += length / every * every;
+        for (std::size_t robot = 0; robot < world.robots().size(); ++robot) {
+            const std::vector<StampedPose>& poses = world.trajectory(take, robot).poses;
+            lengths.push_back(poses.back().time - poses.front().time);
+        }
+    }
+    if (2 * covered >= driven) return {};
+    std::sort(lengths.begin(), lengths.end());
+    const Nanoseconds step = WindowOptions{}.step;
+    return std::clamp(lengths[lengths.size() / 10] / step * step, step, every);
+}
+
 Expected<std::vector<CourseRequest>> requestedCourses(const LogWorld& world, std::vector<WindowRequest> windows,
                                                       const std::vector<std::string>& robots, int steps,
                                                       const std::string& fileName) {

@@ -33,6 +33,15 @@ Expected<std::vector<CourseRequest>> coursesOf(const LogWorld& world, const Stre
 /// A course for each of these windows whose robot and trajectory the world has, in their order.
 std::vector<CourseRequest> coursesOfWindows(const LogWorld& world, std::span<const Window> windows);
 
+/// A course for each window of this length that `mrose evaluate` has of the compared robots. Error: as for
+/// findWindows(); the world has none of them.
+Expected<std::vector<CourseRequest>> coursesOfAllWindows(const LogWorld& world, Nanoseconds length);
+
+/// How long the windows of a log want to be whose takes are mostly too short to be restarted `every` so often: what
+/// nine tenths of the trajectories hold, in whole steps, and no more than `every`. Nothing: courses of `every` cover at
+/// least half of what was driven.
+std::optional<Nanoseconds> windowsThatSuit(const LogWorld& world, Nanoseconds every);
+
 /// A course for each window of a file; robots that are not compared are left out where `robots` names the compared
 /// ones. Error: as for requestedStarts; a robot that the scenario does not play, or not in that trajectory.
 Expected<std::vector<CourseRequest>> requestedCourses(const LogWorld& world, std::vector<WindowRequest> windows,

@@ -97,6 +97,19 @@ CourseRerun::Poses CourseRerun::obeying(std::span<const StampedCommand> more) co
     });
 }
 
+CourseRerun::Poses CourseRerun::holding(const Command& command, Nanoseconds from, Nanoseconds to) const {
+    return toldAlso([&](Trajectory& told) {
+        auto& commands = told.commands;
+        const auto first = std::lower_bound(commands.begin(), commands.end(), StampedCommand{from, {}},
+                                            earlier<StampedCommand>),
+                   last = std::upper_bound(first, commands.end(), StampedCommand{to, {}}, earlier<StampedCommand>);
+        if (last == commands.begin()) return;
+        const StampedCommand after{to, std::prev(last)->command};
+        const auto here = commands.erase(first, last);
+        commands.insert(here, {{from, command}, after});
+    });
+}
+
 CourseRerun::Poses CourseRerun::startingAt(const Velocity& velocity) const {
     return run(0, seed_, [&](LogWorld::OpenedParts& opened, std::size_t body) {
         opened.parts.scene.robots[body].velocity = velocity;
@@ -144,7 +157,8 @@ CourseRerun::Poses CourseRerun::carried(int from, int to) const {
     const auto index = [](int k) { return static_cast<std::size_t>(k); };
     const std::vector<Pose>& truth = course_.real.truth;
     const Pose before = from == 0 ? course_.real.measuredPose : course_.simulated[index(from) - 1];
-    const auto carriedTo = [&](int k) { return before * relative(truth[index(from)], truth[index(k)]); };
+    const Pose real = std::isfinite(truth[index(from)].x) ? truth[index(from)] : before;
+    const auto carriedTo = [&](int k) { return before * relative(real, truth[index(k)]); };
     Poses poses(course_.simulated.begin(), course_.simulated.begin() + from);
     for (int k = from + 1; k <= to; ++k) poses.push_back(carriedTo(k));
     const Poses after = run(to, seed_, [&](LogWorld::OpenedParts& opened, std::size_t body) {

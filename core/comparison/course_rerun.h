@@ -27,10 +27,12 @@ public:
     Poses movedBy(const std::shared_ptr<const MotionModel>& model) const;
     Poses noisy(const MotionNoise& noise, std::uint64_t seed) const;  ///< of the measured start's velocity too
     Poses obeying(std::span<const StampedCommand> more) const;  ///< these commands as well, stamped on the log's clock
+    /// `command` instead of all that it is told from `from` to before `to`, on the log's clock.
+    Poses holding(const Command& command, Nanoseconds from, Nanoseconds to) const;
 
-    /// Carried as the log has it from after step `from` to after step `to`, at which the truth must be known (0: the
-    /// start), and restarted there where the simulated robot then is, as fast as the real one. The others are where the
-    /// real ones are then.
+    /// Carried as the log has it from after step `from` (0: the start) to after step `to`, at which the truth must be
+    /// known (at the start what was measured does), and restarted there where the simulated robot then is, as fast as
+    /// the real one. The others are where the real ones are then.
     Poses carried(int from, int to) const;
 
     const Trajectory& trajectory() const { return world_.trajectory(request_.take, course_.robot); }

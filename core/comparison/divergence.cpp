@@ -37,7 +37,14 @@ std::optional<Divergence> firstDivergence(const ComparedCourse& course, Nanoseco
         if (timeOf(k) - timeOf(*first) < bound.held) continue;
         const double position = errors.position[*first], heading = errors.heading[*first];
         const DivergenceBound::At& at = bound.at(*first);
-        return Divergence{timeOf(*first), within, position, heading, at, position > at.position, heading > at.heading};
+        return Divergence{timeOf(*first),
+                          within,
+                          position,
+                          heading,
+                          at,
+                          position > at.position,
+                          heading > at.heading,
+                          timeOf(*first) - within > step};
     }
     return std::nullopt;
 }

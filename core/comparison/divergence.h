@@ -35,6 +35,7 @@ struct Divergence {
     double position = 0, heading = 0;            ///< errors at `time`: m, rad
     DivergenceBound::At bound;                   ///< at `time`
     bool byPosition = false, byHeading = false;  ///< which of the errors are beyond theirs at `time`
+    bool unknownBefore = false;                  ///< the truth is not known between `within` and `time`
 };
 
 /// The first instant from which on either error is beyond its bound for at least `held`, at every instant at which the

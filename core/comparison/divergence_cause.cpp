@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "comparison/command_jumps.h"
 #include "comparison/course_rerun.h"
 #include "comparison/log_defects_near.h"
 #include "evaluation/format.h"
@@ -15,30 +16,46 @@ namespace {
 
 /// After a divergence has been held: what was wrong shows more clearly then.
 constexpr Nanoseconds moment = 1'000'000'000;
-constexpr Nanoseconds leastEvidence = 2'500'000'000;  // a course that diverges at once tells little by then
-constexpr int mostTicks = 10;                         // that a dead time is off by
-constexpr double demandedForATick = 0.02;  // explained, beyond the threshold: more ticks fit more by accident
-constexpr double worthATick = 0.01;        // explained more
-constexpr double alike = 0.1;              // explained: within it the more specific cause is the likelier
-constexpr double beyondNoise = 0.85;       // explained: so much is no accident, even where noise could do it alone
-constexpr int noiseRuns = 40;
-constexpr double likelyShare =
-    0.975;  // of noisy runs; high, because a divergence is looked at where the error is large
+/// A course that diverges at once tells little by then.
+constexpr Nanoseconds leastEvidence = 2'500'000'000;
 
-/// Of a robot that is off by `simulated` from `real`: RMS over the known instants, in bounds.
+// What follows is in shares of the error that is explained, but for the numbers of ticks and runs.
+constexpr double worthATick = 0.01;   // more than with fewer
+constexpr double alike = 0.1;         // within it the more specific cause is the likelier
+constexpr double beyondNoise = 0.85;  // so much is no accident, even where noise could do it alone
+constexpr int noiseRuns = 40;
+constexpr Nanoseconds partingSpans[] = {500'000'000, 1'000'000'000, 2'000'000'000};
+/// Of noisy runs; high, because a divergence is looked at where the error is large.
+constexpr double likelyShare = 0.975;
+
+/// How many ticks something may be off by.
+struct TickSearch {
+    int most;
+    int patience;          ///< ticks that explain no more, after which it ends
+    double demanded;       ///< beyond the threshold, since what can be fitted to one moment fits much by accident
+    double demandedATick;  ///< likewise, for each tick beyond the first
+    double needed(double threshold, int ticks) const { return threshold + demanded + (ticks - 1) * demandedATick; }
+};
+constexpr TickSearch deadTime{10, 1, 0, 0.02}, heldBlip{15, 15, 0, 0}, singleCommand{15, 15, 0.2, 0};
+
+/// Of a robot that is off by `simulated` from `real`: RMS over the known instants, in bounds; infinite where the
+/// simulated robot is nowhere.
 double rmsInBounds(std::span<const Pose> real, std::span<const Pose> simulated, const DivergenceBound& bound) {
     double sum = 0;
     int count = 0;
     for (std::size_t k = 0; k < simulated.size(); ++k) {
         const DivergenceBound::At& at = bound.at(k);
+        if (!std::isfinite(real[k].x + real[k].y + real[k].heading)) continue;
         const double position = std::hypot(simulated[k].x - real[k].x, simulated[k].y - real[k].y) / at.position,
                      heading = wrapAngle(simulated[k].heading - real[k].heading) / at.heading;
-        if (!std::isfinite(position + heading)) continue;
+        if (!std::isfinite(position + heading)) return std::numeric_limits<double>::infinity();
         sum += position * position + heading * heading;
         ++count;
     }
     return count == 0 ? 0 : std::sqrt(sum / count);
 }
+
+std::string inMilliseconds(Nanoseconds time) { return fixed(1000 * toSeconds(time), 0) + " ms"; }
 
 class Trials {
 public:
@@ -52,24 +69,30 @@ public:
     }
 
     /// False: cancelled.
-    bool all(std::size_t robot, const DefectsNear& defects) {
+    bool all(std::size_t robot, const DefectsNear& defects, const std::vector<CommandJump>& jumps) {
         const bool touched = rerun_.course().touched && *rerun_.course().touched <= diagnosis_.divergence.time;
         const std::optional<MotionNoise> noise = motionNoise();
-        works_ = static_cast<double>(defects.blips.size() + defects.gaps.size() + options_.models.size()) +
-                 (touched ? 1 : 0) + (noise ? noiseRuns : 0) + 2 * 2 + 1;
+        works_ = static_cast<double>(defects.blips.size() + defects.gaps.size() + jumps.size() +
+                                     options_.models.size() + (noise ? noiseRuns : 0) + (touched ? 1 : 0)) +
+                 5;
         for (const StampedCommand& blip : defects.blips)
-            if (!tryBlips({&blip, 1})) return false;
-        if (defects.blips.size() > 1 && !tryBlips(defects.blips)) return false;
+            if (!tryBlip(blip)) return false;
+        if (defects.blips.size() > 1 && !tryAllBlips(defects.blips)) return false;
         for (const DefectsNear::Gap& gap : defects.gaps)
             if (!add(CauseKind::logDefect, gap.what, rerun_.carried(gap.from, gap.to))) return false;
         if (touched && !add(CauseKind::contact, "without contact", rerun_.untouched())) return false;
+        for (const CommandJump& jump : jumps)
+            if (!tryJump(jump)) return false;
+        if (!findParting()) return false;
         return tryVelocity() && tryDeadTimes(1) && tryDeadTimes(-1) && tryModels(robot) &&
                (noise ? tryNoise(*noise) : tryHeldOut());
     }
 
 private:
+    std::string sinceStart(Nanoseconds time) const { return fixed(toSeconds(time - rerun_.course().real.start), 2); }
+
     double explainedBy(const std::vector<Pose>& simulated) const {
-        if (baseRms_ <= 0) return 0;
+        if (!(baseRms_ > 0) || std::isinf(baseRms_)) return 0;
         return std::clamp(1 - rmsInBounds(truth_, simulated, options_.bound) / baseRms_, 0.0, 1.0);
     }
 
@@ -85,12 +108,60 @@ private:
         return goesOn();
     }
 
-    bool tryBlips(std::span<const StampedCommand> blips) {
-        const Nanoseconds since = blips.front().time - rerun_.course().real.start;
-        const std::string what = blips.size() == 1
-                                     ? "zero command at " + fixed(toSeconds(since), 2) + " s obeyed"
-                                     : "all " + std::to_string(blips.size()) + " single zero commands obeyed";
-        return add(CauseKind::logDefect, what, rerun_.obeying(blips));
+    bool tryAllBlips(std::span<const StampedCommand> blips) {
+        return add(CauseKind::logDefect, "all " + std::to_string(blips.size()) + " single zero commands obeyed",
+                   rerun_.obeying(blips));
+    }
+
+    /// For as long as the log says, or longer: who looks at commands now and then keeps what was seen until the next
+    /// look.
+    bool tryBlip(const StampedCommand& blip) {
+        const std::string what = "zero command at " + sinceStart(blip.time) + " s obeyed";
+        auto simulated = rerun_.obeying({&blip, 1});
+        const double explained = explainedBy(simulated);
+        const CauseTrial once{CauseKind::logDefect, what, explained, options_.threshold, std::move(simulated)};
+        return addBetter(once, bestOf(CauseKind::logDefect, heldBlip, [&](Nanoseconds held) {
+                             return std::pair(what + " for " + inMilliseconds(held),
+                                              rerun_.holding(blip.command, blip.time, blip.time + held));
+                         }));
+    }
+
+    bool tryJump(const CommandJump& jump) {
+        const Nanoseconds time = jump.command.time;
+        const Command& command = jump.command.command;
+        const auto what = [&](const std::string& change) {
+            return "command at " + sinceStart(time) + " s " + change + " (" + fixed(command.v, 2) + " m/s, " +
+                   fixed(degrees * command.w, 0) + " deg/s)";
+        };
+        const auto later = [&](Nanoseconds late) {
+            return std::pair(what(time + late < jump.next ? inMilliseconds(late) + " later" : "not obeyed"),
+                             rerun_.holding(jump.before, time, time + late));
+        };
+        const auto sooner = [&](Nanoseconds early) {
+            return std::pair(what(inMilliseconds(early) + " sooner"), rerun_.holding(command, time - early, time));
+        };
+        return addBetter(bestOf(CauseKind::command, singleCommand, later),
+                         bestOf(CauseKind::command, singleCommand, sooner));
+    }
+
+    /// What explains more than the other by what a tick is worth.
+    bool addBetter(CauseTrial simple, CauseTrial other) {
+        const bool better = other.explained > simple.explained + worthATick;
+        diagnosis_.trials.push_back(better ? std::move(other) : std::move(simple));
+        return goesOn();
+    }
+
+    /// The shortest time in which it moved otherwise, beyond which a longer one explains little more.
+    bool findParting() {
+        for (const Nanoseconds span : partingSpans) {
+            auto parting = partingOf(rerun_.course(), rerun_.step(), diagnosis_.divergence, options_.bound.held, span);
+            if (!parting) break;
+            const auto stepOf = [&](Nanoseconds time) { return static_cast<int>(time / rerun_.step()); };
+            parting->explained = explainedBy(rerun_.carried(stepOf(parting->from), stepOf(parting->to)));
+            if (!diagnosis_.parting || parting->explained > diagnosis_.parting->explained + alike)
+                diagnosis_.parting = parting;
+        }
+        return goesOn();
     }
 
     bool tryVelocity() {
@@ -102,24 +173,32 @@ private:
                    rerun_.startingAt(*velocity));
     }
 
-    /// As many ticks in one direction as each explains still more.
     bool tryDeadTimes(int direction) {
         const MotionModel::DeadTimes known = rerun_.model().deadTimes();
         const auto knownTicks = static_cast<int>(std::max(known.v, known.w) / rerun_.tick());
-        const int most = direction > 0 ? mostTicks : std::min(mostTicks, knownTicks + 1);
+        TickSearch search = deadTime;
+        if (direction < 0) search.most = std::min(search.most, knownTicks + 1);
+        diagnosis_.trials.push_back(bestOf(CauseKind::deadTime, search, [&](Nanoseconds delay) {
+            return std::pair("dead time " + inMilliseconds(delay) + (direction > 0 ? " longer" : " shorter"),
+                             rerun_.later(direction * delay));
+        }));
+        return goesOn();
+    }
+
+    /// Of 1 to `search.most` ticks that number from which on more explain little more.
+    CauseTrial bestOf(CauseKind kind, const TickSearch& search,
+                      const std::function<std::pair<std::string, std::vector<Pose>>(Nanoseconds)>& rerunWith) {
         CauseTrial best;
-        for (int ticks = 1; ticks <= most; ++ticks) {
-            const Nanoseconds delay = ticks * rerun_.tick();
-            auto simulated = rerun_.later(direction * delay);
-            const double explained = explainedBy(simulated);
-            if (!goesOn()) return false;
-            if (ticks > 1 && explained < best.explained + worthATick) break;
-            best = {CauseKind::deadTime,
-                    "dead time " + fixed(1000 * toSeconds(delay), 0) + " ms " + (direction > 0 ? "longer" : "shorter"),
-                    explained, options_.threshold + (ticks - 1) * demandedForATick, std::move(simulated)};
+        double bestWorth = -std::numeric_limits<double>::infinity();
+        for (int ticks = 1, bestTicks = 1; ticks <= search.most && ticks - bestTicks <= search.patience; ++ticks) {
+            auto [what, simulated] = rerunWith(ticks * rerun_.tick());
+            const double explained = explainedBy(simulated), worth = explained - ticks * worthATick;
+            if (worth <= bestWorth) continue;
+            bestWorth = worth;
+            bestTicks = ticks;
+            best = {kind, std::move(what), explained, search.needed(options_.threshold, ticks), std::move(simulated)};
         }
-        diagnosis_.trials.push_back(std::move(best));
-        return true;
+        return best;
     }
 
     bool tryModels(std::size_t robot) {
@@ -213,6 +292,8 @@ const char* name(CauseKind kind) {
             return "velocity at the start";
         case CauseKind::deadTime:
             return "dead time";
+        case CauseKind::command:
+            return "single command";
         case CauseKind::otherModel:
             return "motion model";
         case CauseKind::noise:
@@ -235,14 +316,15 @@ Expected<Diagnosis> diagnose(const LogWorld& world, const CourseRequest& request
     Diagnosis diagnosis;
     diagnosis.divergence = divergence;
     int steps = stepsTo(std::max(divergence.time + options.bound.held + moment, leastEvidence));
-    DefectsNear defects = defectsNear(world.trajectory(request.take, course.robot),
-                                      world.parts().scene.modelOf(world.robots()[course.robot].body), course,
-                                      options.step, divergence.time);
+    const Trajectory& log = world.trajectory(request.take, course.robot);
+    const MotionModel& model = world.parts().scene.modelOf(world.robots()[course.robot].body);
+    const DefectsNear defects = defectsNear(log, model, course, options.step, divergence.time);
+    const std::vector<CommandJump> jumps = commandJumpsNear(log, model, course, divergence.time, divergence.bound);
     for (const DefectsNear::Gap& gap : defects.gaps) steps = std::max(steps, stepsTo(gap.to * options.step + moment));
     diagnosis.until = steps * options.step;
     const CourseRerun rerun(world, request, course, options.step, steps, options.seed);
     Trials trials(rerun, options, diagnosis);
-    diagnosis.cancelled = !trials.all(course.robot, defects);
+    diagnosis.cancelled = !trials.all(course.robot, defects, jumps);
     std::stable_sort(diagnosis.trials.begin(), diagnosis.trials.end(),
                      [](const CauseTrial& a, const CauseTrial& b) { return a.explained > b.explained; });
     if (!diagnosis.cancelled) diagnosis.likely = likelyOf(diagnosis.trials);

@@ -8,6 +8,8 @@
 
 #include "comparison/divergence.h"
 #include "comparison/other_models.h"
+#include "comparison/parting.h"
+#include "io/progress.h"
 #include "scene/robot_type.h"
 
 namespace mrose {
@@ -18,6 +20,7 @@ enum class CauseKind {
     contact,        ///< the simulated robot touched something that the real one did not
     startVelocity,  ///< the measured velocity at the start is wrong
     deadTime,       ///< the robot answers later or sooner than its model
+    command,        ///< one command acted later or sooner than the others, or not at all
     otherModel,     ///< another motion model is nearer
     noise           ///< no more than what motion noise makes likely
 };
@@ -35,6 +38,7 @@ struct CauseTrial {
 /// Why a simulated robot left the real course, as far as re-runs tell.
 struct Diagnosis {
     Divergence divergence;
+    std::optional<Parting> parting;     ///< when most of it arose; nothing: not known
     Nanoseconds until = 0;              ///< since the start: the re-runs and their errors end there
     std::vector<CauseTrial> trials;     ///< the best first
     std::optional<std::size_t> likely;  ///< in `trials`; nothing: none of these
@@ -47,10 +51,10 @@ struct DiagnosisOptions {
     /// Of the robots' motion, per period; nothing: what their files say, or else the held-out errors of
     /// their networks (unless these are the bound).
     std::optional<MotionNoise> noise{};
-    std::uint64_t seed = 1;                  ///< that of the comparison
-    Nanoseconds step = 100'000'000;          ///< likewise
-    double threshold = 0.6;                  ///< explained: less makes no cause likely
-    std::function<bool(double)> progress{};  ///< share that is done; false: cancelled
+    std::uint64_t seed = 1;          ///< that of the comparison
+    Nanoseconds step = 100'000'000;  ///< likewise
+    double threshold = 0.6;          ///< explained: less makes no cause likely
+    Progress progress{};
 };
 
 /// Re-runs a course of `world` up to a little after its divergence, with one thing changed at a time for the robot that

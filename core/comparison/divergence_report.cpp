@@ -58,6 +58,8 @@ std::string diagnosisCard(const Comparison& comparison, const CourseDivergence& 
     std::string text;
     if (comparison.requests.size() > 1) text += element("p", "soft", courseText(comparison, course));
     text += element("p", "", cat("It ", unbroken(divergenceText(diverging.divergence)), "."));
+    if (diverging.diagnosis && diverging.diagnosis->parting)
+        text += element("p", "soft", cat("It is ", unbroken(partingText(*diverging.diagnosis)), "."));
     if (diverging.diagnosis)
         text += cat(element("p", "", cat("Likely cause: ", unbroken(causeText(*diverging.diagnosis)), ".")),
                     trialTable(*diverging.diagnosis));
@@ -71,9 +73,11 @@ std::string divergenceSection(const Comparison& comparison, const ComparedDiverg
     if (divergences.courses.empty()) return text + paragraph("None of them does.");
     const bool many = comparison.requests.size() > 1;
     if (many) text += tableCard(summaryTable(comparison, divergences));
+    if (const std::string counts = causeCounts(divergences); many && !counts.empty())
+        text += paragraph(cat("Likely causes: ", unbroken(counts), "."));
     std::string cards;
-    for (const CourseDivergence& diverging : divergences.courses)
-        if (diverging.diagnosis || !many) cards += diagnosisCard(comparison, diverging);
+    for (const std::size_t i : worstOf(comparison, divergences, shownDivergences))
+        if (divergences.courses[i].diagnosis || !many) cards += diagnosisCard(comparison, divergences.courses[i]);
     if (cards.empty()) return text;
     text += paragraph(cat(many ? "The courses with the largest mean errors among them. " : "",
                           "Each was run again up to shortly after it left the real course, with one thing changed at a "

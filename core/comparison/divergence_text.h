@@ -15,11 +15,18 @@ std::string divergenceText(const Divergence& divergence);
 /// the error".
 std::string causeText(const Diagnosis& diagnosis);
 
+/// "most of it (93 %) from 0.9 to 1.4 s, when the real robot went 2.0 cm less and turned 4.1° more to the left than the
+/// simulated one"; empty where it is not known.
+std::string partingText(const Diagnosis& diagnosis);
+
+/// "defect of the log 14, dead time 2, none of these 28": of the courses whose causes were looked for.
+std::string causeCounts(const ComparedDivergences& divergences);
+
 /// "28 %", of an error.
 std::string explainedText(const CauseTrial& trial);
 /// What was tried and explains less than half a percent, in a list; empty where everything does more.
 std::string uselessText(const Diagnosis& diagnosis);
-/// The others, the best first.
+/// The others, the best first; of many the best ones.
 std::span<const CauseTrial> usefulTrials(const Diagnosis& diagnosis);
 
 /// What it is to leave the real course, in a sentence.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparison/command_jumps.h"
 #include "evaluation/format.h"
 #include "logs/conditioning.h"
 
@@ -11,8 +12,6 @@ namespace {
 
 constexpr std::size_t mostBlips = 8;
 constexpr Nanoseconds poseGap = 200'000'000;
-/// Commands of so long before still show; more is not waited for after a gap of commands.
-constexpr Nanoseconds readBack = 600'000'000;
 /// Truth behind a gap from which a velocity is told.
 constexpr Nanoseconds settled = 100'000'000;
 
@@ -49,16 +48,16 @@ std::vector<Pause> pausesOf(const std::vector<Sample>& samples, Nanoseconds from
 DefectsNear defectsNear(const Trajectory& trajectory, const MotionModel& model, const ComparedCourse& course,
                         Nanoseconds step, Nanoseconds divergence) {
     const Nanoseconds start = course.real.start, end = start + divergence;
-    const Nanoseconds shows = std::min(model.memory(), readBack);
+    const Nanoseconds since = start - commandsShowFor(model);
     DefectsNear found;
     for (const StampedCommand& blip : trajectory.blips)
-        if (blip.time >= start - shows && blip.time < end) found.blips.push_back(blip);
+        if (blip.time >= since && blip.time < end) found.blips.push_back(blip);
     if (found.blips.size() > mostBlips)
         found.blips.erase(found.blips.begin(), found.blips.end() - static_cast<std::ptrdiff_t>(mostBlips));
 
     const std::vector<Pose>& truth = course.real.truth;
     const int steps = static_cast<int>(course.simulated.size());
-    const auto known = [&](int k) { return std::isfinite(truth[static_cast<std::size_t>(k)].x); };
+    const auto known = [&](int k) { return k == 0 || std::isfinite(truth[static_cast<std::size_t>(k)].x); };
     const auto add = [&](const Pause& pause, Nanoseconds over, const char* without) {
         int from = static_cast<int>(std::max<Nanoseconds>(0, pause.begin - start) / step);
         int to = static_cast<int>((over - start + step - 1) / step);
@@ -70,8 +69,8 @@ DefectsNear defectsNear(const Trajectory& trajectory, const MotionModel& model, 
                               from, to});
     };
     const Nanoseconds commandGap = std::max<Nanoseconds>(500'000'001, 3 * usualPause(trajectory.commands));
-    for (const Pause& pause : pausesOf(trajectory.commands, start - shows, end, commandGap))
-        add(pause, pause.end + shows, "commands");
+    for (const Pause& pause : pausesOf(trajectory.commands, since, end, commandGap))
+        add(pause, pause.end + commandsShowFor(model), "commands");
     for (const Pause& pause : pausesOf(trajectory.poses, start, end, poseGap))
         add(pause, pause.end + settled, "ground truth");
     return found;

@@ -46,7 +46,14 @@ std::string openPlace(const Log& log) {
            y0 + "], [" + x1 + ", " + y0 + "], [" + x1 + ", " + y1 + "], [" + x0 + ", " + y1 + "]]\n";
 }
 
+/// "create 3"; a robot that the log calls what it is needs no more.
+std::string nameOf(const Kind& kind, const RobotLog& robot) {
+    return kind.robotName == robot.robot ? robot.robot : kind.robotName + ' ' + robot.robot;
+}
+
 }  // namespace
+
+bool tellsRobotKind(const Log& log) { return kindOf(log).has_value(); }
 
 Expected<Descriptions> scenarioOfLog(const Log& log, const std::string& place, const std::string& robotFile) {
     std::optional<Kind> kind = kindOf(log);
@@ -55,8 +62,8 @@ Expected<Descriptions> scenarioOfLog(const Log& log, const std::string& place, c
                     kind && kind->robotFile == robotFile ? kind->known : std::vector<std::string>{}};
     if (!kind)
         return fail(log.source,
-                    "does not tell what kind of robot drove; expected a robot file by --robot, or a scenario whose "
-                    "robots play it by --scenario");
+                    "does not tell what kind of robot drove; expected a robot file (--robot), or a scenario whose "
+                    "robots play it");
     if (log.robots.empty()) return fail(log.source, "has no robots");
     const std::string name = std::filesystem::path(log.source).filename().string();
     const std::string file = name + ".toml";
@@ -64,9 +71,8 @@ Expected<Descriptions> scenarioOfLog(const Log& log, const std::string& place, c
                        "\nenvironment = " + tomlString(kind->environment) + "\nseed = 1\nduration_s = 60.0\n";
     for (const RobotLog& robot : log.robots) {
         const bool told = std::find(kind->known.begin(), kind->known.end(), robot.robot) != kind->known.end();
-        text += "\n[[robot]]\nname = " + tomlString(kind->robotName + ' ' + robot.robot) +
-                "\ntype = " + tomlString(kind->robotFile) + '\n' +
-                (told ? "motion_robot = " + tomlString(robot.robot) + '\n' : "") +
+        text += "\n[[robot]]\nname = " + tomlString(nameOf(*kind, robot)) + "\ntype = " + tomlString(kind->robotFile) +
+                '\n' + (told ? "motion_robot = " + tomlString(robot.robot) + '\n' : "") +
                 "controller = { kind = \"log_player\", log = " + tomlString(place) +
                 ", robot = " + tomlString(robot.robot) + " }\n";
     }

@@ -10,6 +10,9 @@
 
 namespace mrose {
 
+/// Whether the log itself tells what kind of robot drove; false: scenarioOfLog() needs a robot file.
+bool tellsRobotKind(const Log& log);
+
 /// A scenario for a log that is opened without one: a robot for each of the log's, which plays it. Robots of MRCLAM are
 /// Creates in the arena of these logs, as in mrclam_replay.toml; others stand in an open place. `robotFile`: what kind
 /// the robots are, where the log cannot tell (CSV); it may be given for any log. Texts for loadScenario(), before those

@@ -1,8 +1,10 @@
 #include "comparison/log_world.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "behaviour/command_player.h"
+#include "evaluation/format.h"
 #include "evaluation/windows.h"
 #include "scenario/log_excerpt.h"
 
@@ -22,7 +24,9 @@ std::vector<std::size_t> removeRobots(ScenarioParts& parts, const std::vector<bo
     for (std::size_t i = 0; i < removed.size(); ++i) {
         newIndex[i] = kept;
         if (removed[i]) continue;
+        const auto place = static_cast<std::uint32_t>(parts.scene.placeOf(i));
         parts.scene.robots[kept] = parts.scene.robots[i];
+        if (place != kept) parts.scene.robots[kept].place = place;
         parts.controllers[kept++] = parts.controllers[i];
     }
     parts.scene.robots.resize(kept);
@@ -57,8 +61,8 @@ std::optional<std::size_t> trajectoryNamed(const RobotLog& robot, const std::str
 
 }  // namespace
 
-Expected<LogWorld> LogWorld::create(ScenarioParts parts, const Log& log, const Names& robots) {
-    LogWorld world(std::move(parts), log);
+Expected<LogWorld> LogWorld::create(ScenarioParts parts, std::shared_ptr<const Log> log, const Names& robots) {
+    LogWorld world(std::move(parts), std::move(log));
     if (const auto found = world.findRobots(robots); !found) return tl::unexpected(found.error());
     if (const auto found = world.findTakes(); !found) return tl::unexpected(found.error());
     return world;
@@ -141,6 +145,8 @@ Expected<Take> LogWorld::takeOf(const std::vector<std::size_t>& trajectories, bo
             return fail(log_->source, "has no ground truth of robot \"" + real.robot +
                                           "\": nothing to compare with; expected its poses (x, y, heading) beside its "
                                           "commands");
+        if (auto overlap = checkOverlap(real.robot, trajectory); !overlap)
+            return fail(log_->source, overlap.error().cause);
         common = std::max(common, beginning(trajectory));
     }
     // As an excerpt begins: when all robots of the log are there, whether they are compared or not.

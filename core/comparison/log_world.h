@@ -35,14 +35,15 @@ struct Take {
 /// are then where the real ones were, as fast, and told the same.
 class LogWorld {
 public:
-    /// `parts` as loaded without ScenarioLoading::playLogs; `log` must outlive it. Of the robots that play the log
-    /// those stay whose real one is named in `robots`; empty: all. A take's clock is 0 where mrose run would begin.
-    /// Error: no robot plays a log; the log lacks one of the robots, or the trajectory, commands or ground truth of
-    /// one.
-    static Expected<LogWorld> create(ScenarioParts parts, const Log& log, const std::vector<std::string>& robots = {});
+    /// `parts` as loaded without ScenarioLoading::playLogs. Of the robots that play the log those stay whose real one
+    /// is named in `robots`; empty: all. A take's clock is 0 where mrose run would begin. Error: no robot plays a log;
+    /// the log lacks one of the robots, or the trajectory, commands or ground truth of one.
+    static Expected<LogWorld> create(ScenarioParts parts, std::shared_ptr<const Log> log,
+                                     const std::vector<std::string>& robots = {});
 
     const ScenarioParts& parts() const { return parts_; }
     const Log& log() const { return *log_; }
+    const std::shared_ptr<const Log>& sharedLog() const { return log_; }
     const std::vector<ComparedRobot>& robots() const { return robots_; }
     const std::vector<Take>& takes() const { return takes_; }
     const Trajectory& trajectory(std::size_t take, std::size_t robot) const {
@@ -75,13 +76,13 @@ public:
     static std::shared_ptr<const Controller> player(const RolloutStart& start, Nanoseconds duration);
 
 private:
-    LogWorld(ScenarioParts parts, const Log& log) : parts_(std::move(parts)), log_(&log) {}
+    LogWorld(ScenarioParts parts, std::shared_ptr<const Log> log) : parts_(std::move(parts)), log_(std::move(log)) {}
     Expected<void> findRobots(const std::vector<std::string>& chosen);
     Expected<void> findTakes();
     Expected<Take> takeOf(const std::vector<std::size_t>& trajectories, bool first) const;
 
     ScenarioParts parts_;
-    const Log* log_;
+    std::shared_ptr<const Log> log_;
     std::vector<ComparedRobot> robots_;
     std::vector<LogExcerpt> excerpts_;  ///< by compared robot
     std::vector<Take> takes_;

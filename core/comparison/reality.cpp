@@ -65,8 +65,8 @@ PoseError poseError(const Pose& real, const Pose& simulated) {
             std::abs(wrapAngle(simulated.heading - real.heading))};
 }
 
-Reality realityOf(const LogWorld& world, std::shared_ptr<const Log> log, std::size_t take, Nanoseconds start) {
-    Reality reality{std::move(log), start, {}, {}};
+Reality realityOf(const LogWorld& world, std::size_t take, Nanoseconds start) {
+    Reality reality{world.sharedLog(), start, {}, {}};
     for (std::size_t i = 0; i < world.robots().size(); ++i)
         reality.robots.push_back({world.robots()[i].name, world.robots()[i].realName, &world.trajectory(take, i),
                                   world.takes()[take].parts[i].origin + start});

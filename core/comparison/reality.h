@@ -63,7 +63,7 @@ struct Reality {
     std::optional<PoseError> modelError(const ModelCourse& model, std::size_t robot, Nanoseconds now) const;
 };
 
-/// Beside LogWorld::openAt() of that take and start. `log` is the world's.
-Reality realityOf(const LogWorld& world, std::shared_ptr<const Log> log, std::size_t take, Nanoseconds start);
+/// Beside LogWorld::openAt() of that take and start.
+Reality realityOf(const LogWorld& world, std::size_t take, Nanoseconds start);
 
 }  // namespace mrose

@@ -304,7 +304,8 @@ private:
             pushHandle(lua_, Handle::Kind::robot, i);
             luaL_setmetatable(lua_, words.name);
             names.push_back(scene_.robots[i].name);
-            addMember(names.size(), names.back());
+            // Persons stand behind all robots, and nobody leaves one out.
+            addMember(persons ? names.size() : scene_.placeOf(i) + 1, names.back());
         }
         addCollection(words, names, readMember);
     }

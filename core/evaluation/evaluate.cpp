@@ -90,16 +90,16 @@ Expected<PercentErrors> errorsOnFloor(const NamedModel& named, const Log& log, c
 /// Asks whether it is to go on, of the steps of all models.
 class Steps {
 public:
-    Steps(std::size_t count, const std::function<bool(double)>& goesOn) : count_(count), goesOn_(goesOn) {}
+    Steps(std::size_t count, const Progress& progress) : count_(count), progress_(progress) {}
     Expected<void> done() {
         ++done_;
-        if (!goesOn_ || goesOn_(static_cast<double>(done_) / static_cast<double>(count_))) return {};
+        if (!progress_ || progress_(static_cast<double>(done_) / static_cast<double>(count_))) return {};
         return fail("", "the evaluation was ended before its end");
     }
 
 private:
     std::size_t count_, done_ = 0;
-    const std::function<bool(double)>& goesOn_;
+    const Progress& progress_;
 };
 
 Expected<ModelEvaluation> evaluateModel(const NamedModel& named, const Log& log, const Evaluation& evaluation,
@@ -204,7 +204,7 @@ Evaluation evaluated(const Log& log, std::vector<Window> windows, std::string mo
 }
 
 Expected<Evaluation> evaluate(const Log& log, std::span<const NamedModel> models, const EvaluationOptions& options,
-                              const std::function<bool(double share)>& goesOn) {
+                              const Progress& progress) {
     auto windows = findWindows(log, options.robots, options.windows);
     if (!windows) return tl::unexpected(windows.error());
     Evaluation evaluation = describe(log, std::move(*windows), options);
@@ -214,7 +214,7 @@ Expected<Evaluation> evaluate(const Log& log, std::span<const NamedModel> models
         RelativePieces piece = relativePieces(log, evaluation.windows, horizon, options.windows.step);
         if (!piece.starts.empty()) pieces.push_back(std::move(piece));
     }
-    Steps steps(models.size() * (pieces.size() + 1) + 1, goesOn);
+    Steps steps(models.size() * (pieces.size() + 1) + 1, progress);
     if (options.withFloor) {
         evaluation.floor = findFloor(log, options.robots, options.windows, options.floor);
         if (options.turningFloor.horizon < evaluation.floor->horizon)

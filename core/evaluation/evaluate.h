@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -9,6 +8,7 @@
 #include "evaluation/floor.h"
 #include "evaluation/metrics.h"
 #include "evaluation/windows.h"
+#include "io/progress.h"
 
 namespace mrose {
 
@@ -77,10 +77,10 @@ struct Evaluation {
 
 /// Rolls every model out over every window of the log and compares with the truth. The result is the same for any
 /// number of threads. Error: no windows (see findWindows); a model that knows one of the robots not, whose period does
-/// not divide the step, or that predicts something that is not finite; `goesOn`, told now and then which share is done,
-/// said no.
+/// not divide the step, or that predicts something that is not finite; `progress`
+/// ended it.
 Expected<Evaluation> evaluate(const Log& log, std::span<const NamedModel> models, const EvaluationOptions& options = {},
-                              const std::function<bool(double share)>& goesOn = {});
+                              const Progress& progress = {});
 
 /// The same of one model whose poses are known already: predicted[i] of windows[i].
 Evaluation evaluated(const Log& log, std::vector<Window> windows, std::string model,

@@ -138,6 +138,17 @@ Travel travelled(std::span<const Pose> poses, Nanoseconds step) {
     return travel;
 }
 
+Expected<void> checkOverlap(const std::string& robot, const Trajectory& trajectory) {
+    const Nanoseconds commanded[] = {trajectory.commands.front().time, trajectory.commands.back().time},
+                      tracked[] = {trajectory.poses.front().time, trajectory.poses.back().time};
+    if (commanded[0] <= tracked[1] && tracked[0] <= commanded[1]) return {};
+    const auto span = [](const Nanoseconds(&times)[2]) {
+        return "from " + secondsText(times[0]) + " to " + secondsText(times[1]) + " s";
+    };
+    return fail({}, "has commands of robot \"" + robot + "\" " + span(commanded) + " and its ground truth " +
+                        span(tracked) + "; expected both of the same time");
+}
+
 bool measureTravel(Window& window, const WindowOptions& options) {
     const Travel travel = travelled(window.truth, options.step);
     window.path = travel.path;

@@ -43,6 +43,9 @@ struct Window {
 Expected<std::vector<Window>> findWindows(const Log& log, const std::vector<std::string>& robots = {},
                                           const WindowOptions& options = {});
 
+/// Error: the commands of one robot and its ground truth, both there, are of different times.
+Expected<void> checkOverlap(const std::string& robot, const Trajectory& trajectory);
+
 /// Fills in what the truth of a stretch says: path, rotation, pathBySteps. False: the robot hardly moves in it.
 bool measureTravel(Window& window, const WindowOptions& options);
 

@@ -1,6 +1,9 @@
 #include "logs/log_reader.h"
 
+#include <algorithm>
 #include <fstream>
+#include <string>
+#include <vector>
 
 #include "logs/csv_reader.h"
 #include "logs/husky_reader.h"
@@ -27,7 +30,33 @@ bool holdsCsv(const std::filesystem::path& folder, bool logs = false) {
     return false;
 }
 
+/// "a, b and c": the first few names.
+std::string listed(std::vector<std::string> names) {
+    constexpr std::size_t most = 6;
+    std::sort(names.begin(), names.end());
+    const std::size_t more = names.size() > most ? names.size() - most + 1 : 0;
+    if (more > 0) {
+        names.resize(most - 1);
+        names.push_back(std::to_string(more) + " more");
+    }
+    std::string text = names.front();
+    for (std::size_t i = 1; i < names.size(); ++i) text += (i + 1 < names.size() ? ", " : " and ") + names[i];
+    return text;
+}
+
 }  // namespace
+
+std::string logsWithin(const std::filesystem::path& folder) {
+    std::vector<std::string> names;
+    std::error_code ignored;
+    for (std::filesystem::directory_iterator entry(folder, ignored), end; !ignored && entry != end;
+         entry.increment(ignored))
+        if ((entry->is_directory(ignored) || entry->path().extension() == ".csv") && looksLikeLog(entry->path()))
+            names.push_back(entry->path().filename().string());
+    if (names.empty()) return "";
+    const bool one = names.size() == 1;
+    return "is not a log itself; it holds " + listed(std::move(names)) + (one ? ": open that" : ": open one of them");
+}
 
 bool looksLikeLog(const std::filesystem::path& source) {
     std::error_code ignored;
@@ -41,6 +70,8 @@ Expected<Log> readLog(const std::filesystem::path& source, const LogOptions& opt
     std::error_code error;
     if (std::filesystem::is_directory(source, error)) {
         if (isMrclamFolder(source)) return readMrclam(source, options);
+        const std::string within = holdsCsv(source, true) ? "" : logsWithin(source);
+        if (!within.empty()) return fail(source.string(), within);
         if (holdsCsv(source)) return readCsv(source, options);
         return fail(source.string(), "is a folder without a log; expected Robot<N>_Odometry.dat or *.csv files in it");
     }

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <span>
+#include <string>
 
 #include "io/error.h"
 #include "logs/robot_log.h"
@@ -18,6 +19,10 @@ struct LogOptions {
 
 /// Whether a place holds a log of some format, as far as its beginning tells: without reading it.
 bool looksLikeLog(const std::filesystem::path& source);
+
+/// What to say of a folder that is no log but holds some, as folders or as CSV files: "is not a log itself; it holds a
+/// and b: open one of them". "": it holds none.
+std::string logsWithin(const std::filesystem::path& folder);
 
 /// Opens a log of any known format: an MRCLAM folder, a Husky windows file, a CSV file or a folder of CSV files. Which
 /// one it is is told from its content. Error: nothing known, or the first thing wrong with it.

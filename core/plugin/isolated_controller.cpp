@@ -13,6 +13,7 @@ namespace {
 
 std::string begin(PluginMessage kind) { return std::string(1, static_cast<char>(kind)); }
 
+constexpr std::size_t mostFailed = 16;
 constexpr const char* nonsense = "answered what cannot be read";
 
 }  // namespace
@@ -72,18 +73,27 @@ std::size_t IsolatedController::commandsPerPeriod(Nanoseconds period) const {
     return sound ? std::clamp<std::size_t>(count, 1, CommandHistory::capacity) : 1;
 }
 
+/// The same question has the same answer: whoever steps back over it need not wait for it to hang once more.
+std::string IsolatedController::failedAt(std::string message, Failure failure) const {
+    if (failed_.size() == mostFailed) failed_.pop_front();
+    failed_.push_back({std::move(message), failure});
+    return failure;
+}
+
 tl::expected<void, std::string> IsolatedController::askDecision(const Observation& observation,
                                                                 std::span<std::byte> memory, Decision& decision) const {
     std::string message = begin(PluginMessage::decide);
     appendObservation(observation, message);
     message.append(reinterpret_cast<const char*>(memory.data()), memory.size());
+    for (const Failed& known : failed_)
+        if (known.message == message) return tl::unexpected(known.failure);
     const auto answer = ask(message);
-    if (!answer) return tl::unexpected(answer.error());
+    if (!answer) return tl::unexpected(failedAt(std::move(message), answer.error()));
     ByteReader reader(*answer);
     if (static_cast<PluginMessage>(reader.number<std::uint8_t>()) != PluginMessage::decided ||
         !readDecision(reader, decision) || reader.rest().size() != memory.size()) {
         process_.reset();
-        return tl::unexpected(std::string(nonsense));
+        return tl::unexpected(failedAt(std::move(message), nonsense));
     }
     std::memcpy(memory.data(), reader.rest().data(), memory.size());
     return {};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -22,7 +23,7 @@ struct IsolationOptions {
 /// A plug-in's controller in a process of its own. Observation and memory go there, decision and memory come back, so
 /// that rewinding is as exact as in the program, and the world's state is the same. When the process ends or takes too
 /// long, that is a fault, and the robot stands from then on: the state remembers. Going back to a state before starts
-/// the process anew. May be asked from several threads; they take turns.
+/// the process anew; what it failed at is not asked again. May be asked from several threads; they take turns.
 class IsolatedController final : public Controller {
 public:
     ~IsolatedController() override;
@@ -47,6 +48,7 @@ private:
     tl::expected<std::string, Failure> ask(const std::string& message) const;
     tl::expected<void, Failure> askDecision(const Observation& observation, std::span<std::byte> memory,
                                             Decision& decision) const;
+    Failure failedAt(std::string message, Failure failure) const;
 
     std::string path_, options_;
     IsolationOptions isolation_;
@@ -54,6 +56,11 @@ private:
     Attention attention_;
     mutable std::mutex turn_;
     mutable std::unique_ptr<PluginProcess> process_;  ///< no part of what is decided
+    struct Failed {
+        std::string message;
+        Failure failure;
+    };
+    mutable std::deque<Failed> failed_;  ///< the latest; nor is this
 };
 
 /// Loads a plug-in as loadPlugin() does, but in a process of its own. Error: as there, and that the process could not

@@ -80,6 +80,7 @@ public:
             if (!read(*record)) return std::move(content_);
         }
         checkChunks();
+        content_.endless = true;
         content_.damage.push_back("it is cut off" + atByte(records_.offset()) + " of " + std::to_string(bytes_.size()));
         return std::move(content_);
     }

@@ -24,6 +24,7 @@ struct Content {
     /// What is wrong with the file and where, a sentence each; empty: it is whole. Nothing is read from behind a record
     /// that is cut short or an attachment whose CRC does not fit; chunks are only checked.
     std::vector<std::string> damage;
+    bool endless = false;  ///< its end is missing: it was cut off, or is still being written; this is damage, too
 };
 
 /// Error: the bytes do not begin as an MCAP file does.

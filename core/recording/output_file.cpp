@@ -75,6 +75,21 @@ void OutputFile::write(std::string_view bytes) {
 
 void OutputFile::sync() {
     if (state_ && ::fdatasync(descriptor_) != 0) failWith("cannot be written");
+    if (state_) checkPlace();
+}
+
+/// Who removes, moves or replaces a file that is open is not told, and nor is who writes it.
+void OutputFile::checkPlace() {
+    struct stat open {
+    }, there{};
+    if (::fstat(descriptor_, &open) != 0) return;
+    const bool found = ::stat(name_.c_str(), &there) == 0;
+    if (!found && errno != ENOENT && errno != ENOTDIR) return;
+    if (found && open.st_dev == there.st_dev && open.st_ino == there.st_ino) return;
+    state_ = fail(name_, std::string(found                ? "is another file now: it was replaced"
+                                     : open.st_nlink == 0 ? "is no longer there: it was removed"
+                                                          : "is no longer there: it was moved") +
+                             " while it was written");
 }
 
 Expected<void> OutputFile::close() {

@@ -22,9 +22,10 @@ public:
     ~OutputFile();
 
     void write(std::string_view bytes);
-    /// Waits until the disk has it.
+    /// Waits until the disk has it. An error, too: by its path it is not found any more, because somebody removed,
+    /// moved or replaced it.
     void sync();
-    Expected<void> close();
+    Expected<void> close();  ///< as sync()
 
     std::uint64_t size() const { return size_; }
     std::uint32_t crc() const { return crc_; }  ///< of all that was written
@@ -34,6 +35,7 @@ public:
 private:
     OutputFile(int descriptor, std::string name) : descriptor_(descriptor), name_(std::move(name)) {}
     void failWith(const char* what);
+    void checkPlace();
 
     int descriptor_ = -1;
     std::string name_;

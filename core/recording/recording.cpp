@@ -49,6 +49,7 @@ public:
 
     Expected<Recording> read() {
         recording_.damage = content_.damage;
+        recording_.endless = content_.endless;
         if (const auto header = readHeader(); !header) return tl::unexpected(header.error());
         for (const mcap::Attachment& attachment : content_.attachments)
             if (!readAttachment(attachment)) {
@@ -58,6 +59,7 @@ public:
                 break;
             }
         if (recording_.branches.empty()) return withoutBeginning();
+        readShown();
         return std::move(recording_);
     }
 
@@ -95,6 +97,16 @@ private:
         if (!readControllers(*controllers, header.controllers))
             return fail(name_, "expected two integers for each robot", 0, format::controllers);
         return {};
+    }
+
+    /// Only what can be shown: of a recording that was cut off it may lie beyond the end.
+    void readShown() {
+        const mcap::Strings* const shown = metadataOf(content_, format::shown);
+        ShownPlace place;
+        if (shown != nullptr && parseInteger(valueOf(*shown, format::branchKey), place.branch) &&
+            parseInteger(valueOf(*shown, format::tickKey), place.tick) && place.branch < recording_.branches.size() &&
+            place.tick <= recording_.branches[place.branch].timeline.last())
+            recording_.shown = place;
     }
 
     /// Whether it could be used.

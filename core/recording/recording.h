@@ -33,6 +33,13 @@ struct RecordingHeader {
     bool operator==(const RecordingHeader&) const = default;
 };
 
+/// What was shown when a recording was saved.
+struct ShownPlace {
+    std::uint32_t branch = 0;
+    std::int64_t tick = 0;  ///< of that branch's course
+    bool operator==(const ShownPlace&) const = default;
+};
+
 /// Stands in for a recorded robot's controller that is not at hand, so that the states' layout stays: decides nothing.
 class RecordedController final : public Controller {
 public:
@@ -56,7 +63,9 @@ struct Recording {
         std::vector<RecordingHeader::ControllerNeeds> controllers;
     };
     std::vector<Layout> layouts;
+    std::optional<ShownPlace> shown;
     std::vector<std::string> damage;  ///< what is wrong with the file, a sentence each; the recording ends before it
+    bool endless = false;             ///< its end is missing, which is damage, too: perhaps it is still being written
 
     const Descriptions& descriptionsOf(std::uint32_t branch) const {
         return branches[branch].descriptions ? *branches[branch].descriptions : header.descriptions;

@@ -8,6 +8,7 @@ namespace mrose::format {
 // Names in a recording's file; README.md of this folder tells what lies behind them.
 
 constexpr const char* run = "mrose.run";                  ///< metadata
+constexpr const char* shown = "mrose.shown";              ///< metadata
 constexpr const char* controllers = "mrose.controllers";  ///< metadata
 constexpr const char* version = "1";
 constexpr const char* descriptionPrefix = "description/";  ///< attachments
@@ -30,5 +31,9 @@ constexpr const char* scenarioFileKey = "scenario_file";
 constexpr const char* seedKey = "seed";
 constexpr const char* tickLengthKey = "tick_length_ns";
 constexpr const char* commandLineKey = "command_line";
+
+// Keys of `shown`.
+constexpr const char* branchKey = "branch";
+constexpr const char* tickKey = "tick";
 
 }  // namespace mrose::format

@@ -67,6 +67,12 @@ void RecordingWriter::writeHeader(const RecordingHeader& header) {
         mcap_.addAttachment(format::descriptionPrefix + name, "text/plain", 0, text);
 }
 
+void RecordingWriter::keepShown(const ShownPlace& place) {
+    if (!state()) return;
+    mcap_.addMetadata(format::shown, {{format::branchKey, std::to_string(place.branch)},
+                                      {format::tickKey, std::to_string(place.tick)}});
+}
+
 void RecordingWriter::startBranch(std::uint32_t parent, const WorldState& state, const std::string& name,
                                   const Scenario& scenario, const SceneTopics::Schemas& schemas) {
     const auto branch = static_cast<std::uint32_t>(branches_.size());

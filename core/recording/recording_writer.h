@@ -13,8 +13,9 @@
 namespace mrose {
 
 /// Writes a run to a file while it goes on, such that at every moment what was written so far can be opened, also after
-/// a kill. Where the disk is full, or anything else goes wrong, the file stays as it was after the last part written
-/// whole, `state()` says what happened, and everything further does nothing: the run may go on.
+/// a kill. Where the disk is full, the file is removed, moved or replaced, or anything else goes wrong, it stays as it
+/// was after the last part written whole, `state()` says what happened, and everything further does nothing: the run
+/// may go on.
 ///
 /// A part is written when ticks for one keyframe interval are together, and at flush(): a program whose run keeps pace
 /// with the clock calls it about once a second.
@@ -49,6 +50,9 @@ public:
     void show(const WorldState& after, const StepTrace& trace, std::uint32_t branch);
     /// Keeps the state added last, so that a replay which differs before it can say in what: for the end of a run.
     void keep(const WorldState& state, std::uint32_t branch = 0);
+
+    /// Where the recording is to be opened.
+    void keepShown(const ShownPlace& place);
 
     /// All ticks so far onto the disk; of what other programs see the last 128 KB may be kept back.
     void flush();

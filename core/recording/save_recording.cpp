@@ -27,6 +27,7 @@ public:
             auto written = writeTicks(branch);
             if (!written || !*written) return written;
         }
+        if (options_.shown) writer_->keepShown(*options_.shown);
         if (auto closed = writer_->close(); !closed) return tl::unexpected(closed.error());
         return true;
     }

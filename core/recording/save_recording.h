@@ -4,12 +4,14 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
 #include "io/error.h"
 #include "recording/history.h"
 #include "recording/origin.h"
+#include "recording/recording.h"
 #include "scenario/scenario.h"
 
 namespace mrose {
@@ -17,7 +19,8 @@ namespace mrose {
 struct SaveRecordingOptions {
     bool overwrite = false;  ///< false: an Error where there is a file already
     std::string commandLine;
-    Origin origin = thisOrigin();  ///< of a recording that was opened: its own
+    Origin origin = thisOrigin();          ///< of a recording that was opened: its own
+    std::optional<ShownPlace> shown = {};  ///< where it is to be opened
     /// Told now and then how many ticks are done of how many; false ends the saving.
     std::function<bool(std::int64_t, std::int64_t)> progress;
 };

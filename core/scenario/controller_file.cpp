@@ -60,7 +60,7 @@ ControllerSetting logPlayer(const Context& context) {
     excerpt.log = joinedName(context.from.name, excerpt.reference);
     excerpt.robot = name(table, "robot");
     excerpt.trajectory = nameOr(table, "trajectory", "");
-    excerpt.start = table.numberOr("start_s", 0, runTime);
+    excerpt.start = table.numberOr("start_s", 0, {-runTime.most, runTime.most});
     if (const auto& motion = context.driven.robot.motion) excerpt.drive = motion->network().drive;
     if (table.failed()) return {};
     if (!context.loading.playLogs) return {noController(), Pose{}, excerpt};

@@ -59,6 +59,10 @@ Expected<std::string> excerptText(const Log& log, const LogExcerpt& excerpt) {
     if (!found) return tl::unexpected(found.error());
     const Trajectory& whole = **found;
     const Nanoseconds start = startOf(log, whole, excerpt);
+    if (start < beginning(whole))
+        return fail(log.source, "robot \"" + excerpt.robot + "\" begins " +
+                                    numberText(toSeconds(beginning(whole) - start)) + " s later than " +
+                                    numberText(excerpt.start) + " s from the log's start; expected a later start");
     if (start >= whole.commands.back().time)
         return fail(log.source, "robot \"" + excerpt.robot + "\" has no commands after " + numberText(excerpt.start) +
                                     " s from the log's start");

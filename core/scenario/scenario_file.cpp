@@ -17,6 +17,8 @@ namespace {
 
 using File = DescriptionLibrary::File;
 
+constexpr std::int64_t mostNumber = 1'000'000;  // of a robot
+
 class ScenarioReader {
 public:
     ScenarioReader(const File& file, DescriptionLibrary& library, const ScenarioLoading& loading)
@@ -39,6 +41,7 @@ private:
     std::uint32_t modelIndex(const RobotDescription& robot, const std::string& motionRobot);
     std::string motionRobot(TomlTable& table, const RobotDescription& robot);
     std::int64_t phase(TomlTable& table, const MotionModel& model);
+    void readNumber(TomlTable& table, SceneRobot& robot);
     ObjectType objectType(TomlTable& table);
     std::uint32_t objectTypeIndex(ObjectType type);
     void ballsFirst();
@@ -168,6 +171,13 @@ std::int64_t ScenarioReader::phase(TomlTable& table, const MotionModel& model) {
     return std::min(static_cast<std::int64_t>(share * static_cast<double>(ticks)), ticks - 1);
 }
 
+void ScenarioReader::readNumber(TomlTable& table, SceneRobot& robot) {
+    const std::size_t before = scene_.robots.empty() ? 0 : scene_.placeOf(scene_.robots.size() - 1) + 1;
+    const auto least = static_cast<std::int64_t>(before) + 1;
+    const auto place = static_cast<std::uint32_t>(table.integerOr("number", least, least, mostNumber) - 1);
+    if (place != scene_.robots.size()) robot.place = place;
+}
+
 void ScenarioReader::readRobot(TomlTable& table, bool person) {
     SceneRobot body;
     body.name = bodyName(table);
@@ -188,6 +198,7 @@ void ScenarioReader::readRobot(TomlTable& table, bool person) {
     else
         body.start = pose(table.table("start"));
     body.phase = phase(table, *scene_.models[body.model]);
+    readNumber(table, body);
     table.rejectUnknown();
     if (setting.played)
         parts_.players.push_back({static_cast<std::uint32_t>(scene_.robots.size()), std::move(*setting.played)});

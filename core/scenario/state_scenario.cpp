@@ -1,10 +1,13 @@
 #include "scenario/state_scenario.h"
 
+#include <algorithm>
 #include <map>
+#include <numbers>
 #include <set>
 #include <vector>
 
 #include "io/file.h"
+#include "io/number_text.h"
 #include "io/toml_edit.h"
 #include "scenario/description_edit.h"
 #include "scenario/description_source.h"
@@ -169,6 +172,47 @@ private:
     std::vector<NamedFile> files_;
 };
 
+/// The key that says where a scenario goes on from, with what its reader must know.
+constexpr const char* stateKey = "initial_state = ";
+constexpr const char* stateComment =
+    "# The run goes on from this state, which holds. The start lines of robots say where they are in it, those of\n"
+    "# objects where these go after a goal. Without the next line the run begins at the start lines.\n";
+
+/// The text with the robots' start lines as they are in a state: of those that have one.
+Expected<std::string> withStarts(const std::string& text, const std::string& name, const Scenario& scenario,
+                                 const WorldState& state) {
+    const std::size_t persons =
+        static_cast<std::size_t>(std::ranges::count_if(scenario.scene().robots, [&](const SceneRobot& robot) {
+            return scenario.scene().robotTypes[robot.type].person;
+        }));
+    const std::size_t robots = state.robots.size() - persons;
+    std::vector<std::vector<TomlEdit>> all;
+    for (std::size_t i = 0; i < state.robots.size(); ++i) {
+        const std::string table =
+            (i < robots ? "robot[" + std::to_string(i) : "person[" + std::to_string(i - robots)) + "].start";
+        const Pose& pose = state.robots[i].pose;
+        all.push_back({{{table, "x_m"}, numberText(pose.x)},
+                       {{table, "y_m"}, numberText(pose.y)},
+                       {{table, "heading_deg"}, numberText(wrapAngle(pose.heading) * 180 / std::numbers::pi)}});
+    }
+    std::vector<TomlEdit> together;
+    for (const std::vector<TomlEdit>& edits : all) together.insert(together.end(), edits.begin(), edits.end());
+    if (auto edited = withTomlValues(text, name, together)) return edited;
+    // Some robot starts where its log does.
+    std::string changed = text;
+    for (const std::vector<TomlEdit>& edits : all)
+        if (auto edited = withTomlValues(changed, name, edits)) changed = std::move(*edited);
+    return changed;
+}
+
+std::string withStateComment(std::string text) {
+    const std::size_t at = text.starts_with(stateKey) ? 0 : text.find(std::string("\n") + stateKey) + 1;
+    const std::string comment = stateComment;
+    if (at < comment.size() || text.compare(at - comment.size(), comment.size(), comment) != 0)
+        text.insert(at, comment);
+    return text;
+}
+
 /// Whether what was written goes on as the run would.
 Expected<void> checkGoesOn(const std::string& name, std::map<std::string, std::string> texts, const Scenario& scenario,
                            const WorldState& state) {
@@ -205,9 +249,12 @@ Expected<void> saveStateAsScenario(const std::filesystem::path& path, const Desc
     const std::string name = path.generic_string();
     const auto seeded = withSeed({name, {{name, *text}}}, state.seed);
     if (!seeded) return tl::unexpected(seeded.error());
-    const auto complete = withTomlValue(seeded->texts.at(name), name, {"", "initial_state", "environment"},
-                                        tomlString(statePath.filename().string()));
+    auto started = withStarts(seeded->texts.at(name), name, scenario, state);
+    if (!started) return tl::unexpected(started.error());
+    auto complete =
+        withTomlValue(*started, name, {"", "initial_state", "environment"}, tomlString(statePath.filename().string()));
     if (!complete) return tl::unexpected(complete.error());
+    *complete = withStateComment(std::move(*complete));
     std::vector<NamedFile> files = relocation.files();
     files.push_back({statePath, savedStateText(savedState(scenario, state))});
     files.push_back({path, *complete});

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,8 @@ struct SceneRobot {
     std::int64_t phase = 0;   ///< tick of its first control instant
     Pose start;
     Velocity velocity = {};  ///< at the start, as its model reads it
+    /// Where others were left out: its place among all, by which people, colours and conditions know it.
+    std::optional<std::uint32_t> place = {};
 };
 
 struct SceneObject {
@@ -55,6 +58,7 @@ struct Scene {
     const ObjectType& typeOfObject(std::size_t object) const { return objectTypes[objects[object].type]; }
     const MotionModel& modelOf(std::size_t robot) const { return *models[robots[robot].model]; }
     std::int64_t periodTicks(std::size_t robot) const { return modelOf(robot).period() / tickLength; }
+    std::size_t placeOf(std::size_t robot) const { return robots[robot].place.value_or(robot); }
     std::size_t bodyCount() const { return robots.size() + objects.size(); }
     const Shape& shapeOf(std::size_t body) const {
         return body < robots.size() ? *typeOf(body).shape : *typeOfObject(body - robots.size()).shape;

@@ -83,7 +83,7 @@ const std::vector<SyntheticSet>& syntheticSets() {
     return sets;
 }
 
-std::optional<Log> generateLog(const SyntheticPart& part, std::uint64_t seed, const SyntheticProgress& progress) {
+std::optional<Log> generateLog(const SyntheticPart& part, std::uint64_t seed, const Progress& progress) {
     const double duration = part.duration < 0 ? courseDuration(part.course) : part.duration;
     Log log{"", "csv", 0, {{"reference", {}, {}}}, {}, true};
     auto& trajectories = log.robots.front().trajectories;

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "io/progress.h"
 #include "logs/robot_log.h"
 #include "synthetic/courses.h"
 #include "synthetic/reference_robot.h"
@@ -48,10 +48,9 @@ struct SyntheticSet {
 const std::vector<SyntheticSet>& syntheticSets();
 
 /// Called after each trajectory with the share that is done; false stops.
-using SyntheticProgress = std::function<bool(double)>;
 
 /// The log of one part, of a robot called "reference": Log::synthetic is set. Trajectories follow each other in time,
 /// each from rest. Nothing when it was stopped.
-std::optional<Log> generateLog(const SyntheticPart& part, std::uint64_t seed, const SyntheticProgress& progress = {});
+std::optional<Log> generateLog(const SyntheticPart& part, std::uint64_t seed, const Progress& progress = {});
 
 }  // namespace mrose

@@ -1,10 +1,7 @@
 -- The README's picture of a real log over its simulation: make_window.sh runs this where MROSE_DATA names the logs.
 add_model("create_paper.net")
-worst(1)
+worst(11)
 select(reality("robot"))
-plot_errors()
-seek(9.9)
 show_inspector(false)
-follow(true)
-zoom_in(6)
+seek(9.9)
 screenshot("reality.png")

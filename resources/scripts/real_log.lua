@@ -3,12 +3,13 @@
 --   mrose-gui --offscreen --script real_log.lua --log MRCLAM_Dataset6
 expect(reality("windows") > 0, "courses are compared")
 worst(1)
-fit()
 select(reality("robot"))
-plot_errors()
 go_to_divergence()
 screenshot("reality.png")
-say(reality("robot"), "from", reality("start"), "s on is off by", reality("error"), "m on average")
+say(reality("robot"), "from", reality("start"), "s on is off by", floor(1000 * reality("error") + 0.5) / 10, "cm on average")
 if reality("divergence") then
-    say("leaves the real course after", reality("divergence"), "s;", reality("cause"), reality("explained"))
+    say("leaves the real course after", reality("divergence"), "s; likely cause:", reality("cause"))
+    if reality("explained") then
+        say("the best of the re-runs explains", floor(100 * reality("explained") + 0.5), "% of it")
+    end
 end

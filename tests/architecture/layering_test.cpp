@@ -1,11 +1,13 @@
 // Who may include whom, from the include lines of the source itself.
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <set>
 
 #include <gtest/gtest.h>
 
 #include "architecture/source_files.h"
+#include "support/places.h"
 
 namespace mrose {
 namespace {
@@ -139,6 +141,24 @@ TEST(Layering, QtStaysInWidgetsAndWindow) {
     for (const SourceFile& file : sourceFiles({"core", "app"}))
         for (const Include& include : file.includes)
             EXPECT_FALSE(file.layer != "app/gui" && isQt(include.name)) << where(file, include);
+}
+
+/// What goes through a run and finds places in it is told from what is seen: tested, and usable, without a window.
+TEST(Layering, TravelBreaksAndSessionDoNotKnowTheWindow) {
+    const std::map<std::string, std::set<std::string>> below{
+        {"travel", {}}, {"breaks", {"travel"}}, {"session", {"travel", "breaks"}}};
+    const std::filesystem::path window = sourceFolder() / "app" / "gui";
+    for (const auto& [folder, allowed] : below) {
+        const std::vector<SourceFile> files = sourceFiles({"app/gui/" + folder});
+        EXPECT_FALSE(files.empty()) << folder;
+        for (const SourceFile& file : files)
+            for (const Include& include : file.includes) {
+                const std::string other = includedLayer(include);
+                const bool ofWindow = !other.empty() && std::filesystem::is_directory(window / other);
+                EXPECT_TRUE(!ofWindow || other == folder || allowed.count(other)) << where(file, include);
+                EXPECT_FALSE(folder != "session" && isQt(include.name)) << where(file, include);
+            }
+    }
 }
 
 TEST(Layering, LibrariesStayWhereTheyBelong) {

@@ -23,7 +23,7 @@ std::string layerOf(const std::filesystem::path& path) {
 std::string headerName(const std::filesystem::path& path) {
     const std::filesystem::path header = std::filesystem::path(path).replace_extension(".h");
     const std::string layer = layerOf(path);
-    if (layer == "app/cli" || layer == "app/gui") return header.filename().string();
+    if (layer == "app/cli" || layer == "app/gui") return header.lexically_relative(layer).string();
     return *path.begin() == "widgets" ? header.string() : header.lexically_relative(*path.begin()).string();
 }
 

@@ -236,7 +236,7 @@ TEST(ChaseBall, ShowsWhatItBelievesAndWants) {
             EXPECT_EQ(annotation.points[1], toTheEast.target);
         }
     }
-    EXPECT_EQ(labels, (std::vector<std::string>{"state", "ball", "ball speed", "aim", "shot"}));
+    EXPECT_EQ(labels, (std::vector<std::string>{"state", "ball", "ball speed (m/s)", "aim", "shot"}));
 }
 
 }  // namespace

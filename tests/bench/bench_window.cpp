@@ -5,7 +5,7 @@
 
 #include "scenario/scenario_file.h"
 #include "support/scenes.h"
-#include "time_travel.h"
+#include "travel/time_travel.h"
 #include "widgets/field_view.h"
 #include "widgets/timeline_bar.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "bench/timing.h"
-#include "breakpoints.h"
+#include "breaks/breakpoints.h"
 #include "support/scenes.h"
 
 namespace mrose::gui {
@@ -36,16 +36,16 @@ int bench(const char* name, const OpenRun& run, std::int64_t ticks) {
         Breakpoints breakpoints;
         breakpoints.replace({waitingFor(text)});
         const std::clock_t before = std::clock();
-        const double search = bench::secondsOf([&] { (void)breakpoints.back(travel, goOn); });
+        const double search = bench::secondsOf([&] { (void)breakpoints.last({true}, travel, travel.tick(), goOn); });
         const double cores = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
-        const double again = bench::secondsOf([&] { (void)breakpoints.back(travel, goOn); });
+        const double again = bench::secondsOf([&] { (void)breakpoints.last({true}, travel, travel.tick(), goOn); });
         std::printf(
             "  looked through in %.2f s (2 s are wanted) with %.2f s of the cores' time, again in %.1f ms: %s\n",
             search, cores, 1e3 * again, text);
     }
     Breakpoints breakpoints;
     breakpoints.replace({waitingFor("robot[2].x > robot[3].x")});
-    const double near = bench::secondsOf([&] { (void)breakpoints.back(travel, goOn); });
+    const double near = bench::secondsOf([&] { (void)breakpoints.last({true}, travel, travel.tick(), goOn); });
     std::printf("  one that held not long ago: %.1f ms\n", 1e3 * near);
     Breakpoints judging;
     judging.replace({waitingFor("robot[2].speed > 50"), waitingFor("contact robot"), waitingFor("kick")});
@@ -53,7 +53,7 @@ int bench(const char* name, const OpenRun& run, std::int64_t ticks) {
         for (std::int64_t i = 0; i < ticks / 10; ++i) {
             judging.leave(travel);
             if (!travel.forward()) return;
-            (void)judging.arrive(travel);
+            (void)judging.arrive(travel, [](double) { return true; });
         }
     });
     std::printf("  simulating with three breakpoints takes %.2f times as long as without\n", 10 * playing / played);

@@ -15,13 +15,13 @@
 #include <sys/resource.h>
 
 #include "behaviour/command_player.h"
-#include "main_window.h"
 #include "motion/learned_model.h"
-#include "plot_panel.h"
+#include "panels/plot_panel.h"
 #include "support/scenes.h"
 #include "synthetic/courses.h"
-#include "time_travel.h"
+#include "travel/time_travel.h"
 #include "widgets/field_view.h"
+#include "window/main_window.h"
 
 namespace mrose::gui {
 namespace {
@@ -104,11 +104,11 @@ Expected<OpenRun> overlaid(double minutes) {
         parts.controllers.push_back(std::make_shared<CommandPlayer>(std::vector<StampedCommand>()));
         parts.players.push_back({i, {log->source, log->source, real, "", 0}});
     }
-    const auto world = LogWorld::create(std::move(parts), *log);
+    const auto world = LogWorld::create(std::move(parts), log);
     if (!world) return tl::unexpected(world.error());
     const Nanoseconds start = 2 * nanosecondsPerSecond;
     const LogWorld::Opened opened = world->openAt(0, start, world->parts().duration, 1);
-    Reality reality = realityOf(*world, log, 0, start);
+    Reality reality = realityOf(*world, 0, start);
     for (const double gain : {0.95, 1.0}) {
         Reality::ModelCourse course{gain < 1 ? "slow" : "ideal", opened.scenario->scene().tickLength, {}};
         for (const RobotLog& robot : log->robots) {

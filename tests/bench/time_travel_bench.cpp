@@ -10,7 +10,7 @@
 
 #include <sys/resource.h>
 
-#include "session.h"
+#include "session/session.h"
 
 namespace mrose::gui {
 namespace {

@@ -65,6 +65,14 @@ TEST_F(BadInput, LogWithoutGroundTruthIsRefused) {
     EXPECT_FALSE(std::filesystem::exists(path("report")));
 }
 
+TEST_F(BadInput, CommandsAndGroundTruthOfDifferentTimesAreRefused) {
+    std::string rows = "t,v_cmd,w_cmd,x,y,heading\n";
+    for (int i = 0; i < 600; ++i) rows += std::to_string(0.05 * i) + ",0.2,0.1,,,\n";
+    for (int i = 0; i < 600; ++i) rows += std::to_string(5000 + 0.05 * i) + ",,," + std::to_string(0.01 * i) + ",0,0\n";
+    const std::string apart = write("apart.csv", rows), net = network();
+    expectOneLine(runMrose({"evaluate", net, "--log", apart}), {apart + ": ", "expected both of the same time"});
+}
+
 TEST_F(BadInput, LogTooShortForAWindowIsRefused) {
     const std::string brief = write("brief.csv", firstLines(plantedCsv(), 60)), net = network();
     expectOneLine(runMrose(trainWords(brief, path("b.net"))), {brief + ": "});

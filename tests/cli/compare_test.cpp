@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/workshop.h"
+#include "io/number_text.h"
 #include "support/places.h"
 #include "support/referee.h"
 #include "support/test_data.h"
@@ -51,10 +52,16 @@ protected:
 /// Rows of a CSV file by their column names.
 std::vector<std::map<std::string, std::string>> rowsOf(const std::string& csv) {
     const auto cellsOf = [](const std::string& line) {
-        Words cells;
-        std::istringstream stream(line);
-        for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
-        if (line.ends_with(',')) cells.emplace_back();
+        Words cells(1);
+        bool quoted = false;
+        for (const char c : line) {
+            if (c == '"')
+                quoted = !quoted;
+            else if (c == ',' && !quoted)
+                cells.emplace_back();
+            else
+                cells.back() += c;
+        }
         return cells;
     };
     std::istringstream stream(csv);
@@ -95,6 +102,29 @@ TEST_F(CompareProgram, AgreesWithEvaluateAndPredictForTheSameWindows) {
         for (const auto& [column, value] : predicted[i]) EXPECT_EQ(simulated[i].at(column), value) << i << column;
     for (const char* file : {"report/report.html", "report/courses.csv", "report/results.json"})
         EXPECT_NE(read(file), "") << file;
+}
+
+TEST_F(CompareProgram, LogOfShortPiecesIsCutAsEvaluateCutsIt) {
+    std::string text =
+        "window,calib_step,t_s,cmd_left_radps,cmd_right_radps,wheel_left_radps,wheel_right_radps,icp_x_m,icp_y_m,"
+        "icp_yaw_rad,imu_yaw_rad,steady\n";
+    for (int window = 0; window < 5; ++window)
+        for (int row = 0; row < 40; ++row) {
+            const std::string wheels = numberText(3 + 0.1 * window), number = std::to_string(window);
+            text += number + ',' + number + ',' + numberText(0.05 * row) + ',' + wheels + ',' + wheels + ',' + wheels +
+                    ',' + wheels + ',' + numberText(0.02 * row) + ",0,0,0,1\n";
+        }
+    const std::string log = write("husky.csv", text), network = (sourceFolder() / "nets/husky.net").string();
+    ASSERT_EQ(runMrose({"evaluate", network, "--log", log, "--no-floor", "--report", path("ev")}).status, 0);
+    const Json theirs = Json::parse(read("ev/results.json"), nullptr, false)["models"][0]["all"];
+    const Json ours = result({"compare", "--log", log, "--no-causes"});
+    EXPECT_EQ(theirs["windows"], 5);
+    for (const char* figure : {"windows", "P_percent", "Hd_percent"})
+        EXPECT_EQ(ours["all"]["summary"][figure], theirs[figure]) << figure;
+    EXPECT_NE(ours["notices"].dump().find("windows of 1.9 s, as `mrose evaluate` cuts them"), std::string::npos);
+    const Json told = result({"compare", "--log", log, "--no-causes", "--every", "0.5"});
+    EXPECT_EQ(told["all"]["courses"], 15) << "three of 0.5 s in each 1.95 s";
+    EXPECT_EQ(told["notices"].dump().find("as `mrose evaluate` cuts them"), std::string::npos);
 }
 
 TEST_F(CompareProgram, TheRefereeFindsTheSameErrorsInRealLogs) {
@@ -185,12 +215,29 @@ TEST_F(CompareProgram, SaysWhereTheRobotLeavesTheRealCourseAndWhy) {
     EXPECT_GT(many["all"]["diverging"], 5);
     EXPECT_EQ(std::count_if(many["courses"].begin(), many["courses"].end(),
                             [](const Json& c) { return c.contains("tried"); }),
-              5);
-    const Json heldOut =
-        result({"compare", scenario(), "--log", shippedLog(), "--every", "10", "--bound-network"})["divergence"];
+              many["all"]["diverging"]);
+    const Json heldOut = result({"compare", scenario(), "--log", shippedLog(), "--every", "10"})["divergence"];
     EXPECT_EQ(heldOut["bound"]["from_held_out"], true);
     EXPECT_FALSE(heldOut["bound"].contains("position_m"));
     EXPECT_LT(heldOut["all"]["diverging"], many["all"]["diverging"]);
+}
+
+TEST_F(CompareProgram, MakesAScenarioForALogWithoutOne) {
+    scenario();
+    const Words log{"--log", shippedLog(), "--every", "10"};
+    const auto with = [&](Words words) {
+        words.insert(words.end(), log.begin(), log.end());
+        return words;
+    };
+    const Json made = result(with({"compare", "--robot", path("r.toml")})),
+               given = result(with({"compare", path("s.toml")}));
+    EXPECT_GT(made["all"]["courses"], 10);
+    EXPECT_EQ(made["all"], given["all"]) << "the same robot in another place";
+    EXPECT_EQ(made["divergence"]["all"], given["divergence"]["all"]);
+    write("mine.csv", "t,v_cmd,w_cmd,x,y,heading\n0,0,0,0,0,0\n1,0,0,0,0,0\n2,0,0,0,0,0\n");
+    expectOneLine(runMrose({"compare", "--quiet", "--log", path("mine.csv")}),
+                  {path("mine.csv"), "what kind of robot drove", "--robot"});
+    expectOneLine(runMrose(with({"compare", path("s.toml"), "--robot", path("r.toml")})), {"--robot", "SCENARIO"}, 2);
 }
 
 TEST_F(CompareProgram, DivergenceFlagsThatDoNotFit) {
@@ -200,7 +247,7 @@ TEST_F(CompareProgram, DivergenceFlagsThatDoNotFit) {
         all.insert(all.end(), more.begin(), more.end());
         return runMrose(all);
     };
-    expectOneLine(with({"--bound-network", "--bound-position", "1"}), {"--bound-position", "--bound-network"}, 2);
+    expectOneLine(with({"--bound-position", "0"}), {"--bound-position", "0"}, 2);
     expectOneLine(with({"--bound-heading", "-3"}), {"--bound-heading", "-3"}, 2);
     expectOneLine(with({"--no-causes", "--model", "x.net"}), {"--model", "--no-causes"}, 2);
     expectOneLine(with({"--model", path("none.net"), "--quiet"}), {path("none.net")});
@@ -271,7 +318,7 @@ TEST_F(CompareProgram, ErrorsAreOneLineThatSaysWhatToDo) {
         if (i < 100 || i > 150) rows += "reference," + std::to_string(10 + 0.1 * i) + ",0.1,0,1,1,0\n";
     const std::string gap = write("gap.csv", rows);
     expectOneLine(runMrose({"compare", file, "--log", gap, "--start", "12", "--duration", "2"}),
-                  {gap + ": has no ground truth of any compared robot where a course starts", "another --start"});
+                  {gap + ": has no ground truth of any compared robot where a course starts", "another start"});
     const ProgramResult across = runMrose({"compare", file, "--log", gap, "--start", "5", "--duration", "15"});
     EXPECT_EQ(across.status, 0) << across.err;
     EXPECT_NE(across.out.find("Note: twin: 1 of 1 course left out of P and Hd: 1 with a gap in the ground truth."),

@@ -41,7 +41,7 @@ std::shared_ptr<const MotionModel> heldCommands(double gain = 1) {
 }
 
 Comparison comparedEvery(const Log& log, ScenarioParts parts, Nanoseconds every, Nanoseconds start = 0) {
-    const auto world = LogWorld::create(std::move(parts), log);
+    const auto world = LogWorld::create(std::move(parts), std::make_shared<const Log>(log));
     EXPECT_TRUE(world) << world.error().message();
     const auto requests = coursesOf(*world, {start, std::nullopt, every});
     EXPECT_TRUE(requests) << requests.error().message();
@@ -96,7 +96,7 @@ CourseUse useWithGap(double from, double to, double start) {
     std::erase_if(log.robots[0].trajectories[0].poses, [&](const StampedPose& pose) {
         return pose.time > fromSeconds(from) && pose.time < fromSeconds(to);
     });
-    const auto world = LogWorld::create(playersOf(log, heldCommands()), log);
+    const auto world = LogWorld::create(playersOf(log, heldCommands()), std::make_shared<const Log>(log));
     EXPECT_TRUE(world) << world.error().message();
     const auto comparison = compare(*world, std::vector<CourseRequest>{{0, fromSeconds(start), 100}});
     EXPECT_TRUE(comparison) << comparison.error().message();
@@ -147,7 +147,7 @@ void expectTheSameFigures(const Log& log, const std::vector<std::shared_ptr<cons
                            }};
     const auto evaluation = evaluate(log, {&named, 1}, {.relativeHorizons = {}, .withFloor = false});
     ASSERT_TRUE(evaluation) << evaluation.error().message();
-    const auto world = LogWorld::create(playersOf(log, models), log);
+    const auto world = LogWorld::create(playersOf(log, models), std::make_shared<const Log>(log));
     ASSERT_TRUE(world) << world.error().message();
     const auto comparison = compare(*world, coursesOfWindows(*world, evaluation->windows));
     ASSERT_TRUE(comparison) << comparison.error().message();
@@ -235,7 +235,7 @@ TEST(Compare, TicksThatDoNotDivideTheStepAreRefused) {
     const Log log = threeRobots();
     ScenarioParts parts = playersOf(log, std::make_shared<const HeldCommandModel>(90'000'000));
     parts.scene.tickLength = 30'000'000;
-    const auto world = LogWorld::create(std::move(parts), log);
+    const auto world = LogWorld::create(std::move(parts), std::make_shared<const Log>(log));
     ASSERT_TRUE(world);
     const auto comparison = compare(*world, std::vector<CourseRequest>{{0, 0, 10}});
     ASSERT_FALSE(comparison);

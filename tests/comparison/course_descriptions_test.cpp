@@ -4,7 +4,9 @@
 
 #include "comparison/log_scenario.h"
 #include "comparison/played_scenarios.h"
+#include "condition/condition.h"
 #include "evaluation/test_models.h"
+#include "scenario/log_excerpt.h"
 #include "scenario/scenario_file.h"
 #include "simulation/step.h"
 #include "support/places.h"
@@ -48,7 +50,7 @@ void load(LoadedLog& loaded, const std::string& robotFile = "") {
     auto scenario = loadScenario(made->scenario, source, {{}, false});
     ASSERT_TRUE(scenario) << scenario.error().message();
     loaded.descriptions = {scenario->name, scenario->texts};
-    auto world = LogWorld::create(std::move(scenario->parts), loaded.log);
+    auto world = LogWorld::create(std::move(scenario->parts), std::make_shared<const Log>(loaded.log));
     ASSERT_TRUE(world) << world.error().message();
     loaded.world.emplace(std::move(*world));
 }
@@ -101,13 +103,44 @@ TEST(CourseDescriptions, RobotThatNobodySeesIsNoPartOfTheText) {
     }
 }
 
+/// Windows of one robot may lie before the log's start, at which all of its robots are there.
+TEST(CourseDescriptions, CourseMayBeginBeforeTheOthersAreThere) {
+    Log log = twoCreates();
+    Trajectory& late = log.robots[0].trajectories[0];
+    std::erase_if(late.poses, [](const StampedPose& stamped) { return stamped.time < 13 * second; });
+    LoadedLog loaded{log, {}, {}};
+    ASSERT_NO_FATAL_FAILURE(load(loaded));
+    const LogWorld& world = *loaded.world;
+    const Nanoseconds start = -2 * second;
+    const LogWorld::Opened opened = world.openAt(0, start, 5 * second, 1);
+    ASSERT_TRUE(!opened.starts[0] && opened.starts[1]);
+    const auto course =
+        describeCourse(world, opened, loaded.descriptions, "/logs/it", {0, start, 50, 1}, 5 * second, 5 * second);
+    ASSERT_TRUE(course) << course.error().message();
+    expectSameRun(*course, opened, 250);
+    // Who is left out takes no number away.
+    for (const Scenario* scenario : {opened.scenario.get(), course->scenario.get()}) {
+        ASSERT_EQ(scenario->scene().robots.size(), 1u);
+        EXPECT_EQ(scenario->scene().robots[0].name, "create 2");
+        EXPECT_EQ(scenario->scene().placeOf(0), 1u);
+        auto same = compileCondition("robot[2].x == robot['create 2'].x", *scenario);
+        ASSERT_TRUE(same) << same.error().message();
+        EXPECT_EQ(same->holds(*scenario, opened.state, nullptr).value_or(false), true);
+        EXPECT_FALSE(compileCondition("robot[1].x > 0", *scenario));
+    }
+    // Before the robot itself is there nobody can be told where to begin.
+    const auto early = excerptText(log, {.robot = "2", .start = -4});
+    ASSERT_FALSE(early);
+    EXPECT_THAT(early.error().message(), HasSubstr("robot \"2\" begins "));
+}
+
 TEST(LogScenario, TellsWhatIsMissingForALogOfUnknownRobots) {
     Log log = twoCreates();
     log.format = "csv";
     const auto made = scenarioOfLog(log, "/logs/it");
     ASSERT_FALSE(made);
     EXPECT_THAT(made.error().message(), HasSubstr("--robot"));
-    EXPECT_THAT(made.error().message(), HasSubstr("--scenario"));
+    EXPECT_THAT(made.error().message(), HasSubstr("a scenario whose robots play it"));
     LoadedLog loaded{log, {}, {}};
     ASSERT_NO_FATAL_FAILURE(load(loaded, "husky.toml"));
     EXPECT_EQ(loaded.world->parts().scene.typeOf(0).name, "Husky");

@@ -34,7 +34,7 @@ std::string errorOf(const Expected<LogWorld>& world) { return world ? "" : world
 
 TEST(LogWorld, TakesHoldTrajectoriesOfOneNameOnOneClock) {
     const Log log = twoTakes();
-    const auto world = LogWorld::create(players(log), log);
+    const auto world = LogWorld::create(players(log), std::make_shared<const Log>(log));
     ASSERT_TRUE(world) << world.error().message();
     ASSERT_EQ(world->takes().size(), 2u);
     for (std::size_t k = 0; k < 2; ++k) {
@@ -48,23 +48,36 @@ TEST(LogWorld, TakesHoldTrajectoriesOfOneNameOnOneClock) {
     }
 }
 
+TEST(LogWorld, KeepsItsLog) {
+    auto log = std::make_shared<const Log>(twoTakes());
+    const std::weak_ptr<const Log> kept = log;
+    {
+        const auto world = LogWorld::create(players(*log), log);
+        log.reset();
+        ASSERT_TRUE(world) << world.error().message();
+        EXPECT_EQ(world->sharedLog(), kept.lock());
+        EXPECT_FALSE(world->trajectory(1, 0).poses.empty());
+    }
+    EXPECT_TRUE(kept.expired());
+}
+
 TEST(LogWorld, NamedTrajectoryAndStartCountFromItsOwnBeginning) {
     const Log log = twoTakes();
     ScenarioParts parts = players(log);
     parts.players[0].excerpt.trajectory = "late";
     parts.players[0].excerpt.start = 2.5;
     parts.players[1].excerpt.trajectory = "early";
-    const auto world = LogWorld::create(std::move(parts), log);
+    const auto world = LogWorld::create(std::move(parts), std::make_shared<const Log>(log));
     ASSERT_TRUE(world) << world.error().message();
     ASSERT_EQ(world->takes().size(), 1u);
     EXPECT_EQ(world->takes()[0].parts[0].origin, 102'500'000'000);
     EXPECT_EQ(world->takes()[0].parts[1].origin, 11 * second);
-    EXPECT_EQ(&world->trajectory(0, 0), &log.robots[0].trajectories[1]);
+    EXPECT_EQ(&world->trajectory(0, 0), &world->log().robots[0].trajectories[1]);
 }
 
 TEST(LogWorld, OpensWhereTheRealRobotsWereAsFastAndToldTheSame) {
     const Log log = twoTakes();
-    const auto world = LogWorld::create(players(log), log);
+    const auto world = LogWorld::create(players(log), std::make_shared<const Log>(log));
     ASSERT_TRUE(world) << world.error().message();
     const LogWorld::Opened opened = world->openAt(1, 4 * second, 3 * second, 17);
     EXPECT_EQ(opened.state.seed, 17u);
@@ -83,7 +96,7 @@ TEST(LogWorld, OpensWhereTheRealRobotsWereAsFastAndToldTheSame) {
 
 TEST(LogWorld, RobotsThatAreNotChosenAreNotInIt) {
     const Log log = twoTakes();
-    const auto world = LogWorld::create(players(log), log, {"b"});
+    const auto world = LogWorld::create(players(log), std::make_shared<const Log>(log), {"b"});
     ASSERT_TRUE(world) << world.error().message();
     ASSERT_EQ(world->robots().size(), 1u);
     EXPECT_EQ(world->robots()[0].name, "simulated b");
@@ -94,46 +107,55 @@ TEST(LogWorld, RobotsThatAreNotChosenAreNotInIt) {
 
 TEST(LogWorld, ErrorsSayWhatToDo) {
     const Log log = twoTakes();
-    EXPECT_EQ(errorOf(LogWorld::create({}, log)),
+    EXPECT_EQ(errorOf(LogWorld::create({}, std::make_shared<const Log>(log))),
               "plays no log; expected a robot with controller = { kind = \"log_player\", ... }");
-    EXPECT_EQ(errorOf(LogWorld::create(players(log), log, {"c"})), "made-up: has no robot \"c\"");
+    EXPECT_EQ(errorOf(LogWorld::create(players(log), std::make_shared<const Log>(log), {"c"})),
+              "made-up: has no robot \"c\"");
     ScenarioParts one = players(log);
     one.players.pop_back();
-    EXPECT_EQ(errorOf(LogWorld::create(one, log, {"b"})), "--robots: has no robot that plays robot \"b\" of a log");
+    EXPECT_EQ(errorOf(LogWorld::create(one, std::make_shared<const Log>(log), {"b"})),
+              "--robots: has no robot that plays robot \"b\" of a log");
     ScenarioParts named = players(log);
     named.players[1].excerpt.trajectory = "never";
-    EXPECT_EQ(errorOf(LogWorld::create(named, log)), "made-up: has no trajectory \"never\" of robot \"b\"");
+    EXPECT_EQ(errorOf(LogWorld::create(named, std::make_shared<const Log>(log))),
+              "made-up: has no trajectory \"never\" of robot \"b\"");
 
     Log fewer = log;
     fewer.robots.pop_back();
-    EXPECT_EQ(errorOf(LogWorld::create(players(log), fewer)),
+    EXPECT_EQ(errorOf(LogWorld::create(players(log), std::make_shared<const Log>(fewer))),
               "made-up: has no robot \"b\", which \"simulated b\" plays; --robots a compares those that it has");
     Log other = log;
     other.robots[0].robot = "x";
     other.robots[1].robot = "y";
-    EXPECT_EQ(errorOf(LogWorld::create(players(log), other)),
+    EXPECT_EQ(errorOf(LogWorld::create(players(log), std::make_shared<const Log>(other))),
               "made-up: has no robot \"a\", which \"simulated a\" plays; expected a log of the scenario's robots");
     Log blind = log;
     for (Trajectory& trajectory : blind.robots[1].trajectories) trajectory.poses.clear();
     EXPECT_EQ(
-        errorOf(LogWorld::create(players(log), blind)),
+        errorOf(LogWorld::create(players(log), std::make_shared<const Log>(blind))),
         "made-up: has no ground truth of robot \"b\": nothing to compare with; expected its poses (x, y, heading) "
         "beside its commands");
     Log silent = log;
     for (Trajectory& trajectory : silent.robots[1].trajectories) trajectory.commands.clear();
-    EXPECT_EQ(errorOf(LogWorld::create(players(log), silent)),
+    EXPECT_EQ(errorOf(LogWorld::create(players(log), std::make_shared<const Log>(silent))),
               "made-up: has no commands of robot \"b\"; expected the commands that it was sent and the poses that it "
               "reached");
+    Log unmatched = log;
+    for (StampedPose& stamped : unmatched.robots[1].trajectories[0].poses) stamped.time += 1000 * second;
+    const std::string said = errorOf(LogWorld::create(players(log), std::make_shared<const Log>(unmatched)));
+    EXPECT_EQ(said.find("made-up: has commands of robot \"b\" from "), 0u) << said;
+    EXPECT_NE(said.find(" s and its ground truth from 10"), std::string::npos) << said;
+    EXPECT_NE(said.find("; expected both of the same time"), std::string::npos) << said;
     Log apart = log;
     for (Trajectory& trajectory : apart.robots[1].trajectories) trajectory.name += " of b";
     EXPECT_EQ(
-        errorOf(LogWorld::create(players(log), apart)),
+        errorOf(LogWorld::create(players(log), std::make_shared<const Log>(apart))),
         "made-up: has no trajectory that all robots of the scenario have; expected one to be named beside each log");
 }
 
 TEST(CourseRequests, OneCourseOrManyUpToTheEndOfTheGroundTruth) {
     const Log log = twoTakes();
-    const auto world = LogWorld::create(players(log), log);
+    const auto world = LogWorld::create(players(log), std::make_shared<const Log>(log));
     ASSERT_TRUE(world) << world.error().message();
     const auto one = coursesOf(*world, {3 * second, 60 * second, std::nullopt});
     ASSERT_TRUE(one);
@@ -160,7 +182,7 @@ TEST(CourseRequests, OneCourseOrManyUpToTheEndOfTheGroundTruth) {
 
 TEST(CourseRequests, WindowsOfAFileAreAskedOfTheirOwnRobot) {
     const Log log = twoTakes();
-    const auto world = LogWorld::create(players(log), log, {"b"});
+    const auto world = LogWorld::create(players(log), std::make_shared<const Log>(log), {"b"});
     ASSERT_TRUE(world) << world.error().message();
     const auto windows = parseWindows("dataset,robot,t_start\n0,a,15\n0,b,105.25\n0,b,15\n", "w.csv");
     ASSERT_TRUE(windows) << windows.error().message();

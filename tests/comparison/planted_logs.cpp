@@ -110,14 +110,56 @@ void forget(std::vector<Sample>& samples, Nanoseconds from, Nanoseconds to) {
     std::erase_if(samples, [&](const Sample& sample) { return sample.time > from && sample.time < to; });
 }
 
-/// A single zero command shortly before one that repeats the one in force, some time after `from`.
-void insertBlip(std::vector<StampedCommand>& commands, Nanoseconds from, Dice& dice) {
+/// A single zero command shortly before one that repeats the one in force, some time after `from`. Its time.
+Nanoseconds insertBlip(std::vector<StampedCommand>& commands, Nanoseconds from, Dice& dice) {
     for (std::size_t i = 1; i < commands.size(); ++i) {
         if (commands[i].time < from || !(commands[i].command == commands[i - 1].command)) continue;
-        commands.insert(commands.begin() + static_cast<std::ptrdiff_t>(i),
-                        {commands[i].time - fromSeconds(dice.between(0.035, 0.04)), {}});
+        const Nanoseconds time = commands[i].time - fromSeconds(dice.between(0.035, 0.04));
+        commands.insert(commands.begin() + static_cast<std::ptrdiff_t>(i), {time, {}});
+        return time;
+    }
+    return 0;
+}
+
+/// Of sorted commands: `command` from `from` on, and none of the others before `to`, where the one of then is in force.
+void hold(std::vector<StampedCommand>& commands, const Command& command, Nanoseconds from, Nanoseconds to) {
+    Command after = command;
+    for (const StampedCommand& told : commands)
+        if (told.time <= to) after = told.command;
+    std::erase_if(commands, [&](const StampedCommand& told) { return told.time >= from && told.time <= to; });
+    const auto here =
+        std::find_if(commands.begin(), commands.end(), [&](const StampedCommand& told) { return told.time > to; });
+    commands.insert(here, {{from, command}, {to, after}});
+}
+
+/// The first command after `from` that differs from the one before acts later or sooner.
+void shiftChange(std::vector<StampedCommand>& commands, Nanoseconds from, Dice& dice) {
+    const Nanoseconds shift = fromSeconds(dice.between(0.12, 0.28));
+    for (std::size_t i = 1; i < commands.size(); ++i) {
+        const Command before = commands[i - 1].command, command = commands[i].command;
+        const Nanoseconds time = commands[i].time;
+        if (time < from || command == before) continue;
+        if (dice.sign() > 0)
+            hold(commands, before, time, time + shift);
+        else
+            hold(commands, command, time - shift, time);
         return;
     }
+}
+
+/// As a reader gives it.
+Log madeUpLog(std::vector<StampedCommand> commands, std::vector<StampedPose> poses) {
+    Trajectory trajectory;
+    trajectory.name = std::string{"whole"};
+    trajectory.commands = std::move(commands);
+    trajectory.poses = std::move(poses);
+    for (StampedCommand& command : trajectory.commands) command.time += logBegin;
+    for (StampedPose& pose : trajectory.poses) pose.time += logBegin;
+    RobotLog robot{std::string{"r"}, {}, {}};
+    conditionCommands(trajectory.commands, {}, robot.defects, &trajectory.blips);
+    conditionPoses(trajectory.poses, {}, robot.defects);
+    robot.trajectories.push_back(std::move(trajectory));
+    return {"made-up", "csv", 0, {std::move(robot)}, {}, true};
 }
 
 Obstacle postAt(const Pose& pose) {
@@ -130,16 +172,29 @@ Obstacle postAt(const Pose& pose) {
 }  // namespace
 
 const char* name(Planted planted) {
-    constexpr const char* names[] = {
-        "longer dead time", "shorter dead time", "start velocity", "contact", "other model", "noise",          "blip",
-        "gap of commands",  "gap of truth",      "larger wheels",  "push",    "wrong pose",  "scaled commands"};
+    constexpr const char* names[] = {"longer dead time",
+                                     "shorter dead time",
+                                     "start velocity",
+                                     "contact",
+                                     "other model",
+                                     "noise",
+                                     "blip",
+                                     "held blip",
+                                     "single command",
+                                     "gap of commands",
+                                     "gap of truth",
+                                     "larger wheels",
+                                     "push",
+                                     "wrong pose",
+                                     "scaled commands"};
     return names[static_cast<int>(planted)];
 }
 
 std::optional<CauseKind> causeOf(Planted planted) {
     constexpr CauseKind causes[] = {CauseKind::deadTime,  CauseKind::deadTime,   CauseKind::startVelocity,
                                     CauseKind::contact,   CauseKind::otherModel, CauseKind::noise,
-                                    CauseKind::logDefect, CauseKind::logDefect,  CauseKind::logDefect};
+                                    CauseKind::logDefect, CauseKind::logDefect,  CauseKind::command,
+                                    CauseKind::logDefect, CauseKind::logDefect};
     if (planted > Planted::truthGap) return std::nullopt;
     return causes[static_cast<int>(planted)];
 }
@@ -175,6 +230,15 @@ PlantedLog plantedLog(Planted planted, std::uint64_t number) {
             insertBlip(told, when, dice);
             logged = told;
             break;
+        case Planted::heldBlip: {
+            const Nanoseconds blip = insertBlip(logged, when, dice);
+            told = logged;
+            hold(told, {}, blip, blip + fromSeconds(dice.between(0.15, 0.28)));
+            break;
+        }
+        case Planted::singleCommand:
+            shiftChange(told, when, dice);
+            break;
         case Planted::commandGap:
             forget(logged, when, when + fromSeconds(dice.between(0.7, 1.2)));
             break;
@@ -209,18 +273,7 @@ PlantedLog plantedLog(Planted planted, std::uint64_t number) {
     made.models = {{"sluggish", {modelOf(sluggish)}},
                    {"other", {modelOf(other)}},
                    {"velocity = command", {modelOf(KinematicParameters{})}}};
-
-    Trajectory trajectory;
-    trajectory.name = std::string{"whole"};
-    trajectory.commands = std::move(logged);
-    trajectory.poses = std::move(tracked);
-    for (StampedCommand& command : trajectory.commands) command.time += logBegin;
-    for (StampedPose& pose : trajectory.poses) pose.time += logBegin;
-    RobotLog robot{std::string{"r"}, {}, {}};
-    conditionCommands(trajectory.commands, {}, robot.defects, &trajectory.blips);
-    conditionPoses(trajectory.poses, {}, robot.defects);
-    robot.trajectories.push_back(std::move(trajectory));
-    made.log = {"made-up", "csv", 0, {std::move(robot)}, {}, true};
+    made.log = madeUpLog(std::move(logged), std::move(tracked));
     return made;
 }
 

@@ -17,6 +17,8 @@ enum class Planted {
     otherModel,
     noise,
     blip,
+    heldBlip,       ///< which the robot obeyed for much longer than it was told
+    singleCommand,  ///< one that acted later or sooner than the others
     commandGap,
     truthGap,  ///< and moved meanwhile
     // None of the listed causes.
@@ -25,7 +27,7 @@ enum class Planted {
     wrongPose,  ///< at the start
     scaledCommands
 };
-constexpr int plantedKinds = 13;
+constexpr int plantedKinds = 15;
 const char* name(Planted planted);
 /// The cause to be named; nothing for the last ones.
 std::optional<CauseKind> causeOf(Planted planted);

@@ -28,9 +28,9 @@ Pose onCircle(double t) { return Pose{1, -2, 0.3} * exp({0.2 * t, 0, 0.5 * t}); 
 class RealityOfALog : public testing::Test {
 protected:
     RealityOfALog() : log(std::make_shared<const Log>(circleWithGap())) {
-        const auto world = LogWorld::create(playersOf(*log, std::make_shared<const HeldCommandModel>()), *log);
+        const auto world = LogWorld::create(playersOf(*log, std::make_shared<const HeldCommandModel>()), log);
         EXPECT_TRUE(world) << world.error().message();
-        reality = realityOf(*world, log, 0, 3 * second);
+        reality = realityOf(*world, 0, 3 * second);
     }
     const Reality::Robot& robot() const { return reality.robots.at(0); }
 

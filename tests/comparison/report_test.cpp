@@ -27,7 +27,7 @@ struct Compared {
         ScenarioParts parts = playersOf(log, std::make_shared<const HeldCommandModel>(100'000'000, 1.2));
         parts.scene.robots[0].name = "a <b> & \"c\", d";
         scene = parts.scene;
-        const auto world = LogWorld::create(std::move(parts), log);
+        const auto world = LogWorld::create(std::move(parts), std::make_shared<const Log>(log));
         const auto requests = coursesOf(*world, {second, std::nullopt, every});
         comparison = *compare(*world, *requests);
     }
@@ -90,7 +90,7 @@ TEST(ComparisonReport, SaysWhoIsAbsent) {
     ScenarioParts parts = playersOf(log, std::make_shared<const HeldCommandModel>(100'000'000, 1.2));
     parts.scene.robots[1].name = "a <b>";
     const Scene scene = parts.scene;
-    const auto world = LogWorld::create(std::move(parts), log);
+    const auto world = LogWorld::create(std::move(parts), std::make_shared<const Log>(log));
     ASSERT_TRUE(world) << world.error().message();
     for (const Nanoseconds start : {second, 20 * second}) {
         const auto requests = coursesOf(*world, {start, 5 * second, std::nullopt});
@@ -132,7 +132,7 @@ TEST(ComparisonReport, ShowsWhereTheRobotsLeaveTheRealCourseAndWhy) {
         ScenarioParts parts = playersOf(log, std::make_shared<const HeldCommandModel>(100'000'000, 1.2));
         parts.scene.robots[0].name = "a <b>";
         const Scene scene = parts.scene;
-        const auto world = LogWorld::create(std::move(parts), log);
+        const auto world = LogWorld::create(std::move(parts), std::make_shared<const Log>(log));
         const auto requests =
             coursesOf(*world, {second, std::nullopt, many ? std::optional(8 * second) : std::nullopt});
         const Comparison comparison = *compare(*world, *requests);

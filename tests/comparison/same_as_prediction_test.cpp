@@ -44,7 +44,7 @@ Equality expectEqual(const Log& log, const Models& models, const Comparison& com
 }
 
 Comparison compared(const Log& log, const Models& models, const std::vector<Window>& windows) {
-    const auto world = LogWorld::create(playersOf(log, models), log);
+    const auto world = LogWorld::create(playersOf(log, models), std::make_shared<const Log>(log));
     EXPECT_TRUE(world) << world.error().message();
     const auto comparison = compare(*world, coursesOfWindows(*world, windows));
     EXPECT_TRUE(comparison) << comparison.error().message();
@@ -93,7 +93,7 @@ TEST_P(SameAsPrediction, FromAnyNanosecondWithAllRobotsAtOnce) {
     const auto log = readLog(*data / "mrclam" / "MRCLAM_Dataset6");
     ASSERT_TRUE(log) << log.error().message();
     const Models models = modelsOf(GetParam(), *log);
-    const auto world = LogWorld::create(playersOf(*log, models), *log);
+    const auto world = LogWorld::create(playersOf(*log, models), std::make_shared<const Log>(*log));
     ASSERT_TRUE(world) << world.error().message();
     std::vector<CourseRequest> requests;
     for (Nanoseconds i = 0; i < 12; ++i) requests.push_back({0, i * 71'234'567'891, 60});
@@ -113,7 +113,7 @@ TEST(SameAsPrediction, WhereTheStartsVelocityIsUnknownAndWhereTheCommandWasLongI
         trajectory.steady = steady;
         const Log log = logOf({trajectory});
         const Models models{wearyModel()};
-        const auto world = LogWorld::create(playersOf(log, models), log);
+        const auto world = LogWorld::create(playersOf(log, models), std::make_shared<const Log>(log));
         ASSERT_TRUE(world) << world.error().message();
         const auto comparison = compare(*world, std::vector<CourseRequest>{{0, 0, 50}, {0, 50'000'001, 50}});
         ASSERT_TRUE(comparison) << comparison.error().message();

@@ -7,13 +7,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "files/window_files.h"
 #include "gui/file_fixture.h"
 #include "io/file.h"
 #include "recording/recording.h"
 #include "support/full_disk.h"
+#include "support/places.h"
 #include "support/run_program.h"
 #include "widgets/field_view.h"
-#include "window_files.h"
 #include "world/state_hash.h"
 
 namespace mrose::gui {
@@ -23,6 +24,7 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 class BadInput : public FileTest {
 protected:
@@ -136,6 +138,16 @@ TEST_F(BadInput, NetworkNeedsARobot) {
     EXPECT_EQ(window.shown()->hash, before_);
 }
 
+/// Room does not help where nobody may write.
+TEST_F(BadInput, AdviceIsOfWhatWentWrong) {
+    std::filesystem::create_directory(path("shut"));
+    std::filesystem::permissions(path("shut"), std::filesystem::perms::owner_read);
+    const std::string file = ::access(path("shut").c_str(), W_OK) == 0 ? "/sys/kernel/saved.mcap" : path("shut/a.mcap");
+    (void)window.actions().perform("save_recording", QString::fromStdString(file));
+    ASSERT_TRUE(waitFor([&] { return !errors().empty(); }));
+    EXPECT_THAT(errors(), ElementsAre(AllOf(HasSubstr("Nothing may be written there"), Not(HasSubstr("room")))));
+}
+
 TEST_F(BadInput, FullDiskWhileSavingLeavesWhatWasThereAndTheRun) {
     write("old.mcap", "old");
     throwBall();
@@ -175,6 +187,33 @@ TEST_F(BadInput, FullDiskWhileRecordingEndsTheFileAndNotTheRun) {
     EXPECT_EQ(all->branches[0].timeline.last(), 2000);
 }
 
+/// Ends as on a full disk, whoever finds it: who stops it, or the run that goes on.
+TEST_F(BadInput, RecordingWhoseFileIsGoneIsNoSuccess) {
+    window.files().record(qPath("gone.mcap"));
+    seek(40);
+    std::filesystem::remove(path("gone.mcap"));
+    action("stop_recording").trigger();
+    settle();
+    EXPECT_THAT(errors(), ElementsAre(AllOf(HasSubstr("gone.mcap: is no longer there: it was removed"),
+                                            HasSubstr("the run goes on"), HasSubstr("save all of it"))));
+    EXPECT_THAT(notes(), testing::IsEmpty());
+    window.messages().clear();
+
+    window.files().record(qPath("left.mcap"));
+    settle();
+    std::filesystem::rename(path("left.mcap"), path("moved.mcap"));
+    window.session().play();
+    ASSERT_TRUE(waitFor([&] { return !errors().empty(); }));
+    EXPECT_THAT(errors(), ElementsAre(HasSubstr("left.mcap: is no longer there: it was moved")));
+    EXPECT_FALSE(action("stop_recording").isEnabled());
+    window.session().pause();
+    settle();
+    const std::int64_t stood = state().tick;
+    ASSERT_TRUE(window.actions().perform("save_recording", qPath("left.mcap")));
+    ASSERT_TRUE(waitFor([&] { return !notes().empty(); }));
+    EXPECT_EQ(openRecording(path("left.mcap"))->branches[0].timeline.last(), stood);
+}
+
 TEST_F(BadInput, RecordingToADeviceIsRefused) {
     window.files().record("/dev/full");
     ASSERT_TRUE(waitFor([&] { return !errors().empty(); }));
@@ -206,24 +245,37 @@ protected:
         request.pluginLimit = 0.2;
         return request;
     }
-    void expectNamed(const std::string& how, const std::string& what) {
+    void expectNamed(const std::string& how, const std::string& what, const std::string& advice = "press F5") {
         ASSERT_TRUE(window.files().openNow(misbehaving(how)));
         settle();
         seek(20);
         EXPECT_THAT(errors(), IsEmpty());
         seek(100);
         EXPECT_EQ(state().tick, 100);
-        EXPECT_THAT(errors(), ElementsAre(AllOf(HasSubstr("one at 0.5"), HasSubstr(what))));
+        EXPECT_THAT(errors(), ElementsAre(AllOf(HasSubstr("one at 0.5"), HasSubstr(what), HasSubstr(advice))));
+        ASSERT_EQ(window.shown()->frame->failed.size(), 1u) << "its name says so";
+        EXPECT_EQ(window.shown()->frame->nameOf(window.shown()->frame->failed[0]), "one");
         // The others go on.
         EXPECT_NE(state().robots[1].pose.x, 1.0);
         // Before it happened there is nothing to say.
         seek(10);
         EXPECT_THAT(errors(), IsEmpty());
+        EXPECT_THAT(window.shown()->frame->failed, IsEmpty());
     }
 };
 
+TEST_F(BadPlugin, MakesARunWithoutADisplayFail) {
+    for (const auto& [how, status] : {std::pair{"crash", 1}, std::pair{"", 0}}) {
+        const std::string gui = (std::filesystem::path(mroseProgram()).parent_path() / "mrose-gui").string();
+        const ProgramResult result =
+            RunningProgram({gui, "--offscreen", "--run", misbehaving(how).file, "--ticks", "50"}).finish();
+        EXPECT_EQ(result.status, status) << result.err;
+        EXPECT_EQ(result.err.find("misbehaving.so") != result.err.npos, status != 0) << result.err;
+    }
+}
+
 TEST_F(BadPlugin, ThatCrashesStopsItsRobotAndIsNamed) { expectNamed("crash", "misbehaving.so"); }
-TEST_F(BadPlugin, ThatHangsStopsItsRobotAndIsNamed) { expectNamed("loop", "misbehaving.so"); }
+TEST_F(BadPlugin, ThatHangsStopsItsRobotAndIsNamed) { expectNamed("loop", "misbehaving.so", "--plugin-limit"); }
 /// While it hangs the window is alive and says for whom it waits.
 TEST_F(BadPlugin, ThatHangsIsWaitedForInTheBackground) {
     OpenRequest request = misbehaving("loop");

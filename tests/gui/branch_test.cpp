@@ -4,9 +4,9 @@
 #include <QTreeWidget>
 #include <algorithm>
 
-#include "branch_panel.h"
-#include "command_panel.h"
 #include "gui/window_fixture.h"
+#include "panels/branch_panel.h"
+#include "panels/command_panel.h"
 #include "scenario/carry_over.h"
 #include "world/state_hash.h"
 
@@ -352,6 +352,66 @@ TEST_F(BranchTest, BothCoursesAreSeenSideBySide) {
     window.field().zoom(2);
     window.field().grab();
     EXPECT_NEAR(window.field().transform().scale(), window.besideField().transform().scale(), 1e-9);
+}
+
+TEST_F(BranchTest, SideBySideStaysOffUntilThereIsAnotherBranch) {
+    QAction& sideBySide = window.actions()["side_by_side"];
+    seek(100);
+    key(Qt::Key_S);
+    EXPECT_FALSE(sideBySide.isChecked());
+    drag(pixelOf(2), pixelOf(2) + QPointF(30, 20));
+    ASSERT_EQ(window.shown()->branches.size(), 2u);
+    EXPECT_FALSE(window.besideField().isVisible()) << "what was asked for in vain does not come later";
+    key(Qt::Key_S);
+    EXPECT_TRUE(sideBySide.isChecked());
+    EXPECT_TRUE(window.besideField().isVisible());
+    ASSERT_TRUE(window.open("soccer.toml"));
+    settle();
+    EXPECT_FALSE(sideBySide.isChecked());
+}
+
+TEST_F(BranchTest, HomeGoesToWhereTheBranchBeginsAndThenToTheRunsStart) {
+    seek(200);
+    drag(pixelOf(2), pixelOf(2) + QPointF(30, 20));
+    const std::int64_t departed = window.shown()->branches[1].departed;
+    ASSERT_EQ(departed, 200);
+    for (int i = 0; i < 5; ++i) window.session().stepBy(10);
+    settle();
+    key(Qt::Key_Home);
+    EXPECT_EQ(state().tick, departed);
+    EXPECT_EQ(window.shown()->branch, 1u);
+    key(Qt::Key_Home);
+    EXPECT_EQ(state().tick, 0);
+    key(Qt::Key_Home);
+    EXPECT_EQ(state().tick, departed) << "there and back";
+    key(Qt::Key_Home, Qt::ControlModifier);
+    EXPECT_EQ(state().tick, 0);
+    EXPECT_EQ(window.shown()->branch, 0u);
+    seek(150);
+    key(Qt::Key_Home);
+    EXPECT_EQ(state().tick, 0);
+}
+
+TEST_F(BranchTest, TheCauseOfAKickIsShownFromNearBy) {
+    seek(600);
+    const std::int64_t kicked = firstKick();
+    ASSERT_GT(kicked, 0);
+    seek(kicked + 3);
+    const double fitted = window.field().transform().scale();
+    key(Qt::Key_K);
+    const std::size_t ball = window.shown()->frame->state.robots.size();
+    const ViewTransform near = window.field().transform();
+    EXPECT_GT(near.scale(), 1.2 * fitted);
+    const QRectF view = window.field().rect();
+    for (const std::size_t body : {*window.field().selected(), ball}) {
+        const double margin = 1.9 * near.scale();
+        EXPECT_TRUE(view.adjusted(margin, margin, -margin, -margin).contains(pixelOf(body))) << body;
+    }
+    // Another way of seeing both well is the user's own choice.
+    window.field().zoom(1.1);
+    const ViewTransform own = window.field().transform();
+    key(Qt::Key_K);
+    EXPECT_TRUE(window.field().transform() == own);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "breakpoints.h"
+#include "breaks/breakpoints.h"
 #include "support/scenes.h"
 
 namespace mrose::gui {
@@ -64,6 +64,15 @@ std::int64_t lastBefore(const std::vector<Is>& is, std::int64_t tick) {
 
 bool begins(const std::vector<Is>& is, std::size_t at) {
     return is[at] == Is::yes && (at == 0 || is[at - 1] != Is::yes);
+}
+
+/// The ticks at which it begins to hold, asked one by one.
+std::vector<std::int64_t> beginningsOf(TimeTravel& run, const std::string& text) {
+    const std::vector<Is> is = walked(run, text);
+    std::vector<std::int64_t> ticks;
+    for (std::size_t at = 0; at < is.size(); ++at)
+        if (begins(is, at)) ticks.push_back(static_cast<std::int64_t>(at));
+    return ticks;
 }
 
 std::int64_t nextAfter(const std::vector<Is>& is, std::int64_t tick) {
@@ -208,7 +217,7 @@ std::int64_t playTo(TimeTravel& run, Breakpoints& breakpoints, std::int64_t end)
     while (run.tick() < end) {
         breakpoints.leave(run);
         if (!run.forward()) return -2;
-        if (breakpoints.arrive(run)) return run.tick();
+        if (breakpoints.arrive(run, goOn)->why) return run.tick();
     }
     return -1;
 }
@@ -273,7 +282,7 @@ TEST(Breakpoints, EventsAreThoseOfTheTimeline) {
         std::set<std::int64_t> stops, back;
         for (std::int64_t stop = 0; (stop = playTo(run, breakpoints, 1500)) >= 0;) stops.insert(stop);
         EXPECT_EQ(stops, expected);
-        while (const auto stop = *breakpoints.back(run, goOn)) {
+        while (const auto stop = *breakpoints.last({true}, run, run.tick(), goOn)) {
             back.insert(stop->tick);
             ASSERT_TRUE(run.seek(stop->tick));
         }
@@ -281,13 +290,59 @@ TEST(Breakpoints, EventsAreThoseOfTheTimeline) {
     }
 }
 
+/// As playing does: whoever is to stop only once, is off afterwards.
+TEST(Breakpoints, AllThatAreMetAtATickStopTogether) {
+    TimeTravel run(fieldRun(5, 12));
+    runTo(run, 1500);
+    std::int64_t contact = 0;
+    for (const TimelineMark& mark : run.marks())
+        if (mark.kind == TimelineMark::Kind::contact && mark.tick > 9 && contact == 0) contact = mark.tick;
+    ASSERT_GT(contact, 9);
+    const std::string tick = "tick == " + std::to_string(contact);
+    std::vector<Breakpoint> met{waitingFor("contact"), waitingFor(tick), waitingFor(tick + " or tick == 0")};
+    for (Breakpoint& breakpoint : met) breakpoint.oneShot = true;
+    for (const bool events : {true, false}) {
+        met[0].enabled = events;
+        const auto off = [&](const auto& find) {
+            Breakpoints breakpoints;
+            breakpoints.replace(met);
+            const auto stop = find(breakpoints);
+            EXPECT_TRUE(stop && *stop && (*stop)->tick == contact);
+            if (stop && *stop) (void)breakpoints.stopped(run, **stop);
+            std::vector<bool> switchedOff;
+            for (const Breakpoint& breakpoint : breakpoints.all()) switchedOff.push_back(!breakpoint.enabled);
+            return switchedOff;
+        };
+        ASSERT_TRUE(run.seek(contact - 1));
+        EXPECT_EQ(off([&](Breakpoints& of) { return of.ahead(run, goOn); }), std::vector(3, true)) << events;
+        ASSERT_TRUE(run.seek(contact + 1));
+        EXPECT_EQ(off([&](Breakpoints& of) { return of.last({true}, run, run.tick(), goOn); }), std::vector(3, true))
+            << events;
+    }
+}
+
+TEST(Breakpoints, CountThatIsEndedIsNotTakenForAnAnswer) {
+    TimeTravel run(fieldRun(5));
+    runTo(run, 1500);
+    const std::vector<std::int64_t> ticks = beginningsOf(run, "robot[1].touching");
+    ASSERT_GT(ticks.size(), 3u);
+    Breakpoints breakpoints;
+    breakpoints.replace({waitingFor("robot[1].touching", 3)});
+    ASSERT_TRUE(run.seek(ticks[2] - 1));
+    breakpoints.leave(run);
+    ASSERT_TRUE(run.forward());
+    const auto ended = breakpoints.arrive(run, [](double) { return false; });
+    ASSERT_TRUE(ended);
+    EXPECT_FALSE(ended->known || ended->why);
+    const auto counted = breakpoints.arrive(run, goOn);
+    ASSERT_TRUE(counted);
+    EXPECT_TRUE(counted->known && counted->why);
+}
+
 TEST(Breakpoints, StopFromTheNthTimeOnCountedFromTheRunsStart) {
     TimeTravel run(fieldRun(5));
     runTo(run, 1500);
-    const std::vector<Is> is = walked(run, "robot[1].touching");
-    std::vector<std::int64_t> ticks;
-    for (std::size_t at = 0; at < is.size(); ++at)
-        if (begins(is, at)) ticks.push_back(static_cast<std::int64_t>(at));
+    const std::vector<std::int64_t> ticks = beginningsOf(run, "robot[1].touching");
     ASSERT_GT(ticks.size(), 4u);
     Breakpoints breakpoints;
     breakpoints.replace({waitingFor("robot[1].touching", 3)});
@@ -326,7 +381,7 @@ TEST(Breakpoints, OneThatFailsStopsOnceAndIsOffWithWhatWasWrong) {
         const std::int64_t next = run.tick() + 1;
         EXPECT_EQ(playTo(run, breakpoints, 300), next);
         breakpoints.change(again);
-        const auto stop = breakpoints.back(run, goOn);
+        const auto stop = breakpoints.last({true}, run, run.tick(), goOn);
         ASSERT_TRUE(stop && *stop);
         EXPECT_TRUE((*stop)->failed);
         EXPECT_EQ((*stop)->tick, run.tick() - 1);
@@ -362,12 +417,12 @@ TEST(Breakpoints, AnyTextCanBeAskedWhenItLastHeld) {
     Breakpoints breakpoints;
     for (const std::int64_t tick : {1500, 800, 100}) {
         ASSERT_TRUE(run.seek(tick));
-        const auto stop = breakpoints.last(run, "robot[1].touching", goOn);
+        const auto stop = breakpoints.last({true, "robot[1].touching"}, run, run.tick(), goOn);
         ASSERT_TRUE(stop);
         EXPECT_EQ(*stop ? (*stop)->tick : -1, lastBefore(is, tick));
     }
     EXPECT_EQ(breakpoints.all().size(), 1u);
-    EXPECT_FALSE(breakpoints.last(run, "robot[1].toching", goOn));
+    EXPECT_FALSE(breakpoints.last({true, "robot[1].toching"}, run, run.tick(), goOn));
 }
 
 /// Where a description has changed, a condition need not fit both courses.
@@ -388,11 +443,11 @@ TEST(Breakpoints, ConditionThatDoesNotFitACourseHoldsNowhereInIt) {
     const std::vector<BreakpointState> states = breakpoints.states(run, {});
     EXPECT_NE(states[0].unfit, "");
     EXPECT_EQ(states[1].unfit, "");
-    const auto stop = *breakpoints.back(run, goOn);
+    const auto stop = *breakpoints.last({true}, run, run.tick(), goOn);
     ASSERT_TRUE(stop);
     EXPECT_EQ(stop->tick, 300);
     ASSERT_TRUE(run.seek(300));
-    EXPECT_EQ((*breakpoints.back(run, goOn))->tick, 0);
+    EXPECT_EQ((*breakpoints.last({true}, run, run.tick(), goOn))->tick, 0);
 }
 
 }  // namespace

@@ -3,8 +3,8 @@
 #include <QApplication>
 #include <algorithm>
 
-#include "background_work.h"
 #include "io/file.h"
+#include "session/background_work.h"
 #include "widgets/message_bar.h"
 
 namespace mrose::gui {

@@ -4,13 +4,13 @@
 #include <QDropEvent>
 #include <QPushButton>
 
+#include "files/window_files.h"
 #include "io/file.h"
 #include "io/number_text.h"
 #include "scenario/scenario_file.h"
 #include "simulation/step.h"
 #include "support/game_text.h"
 #include "support/places.h"
-#include "window_files.h"
 #include "world/state_hash.h"
 
 namespace mrose::gui {

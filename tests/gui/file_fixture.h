@@ -8,10 +8,10 @@
 
 #include <gtest/gtest.h>
 
-#include "main_window.h"
 #include "scenario/scenario.h"
 #include "support/temporary_folder.h"
 #include "widgets/message_bar.h"
+#include "window/main_window.h"
 
 namespace mrose::gui {
 

@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QFileDialog>
+#include <QScreen>
 #include <QSettings>
 #include <QTableWidget>
 #include <QTimer>
@@ -13,19 +14,20 @@
 #include <gmock/gmock.h>
 
 #include "experiment/variation.h"
+#include "files/window_files.h"
 #include "gui/file_fixture.h"
 #include "recording/recording.h"
 #include "scenario/scenario_file.h"
 #include "support/places.h"
 #include "support/run_program.h"
 #include "widgets/field_view.h"
-#include "window_files.h"
-#include "window_memory.h"
+#include "window/window_memory.h"
 #include "world/state_hash.h"
 
 namespace mrose::gui {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -121,6 +123,15 @@ TEST_F(FileTest, OpensARecordingAtAnInstantAndGoesNoFurtherThanItGoes) {
     EXPECT_EQ(window.shown()->hash, hashAt(*scenario, 200));
 }
 
+TEST_F(FileTest, InstantBeyondTheScenariosEndIsSimulatedAndSaid) {
+    const std::string file = writeGame();
+    open(file, 2.0);
+    EXPECT_THAT(notes(), IsEmpty());
+    open(file, 5.0);
+    EXPECT_EQ(window.shown()->hash, hashAt(*scenarioOf(file), 250));
+    EXPECT_THAT(notes(), ElementsAre(AllOf(HasSubstr("lasts 3.00 s"), HasSubstr("5.00 s"))));
+}
+
 TEST_F(FileTest, RunWithBranchesIsSavedAndOpenedAgain) {
     open(writeGame());
     seek(100);
@@ -139,12 +150,18 @@ TEST_F(FileTest, RunWithBranchesIsSavedAndOpenedAgain) {
     ASSERT_EQ(window.shown()->branches.size(), 2u);
     EXPECT_EQ(window.shown()->branches[1].name, "thrown");
     EXPECT_FALSE(window.files().hasUnsaved());
-    window.session().show(1, 140);
-    settle();
+    // Where it was saved.
+    EXPECT_EQ(window.shown()->branch, 1u);
+    EXPECT_EQ(state().tick, 140);
     EXPECT_EQ(window.shown()->hash, thrown);
+    EXPECT_THAT(notes(), ElementsAre(AllOf(HasSubstr("and 1 branch of it"), HasSubstr("\u201cthrown\u201d"))));
+    ASSERT_TRUE(press("Show the run"));
+    settle();
+    EXPECT_EQ(window.shown()->branch, 0u);
+    EXPECT_EQ(state().tick, 140);
 
-    // What was tried last is offered.
-    open(path("saved.mcap"));
+    // At an instant that is asked for it is the run, and what was tried last is offered.
+    open(path("saved.mcap"), 0.0);
     const std::vector<MessageBar::Message> said = window.messages().messages();
     ASSERT_EQ(said.size(), 1u);
     EXPECT_TRUE(said[0].buttons.size() == 1 && said[0].buttons[0].text.contains("thrown"));
@@ -277,84 +294,6 @@ TEST_F(FileTest, EscapeEndsALongWayToATick) {
     EXPECT_THAT(this->said(MessageBar::Kind::progress), IsEmpty());
 }
 
-class ReloadTest : public FileTest {
-protected:
-    void SetUp() override {
-        open(writeGame());
-        seek(100);
-        before_ = window.shown()->hash;
-    }
-    bool reloaded(std::size_t branches = 2) {
-        return waitFor([&] { return window.shown()->branches.size() == branches && !window.session().busy(); });
-    }
-    void expectNewPhysics() {
-        settle();
-        EXPECT_EQ(state().tick, 100);
-        EXPECT_NE(window.shown()->hash, before_);
-        EXPECT_EQ(window.shown()->hash, hashAt(*scenarioOf(path("game.toml")), 100));
-        EXPECT_THAT(errors(), IsEmpty());
-        ASSERT_FALSE(window.shown()->frame->ghosts.empty());  // the course before
-        action("undo").trigger();
-        settle();
-        EXPECT_EQ(window.shown()->branch, 0u);
-    }
-
-    StateHash before_;
-};
-
-TEST_F(ReloadTest, ChangedDescriptionIsReadAgainAndTheTickStays) {
-    write("mine.toml", robot(30));
-    ASSERT_TRUE(reloaded());
-    EXPECT_EQ(window.shown()->branches[1].name, "mine.toml changed");
-    expectNewPhysics();
-}
-
-/// As editors save: another file takes the name.
-TEST_F(ReloadTest, ReplacedFileIsReadAgainEachTime) {
-    for (const double x : {0.2, 0.3}) {
-        write("new", game(x));
-        std::filesystem::rename(path("new"), path("game.toml"));
-        ASSERT_TRUE(reloaded(x == 0.2 ? 2 : 3));
-    }
-    settle();
-    EXPECT_EQ(window.shown()->hash, hashAt(*scenarioOf(path("game.toml")), 100));
-}
-
-TEST_F(ReloadTest, SavingTheSameTextChangesNothing) {
-    write("mine.toml", robot());
-    window.files().watch().check();
-    settle();
-    EXPECT_EQ(window.shown()->branches.size(), 1u);
-    EXPECT_FALSE(window.files().opener().busy());
-}
-
-TEST_F(ReloadTest, MistakeIsShownWithItsLineAndTheRunGoesOn) {
-    std::string text = robot();
-    text.replace(text.find("mass_kg = 7.5"), 13, "mass_kg = -1 ");
-    write("mine.toml", text);
-    ASSERT_TRUE(waitFor([&] { return !errors().empty(); }));
-    EXPECT_THAT(errors(), ElementsAre(HasSubstr(path("mine.toml") + ":7:")));
-    EXPECT_THAT(errors().front(), HasSubstr("mass_kg"));
-    settle();
-    EXPECT_EQ(window.shown()->hash, before_);
-    EXPECT_EQ(window.shown()->branches.size(), 1u);
-    seek(110);
-    EXPECT_EQ(state().tick, 110);
-    seek(100);
-    write("mine.toml", robot(30));
-    ASSERT_TRUE(reloaded());
-    expectNewPhysics();
-}
-
-TEST_F(ReloadTest, ReloadsByHand) {
-    window.files().watch().watch({});
-    write("mine.toml", robot(30));
-    QTest::keyClick(&window, Qt::Key_F5);
-    settle();
-    ASSERT_EQ(window.shown()->branches.size(), 2u);
-    expectNewPhysics();
-}
-
 class UnsavedTest : public FileTest {
 protected:
     void SetUp() override {
@@ -459,7 +398,9 @@ TEST_F(FileTest, LayoutOutlivesTheWindowAndIsReset) {
     EXPECT_FALSE(later.field().layers().has(FieldLayer::names));
     later.actions()["reset_layout"].trigger();
     EXPECT_TRUE(later.findChild<QDockWidget*>("branches")->isVisible());
-    EXPECT_EQ(later.size(), QSize(1280, 800));
+    const QSize room = QGuiApplication::primaryScreen()->availableSize();
+    EXPECT_LT(later.frameGeometry().width(), room.width());
+    EXPECT_LT(later.frameGeometry().height(), room.height());
 
     MainWindow fresh;  // without settings, as scripts have it
     fresh.QWidget::show();

@@ -5,9 +5,9 @@
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
-#include "background_work.h"
+#include "export/sequence_export.h"
 #include "gui/export_fixture.h"
-#include "sequence_export.h"
+#include "session/background_work.h"
 #include "support/places.h"
 #include "support/run_program.h"
 

@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenuBar>
+#include <QPainter>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QStatusBar>
@@ -11,11 +12,11 @@
 #include <map>
 #include <set>
 
-#include "first_steps.h"
+#include "actions/window_actions.h"
 #include "gui/window_fixture.h"
-#include "plot_panel.h"
-#include "shortcut_sheet.h"
-#include "window_actions.h"
+#include "panels/first_steps.h"
+#include "panels/plot_panel.h"
+#include "panels/shortcut_sheet.h"
 
 namespace mrose::gui {
 namespace {
@@ -34,7 +35,7 @@ std::vector<QAction*> menuActions(const QMenu& menu) {
 
 TEST_F(HelpTest, EveryMenuEntryIsAnActionWithNameTipAndKey) {
     // About is found without a key.
-    const std::set<QString> withoutKey{"about"};
+    const std::set<QString> withoutKey{"about"}, inTwoMenus{"open_log"};
     std::set<QString> names;
     for (QAction* top : window.menuBar()->actions()) {
         ASSERT_NE(top->menu(), nullptr);
@@ -42,7 +43,8 @@ TEST_F(HelpTest, EveryMenuEntryIsAnActionWithNameTipAndKey) {
         for (QAction* action : menuActions(*top->menu())) {
             const std::string text = action->text().toStdString();
             EXPECT_EQ(window.actions().find(action->objectName()), action) << text;
-            EXPECT_TRUE(names.insert(action->objectName()).second) << text;
+            const bool fresh = names.insert(action->objectName()).second;
+            EXPECT_TRUE(fresh || inTwoMenus.count(action->objectName())) << text;
             EXPECT_FALSE(action->statusTip().isEmpty()) << text;
             EXPECT_TRUE(action->toolTip().startsWith(action->statusTip())) << text;
             EXPECT_EQ(action->shortcut().isEmpty(), withoutKey.count(action->objectName()) > 0) << text;
@@ -101,6 +103,47 @@ TEST_F(HelpTest, SheetShowsEveryShortcutAndFindsThem) {
     EXPECT_FALSE(sheet->isVisible());
 }
 
+TEST_F(HelpTest, SheetShowsAllKeysAtOnceOnASmallScreen) {
+    window.resize(1280, 800);
+    key(Qt::Key_F1);
+    auto* sheet = window.findChild<ShortcutSheet*>();
+    ASSERT_NE(sheet, nullptr);
+    settle();
+    EXPECT_LE(sheet->width(), 1270);
+    EXPECT_LE(sheet->height(), 765) << "with a title bar";
+    const auto* area = sheet->findChild<QScrollArea*>();
+    EXPECT_LE(area->widget()->minimumSizeHint().height(), area->viewport()->height());
+    EXPECT_FALSE(area->verticalScrollBar()->isVisible());
+}
+
+/// Dialogues are closed and others opened, and then all of them are told of the colours.
+TEST_F(HelpTest, ColoursChangeAfterAnyDialogueWasClosed) {
+    for (const char* name : {"shortcuts", "about", "export_film", "export_sequence"}) {
+        window.actions()[name].trigger();
+        settle();
+        QDialog* dialogue = nullptr;
+        for (QDialog* some : window.findChildren<QDialog*>())
+            if (some->isVisible()) dialogue = some;
+        ASSERT_NE(dialogue, nullptr) << name;
+        for (const bool closed : {false, true}) {
+            if (closed) QTest::keyClick(dialogue, Qt::Key_Escape);
+            for (int i = 0; i < 2; ++i) {
+                window.actions()["dark"].trigger();
+                settle();
+                EXPECT_EQ(window.palette().color(QPalette::Window), (i == 0 ? Theme::darkOne() : Theme::light()).panel);
+            }
+        }
+    }
+    // Its own colours go along.
+    auto* sheet = window.findChild<ShortcutSheet*>();
+    window.actions()["dark"].trigger();
+    window.actions()["shortcuts"].trigger();
+    settle();
+    for (const QLabel* label : sheet->findChildren<QLabel*>())
+        EXPECT_EQ(label->palette().color(QPalette::WindowText), Theme::darkOne().text);
+    window.actions()["dark"].trigger();
+}
+
 /// What does not fit is a turn of the wheel away, and a bar says so.
 TEST_F(HelpTest, SheetFitsTheScreenAndTellsOfWhatIsBelow) {
     window.resize(1280, 800);
@@ -133,24 +176,64 @@ TEST_F(HelpTest, PointingAtAnActionLeavesTheMessageThere) {
     EXPECT_EQ(message(), before);
 }
 
-TEST_F(HelpTest, FirstStepsLeaveTheFieldFree) {
-    key(Qt::Key_F1, Qt::ShiftModifier);
+TEST_F(HelpTest, FirstStepsNeitherShrinkTheFieldNorHideIt) {
     auto* card = window.findChild<FirstSteps*>();
+    auto* button = window.findChild<QToolButton*>("first_steps_button");
+    ASSERT_NE(button, nullptr);
     const FieldView& field = window.field();
-    const auto place = [&] {
-        const FieldArea area = field.wholeArea();
-        return QRectF(field.transform().toPixels({area.least.x, area.most.y}),
-                      field.transform().toPixels({area.most.x, area.least.y}));
-    };
-    for (const QSize size : {QSize(1280, 800), QSize(1600, 760), QSize(1024, 700)}) {
+    int cards = 0, buttons = 0;
+    for (const QSize size : {QSize(1280, 800), QSize(1600, 760), QSize(1024, 640)}) {
         window.resize(size);
         settle();
-        EXPECT_FALSE(place().intersects(card->geometry())) << size.width();
-        EXPECT_TRUE(QRectF(field.rect()).contains(place())) << size.width();
+        key(Qt::Key_F);
+        const ViewTransform without = field.transform();
+        key(Qt::Key_F1, Qt::ShiftModifier);
+        key(Qt::Key_F);
+        EXPECT_EQ(field.transform().scale(), without.scale()) << size.width();
+        EXPECT_NE(card->isVisible(), button->isVisible()) << size.width();
+        EXPECT_FALSE(card->isVisible() && field.fittedPlace().intersects(card->geometry())) << size.width();
+        EXPECT_TRUE(field.rect().contains(card->isVisible() ? card->geometry() : button->geometry()));
+        ++(card->isVisible() ? cards : buttons);
+        if (button->isVisible()) {
+            QTest::mouseClick(button, Qt::LeftButton);
+            EXPECT_TRUE(card->isVisible()) << "over the field, as it was asked for";
+            EXPECT_EQ(field.transform().scale(), without.scale());
+        }
+        key(Qt::Key_F1, Qt::ShiftModifier);
+        EXPECT_FALSE(card->isVisible() || button->isVisible());
+        EXPECT_TRUE(field.transform() == without);
     }
-    const QRectF with = place();
+    EXPECT_GT(cards, 0);
+    EXPECT_GT(buttons, 0);
+}
+
+TEST_F(HelpTest, LegendStandsClearOfTheFirstSteps) {
+    window.field().setLayers(FieldLayers::none());
     key(Qt::Key_F1, Qt::ShiftModifier);
-    EXPECT_NE(place(), with) << "all of the room is the field's again";
+    auto* steps = window.findChild<FirstSteps*>();
+    const QRect card =
+        steps->folded() ? window.findChild<QToolButton*>("first_steps_button")->geometry() : steps->geometry();
+    const auto legendOnCard = [&] {
+        QImage with(window.field().size(), QImage::Format_RGB32), without = with;
+        QPainter(&without).fillRect(without.rect(), Qt::black);
+        const auto draw = [&](QImage& image, bool legend) {
+            FieldLayers layers = window.field().layers();
+            layers.set(FieldLayer::legend, legend);
+            layers.set(FieldLayer::trails, true);
+            window.field().setLayers(layers);
+            window.field().render(&image, {}, {}, QWidget::DrawWindowBackground);
+        };
+        draw(with, true);
+        draw(without, false);
+        int changed = 0;
+        for (int y = 0; y < with.height(); ++y)
+            for (int x = 0; x < with.width(); ++x)
+                if (with.pixel(x, y) != without.pixel(x, y)) changed += card.contains(x, y) ? 1 : 0;
+        return changed;
+    };
+    EXPECT_EQ(legendOnCard(), 0);
+    key(Qt::Key_F1, Qt::ShiftModifier);
+    EXPECT_GT(legendOnCard(), 100) << "the corner is the legend's own otherwise";
 }
 
 TEST_F(HelpTest, KeysAsTextHaveALineForEachAction) {
@@ -196,7 +279,34 @@ TEST_F(HelpTest, FirstStepsAreTickedOffAsTheyAreDone) {
     ASSERT_TRUE(window.plots().addExpression("ball.speed"));
     EXPECT_EQ(doneSteps(*card), 7u);
     key(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(doneSteps(*card), 8u);
+    key(Qt::Key_F1);
+    EXPECT_EQ(doneSteps(*card), 9u);
+    window.actions().setUnattended(true);  // no dialogue
+    window.actions()["open_log"].trigger();
     EXPECT_EQ(doneSteps(*card), card->steps().size());
+}
+
+TEST_F(HelpTest, WhatCameToNothingIsNotTickedOff) {
+    auto* card = window.findChild<FirstSteps*>();
+    const auto said = [&] {
+        QStringList shown;
+        for (const QLabel* label : window.statusBar()->findChildren<QLabel*>()) shown << label->text();
+        return shown.join('|').toStdString();
+    };
+    key(Qt::Key_Space);
+    key(Qt::Key_Space);
+    window.session().seek(0);
+    settle();
+    const std::size_t before = doneSteps(*card);
+    key(Qt::Key_K);  // nobody has kicked yet
+    key(Qt::Key_S);  // there is no other branch
+    EXPECT_NE(said().find("no other branch"), std::string::npos) << said();
+    key(Qt::Key_E);  // no robot is selected
+    EXPECT_NE(said().find("Select a robot first"), std::string::npos) << said();
+    key(Qt::Key_Return, Qt::ControlModifier);
+    key(Qt::Key_Z, Qt::ControlModifier);  // nothing was changed
+    EXPECT_EQ(doneSteps(*card), before);
 }
 
 TEST_F(HelpTest, ClosedFirstStepsStayAwayUntilTheyAreAskedFor) {

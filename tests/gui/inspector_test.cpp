@@ -1,5 +1,6 @@
 #include "widgets/inspector.h"
 
+#include <QDockWidget>
 #include <QHeaderView>
 #include <QLabel>
 #include <QSignalSpy>
@@ -8,8 +9,9 @@
 #include <numbers>
 
 #include "gui/window_fixture.h"
-#include "plot_panel.h"
+#include "panels/plot_panel.h"
 #include "widgets/inspector_delegate.h"
+#include "widgets/value_catalogue.h"
 
 namespace mrose::gui {
 namespace {
@@ -172,7 +174,7 @@ TEST_F(InspectorTest, SetsWhatIsSeenAgainstTheTruth) {
     ASSERT_TRUE(insight.observed && insight.observation.localised);
     const Pose& self = insight.observation.self;
     const Pose& pose = frame().state.robots[robot].pose;
-    EXPECT_EQ(value({"Sees", "Itself"}), text(std::hypot(self.x - pose.x, self.y - pose.y), 3, "m"));
+    EXPECT_EQ(value({"Sees", "Itself"}), text(std::hypot(self.x - pose.x, self.y - pose.y), 3, "m off"));
     const auto inSight = insight.observation.robots;
     int seen = 0;
     for (std::uint32_t other = 0; other < 8; ++other) {
@@ -189,7 +191,7 @@ TEST_F(InspectorTest, SetsWhatIsSeenAgainstTheTruth) {
         const double x = self.x + c * found->position_B.x - s * found->position_B.y;
         const double y = self.y + s * found->position_B.x + c * found->position_B.y;
         const Pose& truth = frame().state.robots[other].pose;
-        EXPECT_EQ(value({"Sees", name}), text(std::hypot(x - truth.x, y - truth.y), 3, "m"));
+        EXPECT_EQ(value({"Sees", name}), text(std::hypot(x - truth.x, y - truth.y), 3, "m off"));
         EXPECT_EQ(value({"Sees", name, "Measured x"}), text(x, 3, "m"));
         EXPECT_EQ(value({"Sees", name, "True y"}), text(truth.y, 3, "m"));
         EXPECT_EQ(value({"Sees", name, "Age"}), text(toSeconds(frame().scene().timeOf(400) - found->measured), 3, "s"));
@@ -363,6 +365,35 @@ TEST_F(QueueTest, ADoubleClickAsksForTheCommandThere) {
     QTest::keyClick(&queue, Qt::Key_Right);
     QTest::keyClick(&queue, Qt::Key_Return);
     ASSERT_EQ(asked.size(), 2);
+}
+
+TEST_F(InspectorTest, NumbersOfNotesHaveTheirUnits) {
+    seek(300);
+    select(1);
+    const std::string speed = value({"Controller", "ball speed"});
+    EXPECT_TRUE(speed.ends_with(" m/s")) << speed;
+    EXPECT_EQ(noteLabel("ball speed (m/s)").name, "ball speed");
+    EXPECT_EQ(noteLabel("ball speed (m/s)").unit, "m/s");
+    EXPECT_EQ(noteLabel("state").name, "state");
+    EXPECT_EQ(noteLabel("(m)").unit, "");
+}
+
+/// At its first width: nothing that is said in words is cut.
+TEST_F(InspectorTest, WordsThatDoNotFitTakeAnotherLine) {
+    window.resize(1280, 800);
+    seek(300);
+    select(1);
+    const int line = tree().fontMetrics().height();
+    QTreeWidgetItem* shot = row({"Controller", "shot"});
+    ASSERT_NE(shot, nullptr);
+    ASSERT_GT(tree().fontMetrics().horizontalAdvance(shot->text(1)), tree().columnWidth(Delegate::valueColumn) + 24);
+    EXPECT_GE(tree().visualItemRect(shot).height(), 2 * line) << shot->text(1).toStdString();
+    const QTreeWidgetItem* told = row({"Controller", "Decided at"});
+    EXPECT_LT(tree().visualItemRect(told).height(), 2 * line);
+    // Wider again, it takes one.
+    window.resizeDocks({window.findChild<QDockWidget*>("inspector")}, {600}, Qt::Horizontal);
+    settle();
+    EXPECT_LT(tree().visualItemRect(shot).height(), 2 * line);
 }
 
 }  // namespace

@@ -6,11 +6,11 @@
 
 #include <gmock/gmock.h>
 
+#include "files/window_files.h"
 #include "gui/file_fixture.h"
 #include "io/file.h"
 #include "support/full_disk.h"
 #include "widgets/field_view.h"
-#include "window_files.h"
 
 namespace mrose::gui {
 namespace {

@@ -10,7 +10,7 @@
 #include <qcustomplot.h>
 
 #include "gui/window_fixture.h"
-#include "plot_panel.h"
+#include "panels/plot_panel.h"
 #include "widgets/curve_sampling.h"
 
 namespace mrose::gui {
@@ -107,7 +107,7 @@ TEST_F(PlotTest, NumbersAreThoseOfStepAtEveryTick) {
         if (trace.robots[0].decided) {
             noted = std::nan("");
             for (const Annotation& note : trace.robots[0].decision.annotations)
-                if (note.label == "distance") noted = note.value;
+                if (note.label == "distance (m)") noted = note.value;
         }
         if (const StepTrace::Robot& told = trace.robots[2]; told.decided) {
             inSight = told.observation.localised && !told.observation.objects.empty();
@@ -320,8 +320,7 @@ TEST_F(PlotTest, CurvesHaveTheirRobotsColoursAndAnAxisForEachUnit) {
     plot({"heading", "red 1"});
     settlePlots();
     EXPECT_EQ(canvas().axisRectCount(), 2);
-    EXPECT_EQ(canvas().axisRect(0)->axis(QCPAxis::atLeft)->label(), "m/s");
-    EXPECT_EQ(canvas().axisRect(1)->axis(QCPAxis::atLeft)->label(), QString::fromUtf8("\u00b0"));
+    EXPECT_EQ(view().titles(), (QStringList{"speed (m/s)", QString::fromUtf8("heading (\u00b0)")}));
     for (const auto& [key, colour] : plots().plotted()) {
         const QColor robot = robotColour(bodyNamed(scenario().scene(), key.body));
         if (robot.saturation() > 60) {

@@ -1,5 +1,6 @@
 // The program mrose-gui as a process, without a display.
 #include <QImage>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -57,6 +58,20 @@ TEST_F(GuiProgram, TellsVersionHelpAndKeys) {
     EXPECT_THAT(keys.out, HasSubstr("\n  Space "));
 }
 
+TEST_F(GuiProgram, LogIsCutIntoTheCoursesOfCompare) {
+    const std::string log = (sourceFolder() / "resources" / "logs" / "pioneer" / "random.csv").string();
+    const std::string script = write("courses.lua", "say(reality('courses'))\n");
+    const ProgramResult cut = offscreen({log, "--every", "2", "--duration", "10", "--script", script});
+    EXPECT_EQ(cut.status, 0) << cut.err;
+    EXPECT_THAT(cut.out, StartsWith("20")) << "five of each of its four trajectories";
+}
+
+TEST_F(GuiProgram, ModelThatIsNotThereFails) {
+    const std::string log = (sourceFolder() / "resources" / "logs" / "pioneer" / "random.csv").string();
+    expectOneLine(offscreen({log, "--model", path("nosuch.net"), "--screenshot", path("a.png")}),
+                  {"nosuch.net", "cannot be read"}, 1);
+}
+
 TEST_F(GuiProgram, RunHasTheStatesOfMrose) {
     for (const char* seed : {"1", "7"}) {
         const ProgramResult plain = runMrose({"run", "soccer.toml", "--seed", seed, "--duration", "5", "--quiet"});
@@ -81,7 +96,7 @@ TEST_F(GuiProgram, RunEndsAtABreakAndSaysWhen) {
         const ProgramResult result = offscreen(
             {"--run", "soccer.toml", "--break", condition, "--break", "time > 50", "--speed", speed, "--print-hash"});
         EXPECT_EQ(result.status, 0) << result.err;
-        EXPECT_THAT(result.out, StartsWith("stopped at "));
+        EXPECT_THAT(result.out, StartsWith("Stopped at "));
         EXPECT_THAT(result.out, HasSubstr(" s: " + condition + '\n'));
         EXPECT_EQ(result.out.substr(result.out.find("state ")), state);
     }
@@ -90,6 +105,13 @@ TEST_F(GuiProgram, RunEndsAtABreakAndSaysWhen) {
     expectOneLine(offscreen({"--run", "soccer.toml", "--break", "robot[2].sped > 1"}),
                   {"--break robot[2].sped > 1: there is no 'sped'"}, 1);
     expectOneLine(offscreen({"--run", "soccer.toml", "--break"}), {"--break"}, 2);
+}
+
+TEST_F(GuiProgram, LayersAreOneWordSoThatAFileMayFollow) {
+    EXPECT_EQ(offscreen({"--layers", "names,trails", "--print-hash", "--ticks", "5", "--run", "soccer.toml"}).status,
+              0);
+    const ProgramResult before = offscreen({"--screenshot", path("a.png"), "--layers", "names,trails", "soccer.toml"});
+    EXPECT_EQ(before.status, 0) << before.err;
 }
 
 TEST_F(GuiProgram, ScenarioRunsAsLongAsItSays) {
@@ -138,6 +160,22 @@ TEST_F(GuiProgram, ScriptDecidesTheExitStatus) {
     expectOneLine(offscreen({"--script", path("none.lua")}), {"none.lua: cannot be read"}, 1);
 }
 
+TEST_F(GuiProgram, TimeOfTheRunIsNoTimeOfALog) {
+    const std::string log = (sourceFolder() / "resources" / "logs" / "pioneer" / "random.csv").string();
+    for (const std::vector<std::string>& named : {std::vector<std::string>{log}, {"--log", log}}) {
+        std::vector<std::string> line{"--at", "2"};
+        line.insert(line.end(), named.begin(), named.end());
+        expectOneLine(offscreen(line), {"--at", "--start"}, 2);
+    }
+}
+
+TEST_F(GuiProgram, ScriptAndFilmGoTogether) {
+    const std::string film = path("game.mp4");
+    const ProgramResult made = offscreen({"--script", write("s.lua", "seek(1)"), "--film", film, "soccer.toml"});
+    EXPECT_EQ(made.status, std::filesystem::exists(film) ? 0 : 1) << made.err;
+    EXPECT_THAT(made.err, testing::AnyOf("", HasSubstr("ffmpeg")));
+}
+
 /// What is scrubbed, dragged and undone in between leaves no trace in the run.
 TEST_F(GuiProgram, ScriptLeavesTheRunAsMroseHasIt) {
     const std::string tour =
@@ -167,8 +205,64 @@ TEST_F(GuiProgram, WrongUsageIsOneLineAndStatusTwo) {
         {{"--layers", "grid,gird"}, "gird is no layer"},
         {{"--screenshot", ""}, "is empty"},
         {{"a.toml", "b.toml"}, "b.toml"},
+        {{"--trial", "abc", "soccer.toml"}, "abc is no trial; expected a whole number"},
+        {{"--trial", "4294967296", "soccer.toml"}, "above 4294967295"},
+        {{"--seed", "1.5", "soccer.toml"}, "1.5 is no seed; expected a whole number"},
         {{"--colour"}, "--colour"}};
     for (const auto& [words, part] : cases) expectOneLine(offscreen(words), {part}, 2);
+}
+
+TEST_F(GuiProgram, WhatIsForALogIsRefusedWithoutOne) {
+    for (const std::vector<std::string>& flag : {std::vector<std::string>{"--robots", "77"},
+                                                 {"--model", "nothere.net"},
+                                                 {"--start", "3"},
+                                                 {"--every", "3"},
+                                                 {"--windows"},
+                                                 {"--robot", "pioneer1.toml"}}) {
+        std::vector<std::string> line{"--run", "soccer.toml", "--ticks", "5"};
+        line.insert(line.end(), flag.begin(), flag.end());
+        expectOneLine(offscreen(line), {flag[0] + ": is for a log", "--run"}, 2);
+        line.erase(line.begin(), line.begin() + 4);
+        line.insert(line.begin(), "soccer.toml");
+        expectOneLine(offscreen(line), {flag[0] + ": is for a log", "--log"}, 2);
+    }
+    expectOneLine(offscreen({"--run", "soccer.toml", "--ticks", "5", "--log", "/nothere"}),
+                  {"--log /nothere: is not read: soccer.toml plays no log"}, 1);
+}
+
+TEST_F(GuiProgram, WithNobodyThereNothingIsSimulatedBeyondTheEnd) {
+    expectOneLine(offscreen({"--run", "soccer.toml", "--at", "999"}), {"soccer.toml: lasts 60.0 s", "999.0 s"}, 1);
+    EXPECT_EQ(offscreen({"--run", "soccer.toml", "--at", "5", "--print-hash"}).out,
+              offscreen({"--run", "soccer.toml", "--ticks", "250", "--print-hash"}).out);
+}
+
+/// No window is left in which something could be done about it.
+TEST_F(GuiProgram, FullDiskWhileRecordingIsSaidOnce) {
+    const std::string program = (std::filesystem::path(mroseProgram()).parent_path() / "mrose-gui").string();
+    RunningProgram::Options options;
+    options.fullDisk = true;
+    options.room = 60'000;
+    const ProgramResult result =
+        RunningProgram({program, "--offscreen", "--run", "soccer.toml", "--record", path("game.mcap")}, options)
+            .finish();
+    expectOneLine(result, {"game.mcap: cannot be written", "its recording ends there"}, 1);
+    EXPECT_EQ(result.err.find("make room"), std::string::npos);
+    EXPECT_EQ(result.err.find("save all of it"), std::string::npos);
+}
+
+/// The window stays; who called it from a terminal reads it there, too.
+TEST_F(GuiProgram, WhatCannotBeOpenedIsSaidInTheTerminal) {
+    const std::string program = (std::filesystem::path(mroseProgram()).parent_path() / "mrose-gui").string();
+    for (const std::vector<std::string>& named :
+         {std::vector<std::string>{path("nothere.toml")}, {"--log", path("nothere.toml")}}) {
+        std::vector<std::string> words{"/usr/bin/env", "QT_QPA_PLATFORM=offscreen",
+                                       "XDG_CONFIG_HOME=" + path("settings"), program};
+        words.insert(words.end(), named.begin(), named.end());
+        RunningProgram window(words);
+        EXPECT_TRUE(window.waitForError("nothere.toml: "));
+        window.send(SIGTERM);
+        EXPECT_EQ(window.finish().status, 128 + SIGTERM) << "it was still there";
+    }
 }
 
 TEST_F(GuiProgram, WhatIsWrongWithFilesIsOneLineAndStatusOne) {

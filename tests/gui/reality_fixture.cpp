@@ -60,7 +60,7 @@ std::shared_ptr<const Log> logOfDrives(const std::vector<RealDrive>& drives, dou
 }
 
 OpenRun overlaidRun(std::shared_ptr<const Log> log, double start, double duration, double gain) {
-    const auto world = LogWorld::create(playersOn(*log, gain), *log);
+    const auto world = LogWorld::create(playersOn(*log, gain), log);
     if (!world) {
         ADD_FAILURE() << world.error().message();
         return {};
@@ -70,7 +70,7 @@ OpenRun overlaidRun(std::shared_ptr<const Log> log, double start, double duratio
     run.name = "overlaid";
     run.course = std::make_shared<const Course>(Course{{}, opened.scenario});
     run.start = opened.state;
-    run.reality = std::make_shared<const Reality>(realityOf(*world, std::move(log), 0, fromSeconds(start)));
+    run.reality = std::make_shared<const Reality>(realityOf(*world, 0, fromSeconds(start)));
     return run;
 }
 

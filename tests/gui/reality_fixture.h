@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "comparison/reality.h"
-#include "open_run.h"
+#include "travel/open_run.h"
 
 namespace mrose::gui {
 

@@ -6,7 +6,7 @@
 
 #include "gui/reality_fixture.h"
 #include "gui/window_fixture.h"
-#include "plot_panel.h"
+#include "panels/plot_panel.h"
 #include "simulation/step.h"
 #include "widgets/field_fixture.h"
 #include "widgets/inspector_rows.h"

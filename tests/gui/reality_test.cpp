@@ -5,7 +5,7 @@
 
 #include "gui/reality_fixture.h"
 #include "gui/window_fixture.h"
-#include "side_view.h"
+#include "panels/side_view.h"
 #include "widgets/field_fixture.h"
 #include "widgets/field_readout.h"
 #include "widgets/real_robots.h"

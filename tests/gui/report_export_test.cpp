@@ -1,5 +1,5 @@
 // Reports from within the window, beside those of `mrose`.
-#include "report_export.h"
+#include "export/report_export.h"
 
 #include <QAction>
 #include <QLabel>
@@ -8,13 +8,13 @@
 
 #include <gmock/gmock.h>
 
-#include "background_work.h"
+#include "export/report_dialog.h"
 #include "gui/export_fixture.h"
-#include "report_dialog.h"
+#include "scripting/window_script.h"
+#include "session/background_work.h"
 #include "support/places.h"
 #include "support/run_program.h"
 #include "widgets/message_bar.h"
-#include "window_script.h"
 
 namespace mrose::gui {
 namespace {
@@ -90,6 +90,20 @@ TEST_F(ReportExportTest, CancelledOneLeavesNothing) {
     finish();
     EXPECT_THAT(said(), testing::ElementsAre("Not exported: cancelled"));
     EXPECT_EQ(files(), std::vector<std::string>{});
+}
+
+TEST_F(ReportExportTest, WhatIsMissingIsLegibleInBothThemes) {
+    for (const bool dark : {false, true}) {
+        if (window.actions()["dark"].isChecked() != dark) window.actions()["dark"].trigger();
+        ReportDialog* const dialog = showReportDialog(window);
+        dialog->findChild<QLineEdit*>("network")->clear();
+        dialog->start();
+        auto* said = dialog->findChild<QLabel*>("error");
+        ASSERT_FALSE(said->text().isEmpty());
+        said->ensurePolished();
+        EXPECT_GE(contrast(said->palette().color(QPalette::WindowText), dialog->palette().color(QPalette::Window)), 4.5)
+            << dark;
+    }
 }
 
 TEST_F(ReportExportTest, DialogueAsksForWhatItTakes) {

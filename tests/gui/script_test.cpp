@@ -3,12 +3,12 @@
 #include <QImage>
 #include <QTemporaryDir>
 
+#include "actions/window_actions.h"
 #include "gui/window_fixture.h"
-#include "plot_panel.h"
+#include "panels/plot_panel.h"
+#include "scripting/window_script.h"
 #include "simulation/step.h"
 #include "support/run_program.h"
-#include "window_actions.h"
-#include "window_script.h"
 
 namespace mrose::gui {
 namespace {
@@ -47,7 +47,7 @@ TEST_F(ScriptTest, SeesBranchesSelectionAndWhetherItPlays) {
                   "seek_tick(100)\nselect('red 3')\nexpect(selected == 'red 3')\n"
                   "drag('red 3', 1, -0.5, pi / 2)\nexpect(branches == 2 and branch == 'red 3 moved')\n"
                   "expect(robot[3].x == 1 and robot[3].y == -0.5 and abs(robot[3].heading - pi / 2) < 1e-12)\n"
-                  "drag('ball', 0, 1)\nexpect(ball.y == 1 and branches == 3)\n"
+                  "drag('ball', 0, 1)\nexpect(ball.y == 1 and branches == 2)\n"
                   "undo()\nexpect(branch == 'red 3 moved')\n"
                   "play()\nexpect(playing)\npause()\nexpect(not playing)\n"
                   "rename_branch('other')\nexpect(branch == 'other')"),
@@ -169,6 +169,14 @@ TEST_F(ScriptTest, EveryActionCanBeCalled) {
 }
 
 TEST_F(ScriptTest, EndsWithTheWindow) { EXPECT_EQ(run("say(1)\nquit()\nsay(2)"), "1\n"); }
+
+TEST_F(ScriptTest, MisspeltPlotsAreToldWhatThereIs) {
+    const std::string quantity = run("plot('red 2', 'issued forward')");
+    EXPECT_NE(quantity.find("there is no issued forward of red 2; of red 2 there are forward, "), std::string::npos)
+        << quantity;
+    EXPECT_NE(quantity.find(", commanded forward,"), std::string::npos) << quantity;
+    EXPECT_EQ(quantity.find("spin"), std::string::npos) << "which only objects have";
+}
 
 }  // namespace
 }  // namespace mrose::gui

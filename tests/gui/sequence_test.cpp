@@ -7,13 +7,13 @@
 
 #include <gmock/gmock.h>
 
-#include "background_work.h"
-#include "film_dialog.h"
+#include "export/film_dialog.h"
+#include "export/sequence_export.h"
 #include "gui/export_fixture.h"
-#include "sequence_export.h"
+#include "scripting/window_script.h"
+#include "session/background_work.h"
 #include "support/full_disk.h"
 #include "widgets/message_bar.h"
-#include "window_script.h"
 
 namespace mrose::gui {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "main_window.h"
 #include "widgets/field_view.h"
+#include "window/main_window.h"
 
 namespace mrose::gui {
 

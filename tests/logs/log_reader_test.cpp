@@ -42,6 +42,23 @@ TEST(LogReader, WhatIsNoLogIsOneLine) {
               path + "/Robot1_Odometry.dat: is no log; expected a CSV file whose first line names a column t");
 }
 
+TEST(LogReader, FolderOfLogsNamesThem) {
+    const TemporaryFolder folder;
+    const auto messageOf = [](const std::filesystem::path& source) { return readLog(source).error().message(); };
+    const std::string path = folder.path().string();
+    folder.write("windows/husky.csv", husky);
+    folder.write("windows/notes.csv", "who,what\nme,this\n");
+    EXPECT_EQ(messageOf(folder.path() / "windows"),
+              path + "/windows: is not a log itself; it holds husky.csv: open that");
+    folder.write("b/Robot1_Odometry.dat", odometry);
+    folder.write("a/it.csv", csv);
+    folder.write("other/readme", "text");
+    EXPECT_EQ(messageOf(folder.path()), path + ": is not a log itself; it holds a and b: open one of them");
+    for (const char* name : {"c", "d", "e", "f", "g"}) folder.write(std::string(name) + "/it.csv", csv);
+    EXPECT_EQ(messageOf(folder.path()),
+              path + ": is not a log itself; it holds a, b, c, d, e and 2 more: open one of them");
+}
+
 TEST(LogReader, ErrorsOfTheReaderComeThrough) {
     const TemporaryFolder folder;
     const auto file = folder.write("log.csv", "t,v_cmd,w_cmd\n1,2,3\n2,x,4\n");

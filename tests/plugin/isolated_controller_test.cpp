@@ -134,6 +134,21 @@ TEST_F(Isolation, RewindingBeforeTheEndIsExact) {
     EXPECT_EQ(faults, 1);
 }
 
+/// What it hung at is not asked again, with the same end: its process, begun anew for the ticks before, lives on.
+TEST_F(Isolation, FailureIsKnownWhenItIsAskedAgain) {
+    const auto processes = [] { return ::waitpid(-1, nullptr, WNOHANG) == 0; };
+    const Scenario scenario = drivenBy({isolated("misbehaving", how("loop", 0.5), 0.3)});
+    WorldState first = scenario.initialState(), again = first;
+    const auto faults = faultsOfRun(scenario, first, 50);
+    ASSERT_EQ(faults.size(), 1u);
+    EXPECT_FALSE(processes());
+    const auto repeated = faultsOfRun(scenario, again, 50);
+    ASSERT_EQ(repeated.size(), 1u);
+    EXPECT_EQ(repeated[0].what, faults[0].what);
+    EXPECT_TRUE(processes());
+    EXPECT_FALSE(firstDifference(first, again));
+}
+
 /// In the program, too, a robot whose process ended in the state's past stands.
 TEST_F(Isolation, EndIsPartOfTheState) {
     const Scenario apart = drivenBy({isolated("misbehaving", how("exit", 0.5))});

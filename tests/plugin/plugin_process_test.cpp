@@ -124,7 +124,9 @@ TEST(PluginProcesses, OtherMemoryThanBeforeIsAFault) {
     const auto controller = apart("misbehaving", how("exit"));
     EXPECT_NE(Asked(*controller).decide(*controller).fault.find("ended with status 0"), std::string::npos);
     ::setenv("MROSE_TEST_MORE_MEMORY", "1", 1);
-    EXPECT_EQ(Asked(*controller).decide(*controller).fault,
+    Observation another;  // at the same one it fails as before
+    another.robots = {{0, {1, 0}, 0}};
+    EXPECT_EQ(Asked(*controller).decide(*controller, another).fault,
               "its plug-in " + testPlugin("misbehaving") + " has another memory than before");
     ::unsetenv("MROSE_TEST_MORE_MEMORY");
 }

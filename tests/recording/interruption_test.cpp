@@ -1,5 +1,6 @@
 // Recordings whose writing does not go as it should: a full disk, a kill.
 #include <csignal>
+#include <functional>
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -71,6 +72,35 @@ TEST_F(RecordingFile, KilledProgramLeavesWhatItFlushed) {
     EXPECT_EQ(recording->header.descriptions, descriptions);
     EXPECT_EQ(recording->branches[0].timeline.last(), 141);
     expectStates(recording->branches[0].timeline, run);
+}
+
+TEST_F(RecordingFile, FileThatIsNotAtItsPlaceAnyMoreIsAnErrorAtTheNextFlush) {
+    const std::filesystem::path moved = folder.path() / "moved.mcap";
+    const auto removes = [](const auto& path) { std::filesystem::remove(path); };
+    const auto moves = [&](const auto& path) { std::filesystem::rename(path, moved); };
+    const auto replaces = [&](const auto& path) { std::filesystem::copy_file(moved, path); };
+    const std::vector<std::pair<std::function<void(const std::filesystem::path&)>, std::string>> cases{
+        {removes, "is no longer there: it was removed while it was written"},
+        {moves, "is no longer there: it was moved while it was written"},
+        {[&](const auto& path) { removes(path), replaces(path); }, "is another file now: it was replaced"}};
+    for (const auto& [does, says] : cases)
+        for (const bool flushes : {true, false}) {
+            const std::filesystem::path path = folder.path() / "run.mcap";
+            auto writer = RecordingWriter::create(path, scenario, run.states.front(), descriptions, "", {true});
+            ASSERT_TRUE(writer) << writer.error().message();
+            for (std::size_t i = 0; i < 60; ++i) writer->add(run.states[i + 1], run.traces[i]);
+            writer->flush();
+            ASSERT_TRUE(writer->state());
+            does(path);
+            if (flushes) writer->flush();
+            EXPECT_EQ(writer->state().has_value(), !flushes);
+            const auto closed = writer->close();
+            ASSERT_FALSE(closed) << says;
+            EXPECT_NE(closed.error().message().find(path.string() + ": " + says), std::string::npos)
+                << closed.error().message();
+        }
+    // What was moved goes as far as it was written.
+    EXPECT_EQ(openRecording(moved)->branches[0].timeline.last(), 60);
 }
 
 TEST_F(RecordingFile, RecordingDoesNotChangeTheRun) {

@@ -109,7 +109,11 @@ TEST_F(SavedStates, ShippedScenarioGoesOnFromAnywhere) {
     expectGoesOn(folder.path() / "later.toml");
     const auto text = readFile(folder.path() / "later.toml");
     EXPECT_NE(text->find("[variation] # of trials\n"), std::string::npos);
-    EXPECT_NE(text->find("environment = \"midsize_2001.toml\"\ninitial_state = \"later.state\"\n"), std::string::npos);
+    // Who edits a start line reads first what holds.
+    const std::size_t at = text->find("\ninitial_state = \"later.state\"\n");
+    ASSERT_NE(at, std::string::npos);
+    EXPECT_EQ(text->rfind("\n# ", at), text->rfind('\n', at - 1));
+    EXPECT_LT(text->find("environment = \"midsize_2001.toml\"\n# The run goes on from this state"), at);
     EXPECT_NE(text->find("seed = 23\n"), std::string::npos);
     // And saved again from there.
     const auto later = loadFromDisk(folder.path() / "later.toml");

@@ -52,6 +52,8 @@ TEST(ScenarioErrors, EveryMistakeNamesItsPlace) {
         {"heading_deg = 90", "heading_deg = 900",
          "s.toml:13:46: robot[\"one\"].start.heading_deg: is 900.0; expected -360.0 to 360.0"},
         {"start = { x_m = 1, y_m = 0.5 }\n", "", "s.toml:16:1: robot[\"two\"].start: is missing"},
+        {"phase_s = 0.04", "phase_s = 0.04\nnumber = 0",
+         "s.toml:15:10: robot[\"one\"].number: expected a whole number from 1 to 1000000"},
         {"phase_s = 0.04", "phase_s = 0.05",
          "s.toml:14:11: robot[\"one\"].phase_s: expected a multiple of tick_s below the control period of 0.1"},
         {"phase_s = 0.04", "phase_s = 0.1",

@@ -25,10 +25,19 @@ Trails trailOf(const std::vector<Point>& points, std::size_t body, std::size_t b
     return trails;
 }
 
+/// Driven, a tenth of a metre in a tick.
+std::vector<Point> driven(const std::vector<Point>& corners) {
+    std::vector<Point> points{corners.front()};
+    for (std::size_t i = 1; i < corners.size(); ++i)
+        for (int part = 1; part <= 15; ++part)
+            points.push_back(corners[i - 1] + (part / 15.0) * (corners[i] - corners[i - 1]));
+    return points;
+}
+
 /// Something for each layer, each in a place of its own.
 FieldFrame everything() {
     FieldFrame frame = frameOfDiscs({{0, 0, 0}, {-3.5, 2.5, 0}});
-    frame.trails = trailOf({{-4, -3}, {-3, -3}, {-2, -2}}, 0, 3);
+    frame.trails = trailOf(driven({{-4, -3}, {-3, -3}, {-2, -2}}), 0, 3);
     frame.predicted = {{{2, -3, 0}, {3, -3, 0}, {4, -3, 0}}, {}};
     frame.predictedStep = nanosecondsPerSecond;
     frame.insights[0].decision.annotations = {{Annotation::Kind::point, "aim", 0, "", {{3, 2}}}};
@@ -43,6 +52,29 @@ double fromLine(const QPointF& p, const QPointF& a, const QPointF& b) {
     const QPointF along = b - a, by = p - a;
     const double share = std::clamp(QPointF::dotProduct(by, along) / QPointF::dotProduct(along, along), 0.0, 1.0);
     return std::hypot((by - share * along).x(), (by - share * along).y());
+}
+
+/// As a ball is after a goal.
+TEST(FieldLayers, NoTrailLeadsToWhereABodyWasPut) {
+    FieldFrame frame = everything();
+    std::vector<Point> way = driven({{-4, -3}, {-3, -3}});
+    const std::vector<Point> after = driven({{-3, -1}, {-2, -1}});
+    way.insert(way.end(), after.begin(), after.end());
+    frame.trails = trailOf(way, 0, 3);
+    FieldView view;
+    view.resize(800, 640);
+    view.setFrame(std::make_shared<const FieldFrame>(frame));
+    view.setLayers(FieldLayers::none());
+    const QImage without = rendered(view);
+    view.setLayers(only({FieldLayer::trails}));
+    const QImage with = rendered(view);
+    const auto drawn = [&](double x, double y) {
+        const QPoint at = view.transform().toPixels({x, y}).toPoint();
+        return with.pixel(at) != without.pixel(at);
+    };
+    EXPECT_TRUE(drawn(-3.5, -3));
+    EXPECT_TRUE(drawn(-2.5, -1));
+    EXPECT_FALSE(drawn(-3, -2));
 }
 
 TEST(FieldLayers, EachChangesItsOwnPlaceOnly) {

@@ -7,6 +7,7 @@
 #include <QSvgRenderer>
 #include <QTest>
 #include <QWheelEvent>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -15,53 +16,12 @@
 #include "widgets/field_drawing.h"
 #include "widgets/field_fixture.h"
 #include "widgets/field_readout.h"
+#include "widgets/field_view_fixture.h"
 
 namespace mrose {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-
-class FieldViewTest : public testing::Test {
-protected:
-    void SetUp() override {
-        view.resize(800, 640);
-        view.show();
-        view.setLayers(FieldLayers::none());
-        QObject::connect(&view, &FieldView::bodyMoved,
-                         [this](std::size_t body, const Pose& pose) { moved.emplace_back(body, pose); });
-    }
-    void show(FieldFrame frame) { view.setFrame(std::make_shared<const FieldFrame>(std::move(frame))); }
-    QPointF pixelOf(const Point& metres) const { return view.transform().toPixels(metres); }
-    void send(QEvent::Type type, const QPointF& at, Qt::MouseButton button, Qt::KeyboardModifiers keys = {}) {
-        QMouseEvent event(type, at, view.mapToGlobal(at.toPoint()), type == QEvent::MouseMove ? Qt::NoButton : button,
-                          type == QEvent::MouseButtonRelease ? Qt::NoButton : button, keys);
-        QApplication::sendEvent(&view, &event);
-    }
-    void press(const QPointF& at, Qt::MouseButton button = Qt::LeftButton, Qt::KeyboardModifiers keys = {}) {
-        send(QEvent::MouseButtonPress, at, button, keys);
-    }
-    void moveTo(const QPointF& at, Qt::MouseButton button = Qt::LeftButton, Qt::KeyboardModifiers keys = {}) {
-        send(QEvent::MouseMove, at, button, keys);
-    }
-    void release(const QPointF& at, Qt::MouseButton button = Qt::LeftButton) {
-        send(QEvent::MouseButtonRelease, at, button);
-    }
-    void drag(const QPointF& from, const QPointF& to, Qt::MouseButton button = Qt::LeftButton,
-              Qt::KeyboardModifiers keys = {}) {
-        press(from, button, keys);
-        moveTo((from + to) / 2, button, keys);
-        moveTo(to, button, keys);
-        release(to, button);
-    }
-    void wheel(const QPointF& at, int delta) {
-        QWheelEvent event(at, view.mapToGlobal(at.toPoint()), {}, {0, delta}, Qt::NoButton, Qt::NoModifier,
-                          Qt::NoScrollPhase, false);
-        QApplication::sendEvent(&view, &event);
-    }
-
-    FieldView view;
-    std::vector<std::pair<std::size_t, Pose>> moved;
-};
 
 TEST_F(FieldViewTest, PixelsOfARobotLieWhereItsPoseSays) {
     const Pose pose{1.3, -0.7, 0.4};
@@ -136,6 +96,34 @@ TEST_F(FieldViewTest, WheelZoomsAtTheCursorAndFitShowsAll) {
         EXPECT_TRUE(QRectF(view.rect()).contains(pixelOf(corner))) << corner.x;
     view.resize(400, 320);
     EXPECT_TRUE(QRectF(view.rect()).contains(pixelOf({5, 4}))) << "it stays fitted";
+}
+
+TEST_F(FieldViewTest, PartThatIsFittedStaysSoUntilTheUserLooksElsewhere) {
+    show(frameOfDiscs({{0, 0, 0}}));
+    const double whole = view.transform().scale();
+    const auto expectPart = [&] {
+        EXPECT_TRUE(view.showsPart());
+        const QPointF least = pixelOf({1, 0}), most = pixelOf({2, 0.5});
+        EXPECT_TRUE(QRectF(view.rect()).contains(least) && QRectF(view.rect()).contains(most));
+        EXPECT_NEAR((least.x() + most.x()) / 2, view.width() / 2.0, 30) << "in the middle, but for rulers";
+        EXPECT_GT(most.x() - least.x(), 0.8 * view.width()) << "as large as it can be";
+    };
+    view.fit({{1, 0}, {2, 0.5}});
+    expectPart();
+    view.resize(700, 560);
+    expectPart();
+    view.panBy({5, 0});
+    EXPECT_FALSE(view.showsPart());
+    view.fit({{1, 0}, {2, 0.5}});
+    view.zoom(2);
+    EXPECT_FALSE(view.showsPart());
+    view.resize(900, 560);
+    view.fit({{1, 0}, {2, 0.5}});
+    view.fit();
+    EXPECT_FALSE(view.showsPart());
+    view.resize(400, 320);
+    EXPECT_TRUE(QRectF(view.rect()).contains(pixelOf({5, 4})));
+    EXPECT_LT(view.transform().scale(), 2 * whole);
 }
 
 TEST_F(FieldViewTest, DraggedFloorGoesWithTheCursor) {
@@ -272,7 +260,7 @@ TEST_F(FieldViewTest, KnobOfTheSelectedRobotTurnsIt) {
     EXPECT_EQ(moved.size(), 1u);
 }
 
-TEST_F(FieldViewTest, FittedPlaceStaysClearOfRulersScaleBarAndWhatLiesOverIt) {
+TEST_F(FieldViewTest, FittedPlaceStaysClearOfRulersAndScaleBar) {
     show(frameOfDiscs({{0, 0, 0}}));
     const auto place = [&] { return QRectF(pixelOf({-5, 4}), pixelOf({5, -4})); };
     EXPECT_LE(place().bottom(), 640 - 24) << "the scale bar";
@@ -280,15 +268,131 @@ TEST_F(FieldViewTest, FittedPlaceStaysClearOfRulersScaleBarAndWhatLiesOverIt) {
     EXPECT_GE(place().left(), rulerWidth);
     EXPECT_GE(place().top(), rulerHeight);
     view.setLayers(FieldLayers::none());
-    for (const QRectF& card : {QRectF(500, 400, 290, 230), QRectF(700, 200, 90, 430)}) {
+    const double scale = view.transform().scale();
+    EXPECT_EQ(view.fittedPlace(), place());
+    const QRectF large(500, 400, 290, 230), small(700, 600, 90, 30);
+    view.setCovered(large);
+    EXPECT_EQ(view.transform().scale(), scale) << "what lies over a corner does not make it smaller";
+    view.resize(1300, 640);
+    for (const QRectF& card : {large.translated(500, 0), small.translated(500, 0)}) {
         view.setCovered(card);
-        EXPECT_FALSE(place().intersects(card));
-        EXPECT_TRUE(QRectF(view.rect()).contains(place()));
+        EXPECT_FALSE(place().intersects(card)) << "where there is room beside it";
+        EXPECT_EQ(view.transform().scale(), scale);
+        EXPECT_EQ(view.fittedPlace(), place());
     }
     view.zoom(3);
-    const double scale = view.transform().scale();
+    const ViewTransform zoomed = view.transform();
     view.setCovered({});
-    EXPECT_EQ(view.transform().scale(), scale) << "who has zoomed keeps what is seen";
+    EXPECT_TRUE(view.transform() == zoomed) << "who has zoomed keeps what is seen";
+}
+
+TEST_F(FieldViewTest, LabelsStayClearOfWhatLiesOverTheView) {
+    show(frameOfDiscs({{3, -2, 0}}));
+    view.setLayers(only({FieldLayer::names}));
+    const QRectF card(pixelOf({2, -2.35}), QSizeF(250, 60));
+    const QImage before = rendered(view);
+    view.setLayers(FieldLayers::none());
+    const QImage none = rendered(view);
+    const auto on = [&](const QImage& image) {
+        const auto changed = differences(none, image);
+        return std::count_if(changed.begin(), changed.end(), [&](const QPoint& p) { return card.contains(p); });
+    };
+    EXPECT_GT(on(before), 20);
+    view.setLayers(only({FieldLayer::names}));
+    view.setCovered(card);
+    const QImage after = rendered(view);
+    EXPECT_EQ(on(after), 0);
+    EXPECT_GT(differences(none, after).size(), 50u) << "it is elsewhere";
+}
+
+/// Two places at which the same two touch: each number stays where it is while nothing moves.
+TEST_F(FieldViewTest, NumbersOfTwoTouchesOfAPairDoNotChangePlaces) {
+    FieldFrame frame = frameOfDiscs({{0, 0, 0}, {0.6, 0, 0}});
+    frame.contacts = {{0, 1, 0, {0.3, 0.08}, {1, 0}, 0.57}, {0, 1, 0, {0.3, -0.08}, {1, 0}, 0.06}};
+    show(frame);
+    view.setLayers(only({FieldLayer::contacts}));
+    const QImage first = rendered(view);
+    for (int i = 0; i < 4; ++i) EXPECT_TRUE(differences(first, rendered(view)).empty()) << i;
+}
+
+TEST_F(FieldViewTest, WhatAnAnswerIsAboutIsNearAndLoudAndTheRestIsQuiet) {
+    FieldFrame frame = frameOfDiscs({{0, 0, 0}, {1.2, 1, 0}, {-1.2, 1, 0}}, {0.5, 0, 0});
+    frame.contacts = {
+        {0, 3, 0, {0.35, 0}, {1, 0}, 0.5}, {0, 3, 0, {0.35, 0.05}, {1, 0}, 0.9}, {1, 2, 0, {0, 1.5}, {1, 0}, 3}};
+    show(frame);
+    view.setLayers(only({FieldLayer::contacts}));
+    view.lightUp({0, 3});
+    const double scale = view.transform().scale();
+    EXPECT_GT(scale, 120);
+    for (const Point& at : {Point{0, 0}, Point{0.5, 0}})
+        EXPECT_TRUE(
+            QRectF(view.rect()).adjusted(1.9 * scale, 1.9 * scale, -1.9 * scale, -1.9 * scale).contains(pixelOf(at)));
+    // One number alone: that of the strongest touch of what is lit.
+    const auto numbers = [&](const FieldFrame& of, bool lit) {
+        FieldFocus focus;
+        if (lit) focus.lit = {0, 3};
+        QImage image(10, 10, QImage::Format_RGB32);
+        QPainter painter(&image);
+        std::vector<FieldLabel> labels;
+        drawContacts({painter, view.transform(), Theme::light()}, of, focus, labels);
+        QStringList texts;
+        for (const FieldLabel& label : labels) texts << label.text;
+        return texts.join('|').toStdString();
+    };
+    EXPECT_EQ(numbers(frame, true), "0.90 N s");
+    EXPECT_EQ(numbers(frame, false), "0.50 N s|0.90 N s|3.00 N s");
+    view.setLayers(only({FieldLayer::names}));
+    const QImage lit = rendered(view);
+    const ViewTransform near = view.transform();
+    view.setEditable(false);  // it goes on
+    EXPECT_TRUE(view.transform() == near);
+    const auto changed = differences(lit, rendered(view));
+    const auto nearBody = [&](const Point& at) {
+        return std::count_if(changed.begin(), changed.end(),
+                             [&](const QPoint& p) { return QLineF(p, pixelOf(at)).length() < 0.6 * near.scale(); });
+    };
+    EXPECT_GT(nearBody({1.2, 1}), 50) << "its name is loud again";
+    EXPECT_EQ(nearBody({0, -0.2}), 0);
+}
+
+TEST_F(FieldViewTest, RingAndLineSayWhatIsElsewhereInTheOtherCourse) {
+    show(frameOfDiscs({{0, 0, 0}, {-3, 2, 0}}));
+    const QImage before = rendered(view);
+    view.setElsewhere({Point{2, 0}, std::nullopt, std::nullopt});
+    const auto changed = differences(before, rendered(view));
+    EXPECT_GT(changed.size(), 100u);
+    for (const QPoint& p : changed) {
+        const Point at = view.transform().toMetres(QPointF(p) + QPointF(0.5, 0.5));
+        const bool onRing = length(at) < 0.3 + 8 / view.transform().scale();
+        const bool onLine = std::abs(at.y) < 4 / view.transform().scale() && at.x > 0 && at.x < 2.1;
+        ASSERT_TRUE(onRing || onLine) << at.x << ' ' << at.y;
+    }
+}
+
+/// Names that once gave way to others stand where they went; beside them a view that came later shows the same.
+TEST_F(FieldViewTest, LabelsStandWhereThoseOfAnotherViewDo) {
+    const FieldFrame crowd = frameOfDiscs({{0, 0, 0}, {0.7, 0.1, 0}, {0.1, 0.8, 0}, {0, -0.75, 0}});
+    const FieldFrame apart = frameOfDiscs({{0, 0, 0}, {0.7, 0.1, 0}, {3, 3, 0}, {-3, 3, 0}});
+    FieldView following, alone;
+    QObject::connect(&view, &FieldView::labelsMoved, &following, &FieldView::followLabels);
+    view.setLayers(only({FieldLayer::names}));
+    show(crowd);
+    (void)rendered(view);
+    show(apart);
+    const QImage image = rendered(view);
+    for (FieldView* other : {&following, &alone}) {
+        other->resize(view.size());
+        other->setLayers(only({FieldLayer::names}));
+        other->setFrame(std::make_shared<const FieldFrame>(apart));
+    }
+    EXPECT_FALSE(differences(image, rendered(alone)).empty());
+    EXPECT_TRUE(differences(image, rendered(following)).empty());
+}
+
+TEST_F(FieldViewTest, WhatIsRoundHasNoHeading) {
+    const FieldFrame frame = frameOfDiscs({{1, 1, 0.5}}, {2, 2, 0});
+    EXPECT_TRUE(poseText(frame, 0, {1, 1, 0.5}).contains(QString::fromUtf8("\u00b0")));
+    EXPECT_EQ(poseText(frame, 1, {2, 2, 0.5}), "x 2.00 m   y 2.00 m");
 }
 
 TEST_F(FieldViewTest, NotesOfOthersThanTheSelectedRobotAreFaint) {
@@ -326,60 +430,6 @@ TEST_F(FieldViewTest, NudgeMovesTheSelectedBodyWhileTheRunStands) {
     EXPECT_NEAR(moved[0].second.x, 1.01, 1e-12);
     EXPECT_NEAR(moved[0].second.y, 0.98, 1e-12);
     EXPECT_NEAR(moved[0].second.heading, 0.6, 1e-12);
-}
-
-TEST_F(FieldViewTest, EmptyFieldSaysWhatToDo) {
-    view.setFrame(nullptr);
-    const QImage empty = rendered(view);
-    view.setEmptyText("Drop a scenario here");
-    EXPECT_GT(differences(empty, rendered(view)).size(), 100u);
-}
-
-TEST_F(FieldViewTest, FileShowsTheSameAsTheWindow) {
-    const Pose pose{1.3, -0.7, 0.4};
-    show(frameOfDiscs({pose}, {-2, 2, 0}));
-    view.setLayers(only({FieldLayer::names}));
-    view.zoom(1.4);
-    QByteArray text;
-    QBuffer buffer(&text);
-    QSvgGenerator svg;
-    svg.setOutputDevice(&buffer);
-    svg.setSize(view.size());
-    svg.setViewBox(view.rect());
-    QPainter painter(&svg);
-    view.paint(painter, view.size());
-    painter.end();
-    QImage image(view.size(), QImage::Format_RGB32);
-    QPainter onImage(&image);
-    QSvgRenderer(text).render(&onImage);
-    onImage.end();
-    const QImage window = rendered(view);
-    for (const Colour& colour : {bodyColour, ballColour}) {
-        const Blob inFile = blobOf(image, colour), inWindow = blobOf(window, colour);
-        EXPECT_NEAR(inFile.middle.x(), inWindow.middle.x(), 0.5);
-        EXPECT_NEAR(inFile.middle.y(), inWindow.middle.y(), 0.5);
-        EXPECT_NEAR(inFile.pixels, inWindow.pixels, 0.05 * inWindow.pixels);
-    }
-}
-
-TEST_F(FieldViewTest, TellsOfWhatItRestsOn) {
-    FieldFrame frame = frameOfDiscs({{1, 1, 30 * degree}, {-2, 0, 0}});
-    frame.state.robots[0].velocity_B = {0.25, 0, -10 * degree};
-    frame.contacts.push_back({0, 1, 0, {1.3, 1}, {1, 0}, 13.06});
-    frame.insights[1].decision.annotations.push_back({Annotation::Kind::point, "aim", 0, "", {{3, -2}}});
-    show(frame);
-    const QString body = view.readoutAt(pixelOf({1, 1}));
-    EXPECT_TRUE(body.contains("robot 1") && body.contains("30.0") && body.contains("0.25 m/s") &&
-                body.contains("-10.0"))
-        << body.toStdString();
-    EXPECT_TRUE(view.readoutAt(pixelOf({1.3, 1})).contains("robot 1 on robot 2: 13.1 N s"));
-    EXPECT_TRUE(view.readoutAt(pixelOf({3, -2})).contains("robot 2: aim"));
-    EXPECT_EQ(noteText(frame, 1, {Annotation::Kind::point, "aim", 0, "", {}}), "aim");
-    EXPECT_EQ(noteText(frame, 1, {Annotation::Kind::point, "ball", 0, "", {}}),
-              QString::fromUtf8("robot 2\u2019s ball"));
-    EXPECT_EQ(view.readoutAt(pixelOf({-4, -3})), QString());
-    EXPECT_EQ(whatIsAt(frame, 0, {-1.5, 0, 0}), "robot 2");
-    EXPECT_EQ(whatIsAt(frame, 0, {-1.3, 0, 0}), "");
 }
 
 }  // namespace

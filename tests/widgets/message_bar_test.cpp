@@ -105,5 +105,30 @@ TEST_F(MessageBarTest, TextStandsOutFromItsGround) {
         }
 }
 
+TEST_F(MessageBarTest, StandsOverAnothersUpperEdgeAndMovesNothing) {
+    QWidget host;
+    host.resize(600, 400);
+    host.show();
+    MessageBar over;
+    over.standOver(host);
+    const QSize before = host.size();
+    over.add({Kind::error, "one.toml: it is not there"});
+    QApplication::processEvents();
+    const int one = over.height();
+    over.add({Kind::error, QString("two ").repeated(80), "two"});
+    QApplication::processEvents();
+    EXPECT_EQ(host.size(), before);
+    EXPECT_EQ(over.parentWidget(), &host);
+    EXPECT_EQ(over.geometry().topLeft(), QPoint(0, 0));
+    EXPECT_EQ(over.width(), 600);
+    EXPECT_GT(over.height(), 2 * one) << "the second takes several lines";
+    host.resize(500, 400);
+    QApplication::processEvents();
+    EXPECT_EQ(over.width(), 500);
+    ASSERT_TRUE(over.dismiss());
+    QApplication::processEvents();
+    EXPECT_EQ(over.height(), one);
+}
+
 }  // namespace
 }  // namespace mrose

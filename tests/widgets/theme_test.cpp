@@ -91,5 +91,14 @@ TEST(Theme, RobotsAreToldFromAGreenFieldInBothThemes) {
             EXPECT_GT(leastDistance(robotColour(robot), floorColour(field, theme)), 6) << robot << ' ' << theme.dark;
 }
 
+TEST(Theme, RobotsKeepTheirColoursWhereOthersAreLeftOut) {
+    Scene scene;
+    scene.robots.resize(3);
+    scene.robots[1].place = 4;
+    EXPECT_EQ(robotColour(scene, 0), robotColour(0));
+    EXPECT_EQ(robotColour(scene, 1), robotColour(4));
+    EXPECT_EQ(robotColour(scene, 2), robotColour(2));
+}
+
 }  // namespace
 }  // namespace mrose

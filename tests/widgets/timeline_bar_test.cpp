@@ -1,7 +1,9 @@
 #include "widgets/timeline_bar.h"
 
 #include <QApplication>
+#include <QHelpEvent>
 #include <QTest>
+#include <QToolTip>
 #include <QWheelEvent>
 #include <limits>
 
@@ -102,7 +104,7 @@ TEST_F(TimelineBarTest, OfThousandsOfMarksInAnHourTheRareOnesAreSeen) {
     marks.push_back({90'300, TimelineMark::Kind::kick, 0, 0});
     std::stable_sort(marks.begin(), marks.end(), [](const auto& a, const auto& b) { return a.tick < b.tick; });
     show(marks);
-    const std::vector<int> goal = columnsOf(TimelineBar::colourOf(TimelineMark::Kind::goal, Theme::light()), 30);
+    const std::vector<int> goal = columnsOf(TimelineBar::colourOf(TimelineMark::Kind::goal, Theme::light()), 40);
     ASSERT_FALSE(goal.empty());
     EXPECT_NEAR((goal.front() + goal.back()) / 2.0, bar.pixelOf(90'000), 3);
     const std::vector<int> contacts = columnsOf(TimelineBar::colourOf(TimelineMark::Kind::contact, Theme::light()));
@@ -178,6 +180,38 @@ TEST_F(TimelineBarTest, NotedMarksAreReachedAmongTheRunsOwn) {
     EXPECT_NEAR(columns.back(), bar.pixelOf(700), 7);
 }
 
+TEST_F(TimelineBarTest, NotedMarksAreNamedWhereThereIsRoomAndThoseOfOthersAreFaint) {
+    using Noted = TimelineBar::Content::Noted;
+    const auto noted = [&](std::int64_t tick, const QString& name, bool faint) {
+        return Noted{{tick, TimelineMark::Kind::divergence, 0, 0}, name + ", 12 cm", name, faint};
+    };
+    /// Whether names make a difference right of a tick.
+    const auto named = [&](std::vector<Noted> marks, std::int64_t tick, int width = 60) {
+        content.noted = marks;
+        show();
+        const QImage with = rendered(bar);
+        for (Noted& mark : marks) mark.name.clear();
+        content.noted = marks;
+        show();
+        int pixels = 0;
+        for (const QPoint& p : differences(rendered(bar), with))
+            pixels += p.x() > bar.pixelOf(tick) + 5 && p.x() < bar.pixelOf(tick) + width ? 1 : 0;
+        return pixels > 20;
+    };
+    EXPECT_TRUE(named({noted(1000, "create 1", false)}, 1000));
+    EXPECT_TRUE(named({noted(1000, "create 1", true)}, 1000));
+    // Another mark stands where the name would.
+    EXPECT_FALSE(named({noted(1000, "create 1", true), noted(1100, "create 2", false)}, 1000, 28));
+    EXPECT_TRUE(named({noted(1000, "create 1", true), noted(1100, "create 2", false)}, 1100));
+    const QColor colour = TimelineBar::colourOf(TimelineMark::Kind::divergence, Theme::light());
+    content.noted = {noted(1000, "", true), noted(2000, "", false)};
+    show();
+    const std::vector<int> strong = columnsOf(colour);
+    ASSERT_FALSE(strong.empty());
+    EXPECT_NEAR(strong.front(), bar.pixelOf(2000), 7) << "the other one's is paler";
+    EXPECT_NEAR(strong.back(), bar.pixelOf(2000), 7);
+}
+
 TEST_F(TimelineBarTest, StretchesWithoutTruthAreHatchedThere) {
     show();
     const QImage before = rendered(bar);
@@ -190,6 +224,123 @@ TEST_F(TimelineBarTest, StretchesWithoutTruthAreHatchedThere) {
     EXPECT_GT(differences(before, rendered(bar)).size(), 200u);
     EXPECT_TRUE(bar.textAt(bar.pixelOf(1100)).contains("no ground truth"));
     EXPECT_FALSE(bar.textAt(bar.pixelOf(1400)).contains("no ground truth"));
+}
+
+/// As in a soccer game of 91 s: a goal 0.96 s after the kick stands 7 pixels right of it, and both are seen.
+TEST_F(TimelineBarTest, AGoalSoonAfterAKickHidesItNot) {
+    bar.resize(680, bar.sizeHint().height());
+    content.last = content.end = 4550;
+    show({{793, TimelineMark::Kind::kick, 0, noBody}, {841, TimelineMark::Kind::goal, 0, 0}});
+    for (const auto& [tick, kind] : {std::pair{793, TimelineMark::Kind::kick}, {841, TimelineMark::Kind::goal}}) {
+        const std::vector<int> columns = columnsOf(TimelineBar::colourOf(kind, Theme::light()));
+        ASSERT_FALSE(columns.empty());
+        EXPECT_NEAR((columns.front() + columns.back()) / 2.0, bar.pixelOf(tick), 3) << tick;
+    }
+    EXPECT_TRUE(bar.textAt(bar.pixelOf(841)).contains("goal"));
+    EXPECT_FALSE(bar.textAt(bar.pixelOf(841)).contains("kick"));
+}
+
+TEST_F(TimelineBarTest, MarksOfAKindThatLieTooNearStandAtTheFirstWithTheirNumber) {
+    const std::vector<TimelineMark> marks{
+        {100, TimelineMark::Kind::kick, 0, 0}, {102, TimelineMark::Kind::kick, 0, 0},
+        {103, TimelineMark::Kind::goal, 0, 0}, {105, TimelineMark::Kind::contact, 0, 1},
+        {106, TimelineMark::Kind::kick, 0, 0}, {120, TimelineMark::Kind::kick, 0, 0}};
+    const auto signs = signsOf(
+        marks, [](std::int64_t tick) { return 2.0 * static_cast<double>(tick); },
+        [](int count) { return count < 2 ? 9.0 : 15.0; });
+    ASSERT_EQ(signs.size(), 3u);
+    EXPECT_EQ(signs[0].kind, TimelineMark::Kind::kick);
+    EXPECT_EQ(signs[0].x, 200);
+    EXPECT_EQ(signs[0].count, 3);
+    EXPECT_EQ(signs[0].last, 106);
+    EXPECT_EQ(signs[1].kind, TimelineMark::Kind::goal);
+    EXPECT_EQ(signs[1].x, 206);
+    EXPECT_EQ(signs[2].x, 240);
+    EXPECT_EQ(signs[2].count, 1);
+}
+
+/// What one sign stands for is told where it stands, and nothing lies under another kind.
+TEST_F(TimelineBarTest, AfterThreeQuartersOfAnHourKicksAreStillSeenAndContactsTellWhereTheyAreMany) {
+    content.last = content.end = 135'000;
+    std::vector<TimelineMark> marks;
+    for (std::int64_t tick = 0; tick < content.last; tick += tick < 60'000 ? 60 : 400)
+        marks.push_back({tick, TimelineMark::Kind::contact, 0, 1});
+    for (std::int64_t tick = 300; tick < content.last; tick += 550) {
+        marks.push_back({tick, TimelineMark::Kind::kick, 0, 0});
+        marks.push_back({tick + 10, TimelineMark::Kind::goal, 0, 0});
+    }
+    std::stable_sort(marks.begin(), marks.end(), [](const auto& a, const auto& b) { return a.tick < b.tick; });
+    show(marks);
+    for (const TimelineMark::Kind kind : {TimelineMark::Kind::kick, TimelineMark::Kind::goal})
+        EXPECT_GT(columnsOf(TimelineBar::colourOf(kind, Theme::light())).size(), 150u);
+    const QString text = bar.textAt(bar.pixelOf(300));
+    EXPECT_TRUE(text.contains(QString::fromUtf8("kick \u00d7 ")) && text.contains("at 6.00 s") &&
+                text.contains("at 17.00 s"))
+        << text.toStdString();
+    const QImage image = rendered(bar);
+    const QColor touched = TimelineBar::colourOf(TimelineMark::Kind::contact, Theme::light());
+    const auto highest = [&](std::int64_t tick) {
+        int most = 0;
+        for (int x = static_cast<int>(bar.pixelOf(tick)); x < bar.pixelOf(tick) + 30; ++x) {
+            int high = 0;
+            for (int y = 0; y < image.height(); ++y) high += image.pixelColor(x, y) == touched ? 1 : 0;
+            most = std::max(most, high);
+        }
+        return most;
+    };
+    EXPECT_GT(highest(20'000), highest(100'000));
+}
+
+TEST_F(TimelineBarTest, AClickGoesToTheMarkBesideItAndADragDoesNot) {
+    content.branches = {1000};
+    content.noted = {{{1600, TimelineMark::Kind::divergence, 0, 0}, "create 1, 12 cm"}};
+    show({{700, TimelineMark::Kind::kick, 0, 0},
+          {703, TimelineMark::Kind::goal, 0, 0},
+          {1300, TimelineMark::Kind::hit, 1, 0}});
+    std::vector<std::int64_t> asked;
+    QObject::connect(&bar, &TimelineBar::tickRequested, [&](std::int64_t tick) { asked.push_back(tick); });
+    const auto click = [&](double x, double y) {
+        asked.clear();
+        const QPoint at(static_cast<int>(std::lround(x)), static_cast<int>(y));
+        QTest::mouseClick(&bar, Qt::LeftButton, {}, at);
+        return asked;
+    };
+    for (const std::int64_t tick : {1000, 1300, 1600})
+        for (const double off : {-3.0, 0.0, 3.0})
+            EXPECT_EQ(click(bar.pixelOf(tick) + off, timeline::trackTop + 5), (std::vector<std::int64_t>{tick})) << off;
+    EXPECT_EQ(click(bar.pixelOf(703), timeline::goalLane), (std::vector<std::int64_t>{703}));
+    EXPECT_EQ(click(bar.pixelOf(703), timeline::kickLane), (std::vector<std::int64_t>{700})) << "in its lane";
+    const std::vector<std::int64_t> beside = click(bar.pixelOf(1000) + 8, timeline::trackTop + 5);
+    ASSERT_EQ(beside.size(), 1u);
+    EXPECT_EQ(beside[0], bar.tickAt(std::lround(bar.pixelOf(1000) + 8)));
+    const QPoint from(static_cast<int>(bar.pixelOf(900)), 50), to(static_cast<int>(bar.pixelOf(1000)) + 2, 50);
+    asked.clear();
+    QTest::mousePress(&bar, Qt::LeftButton, {}, from);
+    QMouseEvent move(QEvent::MouseMove, to, Qt::NoButton, Qt::LeftButton, {});
+    QApplication::sendEvent(&bar, &move);
+    QTest::mouseRelease(&bar, Qt::LeftButton, {}, to);
+    EXPECT_EQ(asked.back(), bar.tickAt(to.x()));
+}
+
+TEST_F(TimelineBarTest, ToolTipStandsAboveTheBarAndOnTheScreen) {
+    show({{700, TimelineMark::Kind::kick, 0, 0}, {703, TimelineMark::Kind::goal, 0, 0}});
+    for (const int top : {0, 300}) {
+        bar.move(20, top);
+        bar.show();
+        const QPoint at(static_cast<int>(bar.pixelOf(700)), 50);
+        QHelpEvent event(QEvent::ToolTip, at, bar.mapToGlobal(at));
+        QApplication::sendEvent(&bar, &event);
+        const QWidget* tip = nullptr;
+        for (const QWidget* one : QApplication::topLevelWidgets())
+            if (one->inherits("QTipLabel") && one->isVisible()) tip = one;
+        ASSERT_NE(tip, nullptr);
+        EXPECT_GE(tip->geometry().top(), 0);
+        if (top > 0) {
+            EXPECT_LT(tip->geometry().bottom(), bar.mapToGlobal(QPoint(0, 0)).y());
+        }
+        QToolTip::hideText();
+        QApplication::processEvents();
+    }
 }
 
 }  // namespace

@@ -1,0 +1,96 @@
+#include <QDesktopServices>
+#include <QMessageBox>
+#include <QSettings>
+#include <QUrl>
+#include <utility>
+
+#include "actions/window_actions.h"
+#include "panels/first_steps.h"
+#include "panels/shortcut_sheet.h"
+#include "reality/overlay.h"
+#include "shared/resources.h"
+#include "version.h"
+#include "window/main_window.h"
+
+namespace mrose::gui {
+namespace {
+
+constexpr const char* stepsClosed = "first_steps/closed";
+
+QSettings userSettings() { return QSettings(QSettings::IniFormat, QSettings::UserScope, "mrose", "mrose-gui"); }
+
+void showShortcuts(MainWindow& window) {
+    auto* sheet = window.findChild<ShortcutSheet*>();
+    if (sheet == nullptr) sheet = new ShortcutSheet(window.actions(), &window);
+    sheet->show();
+    sheet->raise();
+    sheet->activateWindow();
+}
+
+void showAbout(MainWindow& window) {
+    auto* box = new QMessageBox(&window);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setObjectName("about");
+    box->setModal(false);
+    box->setWindowTitle(QObject::tr("About mrose"));
+    box->setTextFormat(Qt::RichText);
+    box->setText(
+        QObject::tr("<b>mrose %1</b><br>Mobile robots whose motion is learned from their logs").arg(MROSE_VERSION));
+    box->setInformativeText(
+        QObject::tr(
+            "Its own source is under the BSD 3-Clause licence. This program contains QCustomPlot, and so it is as a "
+            "whole under the GNU General Public License, version 3.<br><br>%1 build, %2, Qt %3")
+            .arg(MROSE_BUILD_TYPE, MROSE_COMPILER, qVersion()));
+    box->show();
+}
+
+Expected<void> showDocumentation() {
+    const std::filesystem::path readme = resourceFolder() / "README.md";
+    if (!QDesktopServices::openUrl(QUrl::fromLocalFile(QString::fromStdString(readme.string()))))
+        return fail(readme.string(), "no program is set up to show it");
+    return {};
+}
+
+}  // namespace
+
+void addHelpActions(MainWindow& window) {
+    Actions& actions = window.actions();
+    const QString menu = QObject::tr("&Help");
+    QAction* steps = actions.add(menu,
+                                 {"first_steps", QObject::tr("&First steps"), QKeySequence("Shift+F1"),
+                                  QObject::tr("What to try first, ticked off as it is done"), true},
+                                 [](bool) {});
+    actions.add(menu,
+                {"shortcuts", QObject::tr("&Shortcuts"), QKeySequence(Qt::Key_F1),
+                 QObject::tr("All keys, and what the mouse does")},
+                [&](bool) { showShortcuts(window); });
+    actions.addSeparator(menu);
+    actions.add(
+        menu,
+        {"documentation", QObject::tr("&Documentation"), QKeySequence("Ctrl+F1"), QObject::tr("The README of mrose")},
+        [&](bool) {
+            if (actions.unattended()) return;
+            if (const auto shown = showDocumentation(); !shown)
+                window.say(QString::fromStdString(shown.error().message()));
+        });
+    actions.add(menu, {"about", QObject::tr("&About mrose"), {}, QObject::tr("Version and licence")},
+                [&](bool) { showAbout(window); });
+    auto* card = new FirstSteps(window);
+    QObject::connect(steps, &QAction::toggled, card, &QWidget::setVisible);
+    // A log has panels of its own, and leaves the field no room for a card.
+    QObject::connect(&window.overlay(), &Overlay::changed, card, [&window, steps, had = false]() mutable {
+        const bool has = window.overlay().world() != nullptr;
+        if (has && !std::exchange(had, has)) steps->setChecked(false);
+        had = has;
+    });
+    QObject::connect(card, &FirstSteps::closeRequested, steps, [steps] {
+        steps->setChecked(false);
+        userSettings().setValue(stepsClosed, true);
+    });
+}
+
+void showFirstSteps(MainWindow& window) {
+    if (!userSettings().value(stepsClosed, false).toBool()) window.actions()["first_steps"].setChecked(true);
+}
+
+}  // namespace mrose::gui

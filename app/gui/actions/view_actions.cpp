@@ -1,0 +1,144 @@
+#include <array>
+#include <memory>
+#include <numbers>
+
+#include "actions/window_actions.h"
+#include "widgets/field_view.h"
+#include "widgets/icons.h"
+#include "window/main_window.h"
+#include "window/window_memory.h"
+
+namespace mrose::gui {
+namespace {
+
+constexpr double panStep = 60;      // pixels
+constexpr double nudgeStep = 0.01;  // m
+constexpr double nudgeTurn = std::numbers::pi / 180;
+constexpr std::array trailSeconds{2, 5, 10, 20, 40, 120, 600};
+constexpr std::size_t usualTrail = 2;
+
+void addPanActions(MainWindow& window, const QString& menu) {
+    struct Way {
+        const char *name, *text, *key, *tip;
+        QPointF by;
+    };
+    for (const Way& way :
+         {Way{"pan_left", "Move view left", "Ctrl+Shift+Left", "Show what lies left", {panStep, 0}},
+          Way{"pan_right", "Move view right", "Ctrl+Shift+Right", "Show what lies right", {-panStep, 0}},
+          Way{"pan_up", "Move view up", "Ctrl+Shift+Up", "Show what lies above", {0, panStep}},
+          Way{"pan_down", "Move view down", "Ctrl+Shift+Down", "Show what lies below", {0, -panStep}}})
+        window.actions().add(menu, {way.name, QObject::tr(way.text), QKeySequence(way.key), QObject::tr(way.tip)},
+                             [&window, by = way.by](bool) { window.field().panBy(by); });
+}
+
+void addNudgeActions(MainWindow& window, const QString& menu) {
+    struct Way {
+        const char *name, *text, *key, *tip;
+        Pose by;
+    };
+    const char* moves = "Move the selected body by 1 cm, while the run stands";
+    const char* turns = "Turn the selected body by 1 degree, while the run stands";
+    for (const Way& way : {Way{"nudge_left", "Nudge left", "Alt+Left", moves, {-nudgeStep, 0, 0}},
+                           Way{"nudge_right", "Nudge right", "Alt+Right", moves, {nudgeStep, 0, 0}},
+                           Way{"nudge_up", "Nudge up", "Alt+Up", moves, {0, nudgeStep, 0}},
+                           Way{"nudge_down", "Nudge down", "Alt+Down", moves, {0, -nudgeStep, 0}},
+                           Way{"turn_left", "Turn left", "Alt+Shift+Left", turns, {0, 0, nudgeTurn}},
+                           Way{"turn_right", "Turn right", "Alt+Shift+Right", turns, {0, 0, -nudgeTurn}}})
+        window.actions().add(menu, {way.name, QObject::tr(way.text), QKeySequence(way.key), QObject::tr(way.tip)},
+                             [&window, by = way.by](bool) { window.field().nudge(by); });
+}
+
+/// How far back trails reach, by steps of a list.
+void addTrailActions(MainWindow& window, const QString& menu) {
+    const auto chosen = std::make_shared<std::size_t>(usualTrail);
+    const auto change = [&window, chosen](int by) {
+        const std::size_t next = *chosen + static_cast<std::size_t>(by);
+        if (!window.shown() || next >= trailSeconds.size()) return;
+        *chosen = next;
+        TimeTravel::FrameOptions options;
+        options.trailTicks =
+            static_cast<std::size_t>(window.shown()->frame->scene().ticksOf(trailSeconds[next] * nanosecondsPerSecond));
+        window.session().setFrameOptions(options);
+        window.say(QObject::tr("Trails of the last %1 s").arg(trailSeconds[next]));
+    };
+    window.actions().add(menu,
+                         {"trails_longer", QObject::tr("Longer trails"), QKeySequence("Shift+T"),
+                          QObject::tr("Trails reach further back, up to ten minutes")},
+                         [change](bool) { change(1); });
+    window.actions().add(menu,
+                         {"trails_shorter", QObject::tr("Shorter trails"), QKeySequence("Ctrl+T"),
+                          QObject::tr("Trails reach less far back, down to two seconds")},
+                         [change](bool) { change(-1); });
+}
+
+void selectNext(MainWindow& window, int by) {
+    if (!window.shown()) return;
+    FieldView& field = window.field();
+    const auto count = static_cast<int>(window.shown()->frame->scene().bodyCount());
+    const int now = field.selected() ? static_cast<int>(*field.selected()) : (by > 0 ? -1 : 0);
+    if (count > 0) field.setSelected(static_cast<std::size_t>((now + by + count) % count));
+}
+
+}  // namespace
+
+void addViewActions(MainWindow& window) {
+    Actions& actions = window.actions();
+    FieldView& field = window.field();
+    const QString menu = QObject::tr("&View");
+    actions.add(menu, {"fit", QObject::tr("&Whole field"), QKeySequence("F"), QObject::tr("Show all of the field")},
+                [&](bool) { field.fit(); });
+    actions.add(menu, {"zoom_in", QObject::tr("Zoom &in"), QKeySequence("Ctrl++"), QObject::tr("Larger")},
+                [&](bool) { field.zoom(1.25); });
+    actions.add(menu, {"zoom_out", QObject::tr("Zoom &out"), QKeySequence("Ctrl+-"), QObject::tr("Smaller")},
+                [&](bool) { field.zoom(0.8); });
+    actions.add(menu,
+                {"follow", QObject::tr("&Follow the selected"), QKeySequence("L"),
+                 QObject::tr("The view goes along with the selected robot"), true},
+                [&](bool on) { field.setFollowing(on); });
+    QObject::connect(&field, &FieldView::followRequested, &window, [&actions] {
+        if (!actions["follow"].isChecked()) actions["follow"].trigger();
+    });
+    addPanActions(window, menu);
+    actions.addSeparator(menu);
+    actions.add(menu,
+                {"select_next", QObject::tr("Select &next"), QKeySequence("Ctrl+Right"),
+                 QObject::tr("Select the next robot or object")},
+                [&](bool) { selectNext(window, 1); });
+    actions.add(menu,
+                {"select_previous", QObject::tr("Select &previous"), QKeySequence("Ctrl+Left"),
+                 QObject::tr("Select the previous robot or object")},
+                [&](bool) { selectNext(window, -1); });
+    actions.addSeparator(QObject::tr("&Edit"));
+    addNudgeActions(window, QObject::tr("&Edit"));
+    actions.addSeparator(menu);
+    actions.add(menu,
+                {"reset_layout", QObject::tr("Reset la&yout"), QKeySequence("Ctrl+Shift+L"),
+                 QObject::tr("Panels, tool bars and size as in a new window")},
+                [&](bool) { window.memory().resetLayout(); });
+    actions.add(menu,
+                {"dark", QObject::tr("Dar&k colours"), QKeySequence("Ctrl+D"),
+                 QObject::tr("Dark colours, for dark rooms"), true},
+                [&](bool on) { window.setTheme(on ? Theme::darkOne() : Theme::light()); });
+    actions.add(menu,
+                {"full_screen", QObject::tr("Full &screen"), QKeySequence("F11"),
+                 QObject::tr("The window on all of the screen"), true},
+                [&](bool on) { window.setWindowState(window.windowState().setFlag(Qt::WindowFullScreen, on)); });
+}
+
+void addLayerActions(MainWindow& window) {
+    for (const FieldLayerText& layer : fieldLayerTexts) {
+        QAction* action = window.actions().add(
+            QObject::tr("&Layers"),
+            {layer.action, QObject::tr(layer.name), QKeySequence(layer.key), QObject::tr(layer.tip), true, layer.shown},
+            [](bool) {});
+        QObject::connect(action, &QAction::toggled, &window, [&window, which = layer.layer](bool on) {
+            FieldLayers layers = window.field().layers();
+            layers.set(which, on);
+            window.field().setLayers(layers);
+        });
+    }
+    window.actions().addSeparator(QObject::tr("&Layers"));
+    addTrailActions(window, QObject::tr("&Layers"));
+}
+
+}  // namespace mrose::gui

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "io/error.h"
+#include "travel/course.h"
+#include "widgets/timeline_mark.h"
+
+namespace mrose::gui {
+
+enum class BreakKind : std::uint8_t { condition, contact, kick, goal, fault, breakHere, divergence };
+
+/// What stops a run. Its text is a condition (core/condition), or one of these words: "contact", "kick", "goal" and
+/// "fault", with the name of a body or a goal behind them where only that one counts; "breakHere()", which controllers
+/// call; "divergence" from the real log that is laid over.
+struct Breakpoint {
+    std::uint32_t id = 0;  ///< given when it is added
+    std::string text;
+    bool enabled = true;
+    bool oneShot = false;  ///< disabled once it has stopped
+    int from = 1;          ///< it stops from this time on: earlier ones are counted
+    std::string error;     ///< what became of it at run time; empty: nothing
+
+    bool operator==(const Breakpoint&) const;
+};
+
+/// A breakpoint's text in parts.
+struct BreakText {
+    BreakKind kind = BreakKind::condition;
+    std::string_view name;  ///< of the body or goal that counts; empty: any. Of a condition: all of it
+};
+BreakText readBreakText(std::string_view text);
+
+/// Error: a condition that does not compile, a body or goal that the course does not have.
+Expected<void> checkBreakText(std::string_view text, const Course& course);
+
+/// Whether a mark of the course is what such a breakpoint waits for.
+bool isMeant(const BreakText& text, const TimelineMark& mark, const Course& course);
+
+/// "red 1 touches ball": what a mark that stopped the run tells.
+std::string textOf(const TimelineMark& mark, const Course& course);
+
+}  // namespace mrose::gui

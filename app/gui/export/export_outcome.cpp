@@ -1,0 +1,60 @@
+#include "export/export_outcome.h"
+
+#include <QDesktopServices>
+#include <QDir>
+#include <QFileInfo>
+#include <QUrl>
+
+#include "widgets/message_bar.h"
+#include "window/main_window.h"
+#include "window/work_progress.h"
+
+namespace mrose::gui {
+namespace {
+
+constexpr const char* exportTopic = "export";
+
+void openOutside(const QString& path) {
+    QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(path).absoluteFilePath()));
+}
+
+}  // namespace
+
+void tellExported(MainWindow& window, const QString& path) {
+    std::vector<MessageBar::Button> buttons;
+    buttons.push_back(
+        {QObject::tr("Open"), QObject::tr("Open it with the program for such files"), [path] { openOutside(path); }});
+    if (!QFileInfo(path).isDir())
+        buttons.push_back({QObject::tr("Show folder"), QObject::tr("Open the folder that it is in"),
+                           [path] { openOutside(QFileInfo(path).absolutePath()); }});
+    window.messages().add(
+        {MessageBar::Kind::note, QObject::tr("Exported %1").arg(path), exportTopic, std::move(buttons)});
+}
+
+Expected<void> exportInBackground(MainWindow& window, const ExportText& text, BackgroundWork::Job job,
+                                  const std::function<void()>& after) {
+    auto result = std::make_shared<BackgroundWork::Outcome>(false);
+    const bool alone = window.actions().unattended();
+    if (!window.background().busy()) window.progress().setApart(text.apart);
+    const auto done = [&window, path = text.path, after, result, alone](const BackgroundWork::Outcome& outcome) {
+        *result = outcome;
+        if (after) after();
+        if (alone) return;
+        if (!outcome)
+            window.messages().add(
+                {MessageBar::Kind::error, QString::fromStdString(outcome.error().message()), exportTopic});
+        else if (*outcome)
+            tellExported(window, path);
+        else
+            window.messages().add({MessageBar::Kind::note, QObject::tr("Not exported: cancelled"), exportTopic});
+    };
+    window.messages().remove(exportTopic);
+    if (auto begun = window.background().start(text.what, std::move(job), done); !begun) return begun;
+    if (!alone) return {};
+    window.background().settle();
+    if (!*result) return tl::unexpected(result->error());
+    if (!**result) return fail("", "was cancelled");
+    return {};
+}
+
+}  // namespace mrose::gui

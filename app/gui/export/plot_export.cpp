@@ -1,0 +1,315 @@
+#include "export/plot_export.h"
+
+#include <QFileInfo>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <set>
+#include <thread>
+
+#include "evaluation/format.h"
+#include "export/export_outcome.h"
+#include "export/view_export.h"
+#include "io/file.h"
+#include "panels/plot_panel.h"
+#include "session/course_walk.h"
+#include "widgets/timeline_bar.h"
+#include "window/main_window.h"
+
+namespace mrose::gui {
+namespace {
+
+using Progress = BackgroundWork::Progress;
+using Outcome = BackgroundWork::Outcome;
+
+// Of the picture, in pixels of which 96 are an inch: as wide as a page's text.
+constexpr int paperInch = 96, paperWidth = 7 * paperInch, bandHeight = 150, axisHeight = 36;
+constexpr int paperLeft = 46, paperMargin = 12, legendRow = 19, legendSample = 24, legendGap = 7, legendApart = 20;
+constexpr double paperFont = 8.5, titleFont = 9.5;  // points
+
+/// In a picture for paper nothing is grey that can be white.
+Theme paperTheme() {
+    Theme theme = Theme::light();
+    theme.panel = Qt::white;
+    return theme;
+}
+
+struct LegendEntry {
+    QString text;
+    QPen pen;
+    QPoint at = {};  ///< its left end and middle
+};
+
+/// `goesOn`: beyond what is simulated. A line for each look: on another axis the same one means the same.
+std::vector<LegendEntry> legendOf(const std::vector<PlotCurve>& curves, const QString& ghostName, bool goesOn,
+                                  const Theme& theme) {
+    std::vector<LegendEntry> legend;
+    const PlotCurve* ghost = nullptr;
+    for (const PlotCurve& curve : curves) {
+        if (curve.ghost) ghost = &curve;
+        LegendEntry entry{curve.label.isEmpty() ? curve.name.simplified() : curve.label, curvePen(curve)};
+        const bool there = std::any_of(legend.begin(), legend.end(), [&](const LegendEntry& other) {
+            return other.text == entry.text && other.pen == entry.pen;
+        });
+        if (!curve.ghost && !there) legend.push_back(std::move(entry));
+    }
+    const auto isAhead = [](const PlotCurve& curve) { return !curve.ahead.isEmpty(); };
+    if (const auto ahead = std::find_if(curves.begin(), curves.end(), isAhead); goesOn && ahead != curves.end())
+        legend.push_back({QObject::tr("pale: not yet simulated"), aheadPen(*ahead, Qt::white)});
+    if (ghost == nullptr) return legend;
+    PlotCurve any = *ghost;
+    any.colour = theme.text;
+    any.style = Qt::SolidLine;
+    legend.push_back({QObject::tr("thin: %1").arg(ghostName), curvePen(any)});
+    return legend;
+}
+
+/// What curves are held against, where it is drawn.
+void addReferences(std::vector<LegendEntry>& legend, const PlotView& view, const std::set<QString>& units,
+                   const Theme& theme) {
+    const QColor colour = TimelineBar::colourOf(TimelineMark::Kind::divergence, theme);
+    const bool bound = std::any_of(view.levels().begin(), view.levels().end(),
+                                   [&](const PlotLevel& level) { return units.count(level.unit) > 0; });
+    if (bound) legend.push_back({QObject::tr("bound"), QPen(colour, 1, Qt::DashLine)});
+    if (view.instant()) legend.push_back({QObject::tr("upright: leaves the real course"), QPen(colour, 1)});
+}
+
+/// What was driven, and by whom if it is one.
+QString headingOf(const MainWindow& window) {
+    const PlotPanel& plots = window.plots();
+    const PlotView::Time& time = plots.view().time();
+    QString heading = window.runName();
+    if (time.end > 0) heading += QObject::tr(" for %1 s").arg(toSeconds(time.end * time.tickLength), 0, 'f', 1);
+    std::set<std::string> bodies;
+    for (const ValueKey& key : plots.keys()) bodies.insert(key.body);
+    if (bodies.size() == 1 && !bodies.begin()->empty()) heading += ", " + QString::fromStdString(*bodies.begin());
+    return heading;
+}
+
+/// Puts the entries into rows; the height of all.
+int placeLegend(std::vector<LegendEntry>& legend, const QFontMetrics& metrics) {
+    QPoint at(paperLeft, paperMargin + legendRow + legendRow / 2);  // below the heading
+    for (LegendEntry& entry : legend) {
+        const int width = legendSample + legendGap + metrics.horizontalAdvance(entry.text);
+        if (at.x() > paperLeft && at.x() + width > paperWidth - paperMargin) at = {paperLeft, at.y() + legendRow};
+        entry.at = at;
+        at.rx() += width + legendApart;
+    }
+    return at.y() + legendRow / 2 + legendGap;
+}
+
+void drawLegend(QPainter& painter, const std::vector<LegendEntry>& legend, const Theme& theme) {
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (const LegendEntry& entry : legend) {
+        painter.setPen(entry.pen);
+        painter.drawLine(entry.at, entry.at + QPoint(legendSample, 0));
+        painter.setPen(theme.text);
+        painter.drawText(
+            QRect(entry.at + QPoint(legendSample + legendGap, -legendRow / 2), QSize(paperWidth, legendRow)),
+            Qt::AlignLeft | Qt::AlignVCenter, entry.text);
+    }
+}
+
+Picture plotPicture(const MainWindow& window) {
+    const PlotPanel& plots = window.plots();
+    const PlotView& shown = plots.view();
+    const PlotView::Time& time = shown.time();
+    const Theme theme = paperTheme();
+    std::vector<PlotCurve> curves = plots.curvesIn(theme);
+    QFont font;
+    font.setPointSizeF(paperFont);
+    auto legend = legendOf(curves, plots.ghostName(), time.last < time.end, theme);
+    std::set<QString> units;
+    for (const PlotCurve& curve : curves) units.insert(curve.unit);
+    addReferences(legend, shown, units, theme);
+    const int top = placeLegend(legend, QFontMetrics(font));
+    QFont bold = font;
+    bold.setBold(true);
+    bold.setPointSizeF(titleFont);
+    const QString heading = headingOf(window);
+    const QSize size(paperWidth, bandHeight * static_cast<int>(units.size()) + axisHeight);
+    const auto view = std::make_shared<PlotView>();
+    view->setTheme(theme);
+    view->setCurves(std::move(curves), plots.ghostName());
+    view->setReferences(shown.levels(), shown.instant());
+    view->setTime(time);
+    const auto last = static_cast<double>(std::max(time.last, time.end));
+    view->showRange(std::max(shown.from(), static_cast<double>(time.first)), std::min(shown.to(), last));
+    return {{size.width(), size.height() + top}, paperInch, window.windowTitle(), [=](QPainter& painter) {
+                painter.fillRect(QRect(0, 0, size.width(), size.height() + top), Qt::white);
+                painter.setPen(theme.text);
+                painter.setFont(bold);
+                painter.drawText(QRect(paperLeft, paperMargin / 2, paperWidth - paperLeft, legendRow),
+                                 Qt::AlignLeft | Qt::AlignVCenter, heading);
+                painter.setFont(font);
+                drawLegend(painter, legend, theme);
+                painter.translate(0, top);
+                view->paint(painter, size);
+            }};
+}
+
+/// What is plotted; nothing is an error.
+Expected<void> checkPlotted(MainWindow& window) {
+    if (window.shown() == nullptr) return fail("", "nothing is open");
+    if (window.plots().keys().empty())
+        return fail("", "nothing is plotted: choose a number in the inspector, or write an expression");
+    return {};
+}
+
+/// A course whose numbers are written.
+struct CourseColumns {
+    std::uint32_t branch = 0;
+    QString label = {};      ///< behind the curves' names
+    std::int64_t first = 0;  ///< tick of the first row
+    std::vector<std::vector<double>> columns = {};
+
+    double at(std::size_t column, std::int64_t tick) const {
+        const std::vector<double>& numbers = columns[column];
+        const bool known = tick >= first && tick < first + static_cast<std::int64_t>(numbers.size());
+        return known ? numbers[static_cast<std::size_t>(tick - first)] : std::numeric_limits<double>::quiet_NaN();
+    }
+    std::int64_t end() const { return first + static_cast<std::int64_t>(columns.front().size()); }
+};
+
+struct ValueTable {
+    std::uint64_t run = 0;
+    std::vector<ValueKey> keys;
+    std::vector<QString> names;  ///< with units
+    std::vector<CourseColumns> courses;
+    Nanoseconds tickLength = 0;
+};
+
+/// Reads all values of a course, tick by tick.
+class ValueReader {
+public:
+    ValueReader(const ValueTable& table, CourseColumns& course) : table_(table), course_(course) {
+        course.columns.resize(table.keys.size());
+    }
+
+    void read(const TimeTravel& travel, const Cursor& at) {
+        const Scenario& scenario = *travel.record(at.branch()).course().scenario;
+        if (scenario_ != &scenario) {
+            scenario_ = &scenario;
+            values_.clear();
+            for (const ValueKey& key : table_.keys)
+                values_.push_back(plottedValue(scenario, key).value_or(PlottedValue{}));
+        }
+        Moment moment = at.moment(scenario);
+        moment.reality = travel.reality().get();
+        for (std::size_t i = 0; i < values_.size(); ++i)
+            course_.columns[i].push_back(values_[i].read ? values_[i].read(moment)
+                                                         : std::numeric_limits<double>::quiet_NaN());
+    }
+
+private:
+    const ValueTable& table_;
+    CourseColumns& course_;
+    const Scenario* scenario_ = nullptr;
+    std::vector<PlottedValue> values_;
+};
+
+std::string tableText(const ValueTable& table) {
+    std::string text = "time_s,tick";
+    std::int64_t first = std::numeric_limits<std::int64_t>::max(), end = std::numeric_limits<std::int64_t>::min();
+    for (const CourseColumns& course : table.courses) {
+        for (const QString& name : table.names) text += ',' + csvCell((name + course.label).toStdString());
+        first = std::min(first, course.first);
+        end = std::max(end, course.end());
+    }
+    text += '\n';
+    for (std::int64_t tick = first; tick < end; ++tick) {
+        text += secondsText(tick * table.tickLength, 2) + ',' + std::to_string(tick);
+        for (const CourseColumns& course : table.courses)
+            for (std::size_t column = 0; column < course.columns.size(); ++column) {
+                const double number = course.at(column, tick);
+                text += ',';
+                if (std::isfinite(number)) text += exact(number);
+            }
+        text += '\n';
+    }
+    return text;
+}
+
+Outcome writeValues(ValueTable table, Session& session, const std::string& path, const Progress& progress) {
+    double share = 0;
+    const auto goesOn = [&] { return progress(share); };
+    const double part = 1.0 / static_cast<double>(table.courses.size());
+    for (std::size_t i = 0; i < table.courses.size(); ++i) {
+        CourseColumns& course = table.courses[i];
+        CourseWalk walk(session, table.run, course.branch);
+        const auto span = walk.known(goesOn);
+        if (!span) return tl::unexpected(span.error());
+        if (!*span) return false;
+        const std::int64_t first = (*span)->first;
+        course.first = first;
+        std::vector<std::int64_t> ticks(static_cast<std::size_t>((*span)->last - first + 1));
+        std::iota(ticks.begin(), ticks.end(), first);
+        ValueReader reader(table, course);
+        const auto visit = [&](const TimeTravel& travel, const Cursor& at) {
+            reader.read(travel, at);
+            share = part * (static_cast<double>(i) +
+                            static_cast<double>(at.tick() - first) / static_cast<double>(ticks.size()));
+        };
+        if (auto done = walk.visit(ticks, visit, goesOn); !done || !*done) return done;
+    }
+    if (auto written = writeFileAtomically(path, tableText(table)); !written) return tl::unexpected(written.error());
+    return true;
+}
+
+}  // namespace
+
+Expected<void> exportPlots(MainWindow& window, const QString& path) {
+    if (auto plotted = checkPlotted(window); !plotted) return plotted;
+    if (auto can = checkPicture(path); !can) return can;
+    const auto settled = [&window](const Progress& progress) -> Outcome {
+        const auto goesOn = [&] { return progress(0); };
+        while (window.plots().series().behind() > 0) {
+            if (!goesOn()) return false;
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+        return true;
+    };
+    const std::function<Expected<void>()> write = [&window, path]() -> Expected<void> {
+        // It may have been closed meanwhile.
+        if (auto plotted = checkPlotted(window); !plotted) return plotted;
+        window.plots().settle();
+        return writePicture(plotPicture(window), path);
+    };
+    return exportInBackground(window, {QObject::tr("Exporting %1").arg(path), path},
+                              [&window, settled, write](const Progress& progress) -> Outcome {
+                                  if (auto there = settled(progress); !there || !*there) return there;
+                                  const auto written =
+                                      askWindow<Expected<void>>(window, write, [&] { return progress(0.9); });
+                                  if (!written) return false;
+                                  if (!*written) return tl::unexpected(written->error());
+                                  return true;
+                              });
+}
+
+Expected<void> exportValues(MainWindow& window, const QString& path) {
+    if (auto plotted = checkPlotted(window); !plotted) return plotted;
+    const std::string file = path.toStdString();
+    if (QFileInfo(path).suffix().toLower() != "csv")
+        return fail(file, "is no table that can be written; expected .csv");
+    if (auto can = checkWritable(file); !can) return can;
+    const Shown& shown = *window.shown();
+    ValueTable table;
+    table.run = shown.run;
+    table.keys = window.plots().keys();
+    table.tickLength = shown.frame->scene().tickLength;
+    for (const ValueKey& key : table.keys) {
+        const PlottedValue value = plottedValue(*shown.frame->scenario, key).value_or(PlottedValue{});
+        table.names.push_back(value.name.simplified() + (value.unit.isEmpty() ? "" : " (" + value.unit + ')'));
+    }
+    table.courses.push_back({shown.branch});
+    if (const auto ghost = window.plots().ghostBranch())
+        table.courses.push_back({*ghost, " [" + window.plots().ghostName() + ']'});
+    return exportInBackground(window, {QObject::tr("Exporting %1").arg(path), path},
+                              [table = std::move(table), &session = window.session(), file](const Progress& progress) {
+                                  return writeValues(table, session, file, progress);
+                              });
+}
+
+}  // namespace mrose::gui

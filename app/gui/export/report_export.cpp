@@ -1,0 +1,127 @@
+#include "export/report_export.h"
+
+#include <QDir>
+
+#include "comparison/compared_divergences.h"
+#include "comparison/comparison_report.h"
+#include "export/export_outcome.h"
+#include "io/file.h"
+#include "io/number_text.h"
+#include "shared/motion_models.h"
+#include "shared/plugin_process.h"
+#include "shared/shell_quoted.h"
+#include "window/main_window.h"
+
+namespace mrose::gui {
+namespace {
+
+constexpr double pluginLimit = 2;  // s
+/// Of its progress the rest is writing.
+constexpr double computing = 0.95;
+/// Of a comparison's; the rest are causes.
+constexpr double comparing = 0.5;
+
+using Progress = BackgroundWork::Progress;
+using Outcome = BackgroundWork::Outcome;
+
+Expected<void> freeFolder(Expected<void> check) {
+    if (!check && check.error().cause == notOverwritten) {
+        Error error = check.error();
+        error.cause = "is there already; expected another folder, or leave to replace it";
+        return tl::unexpected(std::move(error));
+    }
+    return check;
+}
+
+std::string listOf(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : ",") + name;
+    return text;
+}
+
+/// The command that writes the same.
+std::string commandOf(const LogEvaluationRequest& request, const std::string& folder) {
+    std::string text = "mrose evaluate " + shellQuoted(request.network) + " --log " + shellQuoted(request.log);
+    if (!request.robots.empty()) text += " --robots " + shellQuoted(listOf(request.robots));
+    for (const std::string& other : request.against) text += " --against " + shellQuoted(other);
+    return text + " --report " + shellQuoted(folder);
+}
+
+std::string commandOf(const LogComparisonRequest& request, const std::string& folder) {
+    std::string text = "mrose compare " + shellQuoted(request.scenario) + " --log " + shellQuoted(request.log);
+    if (!request.robots.empty()) text += " --robots " + shellQuoted(listOf(request.robots));
+    if (request.every) text += " --every " + numberText(*request.every);
+    return text + " --report " + shellQuoted(folder);
+}
+
+/// `make` gives what `write` writes; both may take long.
+template <class Made>
+Outcome makeAndWrite(const std::function<Expected<Made>(const Progress&)>& make,
+                     const std::function<Expected<void>(const Made&)>& write, const Progress& progress) {
+    const auto made = make([&](double share) { return progress(computing * share); });
+    if (!progress(computing)) return false;
+    if (!made) return tl::unexpected(made.error());
+    if (auto written = write(*made); !written) return tl::unexpected(written.error());
+    return true;
+}
+
+/// As mrose compare has it without further flags.
+struct ComparisonWithCauses {
+    LogComparison compared;
+    ComparedDivergences divergences;
+};
+
+Expected<ComparisonWithCauses> compareWithCauses(const LogComparisonRequest& request,
+                                                 const LogComparisonPlugins& plugins, const std::string& folder,
+                                                 const Progress& progress) {
+    auto compared = compareLog(request, plugins, commandOf(request, folder),
+                               [&](double share) { return progress(comparing * share); });
+    if (!compared) return tl::unexpected(compared.error());
+    DivergenceOptions options{.fromHeldOut = true};
+    auto models = modelsToTry(compared->world, {});
+    if (!models) return tl::unexpected(models.error());
+    options.models = std::move(*models);
+    options.progress = [&](double share) { return progress(comparing + (1 - comparing) * share); };
+    auto divergences = divergencesOf(compared->world, compared->comparison, options);
+    if (!divergences) return tl::unexpected(divergences.error());
+    return ComparisonWithCauses{std::move(*compared), std::move(*divergences)};
+}
+
+QString pageIn(const QString& folder) { return QDir(folder).filePath("report.html"); }
+
+}  // namespace
+
+Expected<void> exportReport(MainWindow& window, const LogEvaluationRequest& request, const QString& folder,
+                            bool overwrite) {
+    const std::string path = folder.toStdString();
+    if (auto can = freeFolder(checkReportFolder(path, overwrite)); !can) return can;
+    return exportInBackground(
+        window, {QObject::tr("Evaluating %1").arg(QString::fromStdString(request.network)), pageIn(folder)},
+        [request, path](const Progress& progress) {
+            return makeAndWrite<LogEvaluation>(
+                [&](const Progress& goesOn) { return evaluateLog(request, commandOf(request, path), goesOn); },
+                [&](const LogEvaluation& made) { return writeReport(made.evaluation, made.context, path); }, progress);
+        });
+}
+
+Expected<void> exportComparison(MainWindow& window, const LogComparisonRequest& request, const QString& folder,
+                                bool overwrite) {
+    const std::string path = folder.toStdString();
+    if (auto can = freeFolder(checkComparisonFolder(path, overwrite)); !can) return can;
+    const LogComparisonPlugins plugins{[](const std::string& file, const std::string& options) {
+        return startPluginProcess(file, options, pluginLimit);
+    }};
+    return exportInBackground(
+        window, {QObject::tr("Comparing %1").arg(QString::fromStdString(request.scenario)), pageIn(folder)},
+        [request, path, plugins](const Progress& progress) {
+            return makeAndWrite<ComparisonWithCauses>(
+                [&](const Progress& goesOn) { return compareWithCauses(request, plugins, path, goesOn); },
+                [&](const ComparisonWithCauses& made) {
+                    return writeComparison(made.compared.comparison, made.compared.world.parts().scene,
+                                           made.compared.context, path, &made.divergences);
+                },
+                progress);
+        });
+}
+
+}  // namespace mrose::gui

@@ -1,0 +1,151 @@
+#include <QDesktopServices>
+#include <QFileInfo>
+#include <QUrl>
+#include <algorithm>
+#include <utility>
+
+#include "files/window_files.h"
+#include "reality/overlay.h"
+#include "widgets/message_bar.h"
+#include "window/main_window.h"
+
+namespace mrose::gui {
+namespace {
+
+QString fileName(const std::string& path) { return QFileInfo(QString::fromStdString(path)).fileName(); }
+
+}  // namespace
+
+void WindowFiles::reload(const QString& why) {
+    if (!opened_) return;
+    if (opener_.busy()) {
+        changedMeanwhile_ = why;
+        return;
+    }
+    if (window_.overlay().shownCourse()) return window_.overlay().reload(why);
+    OpenRequest request = *opened_;
+    const Shown* const shown = window_.shown();
+    // A seed of the user's own stays; the scenario's may be what has changed.
+    if (shown && shown->frame->state.seed != shown->frame->scenario->parts().seed)
+        request.seed = shown->frame->state.seed;
+    opener_.open(request, [this, why](Expected<OpenRun> run) {
+        if (run && run->recorded()) return takeGrown(*run);
+        const Shown* const now = window_.shown();
+        // A plug-in that crashed or was too slow gets another chance.
+        if (run && now && run->files == files_ && run->course->descriptions == now->course->descriptions &&
+            now->faults.empty())
+            return sayUnchanged();
+        takeReloaded(std::move(run), why);
+    });
+}
+
+void WindowFiles::sayUnchanged() {
+    messages_.remove("reload");
+    changedMeanwhile_.clear();
+    messages_.add({MessageBar::Kind::note,
+                   tr("Nothing has changed in what %1 is made from").arg(fileName(opened_->file)), "reload"});
+}
+
+std::vector<WindowFiles::Extent> WindowFiles::extentsOf(const OpenRun& run) {
+    std::vector<Extent> extents;
+    for (const OpenRun::Recorded& recorded : run.branches) {
+        const Timeline& timeline = recorded.branch.timeline;
+        const bool any = timeline.last() > timeline.first();
+        extents.push_back({timeline.last(), any ? timeline.hashAt(timeline.last()) : hashOf(recorded.start)});
+    }
+    return extents;
+}
+
+/// A recording that somebody writes: from the place that is shown one goes on.
+void WindowFiles::takeGrown(const OpenRun& run) {
+    const QString name = fileName(run.source.file);
+    const bool same = extentsOf(run) == extents_;
+    if (same)
+        messages_.add(
+            {MessageBar::Kind::note, tr("Nothing has changed: %1 goes no further than it did").arg(name), "reload"});
+    if (same || !mayLeave([this, run] { takeGrown(run); })) return;
+    const Shown* const shown = window_.shown();
+    const bool known = shown && shown->branch < extents_.size();
+    const ShownPlace place = known ? ShownPlace{shown->branch, shown->tick()} : ShownPlace{};
+    messages_.clear();
+    show(run, run.source.file);
+    window_.overlay().follow(run);
+    for (const std::string& note : run.notes) messages_.add({MessageBar::Kind::note, QString::fromStdString(note)});
+    if (known && place.branch < run.branches.size()) window_.session().show(place.branch, place.tick);
+    const Nanoseconds end = run.course->scene().timeOf(run.branches.front().branch.timeline.last());
+    messages_.add({MessageBar::Kind::note,
+                   tr("%1 was read on: it goes up to %2 s now").arg(name).arg(toSeconds(end), 0, 'f', 2), "reload"});
+}
+
+/// What is said of the files' earlier contents is no more.
+void WindowFiles::sayGone(const QString& names, std::size_t count) {
+    messages_.remove("reload");
+    const bool recorded = !extents_.empty();
+    messages_.add(
+        {MessageBar::Kind::note,
+         (recorded    ? tr("%1 was removed or emptied. All of it is still here, and can be saved")
+          : count > 1 ? tr("%1 were removed. The run goes on with what was read from them")
+                      : tr("%1 was removed. The run goes on with what was read from it"))
+             .arg(names),
+         goneTopic,
+         {recorded ? MessageBar::Button{tr("Save recording\u2026"), tr("Save the run and all its branches"),
+                                        [this] { window_.actions()["save_recording"].trigger(); }}
+                   : MessageBar::Button{tr("Save state\u2026"), tr("Save a scenario that goes on from the shown tick"),
+                                        [this] { window_.actions()["save_scenario"].trigger(); }}}});
+}
+
+/// Branches of two reloads are told apart.
+QString WindowFiles::reloadedName(const QString& why) const {
+    const std::vector<BranchInfo>& branches = window_.shown()->branches;
+    const auto taken = [&](const QString& name) {
+        return std::any_of(branches.begin(), branches.end(),
+                           [&](const BranchInfo& branch) { return branch.name == name; });
+    };
+    QString name = why;
+    for (int time = 2; taken(name); ++time) name = tr("%1 (%2)").arg(why).arg(time);
+    return name;
+}
+
+void WindowFiles::takeReloaded(Expected<OpenRun> run, const QString& why) {
+    const Shown* const shown = window_.shown();
+    if (!run) {
+        if (!extents_.empty()) return sayError(run.error(), "reload");
+        messages_.add({MessageBar::Kind::error,
+                       tr("%1. What was read before goes on; once the file is mended it is read again")
+                           .arg(QString::fromStdString(run.error().message())),
+                       "reload",
+                       {{tr("Show file"), tr("Open it with the program for such files"),
+                         [file = QString::fromStdString(run.error().file)] {
+                             QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(file).absoluteFilePath()));
+                         }},
+                        {tr("Reload"), tr("Read it again now"), [this, why] { reload(why); }}}});
+        return;
+    }
+    messages_.remove("reload");
+    changedMeanwhile_.clear();  // what was not read yet is found by looking again
+    files_ = run->files;
+    watch_.watch(run->files);
+    if (!shown) return;
+    Edit edit;
+    edit.name = reloadedName(why).toStdString();
+    edit.tick = shown->first;
+    edit.course = run->course;
+    edit.start = std::move(run->start);
+    const bool goesOn = shown->playing;
+    const auto nobodysWork = [this, of = run_] {
+        if (run_ == of) ++savedBranches_;
+    };
+    window_.session().branchOff(edit, shown->tick(), [this, nobodysWork] {
+        QMetaObject::invokeMethod(this, nobodysWork, Qt::QueuedConnection);
+    });
+    if (goesOn) window_.session().play();
+    messages_.add({MessageBar::Kind::note,
+                   tr("%1: the run was simulated again up to here; the course before is shown as a ghost").arg(why),
+                   "reload",
+                   {{tr("Undo"), tr("Back to the course before"), [this] {
+                         window_.session().undo();
+                         messages_.remove("reload");
+                     }}}});
+}
+
+}  // namespace mrose::gui

@@ -1,0 +1,125 @@
+#include "panels/curve_looks.h"
+
+#include <QObject>
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <set>
+
+namespace mrose::gui {
+namespace {
+
+constexpr double leastContrast = 1.9;  // of a curve and its ground
+constexpr std::array styles{Qt::SolidLine, Qt::DashLine, Qt::DotLine};
+
+QColor groundOf(const Theme& theme) { return theme.dark ? theme.surround : QColor(Qt::white); }
+
+/// One robot's curves on one axis are told apart by their lines, and by how light they are.
+QColor variant(const QColor& colour, int which, const Theme& theme) {
+    constexpr double apart = 2.2, leastOfVariant = 2.6;  // contrasts: with the first, and with the ground
+    const auto shaded = [&](bool lighter) {
+        QColor shade = colour;
+        for (int i = 0; i < 16 && contrast(shade, colour) < apart; ++i) {
+            const QColor next = lighter ? shade.lighter(112) : shade.darker(112);
+            const double before = contrast(shade, groundOf(theme)), after = contrast(next, groundOf(theme));
+            if (after < before && after < leastOfVariant) break;
+            shade = next;
+        }
+        return shade;
+    };
+    const QColor darker = shaded(false), lighter = shaded(true);
+    const bool darkerIsFarther = contrast(darker, colour) > contrast(lighter, colour);
+    return which == 0 ? colour : darkerIsFarther == (which == 1) ? darker : lighter;
+}
+
+/// Of the overlaid motion model that a number is of; nothing: of none.
+std::optional<std::size_t> modelOf(const ValueKey& key, const Reality* reality) {
+    if (reality == nullptr || key.of.empty() || !readsReality(key)) return {};
+    const std::vector<Reality::ModelCourse>& models = reality->models;
+    const auto found = std::find_if(models.begin(), models.end(),
+                                    [&](const Reality::ModelCourse& model) { return model.name == key.of; });
+    if (found == models.end()) return {};
+    return static_cast<std::size_t>(found - models.begin());
+}
+
+}  // namespace
+
+std::vector<CurveLook> looksOf(std::span<const ValueKey> keys, std::span<const PlottedValue> values,
+                               const Reality* reality, const Theme& theme) {
+    std::vector<CurveLook> looks;
+    std::map<std::pair<std::uint32_t, QString>, int> used;
+    std::map<std::pair<std::size_t, QString>, int> usedOfModels;
+    const std::array others{theme.text, theme.contact, theme.accent, theme.quietText};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const PlottedValue& value = values[i];
+        if (const auto model = modelOf(keys[i], reality)) {
+            const QColor base = seenOn(groundOf(theme), modelColour(*model), leastContrast);
+            const int which = usedOfModels[{*model, value.unit}]++ % static_cast<int>(styles.size());
+            looks.push_back({variant(base, which, theme), modelStyle(*model)});
+            continue;
+        }
+        if (!value.colourOf) {
+            looks.push_back({others[static_cast<std::size_t>(used[{noBody, {}}]++) % others.size()]});
+            continue;
+        }
+        const QColor base = seenOn(groundOf(theme), robotColour(*value.colourOf), leastContrast);
+        const int which = used[{*value.colourOf, value.unit}]++ % static_cast<int>(styles.size());
+        looks.push_back({variant(base, which, theme), styles[static_cast<std::size_t>(which)]});
+    }
+    return looks;
+}
+
+namespace {
+
+bool isExpression(const ValueKey& key) { return key.quantity == expressionQuantity; }
+
+/// Of a motion model, the run's own or one that is laid over.
+bool isOfModel(const ValueKey& key) {
+    return key.quantity == positionErrorQuantity || key.quantity == headingErrorQuantity;
+}
+
+/// A value's name without its body and its model.
+QString quantityOf(const ValueKey& key, const PlottedValue& value) {
+    if (isExpression(key)) return {};
+    const QString body = QString::fromStdString(key.body) + "  ", model = QString::fromStdString(key.of) + ": ";
+    QString words = value.name;
+    if (words.startsWith(body)) words.remove(0, body.size());
+    if (isOfModel(key) && words.startsWith(model)) words.remove(0, model.size());
+    return words;
+}
+
+}  // namespace
+
+std::vector<CurveWords> wordsOf(std::span<const ValueKey> keys, std::span<const PlottedValue> values,
+                                const QString& own) {
+    std::set<std::string> bodies;
+    std::map<QString, std::set<QString>> quantities;  // of each unit
+    bool models = !own.isEmpty();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        bodies.insert(keys[i].body);
+        quantities[values[i].unit].insert(quantityOf(keys[i], values[i]));
+        models = models || (isOfModel(keys[i]) && !keys[i].of.empty());
+    }
+    std::vector<CurveWords> words;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const QString body = QString::fromStdString(keys[i].body), quantity = quantityOf(keys[i], values[i]);
+        if (isExpression(keys[i])) {
+            words.push_back({values[i].name, {}});
+            continue;
+        }
+        QStringList parts;
+        if (bodies.size() > 1) parts << body;
+        if (quantities[values[i].unit].size() > 1) parts << quantity;
+        if (models && isOfModel(keys[i]))
+            parts << (!keys[i].of.empty() ? QString::fromStdString(keys[i].of)
+                      : !own.isEmpty()    ? own
+                                          : QObject::tr("run"));
+        const bool nothing = parts.isEmpty();
+        if (nothing) parts << body;
+        words.push_back({parts.join("  "), bodies.size() > 1 || nothing ? quantity : body + ": " + quantity});
+    }
+    return words;
+}
+
+}  // namespace mrose::gui

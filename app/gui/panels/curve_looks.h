@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QColor>
+#include <span>
+#include <vector>
+
+#include "widgets/theme.h"
+#include "widgets/value_catalogue.h"
+
+namespace mrose::gui {
+
+struct CurveLook {
+    QColor colour;
+    Qt::PenStyle style = Qt::SolidLine;
+};
+
+/// How the curves of values are told apart: a model's colour and dashes, or a robot's colour; more curves of one robot
+/// on one axis differ in line and lightness. What is no robot's has none of those colours. `values` are those of
+/// `keys`; `reality` may be null.
+std::vector<CurveLook> looksOf(std::span<const ValueKey> keys, std::span<const PlottedValue> values,
+                               const Reality* reality, const Theme& theme);
+
+/// What curves are called beside each other.
+struct CurveWords {
+    QString label;     ///< what tells one from the others
+    QString quantity;  ///< what its axis may be called, with the only body that all are of
+};
+/// `own` is the motion model by which the run's robots are moved; empty: nobody says.
+std::vector<CurveWords> wordsOf(std::span<const ValueKey> keys, std::span<const PlottedValue> values,
+                                const QString& own);
+
+}  // namespace mrose::gui

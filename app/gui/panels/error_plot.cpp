@@ -1,0 +1,189 @@
+#include "panels/error_plot.h"
+
+#include <QDockWidget>
+#include <QEvent>
+#include <algorithm>
+#include <numbers>
+
+#include "reality/overlay.h"
+#include "widgets/field_view.h"
+#include "window/main_window.h"
+#include "window/window_memory.h"
+
+namespace mrose::gui {
+namespace {
+
+constexpr std::int64_t mostPoints = 2000;  // of a model's course: more than there are pixels
+
+bool has(const std::vector<ValueKey>& keys, const ValueKey& key) {
+    return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
+/// In the unit that is plotted.
+double plottedError(const PoseError& error, const std::string& quantity) {
+    return quantity == positionErrorQuantity ? 100 * error.position : error.heading * 180 / std::numbers::pi;
+}
+
+QVector<QPointF> errorsAlong(const ComparedCourse& course, const std::string& quantity, Nanoseconds tickLength) {
+    QVector<QPointF> points;
+    const double ticks = static_cast<double>(WindowOptions{}.step) / static_cast<double>(tickLength);
+    for (std::size_t k = 0; k < course.errors.position.size(); ++k)
+        points.append({static_cast<double>(k + 1) * ticks,
+                       plottedError({course.errors.position[k], course.errors.heading[k]}, quantity)});
+    return points;
+}
+
+QVector<QPointF> errorsAlong(const Reality& reality, const Reality::ModelCourse& model, std::size_t robot,
+                             const std::string& quantity, std::int64_t end, Nanoseconds tickLength) {
+    QVector<QPointF> points;
+    for (std::int64_t tick = 0; tick <= end; tick += std::max<std::int64_t>(1, end / mostPoints)) {
+        const auto error = reality.modelError(model, robot, tick * tickLength);
+        points.append({static_cast<double>(tick),
+                       error ? plottedError(*error, quantity) : std::numeric_limits<double>::quiet_NaN()});
+    }
+    return points;
+}
+
+}  // namespace
+
+std::vector<ValueKey> errorKeysOf(const Reality& reality, const std::string& robot) {
+    std::vector<ValueKey> keys;
+    for (const char* quantity : {positionErrorQuantity, headingErrorQuantity}) {
+        keys.push_back({quantity, robot});
+        for (const Reality::ModelCourse& model : reality.models) keys.push_back({quantity, robot, model.name});
+    }
+    return keys;
+}
+
+ErrorPlot::ErrorPlot(MainWindow& window) : QObject(&window), window_(window) {
+    connect(&window.overlay(), &Overlay::changed, this, &ErrorPlot::follow);
+    connect(&window, &MainWindow::updated, this, &ErrorPlot::follow);
+    connect(&window.field(), &FieldView::bodySelected, this, &ErrorPlot::follow);
+    connect(&window.plots(), &PlotPanel::changed, this, [this] {
+        const std::vector<ValueKey>& keys = window_.plots().keys();
+        const auto removed = [&](const ValueKey& key) { return !has(keys, key); };
+        if (!changing_ && std::any_of(own_.begin(), own_.end(), removed)) {
+            on_ = false;
+            own_.clear();
+        }
+    });
+    auto* dock = window.findChild<QDockWidget*>("plots");
+    dock->installEventFilter(this);
+    connect(dock->toggleViewAction(), &QAction::triggered, this, [this](bool shown) {
+        if (!shown) return;
+        window_.memory().setErrorPlot(true);
+        follow();
+    });
+}
+
+void ErrorPlot::setOn(bool on) {
+    on_ = on;
+    if (on) window_.memory().setErrorPlot(true);
+    follow();
+}
+
+void ErrorPlot::showDock() {
+    if (window_.memory().errorPlot()) window_.showPlots();
+}
+
+/// The user closed the plots.
+bool ErrorPlot::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Close && course_) window_.memory().setErrorPlot(false);
+    return QObject::eventFilter(watched, event);
+}
+
+void ErrorPlot::follow() {
+    const Overlay& overlay = window_.overlay();
+    if (world_ != overlay.world().get()) {
+        world_ = overlay.world().get();
+        on_ = true;
+        run_ = 0;
+        course_ = nullptr;
+        computing_.drop();
+    }
+    // Another course may be on its way: until it is there, nothing changes.
+    if (world_ != nullptr && (!overlay.shownCourse() || window_.shown() == nullptr)) return;
+    if (world_ != nullptr && run_ != window_.shown()->run) lookAtCourse();
+    plot();
+}
+
+void ErrorPlot::lookAtCourse() {
+    run_ = window_.shown()->run;
+    computing_.drop();
+    showDock();
+    const Overlay& overlay = window_.overlay();
+    computing_.post([this, world = overlay.world(),
+                     request = overlay.requests()[*overlay.shownCourse()]](const JobQueue::GoesOn& goesOn) {
+        ComparisonOptions options;
+        options.seed = world->seed;
+        options.progress = [&](std::span<const ComparedCourse>, double) { return goesOn(); };
+        auto compared = compare(world->world(), {&request, 1}, options);
+        std::shared_ptr<const Comparison> course;
+        if (compared) course = std::make_shared<const Comparison>(std::move(*compared));
+        return JobQueue::Answer([this, course] {
+            course_ = course;
+            plot();
+        });
+    });
+}
+
+/// In Comparison::courses.
+std::optional<std::size_t> ErrorPlot::robot() const {
+    if (!course_) return {};
+    const auto selected = window_.field().selected();
+    const FieldFrame& frame = *window_.shown()->frame;
+    std::optional<std::size_t> worst;
+    for (std::size_t i = 0; i < course_->courses.size(); ++i) {
+        const ComparedCourse& course = course_->courses[i];
+        if (course.use == CourseUse::absent) continue;
+        if (selected && frame.nameOf(*selected) == course_->robots[course.robot].name) return i;
+        if (!worst || knownMean(course) > knownMean(course_->courses[*worst])) worst = i;
+    }
+    return worst;
+}
+
+void ErrorPlot::plot() {
+    const std::shared_ptr<const Shown> shown = window_.shownPointer();
+    const auto which = robot();
+    Plotted now{course_, shown ? shown->frame->reality : nullptr, which, shown ? shown->branch : 0,
+                on_ && window_.memory().errorPlot()};
+    if (plotted_ == now) return;
+    plotted_ = now;
+    std::vector<ValueKey> wanted;
+    if (now.on && which && now.reality)
+        wanted = errorKeysOf(*now.reality, course_->robots[course_->courses[*which].robot].name);
+    changing_ = true;
+    window_.plots().setForesight(foresight(which));
+    window_.plots().replace(own_, wanted);
+    changing_ = false;
+    own_ = std::move(wanted);
+}
+
+PlotPanel::Foresight ErrorPlot::foresight(std::optional<std::size_t> which) const {
+    PlotPanel::Foresight known;
+    if (!which || !plotted_->reality) return known;
+    const ComparedCourse& course = course_->courses[*which];
+    const std::string& name = course_->robots[course.robot].name;
+    const Reality& reality = *plotted_->reality;
+    const Scene& scene = window_.shown()->frame->scene();
+    known.run = window_.shown()->run;
+    known.end = scene.ticksOf(course_->requests.front().steps * WindowOptions{}.step);
+    known.model = QString::fromStdString(window_.overlay().models().front().name);
+    const auto real = std::find_if(reality.robots.begin(), reality.robots.end(),
+                                   [&](const Reality::Robot& robot) { return robot.name == name; });
+    for (const ValueKey& key : errorKeysOf(reality, name)) {
+        const auto model = std::find_if(reality.models.begin(), reality.models.end(),
+                                        [&](const Reality::ModelCourse& one) { return one.name == key.of; });
+        // What becomes of a branch has not been compared.
+        if (key.of.empty() && plotted_->branch == 0)
+            known.ahead[key] = errorsAlong(course, key.quantity, scene.tickLength);
+        else if (model != reality.models.end() && real != reality.robots.end())
+            known.ahead[key] = errorsAlong(reality, *model, static_cast<std::size_t>(real - reality.robots.begin()),
+                                           key.quantity, known.end, scene.tickLength);
+    }
+    return known;
+}
+
+void ErrorPlot::settle() { computing_.settle(); }
+
+}  // namespace mrose::gui

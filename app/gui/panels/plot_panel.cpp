@@ -1,0 +1,499 @@
+#include "panels/plot_panel.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPainter>
+#include <QProgressBar>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "widgets/eliding_label.h"
+
+namespace mrose::gui {
+namespace {
+
+constexpr int mostSideWidth = 336, leastSideWidth = 120;
+constexpr double mostSideShare = 0.4;
+constexpr int sampleWidth = 18, numberRoom = 8;  // pixels
+constexpr std::int64_t worthABar = 2000;         // ticks to be computed
+
+const Reality* realityOf(const std::shared_ptr<const Shown>& shown) {
+    return shown ? shown->frame->reality.get() : nullptr;
+}
+
+/// The curve's line, as a legend shows it.
+QPixmap sampleOf(const PlotCurve& curve, double ratio) {
+    constexpr int width = sampleWidth, height = 12;
+    QPixmap sample(QSize(width, height) * ratio);
+    sample.setDevicePixelRatio(ratio);
+    sample.fill(Qt::transparent);
+    QPainter painter(&sample);
+    QPen pen = curvePen(curve);
+    pen.setWidthF(2.4);
+    pen.setCapStyle(Qt::FlatCap);
+    painter.setPen(pen);
+    painter.drawLine(QPointF(0, height / 2.0), QPointF(width - 2, height / 2.0));
+    return sample;
+}
+
+}  // namespace
+
+/// Ticks of a branch that are those of a course: it, and before it what it came from.
+struct PlotPanel::Piece {
+    std::uint32_t branch = 0;
+    std::int64_t from = 0, to = 0;
+};
+
+PlotPanel::PlotPanel(Session& session, QWidget* parent)
+    : QWidget(parent),
+      series_(std::make_unique<ValueSeries>(session)),
+      view_(new PlotView),
+      hint_(new QLabel(tr("Nothing is plotted. Click the small curve beside a number in the inspector, or write an "
+                          "expression at the right."))),
+      list_(new QTreeWidget),
+      ghostNote_(new ElidingLabel),
+      expression_(new QLineEdit),
+      error_(new QLabel),
+      progress_(new QWidget),
+      bar_(new QProgressBar) {
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(hint_, 1);
+    layout->addWidget(view_, 1);
+    layout->addWidget(makeSide());
+    hint_->setAlignment(Qt::AlignCenter);
+    hint_->setWordWrap(true);
+    connect(view_, &PlotView::tickRequested, this, &PlotPanel::tickRequested);
+    connect(view_, &PlotView::hovered, this, [this](std::optional<std::int64_t> tick) {
+        hovered_ = tick;
+        updateNumbers();
+    });
+    connect(series_.get(), &ValueSeries::grown, this, [this] {
+        view_->refreshSoon();
+        updateNumbers();
+        updateProgress();
+    });
+    rebuild();
+}
+
+PlotPanel::~PlotPanel() = default;
+
+QWidget* PlotPanel::makeSide() {
+    auto* side = new QWidget;
+    side_ = side;
+    QFont small = font();
+    small.setPointSizeF(std::min(8.5, small.pointSizeF()));
+    side->setFont(small);
+    auto* layout = new QVBoxLayout(side);
+    layout->setContentsMargins(4, 2, 6, 4);
+    layout->setSpacing(3);
+    list_->setColumnCount(3);
+    list_->setHeaderHidden(true);
+    list_->setRootIsDecorated(false);
+    list_->setUniformRowHeights(true);
+    list_->setFrameShape(QFrame::NoFrame);
+    list_->setFont(small);
+    list_->setAccessibleName(tr("Curves"));
+    list_->header()->setStretchLastSection(false);
+    list_->header()->setMinimumSectionSize(20);
+    list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    list_->header()->setSectionResizeMode(1, QHeaderView::Fixed);
+    const QFontMetrics metrics(small);
+    list_->header()->resizeSection(1, metrics.horizontalAdvance("00.0") + numberRoom);
+    list_->header()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
+    list_->setTextElideMode(Qt::ElideMiddle);
+    list_->setIndentation(0);
+    list_->setIconSize({sampleWidth, 12});
+    list_->setContextMenuPolicy(Qt::CustomContextMenu);
+    list_->installEventFilter(this);
+    connect(list_, &QTreeWidget::customContextMenuRequested, this, [this](const QPoint& place) {
+        const int row = list_->indexOfTopLevelItem(list_->itemAt(place));
+        QMenu menu(this);
+        if (row >= 0)
+            menu.addAction(tr("&Remove"), this, [this, row] { remove(keys_[static_cast<std::size_t>(row)]); });
+        menu.addAction(tr("Remove &all"), this, &PlotPanel::clear);
+        menu.exec(list_->viewport()->mapToGlobal(place));
+    });
+    layout->addWidget(list_, 1);
+    layout->addWidget(ghostNote_);
+    auto* bar = new QHBoxLayout(progress_);
+    bar->setContentsMargins(0, 0, 0, 0);
+    ghostNote_->setToolTip(tr("The thin curves are the other branch's, with which this one is compared"));
+    bar_->setTextVisible(true);
+    bar_->setFormat(tr("the past: %p %"));
+    bar_->setFixedHeight(16);
+    auto* stop = new QToolButton;
+    stop->setText(tr("Stop"));
+    stop->setToolTip(tr("Leave out what has not been computed of the past"));
+    connect(stop, &QToolButton::clicked, this, &PlotPanel::cancel);
+    bar->addWidget(bar_, 1);
+    bar->addWidget(stop);
+    progress_->hide();
+    layout->addWidget(progress_);
+    error_->setWordWrap(false);
+    error_->hide();
+    layout->addWidget(error_);
+    expression_->setFont(small);
+    expression_->setPlaceholderText(tr("Expression: distance(robot[2], ball)"));
+    expression_->setToolTip(
+        tr("A number of the world to plot, such as robot[2].speed, robot[\"red 1\"].x or "
+           "distance(robot[2], ball); Enter plots it"));
+    expression_->setAccessibleName(tr("Expression to plot"));
+    connect(expression_, &QLineEdit::returnPressed, this, [this] {
+        if (addExpression(expression_->text())) expression_->clear();
+    });
+    connect(expression_, &QLineEdit::textEdited, error_, &QLabel::hide);
+    layout->addWidget(expression_);
+    return side;
+}
+
+void PlotPanel::setTheme(const Theme& theme) {
+    theme_ = theme;
+    QPalette palette = error_->palette();
+    palette.setColor(QPalette::WindowText, theme.warning);
+    error_->setPalette(palette);
+    palette.setColor(QPalette::WindowText, theme.quietText);
+    hint_->setPalette(palette);
+    ghostNote_->setPalette(palette);
+    view_->setTheme(theme);
+    rebuild();
+    emit changed();
+}
+
+void PlotPanel::cancel() {
+    series_->cancel();
+    view_->refresh();
+    updateProgress();
+}
+
+void PlotPanel::settle() {
+    series_->settle();
+    view_->draw();
+    updateNumbers();
+}
+
+void PlotPanel::askForExpression() {
+    expression_->setFocus(Qt::ShortcutFocusReason);
+    expression_->selectAll();
+}
+
+Expected<void> PlotPanel::add(const ValueKey& key) {
+    if (!shown_) return fail({}, "nothing is open");
+    if (auto value = plottedValue(*shown_->frame->scenario, key); !value) return tl::unexpected(value.error());
+    if (std::find(keys_.begin(), keys_.end(), key) != keys_.end()) return {};
+    keys_.push_back(key);
+    rebuild();
+    emit changed();
+    emit asked();
+    return {};
+}
+
+Expected<void> PlotPanel::addExpression(const QString& text) {
+    Expected<void> added = add({expressionQuantity, {}, text.trimmed().toStdString()});
+    error_->setVisible(!added);
+    if (added) return added;
+    const QString message = QString::fromStdString(added.error().message());
+    error_->setText(error_->fontMetrics().elidedText(message, Qt::ElideRight, side_->width() - 14));
+    error_->setToolTip(message);
+    return added;
+}
+
+void PlotPanel::toggle(const ValueKey& key) {
+    if (std::find(keys_.begin(), keys_.end(), key) != keys_.end())
+        remove(key);
+    else
+        add(key);
+}
+
+void PlotPanel::toggleOfAll(const ValueKey& key) {
+    if (!shown_) return;
+    std::vector<ValueKey> all;
+    for (const SceneRobot& robot : shown_->frame->scene().robots)
+        if (robot.name != key.of) all.push_back({key.quantity, robot.name, key.of, key.unit});
+    toggleAll(std::move(all));
+}
+
+void PlotPanel::toggleAll(std::vector<ValueKey> all) {
+    const auto isPlotted = [&](const ValueKey& one) {
+        return std::find(keys_.begin(), keys_.end(), one) != keys_.end();
+    };
+    const bool removes = std::all_of(all.begin(), all.end(), isPlotted);
+    if (removes) {
+        std::erase_if(keys_, [&](const ValueKey& one) { return std::find(all.begin(), all.end(), one) != all.end(); });
+    } else {
+        std::erase_if(all, isPlotted);
+        keys_.insert(keys_.end(), all.begin(), all.end());
+    }
+    rebuild();
+    emit changed();
+    if (!removes) emit asked();
+}
+
+void PlotPanel::replace(const std::vector<ValueKey>& some, const std::vector<ValueKey>& others) {
+    const auto within = [](const std::vector<ValueKey>& keys) {
+        return [&keys](const ValueKey& one) { return std::find(keys.begin(), keys.end(), one) != keys.end(); };
+    };
+    std::vector<ValueKey> keys = others;
+    std::copy_if(keys_.begin(), keys_.end(), std::back_inserter(keys),
+                 [&](const ValueKey& one) { return !within(some)(one) && !within(others)(one); });
+    if (keys == keys_) return;
+    keys_ = std::move(keys);
+    rebuild();
+    emit changed();
+}
+
+void PlotPanel::setForesight(Foresight foresight) {
+    if (foresight == foresight_) return;
+    foresight_ = std::move(foresight);
+    rebuild();
+}
+
+/// Of the shown run.
+const PlotPanel::Foresight* PlotPanel::foresight() const {
+    return shown_ && foresight_.run == shown_->run ? &foresight_ : nullptr;
+}
+
+void PlotPanel::remove(const ValueKey& key) {
+    std::erase(keys_, key);
+    rebuild();
+    emit changed();
+}
+
+void PlotPanel::clear() {
+    keys_.clear();
+    rebuild();
+    emit changed();
+}
+
+std::map<ValueKey, QColor> PlotPanel::plotted() const {
+    std::map<ValueKey, QColor> plotted;
+    for (std::size_t i = 0; i < keys_.size(); ++i) plotted.emplace(keys_[i], looks_[i].colour);
+    return plotted;
+}
+
+std::optional<std::uint32_t> PlotPanel::ghostBranch() const {
+    if (shown_->besideBranch) return shown_->besideBranch;
+    const std::uint32_t parent = shown_->branches[shown_->branch].parent;
+    return parent == shown_->branch ? std::nullopt : std::optional(parent);
+}
+
+void PlotPanel::setShown(std::shared_ptr<const Shown> shown) {
+    const auto courses = [this] { return std::pair(shown_->branch, ghostBranch()); };
+    const bool same = shown_ && shown_->run == shown->run && shown_->branches.size() == shown->branches.size();
+    const auto before = same ? std::optional(courses()) : std::nullopt;
+    const bool sameRun = shown_ && shown_->run == shown->run;
+    const bool sameReality = shown_ && shown_->frame->reality == shown->frame->reality;
+    shown_ = std::move(shown);
+    if (!sameRun) {
+        dropUnknown();
+        view_->showAll();
+    }
+    if (!before || *before != courses() || !sameReality)
+        rebuild();
+    else
+        follow();
+    updateNumbers();
+}
+
+/// Another run may have other bodies.
+void PlotPanel::dropUnknown() {
+    const auto unknown = [&](const ValueKey& key) { return !plottedValue(*shown_->frame->scenario, key); };
+    if (std::erase_if(keys_, unknown) > 0) emit changed();
+}
+
+std::vector<PlotPanel::Piece> PlotPanel::courseOf(std::uint32_t branch) const {
+    std::vector<Piece> course;
+    std::int64_t to = std::numeric_limits<std::int64_t>::max();
+    for (std::uint32_t at = branch;; at = shown_->branches[at].parent) {
+        const BranchInfo& info = shown_->branches[at];
+        const bool root = info.parent == at;
+        course.insert(course.begin(), Piece{at, root ? info.first : info.departed, to});
+        if (root) return course;
+        to = info.departed - 1;
+    }
+}
+
+/// Tells which ticks are wanted, the shown course's first, and how far time has come.
+void PlotPanel::follow() {
+    std::vector<ValueSeries::Way> ways;
+    std::int64_t first = shown_->first, last = shown_->last;
+    const auto want = [&](const Piece& piece, bool ghost) {
+        const BranchInfo& info = shown_->branches[piece.branch];
+        const std::int64_t end = std::min(piece.to, info.last);
+        const auto known = std::find_if(ways.begin(), ways.end(),
+                                        [&](const ValueSeries::Way& way) { return way.branch == piece.branch; });
+        if (known == ways.end())
+            ways.push_back({piece.branch, info.first, end});
+        else
+            known->last = std::max(known->last, end);
+        first = std::min(first, std::max(piece.from, info.first));
+        if (ghost) last = std::max(last, end);
+    };
+    const std::vector<Piece> course = courseOf(shown_->branch);
+    for (auto piece = course.rbegin(); piece != course.rend(); ++piece) want(*piece, false);
+    if (const auto ghost = ghostBranch())
+        for (const Piece& piece : courseOf(*ghost)) want(piece, true);
+    std::erase_if(ways, [](const ValueSeries::Way& way) { return way.last < way.first; });
+    series_->follow(shown_->run, shown_->frame->reality,
+                    keys_.empty() ? std::vector<ValueSeries::Way>{} : std::move(ways));
+    view_->setTime({first, last, shown_->tick(), shown_->frame->scene().tickLength,
+                    foresight() != nullptr ? foresight()->end : 0});
+    updateProgress();
+}
+
+PlotCurve PlotPanel::curveOf(const ValueKey& key, const PlottedValue& value, const std::vector<Piece>& course) const {
+    PlotCurve curve;
+    curve.id = QString::fromStdString(key.quantity + '\n' + key.body + '\n' + key.of);
+    curve.name = value.name;
+    curve.unit = value.unit;
+    curve.decimals = value.decimals;
+    ValueSeries* series = series_.get();
+    curve.sample = [series, key, course, angle = value.angle](std::int64_t from, std::int64_t to, std::int64_t step,
+                                                              QVector<QPointF>& points) {
+        for (const Piece& piece : course)
+            series->read(piece.branch, key, [&](const TickNumbers& numbers) {
+                sampleCurve(numbers, std::max(from, piece.from), std::min(to, piece.to), step, angle, points);
+            });
+    };
+    curve.at = [series, key, course](std::int64_t tick) {
+        double found = std::numeric_limits<double>::quiet_NaN();
+        for (const Piece& piece : course)
+            if (tick >= piece.from && tick <= piece.to)
+                series->read(piece.branch, key,
+                             [&](const TickNumbers& numbers) { found = static_cast<double>(numbers.at(tick)); });
+        return found;
+    };
+    return curve;
+}
+
+std::vector<PlottedValue> PlotPanel::values() const {
+    std::vector<PlottedValue> values;
+    if (shown_)
+        for (const ValueKey& key : keys_)
+            values.push_back(plottedValue(*shown_->frame->scenario, key).value_or(PlottedValue{}));
+    return values;
+}
+
+QString PlotPanel::ghostName() const {
+    if (!shown_ || keys_.empty()) return {};
+    const auto ghost = ghostBranch();
+    return !ghost ? QString() : *ghost == 0 ? tr("the run") : shown_->branches[*ghost].name;
+}
+
+std::vector<PlotCurve> PlotPanel::curvesIn(const Theme& theme) const {
+    if (!shown_ || keys_.empty()) return {};
+    const std::vector<PlottedValue> plotted = values();
+    const std::vector<CurveLook> looks = looksOf(keys_, plotted, realityOf(shown_), theme);
+    const Foresight* const known = foresight();
+    const std::vector<CurveWords> words = wordsOf(keys_, plotted, known != nullptr ? known->model : QString());
+    std::vector<PlotCurve> curves;
+    const auto addCurves = [&](std::uint32_t branch, bool ghost) {
+        const std::vector<Piece> course = courseOf(branch);
+        for (std::size_t i = 0; i < plotted.size(); ++i) {
+            PlotCurve curve = curveOf(keys_[i], plotted[i], course);
+            curve.colour = looks[i].colour;
+            curve.style = looks[i].style;
+            curve.label = words[i].label;
+            curve.quantity = words[i].quantity;
+            curve.fromZero = keys_[i].quantity == positionErrorQuantity || keys_[i].quantity == headingErrorQuantity;
+            curve.ghost = ghost;
+            if (ghost) curve.id += "\nghost";
+            if (known != nullptr && !ghost)
+                if (const auto ahead = known->ahead.find(keys_[i]); ahead != known->ahead.end())
+                    curve.ahead = ahead->second;
+            curves.push_back(std::move(curve));
+        }
+    };
+    if (const auto ghost = ghostBranch()) addCurves(*ghost, true);
+    addCurves(shown_->branch, false);
+    return curves;
+}
+
+void PlotPanel::rebuild() {
+    hint_->setVisible(keys_.empty());
+    view_->setVisible(!keys_.empty());
+    looks_ = looksOf(keys_, values(), realityOf(shown_), theme_);
+    series_->want(keys_);
+    view_->setCurves(curvesIn(theme_), ghostName());
+    ghostNote_->setText(tr("thin: %1").arg(ghostName()));
+    ghostNote_->setVisible(!ghostName().isEmpty());
+    updateList();
+    if (shown_) follow();
+}
+
+void PlotPanel::updateList() {
+    while (list_->topLevelItemCount() > static_cast<int>(keys_.size()))
+        delete list_->takeTopLevelItem(list_->topLevelItemCount() - 1);
+    const std::vector<PlottedValue> plotted = values();
+    const std::vector<CurveWords> words =
+        wordsOf(keys_, plotted, foresight() != nullptr ? foresight()->model : QString());
+    for (int i = 0; i < static_cast<int>(plotted.size()); ++i) {
+        QTreeWidgetItem* item = list_->topLevelItem(i);
+        if (item == nullptr) item = new QTreeWidgetItem(list_);
+        const PlottedValue& value = plotted[static_cast<std::size_t>(i)];
+        PlotCurve curve;
+        curve.colour = looks_[static_cast<std::size_t>(i)].colour;
+        curve.style = looks_[static_cast<std::size_t>(i)].style;
+        item->setIcon(0, sampleOf(curve, devicePixelRatioF()));
+        item->setText(0, words[static_cast<std::size_t>(i)].label);
+        item->setToolTip(0, value.name.simplified());
+        item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+        item->setText(2, value.unit);
+        item->setForeground(2, theme_.quietText);
+    }
+    updateNumbers();
+}
+
+/// At the mouse, or now.
+void PlotPanel::updateNumbers() {
+    if (!shown_ || !isVisible()) return;
+    const std::int64_t tick = hovered_.value_or(shown_->tick());
+    for (const PlotCurve& curve : view_->curves()) {
+        if (curve.ghost) continue;
+        const auto row = static_cast<int>(&curve - view_->curves().data()) %
+                         static_cast<int>(std::max<std::size_t>(keys_.size(), 1));
+        QTreeWidgetItem* item = list_->topLevelItem(row);
+        if (item == nullptr) continue;
+        item->setText(1, fixedText(curve.at(tick), curve.decimals));
+        // The column grows with its numbers and stays so: nothing jumps.
+        const int needed = list_->fontMetrics().horizontalAdvance(item->text(1)) + numberRoom;
+        if (needed > list_->columnWidth(1)) list_->setColumnWidth(1, needed);
+    }
+}
+
+void PlotPanel::updateProgress() {
+    const std::int64_t behind = series_->behind();
+    if (behind == 0) mostBehind_ = 0;
+    mostBehind_ = std::max(mostBehind_, behind);
+    progress_->setVisible(mostBehind_ > worthABar);
+    if (mostBehind_ <= worthABar) return;
+    bar_->setRange(0, 1000);
+    bar_->setValue(static_cast<int>(1000 * (mostBehind_ - behind) / mostBehind_));
+}
+
+/// Most of the width is the plot's.
+void PlotPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    side_->setFixedWidth(std::clamp(static_cast<int>(mostSideShare * width()), leastSideWidth, mostSideWidth));
+}
+
+bool PlotPanel::eventFilter(QObject* watched, QEvent* event) {
+    if (watched != list_ || event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    const int row = list_->indexOfTopLevelItem(list_->currentItem());
+    if ((key != Qt::Key_Delete && key != Qt::Key_Backspace) || row < 0) return QWidget::eventFilter(watched, event);
+    remove(keys_[static_cast<std::size_t>(row)]);
+    return true;
+}
+
+}  // namespace mrose::gui

@@ -1,0 +1,225 @@
+#include "reality/cause_panel.h"
+
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPainter>
+#include <QStyledItemDelegate>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "comparison/divergence_text.h"
+#include "evaluation/format.h"
+#include "widgets/value_catalogue.h"
+
+namespace mrose::gui {
+namespace {
+
+constexpr int explainedRole = Qt::UserRole;
+/// So many lines are seen at once.
+constexpr int shownCauses = 4;
+
+/// A share as a bar with its number.
+class ShareBar final : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+        QStyledItemDelegate::paint(painter, option, index);
+        const double share = index.data(explainedRole).toDouble();
+        QRectF room = QRectF(option.rect).adjusted(4, 4, -44, -4);
+        QColor colour = option.palette.color(QPalette::Link);
+        colour.setAlphaF(0.25);
+        painter->fillRect(room, colour);
+        room.setWidth(room.width() * std::clamp(share, 0.0, 1.0));
+        colour.setAlphaF(1);
+        painter->fillRect(room, colour);
+    }
+};
+
+/// How far it is off.
+QString offText(const OverlayRow& row) {
+    if (!row.position) return QObject::tr("no ground truth here");
+    const QString position = fixedText(100 * *row.position, 1) + " cm";
+    if (!row.heading) return QObject::tr("%1 off on average where the ground truth is known").arg(position);
+    return QObject::tr("%1, %2\u00b0 off on average").arg(position, fixedText(degrees * *row.heading, 1));
+}
+
+QDoubleSpinBox* boundBox(const char* suffix, double most, const QString& tip) {
+    auto* box = new QDoubleSpinBox;
+    box->setRange(0.1, most);
+    box->setDecimals(1);
+    box->setSuffix(QString::fromUtf8(suffix));
+    box->setKeyboardTracking(false);
+    box->setToolTip(tip);
+    return box;
+}
+
+}  // namespace
+
+CausePanel::CausePanel(Overlay& overlay, QWidget* parent)
+    : QWidget(parent),
+      overlay_(overlay),
+      course_(new QLabel),
+      divergence_(new QLabel),
+      parting_(new QLabel),
+      cause_(new QLabel),
+      goThere_(new QToolButton),
+      speeds_(new QToolButton),
+      causes_(new QTreeWidget) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    for (QLabel* label : {course_, divergence_, parting_, cause_}) {
+        label->setWordWrap(true);
+        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    }
+    QFont bold = course_->font();
+    bold.setBold(true);
+    course_->setFont(bold);
+    cause_->setFont(bold);
+    layout->addWidget(course_);
+    auto* where = new QHBoxLayout;
+    goThere_->setText(tr("Go there"));
+    goThere_->setToolTip(tr("To the instant at which it leaves the real course (D)"));
+    connect(goThere_, &QToolButton::clicked, this, [this] { overlay_.goToDivergence(); });
+    where->addWidget(divergence_, 1);
+    where->addWidget(goThere_, 0, Qt::AlignTop);
+    where->addWidget(speeds_, 0, Qt::AlignTop);
+    layout->addLayout(where);
+    layout->addWidget(parting_);
+    layout->addWidget(cause_);
+    makeCauses();
+    layout->addWidget(causes_);
+    layout->addWidget(makeBound());
+}
+
+QWidget* CausePanel::makeBound() {
+    auto* bound = new QWidget;
+    auto* layout = new QHBoxLayout(bound);
+    layout->setContentsMargins(0, 0, 0, 0);
+    position_ = boundBox(" cm", 1000, tr("It has left the real course when it is farther off than this for 0.3 s"));
+    heading_ = boundBox("\u00b0", 180, tr("It has left the real course when it is turned by more than this for 0.3 s"));
+    heldOut_ = new QCheckBox(tr("as held out"));
+    heldOut_->setToolTip(
+        tr("Three times what the network's errors on held-out logs make of the path and rotation so far"));
+    layout->addWidget(new QLabel(tr("Bound")));
+    layout->addWidget(position_);
+    layout->addWidget(heading_);
+    layout->addWidget(heldOut_);
+    layout->addStretch(1);
+    connect(position_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &CausePanel::applyBound);
+    connect(heading_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &CausePanel::applyBound);
+    connect(heldOut_, &QCheckBox::toggled, this, &CausePanel::applyBound);
+    return bound;
+}
+
+void CausePanel::makeCauses() {
+    causes_->setObjectName("causes");
+    causes_->setAccessibleName(tr("Likely causes, and how much of the error each explains"));
+    causes_->setHeaderLabels({tr("Changed in a re-run"), tr("explains")});
+    causes_->setRootIsDecorated(false);
+    causes_->setIndentation(0);
+    causes_->setUniformRowHeights(true);
+    causes_->setFrameShape(QFrame::NoFrame);
+    causes_->header()->setStretchLastSection(false);
+    causes_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    causes_->header()->setSectionResizeMode(1, QHeaderView::Fixed);
+    causes_->header()->resizeSection(1, 100);
+    causes_->setItemDelegateForColumn(1, new ShareBar(causes_));
+    const int line = causes_->fontMetrics().height() + 5;
+    causes_->setFixedHeight((shownCauses + 1) * line + 6);
+    connect(causes_, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item) {
+        const auto trial = static_cast<std::size_t>(causes_->indexOfTopLevelItem(item));
+        const bool again = overlay_.shownCause() == trial;
+        overlay_.showCause(again ? std::nullopt : std::optional(trial));
+    });
+}
+
+void CausePanel::offer(QAction& speeds) {
+    speeds_->setDefaultAction(&speeds);
+    speeds_->setText(tr("Speeds"));
+}
+
+void CausePanel::applyBound() {
+    if (filling_) return;
+    overlay_.setBound({{position_->value() / 100, heading_->value() / degrees}, heldOut_->isChecked()});
+}
+
+void CausePanel::refresh() {
+    const OverlayRow* const row = overlay_.shownRow();
+    setVisible(row != nullptr);
+    filling_ = true;
+    position_->setValue(100 * overlay_.bound().at.position);
+    heading_->setValue(degrees * overlay_.bound().at.heading);
+    heldOut_->setChecked(overlay_.bound().fromHeldOut);
+    position_->setEnabled(!overlay_.bound().fromHeldOut);
+    heading_->setEnabled(!overlay_.bound().fromHeldOut);
+    filling_ = false;
+    if (row == nullptr) return;
+    QString robot = QString::fromStdString(overlay_.world()->world().robots()[row->robot].name);
+    if (const std::string take = takeText(overlay_.world()->world().takes()[row->take]); !take.empty())
+        robot += tr(" in %1").arg(QString::fromStdString(take));
+    course_->setText(tr("%1 from %2 s: %3").arg(robot, fixedText(toSeconds(row->start), 1), offText(*row)));
+    const auto& divergence = row->divergence;
+    goThere_->setVisible(divergence.has_value());
+    if (!divergence)
+        divergence_->setText(row->position ? tr("It stays within the bound.") : QString());
+    else
+        divergence_->setText(tr("Leaves the real course after %1 s: %2 cm, %3\u00b0")
+                                 .arg(fixedText(toSeconds(divergence->time), 1),
+                                      fixedText(100 * divergence->position, 1),
+                                      fixedText(degrees * divergence->heading, 1)));
+    refreshCauses();
+}
+
+/// The verdict in a line.
+QString CausePanel::likely() const {
+    const auto& finding = overlay_.finding();
+    if (!finding) return {};
+    if (!finding->error.isEmpty()) return finding->error;
+    if (!finding->diagnosis) return tr("Looking for the cause: %1 %").arg(static_cast<int>(100 * finding->share));
+    const Diagnosis& diagnosis = *finding->diagnosis;
+    if (diagnosis.trials.empty()) return tr("No re-run could be made");
+    return tr("Likely cause: %1").arg(QString::fromStdString(causeText(diagnosis)));
+}
+
+void CausePanel::refreshCauses() {
+    cause_->setText(likely());
+    cause_->setVisible(!cause_->text().isEmpty());
+    const auto& finding = overlay_.finding();
+    const bool known = finding && finding->diagnosis;
+    QString parting = known ? QString::fromStdString(partingText(*finding->diagnosis)) : QString();
+    parting.replace(0, 1, parting.left(1).toUpper());
+    parting_->setText(parting);
+    parting_->setVisible(!parting.isEmpty());
+    causes_->setVisible(known);
+    causes_->clear();
+    if (!known) return;
+    const Diagnosis& diagnosis = *finding->diagnosis;
+    for (std::size_t i = 0; i < diagnosis.trials.size(); ++i) {
+        const CauseTrial& trial = diagnosis.trials[i];
+        auto* item = new QTreeWidgetItem(
+            {QString::fromStdString(trial.what), tr("%1 %").arg(std::lround(100 * trial.explained))});
+        item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+        item->setData(1, explainedRole, trial.explained);
+        item->setToolTip(0, tr("%1. A click lays this re-run beside").arg(item->text(0)));
+        if (diagnosis.likely == i) {
+            QFont bold = item->font(0);
+            bold.setBold(true);
+            item->setFont(0, bold);
+        }
+        causes_->addTopLevelItem(item);
+        if (overlay_.shownCause() == i) item->setSelected(true);
+    }
+}
+
+QString CausePanel::text() const {
+    return QStringList{course_->text(), divergence_->text(), parting_->text(), cause_->text()}.join('\n');
+}
+
+}  // namespace mrose::gui

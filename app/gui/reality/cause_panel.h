@@ -1,0 +1,45 @@
+#pragma once
+
+#include <QWidget>
+
+#include "reality/overlay.h"
+#include "widgets/theme.h"
+
+class QCheckBox;
+class QDoubleSpinBox;
+class QLabel;
+class QToolButton;
+class QTreeWidget;
+
+namespace mrose::gui {
+
+/// The shown course of an overlay: how far its robot is off, where it first leaves the real course, and why. A click on
+/// a cause lays its re-run beside.
+class CausePanel final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit CausePanel(Overlay& overlay, QWidget* parent = nullptr);
+
+    void refresh();
+    void offer(QAction& speeds);  ///< shown beside the divergence
+    QTreeWidget& causes() const { return *causes_; }
+    QString text() const;  ///< what it says, plain
+
+private:
+    QWidget* makeBound();
+    void makeCauses();
+    void applyBound();
+    void refreshCauses();
+    QString likely() const;
+
+    Overlay& overlay_;
+    QLabel *course_, *divergence_, *parting_, *cause_;
+    QToolButton *goThere_, *speeds_;
+    QDoubleSpinBox *position_, *heading_;
+    QCheckBox* heldOut_;
+    QTreeWidget* causes_;
+    bool filling_ = false;
+};
+
+}  // namespace mrose::gui

@@ -1,0 +1,455 @@
+#include "reality/overlay.h"
+
+#include <QFileInfo>
+#include <QTimer>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "evaluation/format.h"
+#include "files/window_files.h"
+#include "widgets/field_view.h"
+#include "widgets/message_bar.h"
+#include "widgets/value_catalogue.h"
+#include "window/main_window.h"
+#include "window/window_memory.h"
+
+namespace mrose::gui {
+namespace {
+
+constexpr const char *overlayTopic = "overlay", *openingTopic = "opening log", *planTopic = "plan";
+
+/// They go with the log.
+QString noteTopic(std::size_t note) { return "log note " + QString::number(note); }
+
+/// What opens sooner needs no word.
+constexpr int openPatience = 300;  // ms
+
+/// Why it is not every 10 s; empty: it is, or that was asked for.
+QString planNote(const OverlayWorld& overlay, const OverlayPlan& plan) {
+    if (plan == OverlayPlan{}) return {};
+    const QString length = fixedText(plan.length, 1);
+    const QString why = QObject::tr("The trajectories of %1 are short").arg(QString::fromStdString(overlay.name()));
+    switch (plan.cut) {
+        case OverlayPlan::Cut::windows:
+            return QObject::tr("%1: the simulation starts again in windows of %2 s, as mrose evaluate cuts them")
+                .arg(why, length);
+        case OverlayPlan::Cut::every:
+            return QObject::tr("%1: the simulation starts again every %2 s").arg(why, length);
+        case OverlayPlan::Cut::once:
+            break;
+    }
+    return QObject::tr("%1: the simulation starts once").arg(why);
+}
+
+}  // namespace
+
+Overlay::Overlay(MainWindow& window) : QObject(&window), window_(window) {
+    connect(&window, &MainWindow::updated, this, &Overlay::followShown);
+}
+
+Overlay::~Overlay() = default;
+
+void Overlay::open(const OverlayRequest& request, const std::optional<OverlayPlan>& asked) { post({request, asked}); }
+
+Expected<void> Overlay::openNow(const OverlayRequest& request, const std::optional<OverlayPlan>& asked) {
+    openError_.reset();
+    post({request, asked, false});
+    opener_.settle();
+    window_.session().settle();
+    if (openError_) return tl::unexpected(*openError_);
+    return {};
+}
+
+/// What is open stays until the other one is there.
+void Overlay::post(const Opening& wanted) {
+    setAside();
+    if (!window_.actions().unattended())
+        QTimer::singleShot(openPatience, this, [this, place = wanted.request.log, number = openings_] {
+            if (number == openings_ && opener_.busy()) tellOpening(place);
+        });
+    opener_.post([this, wanted, restarts = restarts_](const JobQueue::GoesOn& goesOn) -> JobQueue::Answer {
+        OpenProgress progress;
+        progress.goesOn = goesOn;
+        Opening opening = wanted;
+        auto opened = std::make_shared<Expected<OpenedLog>>(
+            openLogAsRun(wanted.request, wanted.asked, restarts, progress, opening.untold));
+        return [this, opened, opening] { takeOpened(std::move(*opened), opening); };
+    });
+}
+
+void Overlay::tellOpening(const std::string& place) {
+    window_.messages().add({MessageBar::Kind::progress,
+                            tr("Opening %1").arg(QFileInfo(QString::fromStdString(place)).fileName()),
+                            openingTopic,
+                            {{tr("Cancel"), tr("Do not open it (Esc)"), [this] { setAside(), readAgain(); }}}});
+}
+
+/// The newest wish counts; what has changed in the files is read after it.
+void Overlay::setAside() {
+    opener_.drop();
+    if (reading_ && !reload_) reload_ = reading_;
+    reading_.reset();
+    endOpening();
+}
+
+/// Nothing more is said of it.
+void Overlay::endOpening() {
+    ++openings_;
+    window_.messages().remove(openingTopic);
+}
+
+void Overlay::takeOpened(Expected<OpenedLog> opened, const Opening& opening) {
+    endOpening();
+    if (!opened) {
+        if (opening.untold && opening.mayAsk && !window_.actions().unattended())
+            emit robotUntold(opening.request, opening.asked);
+        else
+            sayError(opened.error());
+        return readAgain();
+    }
+    if (!window_.files().mayLeave([this, opening] { post(opening); })) return readAgain();
+    close();
+    begin(std::move(opened->world), opened->plan, std::move(opened->requests));
+    if (const QString note = opening.asked ? QString() : planNote(*world_, plan_); !note.isEmpty())
+        window_.messages().add({MessageBar::Kind::note, note, planTopic});
+    window_.memory().addRecent(QString::fromStdString(world_->place));
+    takeCourse(std::move(opened->run), opened->course, {}, Then{});
+    compareAll();
+}
+
+void Overlay::follow(const OpenRun& run) {
+    close();
+    if (!follows_ || run.course->scenario->parts().players.empty()) return;
+    OverlayRequest request{run.source.log, run.source.file};
+    request.seed = run.source.seed;
+    request.pluginLimit = run.source.pluginLimit;
+    if (run.recorded()) request.kept = run.course->descriptions;
+    opener_.post([this, request, followed = run.course](const JobQueue::GoesOn& goesOn) -> JobQueue::Answer {
+        OpenProgress progress;
+        progress.goesOn = goesOn;
+        auto world = std::make_shared<Expected<OverlayWorldPointer>>(openOverlayWorld(request, progress));
+        return [this, world, followed] {
+            if (*world) return takeFollowed(std::move(**world), followed);
+            const QString why = QString::fromStdString(world->error().message());
+            window_.messages().add({MessageBar::Kind::note, tr("The run is shown alone: %1").arg(why), overlayTopic});
+        };
+    });
+}
+
+/// What is on its way to be shown comes first.
+void Overlay::reload(const QString& why) {
+    reload_ = why;
+    if (!opening()) readAgain();
+}
+
+void Overlay::readAgain() {
+    if (!reload_ || !world_ || !shownCourse_) return;
+    reading_ = std::exchange(reload_, std::nullopt);
+    opener_.post([this, world = world_, plan = plan_, shown = requests_[*shownCourse_], restarts = restarts_,
+                  why = *reading_](const JobQueue::GoesOn& goesOn) -> JobQueue::Answer {
+        auto again = std::make_shared<Expected<OpenedLog>>(reopen(*world, plan, shown, restarts, goesOn));
+        return [this, again, why] { takeReopened(std::move(*again), why); };
+    });
+}
+
+void Overlay::takeReopened(Expected<OpenedLog> again, const QString& why) {
+    reading_.reset();
+    if (!again) {
+        window_.files().takeReloaded(tl::unexpected(again.error()), why);
+        return readAgain();
+    }
+    if (world_ && again->world->files == world_->files) {
+        window_.files().sayUnchanged();
+        return readAgain();
+    }
+    adopt(again->world, std::move(again->requests));
+    shownCourse_ = again->course;
+    asCompared_ = false;
+    reality_ = again->run.reality;
+    window_.files().takeReloaded(std::move(again->run), why);
+    lookAtCourse();
+    compareAll();
+    readAgain();
+}
+
+void Overlay::close() {
+    setAside();
+    window_.messages().remove(planTopic);
+    for (std::size_t note = 0; world_ && note < world_->notes.size(); ++note)
+        window_.messages().remove(noteTopic(note));
+    // The one that is on its way to be shown, too.
+    if (world_) window_.session().setReality(window_.session().newestRun(), nullptr);
+    adopt(nullptr, {});
+    for (const OverlayModel& model : models_) window_.messages().remove(modelTopic(model.name));
+    models_.clear();
+    loading_.clear();
+    robot_.reset();
+    reload_.reset();
+    reading_.reset();
+    share_ = 1;
+    run_ = 0;
+    tellDivergences();
+    emit changed();
+}
+
+/// Nothing stays that is known of another world or of other courses.
+void Overlay::adopt(OverlayWorldPointer world, std::vector<CourseRequest> requests) {
+    computing_.drop();
+    stopSearching();
+    coming_.reset();
+    shownCourse_.reset();
+    reality_ = nullptr;
+    forgetCourse();
+    if (world && world != world_) {
+        // Models move in the world that they were made of.
+        std::vector<WantedModel> wanted;
+        for (const OverlayModel& model : models_)
+            if (!model.named.empty()) wanted.push_back({model.named, model.shown});
+        loading_.insert(loading_.begin(), wanted.begin(), wanted.end());
+        models_ = {ownModel(*world)};
+        bound_.fromHeldOut = bound_.fromHeldOut && knowsHeldOut(world->world());
+    }
+    world_ = std::move(world);
+    requests_ = std::move(requests);
+    comparison_ = nullptr;
+    error_.clear();
+    setRows({});
+}
+
+void Overlay::sayError(const Error& error) {
+    openError_ = error;
+    window_.messages().add({MessageBar::Kind::error, QString::fromStdString(error.message()), overlayTopic});
+}
+
+void Overlay::begin(OverlayWorldPointer world, const OverlayPlan& plan, std::vector<CourseRequest> courses) {
+    plan_ = plan;
+    for (const std::string& named : world->request.models) loading_.push_back({named});
+    bound_ = {DivergenceBound{}.constant, knowsHeldOut(world->world())};
+    adopt(std::move(world), std::move(courses));
+    window_.messages().remove(overlayTopic);
+    for (std::size_t note = 0; note < world_->notes.size(); ++note)
+        window_.messages().add({MessageBar::Kind::note, QString::fromStdString(world_->notes[note]), noteTopic(note)});
+}
+
+void Overlay::takeFollowed(OverlayWorldPointer world, const CoursePointer& followed) {
+    const OverlayPlan plan = suitedPlan(*world);
+    auto courses = plannedCourses(*world, plan);
+    if (!courses) return sayError(courses.error());
+    begin(std::move(world), plan, std::move(*courses));
+    const auto reality = std::make_shared<const Reality>(realityOf(world_->world(), 0, 0));
+    coming_ = Coming{followed, {}, {}, {}, reality};
+    if (window_.shown()) followShown();
+    compareAll();
+}
+
+Expected<void> Overlay::setPlan(const OverlayPlan& plan) {
+    if (!world_ || plan == plan_) return {};
+    auto courses = plannedCourses(*world_, plan);
+    if (!courses) return tl::unexpected(courses.error());
+    if (!window_.files().mayLeave([this, plan] { (void)setPlan(plan); })) return {};
+    plan_ = plan;
+    window_.messages().remove(planTopic);
+    adopt(world_, std::move(*courses));
+    show(0);
+    compareAll();
+    return {};
+}
+
+DivergenceOptions Overlay::divergenceOptions() const {
+    DivergenceOptions options;
+    options.bound.constant = bound_.at;
+    options.fromHeldOut = bound_.fromHeldOut;
+    return options;
+}
+
+void Overlay::setBound(const Bound& bound) {
+    if (bound == bound_) return;
+    bound_ = bound;
+    if (comparison_)
+        setRows(overlayRows(world_->world(), comparison_->courses, requests_, divergenceOptions()));
+    else if (world_)
+        compareAll();
+    tellDivergences();
+    findCause();
+    emit changed();
+}
+
+void Overlay::setRows(std::vector<OverlayRow> rows) {
+    rows_ = std::move(rows);
+    ++rowsVersion_;
+}
+
+void Overlay::compareAll() {
+    if (!world_) return;
+    computing_.drop();
+    setRows({});
+    comparison_ = nullptr;
+    share_ = 0;
+    error_.clear();
+    emit changed();
+    computing_.post([this, world = world_, requests = requests_,
+                     bounds = divergenceOptions()](const JobQueue::GoesOn& goesOn) -> JobQueue::Answer {
+        const auto tell = [&](std::vector<OverlayRow> rows, double share) {
+            computing_.tell([this, rows = std::move(rows), share] { takeRows(rows, share); });
+            return goesOn();
+        };
+        auto compared = std::make_shared<Expected<Comparison>>(compareCourses(*world, requests, bounds, tell));
+        return [this, compared] { takeComparison(std::move(*compared)); };
+    });
+    compareModels();
+}
+
+void Overlay::takeRows(const std::vector<OverlayRow>& rows, double share) {
+    share_ = std::min(share, 0.999);
+    rows_.insert(rows_.end(), rows.begin(), rows.end());
+    ++rowsVersion_;
+    if (!finding_ && shownRow() != nullptr) {
+        tellDivergences();
+        findCause();
+    }
+    emit changed();
+}
+
+void Overlay::takeComparison(Expected<Comparison> comparison) {
+    share_ = 1;
+    if (comparison) {
+        comparison_ = std::make_shared<const Comparison>(std::move(*comparison));
+        models_.front().figures.compared = comparison_->all;
+    } else {
+        error_ = QString::fromStdString(comparison.error().message());
+        models_.front().figures.compared = tl::unexpected(comparison.error());
+        sayError(comparison.error());
+    }
+    emit changed();
+}
+
+const OverlayRow* Overlay::rowOf(std::size_t course, std::size_t robot) const {
+    const auto found = std::lower_bound(rows_.begin(), rows_.end(), std::pair(course, robot),
+                                        [](const OverlayRow& row, const std::pair<std::size_t, std::size_t>& of) {
+                                            return std::pair(row.course, row.robot) < of;
+                                        });
+    return found != rows_.end() && found->course == course && found->robot == robot ? &*found : nullptr;
+}
+
+bool Overlay::show(std::size_t course, std::optional<std::size_t> robot, const Then& then) {
+    if (!world_ || course >= requests_.size()) return false;
+    if (!window_.files().mayLeave([this, course, robot, then] { show(course, robot, then); })) return false;
+    setAside();
+    opener_.post([this, world = world_, course, request = requests_[course], robot, then,
+                  toldOn = isToldOn(plan_, restarts_)](const JobQueue::GoesOn&) -> JobQueue::Answer {
+        auto run = std::make_shared<Expected<OpenRun>>(openCourse(*world, request, toldOn));
+        return [this, run, course, robot, then] { takeCourse(std::move(*run), course, robot, then); };
+    });
+    return true;
+}
+
+void Overlay::takeCourse(Expected<OpenRun> run, std::size_t course, std::optional<std::size_t> robot,
+                         const Then& then) {
+    if (!run) {
+        sayError(run.error());
+        return readAgain();
+    }
+    window_.messages().remove(overlayTopic);
+    const Shown* const shown = window_.shown();
+    std::string selected;
+    if (robot)
+        selected = world_->world().robots()[*robot].name;
+    else if (const auto body = window_.field().selected(); body && shown != nullptr)
+        selected = shown->frame->nameOf(*body);
+    // Breakpoints go along from course to course.
+    std::vector<Breakpoint> breakpoints;
+    if (shown != nullptr && shown->run == run_)
+        for (const BreakpointState& state : shown->breakpoints) breakpoints.push_back(state.breakpoint);
+    coming_ = Coming{
+        run->course, course, robot, std::move(selected), run->reality, robot || window_.field().showsPart(), then.look};
+    window_.files().takeCourse(*run);
+    if (!breakpoints.empty()) window_.session().setBreakpoints(breakpoints);
+    if (then.play) window_.session().play();
+}
+
+/// A course that has been played to its end is followed by the next.
+void Overlay::followShown() {
+    if (coming_ && window_.shown()->course == coming_->run) finishComing();
+    const Shown& shown = *window_.shown();
+    if (shown.event == RunEvent::broke) showLeaving();
+    if (!inCourses() || opening()) return;
+    if (shown.event == RunEvent::noBreak) return lookInCourses();
+    if (shown.event != RunEvent::playedOut || !atCourseEnd()) return;
+    if (window_.files().hasUnsaved())
+        return window_.say(tr("This course has branches that are not saved: the next one waits"));
+    showNext(1, Then{true, {}});
+}
+
+/// The run of a course is shown.
+void Overlay::finishComing() {
+    const Coming come = *std::exchange(coming_, std::nullopt);
+    if (!come.course) return window_.session().setReality(window_.shown()->run, come.reality);
+    run_ = window_.shown()->run;
+    asCompared_ = true;
+    reality_ = come.reality;
+    shownCourse_ = come.course;
+    if (come.robot) robot_ = come.robot;
+    const Scene& scene = window_.shown()->frame->scene();
+    for (std::size_t body = 0; body < scene.robots.size(); ++body)
+        if (scene.robots[body].name == come.selected) window_.field().setSelected(body);
+    lookAtCourse();
+    if (come.near) showNear();
+    emit changed();
+    if (come.look) window_.session().goToBreak(*come.look, come.look->back);
+    readAgain();
+}
+
+bool Overlay::showNext(int by, const Then& then) {
+    if (!world_ || !shownCourse_) return false;
+    const auto next = static_cast<std::int64_t>(*shownCourse_) + by;
+    if (next < 0 || next >= static_cast<std::int64_t>(requests_.size())) return false;
+    show(static_cast<std::size_t>(next), {}, then);
+    return true;
+}
+
+void Overlay::setRestarts(bool on) {
+    if (restarts_ == on) return;
+    restarts_ = on;
+    emit changed();
+}
+
+bool Overlay::cancel() {
+    // What somebody waits for, before what is done beside it.
+    if (searching_.busy()) return stopSearching(), true;
+    if (!opener_.busy() && !computing_.busy() && !driving_.busy() && !diagnosing_.busy()) return false;
+    for (JobQueue* const queue : {&opener_, &computing_, &driving_, &diagnosing_}) queue->drop();
+    endOpening();
+    reload_.reset();
+    reading_.reset();
+    loading_.clear();
+    if (finding_ && finding_->share < 1) finding_.reset();
+    if (share_ < 1 && world_) error_ = tr("Cancelled: not all courses are compared");
+    share_ = 1;
+    const auto cancelled = fail({}, "cancelled");
+    for (OverlayModel& model : models_) {
+        model.judged = 1;
+        if (!model.figures.compared) model.figures.compared = cancelled;
+        if (!model.figures.evaluated) model.figures.evaluated = cancelled;
+    }
+    emit changed();
+    return true;
+}
+
+bool Overlay::busy() {
+    return opening() || searching_.busy() || computing_.busy() || driving_.busy() || diagnosing_.busy();
+}
+
+void Overlay::settle() {
+    while (busy()) {
+        searching_.settle();
+        opener_.settle();
+        window_.session().settle();
+        coming_.reset();  // another run came in its place
+        computing_.settle();
+        driving_.settle();
+        diagnosing_.settle();
+    }
+}
+
+}  // namespace mrose::gui

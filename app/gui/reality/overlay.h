@@ -1,0 +1,218 @@
+#pragma once
+
+#include <QObject>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "breaks/breakpoints.h"
+#include "reality/overlay_work.h"
+#include "session/job_queue.h"
+
+namespace mrose::gui {
+
+class MainWindow;
+
+/// A real log laid over its simulation: where the simulated robots start, what becomes of each course, and which of
+/// them the window shows as its run. Works in the background; changed() tells.
+class Overlay final : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Overlay(MainWindow& window);
+    ~Overlay() override;
+
+    /// Reads the log, shows its first course, and compares all of them. No plan: the one that suits it. What is wrong
+    /// with it is said, and then all stays as it is; where the log does not tell what drove, robotUntold().
+    void open(const OverlayRequest& request, const std::optional<OverlayPlan>& asked = {});
+    /// The same, asks nothing, and waits until the first course is shown. Error: it is said, too.
+    Expected<void> openNow(const OverlayRequest& request, const std::optional<OverlayPlan>& asked = {});
+    /// A run that plays a log and was opened as such: what really happened is laid beside it, and its log is compared.
+    void follow(const OpenRun& run);
+    void setFollows(bool on) { follows_ = on; }  ///< false: runs are opened as they are
+    void close();
+    /// Log and scenario once more from their files; the shown course goes on as a branch.
+    void reload(const QString& why);
+
+    const OverlayWorldPointer& world() const { return world_; }  ///< null: no log is open
+    const OverlayPlan& plan() const { return plan_; }
+    /// Compares anew. Error: no course fits in; then nothing has changed.
+    Expected<void> setPlan(const OverlayPlan& plan);
+    /// From when on a robot has left the real course.
+    struct Bound {
+        DivergenceBound::At at = DivergenceBound{}.constant;
+        bool fromHeldOut = false;  ///< instead, from what the robot's network was held out from
+        bool operator==(const Bound&) const = default;
+    };
+    const Bound& bound() const { return bound_; }
+    void setBound(const Bound& bound);
+    DivergenceOptions divergenceOptions() const;  ///< the same as `mrose compare` is told
+
+    /// Motion models, the scenario's own first; the others drive the shown course beside it.
+    const std::vector<OverlayModel>& models() const { return models_; }
+    void addModel(const std::string& named);
+    void removeModel(std::size_t model);  ///< the scenario's own stays
+    void showModel(std::size_t model, bool on);
+
+    const std::vector<CourseRequest>& requests() const { return requests_; }
+    const std::vector<OverlayRow>& rows() const { return rows_; }  ///< of the courses that are done, by their indices
+    std::uint64_t rowsVersion() const { return rowsVersion_; }     ///< another one: the rows have changed
+    /// As `mrose compare` has it; null: it is not yet done.
+    const Comparison* comparison() const { return comparison_.get(); }
+    void compareAll();                               ///< once more, where that was cancelled
+    double share() const { return share_; }          ///< that is compared; 1: all, or it was cancelled
+    const QString& error() const { return error_; }  ///< of the comparison
+    /// What is done about courses and models now.
+    struct Work {
+        QString what;
+        double share = 0;
+    };
+    std::optional<Work> work() const;
+
+    // A course is meant by its index in requests().
+
+    /// The one that the window shows; nothing: another run.
+    std::optional<std::size_t> shownCourse() const { return shownCourse_; }
+    const OverlayRow* rowOf(std::size_t course, std::size_t robot) const;
+    /// The robot that is asked about, in LogWorld::robots(): the selected one, otherwise that which is farthest off.
+    /// Nothing: no course is shown, or nothing is known of it yet.
+    std::optional<std::size_t> shownRobot() const;
+    const OverlayRow* shownRow() const;
+    void setRobot(std::optional<std::size_t> robot);
+
+    /// Why that robot leaves the real course.
+    struct Finding {
+        std::size_t course = 0, robot = 0;
+        double share = 0;  ///< of the re-runs that are done
+        std::optional<Diagnosis> diagnosis;
+        QString error;
+    };
+    const std::optional<Finding>& finding() const { return finding_; }
+    /// Lays the re-run of a cause beside the shown course; nothing: none.
+    void showCause(std::optional<std::size_t> trial);
+    std::optional<std::size_t> shownCause() const { return cause_; }
+    /// To the instant at which it leaves the real course; false: it does not.
+    bool goToDivergence();
+    /// Opens a course as the window's run. A robot that is picked is selected, and its course seen from near. False:
+    /// there is none, or what is unsaved is to stay.
+    bool show(std::size_t course, std::optional<std::size_t> robot = {}) { return show(course, robot, Then{}); }
+    bool opening() { return opener_.busy() || coming_; }  ///< a course, or a log
+    /// To the course before or after; false: there is none.
+    bool showNext(int by) { return showNext(by, Then{}); }
+    /// As Session::goToBreak(). Where courses follow each other, the others are looked through, too: those after the
+    /// shown one, or before it.
+    void goToBreak(const BreakWish& wish);
+    /// At the end of a course the next one begins, where courses follow each other.
+    bool restarts() const { return restarts_; }
+    void setRestarts(bool on);
+
+    /// Ends what is opened, compared and looked for; false: nothing is.
+    bool cancel();
+    bool busy();
+    void settle();  ///< all is done and shown; for scripts and tests
+
+signals:
+    void changed();
+    void searching(const QString& what, double share);  ///< share 1: it has ended
+    /// Somebody must say what kind of robot drove, as OverlayRequest::robotFile of the same request.
+    void robotUntold(const OverlayRequest& request, const std::optional<OverlayPlan>& asked);
+
+private:
+    /// What is to be done once a course is shown.
+    struct Then {
+        bool play = false;
+        std::optional<BreakWish> look = {};
+    };
+    /// A run that was given to the session: what is to be done when it is shown.
+    struct Coming {
+        CoursePointer run;
+        std::optional<std::size_t> course;  ///< nothing: a run that was opened as such
+        std::optional<std::size_t> robot;
+        std::string selected;
+        std::shared_ptr<const Reality> reality;
+        bool near = false;
+        std::optional<BreakWish> look = {};
+    };
+    struct WantedModel {
+        std::string named;
+        bool shown = true;
+    };
+
+    /// One that was asked for, with what became of it.
+    struct Opening {
+        OverlayRequest request;
+        std::optional<OverlayPlan> asked;
+        bool mayAsk = true;  ///< what drove
+        bool untold = false;
+    };
+    void post(const Opening& opening);
+    void takeOpened(Expected<OpenedLog> opened, const Opening& opening);
+    void takeFollowed(OverlayWorldPointer world, const CoursePointer& followed);
+    void begin(OverlayWorldPointer world, const OverlayPlan& plan, std::vector<CourseRequest> courses);
+    void tellOpening(const std::string& place);
+    void setAside();
+    void endOpening();
+    void adopt(OverlayWorldPointer world, std::vector<CourseRequest> requests);
+    void readAgain();
+    void takeReopened(Expected<OpenedLog> again, const QString& why);
+    void takeRows(const std::vector<OverlayRow>& rows, double share);
+    void takeComparison(Expected<Comparison> comparison);
+    void setRows(std::vector<OverlayRow> rows);
+    void compareModels();
+    void compareModel(std::size_t model);
+    void takeFigures(const std::string& name, const OverlayModel::Figures& figures);
+    void loadModel(const WantedModel& wanted);
+    void takeModel(const WantedModel& wanted, Expected<OverlayModel> model);
+    OverlayModel* modelNamed(const std::string& name);
+    void lookAtCourse();
+    void forgetCourse();
+    void findCause();
+    void layReality();
+    void tellDivergences();
+    bool show(std::size_t course, std::optional<std::size_t> robot, const Then& then);
+    bool showNext(int by, const Then& then);
+    void takeCourse(Expected<OpenRun> run, std::size_t course, std::optional<std::size_t> robot, const Then& then);
+    void followShown();
+    void finishComing();
+    void showNear();
+    bool inCourses() const;
+    bool atCourseEnd() const;
+    void lookInCourses();
+    void stopSearching();
+    void showLeaving();
+    void select(std::size_t robot);
+    std::span<const OverlayRow> rowsOf(std::size_t course) const;
+    void sayError(const Error& error);
+
+    MainWindow& window_;
+    OverlayWorldPointer world_;
+    OverlayPlan plan_;
+    Bound bound_;
+    std::vector<CourseRequest> requests_;
+    std::vector<OverlayRow> rows_;
+    std::uint64_t rowsVersion_ = 0;
+    std::shared_ptr<const Comparison> comparison_;
+    double share_ = 1;
+    QString error_;
+    std::optional<std::size_t> shownCourse_;
+    std::vector<OverlayModel> models_;
+    std::vector<WantedModel> loading_;  ///< that are not there yet
+    std::optional<std::size_t> robot_;
+    std::optional<Finding> finding_;
+    std::optional<std::size_t> cause_;
+    std::shared_ptr<const Reality> reality_;  ///< of the shown course, without models
+    std::vector<Reality::ModelCourse> modelCourses_;
+    std::uint64_t openings_ = 0;     ///< of logs, begun and ended
+    std::uint64_t run_ = 0;          ///< the session's count of the shown course
+    bool asCompared_ = true;         ///< its first branch is the course of the comparison
+    std::optional<BreakWish> wish_;  ///< for which the session is looking
+    bool restarts_ = true;
+    bool follows_ = true;
+    std::optional<Error> openError_;
+    std::optional<Coming> coming_;
+    std::optional<QString> reload_, reading_;  ///< why all is to be read again, and why it is being
+    JobQueue opener_, computing_, driving_, diagnosing_, searching_;
+};
+
+}  // namespace mrose::gui

@@ -1,0 +1,139 @@
+// What an overlay knows of the course that the window shows.
+#include <algorithm>
+
+#include "reality/overlay.h"
+#include "reality/overlay_marks.h"
+#include "widgets/field_view.h"
+#include "window/main_window.h"
+
+namespace mrose::gui {
+
+/// What the models make of the shown course, and why it leaves the real one.
+void Overlay::lookAtCourse() {
+    forgetCourse();
+    if (!shownCourse_) return;
+    for (std::size_t model = 1; model < models_.size(); ++model)
+        driving_.post([this, world = world_, drives = models_[model],
+                       request = requests_[*shownCourse_]](const JobQueue::GoesOn& goesOn) {
+            auto driven = std::make_shared<Reality::ModelCourse>(modelCourse(*world, drives, request, goesOn));
+            return JobQueue::Answer([this, driven] {
+                modelCourses_.push_back(std::move(*driven));
+                layReality();
+            });
+        });
+    layReality();
+    tellDivergences();
+    findCause();
+}
+
+void Overlay::forgetCourse() {
+    driving_.drop();
+    diagnosing_.drop();
+    modelCourses_.clear();
+    finding_.reset();
+    cause_.reset();
+}
+
+/// What really happened, with the courses of the models that are shown and of a cause.
+void Overlay::layReality() {
+    if (!reality_ || !shownCourse_) return;
+    auto laid = std::make_shared<Reality>(*reality_);
+    for (const OverlayModel& model : models_)
+        for (const Reality::ModelCourse& course : modelCourses_)
+            if (model.shown && course.name == model.name) laid->models.push_back(course);
+    if (cause_ && finding_ && finding_->diagnosis) {
+        const CauseTrial& trial = finding_->diagnosis->trials[*cause_];
+        Reality::ModelCourse ghost{trial.what, WindowOptions{}.step, {}};
+        ghost.poses.resize(reality_->robots.size());
+        std::vector<Pose>& poses = ghost.poses[finding_->robot];
+        const CourseRequest& request = requests_[finding_->course];
+        const Take::Part& part = world_->world().takes()[request.take].parts[finding_->robot];
+        const Trajectory& real = world_->world().trajectory(request.take, finding_->robot);
+        if (const auto start = measureStart(real, part.origin + request.start, 0)) {
+            poses.push_back(start->pose);
+            poses.insert(poses.end(), trial.simulated.begin(), trial.simulated.end());
+        }
+        laid->models.push_back(std::move(ghost));
+    }
+    window_.session().setReality(run_, std::move(laid));
+}
+
+void Overlay::setRobot(std::optional<std::size_t> robot) {
+    // The selection goes and comes back with the run.
+    if (robot == robot_ || coming_) return;
+    const auto before = shownRobot();
+    robot_ = robot;
+    if (shownRobot() != before) {
+        findCause();
+        markDivergences(window_, *this);
+    }
+    emit changed();
+}
+
+std::optional<std::size_t> Overlay::shownRobot() const {
+    if (!shownCourse_) return {};
+    if (robot_ && rowOf(*shownCourse_, *robot_) != nullptr) return robot_;
+    const OverlayRow* worst = nullptr;
+    for (std::size_t robot = 0; robot < world_->world().robots().size(); ++robot) {
+        const OverlayRow* row = rowOf(*shownCourse_, robot);
+        // What nobody knows is below everything.
+        if (row != nullptr && (worst == nullptr || row->position > worst->position)) worst = row;
+    }
+    return worst != nullptr ? std::optional(worst->robot) : std::nullopt;
+}
+
+const OverlayRow* Overlay::shownRow() const {
+    const auto robot = shownRobot();
+    return robot ? rowOf(*shownCourse_, *robot) : nullptr;
+}
+
+void Overlay::findCause() {
+    diagnosing_.drop();
+    cause_.reset();
+    finding_.reset();
+    const OverlayRow* const row = shownRow();
+    if (row == nullptr || !row->divergence) return;
+    finding_ = Finding{row->course, row->robot, 0, {}, {}};
+    const CauseQuestion question{requests_[row->course], *row, divergenceOptions(), models_};
+    diagnosing_.post([this, world = world_, question](const JobQueue::GoesOn& goesOn) -> JobQueue::Answer {
+        const auto progress = [&](double share) {
+            diagnosing_.tell([this, share] {
+                finding_->share = share;
+                emit changed();
+            });
+            return goesOn();
+        };
+        auto found = std::make_shared<Expected<Diagnosis>>(whyItLeaves(*world, question, progress));
+        return [this, found] {
+            finding_->share = 1;
+            if (*found)
+                finding_->diagnosis = std::move(**found);
+            else
+                finding_->error = QString::fromStdString(found->error().message());
+            emit changed();
+        };
+    });
+}
+
+void Overlay::showCause(std::optional<std::size_t> trial) {
+    if (trial && (!finding_ || !finding_->diagnosis || *trial >= finding_->diagnosis->trials.size())) return;
+    cause_ = trial;
+    layReality();
+    emit changed();
+}
+
+/// The shown robot's course, real and simulated: errors are small beside the place.
+void Overlay::showNear() {
+    constexpr double margin = 0.25, least = 1.2;  // of its size; m
+    const OverlayRow* const row = shownRow();
+    if (row == nullptr || row->area.empty()) return;
+    const LogWorld& world = world_->world();
+    FieldArea area = row->area;
+    const double reach = world.parts().scene.shapeOf(world.robots()[row->robot].body).reach;
+    const Point middle = area.middle();
+    const auto half = [&](double size) { return std::max(least / 2, (1 + margin) * (size / 2 + reach)); };
+    const Point reaches{half(area.most.x - area.least.x), half(area.most.y - area.least.y)};
+    window_.field().fit({middle - reaches, middle + reaches});
+}
+
+}  // namespace mrose::gui

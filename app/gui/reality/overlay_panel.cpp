@@ -1,0 +1,419 @@
+#include "reality/overlay_panel.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QItemSelectionModel>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMenu>
+#include <QProgressBar>
+#include <QScrollBar>
+#include <QShortcut>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QTreeView>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "evaluation/format.h"
+#include "widgets/value_catalogue.h"
+
+namespace mrose::gui {
+namespace {
+
+constexpr double longestLog = 1e6;   // s
+constexpr int widestName = 84;       // pixels: tips tell longer ones
+constexpr int leastListWidth = 404;  // pixels: all columns of five robots for half an hour
+
+QString minutes(Nanoseconds time) {
+    const auto seconds = static_cast<int>(toSeconds(time));
+    if (seconds < 3600) return QString("%1:%2 min").arg(seconds / 60).arg(seconds % 60, 2, 10, QChar('0'));
+    return QString("%1:%2 h").arg(seconds / 3600).arg(seconds / 60 % 60, 2, 10, QChar('0'));
+}
+
+QString counted(std::size_t count, const QString& one, const QString& several) {
+    return QString::number(count) + ' ' + (count == 1 ? one : several);
+}
+
+/// "5 robots, 155 courses, 26:00 min"; of a log in parts: "..., 128 takes, 8:32 min in all".
+QString aboutText(const Overlay& overlay) {
+    const LogWorld& world = overlay.world()->world();
+    const auto stretch = overlay.plan().stretch;
+    Nanoseconds length = 0;
+    for (const Take& take : world.takes()) length += std::max<Nanoseconds>(0, take.length);
+    QStringList parts{counted(world.robots().size(), QObject::tr("robot"), QObject::tr("robots")),
+                      counted(overlay.requests().size(), QObject::tr("course"), QObject::tr("courses")) +
+                          (stretch ? QObject::tr(" in %1 s").arg(fixedText(*stretch, 1)) : QString())};
+    const bool several = world.takes().size() > 1;
+    if (several) parts << counted(world.takes().size(), QObject::tr("take"), QObject::tr("takes"));
+    parts << minutes(length) + (several ? QObject::tr(" in all") : QString());
+    return parts.join(", ");
+}
+
+/// Who walks through the courses by keys sees each of them.
+class CourseView final : public QTreeView {
+protected:
+    void keyPressEvent(QKeyEvent* event) override {
+        const QModelIndex before = currentIndex();
+        QTreeView::keyPressEvent(event);
+        if (currentIndex().isValid() && currentIndex().row() != before.row()) emit activated(currentIndex());
+    }
+};
+
+QDoubleSpinBox* secondsBox(double least, double most, const QString& tip) {
+    auto* box = new QDoubleSpinBox;
+    box->setRange(least, most);
+    box->setDecimals(1);
+    box->setSuffix(" s");
+    box->setKeyboardTracking(false);
+    box->setAccelerated(true);
+    box->setToolTip(tip);
+    return box;
+}
+
+}  // namespace
+
+OverlayPanel::OverlayPanel(Overlay& overlay, QWidget* parent)
+    : QWidget(parent),
+      overlay_(overlay),
+      courses_(new CourseList(this)),
+      log_(new QLabel),
+      about_(new QLabel),
+      causes_(new CausePanel(overlay)),
+      cut_(new QComboBox),
+      startLabel_(new QLabel(tr("from"))),
+      restarts_(new QCheckBox(tr("Play on into the next course"))),
+      progress_(makeProgress()),
+      list_(new CourseView) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 8, 8, 8);
+    layout->setSpacing(6);
+    layout->addWidget(makeHead());
+    layout->addWidget(makePlan());
+    layout->addWidget(progress_);
+    layout->addWidget(makeModels());
+    makeList();
+    layout->addWidget(list_, 1);
+    layout->addWidget(causes_);
+    connect(&overlay_, &Overlay::changed, this, &OverlayPanel::refresh);
+    refresh();
+}
+
+QWidget* OverlayPanel::makeHead() {
+    auto* head = new QWidget;
+    auto* layout = new QVBoxLayout(head);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    QFont bold = log_->font();
+    bold.setBold(true);
+    log_->setFont(bold);
+    layout->addWidget(log_);
+    layout->addWidget(about_);
+    return head;
+}
+
+QWidget* OverlayPanel::makePlan() {
+    auto* plan = new QWidget;
+    auto* layout = new QVBoxLayout(plan);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    auto* line = new QHBoxLayout;
+    cut_->addItem(tr("Restart every"), static_cast<int>(OverlayPlan::Cut::every));
+    cut_->addItem(tr("One course of"), static_cast<int>(OverlayPlan::Cut::once));
+    cut_->addItem(tr("Windows of"), static_cast<int>(OverlayPlan::Cut::windows));
+    cut_->setToolTip(tr("Where the simulated robots start: again and again, once, or as mrose evaluate cuts the log"));
+    length_ = secondsBox(0.1, longestLog, tr("How long a course is"));
+    start_ =
+        secondsBox(0, longestLog, tr("Where in the log the first course begins, after all of its robots are there"));
+    line->addWidget(cut_);
+    line->addWidget(length_);
+    line->addWidget(startLabel_);
+    line->addWidget(start_);
+    line->addStretch(1);
+    layout->addLayout(line);
+    restarts_->setToolTip(tr("At the end of a course the next one begins, from where the real robots then are"));
+    layout->addWidget(restarts_);
+    connect(cut_, QOverload<int>::of(&QComboBox::activated), this, &OverlayPanel::applyPlan);
+    connect(length_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &OverlayPanel::applyPlan);
+    connect(start_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &OverlayPanel::applyPlan);
+    connect(restarts_, &QCheckBox::toggled, this, [this](bool on) {
+        if (!filling_) overlay_.setRestarts(on);
+    });
+    return plan;
+}
+
+QWidget* OverlayPanel::makeProgress() {
+    auto* progress = new QWidget;
+    auto* layout = new QHBoxLayout(progress);
+    layout->setContentsMargins(0, 0, 0, 0);
+    bar_ = new QProgressBar;
+    stop_ = new QToolButton;
+    stop_->setObjectName("compare_or_cancel");
+    connect(stop_, &QToolButton::clicked, this, [this] {
+        if (overlay_.work())
+            overlay_.cancel();
+        else
+            overlay_.compareAll();
+    });
+    layout->addWidget(bar_, 1);
+    layout->addWidget(stop_);
+    return progress;
+}
+
+/// As wide as their titles and digits, so that all of them are seen at once. Rows come in the order of their courses:
+/// those that were there before are measured already.
+void OverlayPanel::fitColumns() {
+    const std::vector<OverlayRow>& rows = overlay_.rows();
+    const QFontMetrics metrics = list_->fontMetrics();
+    if (fitted_ == 0 || rows.size() < fitted_) {
+        fitted_ = 0;
+        const std::size_t takes = overlay_.world() ? overlay_.world()->world().takes().size() : 1;
+        list_->setColumnHidden(CourseList::take, takes == 1);
+        list_->setColumnHidden(CourseList::robot, takes > 1 && overlay_.world()->world().robots().size() == 1);
+    }
+    for (int column = 0; column < CourseList::columns; ++column) {
+        if (list_->isColumnHidden(column)) continue;
+        const QString title = courses_->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+        int& wide = widths_[static_cast<std::size_t>(column)];
+        if (fitted_ == 0) wide = metrics.size(0, title).width();
+        for (std::size_t row = fitted_; row < rows.size(); ++row)
+            wide = std::max(wide, metrics.horizontalAdvance(courses_->text(rows[row], column)));
+        if (CourseList::isName(column)) wide = std::min(wide, widestName);
+        // The title that it is sorted by has an arrow.
+        list_->setColumnWidth(column, wide + (column == CourseList::error ? 24 : 7));
+    }
+    fitted_ = rows.size();
+}
+
+QWidget* OverlayPanel::makeModels() {
+    auto* part = new QWidget;
+    auto* layout = new QVBoxLayout(part);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    models_ = new QTreeWidget;
+    models_->setObjectName("models");
+    models_->setAccessibleName(tr("Motion models and their errors"));
+    models_->setHeaderLabels({tr("Model"), tr("P %"), tr("Hd %"), tr("end cm"), tr("end \u00b0")});
+    models_->headerItem()->setToolTip(1, tr("Mean distance to the real robot over its path, summed over all windows"));
+    models_->headerItem()->setToolTip(2, tr("Mean heading error over its rotation, summed over all windows"));
+    models_->headerItem()->setToolTip(3, tr("Distance at the end of a course, the median"));
+    models_->headerItem()->setToolTip(4, tr("Heading error at the end of a course, the median"));
+    models_->setRootIsDecorated(false);
+    models_->setIndentation(0);
+    models_->setUniformRowHeights(true);
+    models_->setFrameShape(QFrame::NoFrame);
+    models_->setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+    models_->header()->setStretchLastSection(false);
+    models_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    for (int column = 1; column < 5; ++column) {
+        models_->headerItem()->setTextAlignment(column, Qt::AlignRight);
+        models_->header()->setSectionResizeMode(column, QHeaderView::Fixed);
+        models_->header()->resizeSection(column, models_->fontMetrics().horizontalAdvance("end cm") + 10);
+    }
+    models_->setContextMenuPolicy(Qt::ActionsContextMenu);
+    auto* remove = new QAction(tr("Remove this model"), models_);
+    remove->setShortcut(QKeySequence::Delete);
+    remove->setShortcutContext(Qt::WidgetShortcut);
+    connect(remove, &QAction::triggered, this, [this] { emit modelRemovalWanted(); });
+    models_->addAction(remove);
+    connect(models_, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item) {
+        overlay_.showModel(static_cast<std::size_t>(models_->indexOfTopLevelItem(item)),
+                           item->checkState(0) == Qt::Checked);
+    });
+    auto* line = new QHBoxLayout;
+    auto* add = new QToolButton;
+    add->setText(tr("Add a model"));
+    add->setToolTip(tr("Lay what another motion model makes of the same commands over it"));
+    add->setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(add);
+    connect(menu, &QMenu::aboutToShow, this, [this, menu] { fillModelMenu(*menu); });
+    add->setMenu(menu);
+    free_ = new QCheckBox(tr("without contacts"));
+    free_->setToolTip(tr("Robots go through everything, on the windows of mrose evaluate; otherwise as mrose compare"));
+    connect(free_, &QCheckBox::toggled, this, &OverlayPanel::refreshModels);
+    line->addWidget(add);
+    line->addStretch(1);
+    line->addWidget(free_);
+    layout->addWidget(models_);
+    layout->addLayout(line);
+    return part;
+}
+
+void OverlayPanel::fillModelMenu(QMenu& menu) {
+    menu.clear();
+    if (!overlay_.world()) return;
+    for (const std::string& known : modelNames(*overlay_.world()))
+        menu.addAction(QString::fromStdString(known), this, [this, known] { overlay_.addModel(known); });
+    menu.addSeparator();
+    menu.addAction(tr("From a file\u2026"), this, [this] { emit modelFileWanted(); });
+}
+
+void OverlayPanel::makeList() {
+    list_->setModel(courses_);
+    list_->setObjectName("courses");
+    list_->setAccessibleName(tr("Courses, by their errors"));
+    list_->setRootIsDecorated(false);
+    list_->setUniformRowHeights(true);
+    list_->setAllColumnsShowFocus(true);
+    list_->setFrameShape(QFrame::NoFrame);
+    list_->setSortingEnabled(true);
+    list_->sortByColumn(CourseList::error, Qt::DescendingOrder);
+    list_->header()->setStretchLastSection(true);
+    list_->header()->setMinimumSectionSize(20);
+    list_->setMinimumWidth(leastListWidth);
+    list_->setMinimumHeight(4 * (list_->fontMetrics().height() + 4));
+    list_->setIndentation(0);
+    connect(list_, &QTreeView::clicked, this, &OverlayPanel::openLine);
+    connect(list_, &QTreeView::activated, this, &OverlayPanel::openLine);
+}
+
+void OverlayPanel::openLine(const QModelIndex& index) {
+    const OverlayRow& row = courses_->row(index.row());
+    if (!overlay_.show(row.course, row.robot)) selectShown();
+}
+
+void OverlayPanel::applyPlan() {
+    if (filling_) return;
+    OverlayPlan plan;
+    plan.cut = static_cast<OverlayPlan::Cut>(cut_->currentData().toInt());
+    plan.length = length_->value();
+    plan.start = start_->value();
+    if (const auto done = overlay_.setPlan(plan); !done) {
+        about_->setText(QString::fromStdString(done.error().message()));
+        return;
+    }
+    refresh();
+}
+
+void OverlayPanel::setTheme(const Theme& theme) {
+    theme_ = theme;
+    refresh();
+}
+
+void OverlayPanel::refresh() {
+    const OverlayWorldPointer& world = overlay_.world();
+    setEnabled(world != nullptr);
+    filling_ = true;
+    log_->setText(world ? QString::fromStdString(world->name()) : tr("No log is open"));
+    log_->setToolTip(world ? QString::fromStdString(world->place) : QString());
+    about_->setText(world ? aboutText(overlay_) : tr("File \u2192 Open a real log\u2026"));
+    const OverlayPlan& plan = overlay_.plan();
+    cut_->setCurrentIndex(cut_->findData(static_cast<int>(plan.cut)));
+    length_->setValue(plan.length);
+    start_->setValue(plan.start);
+    const bool windows = plan.cut == OverlayPlan::Cut::windows;
+    start_->setVisible(!windows);
+    startLabel_->setVisible(!windows);
+    restarts_->setVisible(plan.cut == OverlayPlan::Cut::every);
+    restarts_->setChecked(overlay_.restarts());
+    filling_ = false;
+    const auto work = overlay_.work();
+    const bool ended = world != nullptr && !work && !overlay_.error().isEmpty();
+    progress_->setVisible(work.has_value() || ended);
+    bar_->setFormat(work ? work->what + " %p %" : overlay_.error());
+    bar_->setValue(work ? static_cast<int>(100 * work->share) : 0);
+    stop_->setText(ended ? tr("Compare") : tr("Cancel"));
+    stop_->setToolTip(ended ? tr("Compare all courses") : tr("End this here (Esc)"));
+    models_->setVisible(world != nullptr);
+    refreshModels();
+    refreshList();
+    causes_->refresh();
+}
+
+/// The line that whoever walks through it by keys stands on is left alone until another course is shown.
+void OverlayPanel::refreshList() {
+    if (listed_ != overlay_.rowsVersion()) fillList();
+    const OverlayRow* const row = overlay_.shownRow();
+    const auto shown = row != nullptr ? std::optional(std::pair(row->course, row->robot)) : std::nullopt;
+    if (shown == selected_ || overlay_.opening()) return;
+    selected_ = shown;
+    selectShown();
+}
+
+/// Scrolled to where it was, with the same current line.
+void OverlayPanel::fillList() {
+    const int scrolled = list_->verticalScrollBar()->value();
+    const QModelIndex current = list_->currentIndex();
+    std::optional<OverlayRow> kept;
+    if (current.isValid()) kept = courses_->row(current.row());
+    courses_->setRows(overlay_.world(), overlay_.rows());
+    listed_ = overlay_.rowsVersion();
+    fitColumns();
+    list_->setAutoScroll(false);
+    if (kept) select(kept->course, kept->robot);
+    list_->setAutoScroll(true);
+    list_->doItemsLayout();
+    list_->verticalScrollBar()->setValue(scrolled);
+}
+
+/// The models' figures: with contacts as `mrose compare` has them, or without as `mrose evaluate`.
+void OverlayPanel::refreshModels() {
+    const QSignalBlocker quiet(models_);
+    const QString current = models_->currentItem() != nullptr ? models_->currentItem()->text(0) : QString();
+    models_->clear();
+    std::size_t colour = 0;
+    for (std::size_t i = 0; i < overlay_.models().size(); ++i) {
+        const OverlayModel& model = overlay_.models()[i];
+        auto* item = new QTreeWidgetItem({QString::fromStdString(model.name)});
+        const auto set = [&](int column, double value, int decimals) {
+            item->setText(column, fixedText(value, decimals));
+            item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+        };
+        const auto show = [&](const Summary& summary, const Distribution& position, const Distribution& heading) {
+            set(1, summary.p, 2);
+            set(2, summary.hd, 2);
+            set(3, 100 * position.median, 1);
+            set(4, degrees * heading.median, 1);
+            item->setToolTip(1, tr("over %1").arg(counted(summary.windows, tr("window"), tr("windows"))));
+        };
+        const auto showUnknown = [&](const Error* why) {
+            for (int column = 1; column < 5 && why != nullptr; ++column) {
+                set(column, std::numeric_limits<double>::quiet_NaN(), 1);
+                item->setToolTip(column, QString::fromStdString(why->message()));
+            }
+            if (why == nullptr) item->setText(1, QString::fromUtf8("\u2026"));
+        };
+        const auto& [compared, evaluated] = model.figures;
+        if (free_->isChecked() && evaluated && *evaluated)
+            show(**evaluated, (*evaluated)->positionFinal, (*evaluated)->headingFinal);
+        else if (free_->isChecked())
+            showUnknown(evaluated ? &evaluated->error() : nullptr);
+        else if (compared && *compared)
+            show((*compared)->counted, (*compared)->positionFinal, (*compared)->headingFinal);
+        else
+            showUnknown(compared ? &compared->error() : nullptr);
+        if (i > 0) {
+            item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
+            item->setCheckState(0, model.shown ? Qt::Checked : Qt::Unchecked);
+            if (model.shown) item->setData(0, Qt::DecorationRole, modelColour(colour++));
+        }
+        item->setToolTip(0, item->text(0) + (i == 0 ? tr(": the scenario's own, by which the filled robots move")
+                                                    : tr(": drawn in this colour")));
+        models_->addTopLevelItem(item);
+        if (item->text(0) == current) models_->setCurrentItem(item);
+    }
+    const int line = models_->fontMetrics().height() + 5;
+    const int lines = std::clamp(models_->topLevelItemCount(), 1, 5);
+    models_->setFixedHeight((lines + 1) * line + 4);
+}
+
+/// The shown course in the list.
+void OverlayPanel::selectShown() {
+    const OverlayRow* const row = overlay_.shownRow();
+    if (row == nullptr) return list_->selectionModel()->clear();
+    select(row->course, row->robot);
+}
+
+void OverlayPanel::select(std::size_t course, std::size_t robot) {
+    const int line = courses_->lineOf(course, robot);
+    if (line < 0) return list_->selectionModel()->clear();
+    list_->selectionModel()->setCurrentIndex(courses_->index(line, CourseList::error),
+                                             QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+}
+
+}  // namespace mrose::gui

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <QWidget>
+#include <array>
+
+#include "reality/cause_panel.h"
+#include "reality/course_list.h"
+#include "reality/overlay.h"
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QMenu;
+class QProgressBar;
+class QToolButton;
+class QTreeView;
+class QTreeWidget;
+
+namespace mrose::gui {
+
+/// What an overlay is about: the log, where the simulated robots start, how far they are off, and the list of courses
+/// in which the worst comes first.
+class OverlayPanel final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit OverlayPanel(Overlay& overlay, QWidget* parent = nullptr);
+
+    void setTheme(const Theme& theme);
+    QTreeView& list() const { return *list_; }
+    QTreeWidget& models() const { return *models_; }
+    CourseList* courses() const { return courses_; }
+    void openLine(const QModelIndex& index);  ///< the course of a line of the list
+    CausePanel& causes() const { return *causes_; }
+
+    QSize sizeHint() const override { return {400, 600}; }
+
+signals:
+    void modelFileWanted();
+    void modelRemovalWanted();  ///< of the list's current one
+
+private:
+    QWidget* makeHead();
+    QWidget* makePlan();
+    QWidget* makeProgress();
+    void makeList();
+    void refresh();
+    QWidget* makeModels();
+    void fitColumns();
+    void fillModelMenu(QMenu& menu);
+    void refreshModels();
+    void refreshList();
+    void fillList();
+    void select(std::size_t course, std::size_t robot);
+    void selectShown();
+    void applyPlan();
+
+    Overlay& overlay_;
+    CourseList* courses_;
+    QLabel *log_, *about_;
+    CausePanel* causes_;
+    QComboBox* cut_;
+    QDoubleSpinBox *start_, *length_;
+    QLabel* startLabel_;
+    QCheckBox* restarts_;
+    QWidget* progress_;
+    QToolButton* stop_;
+    QProgressBar* bar_;
+    QTreeWidget* models_;
+    QCheckBox* free_;
+    QTreeView* list_;
+    std::uint64_t listed_ = 0;                                     ///< Overlay::rowsVersion() of the list
+    std::size_t fitted_ = 0;                                       ///< rows that the columns are wide enough for
+    std::array<int, CourseList::columns> widths_{};                ///< pixels: of what they show
+    std::optional<std::pair<std::size_t, std::size_t>> selected_;  ///< course and robot
+    bool filling_ = false;
+    Theme theme_ = Theme::light();
+};
+
+}  // namespace mrose::gui

@@ -1,0 +1,179 @@
+#include "reality/overlay_world.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "comparison/course_descriptions.h"
+#include "comparison/log_scenario.h"
+#include "evaluation/format.h"
+#include "io/file.h"
+#include "logs/log_reader.h"
+#include "scenario/scenario_file.h"
+#include "shared/notices.h"
+#include "shared/opening.h"
+#include "shared/plugin_process.h"
+#include "shared/resources.h"
+
+namespace mrose::gui {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string fullPath(const std::string& place) {
+    std::error_code ignored;
+    return fs::absolute(place, ignored).lexically_normal().string();
+}
+
+Expected<std::shared_ptr<const Log>> logAt(const std::string& place, const std::optional<DifferentialDrive>& drive,
+                                           const OpenProgress& progress) {
+    if (!progress.goesOn()) return fail(place, "was not opened: cancelled");
+    progress.reads(place);
+    LogOptions options;
+    if (drive) options.drive = *drive;
+    auto log = readLog(place, options);
+    if (!log) return tl::unexpected(log.error());
+    if (!progress.goesOn()) return fail(place, "was not opened: cancelled");
+    return std::make_shared<const Log>(std::move(*log));
+}
+
+Expected<LoadedScenario> withoutLogs(const std::string& name, DescriptionSource& source, const OverlayRequest& request,
+                                     std::map<std::string, std::string>& files) {
+    const PluginLoader isolated = [&](const std::string& path,
+                                      const std::string& options) -> Expected<std::shared_ptr<const Controller>> {
+        if (const auto content = readFile(path)) files[path] = contentHash(*content);
+        return startPluginProcess(path, options, request.pluginLimit);
+    };
+    auto loaded = loadScenario(name, source, {isolated, false});
+    if (!loaded) return loaded;
+    std::error_code ignored;
+    for (const auto& [text, content] : loaded->texts)
+        if (const std::string path = source.shown(text); fs::is_regular_file(path, ignored))
+            files[path] = contentHash(content);
+    return loaded;
+}
+
+/// The scenario that the request names, and the log beside it.
+Expected<LoadedScenario> scenarioNamed(OverlayWorld& overlay, std::shared_ptr<const Log>& log,
+                                       const OpenProgress& progress) {
+    const OverlayRequest& request = overlay.request;
+    DiskDescriptions source = openDescriptions(request.log.empty() ? "" : placeOfLog(request.log));
+    LayeredDescriptions kept(request.kept ? request.kept->texts : std::map<std::string, std::string>{}, source);
+    auto loaded = withoutLogs(request.kept ? request.kept->scenario : request.scenario, kept, request, overlay.files);
+    if (!loaded) return loaded;
+    if (loaded->parts.players.empty())
+        return fail(source.shown(loaded->name),
+                    "plays no log; expected a robot with controller = { kind = \"log_player\", ... }");
+    const auto place = source.logPlace(loaded->parts.players.front().excerpt);
+    if (!place)
+        return fail(source.shown(loaded->name), "its log \"" + loaded->parts.players.front().excerpt.reference +
+                                                    "\" was not found; expected it in the folder that MROSE_DATA "
+                                                    "names, or another one by --log");
+    overlay.place = fullPath(place->string());
+    const auto networks = networksOf(loaded->parts);
+    auto read = logAt(overlay.place, networks.empty() ? std::nullopt : networks.front()->drive, progress);
+    if (!read) return tl::unexpected(read.error());
+    log = std::move(*read);
+    return loaded;
+}
+
+/// A scenario that suits the log.
+Expected<LoadedScenario> scenarioMade(OverlayWorld& overlay, std::shared_ptr<const Log>& log,
+                                      const OpenProgress& progress, bool* untold) {
+    const OverlayRequest& request = overlay.request;
+    overlay.place = fullPath(placeOfLog(request.log));
+    auto read = logAt(overlay.place, {}, progress);
+    if (!read) return tl::unexpected(read.error());
+    log = std::move(*read);
+    if (untold != nullptr) *untold = request.robotFile.empty() && !tellsRobotKind(*log);
+    const auto made = scenarioOfLog(*log, overlay.place, request.robotFile);
+    if (!made) return tl::unexpected(made.error());
+    DiskDescriptions disk = openDescriptions();
+    LayeredDescriptions source(made->texts, disk);
+    auto loaded = withoutLogs(made->scenario, source, request, overlay.files);
+    if (!loaded) return loaded;
+    const auto networks = networksOf(loaded->parts);
+    if (networks.empty() || !networks.front()->drive) return loaded;
+    // Wheel commands are read by the geometry that the network was learned with.
+    auto again = logAt(overlay.place, networks.front()->drive, progress);
+    if (!again) return tl::unexpected(again.error());
+    log = std::move(*again);
+    return loaded;
+}
+
+void addNotices(OverlayWorld& overlay) {
+    if (overlay.world().log().synthetic)
+        overlay.notes.push_back("The log comes from a simulated robot: nothing here tells of a real one.");
+    for (const MotionNetwork* network : networksOf(overlay.world().parts()))
+        for (std::string& notice : noticesOf(*network, overlay.world()))
+            if (std::find(overlay.notes.begin(), overlay.notes.end(), notice) == overlay.notes.end())
+                overlay.notes.push_back(std::move(notice));
+}
+
+/// A log of which only a part of the robots is known to the scenario is no mistake: those that both have are compared.
+std::vector<std::string> sharedRobots(const OverlayRequest& request, const ScenarioParts& parts, const Log& log) {
+    if (!request.robots.empty()) return request.robots;
+    std::vector<std::string> shared;
+    bool all = true;
+    for (const LogPlayer& player : parts.players) {
+        const bool has = std::any_of(log.robots.begin(), log.robots.end(),
+                                     [&](const RobotLog& robot) { return robot.robot == player.excerpt.robot; });
+        all = all && has;
+        if (has) shared.push_back(player.excerpt.robot);
+    }
+    return all ? std::vector<std::string>{} : shared;
+}
+
+}  // namespace
+
+std::string OverlayWorld::name() const { return fs::path(place).filename().string(); }
+
+Expected<OverlayWorldPointer> openOverlayWorld(const OverlayRequest& request, const OpenProgress& progress,
+                                               bool* untold) {
+    OverlayWorld opening{request, {}, {}, nullptr, 1, {}, {}};
+    std::shared_ptr<const Log> log;
+    auto loaded = request.scenario.empty() && !request.kept ? scenarioMade(opening, log, progress, untold)
+                                                            : scenarioNamed(opening, log, progress);
+    if (!loaded) return tl::unexpected(loaded.error());
+    opening.descriptions = {loaded->name, std::move(loaded->texts)};
+    opening.seed = request.seed.value_or(loaded->parts.seed);
+    const std::vector<std::string> shared = sharedRobots(request, loaded->parts, *log);
+    auto world = LogWorld::create(std::move(loaded->parts), std::move(log), shared);
+    if (!world) {
+        if (world.error().file.empty()) world.error().file = loaded->name;
+        return tl::unexpected(world.error());
+    }
+    opening.played = std::make_shared<const LogWorld>(std::move(*world));
+    for (const LogFile& file : opening.world().log().files) opening.files[file.path] = file.hash;
+    addNotices(opening);
+    return std::make_shared<const OverlayWorld>(std::move(opening));
+}
+
+std::string takeText(const Take& take) { return take.name.empty() ? "" : "take " + take.name; }
+
+std::string courseName(const OverlayWorld& overlay, const CourseRequest& course) {
+    const std::string take = takeText(overlay.world().takes()[course.take]);
+    return overlay.name() + (take.empty() ? "" : ", " + take) + ", from " + fixed(toSeconds(course.start), 1) + " s";
+}
+
+Expected<OpenRun> openCourse(const OverlayWorld& overlay, const CourseRequest& course, bool toldOn) {
+    const LogWorld& world = overlay.world();
+    const Nanoseconds step = WindowOptions{}.step;
+    const Nanoseconds left = world.takes()[course.take].length - course.start;
+    const Nanoseconds duration = toldOn ? std::max(left, course.steps * step) : course.steps * step;
+    const LogWorld::Opened opened = world.openAt(course.take, course.start, duration, overlay.seed);
+    if (std::none_of(opened.starts.begin(), opened.starts.end(), [](const auto& start) { return start.has_value(); }))
+        return fail(overlay.place, "has no ground truth of any robot there; expected another start");
+    auto described =
+        describeCourse(world, opened, overlay.descriptions, overlay.place, course, course.steps * step, duration);
+    if (!described) return tl::unexpected(described.error());
+    OpenRun run{courseName(overlay, course), {}, nullptr, std::move(described->state), {}, {}, {}, {}};
+    run.source = {overlay.request.scenario.empty() ? overlay.place : overlay.request.scenario, 0, overlay.request.seed,
+                  overlay.place, overlay.request.pluginLimit};
+    run.course =
+        std::make_shared<const Course>(Course{std::move(described->descriptions), std::move(described->scenario)});
+    run.reality = std::make_shared<const Reality>(realityOf(world, course.take, course.start));
+    run.files = overlay.files;
+    return run;
+}
+
+}  // namespace mrose::gui

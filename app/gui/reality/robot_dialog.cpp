@@ -1,0 +1,183 @@
+#include "reality/robot_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLabel>
+#include <QListWidget>
+#include <QPainter>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <filesystem>
+
+#include "scenario/description_file.h"
+#include "shared/resources.h"
+#include "widgets/field_canvas.h"
+#include "widgets/value_catalogue.h"
+#include "widgets/warning_style.h"
+
+namespace mrose::gui {
+namespace {
+
+constexpr int pictureSize = 44;  // pixels
+
+FieldArea outlineOf(const Shape& shape) {
+    FieldArea area{{1, 1}, {-1, -1}};
+    for (const ShapePart& part : shape.parts) {
+        if (part.polygon.empty()) area.include(part.centre, part.radius);
+        for (const Point& corner : part.polygon) area.include(corner);
+    }
+    return area;
+}
+
+/// Seen from above, as large beside the others as it is.
+QPixmap pictureOf(const Shape& shape, double reach, double pixelRatio) {
+    QPixmap picture(QSize(pictureSize, pictureSize) * pixelRatio);
+    picture.setDevicePixelRatio(pixelRatio);
+    picture.fill(Qt::transparent);
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    ViewTransform view;
+    view.setSize(QSizeF(pictureSize, pictureSize));
+    view.fit({{-reach, -reach}, {reach, reach}}, QRectF(1, 1, pictureSize - 2, pictureSize - 2));
+    const Theme theme = Theme::light();
+    const FieldCanvas canvas{painter, view, theme};
+    canvas.shape(shape, {}, true);
+    canvas.heading(shape, {}, QColor(255, 255, 255));
+    return picture;
+}
+
+QString kindText(const RobotKind& kind) {
+    return QObject::tr("%1\n%2 \u00d7 %3 m, %4, dead time %5 s")
+        .arg(QString::fromStdString(kind.name), fixedText(kind.length, 2), fixedText(kind.width, 2),
+             kind.learned ? QObject::tr("learned motion") : QObject::tr("kinematic motion"),
+             fixedText(kind.deadTime, 2));
+}
+
+}  // namespace
+
+Expected<RobotKind> robotKindOf(const std::string& file) {
+    DiskDescriptions source = openDescriptions();
+    const auto description = loadDescription(file, source);
+    if (!description) return tl::unexpected(description.error());
+    const auto* robot = std::get_if<RobotDescription>(&*description);
+    if (robot == nullptr) return fail(file, "describes no robot; expected format = \"mrose robot\"");
+    const FieldArea outline = outlineOf(*robot->type.shape);
+    return RobotKind{file,
+                     robot->type.name,
+                     robot->type.shape,
+                     outline.most.x - outline.least.x,
+                     outline.most.y - outline.least.y,
+                     robot->motion != nullptr,
+                     robot->deadTime};
+}
+
+std::vector<RobotKind> robotKindsThatShip() {
+    std::vector<RobotKind> kinds;
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator(resourceFolder() / "resources" / "robots", ignored))
+        if (entry.path().extension() == ".toml")
+            if (auto kind = robotKindOf(entry.path().string())) {
+                kind->file = entry.path().filename().string();
+                kinds.push_back(std::move(*kind));
+            }
+    std::sort(kinds.begin(), kinds.end(), [](const RobotKind& a, const RobotKind& b) {
+        return QString::compare(QString::fromStdString(a.name), QString::fromStdString(b.name), Qt::CaseInsensitive) <
+               0;
+    });
+    return kinds;
+}
+
+RobotDialog::RobotDialog(const QString& log, QWidget* parent)
+    : QDialog(parent),
+      log_(log),
+      kinds_(robotKindsThatShip()),
+      robots_(new QListWidget),
+      error_(new QLabel),
+      open_(new QPushButton(tr("&Open the log"))) {
+    setObjectName("what_drove");
+    setWindowTitle(tr("What drove in this log?"));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(20, 18, 20, 16);
+    layout->setSpacing(12);
+    auto* about = new QLabel(tr("%1 does not tell what kind of robot drove in it. Its simulation needs the robot's "
+                                "outline and how it moves.")
+                                 .arg(QFileInfo(log).fileName()));
+    about->setWordWrap(true);
+    layout->addWidget(about);
+    robots_->setAccessibleName(tr("Robots"));
+    robots_->setIconSize(QSize(pictureSize, pictureSize));
+    robots_->setUniformItemSizes(true);
+    robots_->setSpacing(1);
+    layout->addWidget(robots_, 1);
+    error_->setWordWrap(true);
+    error_->setStyleSheet(warningStyle(*this));
+    error_->hide();
+    layout->addWidget(error_);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    auto* file = new QPushButton(tr("&From a file\u2026"));
+    file->setToolTip(tr("A robot file of one's own: resources/README.md has its keys"));
+    file->setAutoDefault(false);
+    buttons->addButton(open_, QDialogButtonBox::AcceptRole);
+    buttons->addButton(file, QDialogButtonBox::ResetRole);
+    layout->addWidget(buttons);
+    open_->setDefault(true);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(file, &QPushButton::clicked, this, &RobotDialog::askForFile);
+    connect(robots_, &QListWidget::itemDoubleClicked, this, &QDialog::accept);
+    fill();
+    robots_->setCurrentRow(0);
+    robots_->setFocus();
+    resize(460, 460);
+}
+
+QString RobotDialog::error() const { return error_->text(); }
+
+void RobotDialog::fill() {
+    const int current = robots_->currentRow();
+    robots_->clear();
+    double reach = 0;
+    for (const RobotKind& kind : kinds_) reach = std::max(reach, kind.shape->reach);
+    for (const RobotKind& kind : kinds_) {
+        const QPixmap picture = pictureOf(*kind.shape, reach, devicePixelRatioF());
+        auto* item = new QListWidgetItem(QIcon(picture), kindText(kind), robots_);
+        item->setToolTip(QString::fromStdString(kind.file));
+    }
+    open_->setEnabled(!kinds_.empty());
+    robots_->setCurrentRow(current);
+}
+
+void RobotDialog::choose(const QString& robotFile) {
+    const std::string file = robotFile.toStdString();
+    auto found = std::find_if(kinds_.begin(), kinds_.end(), [&](const RobotKind& kind) { return kind.file == file; });
+    error_->hide();
+    error_->clear();
+    if (found == kinds_.end()) {
+        auto kind = robotKindOf(file);
+        if (!kind) {
+            error_->setText(QString::fromStdString(kind.error().message()));
+            return error_->show();
+        }
+        found = kinds_.insert(kinds_.end(), std::move(*kind));
+        fill();
+    }
+    robots_->setCurrentRow(static_cast<int>(found - kinds_.begin()));
+    robots_->setFocus();
+}
+
+void RobotDialog::askForFile() {
+    const QString file = QFileDialog::getOpenFileName(this, tr("Robot file"), QFileInfo(log_).path(),
+                                                      tr("Robots (*.toml);;All files (*)"));
+    if (!file.isEmpty()) choose(file);
+}
+
+void RobotDialog::accept() {
+    const int row = robots_->currentRow();
+    if (row < 0) return;
+    QDialog::accept();
+    emit chosen(QString::fromStdString(kinds_[static_cast<std::size_t>(row)].file));
+}
+
+}  // namespace mrose::gui

@@ -1,0 +1,70 @@
+#include "session/background_work.h"
+
+#include <QEventLoop>
+#include <utility>
+
+namespace mrose::gui {
+namespace {
+
+constexpr int toldEvery = 100;  // ms
+
+}  // namespace
+
+BackgroundWork::BackgroundWork(QObject* parent) : QObject(parent) {
+    telling_.setInterval(toldEvery);
+    connect(&telling_, &QTimer::timeout, this, [this] { emit progress(what_, share_); });
+}
+
+BackgroundWork::~BackgroundWork() {
+    cancelled_ = true;
+    if (thread_) thread_->wait();
+}
+
+Expected<void> BackgroundWork::start(const QString& what, Job job, Done done) {
+    if (running_) return fail("", "\"" + what_.toStdString() + "\" is under way; wait for its end, or end it (Esc)");
+    what_ = what;
+    done_ = std::move(done);
+    running_ = true;
+    share_ = 0;
+    cancelled_ = false;
+    outcome_.reset();
+    telling_.start();
+    // A thread of Qt's: jobs may wait for other programs.
+    thread_.reset(QThread::create([this, job = std::move(job)] {
+        outcome_ = job([this](double share) {
+            share_ = share;
+            return !cancelled_;
+        });
+        QMetaObject::invokeMethod(this, &BackgroundWork::finish, Qt::QueuedConnection);
+    }));
+    thread_->start();
+    return {};
+}
+
+bool BackgroundWork::cancel() {
+    if (!running_) return false;
+    cancelled_ = true;
+    return true;
+}
+
+void BackgroundWork::finish() {
+    thread_->wait();
+    telling_.stop();
+    running_ = false;
+    emit progress(what_, 1);
+    const Done done = std::exchange(done_, {});
+    const Outcome outcome = std::move(*outcome_);
+    done(outcome);
+}
+
+void BackgroundWork::settle() {
+    QEventLoop loop;
+    connect(this, &BackgroundWork::progress, &loop, [this, &loop] {
+        if (!running_) loop.quit();
+    });
+    if (running_) loop.exec();
+    // What is done in the end may begin something else.
+    if (running_) settle();
+}
+
+}  // namespace mrose::gui

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QThread>
+#include <QTimer>
+#include <atomic>
+#include <functional>
+#include <future>
+#include <memory>
+#include <optional>
+
+#include "io/error.h"
+#include "session/awaited.h"
+
+namespace mrose::gui {
+
+/// One piece of long work in a thread of its own, while window and session go on.
+class BackgroundWork final : public QObject {
+    Q_OBJECT
+
+public:
+    /// Told now and then which share is done; false: it is to end.
+    using Progress = std::function<bool(double share)>;
+    /// False: it was ended before its end, and left nothing behind.
+    using Outcome = Expected<bool>;
+    using Job = std::function<Outcome(const Progress&)>;
+    using Done = std::function<void(const Outcome&)>;
+
+    explicit BackgroundWork(QObject* parent = nullptr);
+    ~BackgroundWork() override;
+
+    /// `done` is called in the window's thread. Error: something else is under way.
+    Expected<void> start(const QString& what, Job job, Done done);
+    bool cancel();  ///< false: nothing is under way
+    bool busy() const { return running_; }
+    /// Until nothing is under way; the window goes on meanwhile.
+    void settle();
+
+signals:
+    void progress(const QString& what, double share);  ///< share 1: it has ended
+
+private:
+    void finish();
+
+    QString what_;
+    Done done_;
+    bool running_ = false;
+    QTimer telling_;
+    std::optional<Outcome> outcome_;  ///< set by the thread before it ends
+    std::atomic<double> share_ = 0;
+    std::atomic<bool> cancelled_ = false;
+    std::unique_ptr<QThread> thread_;
+};
+
+/// Asks in the window's thread from another one, and waits for the answer; nothing where it is not to go on. The
+/// question may be asked all the same then: it holds what it needs.
+template <class Answer>
+std::optional<Answer> askWindow(QObject& window, std::function<Answer()> question,
+                                const std::function<bool()>& goesOn) {
+    auto promise = std::make_shared<std::promise<Answer>>();
+    auto answer = promise->get_future();
+    QMetaObject::invokeMethod(
+        &window, [promise, question = std::move(question)] { promise->set_value(question()); }, Qt::QueuedConnection);
+    return awaited(std::move(answer), goesOn);
+}
+
+}  // namespace mrose::gui

@@ -1,0 +1,90 @@
+#include "session/job_queue.h"
+
+#include <utility>
+
+namespace mrose::gui {
+
+JobQueue::JobQueue(QObject* parent) : QObject(parent), worker_([this] { work(); }) {}
+
+JobQueue::~JobQueue() {
+    {
+        const std::lock_guard lock(mutex_);
+        quit_ = true;
+        ++dropped_;
+        jobs_.clear();
+    }
+    wake_.notify_all();
+    worker_.join();
+}
+
+void JobQueue::post(Job job) {
+    {
+        const std::lock_guard lock(mutex_);
+        jobs_.push_back(std::move(job));
+    }
+    wake_.notify_all();
+}
+
+void JobQueue::tell(Answer answer) {
+    {
+        const std::lock_guard lock(mutex_);
+        answers_.push_back({running_, std::move(answer)});
+    }
+    QMetaObject::invokeMethod(this, &JobQueue::deliver, Qt::QueuedConnection);
+}
+
+void JobQueue::drop() {
+    const std::lock_guard lock(mutex_);
+    ++dropped_;
+    jobs_.clear();
+    answers_.clear();
+}
+
+bool JobQueue::busy() {
+    const std::lock_guard lock(mutex_);
+    return working_ || !jobs_.empty() || !answers_.empty();
+}
+
+void JobQueue::settle() {
+    while (busy()) {
+        std::unique_lock lock(mutex_);
+        done_.wait(lock, [this] { return !working_ && jobs_.empty(); });
+        lock.unlock();
+        deliver();
+    }
+}
+
+void JobQueue::work() {
+    std::unique_lock lock(mutex_);
+    while (true) {
+        wake_.wait(lock, [this] { return quit_ || !jobs_.empty(); });
+        if (quit_) return;
+        const Job job = std::move(jobs_.front());
+        jobs_.pop_front();
+        working_ = true;
+        running_ = dropped_;
+        lock.unlock();
+        Answer answer = job([this] {
+            const std::lock_guard held(mutex_);
+            return running_ == dropped_;
+        });
+        if (answer) tell(std::move(answer));
+        lock.lock();
+        working_ = false;
+        done_.notify_all();
+    }
+}
+
+void JobQueue::deliver() {
+    while (true) {
+        std::unique_lock lock(mutex_);
+        if (answers_.empty()) return;
+        const Told told = std::move(answers_.front());
+        answers_.pop_front();
+        const bool wanted = told.since == dropped_;
+        lock.unlock();
+        if (wanted) told.answer();
+    }
+}
+
+}  // namespace mrose::gui

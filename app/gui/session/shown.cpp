@@ -1,0 +1,72 @@
+#include "session/shown.h"
+
+#include <QObject>
+#include <algorithm>
+
+namespace mrose::gui {
+namespace {
+
+std::vector<BranchInfo> branchInfos(const TimeTravel& run) {
+    std::vector<BranchInfo> infos;
+    const auto count = [&](std::uint32_t branch, std::int64_t until) {
+        BranchInfo::Events events;
+        for (const TimelineMark& mark : run.record(branch).marks()) {
+            if (mark.tick > until) break;
+            events.kicks += mark.kind == TimelineMark::Kind::kick ? 1 : 0;
+            events.contacts += mark.kind == TimelineMark::Kind::contact ? 1 : 0;
+        }
+        return events;
+    };
+    for (std::uint32_t i = 0; i < run.branches().size(); ++i) {
+        const Branch& branch = run.branches()[i];
+        BranchInfo info{QString::fromStdString(branch.name),
+                        branch.parent,
+                        branch.tick,
+                        branch.timeline.first(),
+                        branch.timeline.last(),
+                        run.superseded(i)};
+        std::int64_t until = run.tick();
+        for (std::uint32_t at = i;; at = run.branches()[at].parent) {
+            const BranchInfo::Events events = count(at, until);
+            info.events.kicks += events.kicks;
+            info.events.contacts += events.contacts;
+            if (run.branches()[at].parent == at) break;
+            until = std::min(until, run.branches()[at].tick);
+        }
+        infos.push_back(std::move(info));
+    }
+    return infos;
+}
+
+}  // namespace
+
+int listedBranches(const std::vector<BranchInfo>& branches, std::size_t first) {
+    int count = 0;
+    for (std::size_t i = first; i < branches.size(); ++i) count += branches[i].superseded ? 0 : 1;
+    return count;
+}
+
+QString branchesText(int count) { return count == 1 ? QObject::tr("1 branch") : QObject::tr("%1 branches").arg(count); }
+
+Shown shownOf(const TimeTravel& run, const TimeTravel::FrameOptions& options) {
+    Shown what;
+    what.frame = std::make_shared<const FieldFrame>(run.frame(options));
+    if (auto beside = run.besideFrame(options)) {
+        what.beside = std::make_shared<const FieldFrame>(std::move(*beside));
+        what.besideBranch = run.beside();
+    }
+    what.course = run.record(run.owner()).coursePointer();
+    what.hash = hashOf(run.state());
+    what.branch = run.branch();
+    what.first = run.first();
+    what.last = run.last();
+    what.branches = branchInfos(run);
+    what.faults = run.faults(run.branch(), run.tick());
+    what.canUndo = run.canUndo();
+    what.canRedo = run.canRedo();
+    what.undoName = QString::fromStdString(run.undoName());
+    what.redoName = QString::fromStdString(run.redoName());
+    return what;
+}
+
+}  // namespace mrose::gui

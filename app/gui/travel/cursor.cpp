@@ -1,0 +1,88 @@
+#include "travel/cursor.h"
+
+#include <algorithm>
+
+namespace mrose::gui {
+
+Cursor::Cursor(std::uint32_t branch, ReachedState at) : branch_(branch), at_(std::move(at)) { forgetNotes(); }
+
+Expected<void> Cursor::advance(BranchRecord& record, const Timeline& timeline) {
+    memoryBefore_ = at_.state.memory;
+    if (auto advanced = record.playback().advance(timeline, at_, trace_); !advanced) return advanced;
+    note(record);
+    return {};
+}
+
+const StepTrace& Cursor::step(BranchRecord& record, StepBuffers& buffers) {
+    memoryBefore_ = at_.state.memory;
+    mrose::step(*record.course().scenario, at_.state, buffers, record.overrides(at_.state), &trace_);
+    at_.worldSame = at_.mindsSame = true;
+    note(record);
+    return trace_;
+}
+
+void Cursor::moveTo(std::uint32_t branch, ReachedState at, bool follows) {
+    branch_ = branch;
+    at_ = std::move(at);
+    hasTrace_ = false;
+    breakReason_.clear();
+    if (!follows) forgetNotes();
+}
+
+void Cursor::note(const BranchRecord& record) {
+    const Scenario& scenario = *record.course().scenario;
+    hasTrace_ = true;
+    breakReason_.clear();
+    for (std::uint32_t robot = 0; robot < trace_.robots.size(); ++robot) {
+        const StepTrace::Robot& told = trace_.robots[robot];
+        if (!told.decided) continue;
+        const auto before = scenario.memoryOf(memoryBefore_, robot);
+        insights_[robot] = {tick() - 1,    told.observed,  told.observation,
+                            told.decision, told.predicted, {before.begin(), before.end()}};
+        if (!told.decision.breakReason.empty())
+            breakReason_ = scenario.scene().robots[robot].name + ": " + told.decision.breakReason;
+    }
+    noteThoughts(record);
+    const std::int64_t oldest = tick() - scenario.scene().ticksOf(kickShown);
+    std::erase_if(kicks_, [&](const SeenKick& seen) { return seen.tick < oldest; });
+    for (const StepTrace::Kicked& kick : trace_.kicks) kicks_.push_back({tick(), kick});
+}
+
+/// Of robots that were told something else: they have seen and thought, and only their orders were replaced.
+void Cursor::noteThoughts(const BranchRecord& record) {
+    for (const BranchRecord::Thought& thought : record.thoughts()) {
+        RobotInsight& told = insights_[thought.robot];
+        if (told.tick != thought.insight.tick || told.tick != tick() - 1 || told.observed) continue;
+        told.observed = thought.insight.observed;
+        told.observation = thought.insight.observation;
+        told.memoryBefore = thought.insight.memoryBefore;
+        told.decision.annotations = thought.insight.decision.annotations;
+    }
+}
+
+void Cursor::forgetNotes() {
+    insights_.assign(at_.state.robots.size(), {});
+    kicks_.clear();
+    breakReason_.clear();
+    hasTrace_ = false;
+}
+
+FieldFrame Cursor::frame(std::shared_ptr<const Scenario> scenario) const {
+    FieldFrame frame;
+    frame.scenario = std::move(scenario);
+    frame.state = at_.state;
+    frame.insights = insights_;
+    if (hasTrace_) {
+        frame.lastTick = trace_.robots;
+        frame.contacts = trace_.contacts;
+    }
+    for (const SeenKick& seen : kicks_) frame.kicks.push_back(seen.kick);
+    return frame;
+}
+
+Moment Cursor::moment(const Scenario& scenario) const {
+    if (!hasTrace_) return {scenario, at_.state, {}, {}, insights_};
+    return {scenario, at_.state, trace_.robots, trace_.contacts, insights_, &trace_};
+}
+
+}  // namespace mrose::gui

@@ -1,0 +1,242 @@
+#include "travel/open_run.h"
+
+#include <filesystem>
+#include <new>
+
+#include <unistd.h>
+
+#include "experiment/variation.h"
+#include "io/file.h"
+#include "recording/playback.h"
+#include "recording/recording.h"
+#include "scenario/scenario_file.h"
+#include "shared/opening.h"
+#include "shared/plugin_process.h"
+#include "shared/resources.h"
+#include "travel/file_kind.h"
+#include "world/plain_seconds.h"
+
+namespace mrose::gui {
+namespace {
+
+/// Larger texts are no descriptions.
+constexpr std::uintmax_t mostDescriptionBytes = std::uintmax_t{256} << 20;
+
+/// Descriptions on disk, read so that it can be ended between two files and never waits for a pipe.
+class WatchedDescriptions final : public DescriptionSource {
+public:
+    WatchedDescriptions(DiskDescriptions disk, const OpenProgress& progress)
+        : disk_(std::move(disk)), progress_(progress) {}
+
+    Expected<std::optional<std::string>> text(const std::string& name) override {
+        const std::string path = disk_.shown(name);
+        if (!progress_.goesOn()) return fail(path, "was not opened: cancelled");
+        std::error_code ignored;
+        const auto status = std::filesystem::status(path, ignored);
+        if (std::filesystem::is_directory(status)) return fail(path, "is a folder; expected a file");
+        if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+            return fail(path, "is no regular file; expected a description");
+        if (std::filesystem::is_regular_file(status) &&
+            std::filesystem::file_size(path, ignored) > mostDescriptionBytes)
+            return fail(path, "is larger than any description");
+        progress_.reads(path);
+        return disk_.text(name);
+    }
+    Expected<std::optional<std::string>> excerpt(const LogExcerpt& excerpt) override {
+        if (!progress_.goesOn()) return fail(excerpt.log, "was not opened: cancelled");
+        progress_.reads(excerpt.log);
+        return disk_.excerpt(excerpt);
+    }
+    std::string shown(const std::string& name) const override { return disk_.shown(name); }
+
+private:
+    DiskDescriptions disk_;
+    const OpenProgress& progress_;
+};
+
+/// Plug-ins run in processes of their own, so that one which hangs or crashes stops its robot and not the window.
+PluginLoader isolating(const OpenRequest& request, const OpenProgress& progress,
+                       std::map<std::string, std::string>& files) {
+    return [&request, &progress, &files](const std::string& path,
+                                         const std::string& options) -> Expected<std::shared_ptr<const Controller>> {
+        if (!progress.goesOn()) return fail(path, "was not opened: cancelled");
+        progress.reads(path);
+        if (const auto content = readFile(path)) files[path] = contentHash(*content);
+        return startPluginProcess(path, options, request.pluginLimit);
+    };
+}
+
+/// Of the texts that are files on disk.
+void addHashes(const LoadedScenario& loaded, const DescriptionSource& source,
+               std::map<std::string, std::string>& files) {
+    std::error_code ignored;
+    for (const auto& [name, text] : loaded.texts) {
+        const std::string path = source.shown(name);
+        if (std::filesystem::is_regular_file(path, ignored)) files[path] = contentHash(text);
+        // An excerpt of a log: the log itself, where it is one file.
+        const std::string log = path.substr(0, path.find("#robot="));
+        if (log != path && std::filesystem::is_regular_file(log, ignored))
+            if (const auto content = readFile(log)) files[log] = contentHash(*content);
+    }
+}
+
+Expected<OpenRun> openScenario(const OpenRequest& request, const OpenProgress& progress) {
+    WatchedDescriptions source(openDescriptions(request.log), progress);
+    std::map<std::string, std::string> files;
+    auto loaded = loadScenario(request.file, source, {isolating(request, progress, files)});
+    if (!loaded) return tl::unexpected(loaded.error());
+    addHashes(*loaded, source, files);
+    std::vector<std::string> notes = startsApartText(*loaded);
+    auto parts = varied(loaded->parts, request.trial);
+    if (!parts) return tl::unexpected(parts.error());
+    keepTrial(loaded->texts, request.trial);
+    for (std::string& sentence : startsOutsideText(parts->scene)) notes.push_back(std::move(sentence));
+    auto scenario = std::make_shared<const Scenario>(std::move(*parts));
+    OpenRun run{scenario->parts().name, request, nullptr, scenario->initialState(), {}, {}, std::move(notes), {}};
+    if (request.seed) run.start = scenario->initialState(*request.seed);
+    if (request.trial > 0) run.name += ", trial " + std::to_string(request.trial);
+    run.course = std::make_shared<const Course>(Course{{loaded->name, std::move(loaded->texts)}, std::move(scenario)});
+    run.files = std::move(files);
+    return run;
+}
+
+/// A plug-in that cannot be loaded stops nobody from looking at what it once did.
+class AbsentPlugin final : public Controller {
+public:
+    Attention attention() const override { return {.robots = false, .objects = false}; }
+    void decide(const Observation&, std::span<std::byte>, Decision&) const override {}
+};
+
+/// What a branch of a recording runs in. Robots whose controllers are not at hand, or need other memory than they did,
+/// get stand-ins: they do as recorded, and decide nothing beyond that.
+Expected<CoursePointer> courseOf(const Recording& recording, std::uint32_t branch, const PluginLoader& load,
+                                 std::vector<std::string>& notes) {
+    const PluginLoader tolerant = [&](const std::string& path,
+                                      const std::string& options) -> Expected<std::shared_ptr<const Controller>> {
+        auto controller = load(path, options);
+        if (controller) return controller;
+        notes.push_back(controller.error().message() + "; its robots do as recorded and decide nothing new");
+        return std::make_shared<const AbsentPlugin>();
+    };
+    auto parts = recordedScenario(recording, branch, tolerant);
+    if (parts) parts = asKeptTrial(std::move(*parts), recording.descriptionsOf(branch).texts);
+    if (!parts) return tl::unexpected(parts.error());
+    const std::vector<RecordingHeader::ControllerNeeds>& needs = recording.layouts[branch].controllers;
+    if (parts->controllers.size() != needs.size())
+        return fail("", "was recorded with " + std::to_string(needs.size()) + " controllers and describes " +
+                            std::to_string(parts->controllers.size()) + " robots");
+    for (std::size_t i = 0; i < needs.size(); ++i) {
+        const Controller& controller = *parts->controllers[i];
+        if (controller.memorySize() != needs[i].memorySize ||
+            controller.commandsPerPeriod(parts->scene.modelOf(i).period()) != needs[i].commandsPerPeriod)
+            parts->controllers[i] = std::make_shared<const RecordedController>(needs[i]);
+    }
+    auto scenario = std::make_shared<const Scenario>(std::move(*parts));
+    return std::make_shared<const Course>(Course{recording.descriptionsOf(branch), std::move(scenario)});
+}
+
+/// Branches of the same descriptions share a course.
+Expected<std::vector<OpenRun::Recorded>> branchesOf(const Recording& recording, const PluginLoader& load,
+                                                    std::vector<std::string>& notes) {
+    std::map<const Descriptions*, CoursePointer> courses;
+    std::vector<OpenRun::Recorded> branches;
+    for (std::uint32_t i = 0; i < recording.branches.size(); ++i) {
+        const Branch& branch = recording.branches[i];
+        CoursePointer& course = courses[branch.descriptions.get()];
+        if (!course) {
+            auto opened = courseOf(recording, i, load, notes);
+            if (!opened) return tl::unexpected(opened.error());
+            course = std::move(*opened);
+        }
+        auto start = Playback(*course->scenario).reach(branch.timeline, branch.timeline.first());
+        if (!start) return tl::unexpected(start.error());
+        branches.push_back({branch, course, std::move(start->state)});
+    }
+    return branches;
+}
+
+std::string lengthText(const Recording& recording) {
+    const Timeline& run = recording.branches.front().timeline;
+    return plainSeconds((run.last() - run.first()) * recording.header.tickLength) + " s";
+}
+
+/// What is wrong with a file, and how far it is shown. One without an end may be as it should be, and grow.
+std::vector<std::string> damageText(const std::string& file, const Recording& recording) {
+    std::vector<std::string> sentences;
+    for (const std::string& damage : recording.damage)
+        sentences.push_back(file + ": " + damage + "; it is shown up to there: " + lengthText(recording));
+    if (!recording.endless || recording.damage.size() > 1) return sentences;
+    const std::optional<bool> written = isBeingWritten(file);
+    if (!written.value_or(true)) return sentences;
+    return {file + ": is still being written" + (written ? "" : ", or was cut off") +
+            "; it is shown as far as it goes: " + lengthText(recording) + ". Reload (F5) reads on"};
+}
+
+Expected<void> checkSize(const std::string& file) {
+    std::error_code ignored;
+    const std::uintmax_t size = std::filesystem::file_size(file, ignored);
+    const auto memory =
+        static_cast<std::uintmax_t>(::sysconf(_SC_PHYS_PAGES)) * static_cast<std::uintmax_t>(::sysconf(_SC_PAGE_SIZE));
+    if (ignored || size <= memory / 2) return {};
+    return fail(file, "has " + std::to_string(size >> 20) + " MB, more than half of this computer's memory");
+}
+
+Expected<OpenRun> openRecorded(const OpenRequest& request, const OpenProgress& progress) {
+    if (const auto size = checkSize(request.file); !size) return tl::unexpected(size.error());
+    auto recording = openRecording(request.file);
+    if (!recording) return tl::unexpected(recording.error());
+    OpenRun run;
+    run.source = request;
+    run.name = std::filesystem::path(request.file).filename().string();
+    run.notes = damageText(request.file, *recording);
+    for (std::string& sentence : differences(recording->header.origin, thisOrigin()))
+        run.notes.push_back(std::move(sentence));
+    if (request.trial > 0 || request.seed)
+        run.notes.push_back(request.file + ": is a recording; trial and seed are those that it was made with");
+    const PluginLoader load = findingLoader(request.file, isolating(request, progress, run.files));
+    auto branches = branchesOf(*recording, load, run.notes);
+    if (!branches) {
+        branches.error().file = request.file + (branches.error().file.empty() ? "" : ": ") + branches.error().file;
+        return tl::unexpected(branches.error());
+    }
+    run.branches = std::move(*branches);
+    run.shown = recording->shown;
+    run.course = run.branches.front().course;
+    run.start = run.branches.front().start;
+    run.files.clear();  // it holds all that it was made from
+    return run;
+}
+
+Expected<OpenRun> openAny(const OpenRequest& request, const OpenProgress& progress) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(request.file, ignored)) return openScenario(request, progress);  // it may ship
+    const auto kind = fileKind(request.file);
+    if (!kind) return tl::unexpected(kind.error());
+    switch (*kind) {
+        case FileKind::scenario:
+            return openScenario(request, progress);
+        case FileKind::recording:
+            return openRecorded(request, progress);
+        case FileKind::network:
+            return fail(request.file, "is a network; open a scenario, select a robot, then open the network for it");
+        case FileKind::log:
+            return fail(request.file, "is a log; open it as a real log, or name it by --log");
+        case FileKind::results:
+            break;
+    }
+    return fail(request.file,
+                "lists the runs of a batch, to choose from in the window on a display; without one, open a run by its "
+                "scenario, trial and seed, which its column command names");
+}
+
+}  // namespace
+
+Expected<OpenRun> openRun(const OpenRequest& request, const OpenProgress& progress) {
+    try {
+        return openAny(request, progress);
+    } catch (const std::bad_alloc&) {
+        return fail(request.file, "needs more memory than this computer has");
+    }
+}
+
+}  // namespace mrose::gui

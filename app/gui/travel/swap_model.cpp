@@ -1,0 +1,52 @@
+#include "travel/swap_model.h"
+
+#include <filesystem>
+
+#include "io/file.h"
+#include "scenario/description_edit.h"
+#include "scenario/scenario_file.h"
+
+namespace mrose::gui {
+namespace {
+
+/// Holds the place of a plug-in's controller while a scenario is loaded.
+class PlaceOfPlugin final : public Controller {
+public:
+    void decide(const Observation&, std::span<std::byte>, Decision&) const override {}
+};
+
+}  // namespace
+
+std::string modelName(const std::string& file) { return std::filesystem::path(file).filename().string(); }
+
+Expected<CoursePointer> withSwappedModel(const Course& course, std::size_t robot, const std::string& file) {
+    std::error_code ignored;
+    if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored))
+        return fail(file, "is no regular file; expected a network");
+    const Expected<std::string> content = readFile(file);
+    if (!content) return tl::unexpected(content.error());
+    const ScenarioParts& before = course.scenario->parts();
+    const std::string path = std::filesystem::absolute(file, ignored).lexically_normal().string();
+    auto edited = withNetwork(course.descriptions, before.scene.robots[robot].name, path, *content);
+    if (!edited) return tl::unexpected(edited.error());
+    KeptDescriptions source(edited->texts);
+    const PluginLoader keepPlace = [](const std::string&, const std::string&) {
+        return Expected<std::shared_ptr<const Controller>>(std::make_shared<const PlaceOfPlugin>());
+    };
+    auto loaded = loadScenario(edited->scenario, source, {keepPlace});
+    if (!loaded) return tl::unexpected(loaded.error());
+    ScenarioParts& parts = loaded->parts;
+    for (std::size_t i = 0; i < parts.controllers.size(); ++i)
+        if (dynamic_cast<const PlaceOfPlugin*>(parts.controllers[i].get()) != nullptr)
+            parts.controllers[i] = before.controllers[i];
+    // What varies from trial to trial is no part of the texts.
+    for (std::size_t i = 0; i < parts.scene.robots.size(); ++i)
+        parts.scene.robots[i].start = before.scene.robots[i].start;
+    parts.scene.environment = before.scene.environment;
+    parts.scene.objectTypes = before.scene.objectTypes;
+    parts.scene.objects = before.scene.objects;
+    auto scenario = std::make_shared<const Scenario>(std::move(parts));
+    return std::make_shared<const Course>(Course{std::move(*edited), std::move(scenario)});
+}
+
+}  // namespace mrose::gui

@@ -1,0 +1,80 @@
+#include "window/fault_messages.h"
+
+#include <QFileInfo>
+#include <QStringList>
+
+#include "plugin/isolated_controller.h"
+#include "widgets/message_bar.h"
+#include "widgets/timeline_bar.h"
+#include "window/main_window.h"
+
+namespace mrose::gui {
+namespace {
+
+constexpr int lookEvery = 500, patience = 1000;  // ms
+constexpr const char *faultTopic = "fault", *hangTopic = "hang";
+
+/// The names of those in a course, each once.
+QString pluginsOf(const Course& course) {
+    QStringList names;
+    for (const auto& controller : course.scenario->parts().controllers)
+        if (const auto* plugin = dynamic_cast<const IsolatedController*>(controller.get()))
+            names << QFileInfo(QString::fromStdString(plugin->path())).fileName();
+    names.removeDuplicates();
+    return names.join(", ");
+}
+
+/// What to do about a plug-in's fault; empty for others.
+QString adviceFor(const std::string& fault) {
+    if (fault.find("its plug-in ") != 0) return {};
+    if (fault.find("took longer than") != std::string::npos)
+        return QObject::tr(". Rebuild it and press F5, or start with a larger --plugin-limit");
+    return QObject::tr(". Mend and rebuild it, then press F5");
+}
+
+}  // namespace
+
+FaultMessages::FaultMessages(MainWindow& window, MessageBar& messages)
+    : QObject(&window), window_(window), messages_(messages) {
+    connect(&window, &MainWindow::updated, this, [this] {
+        sinceShown_.start();
+        messages_.remove(hangTopic);
+        showFaults();
+    });
+    look_.setInterval(lookEvery);
+    connect(&look_, &QTimer::timeout, this, &FaultMessages::lookForHang);
+    look_.start();
+}
+
+/// Those up to the shown tick: one that a user dismissed stays so, until there is another.
+void FaultMessages::showFaults() {
+    const Shown& shown = *window_.shown();
+    if (shown.faults == told_) return;
+    told_ = shown.faults;
+    messages_.remove(faultTopic);
+    if (told_.empty()) return;
+    const BranchRecord::FirstFault& first = told_.front();
+    const Scene& scene = shown.frame->scene();
+    QString text = tr("%1 at %2: %3")
+                       .arg(QString::fromStdString(scene.robots[first.robot].name), clockText(scene.timeOf(first.tick)),
+                            QString::fromStdString(first.what));
+    text += adviceFor(first.what);
+    if (told_.size() > 1)
+        text += tr("; and %n more, marked on the timeline", nullptr, static_cast<int>(told_.size()) - 1);
+    messages_.add({MessageBar::Kind::error,
+                   text,
+                   faultTopic,
+                   {{tr("Go there"), tr("To the tick at which it happened"),
+                     [this, tick = first.tick] { window_.session().seek(tick); }}}});
+}
+
+void FaultMessages::lookForHang() {
+    if (!window_.shown() || !sinceShown_.isValid() || sinceShown_.elapsed() < patience || !window_.session().busy())
+        return;
+    const QString plugins = pluginsOf(*window_.shown()->course);
+    if (plugins.isEmpty() || messages_.has(hangTopic)) return;
+    messages_.add({MessageBar::Kind::progress,
+                   tr("Waiting for a decision of %1; who takes too long is stopped").arg(plugins), hangTopic});
+}
+
+}  // namespace mrose::gui

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+
+#include "travel/branch_record.h"
+
+namespace mrose {
+class MessageBar;
+}
+
+namespace mrose::gui {
+
+class MainWindow;
+
+/// Says which robot's controller or model has failed, and which plug-in keeps the run waiting.
+class FaultMessages final : public QObject {
+    Q_OBJECT
+
+public:
+    FaultMessages(MainWindow& window, MessageBar& messages);
+
+private:
+    void showFaults();
+    void lookForHang();
+
+    MainWindow& window_;
+    MessageBar& messages_;
+    std::vector<BranchRecord::FirstFault> told_;
+    QTimer look_;
+    QElapsedTimer sinceShown_;
+};
+
+}  // namespace mrose::gui

@@ -1,0 +1,74 @@
+#include "window/input_keys.h"
+
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QKeyEvent>
+#include <QLineEdit>
+
+#include "panels/command_panel.h"
+#include "widgets/field_view.h"
+#include "window/main_window.h"
+
+namespace mrose::gui {
+namespace {
+
+/// Within a panel; an editor of a list's row is the list's.
+bool isInput(const QWidget& widget) {
+    bool inList = false, inPanel = false;
+    for (const QWidget* at = &widget; at != nullptr; at = at->parentWidget()) {
+        inList = inList || at->inherits("QAbstractItemView");
+        inPanel = inPanel || qobject_cast<const QDockWidget*>(at) != nullptr;
+    }
+    const bool typed = qobject_cast<const QAbstractSpinBox*>(&widget) || qobject_cast<const QLineEdit*>(&widget) ||
+                       qobject_cast<const QComboBox*>(&widget);
+    return typed && inPanel && !inList;
+}
+
+QLineEdit* lineOf(QWidget* input) {
+    if (auto* line = qobject_cast<QLineEdit*>(input)) return line;
+    // The line of a spin box is its own only.
+    return qobject_cast<QAbstractSpinBox*>(input) != nullptr ? input->findChild<QLineEdit*>() : nullptr;
+}
+
+}  // namespace
+
+InputKeys::InputKeys(MainWindow& window) : QObject(&window), window_(window) {
+    connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) { follow(now); });
+}
+
+void InputKeys::follow(QWidget* now) {
+    if (now == input_ || (now != nullptr && now->window() != &window_)) return;
+    if (input_) input_->removeEventFilter(this);
+    input_ = now != nullptr && isInput(*now) ? now : nullptr;
+    if (!input_) return;
+    const QLineEdit* line = lineOf(input_);
+    before_ = line != nullptr ? line->text() : QString();
+    input_->installEventFilter(this);
+}
+
+bool InputKeys::eventFilter(QObject* watched, QEvent* event) {
+    const bool overrides = event->type() == QEvent::ShortcutOverride;
+    if (watched != input_ || (!overrides && event->type() != QEvent::KeyPress)) return false;
+    const auto* key = static_cast<QKeyEvent*>(event);
+    const bool plain = (key->modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
+    if (plain && key->key() == Qt::Key_Space && qobject_cast<QAbstractSpinBox*>(input_)) {
+        event->ignore();  // what is not taken is an action's
+        return true;
+    }
+    // A list is gone through by letters and Home and End.
+    if (overrides && plain && key->key() != Qt::Key_Escape && qobject_cast<QComboBox*>(input_)) event->accept();
+    if (!plain || key->key() != Qt::Key_Escape) return false;
+    event->accept();
+    if (!overrides) takeBack();
+    return true;
+}
+
+void InputKeys::takeBack() {
+    if (QLineEdit* line = lineOf(input_)) line->setText(before_);
+    if (window_.commandPanel().isAncestorOf(input_)) window_.commandPanel().takeBack();
+    window_.field().setFocus(Qt::OtherFocusReason);
+}
+
+}  // namespace mrose::gui

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <QObject>
+#include <QPointer>
+#include <QString>
+
+class QKeyEvent;
+class QWidget;
+
+namespace mrose::gui {
+
+class MainWindow;
+
+/// Keys while something is typed in a panel: Escape takes it back, and keys go to the field again. In a number Space is
+/// no letter, and so plays.
+class InputKeys final : public QObject {
+    Q_OBJECT
+
+public:
+    explicit InputKeys(MainWindow& window);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void follow(QWidget* now);
+    void takeBack();
+
+    MainWindow& window_;
+    QPointer<QWidget> input_;
+    QString before_;  ///< what stood there when the keys came to it
+};
+
+}  // namespace mrose::gui

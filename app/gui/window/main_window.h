@@ -1,0 +1,149 @@
+#pragma once
+
+#include <QMainWindow>
+#include <memory>
+#include <optional>
+
+#include "actions/actions.h"
+#include "reality/reality_marks.h"
+#include "session/session.h"
+#include "travel/open_run.h"
+#include "widgets/theme.h"
+
+class QComboBox;
+class QLabel;
+class QToolButton;
+
+namespace mrose {
+class CourseStrip;
+class ElidingLabel;
+class FieldView;
+class Inspector;
+class MessageBar;
+}  // namespace mrose
+
+namespace mrose::gui {
+
+class BackgroundWork;
+class BranchPanel;
+class BreakpointPanel;
+class CommandPanel;
+class ErrorPlot;
+class FocusRing;
+class Overlay;
+class OverlayPanel;
+class PlotPanel;
+class QuietMessage;
+class SideView;
+class WindowFiles;
+class WindowMemory;
+class WorkProgress;
+
+/// The window. It shows what the session shows, and turns what the user does into requests.
+class MainWindow final : public QMainWindow {
+    Q_OBJECT
+
+public:
+    explicit MainWindow(QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    /// Opens a scenario, a recording or one that ships, by its name. Errors are shown, too.
+    Expected<void> open(const QString& name);
+    /// Its number, as Shown::run will have it.
+    std::uint64_t show(const OpenRun& run);
+    const QString& runName() const { return title_; }  ///< of what is open
+    Session& session() { return *session_; }
+    TimelineBar& timeline() const { return *timeline_; }
+    FieldView& field() const;
+    FieldView& besideField() const;
+    Inspector& inspector() const { return *inspector_; }
+    PlotPanel& plots() const { return *plots_; }
+    ErrorPlot& errorPlot() const { return *errors_; }
+    void showPlots() { showDock("plots"); }
+    void showDock(const char* name);
+    void showReality();  ///< its dock on top of those that it shares the left with, where it is hidden
+    CommandPanel& commandPanel() const { return *command_; }
+    BranchPanel& branchPanel() const { return *branches_; }
+    Overlay& overlay() const { return *overlay_; }
+    OverlayPanel& overlayPanel() const { return *reality_; }
+    CourseStrip& courseStrip() const { return *strip_; }
+    BreakpointPanel& breakpointPanel() const { return *breakpoints_; }
+    void setSideBySide(bool on);
+    /// Marks on the timeline that the run does not know of: its first divergence. For as long as it is open.
+    void note(std::vector<TimelineBar::Content::Noted> marks);
+    /// Asks the user for a line; empty: they thought better of it.
+    QString askText(const QString& title, const QString& label, const QString& suggestion = {});
+    const Shown* shown() const { return shown_.get(); }
+    const std::shared_ptr<const Shown>& shownPointer() const { return shown_; }
+    Actions& actions() { return actions_; }
+    MessageBar& messages() const { return *messages_; }
+    WindowFiles& files() const { return *files_; }
+    WindowMemory& memory() const { return *memory_; }
+    BackgroundWork& background() const { return *background_; }
+    WorkProgress& progress() const { return *progress_; }
+    void changeSpeed(int by);  ///< steps of the list of speeds
+    /// Simulated seconds per second, one of the list from now on; 0: as fast as possible.
+    void setSpeed(double speed);
+    void setTheme(const Theme& theme);
+    const QString& said() const { return said_; }
+    void say(const QString& text);  ///< in the status bar, and for some seconds over the field
+    QuietMessage& quietMessage() const { return *quiet_; }
+    /// The window as it is, or a part of it, as PNG, SVG or PDF.
+    Expected<void> saveImage(const QString& path, QWidget* part = nullptr);
+
+signals:
+    void updated();  ///< another tick is shown
+
+protected:
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
+    bool event(QEvent* event) override;
+
+private:
+    void makeActions();
+    void connectAll();
+    void makeToolBar();
+    void makeDocks();
+    void makeStatusBar();
+    void update(std::shared_ptr<const Shown> what);
+    void updateTimeline();
+    void updateStatus();
+    void lookAtKick(std::size_t robot);
+    void moveBody(std::size_t body, const Pose& pose);
+
+    Actions actions_;
+    Session* session_;
+    SideView* view_;
+    TimelineBar* timeline_;
+    Inspector* inspector_;
+    PlotPanel* plots_;
+    BranchPanel* branches_;
+    BreakpointPanel* breakpoints_;
+    CommandPanel* command_;
+    QComboBox* speed_;
+    QToolButton* seed_;
+    QLabel *clock_, *factor_, *cursor_;
+    ElidingLabel* message_;
+    MessageBar* messages_;
+    FocusRing* focusRing_;
+    WindowFiles* files_;
+    WindowMemory* memory_;
+    BackgroundWork* background_;
+    Overlay* overlay_;
+    WorkProgress* progress_;
+    OverlayPanel* reality_;
+    CourseStrip* strip_;
+    ErrorPlot* errors_ = nullptr;
+    QuietMessage* quiet_;
+    std::shared_ptr<const Shown> shown_;
+    RealityMarks realityMarks_;
+    std::int64_t plannedTicks_ = 0;
+    QString title_;
+    std::int64_t saidAt_ = 0;  ///< the tick shown when something was said
+    QString told_;             ///< the session's last message
+    QString said_;             ///< what the status bar says when no action is pointed at
+    Theme theme_ = Theme::light();
+};
+
+}  // namespace mrose::gui

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <QObject>
+#include <QSettings>
+#include <QSize>
+#include <QStringList>
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+class QMenu;
+
+namespace mrose::gui {
+
+struct Shown;
+
+class MainWindow;
+
+/// What the window keeps from one start to the next: where its docks are, its size, colours, layers, and the files that
+/// were opened last. Scripts and pictures made without a display have none, so that they come out the same anywhere.
+class WindowMemory final : public QObject {
+    Q_OBJECT
+
+public:
+    explicit WindowMemory(MainWindow& window);
+
+    /// The user's settings file.
+    static std::unique_ptr<QSettings> ofUser();
+
+    /// Takes the window's present layout for that of a new one.
+    void keepAsNew();
+    /// As these settings say; they are kept up to date from now on. Without them nothing outlives the window.
+    void restore(std::unique_ptr<QSettings> settings);
+    void save();
+    /// Docks, tool bars and size as in a new window.
+    void resetLayout();
+
+    /// The latest first.
+    const QStringList& recentFiles() const { return recent_; }
+    QString lastFolder() const;  ///< where the last of them is that is still there; may be empty
+    void addRecent(const QString& file);
+    void forgetRecent(const QString& file);
+    void clearRecent();
+    /// The robot file that was chosen for a log, which does not tell what drove; empty: none was.
+    QString robotOf(const QString& log) const;
+    void keepRobot(const QString& log, const QString& robotFile);
+    /// The breakpoints of the run that is shown, by the file for which they were restored.
+    void keepBreakpoints(const Shown& shown);
+    /// Those of a file to a run that has just been opened from it, by its number.
+    void restoreBreakpoints(const QString& file, std::uint64_t run);
+
+    /// Whether the errors of a log's courses are plotted unasked: until somebody closes the plots.
+    bool errorPlot() const { return errorPlot_; }
+    void setErrorPlot(bool on);
+
+    /// Fills a menu whenever it is about to be shown.
+    void fillRecent(QMenu& menu, std::function<void(const QString&)> open);
+
+private:
+    void changeRecent(const std::function<void()>& change);
+
+    MainWindow& window_;
+    std::unique_ptr<QSettings> settings_;
+    QSize newSize_;
+    QByteArray newState_;
+    bool errorPlot_ = true;
+    QStringList recent_;
+    QString breaksOf_;             ///< the file whose breakpoints are kept now
+    std::uint64_t breaksRun_ = 0;  ///< and the run that was opened from it
+    QStringList breaks_;           ///< as they were kept last
+};
+
+}  // namespace mrose::gui

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <QObject>
+#include <QPointer>
+#include <QString>
+#include <QTimer>
+
+class QProgressDialog;
+
+namespace mrose {
+class MessageBar;
+}
+
+namespace mrose::gui {
+
+class MainWindow;
+
+/// Says what takes long, how far it is, and ends it where the user asks for that: opening a file, a job over the run,
+/// the way to a tick, what goes on in the background. What is done at once is not told.
+class WorkProgress final : public QObject {
+    Q_OBJECT
+
+public:
+    WorkProgress(MainWindow& window, MessageBar& messages);
+
+    /// What is done next in the background is told outside of the window, which is in its pictures.
+    void setApart(bool apart) { apart_ = apart; }
+
+    /// Ends what takes long; otherwise dismisses the newest message.
+    void cancel();
+
+private:
+    void work(const QString& what, double share);
+    void show();
+    void tellBackground(const QString& what, double share);
+
+    MainWindow& window_;
+    MessageBar& messages_;
+    QString work_;
+    double share_ = 0;
+    bool onItsWay_ = false;  ///< what is told is the way to a tick
+    QTimer patience_;
+    bool apart_ = false;
+    QPointer<QProgressDialog> dialog_;
+};
+
+}  // namespace mrose::gui

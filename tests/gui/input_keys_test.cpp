@@ -1,0 +1,115 @@
+// What keys do while something is typed in a panel.
+#include <QAction>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLineEdit>
+#include <QSpinBox>
+
+#include "gui/window_fixture.h"
+#include "panels/breakpoint_panel.h"
+#include "panels/command_panel.h"
+#include "panels/plot_panel.h"
+
+namespace mrose::gui {
+namespace {
+
+class InputKeysTest : public WindowTest {
+protected:
+    void SetUp() override {
+        WindowTest::SetUp();
+        window.activateWindow();
+        ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+        window.session().seek(100);
+        window.field().setSelected(1);
+        settle();
+    }
+    /// To whatever has the focus, by way of the window's shortcuts.
+    void press(Qt::Key key) {
+        QTest::keyClick(window.windowHandle(), key);
+        settle();
+    }
+};
+
+TEST_F(InputKeysTest, EscapeTakesANumberBackAndGivesKeysToTheField) {
+    const auto boxes = window.commandPanel().findChildren<QDoubleSpinBox*>();
+    ASSERT_GE(boxes.size(), 2);
+    press(Qt::Key_E);
+    ASSERT_TRUE(boxes[0]->hasFocus());
+    const double forward = boxes[0]->value(), turning = boxes[1]->value();
+    press(Qt::Key_1);
+    press(Qt::Key_Tab);
+    press(Qt::Key_2);
+    EXPECT_NE(boxes[0]->value(), forward);
+    EXPECT_NE(boxes[1]->value(), turning);
+    press(Qt::Key_Escape);
+    EXPECT_EQ(boxes[0]->value(), forward);
+    EXPECT_EQ(boxes[1]->value(), turning);
+    EXPECT_TRUE(window.field().hasFocus());
+    press(Qt::Key_G);
+    EXPECT_TRUE(window.actions()["layer_grid"].isChecked()) << "keys are the window's again";
+    press(Qt::Key_G);
+}
+
+TEST_F(InputKeysTest, LettersInAListChooseFromIt) {
+    auto* kick = window.commandPanel().findChild<QComboBox*>();
+    ASSERT_TRUE(kick != nullptr && kick->count() >= 2);
+    press(Qt::Key_E);
+    kick->setFocus();
+    kick->setCurrentIndex(1);
+    const bool names = window.actions()["layer_names"].isChecked();
+    const std::int64_t tick = window.shown()->tick();
+    press(Qt::Key_N);
+    EXPECT_EQ(kick->currentText(), "none");
+    EXPECT_EQ(window.actions()["layer_names"].isChecked(), names);
+    kick->setCurrentIndex(1);
+    press(Qt::Key_Home);
+    EXPECT_EQ(kick->currentIndex(), 0);
+    EXPECT_EQ(window.shown()->tick(), tick);
+}
+
+TEST_F(InputKeysTest, SpaceInANumberPlaysAndLeavesIt) {
+    auto* forward = window.commandPanel().findChild<QDoubleSpinBox*>();
+    press(Qt::Key_E);
+    const QString before = forward->text();
+    int plays = 0;
+    QObject::connect(&window.actions()["play"], &QAction::triggered, &window, [&] { ++plays; });
+    press(Qt::Key_Space);
+    EXPECT_EQ(plays, 1);
+    press(Qt::Key_Space);
+    EXPECT_EQ(plays, 2);
+    window.session().seek(100);
+    settle();
+    EXPECT_EQ(forward->text(), before);
+}
+
+TEST_F(InputKeysTest, EscapeLeavesEveryInputOfAPanel) {
+    window.showPlots();
+    window.showReality();
+    settle();
+    int inputs = 0;
+    for (const char* name : {"branches", "breakpoints", "command", "reality", "plots"}) {
+        QWidget* dock = window.findChild<QWidget*>(name);
+        dock->raise();
+        for (QWidget* input : dock->findChildren<QWidget*>()) {
+            const bool number = qobject_cast<QAbstractSpinBox*>(input) != nullptr;
+            auto* line = qobject_cast<QLineEdit*>(input);
+            const bool own = line != nullptr && qobject_cast<QAbstractSpinBox*>(input->parentWidget()) == nullptr;
+            if ((!number && !own) || !input->isVisible() || !input->isEnabled()) continue;
+            input->setFocus();
+            ASSERT_TRUE(input->hasFocus()) << name;
+            auto* text = number ? input->findChild<QLineEdit*>() : line;
+            const QString before = text->text();
+            text->selectAll();
+            press(Qt::Key_7);
+            EXPECT_NE(text->text(), before) << name;
+            press(Qt::Key_Escape);
+            EXPECT_EQ(text->text(), before) << name;
+            EXPECT_TRUE(window.field().hasFocus()) << name;
+            ++inputs;
+        }
+    }
+    EXPECT_GE(inputs, 5);
+}
+
+}  // namespace
+}  // namespace mrose::gui

@@ -1,0 +1,427 @@
+// Any log that can be read opens from the window: short pieces, one's own CSV, and what cannot be opened leaves all as
+// it is.
+#include <QApplication>
+#include <QHeaderView>
+#include <QLabel>
+#include <QListWidget>
+#include <QScrollBar>
+#include <QSettings>
+#include <QTest>
+#include <cmath>
+#include <numbers>
+
+#include <gmock/gmock.h>
+
+#include "evaluation/evaluate.h"
+#include "evaluation/windows.h"
+#include "files/window_files.h"
+#include "gui/overlay_fixture.h"
+#include "io/file.h"
+#include "io/number_text.h"
+#include "logs/log_reader.h"
+#include "motion/learned_model.h"
+#include "reality/robot_dialog.h"
+#include "scripting/window_script.h"
+#include "shared/resources.h"
+#include "support/places.h"
+#include "widgets/field_view.h"
+#include "window/window_memory.h"
+#include "world/state_hash.h"
+
+namespace mrose::gui {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+class LogOpeningTest : public OverlayTest {
+protected:
+    /// Windows of 1.95 s as of a Husky, each on a straight line, at speeds of their own.
+    std::string huskyLog(int count) const {
+        std::string text =
+            "window,calib_step,t_s,cmd_left_radps,cmd_right_radps,wheel_left_radps,wheel_right_radps,icp_x_m,icp_y_m,"
+            "icp_yaw_rad,imu_yaw_rad,steady\n";
+        for (int i = 0; i < count; ++i)
+            for (int row = 0; row < 40; ++row) {
+                const double t = 0.05 * row, wheels = 3 + 0.1 * i, x = 0.165 * wheels * t;
+                for (const double cell : {1.0 * i, 1.0 * i, t, wheels, wheels, wheels, wheels, x, 0.0, 0.0})
+                    text += numberText(cell) + ',';
+                text += "0,1\n";
+            }
+        return write("husky.csv", text);
+    }
+    /// A log of somebody's own robot.
+    std::string ownLog(const std::string& name = "own.csv") {
+        makeLog([](Log& log) { log.synthetic = false; });
+        return write(name, readFile(path("made.csv")).value_or(""));
+    }
+    RobotDialog* dialog() const { return window.findChild<RobotDialog*>(); }
+    std::string head() const {
+        std::string all;
+        for (const QLabel* label : panel.findChildren<QLabel*>()) all += label->text().toStdString() + '\n';
+        return all;
+    }
+    void dropAndSettle(const std::string& file) {
+        dropFile(file);
+        QApplication::processEvents();
+        settleAll();
+    }
+    void remember() { window.memory().restore(std::make_unique<QSettings>(qPath("kept.ini"), QSettings::IniFormat)); }
+
+    /// All that somebody sees of a log and its run.
+    struct State {
+        OverlayWorldPointer world;
+        OverlayPlan plan;
+        std::size_t courses = 0, rows = 0, models = 0;
+        std::optional<std::size_t> course;
+        std::uint64_t run = 0;
+        std::int64_t tick = 0;
+        StateHash hash;
+        std::size_t branches = 0, breakpoints = 0;
+        const Comparison* comparison = nullptr;
+        const Reality* reality = nullptr;
+        bool operator==(const State&) const = default;
+    };
+    State now() const {
+        const Shown& shown = *window.shown();
+        return {overlay.world(),
+                overlay.plan(),
+                overlay.requests().size(),
+                overlay.rows().size(),
+                overlay.models().size(),
+                overlay.shownCourse(),
+                shown.run,
+                shown.tick(),
+                hashOf(shown.frame->state),
+                shown.branches.size(),
+                shown.breakpoints.size(),
+                overlay.comparison(),
+                shown.frame->reality.get()};
+    }
+    /// The shipped log in its third course, with a branch, a breakpoint and a second model.
+    void work() {
+        openLog(shipped());
+        overlay.show(2);
+        overlay.addModel("velocity = command");
+        settleAll();
+        seek(40);
+        window.session().branchOff({"mine"});
+        Breakpoint breakpoint;
+        breakpoint.text = "time > 300";
+        window.session().addBreakpoint(breakpoint);
+        settleAll();
+    }
+};
+
+TEST_F(LogOpeningTest, ShortTrajectoriesAreCutAsEvaluateCutsThem) {
+    const std::string file = huskyLog(6);
+    dropAndSettle(file);
+    EXPECT_THAT(errors(), IsEmpty());
+    ASSERT_TRUE(overlay.world());
+    EXPECT_EQ(overlay.plan(), (OverlayPlan{OverlayPlan::Cut::windows, 0, 1.9}));
+    const auto log = readLog(file);
+    ASSERT_TRUE(log);
+    const auto windows = findWindows(*log);
+    ASSERT_TRUE(windows);
+    ASSERT_EQ(overlay.requests().size(), windows->size());
+    for (std::size_t i = 0; i < windows->size(); ++i) {
+        const CourseRequest& request = overlay.requests()[i];
+        const Take::Part& part = overlay.world()->world().takes()[request.take].parts[0];
+        EXPECT_EQ(part.trajectory, (*windows)[i].trajectory);
+        EXPECT_EQ(part.origin + request.start, (*windows)[i].start);
+        EXPECT_EQ(request.steps, (*windows)[i].steps());
+    }
+    EXPECT_THAT(notes(), Contains(HasSubstr("windows of 1.9 s, as mrose evaluate cuts them")));
+    EXPECT_EQ(overlay.shownCourse(), 0u);
+    ASSERT_TRUE(overlay.setPlan({OverlayPlan::Cut::windows, 0, 1}));
+    settleAll();
+    EXPECT_THAT(notes(), Not(Contains(HasSubstr("as mrose evaluate cuts them")))) << "it is no longer so";
+}
+
+TEST_F(LogOpeningTest, PanelOfALogInPiecesTellsThemApart) {
+    ASSERT_NO_FATAL_FAILURE(openLog(huskyLog(6)));
+    EXPECT_EQ(overlay.world()->world().robots()[0].name, "husky");
+    // Six times 1.95 s.
+    EXPECT_THAT(head(), HasSubstr("1 robot, 6 courses, 6 takes, 0:11 min in all"));
+    const QTreeView& list = panel.list();
+    EXPECT_TRUE(list.isColumnHidden(CourseList::robot));
+    ASSERT_FALSE(list.isColumnHidden(CourseList::take));
+    list.model()->sort(CourseList::take, Qt::AscendingOrder);
+    for (int line = 0; line < 6; ++line)
+        EXPECT_EQ(list.model()->index(line, CourseList::take).data().toString(), QString::number(line));
+    overlay.show(4, 0);
+    settleAll();
+    EXPECT_THAT(panel.causes().text().toStdString(), HasSubstr("husky in take 4 from"));
+    EXPECT_THAT(window.windowTitle().toStdString(), HasSubstr("take 4"));
+    const std::string whole = makeLog([](Log& log) { log.robots[0].trajectories.resize(1); });
+    ASSERT_NO_FATAL_FAILURE(openLog(whole, {OverlayPlan::Cut::every, 0, 2}));
+    EXPECT_FALSE(list.isColumnHidden(CourseList::robot));
+    EXPECT_TRUE(list.isColumnHidden(CourseList::take));
+    EXPECT_THAT(head(), Not(HasSubstr("takes")));
+}
+
+TEST_F(LogOpeningTest, PlanThatIsAskedForIsKept) {
+    const std::string file = huskyLog(6);
+    EXPECT_THAT(refusal({file, ""}, OverlayPlan{}), HasSubstr("no course of 10.0 s fits in"));
+    EXPECT_FALSE(overlay.world());
+    EXPECT_EQ(refusal({file, ""}, OverlayPlan{OverlayPlan::Cut::every, 0, 0.5}), "");
+    EXPECT_EQ(overlay.plan().cut, OverlayPlan::Cut::every);
+    EXPECT_EQ(overlay.requests().size(), 6u * 3);
+    EXPECT_THAT(notes(), Not(Contains(HasSubstr("are short"))));
+}
+
+TEST_F(LogOpeningTest, RobotThatStandsOpensToo) {
+    const std::string file = makeLog([](Log& log) {
+        for (Trajectory& trajectory : log.robots[0].trajectories) {
+            trajectory.poses.resize(200);
+            for (StampedPose& stamped : trajectory.poses) stamped.pose = {1, 2, 0.5};
+            trajectory.commands = {{trajectory.poses.front().time, {0, 0}}, {trajectory.poses[9].time, {0, 0}}};
+        }
+    });
+    ASSERT_NO_FATAL_FAILURE(openLog(file));
+    EXPECT_EQ(overlay.plan().cut, OverlayPlan::Cut::every);
+    EXPECT_THAT(overlay.rows(), Not(IsEmpty()));
+    EXPECT_THAT(notes(), Contains(HasSubstr("starts again every")));
+}
+
+TEST_F(LogOpeningTest, SingleCommandIsEnough) {
+    const std::string file = makeLog([](Log& log) {
+        for (Trajectory& trajectory : log.robots[0].trajectories) trajectory.commands.resize(1);
+    });
+    ASSERT_NO_FATAL_FAILURE(openLog(file));
+    ASSERT_TRUE(overlay.shownCourse());
+    EXPECT_THAT(errors(), IsEmpty());
+    seek(100);
+    EXPECT_EQ(window.shown()->tick(), 100);
+}
+
+TEST_F(LogOpeningTest, NetworkOfAnotherKindOfRobotSaysSo) {
+    ASSERT_NO_FATAL_FAILURE(openLog(makeLog()));
+    overlay.addModel("create.net");
+    settleAll();
+    ASSERT_EQ(overlay.models().size(), 2u);
+    EXPECT_THAT(notes(), Contains(HasSubstr("another kind of robot (irobot-create)")));
+}
+
+TEST_F(LogOpeningTest, WhatDroveInOnesOwnLogIsAsked) {
+    remember();
+    const std::string file = ownLog();
+    dropAndSettle(file);
+    EXPECT_THAT(errors(), IsEmpty());
+    EXPECT_FALSE(overlay.world());
+    ASSERT_NE(dialog(), nullptr);
+    ASSERT_TRUE(dialog()->isVisible());
+    QListWidget& robots = dialog()->robots();
+    QStringList texts;
+    for (int i = 0; i < robots.count(); ++i) {
+        texts << robots.item(i)->text();
+        EXPECT_FALSE(robots.item(i)->icon().isNull());
+    }
+    EXPECT_THAT(texts.join('\n').toStdString(), HasSubstr("Husky\n0.99 \u00d7 0.67 m, learned motion, dead time"));
+    // By keys alone: to the Pioneer, and open.
+    EXPECT_TRUE(robots.hasFocus());
+    while (!robots.currentItem()->text().startsWith("Pioneer")) {
+        const int row = robots.currentRow();
+        QTest::keyClick(&robots, Qt::Key_Down);
+        ASSERT_EQ(robots.currentRow(), row + 1);
+    }
+    QTest::keyClick(&robots, Qt::Key_Return);
+    settleAll();
+    EXPECT_THAT(errors(), IsEmpty());
+    ASSERT_TRUE(overlay.world());
+    EXPECT_EQ(overlay.world()->request.robotFile, "pioneer1.toml");
+    EXPECT_EQ(overlay.world()->world().parts().scene.typeOf(0).name, "Pioneer 1");
+    EXPECT_EQ(overlay.shownCourse(), 0u);
+    EXPECT_THAT(window.memory().recentFiles(), Contains(QString::fromStdString(file)));
+    // Once more: what was said stands ready.
+    overlay.close();
+    dropAndSettle(file);
+    ASSERT_NE(dialog(), nullptr);
+    EXPECT_TRUE(dialog()->robots().currentItem()->text().startsWith("Pioneer"));
+    QTest::keyClick(&dialog()->robots(), Qt::Key_Return);
+    settleAll();
+    EXPECT_TRUE(overlay.world());
+}
+
+TEST_F(LogOpeningTest, WhoThinksBetterOfItKeepsWhatIsOpen) {
+    ASSERT_NO_FATAL_FAILURE(work());
+    const State before = now();
+    dropAndSettle(ownLog());
+    ASSERT_NE(dialog(), nullptr);
+    QTest::keyClick(dialog(), Qt::Key_Escape);
+    settleAll();
+    EXPECT_EQ(now(), before);
+    EXPECT_THAT(errors(), IsEmpty());
+    EXPECT_TRUE(dialog() == nullptr || !dialog()->isVisible());
+}
+
+TEST_F(LogOpeningTest, RobotFileOfOnesOwnComesIntoTheList) {
+    dropAndSettle(ownLog());
+    ASSERT_NE(dialog(), nullptr);
+    const int shippedOnes = dialog()->robots().count();
+    dialog()->choose(QString::fromStdString(write("bad.toml", "format = \"mrose robot\"\nversion = 1\n")));
+    EXPECT_THAT(dialog()->error().toStdString(), HasSubstr("bad.toml"));
+    dialog()->choose(QString::fromStdString(writeGame()));
+    EXPECT_THAT(dialog()->error().toStdString(), HasSubstr("expected format = \"mrose robot\""));
+    EXPECT_EQ(dialog()->robots().count(), shippedOnes);
+    const std::string mine = write("mine.toml", robot(9));
+    dialog()->choose(QString::fromStdString(mine));
+    EXPECT_TRUE(dialog()->error().isEmpty());
+    ASSERT_EQ(dialog()->robots().count(), shippedOnes + 1);
+    EXPECT_EQ(dialog()->robots().currentRow(), shippedOnes);
+    QTest::keyClick(&dialog()->robots(), Qt::Key_Return);
+    settleAll();
+    ASSERT_TRUE(overlay.world());
+    EXPECT_EQ(overlay.world()->world().parts().scene.typeOf(0).mass, 9);
+}
+
+TEST_F(LogOpeningTest, ScriptsSayWhatDrove) {
+    const std::string file = ownLog();
+    const auto run = [&](const std::string& script) {
+        const auto done =
+            runScript(window, script, "s.lua",
+                      {[](const std::string&) {}, [](const std::string& mistake) { ADD_FAILURE() << mistake; }});
+        return done ? "" : done.error().message();
+    };
+    EXPECT_THAT(run("open_log('" + file + "')"), HasSubstr("does not tell what kind of robot drove"));
+    EXPECT_EQ(dialog(), nullptr);
+    EXPECT_EQ(run("open_log('" + file + "', 'pioneer1.toml')\nexpect(reality('courses') > 0)"), "");
+    EXPECT_THAT(run("open_log('" + file + "', 'missing.toml')"), HasSubstr("missing.toml"));
+    EXPECT_THAT(run("open_log('" + file + "', 3)"), HasSubstr("expected a text as argument 2"));
+}
+
+TEST_F(LogOpeningTest, WhatCannotBeOpenedLeavesAllAsItIs) {
+    ASSERT_NO_FATAL_FAILURE(work());
+    const State before = now();
+    const std::string own = ownLog(), text = readFile(own).value_or("");
+    const std::string noTruth = path("blind.csv");
+    {
+        auto log = readLog(own);
+        ASSERT_TRUE(log);
+        for (Trajectory& trajectory : log->robots[0].trajectories) trajectory.poses.clear();
+        ASSERT_TRUE(writeCsv(noTruth, *log));
+    }
+    OverlayRequest badRobot{own, ""}, noScenario{shipped(), path("missing.toml")}, otherRobots{shipped(), ""};
+    badRobot.robotFile = write("bad.toml", "format = \"mrose robot\"\nversion = 1\nmass_kg = -1\n");
+    otherRobots.robots = {"nobody"};
+    OverlayRequest blind{noTruth, ""};
+    blind.robotFile = "pioneer1.toml";
+    const std::vector<std::pair<OverlayRequest, std::string>> wrong{
+        {{path("missing.csv"), ""}, "does not exist"},
+        {{write("foreign.csv", "a,b\n1,2\n"), ""}, "is no log"},
+        {{write("half.csv", text.substr(0, text.rfind(',')) + "\n"), ""}, "half.csv:"},
+        {blind, "has no ground truth"},
+        {badRobot, "bad.toml"},
+        {noScenario, "missing.toml"},
+        {otherRobots, "nobody"}};
+    for (const auto& [request, words] : wrong) {
+        window.messages().clear();
+        overlay.open(request);
+        settleAll();
+        ASSERT_THAT(errors(), testing::SizeIs(1)) << words;
+        EXPECT_THAT(errors()[0], HasSubstr(words));
+        EXPECT_THAT(errors()[0], Not(HasSubstr("\n")));
+        EXPECT_EQ(now(), before) << words;
+    }
+    window.messages().clear();
+    overlay.open({shipped(), ""}, OverlayPlan{OverlayPlan::Cut::every, 1e5, 10});
+    settleAll();
+    EXPECT_THAT(errors(), ElementsAre(HasSubstr("expected an earlier start")));
+    EXPECT_EQ(now(), before);
+    // And all of it still works.
+    window.files().setQuestion([](const QString&) { return WindowFiles::Answer::discard; });
+    overlay.showNext(1);
+    settleAll();
+    EXPECT_EQ(overlay.shownCourse(), 3u);
+}
+
+TEST_F(LogOpeningTest, UnsavedBranchesAreAskedAboutOnceTheOtherLogIsThere) {
+    ASSERT_NO_FATAL_FAILURE(work());
+    const State before = now();
+    int asked = 0;
+    auto answer = WindowFiles::Answer::cancel;
+    window.files().setQuestion([&](const QString&) { return ++asked, answer; });
+    overlay.open({path("missing.csv"), ""});
+    settleAll();
+    EXPECT_EQ(asked, 0);
+    const std::string other = makeLog();
+    overlay.open({other, ""});
+    settleAll();
+    EXPECT_EQ(asked, 1);
+    EXPECT_EQ(now(), before);
+    answer = WindowFiles::Answer::discard;
+    overlay.open({other, ""});
+    settleAll();
+    EXPECT_EQ(asked, 2);
+    EXPECT_EQ(overlay.world()->place, other);
+    EXPECT_THAT(overlay.models(), testing::SizeIs(1));
+}
+
+TEST_F(LogOpeningTest, FolderOfLogsIsExplained) {
+    for (const char* name : {"one", "two"}) write(std::string(name) + "/Robot1_Odometry.dat", "1 0.1 0 \n2 0.1 0 \n");
+    dropAndSettle(folder.path().string());
+    EXPECT_THAT(errors(), ElementsAre(HasSubstr("is not a log itself; it holds one and two: open one of them")));
+    window.messages().clear();
+    window.actions().perform("open_log", QString::fromStdString(folder.path().string()));
+    settleAll();
+    EXPECT_THAT(errors(), ElementsAre(HasSubstr("is not a log itself; it holds one and two: open one of them")));
+}
+
+TEST_F(LogOpeningTest, ColumnsHoldAllThatTheyShow) {
+    // Courses from 0 to 1190 s: the widest starts come last.
+    const std::string file = makeLog([](Log& log) {
+        Trajectory& trajectory = log.robots[0].trajectories[0];
+        log.robots[0].trajectories.resize(1);
+        trajectory.commands.clear();
+        trajectory.poses.clear();
+        Pose pose{0, 0, 0};
+        const Command command{0.4, 0.4};
+        for (Nanoseconds time = 0; time <= 1'201 * nanosecondsPerSecond; time += nanosecondsPerSecond / 20) {
+            trajectory.commands.push_back({time, command});
+            trajectory.poses.push_back({time, pose});
+            pose = pose * exp({command.v / 20, 0, command.w / 20});
+        }
+    });
+    dropAndSettle(file);
+    ASSERT_GT(overlay.rows().size(), 110u);
+    const QTreeView& list = panel.list();
+    const QFontMetrics metrics = list.fontMetrics();
+    constexpr int margins = 6;  // of a cell, pixels
+    for (int column = 0; column < CourseList::columns; ++column)
+        for (int line = 0; line < list.model()->rowCount() && !list.isColumnHidden(column); ++line)
+            ASSERT_LE(CourseList::isName(column)
+                          ? 0
+                          : metrics.horizontalAdvance(list.model()->index(line, column).data().toString()) + margins,
+                      list.columnWidth(column))
+                << "column " << column << ", line " << line;
+    EXPECT_LE(list.header()->length(), list.viewport()->width());
+    EXPECT_FALSE(list.horizontalScrollBar()->isVisible());
+}
+
+/// The real one, where it is.
+TEST_F(LogOpeningTest, WindowsOfARealHuskyHaveTheFiguresOfEvaluate) {
+    const std::string file = placeOfLog("husky_windows.csv");
+    if (!looksLikeLog(file)) GTEST_SKIP() << "no Husky windows: set MROSE_DATA";
+    dropAndSettle(file);
+    EXPECT_THAT(errors(), IsEmpty());
+    ASSERT_NE(overlay.comparison(), nullptr);
+    auto network = loadNetwork(sourceFolder() / "nets" / "husky.net");
+    ASSERT_TRUE(network);
+    LogOptions options;
+    if (network->drive) options.drive = *network->drive;
+    const auto log = readLog(file, options);
+    ASSERT_TRUE(log);
+    const LearnedModel model(std::make_shared<const LearnedMotion>(std::move(*network)), "husky");
+    const NamedModel named = NamedModel::same("network", model);
+    const auto evaluation = evaluate(*log, {&named, 1});
+    ASSERT_TRUE(evaluation);
+    EXPECT_EQ(overlay.requests().size(), evaluation->windows.size());
+    EXPECT_EQ(overlay.comparison()->all.counted.p, evaluation->models[0].all.p);
+    EXPECT_EQ(overlay.comparison()->all.counted.hd, evaluation->models[0].all.hd);
+}
+
+}  // namespace
+}  // namespace mrose::gui

@@ -1,0 +1,325 @@
+// What somebody meets who opens a real log for the first time: the window with its panels, plots, menus and dialogues.
+#include <QApplication>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QTest>
+#include <QTreeWidget>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include <gmock/gmock.h>
+
+#include "export/plot_export.h"
+#include "export/report_dialog.h"
+#include "gui/file_fixture.h"
+#include "panels/error_plot.h"
+#include "panels/first_steps.h"
+#include "panels/log_dialog.h"
+#include "panels/plot_panel.h"
+#include "reality/overlay.h"
+#include "reality/overlay_panel.h"
+#include "scripting/window_script.h"
+#include "session/background_work.h"
+#include "shared/resources.h"
+#include "support/places.h"
+#include "widgets/field_view.h"
+#include "window/quiet_message.h"
+#include "window/window_memory.h"
+
+namespace mrose::gui {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class LogWindowTest : public FileTest {
+protected:
+    LogWindowTest() {
+        window.resize(1280, 800);
+        window.QWidget::show();
+    }
+    static std::string shipped() { return (sourceFolder() / "resources" / "logs" / "pioneer" / "random.csv").string(); }
+    void settleAll() {
+        for (int i = 0; i < 3; ++i) {
+            window.overlay().settle();
+            gui::settle(window);
+        }
+    }
+    void openLog() {
+        const auto opened = window.overlay().openNow({shipped(), ""});
+        ASSERT_TRUE(opened) << opened.error().message();
+        settleAll();
+    }
+    QDockWidget& dock(const char* name) { return *window.findChild<QDockWidget*>(name); }
+    const PlotCurve& curve(const ValueKey& key) {
+        const std::vector<ValueKey>& keys = window.plots().keys();
+        const auto at = std::find(keys.begin(), keys.end(), key) - keys.begin();
+        return window.plots().view().curves().at(static_cast<std::size_t>(at));
+    }
+    std::string robot() { return window.overlay().world()->world().robots().front().name; }
+    const ComparedCourse& compared() {
+        return window.overlay().comparison()->courses.at(*window.overlay().shownCourse());
+    }
+};
+
+TEST_F(LogWindowTest, EveryPanelFitsASmallScreen) {
+    ASSERT_NO_FATAL_FAILURE(openLog());
+    for (QDockWidget* dock : window.findChildren<QDockWidget*>()) dock->show();
+    QApplication::processEvents();
+    EXPECT_LE(window.minimumSizeHint().width(), 1024);
+    EXPECT_LE(window.minimumSizeHint().height(), 640);
+    EXPECT_EQ(window.size(), QSize(1280, 800));
+}
+
+TEST_F(LogWindowTest, ErrorsOfTheWholeCourseArePlottedUnasked) {
+    ASSERT_NO_FATAL_FAILURE(openLog());
+    EXPECT_TRUE(dock("plots").isVisible());
+    EXPECT_EQ(window.plots().keys(),
+              (std::vector<ValueKey>{{positionErrorQuantity, robot()}, {headingErrorQuantity, robot()}}));
+    const PlotView& view = window.plots().view();
+    const Scene& scene = window.shown()->frame->scene();
+    EXPECT_EQ(window.shown()->last, 0) << "nothing is simulated yet";
+    EXPECT_EQ(view.to(), static_cast<double>(scene.ticksOf(compared().real.steps() * WindowOptions{}.step)));
+    const PlotCurve& position = curve({positionErrorQuantity, robot()});
+    ASSERT_EQ(position.ahead.size(), static_cast<int>(compared().errors.position.size()));
+    for (int k = 0; k < position.ahead.size(); ++k)
+        EXPECT_EQ(position.ahead[k].y(), 100 * compared().errors.position[static_cast<std::size_t>(k)]) << k;
+    EXPECT_TRUE(view.textAt(300).contains(fixedText(position.ahead[59].y(), position.decimals)));
+    // Simulated, it is the same.
+    seek(300);
+    settleAll();
+    EXPECT_NEAR(curve({positionErrorQuantity, robot()}).at(300), position.ahead[59].y(), 1e-4);
+}
+
+TEST_F(LogWindowTest, PlottedErrorsFollowCourseAndModels) {
+    ASSERT_NO_FATAL_FAILURE(openLog());
+    window.overlay().addModel("velocity = command");
+    settleAll();
+    ASSERT_EQ(window.plots().keys().size(), 4u);
+    const ValueKey model{positionErrorQuantity, robot(), "velocity = command"};
+    const PlotCurve& added = curve(model);
+    ASSERT_GT(added.ahead.size(), 400);
+    const Reality& reality = *window.shown()->frame->reality;
+    const auto last = static_cast<std::int64_t>(added.ahead.back().x());
+    const auto error = reality.modelError(reality.models.front(), 0, window.shown()->frame->scene().timeOf(last));
+    ASSERT_TRUE(error);
+    EXPECT_EQ(added.ahead.back().y(), 100 * error->position);
+    window.overlay().show(1);
+    settleAll();
+    ASSERT_EQ(window.overlay().shownCourse(), 1u);
+    EXPECT_EQ(window.plots().keys().size(), 4u);
+    EXPECT_EQ(curve({positionErrorQuantity, robot()}).ahead.front().y(), 100 * compared().errors.position.front());
+    window.overlay().removeModel(1);
+    settleAll();
+    EXPECT_EQ(window.plots().keys().size(), 2u);
+    window.overlay().close();
+    settleAll();
+    EXPECT_TRUE(window.plots().keys().empty());
+}
+
+TEST_F(LogWindowTest, WhoRemovesTheErrorsDoesNotGetThemAgain) {
+    ASSERT_NO_FATAL_FAILURE(openLog());
+    window.actions()["clear_plots"].trigger();
+    window.overlay().show(1);
+    settleAll();
+    EXPECT_TRUE(window.plots().keys().empty());
+    window.actions()["plot_errors"].trigger();
+    window.overlay().addModel("velocity = command");
+    settleAll();
+    EXPECT_EQ(window.plots().keys().size(), 4u) << "asked for again, they follow again";
+}
+
+TEST_F(LogWindowTest, WhoHasClosedThePlotsDoesNotGetThemAgain) {
+    const auto settings = [&] { return std::make_unique<QSettings>(qPath("settings.ini"), QSettings::IniFormat); };
+    window.memory().restore(settings());
+    ASSERT_NO_FATAL_FAILURE(openLog());
+    ASSERT_TRUE(dock("plots").isVisible());
+    dock("plots").close();
+    window.overlay().show(1);
+    settleAll();
+    EXPECT_FALSE(dock("plots").isVisible());
+    MainWindow later;
+    later.memory().restore(settings());
+    later.QWidget::show();
+    ASSERT_TRUE(later.overlay().openNow({shipped(), ""}));
+    later.overlay().settle();
+    gui::settle(later);
+    EXPECT_FALSE(later.findChild<QDockWidget*>("plots")->isVisible());
+    later.actions()["plot_errors"].trigger();
+    EXPECT_TRUE(later.findChild<QDockWidget*>("plots")->isVisible());
+}
+
+TEST_F(LogWindowTest, CurvesAreCalledByWhatDiffersAndAxesByTheirQuantity) {
+    ASSERT_NO_FATAL_FAILURE(openLog());
+    window.overlay().addModel("velocity = command");
+    settleAll();
+    const QString own = QString::fromStdString(window.overlay().models().front().name);
+    const QString name = QString::fromStdString(robot());
+    EXPECT_EQ(window.plots().view().titles(),
+              (QStringList{name + ": position error (cm)", name + QString::fromUtf8(": heading error (\u00b0)")}));
+    auto* list = window.plots().findChild<QTreeWidget*>();
+    ASSERT_EQ(list->topLevelItemCount(), 4);
+    for (int i = 0; i < 4; ++i) {
+        EXPECT_EQ(list->topLevelItem(i)->text(0), i % 2 == 0 ? own : "velocity = command");
+        EXPECT_EQ(list->topLevelItem(i)->text(2), i < 2 ? "cm" : QString::fromUtf8("\u00b0"));
+    }
+    EXPECT_FALSE(list->isColumnHidden(2));
+    EXPECT_GE(window.plots().view().width(), 0.6 * window.plots().width());
+    EXPECT_EQ(window.plots().view().rangeOf(0).first, 0) << "no error is below zero";
+    ASSERT_TRUE(window.plots().add({"error ahead", robot()}));
+    settleAll();
+    EXPECT_EQ(window.plots().view().titles().front(), "cm") << "of several quantities";
+}
+
+TEST_F(LogWindowTest, PictureOfPlotsNamesLogCourseModelsAndBound) {
+    ASSERT_NO_FATAL_FAILURE(openLog());
+    window.overlay().setBound({{0.02, 0.05}, false});
+    window.overlay().addModel("velocity = command");
+    window.overlay().show(2);
+    settleAll();
+    ASSERT_TRUE(window.overlay().shownRow() != nullptr && window.overlay().shownRow()->divergence);
+    ASSERT_TRUE(exportPlots(window, qPath("plots.svg")));
+    window.background().settle();
+    QApplication::processEvents();
+    std::ifstream file(path("plots.svg"));
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const std::string course = window.runName().toStdString() + " for 10.0 s, " + robot();
+    for (const std::string& part :
+         {std::string("random.csv"), course, window.overlay().models().front().name, std::string("velocity = command"),
+          std::string("bound"), std::string("leaves the real course"), std::string("position error (cm)")})
+        EXPECT_THAT(text, HasSubstr(part));
+    const QString colour = TimelineBar::colourOf(TimelineMark::Kind::divergence, Theme::light()).name();
+    EXPECT_GE(QString::fromStdString(text).count(colour), 6) << "bound and mark of both axes and in the legend";
+}
+
+TEST_F(LogWindowTest, MenusOfferLogsWithoutOneBeingOpen) {
+    const auto texts = [&](const char* menu) {
+        QStringList names;
+        for (const QAction* action : window.actions().menu(menu)->actions()) names << action->objectName();
+        return names;
+    };
+    EXPECT_EQ(texts("&Reality").front(), "open_log");
+    EXPECT_TRUE(window.actions()["open_log"].isEnabled());
+    EXPECT_EQ(texts("&File").indexOf("open_log"), texts("&File").indexOf("open") + 1);
+}
+
+TEST_F(LogWindowTest, FirstStepsTellOfLogsAndGoAwayForThem) {
+    window.actions()["first_steps"].setChecked(true);
+    auto* card = window.findChild<FirstSteps*>();
+    EXPECT_TRUE(std::any_of(card->steps().begin(), card->steps().end(),
+                            [](const FirstSteps::Step& step) { return step.text.contains("real robots"); }));
+    ASSERT_TRUE(card->isVisible());
+    ASSERT_NO_FATAL_FAILURE(openLog());
+    EXPECT_FALSE(card->isVisible() || card->folded());
+    window.actions()["first_steps"].setChecked(true);
+    window.overlay().show(1);
+    settleAll();
+    EXPECT_TRUE(card->isVisible() || card->folded()) << "asked for, it stays";
+}
+
+TEST_F(LogWindowTest, FolderOfALogIsTakenWhereItIsTyped) {
+    std::filesystem::create_directories(folder.path() / "MRCLAM_Dataset0");
+    std::filesystem::create_directories(folder.path() / "other");
+    for (const char* name : {"Robot1_Odometry.dat", "Robot1_Groundtruth.dat"})
+        std::ofstream(folder.path() / "MRCLAM_Dataset0" / name) << "# nothing\n";
+    const auto typed = [&](const QString& text) {
+        LogDialog dialog(&window, "Open", qPath(""), "All files (*)");
+        dialog.open();
+        auto* line = dialog.findChild<QLineEdit*>("fileNameEdit");
+        line->setText(text);
+        QTest::keyClick(line, Qt::Key_Return);
+        return dialog.result() == QDialog::Accepted ? dialog.chosen() : "still open";
+    };
+    EXPECT_EQ(typed(qPath("MRCLAM_Dataset0")), qPath("MRCLAM_Dataset0"));
+    EXPECT_EQ(typed("MRCLAM_Dataset0"), qPath("MRCLAM_Dataset0"));
+    EXPECT_EQ(typed(qPath("other")), "still open");
+    EXPECT_EQ(typed(qPath("MRCLAM_Dataset0/Robot1_Odometry.dat")), qPath("MRCLAM_Dataset0/Robot1_Odometry.dat"));
+}
+
+TEST_F(LogWindowTest, ReportDialoguesSayWhatIsOpen) {
+    ASSERT_NO_FATAL_FAILURE(openLog());
+    window.actions()["export_report"].trigger();
+    auto* report = window.findChild<ReportDialog*>("report_dialog");
+    ASSERT_NE(report, nullptr);
+    const auto line = [](const ReportDialog& dialog, const char* name) {
+        return dialog.findChild<QLineEdit*>(name)->text();
+    };
+    EXPECT_EQ(line(*report, "log").toStdString(), window.overlay().world()->place);
+    const std::filesystem::path network = line(*report, "network").toStdString();
+    EXPECT_EQ(network.filename().string(), window.overlay().models().front().name);
+    EXPECT_TRUE(std::filesystem::exists(network));
+    report->close();
+    OverlayPlan plan;
+    plan.length = 5;
+    ASSERT_TRUE(window.overlay().setPlan(plan));
+    settleAll();
+    window.actions()["export_comparison"].trigger();
+    auto* comparison = window.findChild<ReportDialog*>("comparison_dialog");
+    EXPECT_EQ(line(*comparison, "every"), "5");
+    EXPECT_EQ(line(*comparison, "log").toStdString(), window.overlay().world()->place);
+    // What somebody has written stays.
+    auto* every = comparison->findChild<QLineEdit*>("every");
+    every->clear();
+    QTest::keyClicks(every, "7");
+    comparison->close();
+    window.actions()["export_comparison"].trigger();
+    EXPECT_EQ(every->text(), "7");
+}
+
+TEST_F(LogWindowTest, ResetLayoutKeepsRealityAndErrors) {
+    ASSERT_NO_FATAL_FAILURE(openLog());
+    dock("plots").close();
+    dock("inspector").close();
+    window.actions()["reset_layout"].trigger();
+    QApplication::processEvents();
+    for (const char* name : {"reality", "plots", "inspector"}) EXPECT_TRUE(dock(name).isVisible()) << name;
+    window.overlay().close();
+    window.actions()["reset_layout"].trigger();
+    EXPECT_FALSE(dock("reality").isVisible());
+}
+
+TEST_F(LogWindowTest, KeyOffersTheModelsThatShip) {
+    ASSERT_NO_FATAL_FAILURE(openLog());
+    window.field().setFocus();
+    QTest::keyClick(&window, Qt::Key_M, Qt::ControlModifier);
+    auto* menu = window.findChild<QMenu*>("models_menu");
+    ASSERT_NE(menu, nullptr);
+    QStringList offered;
+    for (const QAction* action : menu->actions()) offered << action->text();
+    QStringList expected;
+    for (const std::string& name : modelNames(*window.overlay().world())) expected << QString::fromStdString(name);
+    expected << QString() << QString::fromUtf8("Other file\u2026");
+    EXPECT_EQ(offered, expected);
+    menu->actions().front()->trigger();
+    menu->close();
+    settleAll();
+    ASSERT_EQ(window.overlay().models().size(), 2u);
+    EXPECT_EQ(QString::fromStdString(window.overlay().models().back().name), expected.front());
+}
+
+TEST_F(LogWindowTest, WhatIsSaidIsSeenOverTheField) {
+    ASSERT_NO_FATAL_FAILURE(openLog());
+    auto* quiet = window.findChild<QuietMessage*>();
+    ASSERT_NE(quiet, nullptr);
+    quiet->hide();
+    window.overlay().setBound({{9, 3}, false});
+    settleAll();
+    window.actions()["go_to_divergence"].trigger();
+    EXPECT_TRUE(quiet->isVisible());
+    EXPECT_TRUE(quiet->text().contains("Nothing leaves")) << quiet->text().toStdString();
+    EXPECT_TRUE(window.field().rect().contains(quiet->geometry()));
+    window.say("");
+    EXPECT_FALSE(quiet->isVisible());
+    window.actions().setUnattended(true);
+    window.say("nobody reads this");
+    EXPECT_FALSE(quiet->isVisible()) << "pictures of a script are the same at any speed";
+    window.actions().setUnattended(false);
+}
+
+}  // namespace
+}  // namespace mrose::gui

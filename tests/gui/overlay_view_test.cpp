@@ -1,0 +1,215 @@
+// How an overlay is looked at: its list, and the field about the course that is picked.
+#include <QDockWidget>
+#include <QTreeWidget>
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+#include "gui/overlay_fixture.h"
+#include "panels/plot_panel.h"
+#include "scripting/window_script.h"
+#include "widgets/field_view.h"
+
+namespace mrose::gui {
+namespace {
+
+using testing::HasSubstr;
+
+class OverlayViewTest : public OverlayTest {
+protected:
+    QTreeView& list() { return panel.list(); }
+    FieldView& field() { return window.field(); }
+    /// Of both robots in the shown course.
+    FieldArea driven() {
+        const Comparison alone = comparedAlone(overlay);
+        FieldArea area{{1, 1}, {-1, -1}};
+        for (const ComparedCourse& course : alone.courses) {
+            if (course.request != overlay.shownCourse()) continue;
+            for (const Pose& pose : course.simulated) area.include(Point{pose.x, pose.y});
+            for (const Pose& pose : course.real.truth)
+                if (std::isfinite(pose.x)) area.include(Point{pose.x, pose.y});
+        }
+        return area;
+    }
+    /// All of the course is in the view, and fills it.
+    void expectNear() {
+        const FieldArea area = driven(), seen = field().transform().shown();
+        EXPECT_LT(seen.least.x, area.least.x);
+        EXPECT_LT(seen.least.y, area.least.y);
+        EXPECT_GT(seen.most.x, area.most.x);
+        EXPECT_GT(seen.most.y, area.most.y);
+        const double reach = window.shown()->frame->scene().shapeOf(0).reach;
+        const auto wanted = [&](double size) { return std::max(1.2, 1.25 * (size + 2 * reach)); };
+        // One of the two decides, beside margins and rulers.
+        const double across = (seen.most.x - seen.least.x) / wanted(area.most.x - area.least.x);
+        const double up = (seen.most.y - seen.least.y) / wanted(area.most.y - area.least.y);
+        EXPECT_LT(std::min(across, up), 1.4);
+    }
+};
+
+TEST_F(OverlayViewTest, PickedCourseIsSeenFromNearUntilTheUserLooksElsewhere) {
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {OverlayPlan::Cut::every, 0, 2}));
+    EXPECT_FALSE(field().showsPart()) << "a log that is opened is seen whole";
+    clickLine(0);
+    ASSERT_TRUE(field().showsPart());
+    expectNear();
+    window.resize(1000, 700);
+    settleAll();
+    expectNear();
+    ASSERT_TRUE(overlay.showNext(overlay.shownCourse() == 0u ? 1 : -1));
+    settleAll();
+    EXPECT_TRUE(field().showsPart()) << "the next course as the one before";
+    expectNear();
+    field().zoom(0.5);
+    EXPECT_FALSE(field().showsPart());
+    ASSERT_TRUE(overlay.showNext(1));
+    settleAll();
+    EXPECT_FALSE(field().showsPart());
+    clickLine(1);
+    EXPECT_TRUE(field().showsPart());
+    window.actions()["fit"].trigger();
+    EXPECT_FALSE(field().showsPart());
+}
+
+TEST_F(OverlayViewTest, KeysWalkThroughTheListAndOpenItsCourses) {
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {OverlayPlan::Cut::every, 0, 2}));
+    clickLine(0);
+    QTest::keyClick(&list(), Qt::Key_Down);
+    QTest::keyClick(&list(), Qt::Key_Down);
+    settleAll();
+    EXPECT_EQ(list().currentIndex().row(), 2);
+    EXPECT_EQ(overlay.shownCourse(), panel.courses()->row(2).course);
+    expectNear();
+}
+
+TEST_F(OverlayViewTest, ListIsLeftAloneWhileItsRowsStay) {
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {OverlayPlan::Cut::every, 0, 2}));
+    clickLine(0);
+    int resets = 0;
+    QObject::connect(panel.courses(), &QAbstractItemModel::modelReset, &window, [&] { ++resets; });
+    list().setCurrentIndex(panel.courses()->index(3, 0));
+    emit overlay.changed();
+    overlay.setRestarts(false);
+    EXPECT_EQ(resets, 0);
+    EXPECT_EQ(list().currentIndex().row(), 3);
+    overlay.setBound({{0.003, 0.02}, false});
+    settleAll();
+    EXPECT_EQ(resets, 1) << "other rows, and a diagnosis with its progress";
+}
+
+/// Two robots: the first drives as simulated, the other one slides away.
+class TwoRobotsTest : public OverlayViewTest {
+protected:
+    void SetUp() override {
+        OverlayViewTest::SetUp();
+        const std::string file = makeLog([](Log& log) {
+            log.robots[0].robot = "a";
+            log.robots.push_back(log.robots[0]);
+            log.robots[1].robot = "b";
+            for (Trajectory& trajectory : log.robots[1].trajectories) {
+                const Nanoseconds begin = trajectory.poses.front().time;
+                for (StampedPose& stamped : trajectory.poses) {
+                    stamped.pose.x += 0.4 * toSeconds(stamped.time - begin);
+                    stamped.pose.y += 5;
+                }
+            }
+        });
+        ASSERT_NO_FATAL_FAILURE(openLog(file));
+        overlay.setBound({{0.3, 3}, false});
+        settleAll();
+        ASSERT_EQ(overlay.world()->world().robots().size(), 2u);
+        ASSERT_FALSE(overlay.rowOf(0, 0)->divergence);
+        ASSERT_TRUE(overlay.rowOf(0, 1)->divergence);
+        leaves = window.shown()->frame->scene().ticksOf(overlay.rowOf(0, 1)->divergence->time);
+        window.field().setSelected(0);
+        settleAll();
+        ASSERT_EQ(overlay.shownRobot(), 0u);
+    }
+    std::int64_t leaves = 0;
+};
+
+TEST_F(TwoRobotsTest, KeyGoesToTheOneThatLeavesWhereTheSelectedOneStays) {
+    QTest::keyClick(&window, Qt::Key_D);
+    settleAll();
+    EXPECT_EQ(window.shown()->tick(), leaves);
+    EXPECT_EQ(overlay.shownRobot(), 1u);
+    EXPECT_EQ(window.field().selected(), 1u);
+}
+
+TEST_F(TwoRobotsTest, BreakOnDivergenceNamesAndSelectsTheOneThatLeaves) {
+    QTest::keyClick(&window, Qt::Key_D, Qt::ShiftModifier);
+    QTest::keyClick(&window, Qt::Key_F6);
+    settleAll();
+    EXPECT_EQ(window.shown()->tick(), leaves);
+    EXPECT_THAT(window.shown()->message.toStdString(), HasSubstr(window.shown()->frame->nameOf(1) + " leaves"));
+    EXPECT_EQ(overlay.shownRobot(), 1u);
+}
+
+TEST_F(TwoRobotsTest, SpeedsOfTheSelectedOneArePlottedByAKey) {
+    QTest::keyClick(&window, Qt::Key_V, Qt::ShiftModifier);
+    settleAll();
+    const auto plotted = window.plots().plotted();
+    for (const char* quantity : {"commanded forward", "forward", "real turning"})
+        EXPECT_EQ(plotted.count({quantity, window.shown()->frame->nameOf(0)}), 1u) << quantity;
+    QTest::keyClick(&window, Qt::Key_V, Qt::ShiftModifier);
+    settleAll();
+    EXPECT_EQ(window.plots().plotted().count({"forward", window.shown()->frame->nameOf(0)}), 0u);
+}
+
+TEST_F(OverlayViewTest, PanelBehindAnotherComesToTheFront) {
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped()));
+    auto* breaks = window.findChild<QDockWidget*>("breakpoints");
+    auto* reality = window.findChild<QDockWidget*>("reality");
+    QApplication::processEvents();
+    ASSERT_TRUE(breaks->visibleRegion().isEmpty());
+    QTest::keyClick(&window, Qt::Key_F8);
+    QApplication::processEvents();
+    EXPECT_FALSE(breaks->visibleRegion().isEmpty());
+    ASSERT_TRUE(reality->visibleRegion().isEmpty());
+    reality->toggleViewAction()->trigger();
+    QApplication::processEvents();
+    EXPECT_FALSE(reality->visibleRegion().isEmpty());
+    reality->toggleViewAction()->trigger();
+    EXPECT_TRUE(reality->isHidden()) << "one that is in front goes away";
+}
+
+TEST_F(OverlayViewTest, ModelsAreRemovedByKeyAndByName) {
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped()));
+    const auto names = modelNames(*overlay.world());
+    ASSERT_GE(names.size(), 2u);
+    overlay.addModel(names[0]);
+    overlay.addModel(names[1]);
+    settleAll();
+    ASSERT_EQ(overlay.models().size(), 3u);
+    QTreeWidget& models = panel.models();
+    models.setFocus();
+    models.setCurrentItem(models.topLevelItem(1));
+    QTest::keyClick(&models, Qt::Key_Delete);
+    settleAll();
+    ASSERT_EQ(overlay.models().size(), 2u);
+    EXPECT_EQ(overlay.models()[1].name, names[1]);
+    EXPECT_EQ(reality().models.size(), 1u);
+    const auto unknown = window.actions().perform("remove_model", QString("nonsense"));
+    ASSERT_FALSE(unknown);
+    EXPECT_THAT(unknown.error().message(), HasSubstr(names[1]));
+    EXPECT_TRUE(window.actions().perform("remove_model", QString::fromStdString(names[1])));
+    EXPECT_EQ(overlay.models().size(), 1u);
+}
+
+TEST_F(OverlayViewTest, CoursesOfAStretchAreThoseOfCompare) {
+    OverlayPlan plan{OverlayPlan::Cut::every, 1, 2};
+    plan.stretch = 10;
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), plan));
+    StretchOptions options;
+    options.start = nanosecondsPerSecond;
+    options.every = 2 * nanosecondsPerSecond;
+    options.duration = 10 * nanosecondsPerSecond;
+    const auto courses = coursesOf(overlay.world()->world(), options);
+    ASSERT_TRUE(courses);
+    ASSERT_EQ(overlay.requests().size(), courses->size());
+    EXPECT_EQ(courses->size(), 5 * overlay.world()->world().takes().size());
+    for (std::size_t i = 0; i < courses->size(); ++i) EXPECT_EQ(overlay.requests()[i].start, (*courses)[i].start);
+}
+
+}  // namespace
+}  // namespace mrose::gui

@@ -1,0 +1,115 @@
+// What the window does with files beside what is asked at the same time: saves that are refused, kept breakpoints,
+// descriptions that are written while they are read.
+#include "files/window_files.h"
+
+#include <QFileDialog>
+#include <QSettings>
+#include <QTimer>
+
+#include <gmock/gmock.h>
+
+#include "gui/file_fixture.h"
+#include "io/file.h"
+#include "reality/overlay.h"
+#include "support/places.h"
+#include "window/window_memory.h"
+
+namespace mrose::gui {
+namespace {
+
+using testing::ElementsAre;
+
+class WindowFilesTest : public FileTest {};
+
+void leaveFileDialogue() {
+    QTimer::singleShot(0, [] {
+        auto* dialogue = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+        if (dialogue == nullptr) return leaveFileDialogue();
+        dialogue->reject();
+    });
+}
+
+TEST_F(WindowFilesTest, SaveThatWasLeftIsForgotten) {
+    open(writeGame());
+    throwBall();
+    window.files().setQuestion([](const QString&) { return WindowFiles::Answer::save; });
+    leaveFileDialogue();
+    window.close();
+    ASSERT_TRUE(window.isVisible());
+    ASSERT_TRUE(window.files().saveRecording(qPath("later.mcap")));
+    ASSERT_TRUE(waitFor([&] { return !window.files().hasUnsaved(); }));
+    settle();
+    EXPECT_TRUE(window.isVisible());
+}
+
+TEST_F(WindowFilesTest, LogsBreakpointsAreKeptByTheLog) {
+    const auto settings = [&] { return std::make_unique<QSettings>(qPath("kept.ini"), QSettings::IniFormat); };
+    const auto texts = [](const MainWindow& of) {
+        std::vector<std::string> all;
+        for (const BreakpointState& state : of.shown()->breakpoints) all.push_back(state.breakpoint.text);
+        return all;
+    };
+    const auto only = [this](const char* text) {
+        Breakpoint breakpoint;
+        breakpoint.text = text;
+        window.session().setBreakpoints({breakpoint});
+        settle();
+    };
+    const auto openLog = [](MainWindow& in) {
+        const auto log = sourceFolder() / "resources" / "logs" / "pioneer" / "random.csv";
+        ASSERT_TRUE(in.overlay().openNow({log.string(), ""}));
+        in.session().settle();
+        QApplication::processEvents();
+    };
+    window.memory().restore(settings());
+    const std::string file = writeGame();
+    open(file);
+    only("time > 7");
+    openLog(window);
+    only("time > 3");
+    window.memory().save();
+    MainWindow other;
+    other.memory().restore(settings());
+    ASSERT_TRUE(other.files().openNow({file}));
+    other.session().settle();
+    EXPECT_THAT(texts(other), ElementsAre("time > 7"));
+    openLog(other);
+    EXPECT_THAT(texts(other), ElementsAre("time > 3"));
+}
+
+TEST_F(WindowFilesTest, WhatWasWrittenAfterItWasReadIsTold) {
+    const std::string file = write("a.toml", "one");
+    const std::string read = contentHash("one");
+    write("a.toml", "two");
+    DescriptionWatch watch;
+    std::vector<std::string> told;
+    QObject::connect(&watch, &DescriptionWatch::changed, [&](const std::vector<std::string>& files) {
+        told.insert(told.end(), files.begin(), files.end());
+    });
+    watch.watch({{file, read}});
+    EXPECT_TRUE(waitFor([&] { return !told.empty(); }));
+    watch.check();
+    watch.settle();
+    EXPECT_THAT(told, ElementsAre(file));
+}
+
+TEST_F(WindowFilesTest, ReloadThatComesToNothingLeavesTheUsersBranchUnsaved) {
+    const std::string file = writeGame();
+    open(file);
+    throwBall();
+    ASSERT_TRUE(window.files().hasUnsaved());
+    for (const bool fits : {false, true}) {
+        auto run = openRun({file});
+        ASSERT_TRUE(run);
+        if (!fits) run->start.robots.pop_back();
+        window.files().takeReloaded(std::move(run), "mended");
+        settle();
+        EXPECT_EQ(window.shown()->branches.size(), fits ? 3u : 2u);
+        EXPECT_TRUE(window.files().hasUnsaved());
+    }
+    ASSERT_TRUE(window.files().saveRecording(qPath("all.mcap")));
+    EXPECT_TRUE(waitFor([&] { return !window.files().hasUnsaved(); }));
+}
+
+}  // namespace
+}  // namespace mrose::gui
