@@ -8,6 +8,7 @@
 #include "panels/branch_panel.h"
 #include "panels/command_panel.h"
 #include "scenario/carry_over.h"
+#include "support/places.h"
 #include "world/state_hash.h"
 
 namespace mrose::gui {
@@ -210,7 +211,7 @@ TEST_F(BranchTest, ScrubbingDraggingAndUndoingLeaveTheRunAsItIs) {
 TEST_F(BranchTest, SwappedModelIsThatOfAScenarioThatNamesIt) {
     seek(150);
     EXPECT_FALSE(window.actions().perform("swap_model", QString("nothing.net")));
-    const std::string net = std::string(MROSE_SOURCE_DIR) + "/nets/pioneer.net";
+    const std::string net = (sourceFolder() / "nets/pioneer.net").string();
     EXPECT_FALSE(window.actions().perform("swap_model", QString::fromStdString(net))) << "nobody is selected";
     const auto before = window.shown()->course;
     window.field().setSelected(5);
