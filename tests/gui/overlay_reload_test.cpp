@@ -11,15 +11,19 @@
 #include "files/window_files.h"
 #include "gui/overlay_fixture.h"
 #include "panels/plot_panel.h"
+#include "scripting/window_script.h"
 #include "widgets/timeline_bar.h"
 
 namespace mrose::gui {
 namespace {
 
 using testing::Contains;
+using testing::DoubleNear;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
+using testing::Pointwise;
 
 const OverlayPlan twoSeconds{OverlayPlan::Cut::every, 0, 2};
 
@@ -120,7 +124,46 @@ TEST_F(OverlayReloadTest, NothingStaysThatWasKnownOfTheOldLog) {
     EXPECT_EQ(found.trials.front().explained, fresh.trials.front().explained);
 }
 
-TEST_F(OverlayReloadTest, BreakOnDivergenceWaitsForWhatTheReloadedBranchDoes) {
+TEST_F(OverlayReloadTest, PlottedErrorsAreThoseOfTheNewCourse) {
+    ASSERT_NO_FATAL_FAILURE(openLog(makeLog(), twoSeconds));
+    const ValueKey key{positionErrorQuantity, overlay.world()->world().robots().front().name};
+    const auto ahead = [&] {
+        gui::settle(window);
+        const std::vector<PlotCurve>& curves = window.plots().view().curves();
+        const auto position =
+            std::find_if(curves.begin(), curves.end(), [](const auto& curve) { return !curve.ghost; });
+        std::vector<double> errors;
+        for (const QPointF& point : position->ahead) errors.push_back(point.y() / 100);
+        return errors;
+    };
+    const auto compared = [&] { return comparedAlone(overlay).courses.front().errors.position; };
+    const std::vector<double> before = compared();
+    EXPECT_THAT(ahead(), Pointwise(DoubleNear(1e-12), before));
+    makeLog(stretch);
+    reload();
+    ASSERT_EQ(window.shown()->branch, 1u);
+    EXPECT_NE(compared(), before);
+    EXPECT_THAT(ahead(), Pointwise(DoubleNear(1e-12), compared()));
+    // The course before was not compared with the log as it is now.
+    window.session().undo();
+    settleAll();
+    ASSERT_EQ(window.shown()->branch, 0u);
+    EXPECT_THAT(ahead(), IsEmpty());
+    const auto told = [&] { return panel.causes().text().toStdString(); };
+    EXPECT_THAT(told(), HasSubstr("not in the branch that is shown"));
+    window.session().redo();
+    settleAll();
+    EXPECT_THAT(told(), Not(HasSubstr("not in the branch")));
+    EXPECT_THAT(ahead(), Pointwise(DoubleNear(1e-12), compared()));
+    // Whoever has removed a curve does not get it back by that.
+    window.plots().remove({headingErrorQuantity, key.body});
+    makeLog();
+    reload();
+    gui::settle(window);
+    EXPECT_THAT(window.plots().keys(), ElementsAre(key));
+}
+
+TEST_F(OverlayReloadTest, BreakOnDivergenceIsThatOfTheNewCourse) {
     ASSERT_NO_FATAL_FAILURE(openLog(makeLog(), twoSeconds));
     const DivergenceBound::At bound{0.02, 0.1};
     overlay.setBound({bound, false});
@@ -129,7 +172,7 @@ TEST_F(OverlayReloadTest, BreakOnDivergenceWaitsForWhatTheReloadedBranchDoes) {
     reload();
     ASSERT_EQ(window.shown()->branch, 1u);
     seek(100);
-    // The first instant at which it has been beyond for 0.3 s.
+    // The first instant from which on it is beyond for 0.3 s.
     const std::int64_t tenth = window.shown()->frame->scene().ticksOf(nanosecondsPerSecond / 10);
     std::int64_t expected = 0;
     for (std::int64_t tick = tenth, beyond = 0; tick <= 100 && expected == 0; tick += tenth) {
@@ -138,9 +181,9 @@ TEST_F(OverlayReloadTest, BreakOnDivergenceWaitsForWhatTheReloadedBranchDoes) {
         ASSERT_TRUE(real);
         const PoseError error = poseError(*real, state().robots[0].pose);
         beyond = error.position > bound.position || error.heading > bound.heading ? beyond + 1 : 0;
-        if (beyond == 4 && tick > 10) expected = tick;
+        if (beyond == 4) expected = tick - 3 * tenth;
     }
-    ASSERT_GT(expected, 0) << "a log stretched so far is left";
+    ASSERT_GT(expected, 10) << "a log stretched so far is left";
     Breakpoint leaves;
     leaves.text = "divergence";
     window.session().setBreakpoints({leaves});

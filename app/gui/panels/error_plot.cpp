@@ -96,7 +96,8 @@ void ErrorPlot::follow() {
     const Overlay& overlay = window_.overlay();
     if (world_ != overlay.world().get()) {
         world_ = overlay.world().get();
-        on_ = true;
+        // A log that is read again is the same one.
+        on_ = on_ || window_.shown() == nullptr || window_.shown()->run != run_;
         run_ = 0;
         course_ = nullptr;
         computing_.drop();
@@ -145,8 +146,8 @@ std::optional<std::size_t> ErrorPlot::robot() const {
 void ErrorPlot::plot() {
     const std::shared_ptr<const Shown> shown = window_.shownPointer();
     const auto which = robot();
-    Plotted now{course_, shown ? shown->frame->reality : nullptr, which, shown ? shown->branch : 0,
-                on_ && window_.memory().errorPlot()};
+    Plotted now{course_, shown ? shown->frame->reality : nullptr, which,
+                shown && shown->branch == window_.overlay().comparedBranch(), on_ && window_.memory().errorPlot()};
     if (plotted_ == now) return;
     plotted_ = now;
     std::vector<ValueKey> wanted;
@@ -175,7 +176,7 @@ PlotPanel::Foresight ErrorPlot::foresight(std::optional<std::size_t> which) cons
         const auto model = std::find_if(reality.models.begin(), reality.models.end(),
                                         [&](const Reality::ModelCourse& one) { return one.name == key.of; });
         // What becomes of a branch has not been compared.
-        if (key.of.empty() && plotted_->branch == 0)
+        if (key.of.empty() && plotted_->compared)
             known.ahead[key] = errorsAlong(course, key.quantity, scene.tickLength);
         else if (model != reality.models.end() && real != reality.robots.end())
             known.ahead[key] = errorsAlong(reality, *model, static_cast<std::size_t>(real - reality.robots.begin()),

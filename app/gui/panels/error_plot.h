@@ -53,7 +53,7 @@ private:
         std::shared_ptr<const Comparison> course;
         std::shared_ptr<const Reality> reality;
         std::optional<std::size_t> robot;
-        std::uint32_t branch = 0;
+        bool compared = false;  ///< the shown branch is what `course` tells of
         bool on = false;
         bool operator==(const Plotted&) const = default;
     };

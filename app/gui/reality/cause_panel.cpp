@@ -164,7 +164,10 @@ void CausePanel::refresh() {
     QString robot = QString::fromStdString(overlay_.world()->world().robots()[row->robot].name);
     if (const std::string take = takeText(overlay_.world()->world().takes()[row->take]); !take.empty())
         robot += tr(" in %1").arg(QString::fromStdString(take));
-    course_->setText(tr("%1 from %2 s: %3").arg(robot, fixedText(toSeconds(row->start), 1), offText(*row)));
+    const QString start = fixedText(toSeconds(row->start), 1);
+    course_->setText(
+        (overlay_.showsCompared() ? tr("%1 from %2 s: %3") : tr("%1 from %2 s, not in the branch that is shown: %3"))
+            .arg(robot, start, offText(*row)));
     const auto& divergence = row->divergence;
     goThere_->setVisible(divergence.has_value());
     if (!divergence)

@@ -41,7 +41,7 @@ bool hasLeft(const TimeTravel& run, std::uint32_t branch, std::int64_t tick, con
 bool leaves(const TimeTravel& run, std::uint32_t branch, std::int64_t tick, const LeavingRobots& leaving,
             const LeavingRobots::Robot& robot) {
     const Scene& scene = run.record(branch).course().scene();
-    if (branch == 0 && leaving.compared) return robot.leaves && scene.ticksOf(*robot.leaves) == tick;
+    if (branch == leaving.compared) return robot.leaves && scene.ticksOf(*robot.leaves) == tick;
     return leaving.reality && hasLeft(run, branch, tick, *leaving.reality, robot);
 }
 

@@ -25,8 +25,8 @@ struct LeavingRobots {
         std::optional<Nanoseconds> leaves;  ///< where the comparison has it
     };
     std::vector<Robot> robots;
-    std::shared_ptr<const Reality> reality;  ///< null: branches do not ask
-    bool compared = true;                    ///< the run's first branch is the course of the comparison
+    std::shared_ptr<const Reality> reality;     ///< null: branches do not ask
+    std::optional<std::uint32_t> compared = 0;  ///< the branch that is the course of the comparison
 };
 LeavingRobots leavingRobots(const LogWorld& world, std::span<const OverlayRow> rowsOfCourse);
 TickPredicate leavesReality(const LeavingRobots& leaving);

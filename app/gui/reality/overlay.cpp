@@ -165,7 +165,8 @@ void Overlay::takeReopened(Expected<OpenedLog> again, const QString& why) {
     }
     adopt(again->world, std::move(again->requests));
     shownCourse_ = again->course;
-    asCompared_ = false;
+    compared_.reset();
+    reloaded_ = again->run.course;
     reality_ = again->run.reality;
     window_.files().takeReloaded(std::move(again->run), why);
     lookAtCourse();
@@ -372,6 +373,16 @@ void Overlay::takeCourse(Expected<OpenRun> run, std::size_t course, std::optiona
 void Overlay::followShown() {
     if (coming_ && window_.shown()->course == coming_->run) finishComing();
     const Shown& shown = *window_.shown();
+    if (reloaded_ && shown.course == reloaded_) {
+        compared_ = shown.branch;
+        reloaded_ = nullptr;
+        tellDivergences();
+        shownBranch_.reset();
+    }
+    if (shownCourse_ && shown.run == run_ && shownBranch_ != shown.branch) {
+        shownBranch_ = shown.branch;
+        emit changed();
+    }
     if (shown.event == RunEvent::broke) showLeaving();
     if (!inCourses() || opening()) return;
     if (shown.event == RunEvent::noBreak) return lookInCourses();
@@ -386,7 +397,9 @@ void Overlay::finishComing() {
     const Coming come = *std::exchange(coming_, std::nullopt);
     if (!come.course) return window_.session().setReality(window_.shown()->run, come.reality);
     run_ = window_.shown()->run;
-    asCompared_ = true;
+    compared_ = 0;
+    shownBranch_ = window_.shown()->branch;
+    reloaded_ = nullptr;
     reality_ = come.reality;
     shownCourse_ = come.course;
     if (come.robot) robot_ = come.robot;

@@ -74,6 +74,10 @@ public:
 
     /// The one that the window shows; nothing: another run.
     std::optional<std::size_t> shownCourse() const { return shownCourse_; }
+    /// Of the shown course that branch which rows and comparison tell of: its first one, after a reload the one that
+    /// began then. Nothing: it is not there yet.
+    std::optional<std::uint32_t> comparedBranch() const { return compared_; }
+    bool showsCompared() const { return shownBranch_ == compared_; }
     const OverlayRow* rowOf(std::size_t course, std::size_t robot) const;
     /// The robot that is asked about, in LogWorld::robots(): the selected one, otherwise that which is farthest off.
     /// Nothing: no course is shown, or nothing is known of it yet.
@@ -203,9 +207,11 @@ private:
     std::optional<std::size_t> cause_;
     std::shared_ptr<const Reality> reality_;  ///< of the shown course, without models
     std::vector<Reality::ModelCourse> modelCourses_;
-    std::uint64_t openings_ = 0;     ///< of logs, begun and ended
-    std::uint64_t run_ = 0;          ///< the session's count of the shown course
-    bool asCompared_ = true;         ///< its first branch is the course of the comparison
+    std::uint64_t openings_ = 0;                 ///< of logs, begun and ended
+    std::uint64_t run_ = 0;                      ///< the session's count of the shown course
+    std::optional<std::uint32_t> compared_ = 0;  ///< of its branches, the course of the comparison
+    std::optional<std::uint32_t> shownBranch_;
+    CoursePointer reloaded_;         ///< that of which compared_ will be a branch
     std::optional<BreakWish> wish_;  ///< for which the session is looking
     bool restarts_ = true;
     bool follows_ = true;

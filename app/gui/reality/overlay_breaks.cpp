@@ -24,7 +24,7 @@ void Overlay::tellDivergences() {
     if (!shownCourse_ || !window_.shown()) return;
     LeavingRobots leaving = leavingRobots(world_->world(), rowsOf(*shownCourse_));
     leaving.reality = reality_;
-    leaving.compared = asCompared_;
+    leaving.compared = compared_;
     window_.session().setDivergence({leavesReality(leaving), whoLeaves(leaving)});
 }
 
@@ -54,7 +54,7 @@ bool Overlay::goToDivergence() {
 
 /// A breakpoint stopped the run: where that is because a robot leaves the real course, it is the one to be asked about.
 void Overlay::showLeaving() {
-    if (!shownCourse_ || window_.shown()->run != run_ || window_.shown()->branch != 0) return;
+    if (!shownCourse_ || window_.shown()->run != run_ || window_.shown()->branch != compared_) return;
     const auto leavesHere = [&](const OverlayRow& row) {
         return row.divergence &&
                window_.shown()->frame->scene().ticksOf(row.divergence->time) == window_.shown()->tick();
