@@ -206,6 +206,7 @@ TEST_F(GrowingTest, SaysSoAndIsReadOn) {
     EXPECT_EQ(window.shown()->hash, hashAt(*scenarioOf(path("game.toml")), 200));
     // And to its end.
     other_.session().seek(210);
+    other_.session().settle();  // the next request would end it on its way
     other_.files().record({});
     other_.session().settle();
     reload();
