@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "breaks/breakpoints.h"
+#include "reality/course_hits.h"
 #include "reality/overlay_work.h"
 #include "session/job_queue.h"
 
@@ -103,6 +104,9 @@ public:
     /// As Session::goToBreak(). Where courses follow each other, the others are looked through, too: those after the
     /// shown one, or before it.
     void goToBreak(const BreakWish& wish);
+    /// Playing is asked for where the shown course is over: the next one begins, or it is said that there is none, once
+    /// in a run. False: the run itself is to play.
+    bool playsNext();
     /// At the end of a course the next one begins, where courses follow each other.
     bool restarts() const { return restarts_; }
     void setRestarts(bool on);
@@ -176,8 +180,13 @@ private:
     void followShown();
     void finishComing();
     void showNear();
+    bool coursesFollow() const;
     bool inCourses() const;
+    void learnHits();
+    void tellHits(std::size_t course);
     bool atCourseEnd() const;
+    bool isLastCourse() const;
+    void sayLogEnds();
     void lookInCourses();
     void stopSearching();
     void showLeaving();
@@ -207,6 +216,8 @@ private:
     std::uint64_t run_ = 0;          ///< the session's count of the shown course
     bool asCompared_ = true;         ///< its first branch is the course of the comparison
     std::optional<BreakWish> wish_;  ///< for which the session is looking
+    CourseHits hits_;
+    std::uint64_t toldEnd_ = 0;  ///< the run at whose end it was said that there is no further course
     bool restarts_ = true;
     bool follows_ = true;
     std::optional<Error> openError_;
