@@ -1,4 +1,6 @@
 // Breakpoints that count go on from course to course of a log.
+#include <algorithm>
+
 #include <gmock/gmock.h>
 
 #include "gui/course_fixture.h"
@@ -114,6 +116,24 @@ TEST_F(CourseHitsTest, OnceIsOnceInAllCourses) {
     press();
     EXPECT_EQ(place(), stood);
     EXPECT_THAT(said(), HasSubstr("nor in those after it"));
+}
+
+/// By another bound the robots leave the log elsewhere, or not at all: what was counted is of no use.
+TEST_F(CourseHitsTest, DivergencesOfAnotherBoundAreForgotten) {
+    overlay.setBound({{0.01, 0.5}, false});
+    Breakpoint breakpoint;
+    breakpoint.text = "divergence";
+    breakpoint.from = 1000;
+    window.session().setBreakpoints({breakpoint});
+    settleAll();
+    const auto leaving = std::count_if(overlay.rows().begin(), overlay.rows().end(),
+                                       [](const OverlayRow& row) { return row.divergence.has_value(); });
+    ASSERT_GT(leaving, 2);
+    press();
+    EXPECT_EQ(counted().all, leaving);
+    overlay.setBound({{100, 3.1}, false});
+    settleAll();
+    EXPECT_EQ(counted().all, 0);
 }
 
 constexpr const char* overText = "The last course of the log is over";

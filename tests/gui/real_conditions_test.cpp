@@ -1,4 +1,7 @@
 // Conditions that ask how far the simulated robots are from the real ones, against a walk over every tick.
+#include <algorithm>
+#include <cmath>
+
 #include <gmock/gmock.h>
 
 #include "gui/course_fixture.h"

@@ -144,8 +144,8 @@ void addChosen(MainWindow& window, const QString& menu) {
     panel.offer(actions.add(
         menu,
         {"break_from", QObject::tr("Stop from the &n-th time on\u2026"), QKeySequence("Ctrl+F8"),
-         QObject::tr("The chosen breakpoint lets so many times pass, counted from the run's start, or from "
-                     "that of a log's courses that were played or looked through")},
+         QObject::tr("The chosen breakpoint lets so many times pass: in the run, or in all courses of a log "
+                     "that were played or searched")},
         Actions::Asking{
             [&] {
                 const auto chosen = chosenBreak(window);
