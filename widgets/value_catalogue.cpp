@@ -360,12 +360,19 @@ std::uint32_t bodyNamed(const Scene& scene, const std::string& name) {
 namespace {
 
 Expected<PlottedValue> expressionValue(const Scenario& scenario, const ValueKey& key) {
-    auto compiled = compileWorldValue(key.of, scenario);
+    // Which log that is, if any, each moment says anew.
+    auto reality = std::make_shared<const Reality*>(nullptr);
+    const RealPoses real = [reality](const std::string& robot, Nanoseconds now) -> std::optional<Pose> {
+        const Reality::Robot* const there = *reality != nullptr ? (*reality)->robotNamed(robot) : nullptr;
+        return there != nullptr ? there->poseAt(now) : std::nullopt;
+    };
+    auto compiled = compileWorldValue(key.of, scenario, "expression", real);
     if (!compiled) return tl::unexpected(compiled.error());
     PlottedValue value;
     value.name = QString::fromStdString(key.of);
     value.unit = QString::fromStdString(key.unit);
-    value.read = [expression = std::make_shared<WorldValue>(std::move(*compiled))](const Moment& at) {
+    value.read = [reality, expression = std::make_shared<WorldValue>(std::move(*compiled))](const Moment& at) {
+        *reality = at.reality;
         return expression->value(at.scenario, at.state, at.trace).value_or(unknown);
     };
     return value;

@@ -95,8 +95,9 @@ Expected<void> select(MainWindow& window, const std::string& text) {
 /// Error: one does not fit what is open.
 Expected<std::vector<Breakpoint>> breakpointsOf(MainWindow& window, const CommandLine& line) {
     std::vector<Breakpoint> breakpoints;
+    const Shown& shown = *window.shown();
     for (const std::string& text : line.breaks) {
-        if (auto fits = checkBreakText(text, *window.shown()->course); !fits)
+        if (auto fits = checkBreakText(text, *shown.course, shown.frame->reality); !fits)
             return fail("--break " + text, wrongWith(fits.error()));
         breakpoints.emplace_back().text = text;
     }

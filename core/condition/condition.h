@@ -4,10 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "condition/world_names.h"
 #include "io/error.h"
-#include "scenario/scenario.h"
-#include "simulation/step.h"
-#include "world/world_state.h"
 
 namespace mrose {
 
@@ -31,7 +29,8 @@ public:
     Expected<bool> holds(const Scenario& scenario, const WorldState& state, const StepTrace* trace);
 
 private:
-    friend Expected<Condition> compileCondition(std::string_view, const Scenario&, const std::string&);
+    friend Expected<Condition> compileCondition(std::string_view, const Scenario&, const std::string&,
+                                                const RealPoses&);
     explicit Condition(std::unique_ptr<WorldExpression> expression);
 
     std::unique_ptr<WorldExpression> expression_;
@@ -39,9 +38,10 @@ private:
 
 /// Error: `source` in the file's place, line and column in the text, and what is wrong: no expression, a name or a body
 /// that the scenario does not have, or what holds() would say of the scenario's start. Functions defined in the text
-/// may have names of their own, so that unknown ones there may come to light only in holds().
+/// may have names of their own, so that unknown ones there may come to light only in holds(). What is asked of the real
+/// log is answered by `real`.
 Expected<Condition> compileCondition(std::string_view text, const Scenario& scenario,
-                                     const std::string& source = "condition");
+                                     const std::string& source = "condition", const RealPoses& real = {});
 
 /// A number of the world, as such an expression: "distance(robot[2], ball)". True is 1, false is 0.
 class WorldValue {
@@ -56,7 +56,8 @@ public:
     Expected<double> value(const Scenario& scenario, const WorldState& state, const StepTrace* trace);
 
 private:
-    friend Expected<WorldValue> compileWorldValue(std::string_view, const Scenario&, const std::string&);
+    friend Expected<WorldValue> compileWorldValue(std::string_view, const Scenario&, const std::string&,
+                                                  const RealPoses&);
     explicit WorldValue(std::unique_ptr<WorldExpression> expression);
 
     std::unique_ptr<WorldExpression> expression_;
@@ -64,6 +65,6 @@ private:
 
 /// Errors as of compileCondition().
 Expected<WorldValue> compileWorldValue(std::string_view text, const Scenario& scenario,
-                                       const std::string& source = "expression");
+                                       const std::string& source = "expression", const RealPoses& real = {});
 
 }  // namespace mrose

@@ -111,8 +111,7 @@ public:
             if (is(i, "function")) return {};
             const bool member = i > 0 && (is(i - 1, ".") || is(i - 1, ":"));
             if (tokens_[i].kind != Token::Kind::name || member || is(i + 1, "=")) continue;
-            const std::size_t begin = tokens_[i].begin, end = tokens_[lastOfPath(i)].end;
-            paths.push_back({begin, text_.substr(begin, end - begin)});
+            paths.push_back(pathFrom(i));
         }
         return paths;
     }
@@ -123,15 +122,24 @@ private:
     }
     bool isKind(std::size_t i, Token::Kind kind) const { return i < tokens_.size() && tokens_[i].kind == kind; }
 
-    std::size_t lastOfPath(std::size_t i) const {
-        for (;;) {
-            if (is(i + 1, ".") && isKind(i + 2, Token::Kind::name))
+    LuaPath pathFrom(std::size_t i) const {
+        const std::size_t offset = tokens_[i].begin;
+        LuaPath path{offset, {}, {}};
+        const auto add = [&](std::size_t part, std::size_t last) {
+            path.parts.push_back({tokens_[part].begin - offset, tokens_[last].end - offset});
+        };
+        for (add(i, i);;) {
+            if (is(i + 1, ".") && isKind(i + 2, Token::Kind::name)) {
                 i += 2;
-            else if (is(i + 1, "[") && is(i + 3, "]") &&
-                     (isKind(i + 2, Token::Kind::number) || isKind(i + 2, Token::Kind::string)))
+                add(i, i);
+            } else if (is(i + 1, "[") && is(i + 3, "]") &&
+                       (isKind(i + 2, Token::Kind::number) || isKind(i + 2, Token::Kind::string))) {
                 i += 3;
-            else
-                return i;
+                add(i - 1, i);
+            } else {
+                path.text = text_.substr(offset, tokens_[i].end - offset);
+                return path;
+            }
         }
     }
 

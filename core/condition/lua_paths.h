@@ -11,6 +11,11 @@ namespace mrose {
 struct LuaPath {
     std::size_t offset = 0;  ///< in the text
     std::string_view text;
+    /// A name or key in `text`, and where the path up to it ends: "speed", or "2" up to its bracket.
+    struct Part {
+        std::size_t begin = 0, end = 0;
+    };
+    std::vector<Part> parts;
 };
 
 /// All paths in a text that Lua accepts as an expression. Empty for texts that define functions: their names may be

@@ -22,28 +22,39 @@ Expected<void> WorldExpression::compile(const Scenario& scenario) {
     if (!expression) return tl::unexpected(expression.error());
     expression_ = *expression;
     const WorldState start = scenario.initialState();
-    view_ = {&scenario, &start};
+    view_ = {&scenario, &start, nullptr, &real_};
     Expected<void> checked = checkPaths();
     view_ = {};
     return checked;
+}
+
+Expected<LuaValue> WorldExpression::valueOf(std::string_view path) {
+    const auto loaded = sandbox_.load(path, source_);
+    if (!loaded) return tl::unexpected(loaded.error());
+    auto value = sandbox_.evaluate(*loaded, source_);
+    sandbox_.forget(*loaded);
+    return value;
 }
 
 /// Whether every name and every body with a fixed number or name exists. Lua itself would find out only where `and` and
 /// `or` lead it.
 Expected<void> WorldExpression::checkPaths() {
     for (const LuaPath& path : luaPaths(text_)) {
-        const auto loaded = sandbox_.load(path.text, source_);
-        const auto value = loaded ? sandbox_.evaluate(*loaded, source_) : tl::unexpected(loaded.error());
-        if (loaded) sandbox_.forget(*loaded);
-        if (value) continue;
-        const TextPosition where = positionIn(text_, path.offset);
-        return tl::unexpected(Error{source_, where.line, where.column, "", value.error().cause});
+        if (valueOf(path.text)) continue;
+        // The first part that does not fit is the one that is wrong.
+        for (const LuaPath::Part& part : path.parts) {
+            const auto value = valueOf(path.text.substr(0, part.end));
+            if (value) continue;
+            const TextPosition where = positionIn(text_, path.offset + part.begin);
+            return tl::unexpected(Error{source_, where.line, where.column, "", value.error().cause});
+        }
     }
     return {};
 }
 
-Expected<LuaValue> WorldExpression::evaluate(const WorldView& view) {
-    view_ = view;
+Expected<LuaValue> WorldExpression::evaluate(const Scenario& scenario, const WorldState& state,
+                                             const StepTrace* trace) {
+    view_ = {&scenario, &state, trace, &real_};
     return sandbox_.evaluate(expression_, source_);
 }
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <new>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -50,10 +52,23 @@ Command commandOf(const WorldView& view, std::uint32_t body) {
     return view.scenario->commandsOf(*view.state, body).at(view.scenario->scene().timeOf(view.state->tick));
 }
 
+/// Where the real robot is, and how far the simulated one is from there. Of no number all comparisons are false.
+template <class Of>
+double besideReal(const WorldView& view, std::uint32_t body, Of of) {
+    const Scene& scene = view.scenario->scene();
+    const auto real = (*view.real)(scene.robots[body].name, scene.timeOf(view.state->tick));
+    return real ? of(*real, robot(view, body).pose) : std::numeric_limits<double>::quiet_NaN();
+}
+
 struct Field {
+    enum class Kind : std::uint8_t {
+        number,
+        flag,  ///< true or false
+        real   ///< a number that a real log tells
+    };
     const char* name;
     double (*read)(const WorldView& view, std::uint32_t body);
-    bool flag = false;  ///< true or false, not a number
+    Kind kind = Kind::number;
 };
 
 constexpr Field robotFields[] = {
@@ -68,9 +83,42 @@ constexpr Field robotFields[] = {
      }},
     {"command_v", [](const WorldView& view, std::uint32_t i) { return commandOf(view, i).v; }},
     {"command_w", [](const WorldView& view, std::uint32_t i) { return commandOf(view, i).w; }},
-    {"touching", touching, true},
-    {"kicked", kicked, true},
+    {"touching", touching, Field::Kind::flag},
+    {"kicked", kicked, Field::Kind::flag},
+    {"error",
+     [](const WorldView& view, std::uint32_t i) {
+         return besideReal(view, i, [](const Pose& real, const Pose& simulated) {
+             return std::hypot(simulated.x - real.x, simulated.y - real.y);
+         });
+     },
+     Field::Kind::real},
+    {"heading_error",
+     [](const WorldView& view, std::uint32_t i) {
+         return besideReal(view, i, [](const Pose& real, const Pose& simulated) {
+             return std::abs(wrapAngle(simulated.heading - real.heading));
+         });
+     },
+     Field::Kind::real},
+    {"real_x",
+     [](const WorldView& view, std::uint32_t i) {
+         return besideReal(view, i, [](const Pose& real, const Pose&) { return real.x; });
+     },
+     Field::Kind::real},
+    {"real_y",
+     [](const WorldView& view, std::uint32_t i) {
+         return besideReal(view, i, [](const Pose& real, const Pose&) { return real.y; });
+     },
+     Field::Kind::real},
+    {"real_heading",
+     [](const WorldView& view, std::uint32_t i) {
+         return besideReal(view, i, [](const Pose& real, const Pose&) { return wrapAngle(real.heading); });
+     },
+     Field::Kind::real},
 };
+/// Persons drive by no log: theirs are those before.
+constexpr std::span<const Field> personFields{
+    robotFields, std::find_if(std::begin(robotFields), std::end(robotFields),
+                              [](const Field& field) { return field.kind == Field::Kind::real; })};
 
 constexpr Field objectFields[] = {
     {"x", [](const WorldView& view, std::uint32_t i) { return object(view, i).pose.x; }},
@@ -83,7 +131,7 @@ constexpr Field objectFields[] = {
      [](const WorldView& view, std::uint32_t i) {
          return length({object(view, i).velocity_W.x, object(view, i).velocity_W.y});
      }},
-    {"touching", touching, true},
+    {"touching", touching, Field::Kind::flag},
 };
 
 /// A text that outlives a scenario may keep a body that the next one does not have.
@@ -106,8 +154,11 @@ int readField(lua_State* lua) {
     const auto* const fields = static_cast<const Field*>(lua_touserdata(lua, lua_upvalueindex(2)));
     const Field& field = fields[lua_tointeger(lua, -1)];
     checkThere(lua, handle);
-    const double value = field.read(viewOf(lua), handle.body);
-    if (field.flag)
+    const WorldView& view = viewOf(lua);
+    if (field.kind == Field::Kind::real && (view.real == nullptr || !*view.real))
+        return luaL_error(lua, "'%s' needs a real log beside the run: none is open", field.name);
+    const double value = field.read(view, handle.body);
+    if (field.kind == Field::Kind::flag)
         lua_pushboolean(lua, value != 0);
     else
         lua_pushnumber(lua, value);
@@ -216,7 +267,7 @@ public:
 
     void write() {
         makeBodyMetatable("robot", "a robot", robotFields);
-        makeBodyMetatable("person", "a person", robotFields);
+        makeBodyMetatable("person", "a person", personFields);
         makeBodyMetatable("object", "an object", objectFields);
         addRobots({"robot", "robot", "robots"}, false);
         addRobots({"person", "person", "persons"}, true);
@@ -238,17 +289,16 @@ public:
     }
 
 private:
-    template <std::size_t count>
-    void makeBodyMetatable(const char* type, const std::string& subject, const Field (&fields)[count]) {
+    void makeBodyMetatable(const char* type, const std::string& subject, std::span<const Field> fields) {
         luaL_newmetatable(lua_, type);
         lua_newtable(lua_);
         std::string have = subject + " has ";
-        for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t i = 0; i < fields.size(); ++i) {
             lua_pushinteger(lua_, static_cast<lua_Integer>(i));
             lua_setfield(lua_, -2, fields[i].name);
             have += (i == 0 ? "" : ", ") + std::string(fields[i].name);
         }
-        lua_pushlightuserdata(lua_, const_cast<Field*>(fields));
+        lua_pushlightuserdata(lua_, const_cast<Field*>(fields.data()));
         lua_pushstring(lua_, have.c_str());
         lua_pushcclosure(lua_, readField, 3);
         lua_setfield(lua_, -2, "__index");

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <functional>
+#include <optional>
+#include <string>
+
 #include "scenario/scenario.h"
 #include "script/lua_sandbox.h"
 #include "simulation/step.h"
@@ -7,11 +11,16 @@
 
 namespace mrose {
 
+/// Where the real robot is beside which a simulated one of that name drives, at an instant of the run's clock; nothing
+/// where nobody knows. Empty: no real log is open.
+using RealPoses = std::function<std::optional<Pose>(const std::string& robot, Nanoseconds now)>;
+
 /// What the names of a condition look at: set anew before each evaluation.
 struct WorldView {
     const Scenario* scenario = nullptr;
     const WorldState* state = nullptr;
     const StepTrace* trace = nullptr;  ///< of the step that led to `state`; nothing at a run's start
+    const RealPoses* real = nullptr;   ///< as if empty: nullptr
 };
 
 /// Adds the names of the scenario's bodies and goals and of what can be asked of them (README.md). Their values are

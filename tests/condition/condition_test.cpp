@@ -41,7 +41,7 @@ protected:
     Conditions() : scenario_(meeting()), state_(scenario_.initialState()) {}
 
     bool holds(const std::string& text) {
-        auto condition = compileCondition(text, scenario_);
+        auto condition = compileCondition(text, scenario_, "condition", real_);
         EXPECT_TRUE(condition) << text << ": " << condition.error().message();
         if (!condition) return false;
         const auto answer = condition->holds(scenario_, state_, &trace_);
@@ -74,6 +74,7 @@ protected:
     WorldState state_;
     StepBuffers buffers_;
     StepTrace trace_;
+    RealPoses real_;
 };
 
 TEST_F(Conditions, ReadTheState) {
@@ -177,32 +178,74 @@ TEST_F(Conditions, FollowTheStateFromTickToTick) {
     EXPECT_FALSE(*moved.holds(scenario_, start, nullptr));
 }
 
+/// A real robot beside the keeper that stood up to 0.5 s, and was seen no longer.
+std::optional<Pose> standing(const std::string& robot, Nanoseconds now) {
+    if (robot != "keeper" || now > 500'000'000) return {};
+    return Pose{2, 3, 7};
+}
+
+TEST_F(Conditions, KnowTheErrorToTheRealRobotAsLongAsItIsKnown) {
+    real_ = standing;
+    runTicks(20);
+    const Pose& keeper = state_.robots[0].pose;
+    ASSERT_GT(keeper.x, 2.05);
+    EXPECT_TRUE(holds("robot.keeper.real_x == 2 and robot[1].real_y == 3"));
+    expectNumber("robot.keeper.real_heading", wrapAngle(7));
+    expectNumber("robot.keeper.error", std::hypot(keeper.x - 2, keeper.y - 3));
+    expectNumber("robot.keeper.heading_error", std::abs(wrapAngle(keeper.heading - 7)));
+    const std::string never = ".error >= 0 or robot[NUMBER].error < 0 or robot[NUMBER].real_x == robot[NUMBER].real_x";
+    const auto known = [&](const std::string& number) {
+        std::string text = "robot[NUMBER]" + never;
+        for (auto at = text.find("NUMBER"); at != std::string::npos; at = text.find("NUMBER"))
+            text.replace(at, 6, number);
+        return holds(text);
+    };
+    EXPECT_TRUE(known("1"));
+    EXPECT_FALSE(known("2")) << "none really drove beside it";
+    runTicks(5);
+    EXPECT_TRUE(known("1")) << "0.5 s";
+    runTicks(1);
+    EXPECT_FALSE(known("1"));
+    EXPECT_TRUE(holds("not (robot[1].error < 100)"));
+}
+
+TEST_F(Conditions, SayThatThereIsNoRealLog) {
+    for (const std::string name : {"error", "heading_error", "real_x", "real_y", "real_heading"})
+        EXPECT_EQ(refusal("time > 1 and robot[1]." + name + " > 0"),
+                  "--until:1:23: '" + name + "' needs a real log beside the run: none is open");
+    EXPECT_EQ(refusal("person[1].error > 1"),
+              "--until:1:11: there is no 'error': a person has x, y, heading, v, w, speed, command_v, command_w, "
+              "touching, kicked");
+    EXPECT_EQ(refusal("(function() return robot[1].error > 1 end)()"),
+              "--until:1: 'error' needs a real log beside the run: none is open");
+}
+
 TEST_F(Conditions, RefuseWhatTheSceneHasNot) {
-    EXPECT_EQ(refusal("robot[9].x > 1"), "--until:1:1: there is no robot 9: there are 2 robots");
-    EXPECT_EQ(refusal("robot[0].x > 1"), "--until:1:1: there is no robot 0: there are 2 robots");
-    EXPECT_EQ(refusal("robot[1.5].x > 1"), "--until:1:1: there is no robot 1.5: there are 2 robots");
-    EXPECT_EQ(refusal("person.Bert.x > 1"), "--until:1:1: there is no person 'Bert': there is 1 person, called 'Anna'");
+    EXPECT_EQ(refusal("robot[9].x > 1"), "--until:1:7: there is no robot 9: there are 2 robots");
+    EXPECT_EQ(refusal("robot[0].x > 1"), "--until:1:7: there is no robot 0: there are 2 robots");
+    EXPECT_EQ(refusal("robot[1.5].x > 1"), "--until:1:7: there is no robot 1.5: there are 2 robots");
+    EXPECT_EQ(refusal("person.Bert.x > 1"), "--until:1:8: there is no person 'Bert': there is 1 person, called 'Anna'");
     EXPECT_EQ(refusal("goals.middle > 1"),
-              "--until:1:1: there is no goal 'middle': there are 2 goals, called 'left', 'right'");
+              "--until:1:7: there is no goal 'middle': there are 2 goals, called 'left', 'right'");
     EXPECT_EQ(refusal("object[true].x > 1"), "--until:1: there is no object true: there are 2 objects");
     EXPECT_EQ(
         refusal("robot[1].sped > 1"),
-        "--until:1:1: there is no 'sped': a robot has x, y, heading, v, w, speed, command_v, command_w, touching, "
-        "kicked");
+        "--until:1:10: there is no 'sped': a robot has x, y, heading, v, w, speed, command_v, command_w, touching, "
+        "kicked, error, heading_error, real_x, real_y, real_heading");
     EXPECT_EQ(refusal("ball.v > 1"),
-              "--until:1:1: there is no 'v': an object has x, y, heading, vx, vy, w, speed, touching");
+              "--until:1:6: there is no 'v': an object has x, y, heading, vx, vy, w, speed, touching");
     EXPECT_EQ(refusal("time > 1 and velocity > 2"), "--until:1:14: unknown name 'velocity'");
     scenario_ = SmallWorld().robot(squareRobot(), {}, std::make_shared<Told>(Command{}), ideal()).scenario();
     EXPECT_EQ(refusal("ball.x > 1"), "--until:1:1: there is no ball: no object rolls");
-    EXPECT_EQ(refusal("object[1].x > 1"), "--until:1:1: there is no object 1: there are no objects");
-    EXPECT_EQ(refusal("robot[2].x > 1"), "--until:1:1: there is no robot 2: there is 1 robot");
+    EXPECT_EQ(refusal("object[1].x > 1"), "--until:1:8: there is no object 1: there are no objects");
+    EXPECT_EQ(refusal("robot[2].x > 1"), "--until:1:7: there is no robot 2: there is 1 robot");
 }
 
 /// Also where the start would not lead there.
 TEST_F(Conditions, RefuseItBehindAndAndOr) {
-    EXPECT_EQ(refusal("time > 60 and\n robot[7].x > 1"), "--until:2:2: there is no robot 7: there are 2 robots");
+    EXPECT_EQ(refusal("time > 60 and\n robot[7].x > 1"), "--until:2:8: there is no robot 7: there are 2 robots");
     EXPECT_EQ(refusal("time < 60 or not ball.touch"),
-              "--until:1:18: there is no 'touch': an object has x, y, heading, vx, vy, w, speed, touching");
+              "--until:1:23: there is no 'touch': an object has x, y, heading, vx, vy, w, speed, touching");
 }
 
 TEST_F(Conditions, RefuseWhatIsNeitherTrueNorFalse) {
@@ -233,7 +276,7 @@ TEST_F(Conditions, RefuseWrongUses) {
               "--until:1: bad argument #2 to 'bearing' (expected a robot, a person or an object)");
     EXPECT_EQ(refusal("touching(robot[1], goals)"),
               "--until:1: bad argument #2 to 'touching' (expected a robot, a person, an object or wall)");
-    EXPECT_EQ(refusal("wall.x > 1"), "--until:1:1: attempt to index a wall value (global 'wall')");
+    EXPECT_EQ(refusal("wall.x > 1"), "--until:1:6: attempt to index a wall value (global 'wall')");
     EXPECT_EQ(refusal("(function() robot[1] = robot[2] end)()"),
               "--until:1: attempt to index a list of robots value (global 'robot')");
     EXPECT_EQ(refusal("robot[1].x >"), "--until:1:13: unexpected symbol near the end");
@@ -276,7 +319,7 @@ TEST_F(Conditions, SayWhatIsNoNumber) {
     };
     EXPECT_EQ(refusal("robot[1]"), "expression: gives a value of type robot; expected a number, or true or false");
     EXPECT_EQ(refusal("'a'"), "expression: gives a text; expected a number, or true or false");
-    EXPECT_THAT(refusal("robot[9].x"), testing::HasSubstr("expression:1:1: there is no robot 9"));
+    EXPECT_THAT(refusal("robot[9].x"), testing::HasSubstr("expression:1:7: there is no robot 9"));
     EXPECT_THAT(refusal("1 +"), testing::HasSubstr("expression:1:"));
 }
 

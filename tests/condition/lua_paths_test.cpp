@@ -31,6 +31,19 @@ TEST(LuaPaths, GoAsFarAsTheyAreFixed) {
     EXPECT_THAT(pathsOf("(goals).left"), ElementsAre("goals"));
 }
 
+TEST(LuaPaths, HavePartsThatAreNamesAndKeys) {
+    const std::string_view text = "1 < robot [ 'a b' ] . x + y";
+    std::vector<std::string> parts, upTo;
+    for (const LuaPath& path : luaPaths(text))
+        for (const LuaPath::Part& part : path.parts) {
+            const std::string_view whole = path.text.substr(0, part.end);
+            upTo.emplace_back(whole);
+            parts.emplace_back(whole.substr(part.begin));
+        }
+    EXPECT_THAT(upTo, ElementsAre("robot", "robot [ 'a b' ]", "robot [ 'a b' ] . x", "y"));
+    EXPECT_THAT(parts, ElementsAre("robot", "'a b' ]", "x", "y"));
+}
+
 TEST(LuaPaths, AreNotInTextsCommentsNumbersAndKeys) {
     EXPECT_THAT(pathsOf("'a.b' .. \"c\\\" d\" .. [[e\nf]] .. [==[ g ]] h]==]"), IsEmpty());
     EXPECT_THAT(pathsOf("1 -- a.b\n + x --[[ c \n d ]] + y --[=[ e"), ElementsAre("x", "y"));

@@ -391,7 +391,7 @@ TEST(Breakpoints, OneThatFailsStopsOnceAndIsOffWithWhatWasWrong) {
 TEST(Breakpoints, TextsAreChecked) {
     const TimeTravel run(fieldRun(1));
     const auto wrong = [&](const std::string& text) {
-        const auto checked = checkBreakText(text, run.course());
+        const auto checked = checkBreakText(text, run.course(), nullptr);
         return checked ? std::string("fits") : wrongWith(checked.error());
     };
     const std::string name = run.course().scene().robots[1].name;
@@ -400,6 +400,9 @@ TEST(Breakpoints, TextsAreChecked) {
                                   "contact " + name, "kick  " + name})
         EXPECT_EQ(wrong(text), "fits") << text;
     EXPECT_EQ(wrong("robt[1].x > 1"), "unknown name 'robt'; did you mean robot? (at character 1)");
+    EXPECT_EQ(wrong("  1 < robot[1].sped").substr(0, 40), "there is no 'sped': a robot has x, y, he");
+    EXPECT_NE(wrong("  1 < robot[1].sped").find(" (at character 16)"), std::string::npos);
+    EXPECT_EQ(wrong("robot[1].error > 1"), "'error' needs a real log beside the run: none is open (at character 10)");
     EXPECT_EQ(wrong("robot[1].x"), "gives the number " + wrong("robot[1].x").substr(17));
     EXPECT_EQ(wrong("kick nobody at all").substr(0, 33), "there is no robot 'nobody at all'");
     EXPECT_EQ(wrong("divergence " + name), "\"divergence\" takes no name");

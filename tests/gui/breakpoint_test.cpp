@@ -185,6 +185,7 @@ TEST_F(BreakpointTest, MistakeIsToldWhileItIsTypedAndNotAdded) {
           std::pair{"robot[9].x > 1", "there is no robot 9"}, std::pair{"contact rod 2", "did you mean red 2?"},
           std::pair{"(function() while true do end end)()", "does not end within 10000 instructions"},
           std::pair{"(function() local t = {} while true do t[#t+1] = 1 end end)()", ""},
+          std::pair{"robot[2].error > 0.1", "'error' needs a real log beside the run: none is open (at character 10)"},
           std::pair{"1 + 1", "expected true or false"}}) {
         line().clear();
         QTest::keyClicks(&line(), text);

@@ -1,12 +1,9 @@
-#include <QLabel>
-#include <QStatusBar>
 #include <algorithm>
 
 #include <gmock/gmock.h>
 
 #include "files/window_files.h"
-#include "gui/overlay_fixture.h"
-#include "widgets/field_view.h"
+#include "gui/course_fixture.h"
 #include "widgets/message_bar.h"
 
 namespace mrose::gui {
@@ -14,47 +11,8 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Courses of 2 s of the shipped log, and breakpoints that look through all of them.
-class CourseBreaksTest : public OverlayTest {
+class CourseBreaksTest : public CourseTest {
 protected:
-    void SetUp() override {
-        OverlayTest::SetUp();
-        ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {OverlayPlan::Cut::every, 0, 2}));
-        ASSERT_GE(overlay.requests().size(), 8u);
-    }
-
-    void stopOn(const std::string& text) {
-        Breakpoint breakpoint;
-        breakpoint.text = text;
-        window.session().setBreakpoints({breakpoint});
-        settleAll();
-    }
-    void press(Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
-        QTest::keyClick(&window, Qt::Key_F6, modifiers);
-        settleAll();
-    }
-    void open(std::size_t course) {
-        ASSERT_TRUE(overlay.show(course));
-        settleAll();
-        ASSERT_EQ(overlay.shownCourse(), course);
-    }
-    std::string said() const {
-        QString all;
-        for (const QLabel* label : window.statusBar()->findChildren<QLabel*>()) all += label->text() + '\n';
-        return all.toStdString();
-    }
-    std::size_t shownCourse() const { return overlay.shownCourse().value(); }
-
-    /// By 1 m, at an instant: a branch.
-    void moveAside(double seconds) {
-        window.session().seek(ticksOf(seconds));
-        settleAll();
-        Pose aside = state().robots[0].pose;
-        aside.y += 1;
-        emit window.field().bodyMoved(0, aside);
-        settleAll();
-    }
-
     /// The simulated robot of a course as compare() has it, at its start and after each step.
     std::vector<Pose> posesOf(std::size_t course) const {
         for (const ComparedCourse& compared : overlay.comparison()->courses) {
@@ -87,8 +45,6 @@ protected:
         }
         return highest + 1;
     }
-
-    std::int64_t ticksOf(double seconds) const { return window.shown()->frame->scene().ticksOf(fromSeconds(seconds)); }
 };
 
 TEST_F(CourseBreaksTest, NextBreakIsFoundInACourseFurtherOnAndTheLastInOneBefore) {
@@ -117,23 +73,40 @@ TEST_F(CourseBreaksTest, NextBreakIsFoundInACourseFurtherOnAndTheLastInOneBefore
     EXPECT_EQ(window.shown()->breakpoints.size(), 1u) << "they go along";
 }
 
-TEST_F(CourseBreaksTest, NoBreakAnywhereLeavesTheShownCourse) {
+TEST_F(CourseBreaksTest, NoBreakAnywhereLeavesTheShownTick) {
     stopOn("robot[1].x > 1000");
     open(2);
-    press();
-    EXPECT_EQ(shownCourse(), 2u);
-    EXPECT_THAT(said(), HasSubstr("nor in those after it"));
-    EXPECT_EQ(window.shown()->tick(), ticksOf(2)) << "the course's end";
-    press();
-    EXPECT_EQ(shownCourse(), 2u);
-    EXPECT_EQ(window.shown()->tick(), ticksOf(2))
-        << "what comes after the course's end is no part of the log's courses";
-    press(Qt::ShiftModifier);
-    EXPECT_EQ(shownCourse(), 2u);
-    EXPECT_THAT(said(), HasSubstr("nor in those before it"));
+    const auto stays = [&](double seconds, Qt::KeyboardModifiers modifiers, const char* none) {
+        window.session().seek(ticksOf(seconds));
+        settleAll();
+        press(modifiers);
+        EXPECT_EQ(shownCourse(), 2u);
+        EXPECT_EQ(window.shown()->tick(), ticksOf(seconds));
+        EXPECT_FALSE(window.shown()->atBreak);
+        EXPECT_THAT(said(), HasSubstr(none));
+    };
+    const char *after = "nor in those after it", *before = "nor in those before it";
+    stays(0.5, Qt::NoModifier, after);
+    EXPECT_EQ(window.shown()->last, ticksOf(2)) << "as far as the log's course goes";
+    stays(0.3, Qt::NoModifier, after);
+    EXPECT_EQ(window.shown()->last, ticksOf(2));
+    stays(2, Qt::NoModifier, after);
+    stays(1.1, Qt::ShiftModifier, before);
     open(0);
     press(Qt::ShiftModifier);
     EXPECT_EQ(shownCourse(), 0u);
+    EXPECT_EQ(window.shown()->tick(), 0);
+}
+
+/// What lies beyond a course's end, where its robots are told nothing any more, is no part of the log.
+TEST_F(CourseBreaksTest, BreakBeyondTheCoursesEndIsNone) {
+    window.session().seek(ticksOf(3));
+    settleAll();
+    window.session().seek(ticksOf(1));
+    stopOn("time > 2.5");
+    press();
+    EXPECT_EQ(shownCourse(), 0u);
+    EXPECT_EQ(window.shown()->tick(), ticksOf(1));
 }
 
 TEST_F(CourseBreaksTest, DivergencesOfAllCoursesAreGoneThroughInTheirOrder) {

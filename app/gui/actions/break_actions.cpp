@@ -53,8 +53,9 @@ void addWays(MainWindow& window, const QString& menu) {
                                     return QString();
                                 },
                                 [&](const QString& text) -> Expected<void> {
-                                    if (window.shown() != nullptr)
-                                        if (auto fits = checkBreakText(text.toStdString(), *window.shown()->course);
+                                    if (const Shown* const shown = window.shown(); shown != nullptr)
+                                        if (auto fits = checkBreakText(text.toStdString(), *shown->course,
+                                                                       shown->frame->reality);
                                             !fits)
                                             return fail("", wrongWith(fits.error()));
                                     window.overlay().goToBreak({true, text.toStdString()});
@@ -143,7 +144,8 @@ void addChosen(MainWindow& window, const QString& menu) {
     panel.offer(actions.add(
         menu,
         {"break_from", QObject::tr("Stop from the &n-th time on\u2026"), QKeySequence("Ctrl+F8"),
-         QObject::tr("The chosen breakpoint lets so many times pass, counted from the run's start")},
+         QObject::tr("The chosen breakpoint lets so many times pass: in the run, or in all courses of a log "
+                     "that were played or searched")},
         Actions::Asking{
             [&] {
                 const auto chosen = chosenBreak(window);

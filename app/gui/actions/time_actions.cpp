@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "actions/window_actions.h"
+#include "reality/overlay.h"
 #include "widgets/field_view.h"
 #include "widgets/timeline_bar.h"
 #include "window/main_window.h"
@@ -62,7 +63,7 @@ void addTimeActions(MainWindow& window) {
                 [&](bool) {
                     if (window.shown() && window.shown()->playing)
                         session.pause();
-                    else
+                    else if (!window.overlay().playsNext())
                         session.play();
                 });
     actions.addSeparator(menu);

@@ -30,29 +30,36 @@ struct BlockJudge::Worker {
     StepBuffers buffers;
     StepTrace trace;
     const Scenario* scenario = nullptr;
-    std::map<std::string, Expected<Condition>> known;  ///< compiled for `scenario`
+    RealityPointer reality;
+    std::map<std::string, Expected<Condition>> known;  ///< compiled for both
 
-    std::vector<Condition*> compiled(const Scenario& wanted, std::span<const std::string> texts);
-    Expected<std::vector<Verdicts>> judge(const BlockTicks& ticks, std::span<const std::string> texts);
+    std::vector<Condition*> compiled(const Scenario& wanted, std::span<const std::string> texts,
+                                     const RealityPointer& real);
+    Expected<std::vector<Verdicts>> judge(const BlockTicks& ticks, std::span<const std::string> texts,
+                                          const RealityPointer& real);
 };
 
 /// nullptr: it does not compile.
-std::vector<Condition*> BlockJudge::Worker::compiled(const Scenario& wanted, std::span<const std::string> texts) {
-    if (scenario != &wanted) known.clear();
+std::vector<Condition*> BlockJudge::Worker::compiled(const Scenario& wanted, std::span<const std::string> texts,
+                                                     const RealityPointer& real) {
+    if (scenario != &wanted || reality != real) known.clear();
     scenario = &wanted;
+    reality = real;
     std::vector<Condition*> all;
     for (const std::string& text : texts) {
         auto found = known.find(text);
-        if (found == known.end()) found = known.emplace(text, compileCondition(text, wanted)).first;
+        if (found == known.end())
+            found = known.emplace(text, compileCondition(text, wanted, "condition", realPoses(real))).first;
         all.push_back(found->second ? &*found->second : nullptr);
     }
     return all;
 }
 
-Expected<std::vector<Verdicts>> BlockJudge::Worker::judge(const BlockTicks& ticks, std::span<const std::string> texts) {
+Expected<std::vector<Verdicts>> BlockJudge::Worker::judge(const BlockTicks& ticks, std::span<const std::string> texts,
+                                                          const RealityPointer& real) {
     const Scenario& world = *ticks.course->scenario;
     const TimelineBlock& block = *ticks.block;
-    const std::vector<Condition*> conditions = compiled(world, texts);
+    const std::vector<Condition*> conditions = compiled(world, texts, real);
     Expected<WorldState> state = parseState(block.keyframe, "keyframe of tick " + std::to_string(block.first));
     if (!state) return tl::unexpected(state.error());
     if (!misfit(world, *state).empty() || state->tick != block.first)
@@ -85,11 +92,12 @@ std::unique_ptr<BlockJudge::Worker> BlockJudge::takeWorker() {
 }
 
 Expected<std::vector<std::vector<Verdicts>>> BlockJudge::judge(std::span<const BlockTicks> blocks,
-                                                               std::span<const std::string> texts) {
+                                                               std::span<const std::string> texts,
+                                                               const RealityPointer& reality) {
     std::vector<Expected<std::vector<Verdicts>>> answers(blocks.size());
     parallelFor(blocks.size(), [&](std::size_t i) {
         std::unique_ptr<Worker> worker = takeWorker();
-        answers[i] = worker->judge(blocks[i], texts);
+        answers[i] = worker->judge(blocks[i], texts, reality);
         const std::lock_guard lock(mutex_);
         idle_.push_back(std::move(worker));
     });

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "breaks/breakpoint.h"
 #include "breaks/tick_ranges.h"
 #include "condition/condition.h"
 #include "recording/timeline.h"
@@ -42,7 +43,8 @@ public:
     /// For each block the verdicts on each of `texts`. What does not compile in the block's course holds nowhere in it.
     /// Error: a block is damaged.
     Expected<std::vector<std::vector<Verdicts>>> judge(std::span<const BlockTicks> blocks,
-                                                       std::span<const std::string> texts);
+                                                       std::span<const std::string> texts,
+                                                       const RealityPointer& reality);
 
 private:
     struct Worker;

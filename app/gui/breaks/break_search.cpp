@@ -117,7 +117,7 @@ Expected<void> BreakSearch::ask(const std::vector<Question*>& questions, std::in
                 known.add(at, question->predicate(run_, part.branch, at));
     }
     if (conditions.empty()) return {};
-    const auto verdicts = judge_.judge(blocks, texts);
+    const auto verdicts = judge_.judge(blocks, texts, run_.reality());
     if (!verdicts) return tl::unexpected(verdicts.error());
     for (const std::vector<Verdicts>& ofBlock : *verdicts)
         for (std::size_t i = 0; i < conditions.size(); ++i) conditions[i]->known[part.branch].add(ofBlock[i]);

@@ -1,5 +1,6 @@
 #include "breaks/breakpoint.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
@@ -74,12 +75,32 @@ BreakText readBreakText(std::string_view text) {
     return {BreakKind::condition, text};
 }
 
-Expected<void> checkBreakText(std::string_view text, const Course& course) {
+RealPoses realPoses(const RealityPointer& reality) {
+    if (reality == nullptr) return {};
+    return [reality](const std::string& robot, Nanoseconds now) -> std::optional<Pose> {
+        const Reality::Robot* const real = reality->robotNamed(robot);
+        return real != nullptr ? real->poseAt(now) : std::nullopt;
+    };
+}
+
+bool isSameTruth(const RealityPointer& a, const RealityPointer& b) {
+    if (a == nullptr || b == nullptr) return a == b;
+    return a->log == b->log && std::equal(a->robots.begin(), a->robots.end(), b->robots.begin(), b->robots.end(),
+                                          [](const Reality::Robot& x, const Reality::Robot& y) {
+                                              return x.name == y.name && x.trajectory == y.trajectory &&
+                                                     x.origin == y.origin;
+                                          });
+}
+
+Expected<void> checkBreakText(std::string_view text, const Course& course, const RealityPointer& reality) {
     const BreakText what = readBreakText(text);
     if (what.kind == BreakKind::condition) {
-        const auto condition = compileCondition(what.name, *course.scenario);
-        if (!condition) return tl::unexpected(condition.error());
-        return {};
+        auto condition = compileCondition(what.name, *course.scenario, "condition", realPoses(reality));
+        if (condition) return {};
+        // In the text as it is written.
+        if (condition.error().line == 1 && condition.error().column > 0)
+            condition.error().column += static_cast<int>(text.find_first_not_of(space));
+        return tl::unexpected(condition.error());
     }
     if (what.name.empty()) return {};
     if (what.kind == BreakKind::divergence) return fail("", "\"divergence\" takes no name");

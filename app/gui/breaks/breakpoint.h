@@ -1,9 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 
+#include "comparison/reality.h"
+#include "condition/world_names.h"
 #include "io/error.h"
 #include "travel/course.h"
 #include "widgets/timeline_mark.h"
@@ -33,8 +36,14 @@ struct BreakText {
 };
 BreakText readBreakText(std::string_view text);
 
+/// What conditions ask of the real log; null: none is open.
+using RealityPointer = std::shared_ptr<const Reality>;
+RealPoses realPoses(const RealityPointer& reality);
+/// Whether both tell the same of the same robots, whatever models they have.
+bool isSameTruth(const RealityPointer& a, const RealityPointer& b);
+
 /// Error: a condition that does not compile, a body or goal that the course does not have.
-Expected<void> checkBreakText(std::string_view text, const Course& course);
+Expected<void> checkBreakText(std::string_view text, const Course& course, const RealityPointer& reality);
 
 /// Whether a mark of the course is what such a breakpoint waits for.
 bool isMeant(const BreakText& text, const TimelineMark& mark, const Course& course);

@@ -67,6 +67,7 @@ void Breakpoints::forgetRun() {
     compiled_.clear();
     judge_ = std::make_unique<BlockJudge>();
     diverged_ = {};
+    elsewhere_ = {};
     Breakpoint here;
     here.text = "breakHere()";
     add(here);
@@ -117,6 +118,20 @@ void Breakpoints::setDivergence(DivergenceQuestion diverged) {
     ++version_;
 }
 
+void Breakpoints::setMetElsewhere(MetElsewhere met) { elsewhere_ = std::move(met); }
+
+void Breakpoints::forgetAnswers() {
+    questions_.clear();
+    compiled_.clear();
+    ++version_;
+}
+
+/// In the runs before this one.
+std::int64_t Breakpoints::metBefore(const Breakpoint& breakpoint) const {
+    const auto met = elsewhere_.before.find(breakpoint.text);
+    return met == elsewhere_.before.end() ? 0 : met->second;
+}
+
 Breakpoint* Breakpoints::find(std::uint32_t id) {
     const auto found = std::find_if(breakpoints_.begin(), breakpoints_.end(),
                                     [&](const Breakpoint& breakpoint) { return breakpoint.id == id; });
@@ -152,17 +167,19 @@ std::vector<Question*> Breakpoints::questions(std::vector<std::uint32_t>* ids) {
     return all;
 }
 
-Expected<Condition>& Breakpoints::compiled(const Course& course, const std::string& text) {
-    const auto known = compiled_.find({&course, text});
+Expected<Condition>& Breakpoints::compiled(const TimeTravel& run, const std::string& text) {
+    const std::pair key(&run.course(), text);
+    const auto known = compiled_.find(key);
     if (known != compiled_.end()) return known->second;
     if (compiled_.size() >= mostCompiled) compiled_.clear();
-    return compiled_.emplace(std::pair(&course, text), compileCondition(text, *course.scenario)).first->second;
+    auto condition = compileCondition(text, *run.course().scenario, "condition", realPoses(run.reality()));
+    return compiled_.emplace(key, std::move(condition)).first->second;
 }
 
 /// At the shown tick.
 Expected<bool> Breakpoints::answer(const TimeTravel& run, const Question& question) {
     if (question.predicate) return question.predicate(run, run.owner(), run.tick());
-    Expected<Condition>& condition = compiled(run.course(), question.text);
+    Expected<Condition>& condition = compiled(run, question.text);
     return condition ? condition->holds(*run.course().scenario, run.state(), run.trace()) : false;
 }
 
@@ -176,14 +193,15 @@ void Breakpoints::leave(const TimeTravel& run) {
 /// Whether one that begins to hold at a tick has done so as often as it is to; nothing: the search was ended.
 Expected<std::optional<bool>> Breakpoints::oftenEnough(const TimeTravel& run, const Breakpoint& breakpoint,
                                                        std::int64_t tick, const Progress& progress) {
-    if (breakpoint.from <= 1) return true;
+    const std::int64_t asked = breakpoint.from - metBefore(breakpoint);
+    if (asked <= 1) return true;
     Question& question = questionOf(breakpoint);
     BreakSearch search(run, *judge_);
     while (!search.knownUpTo(question, tick)) {
         if (!progress(0)) return std::nullopt;
         if (auto more = search.learn({&question}); !more) return tl::unexpected(more.error());
     }
-    return search.beginningsUpTo(question, tick) >= breakpoint.from;
+    return search.beginningsUpTo(question, tick) >= asked;
 }
 
 Expected<std::optional<bool>> Breakpoints::meets(TimeTravel& run, const Breakpoint& breakpoint,
@@ -200,10 +218,11 @@ Expected<std::optional<bool>> Breakpoints::meets(TimeTravel& run, const Breakpoi
     const auto meant = [&](const TimelineMark& mark) { return isMeant(text, mark, run.course()); };
     const std::vector<TimelineMark> here = marksAt(run, tick);
     if (std::none_of(here.begin(), here.end(), meant)) return false;
-    if (breakpoint.from <= 1) return true;
+    const std::int64_t asked = breakpoint.from - metBefore(breakpoint);
+    if (asked <= 1) return true;
     const std::vector<TimelineMark> all = run.marks();
     return std::count_if(all.begin(), all.end(),
-                         [&](const TimelineMark& mark) { return mark.tick <= tick && meant(mark); }) >= breakpoint.from;
+                         [&](const TimelineMark& mark) { return mark.tick <= tick && meant(mark); }) >= asked;
 }
 
 Expected<Breakpoints::Arrival> Breakpoints::arrive(TimeTravel& run, const Progress& progress) {
@@ -285,18 +304,19 @@ Expected<std::optional<Breakpoints::Stop>> Breakpoints::conditionsAt(TimeTravel&
     return stop;
 }
 
-Breakpoints::Answer Breakpoints::ahead(TimeTravel& run, const Progress& progress) {
-    if (auto known = learnMarks(run, run.last(), progress); !known) return tl::unexpected(known.error());
-    Stop stop{run.last() + 1};
+Breakpoints::Answer Breakpoints::ahead(TimeTravel& run, const Progress& progress, std::optional<std::int64_t> upTo) {
+    const std::int64_t until = std::min(upTo.value_or(run.last()), run.last());
+    if (auto known = learnMarks(run, until, progress); !known) return tl::unexpected(known.error());
+    Stop stop{until + 1};
     const std::vector<TimelineMark> marks = run.marks();
     for (const Breakpoint& breakpoint : breakpoints_) {
         const BreakText text = readBreakText(breakpoint.text);
         if (!breakpoint.enabled || !isEvent(text.kind)) continue;
-        int count = 0;
+        std::int64_t count = metBefore(breakpoint);
         const auto met = std::find_if(marks.begin(), marks.end(), [&](const TimelineMark& mark) {
             return isMeant(text, mark, run.course()) && ++count >= breakpoint.from && mark.tick > run.tick();
         });
-        if (met == marks.end() || met->tick > stop.tick) continue;
+        if (met == marks.end() || met->tick > std::min(stop.tick, until)) continue;
         if (met->tick < stop.tick) stop.ids.clear();
         stop.tick = met->tick;
         stop.ids.push_back(breakpoint.id);
@@ -308,7 +328,7 @@ Breakpoints::Answer Breakpoints::ahead(TimeTravel& run, const Progress& progress
         const auto found = search.after(from, asked, progress, stop.tick);
         if (!found) return tl::unexpected(found.error());
         from = *found ? (*found)->tick : stop.tick;
-        if (from > run.last()) return std::nullopt;
+        if (from > until) return std::nullopt;
         auto met = conditionsAt(run, from, progress);
         if (!met) return met;
         const bool event = !*found;
@@ -323,7 +343,7 @@ Breakpoints::Answer Breakpoints::last(const BreakWish& wish, TimeTravel& run, st
                                       const Progress& progress) {
     const std::string& text = wish.text;
     if (text.empty()) return lastOfAll(run, before, progress);
-    if (auto fits = checkBreakText(text, run.course()); !fits) return tl::unexpected(fits.error());
+    if (auto fits = checkBreakText(text, run.course(), run.reality()); !fits) return tl::unexpected(fits.error());
     // As if it were the only one; what is known of one of the same text is of use.
     Breakpoints alone;
     alone.breakpoints_.clear();
@@ -415,27 +435,30 @@ std::vector<BreakpointState> Breakpoints::states(const TimeTravel& run, const st
         BreakpointState& state = states.emplace_back(BreakpointState{breakpoint});
         const BreakText text = readBreakText(breakpoint.text);
         if (text.kind == BreakKind::condition) {
-            if (const auto& condition = compiled(run.course(), std::string(text.name)); !condition)
+            if (const auto& condition = compiled(run, std::string(text.name)); !condition)
                 state.unfit = wrongWith(condition.error());
         } else if (text.kind == BreakKind::divergence && !canDiverge()) {
             state.unfit = "no real log is laid over the run yet";
-        } else if (const auto fits = checkBreakText(breakpoint.text, run.course()); !fits) {
+        } else if (const auto fits = checkBreakText(breakpoint.text, run.course(), run.reality()); !fits) {
             state.unfit = fits.error().cause;
         }
         if (isEvent(text.kind)) {
             for (const TimelineMark& mark : happened) {
                 if (!isMeant(text, mark, run.course())) continue;
-                ++state.all;
+                ++state.inRun;
                 if (mark.tick <= run.tick()) ++state.hits;
                 state.here = state.here || mark.tick == run.tick();
             }
             state.known = run.record(run.branch()).last() >= run.last();
         } else if (const Question* question = knownOf(breakpoint); question != nullptr) {
             state.hits = search.beginningsUpTo(*question, run.tick());
-            state.all = search.beginningsUpTo(*question, run.last());
+            state.inRun = search.beginningsUpTo(*question, run.last());
             state.known = search.knownUpTo(*question, run.last());
             state.here = search.holdsAt(*question, run.tick());
         }
+        const auto after = elsewhere_.after.find(breakpoint.text);
+        state.hits += metBefore(breakpoint);
+        state.all = metBefore(breakpoint) + state.inRun + (after == elsewhere_.after.end() ? 0 : after->second);
     }
     return states;
 }

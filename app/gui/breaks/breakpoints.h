@@ -11,14 +11,20 @@
 
 namespace mrose::gui {
 
+/// How often breakpoints were met in the runs that go before this one and that follow it, by their texts.
+struct MetElsewhere {
+    std::map<std::string, std::int64_t> before, after;
+};
+
 /// A breakpoint and what is known of it in the shown branch's course.
 struct BreakpointState {
     Breakpoint breakpoint;
-    std::int64_t hits = 0;  ///< how often it has been met up to the shown tick
-    std::int64_t all = 0;   ///< and in what has been simulated
-    bool known = false;     ///< all of that has been looked at
-    bool here = false;      ///< it holds at the shown tick
-    std::string unfit;      ///< why it cannot hold in this course; empty: it can
+    std::int64_t hits = 0;   ///< how often it has been met up to the shown tick, with what was before this run
+    std::int64_t all = 0;    ///< and in all that has been simulated, with what was elsewhere
+    std::int64_t inRun = 0;  ///< of that, in this run
+    bool known = false;      ///< all of that has been looked at
+    bool here = false;       ///< it holds at the shown tick
+    std::string unfit;       ///< why it cannot hold in this course; empty: it can
 };
 
 /// Which break is looked for.
@@ -53,6 +59,11 @@ public:
     void setDivergence(DivergenceQuestion diverged);
     bool canDiverge() const { return diverged_.holds != nullptr; }
 
+    /// This run is one of several that follow each other: who counts goes on from those before.
+    void setMetElsewhere(MetElsewhere met);
+    /// Another real log lies beside the run, or none any more: what conditions gave is no longer true.
+    void forgetAnswers();
+
     /// Before playing goes on from the shown tick: who holds there begins nothing in the next.
     void leave(const TimeTravel& run);
     /// A place to go to, and what is to be said there once it is shown.
@@ -75,8 +86,8 @@ public:
     /// Where one of them was met last before a tick, as of BreakSearch::before(); with a text where that was, as if it
     /// were the only one. How often counts for nothing. Error: of the text, too.
     Answer last(const BreakWish& wish, TimeTravel& run, std::int64_t before, const Progress& progress);
-    /// Where one of them stops next, in what has been simulated.
-    Answer ahead(TimeTravel& run, const Progress& progress);
+    /// Where one of them stops next, in what has been simulated; up to a tick, if one is given.
+    Answer ahead(TimeTravel& run, const Progress& progress, std::optional<std::int64_t> upTo = {});
     /// The run stands at a stop: what is to be said there. Who is to stop only once, or failed, is disabled.
     std::string stopped(const TimeTravel& run, const Stop& stop);
 
@@ -99,7 +110,8 @@ private:
     Question& questionOf(const Breakpoint& breakpoint);
     const Question* knownOf(const Breakpoint& breakpoint) const;
     std::vector<Question*> questions(std::vector<std::uint32_t>* ids = nullptr);
-    Expected<Condition>& compiled(const Course& course, const std::string& text);
+    Expected<Condition>& compiled(const TimeTravel& run, const std::string& text);
+    std::int64_t metBefore(const Breakpoint& breakpoint) const;
     Expected<bool> answer(const TimeTravel& run, const Question& question);
     /// At the shown tick, and that often enough; nothing: the search was ended.
     Expected<std::optional<bool>> meets(TimeTravel& run, const Breakpoint& breakpoint, const Progress& progress);
@@ -112,6 +124,7 @@ private:
     std::uint32_t nextId_ = 1;
     std::map<std::uint32_t, Question> questions_;  ///< of breakpoints that ask, by their number
     DivergenceQuestion diverged_;
+    MetElsewhere elsewhere_;
     std::unique_ptr<BlockJudge> judge_;
     Compiled compiled_;
     std::uint64_t version_ = 0;

@@ -144,6 +144,7 @@ BreakpointPanel::BreakpointPanel(QWidget* parent)
     line_->setPlaceholderText(tr("Stop where\u2026"));
     line_->setToolTip(
         tr("A condition such as robot[2].speed > 0.5 and distance(robot[2], ball) < 0.3,\n"
+           "beside a real log robot[1].error > 0.1 (m), heading_error, real_x, real_y, real_heading,\n"
            "or contact, kick, goal, fault, with a name behind it where only that one counts;\n"
            "breakHere(), divergence. Enter adds it"));
     line_->setAccessibleName(tr("Add a breakpoint"));
@@ -179,6 +180,7 @@ void BreakpointPanel::setTheme(const Theme& theme) {
 
 void BreakpointPanel::setShown(const Shown& shown) {
     course_ = shown.course;
+    reality_ = shown.frame->reality;
     states_ = shown.breakpoints;
     filling_ = true;
     const int before = list_->count();
@@ -222,7 +224,8 @@ void BreakpointPanel::edit() {
 
 Expected<void> BreakpointPanel::add(const QString& text) {
     if (!course_) return fail("", "nothing is open");
-    if (auto fits = checkBreakText(text.toStdString(), *course_); !fits) return fail("", wrongWith(fits.error()));
+    if (auto fits = checkBreakText(text.toStdString(), *course_, reality_); !fits)
+        return fail("", wrongWith(fits.error()));
     Breakpoint breakpoint;
     breakpoint.text = text.toStdString();
     emit added(breakpoint);
@@ -247,7 +250,7 @@ void BreakpointPanel::itemChanged(const QListWidgetItem& item) {
 void BreakpointPanel::check() {
     if (filling_) return;
     if (!line_->text().trimmed().isEmpty() && course_) {
-        const auto fits = checkBreakText(line_->text().toStdString(), *course_);
+        const auto fits = checkBreakText(line_->text().toStdString(), *course_, reality_);
         return tell(fits ? tr("Enter adds it") : QString::fromStdString(wrongWith(fits.error())), !fits);
     }
     const int row = list_->currentRow();

@@ -60,6 +60,7 @@ private:
     QToolButton* offers_;
     QLabel* told_;
     CoursePointer course_;
+    RealityPointer reality_;
     std::vector<BreakpointState> states_;
     Theme theme_ = Theme::light();
     bool filling_ = false;

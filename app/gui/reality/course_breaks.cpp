@@ -94,25 +94,31 @@ TickText whoLeaves(const LeavingRobots& leaving) {
     };
 }
 
-Expected<std::optional<std::size_t>> courseWithBreak(const OverlayWorld& overlay, const CourseSearch& search,
-                                                     const std::function<bool(double share)>& progress) {
+Expected<CourseFound> courseWithBreak(const OverlayWorld& overlay, const CourseSearch& search,
+                                      const std::function<bool(double share)>& progress) {
+    CourseFound found{{}, search.hits};
     for (std::size_t i = 0; i < search.places.size(); ++i) {
         const CourseSearch::Place& place = search.places[i];
         const auto goesOn = [&] {
             return progress(static_cast<double>(i) / static_cast<double>(search.places.size()));
         };
-        if (!goesOn()) return std::nullopt;
+        if (!goesOn()) return found;
         const auto opened = openCourse(overlay, place.request, false);
         if (!opened) continue;
         TimeTravel run(*opened);
         Breakpoints breakpoints;
         breakpoints.replace(search.breakpoints);
         breakpoints.setDivergence({place.diverged, {}});
+        breakpoints.setMetElsewhere(found.hits.elsewhere(place.course));
         const auto has = hasBreak(run, breakpoints, search.wish, goesOn);
         if (!has) return tl::unexpected(has.error());
-        if (*has) return place.course;
+        if (*has) {
+            found.course = place.course;
+            return found;
+        }
+        if (!search.wish.back) found.hits.learn(place.course, breakpoints.states(run, run.marks()));
     }
-    return std::nullopt;
+    return found;
 }
 
 }  // namespace mrose::gui

@@ -10,6 +10,7 @@
 #include "breaks/breakpoints.h"
 #include "comparison/divergence.h"
 #include "comparison/reality.h"
+#include "reality/course_hits.h"
 #include "reality/overlay_rows.h"
 
 namespace mrose::gui {
@@ -37,6 +38,7 @@ TickText whoLeaves(const LeavingRobots& leaving);
 struct CourseSearch {
     BreakWish wish;
     std::vector<Breakpoint> breakpoints;
+    CourseHits hits;  ///< that are known: who counts goes on from those before
     struct Place {
         std::size_t course = 0;  ///< in Overlay::requests()
         CourseRequest request;
@@ -44,9 +46,13 @@ struct CourseSearch {
     };
     std::vector<Place> places;
 };
+struct CourseFound {
+    std::optional<std::size_t> course;  ///< nothing: there is none in any of them, or `progress` ended it
+    CourseHits hits;                    ///< with those of the courses that were passed forward
+};
 /// The first of them in which there is one, as of Session::goToBreak(); a course that cannot be opened, as
-/// where no robot has ground truth, has none. Nothing: in none of them, or `progress` ended it. Error: of the text.
-Expected<std::optional<std::size_t>> courseWithBreak(const OverlayWorld& overlay, const CourseSearch& search,
-                                                     const std::function<bool(double share)>& progress);
+/// where no robot has ground truth, has none. Error: of the text.
+Expected<CourseFound> courseWithBreak(const OverlayWorld& overlay, const CourseSearch& search,
+                                      const std::function<bool(double share)>& progress);
 
 }  // namespace mrose::gui

@@ -215,6 +215,7 @@ void Overlay::adopt(OverlayWorldPointer world, std::vector<CourseRequest> reques
     requests_ = std::move(requests);
     comparison_ = nullptr;
     error_.clear();
+    hits_.clear();
     setRows({});
 }
 
@@ -278,6 +279,7 @@ void Overlay::setBound(const Bound& bound) {
 
 void Overlay::setRows(std::vector<OverlayRow> rows) {
     rows_ = std::move(rows);
+    hits_.forget("divergence");
     ++rowsVersion_;
 }
 
@@ -360,12 +362,15 @@ void Overlay::takeCourse(Expected<OpenRun> run, std::size_t course, std::optiona
         selected = shown->frame->nameOf(*body);
     // Breakpoints go along from course to course.
     std::vector<Breakpoint> breakpoints;
-    if (shown != nullptr && shown->run == run_)
+    if (shown != nullptr && shown->run == run_) {
         for (const BreakpointState& state : shown->breakpoints) breakpoints.push_back(state.breakpoint);
+        learnHits();
+    }
     coming_ = Coming{
         run->course, course, robot, std::move(selected), run->reality, robot || window_.field().showsPart(), then.look};
     window_.files().takeCourse(*run);
     if (!breakpoints.empty()) window_.session().setBreakpoints(breakpoints);
+    tellHits(course);
     if (then.play) window_.session().play();
 }
 
@@ -387,6 +392,7 @@ void Overlay::followShown() {
     if (!inCourses() || opening()) return;
     if (shown.event == RunEvent::noBreak) return lookInCourses();
     if (shown.event != RunEvent::playedOut || !atCourseEnd()) return;
+    if (isLastCourse()) return sayLogEnds();
     if (window_.files().hasUnsaved())
         return window_.say(tr("This course has branches that are not saved: the next one waits"));
     showNext(1, Then{true, {}});
@@ -409,7 +415,9 @@ void Overlay::finishComing() {
     lookAtCourse();
     if (come.near) showNear();
     emit changed();
-    if (come.look) window_.session().goToBreak(*come.look, come.look->back);
+    if (come.look)
+        window_.session().goToBreak(*come.look,
+                                    come.look->back ? Session::BreakReach::all : Session::BreakReach::within);
     readAgain();
 }
 

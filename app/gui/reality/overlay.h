@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "breaks/breakpoints.h"
+#include "reality/course_hits.h"
 #include "reality/overlay_work.h"
 #include "session/job_queue.h"
 
@@ -107,6 +108,9 @@ public:
     /// As Session::goToBreak(). Where courses follow each other, the others are looked through, too: those after the
     /// shown one, or before it.
     void goToBreak(const BreakWish& wish);
+    /// Playing is asked for where the shown course is over: the next one begins, or it is said that there is none, once
+    /// in a run. False: the run itself is to play.
+    bool playsNext();
     /// At the end of a course the next one begins, where courses follow each other.
     bool restarts() const { return restarts_; }
     void setRestarts(bool on);
@@ -180,8 +184,13 @@ private:
     void followShown();
     void finishComing();
     void showNear();
+    bool coursesFollow() const;
     bool inCourses() const;
+    void learnHits();
+    void tellHits(std::size_t course);
     bool atCourseEnd() const;
+    bool isLastCourse() const;
+    void sayLogEnds();
     void lookInCourses();
     void stopSearching();
     void showLeaving();
@@ -213,6 +222,8 @@ private:
     std::optional<std::uint32_t> shownBranch_;
     CoursePointer reloaded_;         ///< that of which compared_ will be a branch
     std::optional<BreakWish> wish_;  ///< for which the session is looking
+    CourseHits hits_;
+    std::uint64_t toldEnd_ = 0;  ///< the run at whose end it was said that there is no further course
     bool restarts_ = true;
     bool follows_ = true;
     std::optional<Error> openError_;

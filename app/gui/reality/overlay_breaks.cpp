@@ -26,6 +26,7 @@ void Overlay::tellDivergences() {
     leaving.reality = reality_;
     leaving.compared = compared_;
     window_.session().setDivergence({leavesReality(leaving), whoLeaves(leaving)});
+    tellHits(*shownCourse_);
 }
 
 void Overlay::select(std::size_t robot) {
@@ -66,9 +67,19 @@ void Overlay::showLeaving() {
     if (leaving != rows.end()) select(leaving->robot);
 }
 
+bool Overlay::coursesFollow() const { return restarts_ && plan_.cut == OverlayPlan::Cut::every; }
+
 /// Whether the window shows one of the courses that follow each other.
-bool Overlay::inCourses() const {
-    return restarts_ && shownCourse_ && plan_.cut == OverlayPlan::Cut::every && window_.shown()->run == run_;
+bool Overlay::inCourses() const { return coursesFollow() && shownCourse_ && window_.shown()->run == run_; }
+
+/// What the shown course knows of them.
+void Overlay::learnHits() {
+    if (inCourses()) hits_.learn(*shownCourse_, window_.shown()->breakpoints);
+}
+
+/// What the courses before one and after it know of them.
+void Overlay::tellHits(std::size_t course) {
+    window_.session().setMetElsewhere(coursesFollow() ? hits_.elsewhere(course) : MetElsewhere{});
 }
 
 bool Overlay::atCourseEnd() const {
@@ -77,11 +88,30 @@ bool Overlay::atCourseEnd() const {
     return shown.tick() >= shown.frame->scene().ticksOf(end);
 }
 
+bool Overlay::isLastCourse() const { return *shownCourse_ + 1 == requests_.size(); }
+
+void Overlay::sayLogEnds() {
+    toldEnd_ = run_;
+    window_.say(tr("The last course of the log is over; it can go on"));
+}
+
+bool Overlay::playsNext() {
+    const Shown* const shown = window_.shown();
+    if (shown == nullptr || !inCourses() || opening() || shown->branch != 0 || !atCourseEnd()) return false;
+    const Nanoseconds end = requests_[*shownCourse_].steps * WindowOptions{}.step;
+    if (shown->tick() > shown->frame->scene().ticksOf(end)) return false;
+    if (!isLastCourse()) return !window_.files().hasUnsaved() && showNext(1, Then{true, {}});
+    if (toldEnd_ == run_) return false;
+    sayLogEnds();
+    return true;
+}
+
 void Overlay::goToBreak(const BreakWish& wish) {
     stopSearching();
     wish_ = wish;
     if (window_.shown() != nullptr && inCourses() && !wish.back && atCourseEnd()) return lookInCourses();
-    window_.session().goToBreak(wish);
+    const bool within = window_.shown() != nullptr && inCourses();
+    window_.session().goToBreak(wish, within ? Session::BreakReach::within : Session::BreakReach::on);
 }
 
 void Overlay::stopSearching() {
@@ -94,7 +124,8 @@ void Overlay::stopSearching() {
 /// There is none in the shown course: in those after it, or before it.
 void Overlay::lookInCourses() {
     if (!wish_) return;
-    CourseSearch search{*wish_, {}, {}};
+    learnHits();
+    CourseSearch search{*wish_, {}, hits_, {}};
     wish_.reset();
     if (window_.files().hasUnsaved())
         return window_.say(tr("This course has branches that are not saved: the other courses are not looked through"));
@@ -124,10 +155,11 @@ void Overlay::lookInCourses() {
         return [this, found, wish = search.wish, none, what] {
             emit searching(what, 1);
             if (!found) return window_.say(QString::fromStdString(found.error().message()));
-            if (!*found) return window_.say(none);
+            hits_ = found->hits;
+            if (!found->course) return tellHits(*shownCourse_), window_.say(none);
             Then then;
             then.look = wish;
-            show(**found, {}, then);
+            show(*found->course, {}, then);
         };
     });
 }

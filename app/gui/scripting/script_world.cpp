@@ -2,6 +2,7 @@
 
 #include <lua.hpp>
 
+#include "breaks/breakpoint.h"
 #include "widgets/field_view.h"
 #include "window/main_window.h"
 
@@ -68,6 +69,8 @@ void ScriptWorld::update() {
     for (const TimelineMark& mark : *shown->marks)
         if (mark.tick == shown->tick() && mark.kind == TimelineMark::Kind::kick) trace_.kicks.push_back({mark.body});
     view_.trace = &trace_;
+    real_ = realPoses(frame_->reality);
+    view_.real = &real_;
     std::string bodies = bodiesOf(frame_->scene());
     if (bodies == bodies_) return;
     addWorldNames(sandbox_, *view_.scenario, view_);

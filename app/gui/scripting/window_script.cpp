@@ -312,7 +312,7 @@ private:
         const Nanoseconds tickLength = frame().scene().tickLength;
         const double ticks = std::floor(most / toSeconds(tickLength) + 1e-6);
         if (!(ticks >= 0 && ticks <= 1e9)) return fail("", "expected a number of seconds");
-        auto condition = compileCondition(text, *frame().scenario);
+        auto condition = compileCondition(text, *frame().scenario, "condition", realPoses(frame().reality));
         if (!condition) return tl::unexpected(condition.error());
         Expected<bool> held = false;
         window_.session().pause();

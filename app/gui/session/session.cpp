@@ -278,7 +278,9 @@ void Session::redo() {
 
 void Session::setReality(std::uint64_t run, std::shared_ptr<const Reality> reality) {
     request([this, run, reality = std::move(reality)] {
-        if (run_ && run == runNumber_) run_->setReality(reality);
+        if (!run_ || run != runNumber_) return;
+        if (!isSameTruth(run_->reality(), reality)) breakpoints_.forgetAnswers();
+        run_->setReality(reality);
     });
 }
 

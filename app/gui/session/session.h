@@ -65,10 +65,17 @@ public:
     void enableBreakpoints(bool enabled);
     /// What "divergence" waits for; empty: no log is laid over.
     void setDivergence(Breakpoints::DivergenceQuestion diverged);
-    /// As fast as possible to where a breakpoint stops next, without one to where playing ends; or to where one was met
-    /// last. `fromEnd`: not from the shown tick on, but from where playing ends, up to which is simulated first. Only
-    /// cancel() ends it, and another run. RunEvent::noBreak: there was none.
-    void goToBreak(const BreakWish& wish, bool fromEnd = false);
+    /// The run is one of several that follow each other. As setBreakpoints(), of the run that is open.
+    void setMetElsewhere(const MetElsewhere& met);
+    /// How far a break is looked for.
+    enum class BreakReach {
+        on,      ///< from the shown tick; where there is none it goes on to where playing ends, and then beyond
+        within,  ///< the same, but no farther than to where playing ends, and without one it stays where it was
+        all      ///< of the last one: from where playing ends, up to which is simulated first
+    };
+    /// As fast as possible to where a breakpoint stops next, or to where one was met last. Only cancel() ends it, and
+    /// another run. RunEvent::noBreak: there was none.
+    void goToBreak(const BreakWish& wish, BreakReach reach = BreakReach::on);
 
     /// Told now and then which share is done; false: it is to end.
     using Progress = std::function<bool(double share)>;
@@ -120,9 +127,9 @@ private:
     bool stopsHere(const Progress& goesOn);
     bool countsHere() const;
     void goToStop(const Breakpoints::Answer& answer, const QString& none);
-    void runToBreak(const Progress& progress);
-    void simulateToBreak(const Progress& progress);
-    void backToBreak(const BreakWish& wish, bool fromEnd, const Progress& progress);
+    void runToBreak(BreakReach reach, const Progress& progress);
+    void simulateToBreak(std::int64_t end, const Progress& progress);
+    void backToBreak(const BreakWish& wish, BreakReach reach, const Progress& progress);
     Expected<void> simulateToEnd(const Progress& progress);
     Progress progressOf(const QString& what, bool finishes = false);
     bool cancelled() const { return quit_ || cancels_ != cancelsBefore_; }

@@ -66,26 +66,31 @@ void Session::goToStop(const Breakpoints::Answer& answer, const QString& none) {
     event_ = RunEvent::broke;
 }
 
-void Session::goToBreak(const BreakWish& wish, bool fromEnd) {
+void Session::setMetElsewhere(const MetElsewhere& met) {
+    request([this, met] { breakpoints_.setMetElsewhere(met); });
+}
+
+void Session::goToBreak(const BreakWish& wish, BreakReach reach) {
     const QString what = !wish.back          ? tr("Running to the next break")
                          : wish.text.empty() ? tr("Looking for the last break")
                                              : tr("Looking for when it last held: %1").arg(wish.text.c_str());
     request(
-        [this, wish, fromEnd, what] {
+        [this, wish, reach, what] {
             if (!run_) return;
             stop(QString());
             emit working(what, 0);
             if (wish.back)
-                backToBreak(wish, fromEnd, progressOf(what));
+                backToBreak(wish, reach, progressOf(what));
             else
-                runToBreak(progressOf(what));
+                runToBreak(reach, progressOf(what));
             emit working(what, 1);
             anchor();
         },
         Kind::lasting);
 }
 
-void Session::backToBreak(const BreakWish& wish, bool fromEnd, const Progress& progress) {
+void Session::backToBreak(const BreakWish& wish, BreakReach reach, const Progress& progress) {
+    const bool fromEnd = reach == BreakReach::all;
     if (fromEnd)
         if (auto done = simulateToEnd(progress); !done) return stop(QString::fromStdString(done.error().message()));
     const std::int64_t before = run_->tick() + (fromEnd ? 1 : 0);
@@ -94,14 +99,21 @@ void Session::backToBreak(const BreakWish& wish, bool fromEnd, const Progress& p
                                : tr("Before this tick it never held: %1").arg(wish.text.c_str()));
 }
 
-void Session::runToBreak(const Progress& progress) {
-    const Breakpoints::Answer known = breakpoints_.ahead(*run_, progress);
-    if (!known || *known || ended())
-        goToStop(known, {});
-    else if (auto done = run_->seek(run_->last()); !done)
-        stop(QString::fromStdString(done.error().message()));
-    else
-        simulateToBreak(progress);
+void Session::runToBreak(BreakReach reach, const Progress& progress) {
+    const bool within = reach == BreakReach::within;
+    const std::int64_t from = run_->tick(), playedOut = end_.value_or(usualEnd(*run_));
+    const Breakpoints::Answer known =
+        breakpoints_.ahead(*run_, progress, within ? std::optional(playedOut) : std::nullopt);
+    if (!known || *known || ended()) return goToStop(known, {});
+    if (auto done = run_->seek(within ? playedOut : run_->last()); !done)
+        return stop(QString::fromStdString(done.error().message()));
+    const ScenarioParts& parts = run_->course().scenario->parts();
+    const std::int64_t length = std::max<std::int64_t>(1, parts.scene.ticksOf(parts.duration));
+    const bool beyond = !within && run_->tick() >= playedOut;
+    simulateToBreak(beyond ? (run_->tick() / length + 1) * length : playedOut, progress);
+    if (!within || atBreak_) return;
+    if (event_ == RunEvent::noBreak) stop(tr("No break in the rest of this run"));
+    if (auto back = run_->seek(from); !back) stop(QString::fromStdString(back.error().message()));
 }
 
 Expected<void> Session::simulateToEnd(const Progress& progress) {
@@ -114,12 +126,8 @@ Expected<void> Session::simulateToEnd(const Progress& progress) {
     return done;
 }
 
-/// From the last tick on, up to where playing ends; from there on for as long again.
-void Session::simulateToBreak(const Progress& progress) {
-    const ScenarioParts& parts = run_->course().scenario->parts();
-    const std::int64_t length = std::max<std::int64_t>(1, parts.scene.ticksOf(parts.duration));
-    std::int64_t end = end_.value_or(length);
-    if (run_->tick() >= end) end = (run_->tick() / length + 1) * length;
+/// From the last tick on.
+void Session::simulateToBreak(std::int64_t end, const Progress& progress) {
     const std::int64_t begin = run_->tick();
     auto shownAt = BreakClock::now();
     while (run_->tick() < end) {
@@ -139,7 +147,8 @@ void Session::simulateToBreak(const Progress& progress) {
         shownAt = BreakClock::now();
     }
     event_ = RunEvent::noBreak;
-    stop(tr("No break up to %1 s; it can go on").arg(toSeconds(parts.scene.timeOf(run_->tick())), 0, 'g', 6));
+    stop(
+        tr("No break up to %1 s; it can go on").arg(toSeconds(run_->course().scene().timeOf(run_->tick())), 0, 'g', 6));
 }
 
 /// Some ticks more, for half a frame's time; whether there is something new to show.
