@@ -74,6 +74,8 @@ tl::unexpected<Error> errorOf(Error error, const std::string& file) {
 Expected<LoadedScenario> scenarioFor(const LogComparisonRequest& request, const PluginLoader& plugins,
                                      DiskDescriptions& disk) {
     if (!request.scenario.empty()) return loadScenario(request.scenario, disk, {plugins, false});
+    if (!request.robotFile.empty())
+        if (const auto there = checkRobotFile(request.robotFile); !there) return tl::unexpected(there.error());
     const std::string place = placeOfLog(request.log);
     const auto log = openLog(place, {}, std::nullopt);
     if (!log) return tl::unexpected(log.error());
@@ -92,7 +94,7 @@ Expected<LogComparison> compareLog(const LogComparisonRequest& request, const Lo
     if (!loaded) return tl::unexpected(loaded.error());
     if (plugins.loaded) plugins.loaded(loaded->parts);
     const auto networks = networksOf(loaded->parts);
-    auto opened = openLog(placeOfLog(request.log), {}, networks.empty() ? std::nullopt : networks.front()->drive);
+    auto opened = openLog(request.log, {}, networks.empty() ? std::nullopt : networks.front()->drive);
     if (!opened) return tl::unexpected(opened.error());
     const auto log = std::make_shared<const Log>(std::move(*opened));
     ComparisonOptions options;

@@ -261,14 +261,7 @@ TEST_F(CompareProgram, LogsAreFoundWhereScenariosFindThem) {
     std::filesystem::create_directory_symlink(shippedLog(), path("mrclam/named"));
     const Words words{"compare", file, "--log", "named", "--quiet", "--no-causes", "--every", "10"};
     expectOneLine(runMrose(words), {"named: "});
-    const char* const before = std::getenv("MROSE_DATA");
-    const std::string kept = before == nullptr ? "" : before;
-    setenv("MROSE_DATA", path("").c_str(), 1);
-    const ProgramResult found = runMrose(words);
-    if (before == nullptr)
-        unsetenv("MROSE_DATA");
-    else
-        setenv("MROSE_DATA", kept.c_str(), 1);
+    const ProgramResult found = runWithData(path(""), words);
     EXPECT_EQ(found.status, 0) << found.err;
     EXPECT_NE(found.out.find("replay beside " + path("mrclam/named")), std::string::npos) << found.out;
 }
@@ -308,6 +301,8 @@ TEST_F(CompareProgram, ErrorsAreOneLineThatSaysWhatToDo) {
     expectOneLine(runMrose({"compare", "mrclam_replay.toml", "--log", log}),
                   {log + ": has no robot \"1\", which \"create 1\" plays", "expected a log of the scenario's robots"});
 
+    expectOneLine(runMrose({"compare", "--log", log, "--robot", "nosuch.toml"}),
+                  {"--robot nosuch.toml: does not exist", "resources/robots/nosuch.toml", "expected a robot file"});
     const std::string blind = write("blind.csv", "robot,t,v_cmd,w_cmd\nreference,1,0.1,0\nreference,9,0.2,0\n");
     expectOneLine(runMrose({"compare", file, "--log", blind}),
                   {blind + ": has no ground truth of robot \"reference\"", "expected its poses"});
