@@ -2,6 +2,8 @@
 
 #include <QFont>
 
+#include "application_style.h"
+
 #ifdef MROSE_ADDRESS_SANITIZER
 #include <sanitizer/lsan_interface.h>
 
@@ -17,7 +19,7 @@ std::unique_ptr<QApplication> makeApplication(int& count, char** words) {
     const __lsan::ScopedDisabler ignored;  // Qt's offscreen platform never frees its screen.
 #endif
     auto app = std::make_unique<QApplication>(count, words);
-    QApplication::setStyle("Fusion");
+    QApplication::setStyle(new ApplicationStyle);
     if (QApplication::platformName() == "offscreen") {
         // Pictures are looked at on any screen: letters as large as on a desktop, without coloured rims.
         QFont font = QApplication::font();
