@@ -53,13 +53,14 @@ Expected<std::vector<CourseRequest>> coursesAsked(const LogComparisonRequest& re
             options.duration = std::max(options.step, world.parts().duration / options.step * options.step);
         return coursesOf(world, options);
     }
-    auto windows = readWindows(request.windows);
-    if (!windows) return tl::unexpected(windows.error());
     const Nanoseconds length = request.duration ? fromSeconds(*request.duration) : windowLength,
                       step = WindowOptions{}.step;
     if (length % step != 0)
         return fail({}, secondsText(length) + " s is no whole number of steps of " + secondsText(step) + " s", 0,
                     "--duration");
+    if (request.windows == allWindows) return coursesOfAllWindows(world, length);
+    auto windows = readWindows(request.windows);
+    if (!windows) return tl::unexpected(windows.error());
     return requestedCourses(world, std::move(*windows), request.robots, static_cast<int>(length / step),
                             request.windows);
 }

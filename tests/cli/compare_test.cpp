@@ -122,9 +122,22 @@ TEST_F(CompareProgram, LogOfShortPiecesIsCutAsEvaluateCutsIt) {
     for (const char* figure : {"windows", "P_percent", "Hd_percent"})
         EXPECT_EQ(ours["all"]["summary"][figure], theirs[figure]) << figure;
     EXPECT_NE(ours["notices"].dump().find("windows of 1.9 s, as `mrose evaluate` cuts them"), std::string::npos);
+    const Json asked = result({"compare", "--log", log, "--no-causes", "--windows", "all", "--duration", "1.9"});
+    EXPECT_EQ(asked["all"], ours["all"]);
     const Json told = result({"compare", "--log", log, "--no-causes", "--every", "0.5"});
     EXPECT_EQ(told["all"]["courses"], 15) << "three of 0.5 s in each 1.95 s";
     EXPECT_EQ(told["notices"].dump().find("as `mrose evaluate` cuts them"), std::string::npos);
+}
+
+TEST_F(CompareProgram, AllWindowsAreThoseOfEvaluate) {
+    const std::string log = shippedLog() + "/random.csv";
+    const ProgramResult evaluated =
+        runMrose({"evaluate", shippedNetwork(), "--log", log, "--horizon", "5", "--no-floor", "--json"});
+    const Json theirs = Json::parse(evaluated.out, nullptr, false)["models"][0]["all"];
+    const Json ours = result(
+        {"compare", scenario(), "--log", log, "--windows", "all", "--duration", "5", "--no-causes"})["all"]["summary"];
+    EXPECT_GT(theirs["windows"], 1);
+    for (const char* figure : {"windows", "P_percent", "Hd_percent"}) EXPECT_EQ(ours[figure], theirs[figure]) << figure;
 }
 
 TEST_F(CompareProgram, TheRefereeFindsTheSameErrorsInRealLogs) {
