@@ -71,6 +71,16 @@ public:
             progressTo(message_.text, message_.share);
         }
         for (const Button& button : message_.buttons) addButton(*layout, button);
+        more_ = new QToolButton(this);
+        more_->setObjectName("more_notes");
+        more_->setAutoRaise(true);
+        more_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+        more_->hide();
+        layout->addWidget(more_);
+        QObject::connect(more_, &QToolButton::clicked, &bar, [&bar] {
+            bar.open_ = !bar.open_;
+            bar.fold();
+        });
         close_ = new QToolButton(this);
         close_->setObjectName("dismiss");
         close_->setAutoRaise(true);
@@ -88,6 +98,13 @@ public:
     }
 
     const Message& message() const { return message_; }
+    /// Offers so many older notes, or to fold them again.
+    void offer(std::size_t older, bool open) {
+        more_->setVisible(older > 0);
+        more_->setArrowType(open ? Qt::UpArrow : Qt::DownArrow);
+        more_->setText(open ? tr("Fold") : tr("%1 more").arg(older));
+        more_->setToolTip(open ? tr("Show only the newest note") : tr("Show the older notes, too"));
+    }
     void progressTo(const QString& text, double share) {
         message_.text = text;
         message_.share = share;
@@ -130,7 +147,7 @@ private:
     Theme theme_ = Theme::light();
     QLabel *sign_, *text_;
     QProgressBar* progress_ = nullptr;
-    QToolButton* close_;
+    QToolButton *more_, *close_;
 };
 
 MessageBar::MessageBar(QWidget* parent) : QWidget(parent), layout_(new QVBoxLayout(this)) {
@@ -184,6 +201,7 @@ void MessageBar::add(Message message) {
     lines_.push_back(line);
     layout_->addWidget(line);
     makeRoom();
+    fold();
     show();
     emit added(kind, text);
 }
@@ -206,7 +224,22 @@ void MessageBar::drop(std::size_t index) {
     layout_->removeWidget(line);
     line->hide();
     line->deleteLater();
+    fold();
     setVisible(!lines_.empty());
+}
+
+/// The field is to be seen below.
+void MessageBar::fold() {
+    std::vector<Line*> notes;
+    std::copy_if(lines_.begin(), lines_.end(), std::back_inserter(notes),
+                 [](const Line* line) { return line->message().kind == Kind::note; });
+    const bool many = notes.size() > mostNotes;
+    open_ = open_ && many;
+    for (Line* note : notes) {
+        const bool newest = note == notes.back();
+        note->setVisible(newest || open_ || !many);
+        note->offer(newest && many ? notes.size() - 1 : 0, open_);
+    }
 }
 
 void MessageBar::remove(const QString& topic) {

@@ -12,7 +12,7 @@ class QVBoxLayout;
 namespace mrose {
 
 /// What there is to say, a line each, above the field: it takes no focus and stops nobody. The text can be selected;
-/// each line can be dismissed.
+/// each line can be dismissed. Of more notes than two only the newest is seen, until its line is opened.
 class MessageBar final : public QWidget {
     Q_OBJECT
 
@@ -55,13 +55,16 @@ protected:
 
 private:
     class Line;
-    static constexpr std::size_t most = 4;  ///< notes give way before errors
+    static constexpr std::size_t most = 4;       ///< notes give way before errors
+    static constexpr std::size_t mostNotes = 2;  ///< that are not folded
     void drop(std::size_t index);
     void makeRoom();
+    void fold();
     void place();
 
     std::vector<Line*> lines_;
     QVBoxLayout* layout_;
+    bool open_ = false;  ///< folded notes are seen
     Theme theme_ = Theme::light();
 };
 

@@ -1,5 +1,8 @@
 #include "widgets/plot_curve.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace mrose {
 
 QPen curvePen(const PlotCurve& curve) {
@@ -19,6 +22,17 @@ QPen aheadPen(const PlotCurve& curve, const QColor& ground) {
                                   mixed(curve.colour.greenF(), ground.greenF()),
                                   mixed(curve.colour.blueF(), ground.blueF())));
     return pen;
+}
+
+double levelAt(const PlotLevel& level, double tick) {
+    const auto after = std::lower_bound(level.points.begin(), level.points.end(), tick,
+                                        [](const QPointF& point, double at) { return point.x() < at; });
+    if (after == level.points.end())
+        return level.points.isEmpty() ? std::numeric_limits<double>::quiet_NaN() : level.points.back().y();
+    if (after->x() == tick) return after->y();
+    if (after == level.points.begin()) return std::numeric_limits<double>::quiet_NaN();
+    const QPointF &next = *after, &last = *(after - 1);
+    return last.y() + (tick - last.x()) / (next.x() - last.x()) * (next.y() - last.y());
 }
 
 }  // namespace mrose

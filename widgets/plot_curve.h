@@ -39,5 +39,7 @@ struct PlotLevel {
     QVector<QPointF> points;
     bool operator==(const PlotLevel& other) const { return unit == other.unit && points == other.points; }
 };
+/// Where its line is at a tick; NaN before it begins.
+double levelAt(const PlotLevel& level, double tick);
 
 }  // namespace mrose

@@ -17,7 +17,7 @@ struct CompareFlags {
     LogComparisonRequest what;
     std::string folder;
     PluginFlags plugins;
-    DivergenceFlags divergence;
+    DivergenceRequest divergence;
 };
 
 void printComparison(const Comparison& comparison, const ComparedDivergences& divergences,
@@ -93,6 +93,7 @@ Subcommand addCompare(CLI::App& app, CommonFlags& common) {
         "  mrose compare mrclam_replay.toml --log MRCLAM_Dataset6 --every 10 --report comparison\n"
         "  mrose compare mrclam_replay.toml --log MRCLAM_Dataset7 --robots 1,2 --start 120 --duration 30\n"
         "  mrose compare mrclam_replay.toml --log MRCLAM_Dataset7 --robots 1,2 --windows windows.csv\n"
+        "  mrose compare --log MRCLAM_Dataset7 --windows all --duration 5\n"
         "  mrose compare mrclam_replay.toml --log MRCLAM_Dataset6 --start 120 --duration 60 --model mine.net\n"
         "Each course begins with the poses and velocities of the real robots and the commands before; from there on "
         "the simulation gets their commands alone. It collides with what is in the world; mrose predict knows no "
@@ -125,7 +126,8 @@ Subcommand addCompare(CLI::App& app, CommonFlags& common) {
         sub->add_option("--every", flags->what.every, "Start again from the real robots every so many s")
             ->check(numberRange(0.1, 1e7));
     sub->add_option("--windows", flags->what.windows,
-                    "CSV file that says which windows, as for mrose predict: a course for each")
+                    "CSV file that says which windows, as for mrose predict: a course for each; all: of the length "
+                    "--duration, as mrose evaluate cuts the log")
         ->excludes(start)
         ->excludes(every);
     sub->add_option("--report", flags->folder, "Folder for report.html, errors.csv, courses.csv and results.json")

@@ -5,20 +5,9 @@
 
 #include "comparison/divergence_text.h"
 #include "evaluation/format.h"
-#include "shared/motion_models.h"
 
 namespace mrose::cli {
 namespace {
-
-DivergenceOptions optionsOf(const DivergenceFlags& flags) {
-    DivergenceOptions options;
-    options.bound.held = fromSeconds(flags.held);
-    options.fromHeldOut = !flags.position && !flags.heading;
-    if (flags.position) options.bound.constant.position = *flags.position;
-    if (flags.heading) options.bound.constant.heading = *flags.heading / degrees;
-    if (flags.noCauses) options.diagnosed = 0;
-    return options;
-}
 
 /// "create 1 in course 3, from 20.0 s": whose and which.
 std::string whichOf(const Comparison& comparison, const CourseDivergence& diverging) {
@@ -53,7 +42,7 @@ void printSummary(const Comparison& comparison, const ComparedDivergences& diver
 
 }  // namespace
 
-void addDivergenceFlags(CLI::App& sub, DivergenceFlags& flags) {
+void addDivergenceFlags(CLI::App& sub, DivergenceRequest& flags) {
     sub.add_option(
            "--bound-position", flags.position,
            "A robot farther off than this, in m, has left the real course (0.1 beside --bound-heading); without "
@@ -73,23 +62,19 @@ void addDivergenceFlags(CLI::App& sub, DivergenceFlags& flags) {
 }
 
 Expected<ComparedDivergences> findDivergences(const LogWorld& world, const Comparison& comparison,
-                                              const DivergenceFlags& flags, bool quiet) {
-    DivergenceOptions options = optionsOf(flags);
-    if (!flags.noCauses) {
-        auto models = modelsToTry(world, flags.models);
-        if (!models) return tl::unexpected(models.error());
-        options.models = std::move(*models);
-    }
+                                              const DivergenceRequest& flags, bool quiet) {
+    auto options = divergenceOptions(world, flags);
+    if (!options) return tl::unexpected(options.error());
     ProgressLine line(quiet);
     int shown = -1;
-    options.progress = [&](double share) {
+    options->progress = [&](double share) {
         const int percent = static_cast<int>(100 * share);
         const int apart = line.terminal() ? 1 : 25;
         if (percent / apart != shown / apart || shown < 0) line.show("causes: " + std::to_string(percent) + " %");
         shown = percent;
         return !wasInterrupted();
     };
-    auto found = divergencesOf(world, comparison, options);
+    auto found = divergencesOf(world, comparison, *options);
     line.clear();
     return found;
 }

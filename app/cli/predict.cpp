@@ -7,6 +7,7 @@
 #include "io/file.h"
 #include "shared/evaluation_models.h"
 #include "shared/notices.h"
+#include "shared/resources.h"
 
 namespace mrose::cli {
 namespace {
@@ -18,7 +19,8 @@ struct PredictFlags {
 };
 
 int predict(const PredictFlags& flags, const CommonFlags& common) {
-    if (const auto writable = checkOutput(flags.out, {flags.network, flags.log, flags.windows}, common.overwrite);
+    if (const auto writable =
+            checkOutput(flags.out, {flags.network, placeOfLog(flags.log), flags.windows}, common.overwrite);
         !writable)
         return report(writable.error());
     const auto motion = openNetwork(flags.network);

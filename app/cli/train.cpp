@@ -7,6 +7,7 @@
 #include "io/file.h"
 #include "learning_logs.h"
 #include "shared/notices.h"
+#include "shared/resources.h"
 #include "train_flags.h"
 
 namespace mrose::cli {
@@ -114,7 +115,9 @@ ResponseTimes responseTimes(const std::vector<Identified>& robots, const TrainFl
 
 int train(TrainFlags flags, const CommonFlags& common) {
     const auto begin = std::chrono::steady_clock::now();
-    if (const auto writable = checkOutput(flags.out, flags.logs, common.overwrite); !writable)
+    std::vector<std::string> read;
+    for (const std::string& log : flags.logs) read.push_back(placeOfLog(log));
+    if (const auto writable = checkOutput(flags.out, read, common.overwrite); !writable)
         return report(writable.error());
     const GroupHoldOut holdOut = holdOutShare(flags.holdOut, flags.holdOutPart);
     const auto opened = openLearningLogs({flags.logs, flags.robots, holdOut});

@@ -2,6 +2,8 @@
 
 #include <QFont>
 
+#include "application_style.h"
+
 #ifdef MROSE_ADDRESS_SANITIZER
 #include <sanitizer/lsan_interface.h>
 
@@ -24,7 +26,7 @@ std::unique_ptr<QApplication> makeApplication(int& count, char** words) {
 #ifdef MROSE_ADDRESS_SANITIZER
     onDesktop = QApplication::platformName() != "offscreen";
 #endif
-    QApplication::setStyle("Fusion");
+    QApplication::setStyle(new ApplicationStyle);
     if (QApplication::platformName() == "offscreen") {
         // Pictures are looked at on any screen: letters as large as on a desktop, without coloured rims.
         QFont font = QApplication::font();

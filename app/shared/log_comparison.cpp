@@ -53,13 +53,14 @@ Expected<std::vector<CourseRequest>> coursesAsked(const LogComparisonRequest& re
             options.duration = std::max(options.step, world.parts().duration / options.step * options.step);
         return coursesOf(world, options);
     }
-    auto windows = readWindows(request.windows);
-    if (!windows) return tl::unexpected(windows.error());
     const Nanoseconds length = request.duration ? fromSeconds(*request.duration) : windowLength,
                       step = WindowOptions{}.step;
     if (length % step != 0)
         return fail({}, secondsText(length) + " s is no whole number of steps of " + secondsText(step) + " s", 0,
                     "--duration");
+    if (request.windows == allWindows) return coursesOfAllWindows(world, length);
+    auto windows = readWindows(request.windows);
+    if (!windows) return tl::unexpected(windows.error());
     return requestedCourses(world, std::move(*windows), request.robots, static_cast<int>(length / step),
                             request.windows);
 }
@@ -74,6 +75,8 @@ tl::unexpected<Error> errorOf(Error error, const std::string& file) {
 Expected<LoadedScenario> scenarioFor(const LogComparisonRequest& request, const PluginLoader& plugins,
                                      DiskDescriptions& disk) {
     if (!request.scenario.empty()) return loadScenario(request.scenario, disk, {plugins, false});
+    if (!request.robotFile.empty())
+        if (const auto there = checkRobotFile(request.robotFile); !there) return tl::unexpected(there.error());
     const std::string place = placeOfLog(request.log);
     const auto log = openLog(place, {}, std::nullopt);
     if (!log) return tl::unexpected(log.error());
@@ -92,7 +95,7 @@ Expected<LogComparison> compareLog(const LogComparisonRequest& request, const Lo
     if (!loaded) return tl::unexpected(loaded.error());
     if (plugins.loaded) plugins.loaded(loaded->parts);
     const auto networks = networksOf(loaded->parts);
-    auto opened = openLog(placeOfLog(request.log), {}, networks.empty() ? std::nullopt : networks.front()->drive);
+    auto opened = openLog(request.log, {}, networks.empty() ? std::nullopt : networks.front()->drive);
     if (!opened) return tl::unexpected(opened.error());
     const auto log = std::make_shared<const Log>(std::move(*opened));
     ComparisonOptions options;

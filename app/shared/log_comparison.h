@@ -13,11 +13,14 @@
 
 namespace mrose {
 
+/// Instead of a file of windows: as `mrose evaluate` cuts the log.
+constexpr const char* allWindows = "all";
+
 /// Which scenario is to be put beside which log, and which courses of it.
 struct LogComparisonRequest {
     std::string scenario, log;             ///< no scenario: one that is made for the log
     std::string robotFile = {};            ///< what kind its robots are then, where the log cannot tell
-    std::string windows = {};              ///< a file of windows, one course each; empty: a stretch
+    std::string windows = {};              ///< a file of windows, one course each; or allWindows; empty: a stretch
     std::vector<std::string> robots = {};  ///< of the log, by name; empty: all that are played
     double start = 0;                      ///< s, on the take's clock
     std::optional<double> duration = {}, every = {};

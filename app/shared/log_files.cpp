@@ -5,6 +5,7 @@
 #include "evaluation/rollout.h"
 #include "io/number_text.h"
 #include "logs/log_reader.h"
+#include "shared/resources.h"
 
 namespace mrose {
 
@@ -12,7 +13,7 @@ Expected<Log> openLog(const std::string& source, const std::vector<std::string>&
                       const std::optional<DifferentialDrive>& drive) {
     LogOptions options;
     if (drive) options.drive = *drive;
-    auto log = readLog(source, options);
+    auto log = readLog(placeOfLog(source), options);
     if (!log || robots.empty()) return log;
     std::vector<RobotLog> chosen;
     for (const std::string& name : robots) {

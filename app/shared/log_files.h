@@ -11,8 +11,8 @@
 
 namespace mrose {
 
-/// Opens a log; `drive` is for logs of wheel commands. Robots not in `robots` are left out, unless it is empty. Error:
-/// an unknown robot too.
+/// Opens the log of that name (placeOfLog()); `drive` is for logs of wheel commands. Robots not in `robots` are left
+/// out, unless it is empty. Error: an unknown robot too.
 Expected<Log> openLog(const std::string& source, const std::vector<std::string>& robots,
                       const std::optional<DifferentialDrive>& drive = {});
 

@@ -39,6 +39,18 @@ std::string placeOfLog(const std::string& name) {
     return name;
 }
 
+Expected<void> checkRobotFile(const std::string& name) {
+    DiskDescriptions source = openDescriptions();
+    const std::string shipped = joinedName(std::string(shippedPrefix) + "resources/robots/", name);
+    for (const std::string& place : {name, shipped}) {
+        const auto text = source.text(place);
+        if (!text) return tl::unexpected(text.error());
+        if (*text) return {};
+    }
+    return fail("--robot " + name, "does not exist" + (shipped == name ? "" : ", nor does " + source.shown(shipped)) +
+                                       "; expected a robot file, or the name of one that ships");
+}
+
 DiskDescriptions openDescriptions(const std::string& log) {
     DiskDescriptions::Options options{resourceFolder(), {"."}, placeOfLog(log)};
     for (const std::filesystem::path& folder : dataFolders()) options.logFolders.push_back(folder);

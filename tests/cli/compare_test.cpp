@@ -122,9 +122,22 @@ TEST_F(CompareProgram, LogOfShortPiecesIsCutAsEvaluateCutsIt) {
     for (const char* figure : {"windows", "P_percent", "Hd_percent"})
         EXPECT_EQ(ours["all"]["summary"][figure], theirs[figure]) << figure;
     EXPECT_NE(ours["notices"].dump().find("windows of 1.9 s, as `mrose evaluate` cuts them"), std::string::npos);
+    const Json asked = result({"compare", "--log", log, "--no-causes", "--windows", "all", "--duration", "1.9"});
+    EXPECT_EQ(asked["all"], ours["all"]);
     const Json told = result({"compare", "--log", log, "--no-causes", "--every", "0.5"});
     EXPECT_EQ(told["all"]["courses"], 15) << "three of 0.5 s in each 1.95 s";
     EXPECT_EQ(told["notices"].dump().find("as `mrose evaluate` cuts them"), std::string::npos);
+}
+
+TEST_F(CompareProgram, AllWindowsAreThoseOfEvaluate) {
+    const std::string log = shippedLog() + "/random.csv";
+    const ProgramResult evaluated =
+        runMrose({"evaluate", shippedNetwork(), "--log", log, "--horizon", "5", "--no-floor", "--json"});
+    const Json theirs = Json::parse(evaluated.out, nullptr, false)["models"][0]["all"];
+    const Json ours = result(
+        {"compare", scenario(), "--log", log, "--windows", "all", "--duration", "5", "--no-causes"})["all"]["summary"];
+    EXPECT_GT(theirs["windows"], 1);
+    for (const char* figure : {"windows", "P_percent", "Hd_percent"}) EXPECT_EQ(ours[figure], theirs[figure]) << figure;
 }
 
 TEST_F(CompareProgram, TheRefereeFindsTheSameErrorsInRealLogs) {
@@ -261,14 +274,7 @@ TEST_F(CompareProgram, LogsAreFoundWhereScenariosFindThem) {
     std::filesystem::create_directory_symlink(shippedLog(), path("mrclam/named"));
     const Words words{"compare", file, "--log", "named", "--quiet", "--no-causes", "--every", "10"};
     expectOneLine(runMrose(words), {"named: "});
-    const char* const before = std::getenv("MROSE_DATA");
-    const std::string kept = before == nullptr ? "" : before;
-    setenv("MROSE_DATA", path("").c_str(), 1);
-    const ProgramResult found = runMrose(words);
-    if (before == nullptr)
-        unsetenv("MROSE_DATA");
-    else
-        setenv("MROSE_DATA", kept.c_str(), 1);
+    const ProgramResult found = runWithData(path(""), words);
     EXPECT_EQ(found.status, 0) << found.err;
     EXPECT_NE(found.out.find("replay beside " + path("mrclam/named")), std::string::npos) << found.out;
 }
@@ -308,6 +314,8 @@ TEST_F(CompareProgram, ErrorsAreOneLineThatSaysWhatToDo) {
     expectOneLine(runMrose({"compare", "mrclam_replay.toml", "--log", log}),
                   {log + ": has no robot \"1\", which \"create 1\" plays", "expected a log of the scenario's robots"});
 
+    expectOneLine(runMrose({"compare", "--log", log, "--robot", "nosuch.toml"}),
+                  {"--robot nosuch.toml: does not exist", "resources/robots/nosuch.toml", "expected a robot file"});
     const std::string blind = write("blind.csv", "robot,t,v_cmd,w_cmd\nreference,1,0.1,0\nreference,9,0.2,0\n");
     expectOneLine(runMrose({"compare", file, "--log", blind}),
                   {blind + ": has no ground truth of robot \"reference\"", "expected its poses"});

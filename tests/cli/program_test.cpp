@@ -202,6 +202,40 @@ TEST_F(Program, WindowsOfAReportCanBePredicted) {
     EXPECT_EQ(linesOf(read("p.csv")).size(), 1 + 100 * count);
 }
 
+TEST_F(Program, LogsAreFoundByNameInTheFolderOfData) {
+    const std::string net = network(), windowsFile = windows();
+    std::filesystem::create_directory(path("mrclam"));
+    write("mrclam/named.csv", plantedCsv());
+    const auto saysTheSame = [&](const std::vector<std::string>& words) {
+        const auto of = [&](const std::string& log) {
+            auto with = words;
+            std::replace(with.begin(), with.end(), std::string("LOG"), log);
+            return with;
+        };
+        expectOneLine(runMrose(of("named.csv")), {"named.csv: does not exist"});
+        const ProgramResult placed = runMrose(of(path("mrclam/named.csv"))),
+                            named = runWithData(path(""), of("named.csv"));
+        EXPECT_EQ(named.status, 0) << named.err;
+        EXPECT_EQ(replaced(named.out, "named.csv", ""), replaced(placed.out, "named.csv", "")) << words[0];
+    };
+    saysTheSame({"inspect", "LOG"});
+    saysTheSame({"evaluate", net, "--log", "LOG", "--no-floor"});
+    const std::string out = path("p.csv");
+    const std::vector<std::string> predict{"predict", net, "--log", "named.csv", "--windows", windowsFile, "-o", out};
+    expectOneLine(runMrose(predict), {"named.csv: does not exist"});
+    EXPECT_EQ(runWithData(path(""), predict).status, 0);
+    EXPECT_EQ(linesOf(read("p.csv")).size(), 1u + 4 * 100);
+    const auto train = trainWords("named.csv", path("b.net"));
+    expectOneLine(runMrose(train), {"named.csv: does not exist"});
+    EXPECT_EQ(runWithData(path(""), train).status, 0);
+    EXPECT_NE(read("b.net"), "");
+    // What is read is not overwritten, wherever it was found.
+    auto onto = predict;
+    onto.back() = path("mrclam/named.csv");
+    onto.emplace_back("--overwrite");
+    expectOneLine(runWithData(path(""), onto), {"is read by this command"});
+}
+
 TEST_F(Program, RobotNamedTwiceIsOneRobot) {
     const std::vector<std::string> words{"evaluate", network(), "--log", log(), "--no-floor", "--robots"};
     auto once = words, twice = words;

@@ -1,6 +1,7 @@
 #include "cli/workshop.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "identification/planted_log.h"
 #include "io/file.h"
@@ -51,6 +52,18 @@ std::string Workshop::windows() {
     std::string text = "dataset,robot,t_start,trajectory\n";
     for (int i = 0; i < 4; ++i) text += "0,planted,1700000003.5,run" + std::to_string(i) + '\n';
     return write("windows.csv", text);
+}
+
+ProgramResult runWithData(const std::string& folder, const std::vector<std::string>& words) {
+    const char* const before = std::getenv("MROSE_DATA");
+    const std::string kept = before == nullptr ? "" : before;
+    setenv("MROSE_DATA", folder.c_str(), 1);
+    ProgramResult result = runMrose(words);
+    if (before == nullptr)
+        unsetenv("MROSE_DATA");
+    else
+        setenv("MROSE_DATA", kept.c_str(), 1);
+    return result;
 }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {

@@ -42,6 +42,9 @@ private:
     TemporaryFolder folder_;
 };
 
+/// The program where MROSE_DATA names that folder.
+ProgramResult runWithData(const std::string& folder, const std::vector<std::string>& words);
+
 /// `text` with `from`, which must be in it, replaced by `to` where it first occurs.
 std::string replaced(std::string text, const std::string& from, const std::string& to);
 

@@ -307,6 +307,8 @@ TEST_F(LogOpeningTest, WhatCannotBeOpenedLeavesAllAsItIs) {
     OverlayRequest badRobot{own, ""}, noScenario{shipped(), path("missing.toml")}, otherRobots{shipped(), ""};
     badRobot.robotFile = write("bad.toml", "format = \"mrose robot\"\nversion = 1\nmass_kg = -1\n");
     otherRobots.robots = {"nobody"};
+    OverlayRequest noRobot{own, ""};
+    noRobot.robotFile = "nosuch.toml";
     OverlayRequest blind{noTruth, ""};
     blind.robotFile = "pioneer1.toml";
     const std::vector<std::pair<OverlayRequest, std::string>> wrong{
@@ -315,6 +317,7 @@ TEST_F(LogOpeningTest, WhatCannotBeOpenedLeavesAllAsItIs) {
         {{write("half.csv", text.substr(0, text.rfind(',')) + "\n"), ""}, "half.csv:"},
         {blind, "has no ground truth"},
         {badRobot, "bad.toml"},
+        {noRobot, "--robot nosuch.toml: does not exist"},
         {noScenario, "missing.toml"},
         {otherRobots, "nobody"}};
     for (const auto& [request, words] : wrong) {

@@ -11,9 +11,11 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include <gmock/gmock.h>
 
+#include "evaluation/format.h"
 #include "export/plot_export.h"
 #include "export/report_dialog.h"
 #include "gui/file_fixture.h"
@@ -163,11 +165,23 @@ TEST_F(LogWindowTest, CurvesAreCalledByWhatDiffersAndAxesByTheirQuantity) {
     EXPECT_EQ(window.plots().view().titles(),
               (QStringList{name + ": position error (cm)", name + QString::fromUtf8(": heading error (\u00b0)")}));
     auto* list = window.plots().findChild<QTreeWidget*>();
-    ASSERT_EQ(list->topLevelItemCount(), 4);
+    ASSERT_EQ(list->topLevelItemCount(), 6);
     for (int i = 0; i < 4; ++i) {
         EXPECT_EQ(list->topLevelItem(i)->text(0), i % 2 == 0 ? own : "velocity = command");
         EXPECT_EQ(list->topLevelItem(i)->text(2), i < 2 ? "cm" : QString::fromUtf8("\u00b0"));
     }
+    // What is dashed is named, with its number at the shown instant.
+    const DivergenceBound& bound = window.overlay().shownRow()->bound;
+    const DivergenceBound::At end = bound.bySteps.empty() ? bound.constant : bound.bySteps[99];
+    seek(500);
+    settleAll();
+    EXPECT_EQ(list->topLevelItem(4)->text(0), "bound");
+    EXPECT_EQ(list->topLevelItem(4)->text(1), fixedText(100 * end.position, 1));
+    EXPECT_EQ(list->topLevelItem(5)->text(1), fixedText(degrees * end.heading, 1));
+    EXPECT_EQ(list->topLevelItem(4)->text(2), "cm");
+    list->setCurrentItem(list->topLevelItem(4));
+    QTest::keyClick(list, Qt::Key_Delete);
+    EXPECT_EQ(window.plots().keys().size(), 4u);
     EXPECT_FALSE(list->isColumnHidden(2));
     EXPECT_GE(window.plots().view().width(), 0.6 * window.plots().width());
     EXPECT_EQ(window.plots().view().rangeOf(0).first, 0) << "no error is below zero";
@@ -195,6 +209,64 @@ TEST_F(LogWindowTest, PictureOfPlotsNamesLogCourseModelsAndBound) {
         EXPECT_THAT(text, HasSubstr(part));
     const QString colour = TimelineBar::colourOf(TimelineMark::Kind::divergence, Theme::light()).name();
     EXPECT_GE(QString::fromStdString(text).count(colour), 6) << "bound and mark of both axes and in the legend";
+}
+
+/// Against the comparison and its bound, wherever the run has come to.
+TEST_F(LogWindowTest, TableOfPlotsGoesToTheEndOfTheCourseAndHasTheBound) {
+    ASSERT_NO_FATAL_FAILURE(openLog());
+    window.overlay().addModel("velocity = command");
+    window.overlay().show(2);
+    settleAll();
+    seek(100);
+    settleAll();
+    const auto expectTable = [&](const std::string& name) {
+        ASSERT_TRUE(exportValues(window, qPath(name)));
+        window.background().settle();
+        QApplication::processEvents();
+        std::ifstream file(path(name));
+        std::vector<std::vector<std::string>> rows;
+        for (std::string line; std::getline(file, line);) {
+            rows.emplace_back();
+            std::istringstream cells(line);
+            for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
+        }
+        const ComparedCourse& course = compared();
+        const OverlayRow& row = *window.overlay().shownRow();
+        ASSERT_TRUE(row.divergence);
+        const Reality& reality = *window.shown()->frame->reality;
+        const Scene& scene = window.shown()->frame->scene();
+        constexpr int curves = 4;  // of position and heading, of the run and a model
+        const std::vector<std::string> last(rows[0].begin() + 2 + curves, rows[0].end());
+        EXPECT_THAT(last, ElementsAre("bound (cm)", "bound (\u00b0)", "leaves the real course", "ahead"));
+        std::size_t compared = 0, crossings = 0;
+        for (std::size_t i = 1; i < rows.size(); ++i) {
+            const std::vector<std::string>& cells = rows[i];
+            ASSERT_EQ(cells.size(), rows[0].size());
+            const std::int64_t tick = std::stoll(cells[1]);
+            EXPECT_EQ(cells.back(), tick > 100 ? "1" : "0");
+            const bool leaves = scene.timeOf(tick) == row.divergence->time;
+            EXPECT_EQ(cells[cells.size() - 2], leaves ? "1" : "0") << tick;
+            crossings += leaves ? 1 : 0;
+            if (tick < 5 || tick % 5 != 0) continue;
+            const auto k = static_cast<std::size_t>(tick / 5 - 1);
+            ++compared;
+            EXPECT_NEAR(std::stod(cells[2]), 100 * course.errors.position[k], 1e-3) << tick;
+            const auto error = reality.modelError(reality.models.front(), 0, scene.timeOf(tick));
+            ASSERT_TRUE(error);
+            EXPECT_NEAR(std::stod(cells[3]), 100 * error->position, 1e-3) << tick;
+            const DivergenceBound::At at = row.bound.bySteps.empty() ? row.bound.constant : row.bound.bySteps[k];
+            EXPECT_NEAR(std::stod(cells[2 + curves]), 100 * at.position, 1e-9) << tick;
+            EXPECT_NEAR(std::stod(cells[3 + curves]), degrees * at.heading, 1e-9) << tick;
+        }
+        EXPECT_EQ(compared, course.errors.position.size()) << "each instant of the whole course";
+        EXPECT_EQ(crossings, 1u);
+    };
+    window.overlay().setBound({{0.02, 0.05}, false});
+    settleAll();
+    expectTable("constant.csv");
+    window.overlay().setBound({{0.02, 0.05}, true});
+    settleAll();
+    if (window.overlay().shownRow()->divergence) expectTable("held_out.csv");
 }
 
 TEST_F(LogWindowTest, MenusOfferLogsWithoutOneBeingOpen) {

@@ -1,5 +1,8 @@
 // How an overlay is looked at: its list, and the field about the course that is picked.
+#include <QComboBox>
 #include <QDockWidget>
+#include <QStyle>
+#include <QTextLayout>
 #include <QTreeWidget>
 #include <cmath>
 
@@ -46,6 +49,50 @@ protected:
         EXPECT_LT(std::min(across, up), 1.4);
     }
 };
+
+TEST_F(OverlayViewTest, SaysWhoseFiguresOfTheModelsAreShown) {
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {OverlayPlan::Cut::every, 0, 2}));
+    auto* whose = panel.findChild<QComboBox*>("figures");
+    ASSERT_NE(whose, nullptr);
+    const auto& [compared, evaluated] = overlay.models().front().figures;
+    ASSERT_TRUE(compared && *compared && evaluated && *evaluated);
+    const QString with = fixedText((*compared)->counted.p, 2), open = fixedText((*evaluated)->p, 2);
+    ASSERT_NE(with, open);
+    EXPECT_TRUE(whose->currentText().contains("with contacts (compare)"));
+    EXPECT_EQ(panel.models().topLevelItem(0)->text(1), with);
+    const QString both = panel.models().topLevelItem(0)->toolTip(1);
+    EXPECT_TRUE(both.contains("P " + with) && both.contains("P " + open)) << both.toStdString();
+    whose->setCurrentIndex(1);
+    EXPECT_TRUE(whose->currentText().contains("open loop (evaluate)"));
+    EXPECT_EQ(panel.models().topLevelItem(0)->text(1), open);
+}
+
+/// Laid out once more as the style does it.
+TEST_F(OverlayViewTest, NamesOfCausesAreWhole) {
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped()));
+    overlay.setBound({{0.02, 0.05}, false});
+    settleAll();
+    clickLine(0);
+    ASSERT_TRUE(overlay.finding() && overlay.finding()->diagnosis);
+    QTreeWidget& causes = panel.causes().causes();
+    causes.topLevelItem(0)->setText(0, QString("a cause of many words, more than one line holds, ").repeated(2));
+    causes.setColumnWidth(1, causes.columnWidth(1) + 1);
+    const int side = causes.style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, &causes) + 1;
+    for (int i = 0; i < causes.topLevelItemCount(); ++i) {
+        QTreeWidgetItem& item = *causes.topLevelItem(i);
+        QTextLayout text(item.text(0), item.font(0).resolve(causes.font()));
+        text.beginLayout();
+        double height = 0;
+        for (QTextLine line = text.createLine(); line.isValid(); line = text.createLine()) {
+            line.setLineWidth(causes.columnWidth(0) - 2 * side);
+            height += line.height();
+        }
+        text.endLayout();
+        EXPECT_LE(height, causes.visualItemRect(&item).height()) << item.text(0).toStdString();
+        EXPECT_TRUE(i > 0 || text.lineCount() > 1);
+    }
+    EXPECT_GE(causes.viewport()->height(), causes.visualItemRect(causes.topLevelItem(0)).height());
+}
 
 TEST_F(OverlayViewTest, PickedCourseIsSeenFromNearUntilTheUserLooksElsewhere) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {OverlayPlan::Cut::every, 0, 2}));

@@ -7,9 +7,12 @@
 #include <QPushButton>
 
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
+#include "evaluation/format.h"
 #include "export/report_dialog.h"
 #include "gui/export_fixture.h"
+#include "reality/overlay.h"
 #include "scripting/window_script.h"
 #include "session/background_work.h"
 #include "support/places.h"
@@ -128,6 +131,105 @@ TEST_F(ReportExportTest, DialogueAsksForWhatItTakes) {
     ASSERT_EQ(said().size(), 1u);
     EXPECT_THAT(said()[0], HasSubstr("report.html"));
     EXPECT_EQ(window.messages().messages()[0].buttons[0].text, "Open");
+}
+
+/// A window with a log over its simulation: what it shows is what its dialogue offers.
+class ComparisonDialogTest : public ReportExportTest {
+protected:
+    void open(const OverlayRequest& request, const std::optional<OverlayPlan>& plan = {}) {
+        const auto opened = overlay.openNow(request, plan);
+        ASSERT_TRUE(opened) << opened.error().message();
+        settleOverlay();
+    }
+    void settleOverlay() {
+        for (int i = 0; i < 3; ++i) {
+            overlay.settle();
+            settle();
+        }
+    }
+    /// By the dialogue as it is offered, to the last byte beside that of the program.
+    void expectTheOneOf(std::vector<std::string> words) {
+        for (const char* made : {"report", "theirs"}) std::filesystem::remove_all(place(made));
+        words.insert(words.end(), {"--report", place("report"), "--quiet"});
+        const ProgramResult ran = runMrose(words);
+        ASSERT_EQ(ran.status, 0) << ran.err;
+        std::filesystem::rename(place("report"), place("theirs"));
+        window.actions()["export_comparison"].trigger();
+        auto* dialog = window.findChild<ReportDialog*>("comparison_dialog");
+        dialog->findChild<QLineEdit*>("folder")->setText(path("report"));
+        dialog->start();
+        EXPECT_FALSE(dialog->isVisible()) << dialog->findChild<QLabel*>("error")->text().toStdString();
+        finish();
+        ASSERT_TRUE(isThere("report/results.json"));
+        for (const char* file : {"errors.csv", "courses.csv", "report.html", "results.json"}) {
+            // All but the words of the command.
+            std::string ours = read(std::string("report/") + file), theirs = read(std::string("theirs/") + file);
+            const std::size_t at = theirs.find(" --quiet");
+            if (at != std::string::npos) theirs.erase(at, std::string(" --quiet").size());
+            EXPECT_TRUE(ours == theirs) << file;
+        }
+    }
+    /// Those of the report against those of the window's list.
+    void expectTheWindowsDivergences() {
+        const auto json = nlohmann::json::parse(read("report/results.json"));
+        std::size_t leaving = 0;
+        for (const OverlayRow& row : overlay.rows()) leaving += row.divergence ? 1 : 0;
+        EXPECT_GT(leaving, 0u);
+        EXPECT_EQ(json["divergence"]["all"]["diverging"], leaving) << json["divergence"].dump();
+    }
+
+    Overlay& overlay = window.overlay();
+};
+
+TEST_F(ComparisonDialogTest, TakesOverStartLengthBoundAndModels) {
+    const std::string log = shippedLog() + "/random.csv", other = place("other.net");
+    std::filesystem::copy_file(sourceFolder() / "nets/create.net", other);
+    ASSERT_NO_FATAL_FAILURE(open({log, ""}, OverlayPlan{OverlayPlan::Cut::every, 1.5, 4, 20.0}));
+    overlay.addModel(other);
+    overlay.setBound({{0.03, 7 / degrees}, false});
+    settleOverlay();
+    expectTheOneOf({"compare", "--log", log, "--start", "1.5", "--duration", "20.0", "--every", "4.0",
+                    "--bound-position", "0.03", "--bound-heading", "7.0", "--model", other});
+    expectTheWindowsDivergences();
+    overlay.setBound({{}, true});
+    ASSERT_TRUE(overlay.setPlan({OverlayPlan::Cut::once, 0, 8}));
+    settleOverlay();
+    expectTheOneOf({"compare", "--log", log, "--duration", "8.0", "--model", other});
+}
+
+TEST_F(ComparisonDialogTest, TakesOverWindowsAndWhatDrove) {
+    const std::string log = place("own.csv");
+    std::filesystem::copy_file(shippedLog() + "/random.csv", log);
+    OverlayRequest request{log, ""};
+    request.robotFile = "pioneer1.toml";
+    request.seed = 7;
+    ASSERT_NO_FATAL_FAILURE(open(request, OverlayPlan{OverlayPlan::Cut::windows, 0, 5}));
+    expectTheOneOf(
+        {"compare", "--log", log, "--robot", "pioneer1.toml", "--duration", "5.0", "--windows", "all", "--seed", "7"});
+    const auto json = nlohmann::json::parse(read("report/results.json"));
+    EXPECT_EQ(json["all"]["courses"], overlay.rows().size());
+}
+
+TEST_F(ComparisonDialogTest, NumbersThatMakeNoSenseAreSaidAndNothingIsWritten) {
+    ASSERT_NO_FATAL_FAILURE(open({shippedLog() + "/random.csv", ""}));
+    window.actions()["export_comparison"].trigger();
+    auto* dialog = window.findChild<ReportDialog*>("comparison_dialog");
+    dialog->findChild<QLineEdit*>("folder")->setText(path("report"));
+    const auto said = [&](const char* name, const char* text) {
+        auto* line = dialog->findChild<QLineEdit*>(name);
+        const QString before = line->text();
+        line->setText(text);
+        dialog->start();
+        line->setText(before);
+        return dialog->findChild<QLabel*>("error")->text().toStdString();
+    };
+    EXPECT_THAT(said("every", "often"), HasSubstr("\"often\" makes no sense"));
+    EXPECT_THAT(said("start", "-1"), HasSubstr("from 0"));
+    EXPECT_THAT(said("heading", "200"), HasSubstr("to 180"));
+    EXPECT_THAT(said("windows", "all"), HasSubstr("windows begin where they are"));
+    dialog->findChild<QLineEdit*>("scenario")->setText("soccer.toml");
+    EXPECT_THAT(said("robot", "pioneer1.toml"), HasSubstr("leave out the robot file"));
+    EXPECT_FALSE(isThere("report"));
 }
 
 }  // namespace

@@ -60,6 +60,40 @@ TEST_F(MessageBarTest, NotesGiveWayBeforeErrorsAndTheNewestStays) {
     EXPECT_THAT(texts(), ElementsAre("e2", "e3", "e4", "last"));
 }
 
+TEST_F(MessageBarTest, MoreThanTwoNotesFoldIntoALineThatOpens) {
+    const auto seen = [&] {
+        QApplication::processEvents();
+        std::vector<std::string> lines;
+        for (const QLabel* label : bar.findChildren<QLabel*>("message_text"))
+            if (label->isVisible()) lines.push_back(label->text().toStdString());
+        return lines;
+    };
+    const auto offered = [&]() -> QToolButton* {
+        for (auto* button : bar.findChildren<QToolButton*>("more_notes"))
+            if (button->isVisible()) return button;
+        return nullptr;
+    };
+    bar.add({Kind::note, "a"});
+    bar.add({Kind::note, "b"});
+    EXPECT_THAT(seen(), ElementsAre("a", "b"));
+    EXPECT_EQ(offered(), nullptr);
+    bar.add({Kind::note, "c"});
+    bar.add({Kind::error, "broken"});
+    EXPECT_THAT(seen(), ElementsAre("c", "broken")) << "errors are always seen";
+    EXPECT_THAT(texts(), ElementsAre("a", "b", "c", "broken")) << "all are still there";
+    ASSERT_NE(offered(), nullptr);
+    EXPECT_EQ(offered()->text(), "2 more");
+    QTest::mouseClick(offered(), Qt::LeftButton);
+    EXPECT_THAT(seen(), ElementsAre("a", "b", "c", "broken"));
+    QTest::mouseClick(offered(), Qt::LeftButton);
+    EXPECT_THAT(seen(), ElementsAre("c", "broken"));
+    ASSERT_TRUE(bar.dismiss());
+    ASSERT_TRUE(bar.dismiss());
+    QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    EXPECT_THAT(seen(), ElementsAre("a", "b"));
+    EXPECT_EQ(offered(), nullptr);
+}
+
 TEST_F(MessageBarTest, ProgressGoesOnInItsLineAndIsNotDismissed) {
     bar.add({Kind::progress, "Saving", "work", {}, 0.25});
     auto* progress = bar.findChild<QProgressBar*>();

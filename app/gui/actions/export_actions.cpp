@@ -33,14 +33,16 @@ void addPlotExports(MainWindow& window, const QString& menu) {
                                                           QObject::tr("Pictures (*.pdf *.svg *.png)"), "_plots.pdf");
                                 },
                                 [&](const QString& path) { return exportPlots(window, path); }});
-    actions.add(menu,
-                {"export_values", QObject::tr("Plotted &values\u2026"), QKeySequence("Ctrl+Shift+V"),
-                 QObject::tr("Every number of what is plotted, of each tick, as CSV")},
-                Actions::Asking{[&] {
-                                    return askForPlotFile(window, QObject::tr("Export values"),
-                                                          QObject::tr("Tables (*.csv)"), "_values.csv");
-                                },
-                                [&](const QString& path) { return exportValues(window, path); }});
+    actions.add(
+        menu,
+        {"export_values", QObject::tr("Plotted &values\u2026"), QKeySequence("Ctrl+Shift+V"),
+         QObject::tr("Every number of what is plotted, of each tick, with the bound, as CSV; ahead is 1 of what "
+                     "is pale")},
+        Actions::Asking{[&] {
+                            return askForPlotFile(window, QObject::tr("Export values"), QObject::tr("Tables (*.csv)"),
+                                                  "_values.csv");
+                        },
+                        [&](const QString& path) { return exportValues(window, path); }});
 }
 
 void addSequenceExports(MainWindow& window, const QString& menu) {

@@ -67,13 +67,10 @@ std::vector<LegendEntry> legendOf(const std::vector<PlotCurve>& curves, const QS
 }
 
 /// What curves are held against, where it is drawn.
-void addReferences(std::vector<LegendEntry>& legend, const PlotView& view, const std::set<QString>& units,
-                   const Theme& theme) {
+void addReferences(std::vector<LegendEntry>& legend, const PlotPanel& plots, const Theme& theme) {
     const QColor colour = TimelineBar::colourOf(TimelineMark::Kind::divergence, theme);
-    const bool bound = std::any_of(view.levels().begin(), view.levels().end(),
-                                   [&](const PlotLevel& level) { return units.count(level.unit) > 0; });
-    if (bound) legend.push_back({QObject::tr("bound"), QPen(colour, 1, Qt::DashLine)});
-    if (view.instant()) legend.push_back({QObject::tr("upright: leaves the real course"), QPen(colour, 1)});
+    if (!plots.levels().empty()) legend.push_back({QObject::tr("bound"), QPen(colour, 1, Qt::DashLine)});
+    if (plots.view().instant()) legend.push_back({QObject::tr("upright: leaves the real course"), QPen(colour, 1)});
 }
 
 /// What was driven, and by whom if it is one.
@@ -123,7 +120,7 @@ Picture plotPicture(const MainWindow& window) {
     auto legend = legendOf(curves, plots.ghostName(), time.last < time.end, theme);
     std::set<QString> units;
     for (const PlotCurve& curve : curves) units.insert(curve.unit);
-    addReferences(legend, shown, units, theme);
+    addReferences(legend, plots, theme);
     const int top = placeLegend(legend, QFontMetrics(font));
     QFont bold = font;
     bold.setBold(true);
@@ -179,6 +176,9 @@ struct ValueTable {
     std::vector<QString> names;  ///< with units
     std::vector<CourseColumns> courses;
     Nanoseconds tickLength = 0;
+    std::vector<QVector<QPointF>> ahead;  ///< PlotCurve::ahead of each of the first course's columns
+    std::vector<PlotLevel> levels;        ///< what some of them are held against
+    std::optional<std::int64_t> instant;  ///< at which they left that
 };
 
 /// Reads all values of a course, tick by tick.
@@ -210,6 +210,39 @@ private:
     std::vector<PlottedValue> values_;
 };
 
+/// A row of the table, of the ticks that are known and of those after them of which something is foreseen.
+class TableRow {
+public:
+    TableRow(const ValueTable& table, std::int64_t tick)
+        : table_(table), tick_(tick), ahead_(tick >= table.courses.front().end()) {}
+
+    std::string text(bool foresees) const {
+        std::string text = secondsText(tick_ * table_.tickLength, 2) + ',' + std::to_string(tick_);
+        const auto add = [&](double number) { text += std::isfinite(number) ? ',' + exact(number) : ","; };
+        for (const CourseColumns& course : table_.courses)
+            for (std::size_t column = 0; column < course.columns.size(); ++column)
+                add(ahead_ && &course == &table_.courses.front() ? foreseen(table_.ahead[column])
+                                                                 : course.at(column, tick_));
+        for (const PlotLevel& level : table_.levels) add(levelAt(level, static_cast<double>(tick_)));
+        if (table_.instant) text += tick_ == *table_.instant ? ",1" : ",0";
+        if (foresees) text += ahead_ ? ",1" : ",0";
+        return text + '\n';
+    }
+
+private:
+    double foreseen(const QVector<QPointF>& ahead) const {
+        const auto found =
+            std::lower_bound(ahead.begin(), ahead.end(), tick_,
+                             [](const QPointF& point, std::int64_t at) { return std::llround(point.x()) < at; });
+        const bool there = found != ahead.end() && std::llround(found->x()) == tick_;
+        return there ? found->y() : std::numeric_limits<double>::quiet_NaN();
+    }
+
+    const ValueTable& table_;
+    std::int64_t tick_;
+    bool ahead_;
+};
+
 std::string tableText(const ValueTable& table) {
     std::string text = "time_s,tick";
     std::int64_t first = std::numeric_limits<std::int64_t>::max(), end = std::numeric_limits<std::int64_t>::min();
@@ -218,17 +251,18 @@ std::string tableText(const ValueTable& table) {
         first = std::min(first, course.first);
         end = std::max(end, course.end());
     }
+    std::set<std::int64_t> ahead;
+    for (const QVector<QPointF>& points : table.ahead)
+        for (const QPointF& point : points)
+            if (std::isfinite(point.y()) && point.x() >= static_cast<double>(table.courses.front().end()))
+                ahead.insert(std::llround(point.x()));
+    for (const PlotLevel& level : table.levels) text += ',' + csvCell("bound (" + level.unit.toStdString() + ')');
+    if (table.instant) text += ",leaves the real course";
+    if (!ahead.empty()) text += ",ahead";
     text += '\n';
-    for (std::int64_t tick = first; tick < end; ++tick) {
-        text += secondsText(tick * table.tickLength, 2) + ',' + std::to_string(tick);
-        for (const CourseColumns& course : table.courses)
-            for (std::size_t column = 0; column < course.columns.size(); ++column) {
-                const double number = course.at(column, tick);
-                text += ',';
-                if (std::isfinite(number)) text += exact(number);
-            }
-        text += '\n';
-    }
+    const bool foresees = !ahead.empty();
+    for (std::int64_t tick = first; tick < end; ++tick) ahead.insert(tick);
+    for (const std::int64_t tick : ahead) text += TableRow(table, tick).text(foresees);
     return text;
 }
 
@@ -303,6 +337,10 @@ Expected<void> exportValues(MainWindow& window, const QString& path) {
         const PlottedValue value = plottedValue(*shown.frame->scenario, key).value_or(PlottedValue{});
         table.names.push_back(value.name.simplified() + (value.unit.isEmpty() ? "" : " (" + value.unit + ')'));
     }
+    for (const PlotCurve& curve : window.plots().view().curves())
+        if (!curve.ghost) table.ahead.push_back(curve.ahead);
+    table.levels = window.plots().levels();
+    table.instant = window.plots().view().instant();
     table.courses.push_back({shown.branch});
     if (const auto ghost = window.plots().ghostBranch())
         table.courses.push_back({*ghost, " [" + window.plots().ghostName() + ']'});

@@ -7,13 +7,16 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QLocale>
 #include <QMenu>
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <cmath>
 #include <filesystem>
 #include <map>
 
+#include "evaluation/format.h"
 #include "export/report_export.h"
 #include "reality/overlay.h"
 #include "shared/resources.h"
@@ -24,7 +27,7 @@
 namespace mrose::gui {
 namespace {
 
-constexpr int lineWidth = 380;
+constexpr int lineWidth = 380, numberWidth = 76;
 
 std::string textOf(const QLineEdit* line) { return line->text().trimmed().toStdString(); }
 
@@ -42,13 +45,32 @@ Expected<void> needed(std::initializer_list<std::pair<const QLineEdit*, const ch
 }
 
 /// Where the network of an overlay's model lies; empty: it is none.
-QString networkFile(const OverlayWorld& world, const std::string& model) {
-    if (!model.ends_with(".net")) return {};
-    for (const std::string& named : world.request.models)
-        if (std::filesystem::path(named).filename() == model && std::filesystem::exists(named))
-            return QString::fromStdString(named);
-    const std::filesystem::path shipped = resourceFolder() / "nets" / model;
-    return std::filesystem::exists(shipped) ? QString::fromStdString(shipped.string()) : QString();
+QString networkFile(const OverlayModel& model) {
+    if (!model.name.ends_with(".net")) return {};
+    const std::filesystem::path shipped = resourceFolder() / "nets" / model.name;
+    std::error_code ignored;
+    for (const std::filesystem::path& place : {std::filesystem::path(model.named), shipped})
+        if (!place.empty() && std::filesystem::exists(place, ignored)) return QString::fromStdString(place.string());
+    return {};
+}
+
+QString shortest(double number) { return QString::number(number, 'g', QLocale::FloatingPointShortest); }
+
+/// Where the simulated robots start, and when they have left the real course.
+void addPlan(std::map<QString, QString>& lines, const Overlay& overlay) {
+    using Cut = OverlayPlan::Cut;
+    const OverlayPlan& plan = overlay.plan();
+    const QString length = shortest(std::round(10 * plan.length) / 10);
+    const bool windows = plan.cut == Cut::windows;
+    lines["windows"] = windows ? allWindows : "";
+    lines["start"] = windows || plan.start == 0 ? "" : shortest(plan.start);
+    lines["every"] = plan.cut == Cut::every ? length : "";
+    lines["duration"] = plan.cut != Cut::every ? length : plan.stretch ? shortest(*plan.stretch) : "";
+    const Overlay::Bound& bound = overlay.bound();
+    // As people read it: a number of the window's boxes has been divided and is multiplied again.
+    const auto read = [&](double number) { return bound.fromHeldOut ? "" : shortest(std::round(1e6 * number) / 1e6); };
+    lines["position"] = read(100 * bound.at.position);
+    lines["heading"] = read(degrees * bound.at.heading);
 }
 
 /// What is open, as the lines of the dialogues have it.
@@ -57,18 +79,16 @@ std::map<QString, QString> linesOf(const Overlay& overlay) {
     if (!overlay.world()) return lines;
     const OverlayWorld& world = *overlay.world();
     lines["log"] = QString::fromStdString(world.place);
-    if (!world.request.scenario.empty())
-        lines["scenario"] = QString::fromStdString(world.request.scenario);
-    else if (world.world().log().format == "mrclam")
-        lines["scenario"] = "mrclam_replay.toml";
+    lines["scenario"] = QString::fromStdString(world.request.scenario);
+    lines["robot"] = QString::fromStdString(world.request.robotFile);
     QStringList networks, robots;
-    for (const OverlayModel& model : overlay.models()) networks << networkFile(world, model.name);
+    for (const OverlayModel& model : overlay.models()) networks << networkFile(model);
     lines["network"] = networks.takeFirst();
     networks.removeAll({});
-    lines["against"] = networks.join(", ");
+    lines["against"] = lines["models"] = networks.join(", ");
     for (const std::string& robot : world.request.robots) robots << QString::fromStdString(robot);
     lines["robots"] = robots.join(',');
-    if (overlay.plan().cut == OverlayPlan::Cut::every) lines["every"] = QString::number(overlay.plan().length);
+    addPlan(lines, overlay);
     return lines;
 }
 
@@ -79,11 +99,16 @@ void fillIn(const MainWindow& window, const ReportDialog& dialog) {
             line->setText(text);
 }
 
-QLineEdit* namedLine(const QString& name, const QString& tip) {
+QLineEdit* bareLine(const QString& name, const QString& tip) {
     auto* line = new QLineEdit;
     line->setObjectName(name);
-    line->setPlaceholderText(tip);
     line->setToolTip(tip);
+    return line;
+}
+
+QLineEdit* namedLine(const QString& name, const QString& tip) {
+    QLineEdit* line = bareLine(name, tip);
+    line->setPlaceholderText(tip);
     line->setMinimumWidth(lineWidth);
     return line;
 }
@@ -163,6 +188,22 @@ QLineEdit* ReportDialog::addPath(const QString& name, const QString& label, Kind
     return line;
 }
 
+void ReportDialog::addNumbers(const QString& label, const std::vector<NumberLine>& lines) {
+    auto* row = new QWidget;
+    auto* across = new QHBoxLayout(row);
+    across->setContentsMargins(0, 0, 0, 0);
+    for (const NumberLine& one : lines) {
+        QLineEdit* line = bareLine(one.name, one.tip);
+        line->setFixedWidth(numberWidth);
+        line->setPlaceholderText(one.nothing);
+        across->addWidget(line);
+        across->addWidget(new QLabel(one.after));
+    }
+    across->addStretch(1);
+    form_->addRow(label, row);
+    static_cast<QLabel*>(form_->labelForField(row))->setBuddy(row->findChild<QLineEdit*>());
+}
+
 void ReportDialog::choose(QLineEdit* line, Kind kind, const QString& kinds) {
     const QString from = line->text().isEmpty() ? window_.memory().lastFolder() : line->text();
     const QString chosen = kind == Kind::folder ? QFileDialog::getExistingDirectory(this, tr("Choose"), from)
@@ -193,6 +234,53 @@ QLineEdit* addLog(ReportDialog& dialog) {
 QLineEdit* addFolder(ReportDialog& dialog) {
     return dialog.addPath("folder", QObject::tr("&Folder"), ReportDialog::Kind::folder, QString(),
                           QObject::tr("Where report.html and its tables go; made if need be"));
+}
+
+/// A number that may be left out. Error: it is none, or out of range.
+Expected<std::optional<double>> numberIn(const ReportDialog& dialog, const char* name, double least, double most) {
+    const auto* line = dialog.findChild<QLineEdit*>(name);
+    const QString text = line->text().trimmed();
+    if (text.isEmpty()) return std::optional<double>{};
+    bool number = false;
+    const double value = text.toDouble(&number);
+    if (number && value >= least && value <= most) return std::optional<double>(value);
+    return fail("", '"' + text.toStdString() + "\" makes no sense there; expected a number from " +
+                        shortest(least).toStdString() + " to " + shortest(most).toStdString() + ": " +
+                        line->toolTip().toStdString());
+}
+
+/// What the comparison's dialogue asks for, as the flags of `mrose compare` do.
+Expected<ComparisonReport> comparisonIn(const ReportDialog& dialog, const OverlayWorldPointer& open) {
+    const auto line = [&](const char* name) { return dialog.findChild<QLineEdit*>(name); };
+    ComparisonReport report{{textOf(line("scenario")), textOf(line("log"))}};
+    LogComparisonRequest& what = report.what;
+    what.robots = listFrom(line("robots"));
+    what.robotFile = textOf(line("robot"));
+    what.windows = textOf(line("windows"));
+    if (open && open->place == what.log) what.seed = open->request.seed;
+    report.divergence.models = listFrom(line("models"));
+    std::optional<double> start, heading, position;
+    constexpr double longest = 1e7;  // s
+    struct Asked {
+        const char* name;
+        std::optional<double>& number;
+        double least, most;
+    };
+    for (const Asked& asked : {Asked{"start", start, 0, longest}, Asked{"duration", what.duration, 0.1, longest},
+                               Asked{"every", what.every, 0.1, longest}, Asked{"position", position, 0.01, 1e6},
+                               Asked{"heading", heading, 0.01, 180}}) {
+        auto number = numberIn(dialog, asked.name, asked.least, asked.most);
+        if (!number) return tl::unexpected(number.error());
+        asked.number = *number;
+    }
+    if (!what.scenario.empty() && !what.robotFile.empty())
+        return fail("", "a scenario tells what drove: leave out the robot file, or the scenario");
+    if (!what.windows.empty() && (start || what.every))
+        return fail("", "windows begin where they are: leave out where to begin and how often");
+    what.start = start.value_or(0);
+    if (position) report.divergence.position = *position / 100;
+    report.divergence.heading = heading;
+    return report;
 }
 
 }  // namespace
@@ -229,30 +317,34 @@ ReportDialog* showComparisonDialog(MainWindow& window) {
                                                 "`mrose compare` says it."));
     dialog->setObjectName("comparison_dialog");
     using Kind = ReportDialog::Kind;
-    const auto* scenario = dialog->addPath(
-        "scenario", QObject::tr("&Scenario"), Kind::file, QObject::tr("Scenarios (*.toml);;All files (*)"),
-        QObject::tr("One whose robots play a log; nothing: one that is made for the log"));
+    dialog->addPath("scenario", QObject::tr("&Scenario"), Kind::file, QObject::tr("Scenarios (*.toml);;All files (*)"),
+                    QObject::tr("One whose robots play a log; nothing: one that is made for the log"));
     const auto* log = addLog(*dialog);
-    const auto* robots = dialog->addWords("robots", QObject::tr("Ro&bots"),
-                                          QObject::tr("Of the log, as 1,2; nothing: all that are played"));
-    const auto* every = dialog->addWords("every", QObject::tr("Again &every"),
-                                         QObject::tr("s, from the real robots; nothing: one course"));
+    dialog->addPath("robot", QObject::tr("Robo&t file"), Kind::file, QObject::tr("Robots (*.toml);;All files (*)"),
+                    QObject::tr("What drove, where the log does not tell"));
+    dialog->addWords("robots", QObject::tr("Ro&bots"), QObject::tr("Of the log, as 1,2; nothing: all that are played"));
+    dialog->addNumbers(
+        QObject::tr("Again &every"),
+        {{"every", QObject::tr("once"), QObject::tr("s, from"),
+          QObject::tr("s, from the real robots; nothing: one course")},
+         {"start", "0", QObject::tr("s on, for"), QObject::tr("s after the log's start, where to begin")},
+         {"duration", QObject::tr("end"), QObject::tr("s"),
+          QObject::tr("s, how long; nothing: to the log's end, or what the scenario says")}});
+    dialog->addWords("windows", QObject::tr("W&indows"),
+                     QObject::tr("Instead: all, as mrose evaluate cuts the log; or a CSV file"));
+    dialog->addNumbers(QObject::tr("Bou&nd"),
+                       {{"position", QObject::tr("held out"), QObject::tr("cm or"),
+                         QObject::tr("cm: farther off it has left the real course; nothing: as held out")},
+                        {"heading", QObject::tr("held out"), QString::fromUtf8("\u00b0"),
+                         QObject::tr("degrees: turned by more it has left the real course; nothing: as held out")}});
+    dialog->addWords("models", QObject::tr("&Models"),
+                     QObject::tr("Networks that may explain it, beside those that ship; or nothing"));
     const auto* folder = addFolder(*dialog);
     dialog->setAction([=, &window]() -> Expected<void> {
         if (auto all = needed({{log, "a log"}, {folder, "a folder"}}); !all) return all;
-        LogComparisonRequest request{textOf(scenario), textOf(log)};
-        request.robots = listFrom(robots);
-        if (const OverlayWorldPointer& open = window.overlay().world(); open && open->place == request.log)
-            request.robotFile = open->request.robotFile;
-        if (!every->text().trimmed().isEmpty()) {
-            bool number = false;
-            const double seconds = every->text().trimmed().toDouble(&number);
-            if (!number || !(seconds >= 0.1 && seconds <= 1e7))
-                return fail(
-                    "", "starting again every \"" + textOf(every) + "\" s makes no sense; expected 0.1 at the least");
-            request.every = seconds;
-        }
-        return exportComparison(window, request, folder->text().trimmed(), dialog->replaces());
+        const auto report = comparisonIn(*dialog, window.overlay().world());
+        if (!report) return tl::unexpected(report.error());
+        return exportComparison(window, *report, folder->text().trimmed(), dialog->replaces());
     });
     fillIn(window, *dialog);
     dialog->show();

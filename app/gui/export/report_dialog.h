@@ -27,6 +27,11 @@ public:
     enum class Kind { file, log, folder };
     QLineEdit* addPath(const QString& name, const QString& label, Kind kind, const QString& kinds, const QString& tip);
     QLineEdit* addWords(const QString& name, const QString& label, const QString& tip);
+    /// A row of short lines for numbers, each with what no number means and what follows it.
+    struct NumberLine {
+        QString name, nothing, after, tip;
+    };
+    void addNumbers(const QString& label, const std::vector<NumberLine>& lines);
     bool replaces() const;
     /// What the button does; what is wrong is said in the dialogue.
     void setAction(std::function<Expected<void>()> run) { run_ = std::move(run); }

@@ -7,7 +7,6 @@
 #include "export/export_outcome.h"
 #include "io/file.h"
 #include "io/number_text.h"
-#include "shared/motion_models.h"
 #include "shared/plugin_process.h"
 #include "shared/shell_quoted.h"
 #include "window/main_window.h"
@@ -47,11 +46,29 @@ std::string commandOf(const LogEvaluationRequest& request, const std::string& fo
     return text + " --report " + shellQuoted(folder);
 }
 
-std::string commandOf(const LogComparisonRequest& request, const std::string& folder) {
-    std::string text = "mrose compare " + shellQuoted(request.scenario) + " --log " + shellQuoted(request.log);
-    if (!request.robots.empty()) text += " --robots " + shellQuoted(listOf(request.robots));
-    if (request.every) text += " --every " + numberText(*request.every);
-    return text + " --report " + shellQuoted(folder);
+std::string commandOf(const ComparisonReport& report, const std::string& folder) {
+    const auto& [request, divergence] = report;
+    std::string text = "mrose compare";
+    const auto add = [&text](const char* flag, const std::string& value) {
+        if (!value.empty()) text += flag + (' ' + shellQuoted(value));
+    };
+    const auto addNumber = [&](const char* flag, const std::optional<double>& value) {
+        if (value) add(flag, numberText(*value));
+    };
+    add("", request.scenario);
+    add(" --log", request.log);
+    add(" --robot", request.robotFile);
+    add(" --robots", listOf(request.robots));
+    if (request.start > 0) addNumber(" --start", request.start);
+    addNumber(" --duration", request.duration);
+    addNumber(" --every", request.every);
+    add(" --windows", request.windows);
+    if (request.seed) add(" --seed", std::to_string(*request.seed));
+    addNumber(" --bound-position", divergence.position);
+    addNumber(" --bound-heading", divergence.heading);
+    for (const std::string& model : divergence.models) add(" --model", model);
+    add(" --report", folder);
+    return text;
 }
 
 /// `make` gives what `write` writes; both may take long.
@@ -65,24 +82,20 @@ Outcome makeAndWrite(const std::function<Expected<Made>(const Progress&)>& make,
     return true;
 }
 
-/// As mrose compare has it without further flags.
 struct ComparisonWithCauses {
     LogComparison compared;
     ComparedDivergences divergences;
 };
 
-Expected<ComparisonWithCauses> compareWithCauses(const LogComparisonRequest& request,
-                                                 const LogComparisonPlugins& plugins, const std::string& folder,
-                                                 const Progress& progress) {
-    auto compared = compareLog(request, plugins, commandOf(request, folder),
+Expected<ComparisonWithCauses> compareWithCauses(const ComparisonReport& report, const LogComparisonPlugins& plugins,
+                                                 const std::string& folder, const Progress& progress) {
+    auto compared = compareLog(report.what, plugins, commandOf(report, folder),
                                [&](double share) { return progress(comparing * share); });
     if (!compared) return tl::unexpected(compared.error());
-    DivergenceOptions options{.fromHeldOut = true};
-    auto models = modelsToTry(compared->world, {});
-    if (!models) return tl::unexpected(models.error());
-    options.models = std::move(*models);
-    options.progress = [&](double share) { return progress(comparing + (1 - comparing) * share); };
-    auto divergences = divergencesOf(compared->world, compared->comparison, options);
+    auto options = divergenceOptions(compared->world, report.divergence);
+    if (!options) return tl::unexpected(options.error());
+    options->progress = [&](double share) { return progress(comparing + (1 - comparing) * share); };
+    auto divergences = divergencesOf(compared->world, compared->comparison, *options);
     if (!divergences) return tl::unexpected(divergences.error());
     return ComparisonWithCauses{std::move(*compared), std::move(*divergences)};
 }
@@ -104,7 +117,7 @@ Expected<void> exportReport(MainWindow& window, const LogEvaluationRequest& requ
         });
 }
 
-Expected<void> exportComparison(MainWindow& window, const LogComparisonRequest& request, const QString& folder,
+Expected<void> exportComparison(MainWindow& window, const ComparisonReport& report, const QString& folder,
                                 bool overwrite) {
     const std::string path = folder.toStdString();
     if (auto can = freeFolder(checkComparisonFolder(path, overwrite)); !can) return can;
@@ -112,10 +125,10 @@ Expected<void> exportComparison(MainWindow& window, const LogComparisonRequest& 
         return startPluginProcess(file, options, pluginLimit);
     }};
     return exportInBackground(
-        window, {QObject::tr("Comparing %1").arg(QString::fromStdString(request.scenario)), pageIn(folder)},
-        [request, path, plugins](const Progress& progress) {
+        window, {QObject::tr("Comparing %1").arg(QString::fromStdString(report.what.log)), pageIn(folder)},
+        [report, path, plugins](const Progress& progress) {
             return makeAndWrite<ComparisonWithCauses>(
-                [&](const Progress& goesOn) { return compareWithCauses(request, plugins, path, goesOn); },
+                [&](const Progress& goesOn) { return compareWithCauses(report, plugins, path, goesOn); },
                 [&](const ComparisonWithCauses& made) {
                     return writeComparison(made.compared.comparison, made.compared.world.parts().scene,
                                            made.compared.context, path, &made.divergences);

@@ -3,6 +3,7 @@
 #include <QString>
 
 #include "io/error.h"
+#include "shared/divergence_request.h"
 #include "shared/log_comparison.h"
 #include "shared/log_evaluation.h"
 
@@ -14,8 +15,13 @@ class MainWindow;
 /// report is there already, without `overwrite`; the folder cannot be written.
 Expected<void> exportReport(MainWindow& window, const LogEvaluationRequest& request, const QString& folder,
                             bool overwrite = false);
+/// What `mrose compare` is asked for.
+struct ComparisonReport {
+    LogComparisonRequest what;
+    DivergenceRequest divergence = {};
+};
 /// That of `mrose compare --report`.
-Expected<void> exportComparison(MainWindow& window, const LogComparisonRequest& request, const QString& folder,
+Expected<void> exportComparison(MainWindow& window, const ComparisonReport& report, const QString& folder,
                                 bool overwrite = false);
 
 }  // namespace mrose::gui

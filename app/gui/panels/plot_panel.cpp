@@ -1,48 +1,37 @@
 #include "panels/plot_panel.h"
 
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
-#include <QPainter>
 #include <QProgressBar>
 #include <QToolButton>
-#include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
+#include "panels/curve_list.h"
 #include "widgets/eliding_label.h"
+#include "widgets/timeline_bar.h"
 
 namespace mrose::gui {
 namespace {
 
 constexpr int mostSideWidth = 336, leastSideWidth = 120;
 constexpr double mostSideShare = 0.4;
-constexpr int sampleWidth = 18, numberRoom = 8;  // pixels
-constexpr std::int64_t worthABar = 2000;         // ticks to be computed
+constexpr int levelDecimals = 1;
+constexpr std::int64_t worthABar = 2000;  // ticks to be computed
 
 const Reality* realityOf(const std::shared_ptr<const Shown>& shown) {
     return shown ? shown->frame->reality.get() : nullptr;
 }
 
-/// The curve's line, as a legend shows it.
-QPixmap sampleOf(const PlotCurve& curve, double ratio) {
-    constexpr int width = sampleWidth, height = 12;
-    QPixmap sample(QSize(width, height) * ratio);
-    sample.setDevicePixelRatio(ratio);
-    sample.fill(Qt::transparent);
-    QPainter painter(&sample);
-    QPen pen = curvePen(curve);
-    pen.setWidthF(2.4);
-    pen.setCapStyle(Qt::FlatCap);
-    painter.setPen(pen);
-    painter.drawLine(QPointF(0, height / 2.0), QPointF(width - 2, height / 2.0));
-    return sample;
+QFont smallOf(QFont font) {
+    font.setPointSizeF(std::min(8.5, font.pointSizeF()));
+    return font;
 }
 
 }  // namespace
@@ -59,7 +48,7 @@ PlotPanel::PlotPanel(Session& session, QWidget* parent)
       view_(new PlotView),
       hint_(new QLabel(tr("Nothing is plotted. Click the small curve beside a number in the inspector, or write an "
                           "expression at the right."))),
-      list_(new QTreeWidget),
+      list_(new CurveList(smallOf(font()))),
       ghostNote_(new ElidingLabel),
       expression_(new QLineEdit),
       error_(new QLabel),
@@ -91,35 +80,16 @@ PlotPanel::~PlotPanel() = default;
 QWidget* PlotPanel::makeSide() {
     auto* side = new QWidget;
     side_ = side;
-    QFont small = font();
-    small.setPointSizeF(std::min(8.5, small.pointSizeF()));
+    const QFont small = smallOf(font());
     side->setFont(small);
     auto* layout = new QVBoxLayout(side);
     layout->setContentsMargins(4, 2, 6, 4);
     layout->setSpacing(3);
-    list_->setColumnCount(3);
-    list_->setHeaderHidden(true);
-    list_->setRootIsDecorated(false);
-    list_->setUniformRowHeights(true);
-    list_->setFrameShape(QFrame::NoFrame);
-    list_->setFont(small);
-    list_->setAccessibleName(tr("Curves"));
-    list_->header()->setStretchLastSection(false);
-    list_->header()->setMinimumSectionSize(20);
-    list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
-    list_->header()->setSectionResizeMode(1, QHeaderView::Fixed);
-    const QFontMetrics metrics(small);
-    list_->header()->resizeSection(1, metrics.horizontalAdvance("00.0") + numberRoom);
-    list_->header()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
-    list_->setTextElideMode(Qt::ElideMiddle);
-    list_->setIndentation(0);
-    list_->setIconSize({sampleWidth, 12});
-    list_->setContextMenuPolicy(Qt::CustomContextMenu);
     list_->installEventFilter(this);
     connect(list_, &QTreeWidget::customContextMenuRequested, this, [this](const QPoint& place) {
         const int row = list_->indexOfTopLevelItem(list_->itemAt(place));
         QMenu menu(this);
-        if (row >= 0)
+        if (row >= 0 && row < static_cast<int>(keys_.size()))
             menu.addAction(tr("&Remove"), this, [this, row] { remove(keys_[static_cast<std::size_t>(row)]); });
         menu.addAction(tr("Remove &all"), this, &PlotPanel::clear);
         menu.exec(list_->viewport()->mapToGlobal(place));
@@ -431,44 +401,52 @@ void PlotPanel::rebuild() {
     if (shown_) follow();
 }
 
+/// What the curves are held against comes last.
 void PlotPanel::updateList() {
-    while (list_->topLevelItemCount() > static_cast<int>(keys_.size()))
-        delete list_->takeTopLevelItem(list_->topLevelItemCount() - 1);
     const std::vector<PlottedValue> plotted = values();
     const std::vector<CurveWords> words =
         wordsOf(keys_, plotted, foresight() != nullptr ? foresight()->model : QString());
-    for (int i = 0; i < static_cast<int>(plotted.size()); ++i) {
-        QTreeWidgetItem* item = list_->topLevelItem(i);
-        if (item == nullptr) item = new QTreeWidgetItem(list_);
-        const PlottedValue& value = plotted[static_cast<std::size_t>(i)];
+    std::vector<CurveList::Line> lines;
+    for (std::size_t i = 0; i < plotted.size(); ++i) {
         PlotCurve curve;
-        curve.colour = looks_[static_cast<std::size_t>(i)].colour;
-        curve.style = looks_[static_cast<std::size_t>(i)].style;
-        item->setIcon(0, sampleOf(curve, devicePixelRatioF()));
-        item->setText(0, words[static_cast<std::size_t>(i)].label);
-        item->setToolTip(0, value.name.simplified());
-        item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
-        item->setText(2, value.unit);
-        item->setForeground(2, theme_.quietText);
+        curve.colour = looks_[i].colour;
+        curve.style = looks_[i].style;
+        lines.push_back({curvePen(curve), words[i].label, plotted[i].unit, plotted[i].name.simplified()});
     }
+    const QPen dashed(TimelineBar::colourOf(TimelineMark::Kind::divergence, theme_), 1, Qt::DashLine);
+    for (const PlotLevel& level : levels())
+        lines.push_back({dashed, tr("bound"), level.unit,
+                         tr("Farther off for 0.3 s it has left the real course; the upright line is where")});
+    list_->setLines(lines, theme_);
     updateNumbers();
+}
+
+std::vector<PlotLevel> PlotPanel::levels() const {
+    std::vector<PlotLevel> levels;
+    const std::vector<PlottedValue> plotted = values();
+    for (const PlotLevel& level : view_->levels())
+        if (std::any_of(plotted.begin(), plotted.end(), [&](const auto& value) { return value.unit == level.unit; }))
+            levels.push_back(level);
+    return levels;
+}
+
+void PlotPanel::setReferences(std::vector<PlotLevel> levels, std::optional<std::int64_t> instant) {
+    if (levels == view_->levels() && instant == view_->instant()) return;
+    view_->setReferences(std::move(levels), instant);
+    updateList();
 }
 
 /// At the mouse, or now.
 void PlotPanel::updateNumbers() {
     if (!shown_ || !isVisible()) return;
     const std::int64_t tick = hovered_.value_or(shown_->tick());
-    for (const PlotCurve& curve : view_->curves()) {
-        if (curve.ghost) continue;
-        const auto row = static_cast<int>(&curve - view_->curves().data()) %
-                         static_cast<int>(std::max<std::size_t>(keys_.size(), 1));
-        QTreeWidgetItem* item = list_->topLevelItem(row);
-        if (item == nullptr) continue;
-        item->setText(1, fixedText(curve.at(tick), curve.decimals));
-        // The column grows with its numbers and stays so: nothing jumps.
-        const int needed = list_->fontMetrics().horizontalAdvance(item->text(1)) + numberRoom;
-        if (needed > list_->columnWidth(1)) list_->setColumnWidth(1, needed);
-    }
+    const int count = static_cast<int>(keys_.size());
+    for (const PlotCurve& curve : view_->curves())
+        if (const auto row = static_cast<int>(&curve - view_->curves().data()) % std::max(count, 1); !curve.ghost)
+            list_->setNumber(row, curve.at(tick), curve.decimals);
+    int row = count;
+    for (const PlotLevel& level : levels())
+        list_->setNumber(row++, levelAt(level, static_cast<double>(tick)), levelDecimals);
 }
 
 void PlotPanel::updateProgress() {
@@ -491,7 +469,8 @@ bool PlotPanel::eventFilter(QObject* watched, QEvent* event) {
     if (watched != list_ || event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
     const int key = static_cast<QKeyEvent*>(event)->key();
     const int row = list_->indexOfTopLevelItem(list_->currentItem());
-    if ((key != Qt::Key_Delete && key != Qt::Key_Backspace) || row < 0) return QWidget::eventFilter(watched, event);
+    if ((key != Qt::Key_Delete && key != Qt::Key_Backspace) || row < 0 || row >= static_cast<int>(keys_.size()))
+        return QWidget::eventFilter(watched, event);
     remove(keys_[static_cast<std::size_t>(row)]);
     return true;
 }

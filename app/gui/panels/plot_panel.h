@@ -17,13 +17,14 @@ class QLabel;
 class QLineEdit;
 class QProgressBar;
 class QToolButton;
-class QTreeWidget;
 
 namespace mrose {
 class ElidingLabel;
 }
 
 namespace mrose::gui {
+
+class CurveList;
 
 /// What is plotted over the time of the shown branch, with the course beside it as ghosts; the list of the curves with
 /// their numbers; and a line for expressions.
@@ -63,6 +64,11 @@ public:
         bool operator==(const Foresight&) const = default;
     };
     void setForesight(Foresight foresight);
+
+    /// As of PlotView; the list names what is dashed.
+    void setReferences(std::vector<PlotLevel> levels, std::optional<std::int64_t> instant);
+    /// Those that are drawn: some curve is of their unit.
+    std::vector<PlotLevel> levels() const;
 
     const std::vector<ValueKey>& keys() const { return keys_; }
     std::map<ValueKey, QColor> plotted() const;
@@ -111,7 +117,7 @@ private:
     PlotView* view_;
     QLabel* hint_;
     QWidget* side_ = nullptr;
-    QTreeWidget* list_;
+    CurveList* list_;
     ElidingLabel* ghostNote_;  ///< which curves are the other branch's
     QLineEdit* expression_;
     QLabel* error_;

@@ -10,6 +10,7 @@
 #include <QToolButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 #include "comparison/divergence_text.h"
@@ -21,7 +22,8 @@ namespace {
 
 constexpr int explainedRole = Qt::UserRole;
 /// So many lines are seen at once.
-constexpr int shownCauses = 4;
+constexpr int shownLines = 4;
+constexpr int barWidth = 30, numberWidth = 44;  // pixels
 
 /// A share as a bar with its number.
 class ShareBar final : public QStyledItemDelegate {
@@ -31,13 +33,33 @@ public:
     void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
         QStyledItemDelegate::paint(painter, option, index);
         const double share = index.data(explainedRole).toDouble();
-        QRectF room = QRectF(option.rect).adjusted(4, 4, -44, -4);
+        const double line = option.fontMetrics.height() + 5, middle = option.rect.center().y() + 0.5;
+        QRectF room(option.rect.left() + 4, middle - line / 2 + 4, option.rect.width() - 4 - numberWidth, line - 8);
         QColor colour = option.palette.color(QPalette::Link);
         colour.setAlphaF(0.25);
         painter->fillRect(room, colour);
         room.setWidth(room.width() * std::clamp(share, 0.0, 1.0));
         colour.setAlphaF(1);
         painter->fillRect(room, colour);
+    }
+};
+
+/// A name in as many lines as it needs.
+class WrappedName final : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+        constexpr int margins = 8, spare = 4;  // pixels
+        QStyleOptionViewItem of = option;
+        initStyleOption(&of, index);
+        const QSize one = QStyledItemDelegate::sizeHint(option, index);
+        const auto* const view = qobject_cast<const QTreeView*>(option.widget);
+        if (view == nullptr) return one;
+        const QRect room(0, 0, view->columnWidth(index.column()) - margins, QWIDGETSIZE_MAX);
+        const int height = of.fontMetrics.boundingRect(room, Qt::TextWordWrap, of.text).height();
+        const int more = std::max(0, height - of.fontMetrics.height());
+        return {one.width(), one.height() + more + (more > 0 ? spare : 0)};
     }
 };
 
@@ -124,20 +146,30 @@ void CausePanel::makeCauses() {
     causes_->setHeaderLabels({tr("Changed in a re-run"), tr("explains")});
     causes_->setRootIsDecorated(false);
     causes_->setIndentation(0);
-    causes_->setUniformRowHeights(true);
+    causes_->setWordWrap(true);
     causes_->setFrameShape(QFrame::NoFrame);
     causes_->header()->setStretchLastSection(false);
     causes_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     causes_->header()->setSectionResizeMode(1, QHeaderView::Fixed);
-    causes_->header()->resizeSection(1, 100);
+    causes_->header()->resizeSection(1, barWidth + 4 + numberWidth);
     causes_->setItemDelegateForColumn(1, new ShareBar(causes_));
-    const int line = causes_->fontMetrics().height() + 5;
-    causes_->setFixedHeight((shownCauses + 1) * line + 6);
+    causes_->setItemDelegateForColumn(0, new WrappedName(causes_));
+    connect(causes_->header(), &QHeaderView::sectionResized, this, &CausePanel::fitCauses);
     connect(causes_, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item) {
         const auto trial = static_cast<std::size_t>(causes_->indexOfTopLevelItem(item));
         const bool again = overlay_.shownCause() == trial;
         overlay_.showCause(again ? std::nullopt : std::optional(trial));
     });
+}
+
+/// As high as its first lines are in this width.
+void CausePanel::fitCauses() {
+    causes_->doItemsLayout();
+    const int line = causes_->fontMetrics().height() + 5;
+    int height = 0;
+    for (int i = 0; i < std::min(shownLines, causes_->topLevelItemCount()); ++i)
+        height += causes_->visualItemRect(causes_->topLevelItem(i)).height();
+    causes_->setFixedHeight(std::clamp(height, line, shownLines * line) + line + 6);
 }
 
 void CausePanel::offer(QAction& speeds) {
@@ -219,6 +251,7 @@ void CausePanel::refreshCauses() {
         causes_->addTopLevelItem(item);
         if (overlay_.shownCause() == i) item->setSelected(true);
     }
+    fitCauses();
 }
 
 QString CausePanel::text() const {

@@ -29,6 +29,7 @@ public:
 private:
     QWidget* makeBound();
     void makeCauses();
+    void fitCauses();
     void applyBound();
     void refreshCauses();
     QString likely() const;

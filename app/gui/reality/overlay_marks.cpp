@@ -53,7 +53,7 @@ void markDivergences(MainWindow& window, const Overlay& overlay) {
         }
     }
     window.note(std::move(noted));
-    window.plots().view().setReferences(std::move(levels), instant);
+    window.plots().setReferences(std::move(levels), instant);
 }
 
 }  // namespace mrose::gui

@@ -55,6 +55,20 @@ QString aboutText(const Overlay& overlay) {
     return parts.join(", ");
 }
 
+QString figuresTip(bool open) {
+    return open ? QObject::tr(
+                      "P, Hd and errors as mrose evaluate has them: open loop, through everything, on its windows")
+                : QObject::tr("P, Hd and errors as mrose compare has them: of these courses, with contacts");
+}
+
+/// "P 1.50 %, Hd 3.10 % with contacts, as mrose compare, over 155 windows".
+QString figuresText(const Summary& summary, bool open) {
+    return QObject::tr("P %1 %, Hd %2 % %3, over %4")
+        .arg(fixedText(summary.p, 2), fixedText(summary.hd, 2),
+             open ? QObject::tr("open loop, as mrose evaluate") : QObject::tr("with contacts, as mrose compare"),
+             counted(summary.windows, QObject::tr("window"), QObject::tr("windows")));
+}
+
 /// Who walks through the courses by keys sees each of them.
 class CourseView final : public QTreeView {
 protected:
@@ -233,12 +247,16 @@ QWidget* OverlayPanel::makeModels() {
     auto* menu = new QMenu(add);
     connect(menu, &QMenu::aboutToShow, this, [this, menu] { fillModelMenu(*menu); });
     add->setMenu(menu);
-    free_ = new QCheckBox(tr("without contacts"));
-    free_->setToolTip(tr("Robots go through everything, on the windows of mrose evaluate; otherwise as mrose compare"));
-    connect(free_, &QCheckBox::toggled, this, &OverlayPanel::refreshModels);
+    figures_ = new QComboBox;
+    figures_->setObjectName("figures");
+    figures_->setAccessibleName(tr("Whose figures"));
+    figures_->addItem(tr("with contacts (compare)"));
+    figures_->addItem(tr("open loop (evaluate)"));
+    for (int i = 0; i < 2; ++i) figures_->setItemData(i, figuresTip(i == 1), Qt::ToolTipRole);
+    connect(figures_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &OverlayPanel::refreshModels);
     line->addWidget(add);
     line->addStretch(1);
-    line->addWidget(free_);
+    line->addWidget(figures_);
     layout->addWidget(models_);
     layout->addLayout(line);
     return part;
@@ -351,8 +369,12 @@ void OverlayPanel::fillList() {
     list_->verticalScrollBar()->setValue(scrolled);
 }
 
+bool OverlayPanel::showsEvaluated() const { return figures_->currentIndex() == 1; }
+
 /// The models' figures: with contacts as `mrose compare` has them, or without as `mrose evaluate`.
 void OverlayPanel::refreshModels() {
+    const bool open = showsEvaluated();
+    figures_->setToolTip(figuresTip(open));
     const QSignalBlocker quiet(models_);
     const QString current = models_->currentItem() != nullptr ? models_->currentItem()->text(0) : QString();
     models_->clear();
@@ -369,7 +391,7 @@ void OverlayPanel::refreshModels() {
             set(2, summary.hd, 2);
             set(3, 100 * position.median, 1);
             set(4, degrees * heading.median, 1);
-            item->setToolTip(1, tr("over %1").arg(counted(summary.windows, tr("window"), tr("windows"))));
+            item->setToolTip(1, figuresText(summary, open));
         };
         const auto showUnknown = [&](const Error* why) {
             for (int column = 1; column < 5 && why != nullptr; ++column) {
@@ -379,14 +401,17 @@ void OverlayPanel::refreshModels() {
             if (why == nullptr) item->setText(1, QString::fromUtf8("\u2026"));
         };
         const auto& [compared, evaluated] = model.figures;
-        if (free_->isChecked() && evaluated && *evaluated)
+        if (open && evaluated && *evaluated)
             show(**evaluated, (*evaluated)->positionFinal, (*evaluated)->headingFinal);
-        else if (free_->isChecked())
+        else if (open)
             showUnknown(evaluated ? &evaluated->error() : nullptr);
         else if (compared && *compared)
             show((*compared)->counted, (*compared)->positionFinal, (*compared)->headingFinal);
         else
             showUnknown(compared ? &compared->error() : nullptr);
+        // The others' are at hand, too.
+        if (compared && *compared && evaluated && *evaluated)
+            item->setToolTip(1, figuresText((*compared)->counted, false) + '\n' + figuresText(**evaluated, true));
         if (i > 0) {
             item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
             item->setCheckState(0, model.shown ? Qt::Checked : Qt::Unchecked);

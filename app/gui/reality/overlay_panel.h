@@ -50,6 +50,7 @@ private:
     void fitColumns();
     void fillModelMenu(QMenu& menu);
     void refreshModels();
+    bool showsEvaluated() const;
     void refreshList();
     void fillList();
     void select(std::size_t course, std::size_t robot);
@@ -68,7 +69,7 @@ private:
     QToolButton* stop_;
     QProgressBar* bar_;
     QTreeWidget* models_;
-    QCheckBox* free_;
+    QComboBox* figures_;  ///< whose the models' are
     QTreeView* list_;
     std::uint64_t listed_ = 0;                                     ///< Overlay::rowsVersion() of the list
     std::size_t fitted_ = 0;                                       ///< rows that the columns are wide enough for

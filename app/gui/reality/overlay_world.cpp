@@ -80,6 +80,8 @@ Expected<LoadedScenario> scenarioNamed(OverlayWorld& overlay, std::shared_ptr<co
 Expected<LoadedScenario> scenarioMade(OverlayWorld& overlay, std::shared_ptr<const Log>& log,
                                       const OpenProgress& progress, bool* untold) {
     const OverlayRequest& request = overlay.request;
+    if (!request.robotFile.empty())
+        if (const auto there = checkRobotFile(request.robotFile); !there) return tl::unexpected(there.error());
     overlay.place = fullPath(placeOfLog(request.log));
     auto read = logAt(overlay.place, {}, progress);
     if (!read) return tl::unexpected(read.error());

@@ -88,13 +88,13 @@ Expected<void> report(MainWindow& window, ScriptValues values) {
 
 Expected<void> comparison(MainWindow& window, ScriptValues values) {
     if (auto fit = checkTexts(values, "a scenario, a log and a folder"); !fit) return fit;
-    LogComparisonRequest request{std::get<std::string>(values[0]), std::get<std::string>(values[1])};
+    ComparisonReport report{{std::get<std::string>(values[0]), std::get<std::string>(values[1])}};
     if (!absent(values, 3)) {
         const double* every = valueAt<double>(values, 3);
         if (every == nullptr || !(*every >= 0.1 && *every <= 1e7)) return expectedAt("a number of seconds", 3);
-        request.every = *every;
+        report.what.every = *every;
     }
-    return exportComparison(window, request, QString::fromStdString(std::get<std::string>(values[2])));
+    return exportComparison(window, report, QString::fromStdString(std::get<std::string>(values[2])));
 }
 
 }  // namespace

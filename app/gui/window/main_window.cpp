@@ -327,7 +327,7 @@ std::uint64_t MainWindow::show(const OpenRun& run) {
     plannedTicks_ = run.course->scene().ticksOf(run.course->scenario->parts().duration);
     field().setSelected(std::nullopt);
     realityMarks_.setNoted({});
-    plots_->view().setReferences({}, {});
+    plots_->setReferences({}, {});
     return session_->open(run);
 }
 
