@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "comparison/truth_jumps.h"
 #include "evaluation/format.h"
 #include "experiment/run_statistics.h"
 #include "experiment/touch_counter.h"
@@ -36,6 +37,19 @@ bool gapBefore(const Trajectory& trajectory, Nanoseconds start, Nanoseconds step
     return false;
 }
 
+std::vector<std::size_t> stepsOfJumps(const Trajectory& trajectory, Nanoseconds start, int steps, Nanoseconds step) {
+    std::vector<std::size_t> jumps;
+    const Nanoseconds end = start + steps * step;
+    for (const TruthJump& jump : truthJumps(trajectory, start - truthSmoothed, end + truthSmoothed)) {
+        const auto stepOf = [&](Nanoseconds time) { return std::max<Nanoseconds>(0, time - start + step - 1) / step; };
+        const auto first = static_cast<std::size_t>(stepOf(jump.before - truthSmoothed + 1)),
+                   last = static_cast<std::size_t>(stepOf(std::min(end, jump.after + truthSmoothed)));
+        for (std::size_t k = std::max({first, std::size_t{1}, jumps.empty() ? 0 : jumps.back() + 1}); k <= last; ++k)
+            jumps.push_back(k);
+    }
+    return jumps;
+}
+
 /// What the real robot did.
 ComparedCourse realCourse(const LogWorld& world, const CourseRequest& request, std::size_t robot,
                           const std::optional<RolloutStart>& start, const WindowOptions& options) {
@@ -50,6 +64,7 @@ ComparedCourse realCourse(const LogWorld& world, const CourseRequest& request, s
     real.steady = trajectory.steady;
     for (int k = 0; k <= request.steps; ++k)
         real.truth.push_back(knownTruth(trajectory, real.start + k * options.step));
+    course.jumps = stepsOfJumps(trajectory, real.start, request.steps, options.step);
     if (start) {
         real.measuredPose = start->pose;
         real.measuredVelocity = start->velocity;

@@ -31,6 +31,7 @@ struct ComparedCourse {
     CourseUse use = CourseUse::counted;
     /// Truth at the steps() + 1 instants, not a number where it is not known; what was measured at the start.
     Window real;
+    std::vector<std::size_t> jumps = {};                ///< steps, 1 ..., whose truth knows of a jump, ascending
     std::vector<Pose> simulated;                        ///< after each step: steps() poses; none of an absent robot
     WindowErrors errors;                                ///< not a number where the truth is not known
     std::int64_t touches = 0;                           ///< how often it began to touch something in the simulation

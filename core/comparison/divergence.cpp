@@ -56,12 +56,20 @@ DivergenceBound heldOutBound(const MotionNetwork::HeldOut& heldOut, const Compar
     const std::vector<Pose>& truth = course.real.truth;
     DivergenceBound bound;
     double path = 0, rotation = 0;
+    const auto travel = [](const Pose& a, const Pose& b) {
+        const double distance = std::hypot(b.x - a.x, b.y - a.y);
+        return std::isfinite(distance) ? std::pair{distance, std::abs(b.heading - a.heading)} : std::pair{0.0, 0.0};
+    };
+    auto jump = course.jumps.begin();
     for (std::size_t k = 1, from = 0; k < truth.size(); ++k) {
-        const auto add = [&](const Pose& a, const Pose& b) {
-            const double distance = std::hypot(b.x - a.x, b.y - a.y);
-            return std::isfinite(distance) ? std::pair{distance, std::abs(b.heading - a.heading)} : std::pair{0.0, 0.0};
-        };
-        const auto [distance, turn] = add(truth[from], truth[k]);
+        if (jump != course.jumps.end() && *jump == k) {  // nobody drove that
+            const auto [distance, turn] = travel(truth[from], truth[k - 1]);
+            path += distance;
+            rotation += turn;
+            from = k;
+            ++jump;
+        }
+        const auto [distance, turn] = travel(truth[from], truth[k]);
         bound.bySteps.push_back(
             {std::max(least.position, timesTypical * 2 * p * (path + distance)),
              std::max({least.heading, timesTypical * 2 * p * 2, timesTypical * 2 * hd * (rotation + turn)})});

@@ -24,6 +24,8 @@ constexpr double worthATick = 0.01;   // more than with fewer
 constexpr double alike = 0.1;         // within it the more specific cause is the likelier
 constexpr double beyondNoise = 0.85;  // so much is no accident, even where noise could do it alone
 constexpr int noiseRuns = 40;
+/// Commands that change in steps closer than this are one change: the best of them stands for all.
+constexpr Nanoseconds oneTurn = 150'000'000;
 constexpr Nanoseconds partingSpans[] = {500'000'000, 1'000'000'000, 2'000'000'000};
 /// Of noisy runs; high, because a divergence is looked at where the error is large.
 constexpr double likelyShare = 0.975;
@@ -131,7 +133,7 @@ private:
         const Command& command = jump.command.command;
         const auto what = [&](const std::string& change) {
             return "command at " + sinceStart(time) + " s " + change + " (" + fixed(command.v, 2) + " m/s, " +
-                   fixed(degrees * command.w, 0) + " deg/s)";
+                   fixed(command.w, 2) + " rad/s)";
         };
         const auto later = [&](Nanoseconds late) {
             return std::pair(what(time + late < jump.next ? inMilliseconds(late) + " later" : "not obeyed"),
@@ -140,8 +142,19 @@ private:
         const auto sooner = [&](Nanoseconds early) {
             return std::pair(what(inMilliseconds(early) + " sooner"), rerun_.holding(command, time - early, time));
         };
-        return addBetter(bestOf(CauseKind::command, singleCommand, later),
-                         bestOf(CauseKind::command, singleCommand, sooner));
+        const bool sameTurn =
+            lastJump_ && time - *lastJump_ < oneTurn && diagnosis_.trials.back().kind == CauseKind::command;
+        lastJump_ = time;
+        std::optional<CauseTrial> before;
+        if (sameTurn) {
+            before = std::move(diagnosis_.trials.back());
+            diagnosis_.trials.pop_back();
+        }
+        const bool goesOn = addBetter(bestOf(CauseKind::command, singleCommand, later),
+                                      bestOf(CauseKind::command, singleCommand, sooner));
+        if (before && before->explained >= diagnosis_.trials.back().explained)
+            diagnosis_.trials.back() = std::move(*before);
+        return goesOn;
     }
 
     /// What explains more than the other by what a tick is worth.
@@ -168,8 +181,8 @@ private:
         const auto velocity = velocityAt(rerun_.trajectory().poses, rerun_.course().real.start);
         if (!velocity) return goesOn();
         return add(CauseKind::startVelocity,
-                   "velocity at the start " + fixed(velocity->v, 3) + " m/s, " + fixed(degrees * velocity->w, 1) +
-                       " deg/s, from both sides of it",
+                   "velocity at the start " + fixed(velocity->v, 3) + " m/s, " + fixed(velocity->w, 2) +
+                       " rad/s, from both sides of it",
                    rerun_.startingAt(*velocity));
     }
 
@@ -261,6 +274,7 @@ private:
     const CourseRerun& rerun_;
     const DiagnosisOptions& options_;
     Diagnosis& diagnosis_;
+    std::optional<Nanoseconds> lastJump_;  ///< of the commands that were tried
     std::span<const Pose> truth_, base_;
     double baseRms_ = 0, works_ = 1, done_ = 0;
 };

@@ -48,7 +48,7 @@ std::string partingText(const Diagnosis& diagnosis) {
         "turned " + inDegrees(std::abs(parting.turn)) + " more to the" + side(parting.turn));
     if (parts.empty()) return {};
     std::string text = parting.explained >= 0.5 ? "most of it" : "a part of it";
-    text += " (" + fixed(100 * parting.explained, 0) + " %) from " + secondsText(parting.from) + " to " +
+    text += " (" + fixed(100 * parting.explained, 0) + " %) arose from " + secondsText(parting.from) + " to " +
             secondsText(parting.to) + " s, when the real robot ";
     for (std::size_t i = 0; i < parts.size(); ++i)
         text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];

@@ -4,13 +4,14 @@
 #include <cmath>
 
 #include "comparison/command_jumps.h"
+#include "comparison/truth_jumps.h"
 #include "evaluation/format.h"
 #include "logs/conditioning.h"
 
 namespace mrose {
 namespace {
 
-constexpr std::size_t mostBlips = 8;
+constexpr std::size_t mostBlips = 8, mostJumps = 4;
 constexpr Nanoseconds poseGap = 200'000'000;
 /// Truth behind a gap from which a velocity is told.
 constexpr Nanoseconds settled = 100'000'000;
@@ -58,21 +59,30 @@ DefectsNear defectsNear(const Trajectory& trajectory, const MotionModel& model, 
     const std::vector<Pose>& truth = course.real.truth;
     const int steps = static_cast<int>(course.simulated.size());
     const auto known = [&](int k) { return k == 0 || std::isfinite(truth[static_cast<std::size_t>(k)].x); };
-    const auto add = [&](const Pause& pause, Nanoseconds over, const char* without) {
-        int from = static_cast<int>(std::max<Nanoseconds>(0, pause.begin - start) / step);
+    const auto add = [&](const std::string& what, Nanoseconds begin, Nanoseconds over) {
+        int from = static_cast<int>(std::max<Nanoseconds>(0, begin - start) / step);
         int to = static_cast<int>((over - start + step - 1) / step);
         while (from > 0 && !known(from)) --from;
         while (to < steps && !known(to)) ++to;
         if (to >= steps || !known(from) || !known(to) || to <= from) return;
-        found.gaps.push_back({"carried over " + fixed(toSeconds(pause.end - pause.begin), 2) + " s without " + without +
-                                  " from " + fixed(toSeconds(pause.begin - start), 2) + " s on",
-                              from, to});
+        found.gaps.push_back({what, from, to});
+    };
+    const auto addPause = [&](const Pause& pause, Nanoseconds over, const char* without) {
+        add("carried over " + fixed(toSeconds(pause.end - pause.begin), 2) + " s without " + without + " from " +
+                fixed(toSeconds(pause.begin - start), 2) + " s on",
+            pause.begin, over);
     };
     const Nanoseconds commandGap = std::max<Nanoseconds>(500'000'001, 3 * usualPause(trajectory.commands));
     for (const Pause& pause : pausesOf(trajectory.commands, since, end, commandGap))
-        add(pause, pause.end + commandsShowFor(model), "commands");
+        addPause(pause, pause.end + commandsShowFor(model), "commands");
     for (const Pause& pause : pausesOf(trajectory.poses, start, end, poseGap))
-        add(pause, pause.end + settled, "ground truth");
+        addPause(pause, pause.end + settled, "ground truth");
+    std::vector<TruthJump> jumps = truthJumps(trajectory, start, end + truthSmoothed);
+    if (jumps.size() > mostJumps) jumps.erase(jumps.begin(), jumps.end() - static_cast<std::ptrdiff_t>(mostJumps));
+    for (const TruthJump& jump : jumps)
+        add("carried over the ground truth's jump at " + fixed(toSeconds(jump.after - start), 2) + " s (" +
+                fixed(100 * jump.distance, 0) + " cm, " + fixed(degrees * jump.turn, 0) + "°)",
+            jump.before - truthSmoothed, jump.after + 2 * truthSmoothed);
     return found;
 }
 

@@ -19,7 +19,8 @@ struct DefectsNear {
 };
 
 /// Gaps of commands are pauses longer than 0.5 s and than three usual ones of that log: one that notes changes alone
-/// has long pauses without losing anything. Gaps of truth are 0.2 s and more. A gap behind whose end the truth is not
+/// has long pauses without losing anything. Gaps of truth are 0.2 s and more; its jumps (truthJumps) are some, too: of
+/// many, the last before the divergence. A gap behind whose end the truth is not
 /// known again is left out.
 DefectsNear defectsNear(const Trajectory& trajectory, const MotionModel& model, const ComparedCourse& course,
                         Nanoseconds step, Nanoseconds divergence);

@@ -262,6 +262,53 @@ TEST(Diagnosis, SaysWhatItFound) {
     EXPECT_EQ(causeText(*pushed).find("none of these; the best, "), 0u) << causeText(*pushed);
 }
 
+TEST(Diagnosis, JumpOfTheTruthIsSaidWithItsExtent) {
+    const PlantedCourse compared = firstOf(Planted::truthJump);
+    const std::vector<std::size_t>& jumps = compared.course().jumps;
+    ASSERT_FALSE(jumps.empty());
+    // Steps that know of it follow each other; beyond them it drives at most 1 m/s.
+    EXPECT_LE(jumps.size(), 4u);
+    EXPECT_EQ(jumps.back() - jumps.front() + 1, jumps.size());
+    const std::vector<Pose>& truth = compared.course().real.truth;
+    const auto far = [&](std::size_t from, std::size_t to) {
+        return std::hypot(truth[to].x - truth[from].x, truth[to].y - truth[from].y);
+    };
+    EXPECT_GT(far(jumps.front() - 1, jumps.back()), 0.2);
+    for (std::size_t k = 1; k < truth.size(); ++k)
+        EXPECT_TRUE(far(k - 1, k) < 0.11 || (k >= jumps.front() && k <= jumps.back())) << k;
+    const auto diagnosis = compared.diagnosis();
+    ASSERT_TRUE(diagnosis && diagnosis->likely);
+    EXPECT_EQ(causeText(*diagnosis).find("carried over the ground truth's jump at "), 0u) << causeText(*diagnosis);
+    EXPECT_TRUE(firstOf(Planted::push).course().jumps.empty()) << "a robot may have been pushed so far";
+}
+
+TEST(Diagnosis, CommandThatChangesInStepsIsOneChange) {
+    const auto changes = [](const PlantedLog& planted) {
+        const auto diagnosis = diagnosed(planted);
+        return !diagnosis ? 0
+                          : std::count_if(diagnosis->trials.begin(), diagnosis->trials.end(),
+                                          [](const auto& trial) { return trial.kind == CauseKind::command; });
+    };
+    int compared = 0;
+    for (std::uint64_t number = 0; compared < 5; ++number) {
+        PlantedLog planted = plantedLog(Planted::singleCommand, number);
+        const auto once = changes(planted);
+        if (once < 2 || once > 3) continue;
+        // Each change begins half of it 20 ms sooner.
+        auto& commands = planted.log.robots[0].trajectories[0].commands;
+        for (std::size_t i = 1; i < commands.size(); ++i) {
+            const Command before = commands[i - 1].command, after = commands[i].command;
+            if (std::abs(after.w - before.w) < 0.5) continue;
+            const StampedCommand half{commands[i].time - 20 * ms,
+                                      {0.5 * (before.v + after.v), 0.5 * (before.w + after.w)}};
+            commands.insert(commands.begin() + static_cast<std::ptrdiff_t>(i), half);
+            ++i;
+        }
+        EXPECT_EQ(changes(planted), once) << number;
+        ++compared;
+    }
+}
+
 TEST(Diagnosis, GapOfTheTruthThatBeginsBeforeTheCourseIsTheCause) {
     // Pushed aside while nobody looks: from just before the start until 4.2 s after it.
     PlantedLog planted = plantedLog(Planted::push, 3);

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "comparison/truth_jumps.h"
 #include "support/units.h"
 
 namespace mrose {
@@ -136,6 +137,59 @@ TEST(HeldOutBound, CountsThePathAcrossGaps) {
     course.real.truth[0] = {nan, nan, nan};
     const DivergenceBound bound = heldOutBound(heldOut, course, apart);
     EXPECT_NEAR(bound.at(99).position, whole * 0.99, 1e-9) << "of the first step nothing is known";
+}
+
+TEST(HeldOutBound, DoesNotCountWhatTheTruthJumps) {
+    const MotionNetwork::HeldOut heldOut{100, 10, 2, 3};
+    ComparedCourse course = driveThenTurn(100, 100);
+    const DivergenceBound whole = heldOutBound(heldOut, course, apart);
+    for (std::size_t k = 43; k <= 200; ++k) {
+        course.real.truth[k].x += 3;
+        course.real.truth[k].heading += 2;
+    }
+    EXPECT_GT(heldOutBound(heldOut, course, apart).at(199).position, 1.5 * whole.at(199).position);
+    course.jumps = {43};
+    const DivergenceBound bound = heldOutBound(heldOut, course, apart);
+    EXPECT_EQ(bound.at(41), whole.at(41));
+    EXPECT_NEAR(bound.at(99).position, whole.at(99).position * 0.99, 1e-9) << "of that step nothing is known";
+    EXPECT_NEAR(bound.at(199).heading, whole.at(199).heading, 1e-9);
+}
+
+/// Told 1 m/s and 1 rad/s, and seen so, or seen in stairs of 0.4 s.
+Trajectory seen(bool stairs) {
+    Trajectory trajectory;
+    for (int i = 0; i < 100; ++i) {
+        const double t = 0.05 * (stairs ? i / 8 * 8 : i);
+        trajectory.commands.push_back({i * 50 * ms, {1, 1}});
+        trajectory.poses.push_back({i * 50 * ms, {t, 0, t}});
+    }
+    return trajectory;
+}
+
+TEST(TruthJumps, AreWhatNoRobotMovesThatWasToldSo) {
+    for (const bool stairs : {false, true}) {
+        Trajectory trajectory = seen(stairs);
+        const auto jumps = [&](Nanoseconds from = 0, Nanoseconds to = 5 * second) {
+            return truthJumps(trajectory, from, to);
+        };
+        EXPECT_TRUE(jumps().empty()) << stairs;
+        for (std::size_t i = 48; i < 100; ++i) trajectory.poses[i].pose.y += 1.2;
+        for (std::size_t i = 72; i < 100; ++i) trajectory.poses[i].pose.heading -= 1.6;
+        ASSERT_EQ(jumps().size(), 2u) << stairs;
+        const TruthJump aside = jumps()[0], turn = jumps()[1];
+        EXPECT_EQ(aside.before, 47 * 50 * ms);
+        EXPECT_EQ(aside.after, 48 * 50 * ms);
+        EXPECT_NEAR(aside.distance, std::hypot(1.2, stairs ? 0.4 : 0.05), 1e-9);
+        EXPECT_EQ(turn.after, 72 * 50 * ms);
+        EXPECT_NEAR(turn.turn, stairs ? 1.2 : 1.55, 1e-9);
+        EXPECT_EQ(jumps(48 * 50 * ms).size(), 1u) << "one that has been";
+        EXPECT_EQ(jumps(0, 72 * 50 * ms - 1).size(), 1u) << "one to come";
+        // Told to be as fast as that, it may have been.
+        for (StampedCommand& command : trajectory.commands) command.command = {20, 40};
+        EXPECT_TRUE(jumps().empty());
+        trajectory.commands.clear();
+        EXPECT_TRUE(jumps().empty());
+    }
 }
 
 }  // namespace

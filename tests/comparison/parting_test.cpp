@@ -58,9 +58,10 @@ TEST(Parting, IsWhenMostOfTheErrorArose) {
     EXPECT_EQ(partingText(diagnosis), "");
     diagnosis.parting = parting;
     diagnosis.parting->explained = 0.934;
-    EXPECT_EQ(partingText(diagnosis),
-              "most of it (93 %) from 2.0 to 2.5 s, when the real robot went 5.0 cm less, moved 1.2 cm more to the "
-              "right and turned 10.0° more to the right than the simulated one");
+    EXPECT_EQ(
+        partingText(diagnosis),
+        "most of it (93 %) arose from 2.0 to 2.5 s, when the real robot went 5.0 cm less, moved 1.2 cm more to the "
+        "right and turned 10.0° more to the right than the simulated one");
 }
 
 TEST(Parting, LooksNoFartherThanTheDivergenceAndNotAcrossGaps) {

@@ -183,6 +183,7 @@ const char* name(Planted planted) {
                                      "single command",
                                      "gap of commands",
                                      "gap of truth",
+                                     "jump of truth",
                                      "larger wheels",
                                      "push",
                                      "wrong pose",
@@ -194,8 +195,8 @@ std::optional<CauseKind> causeOf(Planted planted) {
     constexpr CauseKind causes[] = {CauseKind::deadTime,  CauseKind::deadTime,   CauseKind::startVelocity,
                                     CauseKind::contact,   CauseKind::otherModel, CauseKind::noise,
                                     CauseKind::logDefect, CauseKind::logDefect,  CauseKind::command,
-                                    CauseKind::logDefect, CauseKind::logDefect};
-    if (planted > Planted::truthGap) return std::nullopt;
+                                    CauseKind::logDefect, CauseKind::logDefect,  CauseKind::logDefect};
+    if (planted > Planted::truthJump) return std::nullopt;
     return causes[static_cast<int>(planted)];
 }
 
@@ -257,6 +258,9 @@ PlantedLog plantedLog(Planted planted, std::uint64_t number) {
         for (int k = 5; k < 8; ++k) displace(poses, courseStart - k * tick, turn);
     }
     if (planted == Planted::push || planted == Planted::truthGap) displace(poses, when, hit);
+    if (planted == Planted::truthJump)
+        displace(poses, when,
+                 {dice.between(0.15, 0.4) * dice.sign(), dice.between(0.15, 0.4) * dice.sign(), hit.heading});
     std::vector<StampedPose> tracked = poses;
     track(tracked, dice);
     if (planted == Planted::truthGap)

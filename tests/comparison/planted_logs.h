@@ -20,14 +20,15 @@ enum class Planted {
     heldBlip,       ///< which the robot obeyed for much longer than it was told
     singleCommand,  ///< one that acted later or sooner than the others
     commandGap,
-    truthGap,  ///< and moved meanwhile
+    truthGap,   ///< and moved meanwhile
+    truthJump,  ///< farther than it could move
     // None of the listed causes.
     largerWheels,
     push,
     wrongPose,  ///< at the start
     scaledCommands
 };
-constexpr int plantedKinds = 15;
+constexpr int plantedKinds = 16;
 const char* name(Planted planted);
 /// The cause to be named; nothing for the last ones.
 std::optional<CauseKind> causeOf(Planted planted);

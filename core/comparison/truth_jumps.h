@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "logs/robot_log.h"
+
+namespace mrose {
+
+/// Ground truth that is elsewhere all at once, as where a tracker has lost a robot and found something else.
+struct TruthJump {
+    Nanoseconds before = 0, after = 0;  ///< stamps of the poses between which it jumps
+    double distance = 0, turn = 0;      ///< m, rad; at least 0
+};
+
+/// So far from a jump the truth of an instant, which is fitted to poses on both sides, does not know of it; a velocity
+/// at twice that.
+constexpr Nanoseconds truthSmoothed = 100'000'000;
+
+/// The jumps within (from, to]: since the pose changed last it has moved by 10 cm, or turned by 0.3 rad, more than at
+/// twice the speeds that the robot was told within 2 s before. (Trackers that repeat a pose until they know the next
+/// one move in stairs.) None where nothing tells how fast it was to be.
+std::vector<TruthJump> truthJumps(const Trajectory& trajectory, Nanoseconds from, Nanoseconds to);
+
+}  // namespace mrose
