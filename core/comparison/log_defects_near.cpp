@@ -11,7 +11,7 @@
 namespace mrose {
 namespace {
 
-constexpr std::size_t mostBlips = 8, mostJumps = 4;
+constexpr std::size_t mostBlips = 8, mostTruthJumps = 4;
 constexpr Nanoseconds poseGap = 200'000'000;
 /// Truth behind a gap from which a velocity is told.
 constexpr Nanoseconds settled = 100'000'000;
@@ -78,7 +78,8 @@ DefectsNear defectsNear(const Trajectory& trajectory, const MotionModel& model, 
     for (const Pause& pause : pausesOf(trajectory.poses, start, end, poseGap))
         addPause(pause, pause.end + settled, "ground truth");
     std::vector<TruthJump> jumps = truthJumps(trajectory, start, end + truthSmoothed);
-    if (jumps.size() > mostJumps) jumps.erase(jumps.begin(), jumps.end() - static_cast<std::ptrdiff_t>(mostJumps));
+    if (jumps.size() > mostTruthJumps)
+        jumps.erase(jumps.begin(), jumps.end() - static_cast<std::ptrdiff_t>(mostTruthJumps));
     for (const TruthJump& jump : jumps)
         add("carried over the ground truth's jump at " + fixed(toSeconds(jump.after - start), 2) + " s (" +
                 fixed(100 * jump.distance, 0) + " cm, " + fixed(degrees * jump.turn, 0) + "°)",
