@@ -1,21 +1,18 @@
 #include "panels/plot_panel.h"
 
 #include <QHBoxLayout>
-#include <QHeaderView>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
-#include <QMenu>
-#include <QPainter>
 #include <QProgressBar>
+#include <QScrollArea>
 #include <QToolButton>
-#include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
+#include "panels/curve_list.h"
 #include "widgets/eliding_label.h"
 
 namespace mrose::gui {
@@ -23,26 +20,11 @@ namespace {
 
 constexpr int mostSideWidth = 336, leastSideWidth = 120;
 constexpr double mostSideShare = 0.4;
-constexpr int sampleWidth = 18, numberRoom = 8;  // pixels
-constexpr std::int64_t worthABar = 2000;         // ticks to be computed
+constexpr QSize leastPlot(200, 90);       // pixels
+constexpr std::int64_t worthABar = 2000;  // ticks to be computed
 
 const Reality* realityOf(const std::shared_ptr<const Shown>& shown) {
     return shown ? shown->frame->reality.get() : nullptr;
-}
-
-/// The curve's line, as a legend shows it.
-QPixmap sampleOf(const PlotCurve& curve, double ratio) {
-    constexpr int width = sampleWidth, height = 12;
-    QPixmap sample(QSize(width, height) * ratio);
-    sample.setDevicePixelRatio(ratio);
-    sample.fill(Qt::transparent);
-    QPainter painter(&sample);
-    QPen pen = curvePen(curve);
-    pen.setWidthF(2.4);
-    pen.setCapStyle(Qt::FlatCap);
-    painter.setPen(pen);
-    painter.drawLine(QPointF(0, height / 2.0), QPointF(width - 2, height / 2.0));
-    return sample;
 }
 
 }  // namespace
@@ -57,9 +39,10 @@ PlotPanel::PlotPanel(Session& session, QWidget* parent)
     : QWidget(parent),
       series_(std::make_unique<ValueSeries>(session)),
       view_(new PlotView),
+      area_(new QScrollArea),
       hint_(new QLabel(tr("Nothing is plotted. Click the small curve beside a number in the inspector, or write an "
                           "expression at the right."))),
-      list_(new QTreeWidget),
+      list_(new CurveList),
       ghostNote_(new ElidingLabel),
       expression_(new QLineEdit),
       error_(new QLabel),
@@ -69,7 +52,13 @@ PlotPanel::PlotPanel(Session& session, QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(hint_, 1);
-    layout->addWidget(view_, 1);
+    area_->setWidget(view_);
+    area_->setWidgetResizable(true);
+    area_->setFrameShape(QFrame::NoFrame);
+    area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area_->setFocusPolicy(Qt::NoFocus);
+    area_->setMinimumSize(leastPlot);
+    layout->addWidget(area_, 1);
     layout->addWidget(makeSide());
     hint_->setAlignment(Qt::AlignCenter);
     hint_->setWordWrap(true);
@@ -97,33 +86,9 @@ QWidget* PlotPanel::makeSide() {
     auto* layout = new QVBoxLayout(side);
     layout->setContentsMargins(4, 2, 6, 4);
     layout->setSpacing(3);
-    list_->setColumnCount(3);
-    list_->setHeaderHidden(true);
-    list_->setRootIsDecorated(false);
-    list_->setUniformRowHeights(true);
-    list_->setFrameShape(QFrame::NoFrame);
     list_->setFont(small);
-    list_->setAccessibleName(tr("Curves"));
-    list_->header()->setStretchLastSection(false);
-    list_->header()->setMinimumSectionSize(20);
-    list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
-    list_->header()->setSectionResizeMode(1, QHeaderView::Fixed);
-    const QFontMetrics metrics(small);
-    list_->header()->resizeSection(1, metrics.horizontalAdvance("00.0") + numberRoom);
-    list_->header()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
-    list_->setTextElideMode(Qt::ElideMiddle);
-    list_->setIndentation(0);
-    list_->setIconSize({sampleWidth, 12});
-    list_->setContextMenuPolicy(Qt::CustomContextMenu);
-    list_->installEventFilter(this);
-    connect(list_, &QTreeWidget::customContextMenuRequested, this, [this](const QPoint& place) {
-        const int row = list_->indexOfTopLevelItem(list_->itemAt(place));
-        QMenu menu(this);
-        if (row >= 0)
-            menu.addAction(tr("&Remove"), this, [this, row] { remove(keys_[static_cast<std::size_t>(row)]); });
-        menu.addAction(tr("Remove &all"), this, &PlotPanel::clear);
-        menu.exec(list_->viewport()->mapToGlobal(place));
-    });
+    connect(list_, &CurveList::removalWanted, this, [this](std::size_t entry) { remove(ValueKey(keys_[entry])); });
+    connect(list_, &CurveList::clearWanted, this, &PlotPanel::clear);
     layout->addWidget(list_, 1);
     layout->addWidget(ghostNote_);
     auto* bar = new QHBoxLayout(progress_);
@@ -243,9 +208,13 @@ void PlotPanel::replace(const std::vector<ValueKey>& some, const std::vector<Val
     const auto within = [](const std::vector<ValueKey>& keys) {
         return [&keys](const ValueKey& one) { return std::find(keys.begin(), keys.end(), one) != keys.end(); };
     };
-    std::vector<ValueKey> keys = others;
-    std::copy_if(keys_.begin(), keys_.end(), std::back_inserter(keys),
-                 [&](const ValueKey& one) { return !within(some)(one) && !within(others)(one); });
+    const auto moves = [&](const ValueKey& one) { return within(some)(one) || within(others)(one); };
+    const auto first = std::find_if(keys_.begin(), keys_.end(), within(some));
+    const auto before = first == keys_.end() ? 0 : first - keys_.begin();
+    std::vector<ValueKey> keys;
+    std::remove_copy_if(keys_.begin(), keys_.begin() + before, std::back_inserter(keys), moves);
+    keys.insert(keys.end(), others.begin(), others.end());
+    std::remove_copy_if(keys_.begin() + before, keys_.end(), std::back_inserter(keys), moves);
     if (keys == keys_) return;
     keys_ = std::move(keys);
     rebuild();
@@ -421,7 +390,7 @@ std::vector<PlotCurve> PlotPanel::curvesIn(const Theme& theme) const {
 
 void PlotPanel::rebuild() {
     hint_->setVisible(keys_.empty());
-    view_->setVisible(!keys_.empty());
+    area_->setVisible(!keys_.empty());
     looks_ = looksOf(keys_, values(), realityOf(shown_), theme_);
     series_->want(keys_);
     view_->setCurves(curvesIn(theme_), ghostName());
@@ -432,25 +401,13 @@ void PlotPanel::rebuild() {
 }
 
 void PlotPanel::updateList() {
-    while (list_->topLevelItemCount() > static_cast<int>(keys_.size()))
-        delete list_->takeTopLevelItem(list_->topLevelItemCount() - 1);
     const std::vector<PlottedValue> plotted = values();
     const std::vector<CurveWords> words =
         wordsOf(keys_, plotted, foresight() != nullptr ? foresight()->model : QString());
-    for (int i = 0; i < static_cast<int>(plotted.size()); ++i) {
-        QTreeWidgetItem* item = list_->topLevelItem(i);
-        if (item == nullptr) item = new QTreeWidgetItem(list_);
-        const PlottedValue& value = plotted[static_cast<std::size_t>(i)];
-        PlotCurve curve;
-        curve.colour = looks_[static_cast<std::size_t>(i)].colour;
-        curve.style = looks_[static_cast<std::size_t>(i)].style;
-        item->setIcon(0, sampleOf(curve, devicePixelRatioF()));
-        item->setText(0, words[static_cast<std::size_t>(i)].label);
-        item->setToolTip(0, value.name.simplified());
-        item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
-        item->setText(2, value.unit);
-        item->setForeground(2, theme_.quietText);
-    }
+    std::vector<CurveList::Entry> entries;
+    for (std::size_t i = 0; i < plotted.size(); ++i)
+        entries.push_back({words[i], looks_[i], plotted[i].name.simplified(), plotted[i].unit});
+    list_->setEntries(entries, theme_);
     updateNumbers();
 }
 
@@ -458,17 +415,9 @@ void PlotPanel::updateList() {
 void PlotPanel::updateNumbers() {
     if (!shown_ || !isVisible()) return;
     const std::int64_t tick = hovered_.value_or(shown_->tick());
-    for (const PlotCurve& curve : view_->curves()) {
-        if (curve.ghost) continue;
-        const auto row = static_cast<int>(&curve - view_->curves().data()) %
-                         static_cast<int>(std::max<std::size_t>(keys_.size(), 1));
-        QTreeWidgetItem* item = list_->topLevelItem(row);
-        if (item == nullptr) continue;
-        item->setText(1, fixedText(curve.at(tick), curve.decimals));
-        // The column grows with its numbers and stays so: nothing jumps.
-        const int needed = list_->fontMetrics().horizontalAdvance(item->text(1)) + numberRoom;
-        if (needed > list_->columnWidth(1)) list_->setColumnWidth(1, needed);
-    }
+    std::size_t entry = 0;
+    for (const PlotCurve& curve : view_->curves())
+        if (!curve.ghost) list_->setNumber(entry++, fixedText(curve.at(tick), curve.decimals));
 }
 
 void PlotPanel::updateProgress() {
@@ -485,15 +434,6 @@ void PlotPanel::updateProgress() {
 void PlotPanel::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     side_->setFixedWidth(std::clamp(static_cast<int>(mostSideShare * width()), leastSideWidth, mostSideWidth));
-}
-
-bool PlotPanel::eventFilter(QObject* watched, QEvent* event) {
-    if (watched != list_ || event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
-    const int key = static_cast<QKeyEvent*>(event)->key();
-    const int row = list_->indexOfTopLevelItem(list_->currentItem());
-    if ((key != Qt::Key_Delete && key != Qt::Key_Backspace) || row < 0) return QWidget::eventFilter(watched, event);
-    remove(keys_[static_cast<std::size_t>(row)]);
-    return true;
 }
 
 }  // namespace mrose::gui

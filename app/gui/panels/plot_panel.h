@@ -16,14 +16,15 @@
 class QLabel;
 class QLineEdit;
 class QProgressBar;
-class QToolButton;
-class QTreeWidget;
+class QScrollArea;
 
 namespace mrose {
 class ElidingLabel;
 }
 
 namespace mrose::gui {
+
+class CurveList;
 
 /// What is plotted over the time of the shown branch, with the course beside it as ghosts; the list of the curves with
 /// their numbers; and a line for expressions.
@@ -46,7 +47,7 @@ public:
     void toggleOfAll(const ValueKey& key);
     /// All of them, where not all are plotted; otherwise removes them.
     void toggleAll(std::vector<ValueKey> keys);
-    /// Some that nobody asked for in the place of others.
+    /// Puts others where the first of some is, without those, or before all where none is.
     void replace(const std::vector<ValueKey>& some, const std::vector<ValueKey>& others);
     void remove(const ValueKey& key);
     void clear();
@@ -82,7 +83,6 @@ signals:
     void asked();    ///< somebody added something and wants to see it
 
 protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:
@@ -109,9 +109,10 @@ private:
     Theme theme_ = Theme::light();
 
     PlotView* view_;
+    QScrollArea* area_;  ///< about it
     QLabel* hint_;
     QWidget* side_ = nullptr;
-    QTreeWidget* list_;
+    CurveList* list_;
     ElidingLabel* ghostNote_;  ///< which curves are the other branch's
     QLineEdit* expression_;
     QLabel* error_;
