@@ -7,25 +7,21 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "widgets/plot_curve.h"
+#include "widgets/value_catalogue.h"
 
 namespace mrose::gui {
 namespace {
 
 constexpr int sampleWidth = 18, sampleHeight = 12, numberRoom = 8;  // pixels
 
-/// The curve's line.
-QPixmap sampleOf(const CurveLook& look, double ratio) {
+QPixmap sampleOf(QPen pen, double ratio) {
+    constexpr double leastWidth = 2.4;
     QPixmap sample(QSize(sampleWidth, sampleHeight) * ratio);
     sample.setDevicePixelRatio(ratio);
     sample.fill(Qt::transparent);
-    PlotCurve curve;
-    curve.colour = look.colour;
-    curve.style = look.style;
-    QPen pen = curvePen(curve);
-    pen.setWidthF(2.4);
-    pen.setCapStyle(Qt::FlatCap);
     QPainter painter(&sample);
+    pen.setWidthF(std::max(leastWidth, pen.widthF()));
+    pen.setCapStyle(Qt::FlatCap);
     painter.setPen(pen);
     painter.drawLine(QPointF(0, sampleHeight / 2.0), QPointF(sampleWidth - 2, sampleHeight / 2.0));
     return sample;
@@ -33,78 +29,81 @@ QPixmap sampleOf(const CurveLook& look, double ratio) {
 
 }  // namespace
 
-CurveList::CurveList(QWidget* parent) : QTreeWidget(parent) {
+CurveList::CurveList(const QFont& font) {
     setColumnCount(3);
     setHeaderHidden(true);
     setRootIsDecorated(false);
     setUniformRowHeights(true);
     setFrameShape(QFrame::NoFrame);
+    setFont(font);
     setAccessibleName(tr("Curves"));
     header()->setStretchLastSection(false);
     header()->setMinimumSectionSize(20);
     header()->setSectionResizeMode(0, QHeaderView::Stretch);
     header()->setSectionResizeMode(1, QHeaderView::Fixed);
+    makeRoomFor("00.0");
     header()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
     setTextElideMode(Qt::ElideRight);
     setIndentation(0);
     setIconSize({sampleWidth, sampleHeight});
 }
 
-void CurveList::setEntries(const std::vector<Entry>& entries, const Theme& theme) {
+void CurveList::setLines(const std::vector<Line>& lines, const Theme& theme) {
     lines_.clear();
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-        const QString& group = entries[i].words.group;
-        if (!group.isEmpty() && (i == 0 || entries[i - 1].words.group != group)) lines_.push_back(std::nullopt);
-        lines_.push_back(i);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (!lines[i].group.isEmpty() && (i == 0 || lines[i - 1].group != lines[i].group))
+            lines_.push_back(std::nullopt);
+        lines_.push_back(static_cast<int>(i));
     }
-    while (topLevelItemCount() > static_cast<int>(lines_.size())) delete takeTopLevelItem(topLevelItemCount() - 1);
-    for (std::size_t line = 0; line < lines_.size(); ++line) {
-        QTreeWidgetItem* item = topLevelItem(static_cast<int>(line));
+    const auto count = static_cast<int>(lines_.size());
+    while (topLevelItemCount() > count) delete takeTopLevelItem(topLevelItemCount() - 1);
+    for (int i = 0; i < count; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        const bool isName = !lines_[at];
+        const Line& line = lines[static_cast<std::size_t>(isName ? *lines_[at + 1] : *lines_[at])];
+        QTreeWidgetItem* item = topLevelItem(i);
         if (item == nullptr) item = new QTreeWidgetItem(this);
-        const bool isName = !lines_[line];
-        const Entry& entry = entries[isName ? *lines_[line + 1] : *lines_[line]];
         item->setFirstColumnSpanned(isName);
-        item->setIcon(0, isName ? QIcon() : sampleOf(entry.look, devicePixelRatioF()));
-        item->setText(0, isName ? entry.words.group : entry.words.inGroup);
+        item->setIcon(0, isName ? QIcon() : sampleOf(line.pen, devicePixelRatioF()));
+        item->setText(0, isName ? line.group : line.label);
         item->setForeground(0, isName ? theme.quietText : theme.text);
-        item->setToolTip(0, isName ? entry.words.group : entry.whole);
+        item->setToolTip(0, isName ? line.group : line.tip);
         item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
         if (isName) item->setText(1, {});
-        item->setText(2, isName ? QString() : entry.unit);
+        item->setText(2, isName ? QString() : line.unit);
         item->setForeground(2, theme.quietText);
     }
-    makeRoomFor("00.0");
 }
 
-void CurveList::setNumber(std::size_t entry, const QString& number) {
-    const auto line = std::find(lines_.begin(), lines_.end(), std::optional(entry));
-    if (line == lines_.end()) return;
-    topLevelItem(static_cast<int>(line - lines_.begin()))->setText(1, number);
-    makeRoomFor(number);
+void CurveList::setNumber(int line, double number, int decimals) {
+    const auto found = std::find(lines_.begin(), lines_.end(), std::optional(line));
+    if (found == lines_.end()) return;
+    QTreeWidgetItem* item = topLevelItem(static_cast<int>(found - lines_.begin()));
+    item->setText(1, fixedText(number, decimals));
+    makeRoomFor(item->text(1));
 }
 
-/// The column grows with its numbers and stays so: nothing jumps.
 void CurveList::makeRoomFor(const QString& number) {
     numberWidth_ = std::max(numberWidth_, fontMetrics().horizontalAdvance(number) + numberRoom);
     if (columnWidth(1) != numberWidth_) setColumnWidth(1, numberWidth_);
 }
 
-std::optional<std::size_t> CurveList::entryOf(QTreeWidgetItem* item) const {
-    const int line = indexOfTopLevelItem(item);
-    return line < 0 ? std::nullopt : lines_[static_cast<std::size_t>(line)];
+std::optional<int> CurveList::lineOf(QTreeWidgetItem* item) const {
+    const int at = indexOfTopLevelItem(item);
+    return at < 0 ? std::nullopt : lines_[static_cast<std::size_t>(at)];
 }
 
 void CurveList::keyPressEvent(QKeyEvent* event) {
-    const auto entry = entryOf(currentItem());
+    const auto line = lineOf(currentItem());
     const bool removes = event->key() == Qt::Key_Delete || event->key() == Qt::Key_Backspace;
-    if (!removes || !entry) return QTreeWidget::keyPressEvent(event);
-    emit removalWanted(*entry);
+    if (!removes || !line) return QTreeWidget::keyPressEvent(event);
+    emit removalWanted(*line);
 }
 
 void CurveList::contextMenuEvent(QContextMenuEvent* event) {
     QMenu menu(this);
-    if (const auto entry = entryOf(itemAt(event->pos())))
-        menu.addAction(tr("&Remove"), this, [this, entry] { emit removalWanted(*entry); });
+    if (const auto line = lineOf(itemAt(event->pos())))
+        menu.addAction(tr("&Remove"), this, [this, line] { emit removalWanted(*line); });
     menu.addAction(tr("Remove &all"), this, &CurveList::clearWanted);
     menu.exec(event->globalPos());
 }

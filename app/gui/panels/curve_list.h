@@ -1,33 +1,32 @@
 #pragma once
 
+#include <QPen>
 #include <QTreeWidget>
 #include <optional>
 #include <vector>
 
-#include "panels/curve_looks.h"
 #include "widgets/theme.h"
 
 namespace mrose::gui {
 
-/// The legend of the plots: each curve's line, its name, its number and unit; several curves of one body under its
-/// name.
+/// A legend of the plots with the numbers of an instant; several curves of one body under its name.
 class CurveList final : public QTreeWidget {
     Q_OBJECT
 
 public:
-    explicit CurveList(QWidget* parent = nullptr);
+    explicit CurveList(const QFont& font);
 
-    struct Entry {
-        CurveWords words;
-        CurveLook look;
-        QString whole;  ///< its name alone, for the tool tip
-        QString unit;
+    struct Line {
+        QPen pen;
+        QString label, unit, tip;
+        QString group = {};  ///< written above the first of those that have it; empty: nothing
     };
-    void setEntries(const std::vector<Entry>& entries, const Theme& theme);
-    void setNumber(std::size_t entry, const QString& number);
+    void setLines(const std::vector<Line>& lines, const Theme& theme);
+    /// Of a line. The column grows with its numbers and stays so: nothing jumps.
+    void setNumber(int line, double number, int decimals);
 
 signals:
-    void removalWanted(std::size_t entry);
+    void removalWanted(int line);
     void clearWanted();
 
 protected:
@@ -35,10 +34,10 @@ protected:
     void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
-    std::optional<std::size_t> entryOf(QTreeWidgetItem* item) const;
+    std::optional<int> lineOf(QTreeWidgetItem* item) const;
     void makeRoomFor(const QString& number);
 
-    std::vector<std::optional<std::size_t>> lines_;  ///< the entry of each; nothing: a body's name
+    std::vector<std::optional<int>> lines_;  ///< of each item; nothing: it is a group's name
     int numberWidth_ = 0;
 };
 

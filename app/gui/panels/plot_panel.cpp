@@ -27,6 +27,11 @@ const Reality* realityOf(const std::shared_ptr<const Shown>& shown) {
     return shown ? shown->frame->reality.get() : nullptr;
 }
 
+QFont smallOf(QFont font) {
+    font.setPointSizeF(std::min(8.5, font.pointSizeF()));
+    return font;
+}
+
 }  // namespace
 
 /// Ticks of a branch that are those of a course: it, and before it what it came from.
@@ -42,7 +47,7 @@ PlotPanel::PlotPanel(Session& session, QWidget* parent)
       area_(new QScrollArea),
       hint_(new QLabel(tr("Nothing is plotted. Click the small curve beside a number in the inspector, or write an "
                           "expression at the right."))),
-      list_(new CurveList),
+      list_(new CurveList(smallOf(font()))),
       ghostNote_(new ElidingLabel),
       expression_(new QLineEdit),
       error_(new QLabel),
@@ -80,14 +85,14 @@ PlotPanel::~PlotPanel() = default;
 QWidget* PlotPanel::makeSide() {
     auto* side = new QWidget;
     side_ = side;
-    QFont small = font();
-    small.setPointSizeF(std::min(8.5, small.pointSizeF()));
+    const QFont small = smallOf(font());
     side->setFont(small);
     auto* layout = new QVBoxLayout(side);
     layout->setContentsMargins(4, 2, 6, 4);
     layout->setSpacing(3);
-    list_->setFont(small);
-    connect(list_, &CurveList::removalWanted, this, [this](std::size_t entry) { remove(ValueKey(keys_[entry])); });
+    connect(list_, &CurveList::removalWanted, this, [this](int line) {
+        if (line < static_cast<int>(keys_.size())) remove(ValueKey(keys_[static_cast<std::size_t>(line)]));
+    });
     connect(list_, &CurveList::clearWanted, this, &PlotPanel::clear);
     layout->addWidget(list_, 1);
     layout->addWidget(ghostNote_);
@@ -404,10 +409,15 @@ void PlotPanel::updateList() {
     const std::vector<PlottedValue> plotted = values();
     const std::vector<CurveWords> words =
         wordsOf(keys_, plotted, foresight() != nullptr ? foresight()->model : QString());
-    std::vector<CurveList::Entry> entries;
-    for (std::size_t i = 0; i < plotted.size(); ++i)
-        entries.push_back({words[i], looks_[i], plotted[i].name.simplified(), plotted[i].unit});
-    list_->setEntries(entries, theme_);
+    std::vector<CurveList::Line> lines;
+    for (std::size_t i = 0; i < plotted.size(); ++i) {
+        PlotCurve curve;
+        curve.colour = looks_[i].colour;
+        curve.style = looks_[i].style;
+        lines.push_back(
+            {curvePen(curve), words[i].inGroup, plotted[i].unit, plotted[i].name.simplified(), words[i].group});
+    }
+    list_->setLines(lines, theme_);
     updateNumbers();
 }
 
@@ -415,9 +425,10 @@ void PlotPanel::updateList() {
 void PlotPanel::updateNumbers() {
     if (!shown_ || !isVisible()) return;
     const std::int64_t tick = hovered_.value_or(shown_->tick());
-    std::size_t entry = 0;
+    const int count = static_cast<int>(keys_.size());
     for (const PlotCurve& curve : view_->curves())
-        if (!curve.ghost) list_->setNumber(entry++, fixedText(curve.at(tick), curve.decimals));
+        if (const auto row = static_cast<int>(&curve - view_->curves().data()) % std::max(count, 1); !curve.ghost)
+            list_->setNumber(row, curve.at(tick), curve.decimals);
 }
 
 void PlotPanel::updateProgress() {
