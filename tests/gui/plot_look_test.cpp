@@ -7,6 +7,7 @@
 
 #include "gui/overlay_fixture.h"
 #include "panels/curve_list.h"
+#include "panels/error_plot.h"
 #include "panels/plot_panel.h"
 #include "widgets/field_view.h"
 
@@ -44,6 +45,7 @@ protected:
         return lines;
     }
     void plot(const std::vector<const char*>& quantities, std::size_t body) {
+        window.errorPlot().settle();
         for (const char* quantity : quantities)
             ASSERT_TRUE(plots().add({quantity, window.shown()->frame->nameOf(body)})) << quantity;
         settleAll();
@@ -60,6 +62,7 @@ protected:
                 for (StampedPose& stamped : trajectory.poses) stamped.pose.y += 5;
         });
         ASSERT_NO_FATAL_FAILURE(openLog(file));
+        window.errorPlot().settle();
         plots().clear();
     }
 };
