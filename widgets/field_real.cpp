@@ -15,6 +15,7 @@ constexpr Nanoseconds ahead = 2 * nanosecondsPerSecond;
 constexpr double wayWidth = 5, wayHollow = 2.6;  // pixels
 /// Robots nearer than this (pixels; m) to their simulated ones have no line to them.
 constexpr double leastErrorPixels = 5, leastError = 0.01;
+constexpr double focusRing = 7;  // pixels, about a body that is selected
 
 /// How far back trails reach in this frame.
 Nanoseconds trailSpan(const FieldFrame& frame) {
@@ -127,6 +128,15 @@ void drawError(const FieldCanvas& canvas, const FieldFrame& frame, const RealRob
     canvas.painter.drawEllipse(to, 2.6, 2.6);
 }
 
+/// A body and its simulated one that overlap are named as one.
+void standBesideBoth(const FieldCanvas& canvas, const Pose& simulated, FieldLabel& label) {
+    const QPointF real = canvas.at(label.at), other = canvas.at(position(simulated));
+    const double apart = std::hypot((other - real).x(), (other - real).y());
+    if (apart > 2 * label.clearance) return;
+    label.at = {(label.at.x + simulated.x) / 2, (label.at.y + simulated.y) / 2};
+    label.clearance += apart / 2 + focusRing;
+}
+
 }  // namespace
 
 void drawRealWays(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus) {
@@ -197,6 +207,7 @@ void addRealNames(const FieldCanvas& canvas, const FieldFrame& frame, const Fiel
         label.key = std::uint64_t{5} << 56 | robot.index;
         label.at = position(robot.pose);
         label.clearance = reach + 2;
+        if (beside) standBesideBoth(canvas, frame.poseOf(*robot.body), label);
         label.text = beside
                          ? QObject::tr("real: %1").arg(errorText(*robot.apart))
                          : QObject::tr("real %1").arg(QString::fromStdString(frame.reality->robots[robot.index].name));

@@ -13,7 +13,7 @@ struct PlotView::Band {
     QCPAxisRect* rect = nullptr;
     QCPItemLine *now = nullptr, *mouse = nullptr, *instant = nullptr;
     std::vector<std::pair<std::size_t, QCPGraph*>> levels;  ///< with the level's index
-    QCPItemRect* unknown = nullptr;
+    QCPItemRect* unknown = nullptr;                         ///< the ground where nothing has happened yet
     std::vector<std::pair<std::size_t, QCPGraph*>> graphs;  ///< with the curve's index
     std::vector<std::pair<std::size_t, QCPGraph*>> ahead;   ///< the same, of what has not happened yet
     QCPItemText* title = nullptr;

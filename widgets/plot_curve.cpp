@@ -3,24 +3,26 @@
 #include <algorithm>
 #include <limits>
 
+#include "widgets/theme.h"
+
 namespace mrose {
 
 QPen curvePen(const PlotCurve& curve) {
     QColor colour = curve.colour;
     if (curve.ghost) colour.setAlpha(150);
-    QPen pen(colour, curve.ghost ? 1 : 1.6, curve.style);
+    QPen pen(colour, curve.ghost ? 1 : curve.ahead.isEmpty() ? 1.6 : 2, curve.style);
     if (curve.style == Qt::DashLine) pen.setDashPattern({5, 2.5});
     if (curve.style == Qt::DotLine) pen.setDashPattern({1.5, 2});
     return pen;
 }
 
 QPen aheadPen(const PlotCurve& curve, const QColor& ground) {
-    constexpr double own = 0.42;
-    const auto mixed = [&](double of, double with) { return own * of + (1 - own) * with; };
+    constexpr double faintest = 0.58, leastContrast = 2.2;
+    double share = faintest;  // of the ground
+    while (share > 0 && contrast(mixed(curve.colour, ground, share), ground) < leastContrast) share -= 0.04;
     QPen pen = curvePen(curve);
-    pen.setColor(QColor::fromRgbF(mixed(curve.colour.redF(), ground.redF()),
-                                  mixed(curve.colour.greenF(), ground.greenF()),
-                                  mixed(curve.colour.blueF(), ground.blueF())));
+    pen.setColor(seenOn(ground, mixed(curve.colour, ground, std::max(share, 0.0)), leastContrast));
+    pen.setWidthF(1.2);
     return pen;
 }
 

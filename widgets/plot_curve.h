@@ -30,7 +30,8 @@ struct PlotCurve {
 
 /// What it is drawn with, also in a legend.
 QPen curvePen(const PlotCurve& curve);
-/// What is drawn of it ahead of time, on a ground of that colour. It covers: what is drawn in pieces has no seams.
+/// What is drawn of it ahead of time, on a ground of that colour: thinner, and as pale as can still be seen there. It
+/// covers: what is drawn in pieces has no seams.
 QPen aheadPen(const PlotCurve& curve, const QColor& ground);
 
 /// What curves of a unit are held against: a dashed line through (tick, number), whose last number goes on.

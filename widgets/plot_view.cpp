@@ -19,9 +19,10 @@ namespace mrose {
 namespace {
 
 constexpr double timesCurves = 10;
-constexpr double shortestView = 10;  // ticks
-constexpr int shortestPause = 40;    // ms, between pictures while numbers come
-constexpr double growth = 1.15;      // of the view, when the known time outgrows it
+constexpr double shortestView = 10;                        // ticks
+constexpr int shortestPause = 40;                          // ms, between pictures while numbers come
+constexpr double growth = 1.15;                            // of the view, when the known time outgrows it
+constexpr int leastBand = 62, bandGap = 2, timeRoom = 30;  // pixels: of an axis with its title, between, below all
 
 /// Of so many ticks in a pixel a curve is a band of noise: it is drawn in Qt's fast way, one pixel wide.
 constexpr std::int64_t dense = 16;
@@ -48,7 +49,7 @@ PlotView::PlotView(QWidget* parent)
     plot_->setMouseTracking(true);
     plot_->setCursor(Qt::PointingHandCursor);
     plot_->setAccessibleName(tr("Plots over time"));
-    plot_->plotLayout()->setRowSpacing(2);
+    plot_->plotLayout()->setRowSpacing(bandGap);
     readOut_->setAttribute(Qt::WA_TransparentForMouseEvents);
     readOut_->setTextFormat(Qt::RichText);
     readOut_->setMargin(5);
@@ -95,10 +96,26 @@ void PlotView::layOut() {
         addReferences(*band);
         const bool bottom = band == bands_.back();
         band->time()->setTickLabels(bottom);
-        band->rect->setMargins({leftMargin, 4, rightMargin, bottom ? 34 : 4});
+        const int titled = QFontMetrics(titleFont()).height() + 1;
+        band->rect->setMargins({leftMargin, titled, rightMargin, bottom ? 4 + timeRoom : 4});
+        band->rect->setMinimumSize(50, leastBand - titled - 4);
         if (bottom) band->time()->setLabel(tr("time (s)"));
     }
+    updateGeometry();
+    setMinimumHeight(minimumSizeHint().height());
     paintTheme();
+}
+
+QFont PlotView::titleFont() const {
+    QFont small = font();
+    small.setPointSizeF(8);
+    return small;
+}
+
+/// No axis is too low to be read.
+QSize PlotView::minimumSizeHint() const {
+    const int axes = std::max(1, static_cast<int>(bands_.size()));
+    return {200, std::max(90, axes * leastBand + (axes - 1) * bandGap + timeRoom)};
 }
 
 void PlotView::addBand(const QString& unit, int row) {
@@ -144,13 +161,13 @@ void PlotView::addBand(const QString& unit, int row) {
         corner->setTypeY(QCPItemPosition::ptAxisRectRatio);
     }
     band->title = new QCPItemText(plot_);
-    band->title->setLayer("axes");  // above the curves
+    band->title->setLayer("axes");
     band->title->setClipToAxisRect(false);
-    band->title->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
+    band->title->setPositionAlignment(Qt::AlignLeft | Qt::AlignBottom);  // above the curves' room
     band->title->position->setAxisRect(band->rect);
     band->title->position->setType(QCPItemPosition::ptAxisRectRatio);
     band->title->position->setCoords(0, 0);
-    band->title->setPadding({4, 1, 4, 1});
+    band->title->setPadding({0, 0, 0, 1});
     bands_.push_back(std::move(band));
 }
 
@@ -178,8 +195,7 @@ void PlotView::paintTheme() {
     plot_->setBackground(theme_.panel);
     readOut_->setStyleSheet(QString("background:%1;color:%2;border:1px solid %3")
                                 .arg(theme_.panel.name(), theme_.text.name(), theme_.line.name()));
-    QFont small = font();
-    small.setPointSizeF(8);
+    const QFont small = titleFont();
     readOut_->setFont(small);
     QColor grid = theme_.line;
     grid.setAlpha(theme_.dark ? 150 : 130);
@@ -198,9 +214,6 @@ void PlotView::paintTheme() {
         }
         band->title->setFont(small);
         band->title->setColor(theme_.text);
-        QColor ground = theme_.dark ? theme_.surround : QColor(Qt::white);
-        ground.setAlpha(190);
-        band->title->setBrush(ground);
         band->title->setPen(Qt::NoPen);
         band->now->setPen(QPen(theme_.accent, 2));
         band->mouse->setPen(QPen(theme_.quietText, 0, Qt::DotLine));
@@ -408,6 +421,7 @@ void PlotView::fillBand(Band& band) {
 /// From where the run has come to.
 void PlotView::fillAhead(Band& band, double& least, double& most) {
     const auto last = static_cast<double>(time_.last);
+    const QColor known = theme_.dark ? theme_.surround : QColor(Qt::white);
     for (const auto& [index, graph] : band.ahead) {
         const PlotCurve& curve = curves_[index];
         QVector<QCPGraphData> drawn;
@@ -420,7 +434,7 @@ void PlotView::fillAhead(Band& band, double& least, double& most) {
             least = std::min(least, point.y());
             most = std::max(most, point.y());
         }
-        graph->setPen(aheadPen(curve, theme_.dark ? theme_.surround : QColor(Qt::white)));
+        graph->setPen(aheadPen(curve, band.unknown->visible() ? band.unknown->brush().color() : known));
         graph->data()->set(drawn, true);
     }
 }

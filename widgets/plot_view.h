@@ -72,7 +72,7 @@ public:
     QString textAt(std::int64_t tick) const;
 
     QSize sizeHint() const override { return {900, 200}; }
-    QSize minimumSizeHint() const override { return {200, 90}; }
+    QSize minimumSizeHint() const override;
 
 signals:
     void tickRequested(std::int64_t tick);
@@ -85,6 +85,7 @@ protected:
 private:
     struct Band;  ///< of one unit
     void layOut();
+    QFont titleFont() const;
     void addBand(const QString& unit, int row);
     void paintTheme();
     void fill();

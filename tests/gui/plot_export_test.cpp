@@ -107,7 +107,7 @@ TEST_F(PlotExportTest, PicturesHaveLegendAndAxesWithUnits) {
     int legend = 0, curve = 0;
     for (int y = 0; y < picture.height(); ++y)
         for (int x = 0; x < picture.width(); ++x)
-            if (picture.pixelColor(x, y) == red) ++(y < 110 ? legend : curve);
+            if (picture.pixel(x, y) == red.rgb()) ++(y < 110 ? legend : curve);
     EXPECT_GT(legend, 20);
     EXPECT_GT(curve, 200);
 }

@@ -6,6 +6,7 @@
 #include "gui/reality_fixture.h"
 #include "gui/window_fixture.h"
 #include "panels/side_view.h"
+#include "widgets/field_drawing.h"
 #include "widgets/field_fixture.h"
 #include "widgets/field_readout.h"
 #include "widgets/real_robots.h"
@@ -186,6 +187,29 @@ TEST_F(RealityTest, RobotsOfTheLogThatAreNotInTheWorldAreNamed) {
     const QImage without = picture({FieldLayer::names}), with = picture({FieldLayer::names, FieldLayer::reality});
     EXPECT_TRUE(differ(without, with, px({straight.poseAt(4).x, straight.poseAt(4).y + 0.3})));
     EXPECT_GT(differences(without, with).size(), 400u) << "with a name";
+}
+
+/// Overlapping bodies are named as one: the words stand beside both, whichever side they take.
+TEST_F(RealityTest, ErrorIsWrittenBesideBothBodies) {
+    for (const double seconds : {0.5, 1.0, 3.0}) {
+        show(seconds);
+        FieldFocus focus;
+        focus.selected = 0;
+        QImage image(800, 640, QImage::Format_RGB32);
+        QPainter painter(&image);
+        const Theme theme = Theme::light();
+        std::vector<FieldLabel> labels;
+        addRealNames({painter, field.transform(), theme}, *frame, focus, labels);
+        ASSERT_EQ(labels.size(), 1u);
+        const FieldLabel& label = labels.front();
+        const Point real = position(straight.poseAt(1 + seconds)), simulated = position(frame->poseOf(0));
+        const double apart = std::hypot(real.x - simulated.x, real.y - simulated.y);
+        const auto covers = [&](const Point& body) {
+            return metre() * (std::hypot(label.at.x - body.x, label.at.y - body.y) + 0.3) <= label.clearance;
+        };
+        EXPECT_TRUE(covers(real)) << seconds;
+        EXPECT_EQ(covers(simulated), apart < 0.6) << seconds;
+    }
 }
 
 }  // namespace

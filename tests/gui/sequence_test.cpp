@@ -122,6 +122,21 @@ TEST_F(SequenceTest, WholeWindowGoesThroughTheStretchAndComesBack) {
     EXPECT_TRUE(frame("all", "0005").isNull());
 }
 
+TEST_F(SequenceTest, WindowStandsInTheMiddleOfFramesOfAnotherShape) {
+    SequenceSettings settings = stretch(0, 0);
+    settings.wholeWindow = true;
+    ASSERT_EQ(alone([&] { return exportFrames(window, path("own"), settings); }), "");
+    const QImage own = frame("own", "0000");
+    for (const QSize& more : {QSize(200, 0), QSize(0, 120)}) {
+        settings.size = window.size() + more;
+        const std::string name = more.width() > 0 ? "broad" : "high";
+        ASSERT_EQ(alone([&] { return exportFrames(window, path(name), settings); }), "");
+        const QImage made = frame(name.c_str(), "0000");
+        ASSERT_EQ(made.size(), settings.size);
+        EXPECT_TRUE(made.copy({{more.width() / 2, more.height() / 2}, window.size()}) == own) << name;
+    }
+}
+
 TEST_F(SequenceTest, BranchesFramesBeginInTheirParent) {
     seek(40);
     drag(pixelOf(0), pixelOf(0) + QPointF(40, 25));

@@ -3,8 +3,8 @@
 #include "actions/window_actions.h"
 #include "panels/error_plot.h"
 #include "panels/plot_panel.h"
+#include "panels/speed_plot.h"
 #include "reality/cause_panel.h"
-#include "reality/overlay.h"
 #include "reality/overlay_panel.h"
 #include "widgets/field_view.h"
 #include "widgets/inspector.h"
@@ -29,28 +29,13 @@ std::vector<ValueKey> errorsOf(const MainWindow& window) {
     return keys;
 }
 
-/// What a robot was told, does and really did; of the selected robot, or of the one that the overlay speaks of.
-std::vector<ValueKey> speedsOf(const MainWindow& window) {
-    const Overlay& overlay = window.overlay();
-    if (window.shown() == nullptr || !window.shown()->frame->reality) return {};
-    const FieldFrame& frame = *window.shown()->frame;
-    std::string robot;
-    if (const auto asked = overlay.shownRobot()) robot = overlay.world()->world().robots()[*asked].name;
-    if (const auto body = window.field().selected()) robot = frame.nameOf(*body);
-    if (frame.reality->robotNamed(robot) == nullptr) return {};
-    std::vector<ValueKey> keys;
-    for (const char* const quantity :
-         {"commanded forward", "forward", "real forward", "commanded turning", "turning", "real turning"})
-        keys.push_back({quantity, robot});
-    return keys;
-}
-
 }  // namespace
 
 void addPlotActions(MainWindow& window) {
     Actions& actions = window.actions();
     PlotPanel& plots = window.plots();
     Inspector& inspector = window.inspector();
+    auto* speeds = new SpeedPlot(window);
     const QString menu = QObject::tr("&Plot");
     const auto current = [&window, &inspector] {
         auto key = inspector.currentValue();
@@ -81,13 +66,11 @@ void addPlotActions(MainWindow& window) {
     actions.add(menu,
                 {"plot_speeds", QObject::tr("Plot spee&ds: told, simulated, real"), QKeySequence("Shift+V"),
                  QObject::tr("What the robot was told, how fast it goes and how fast it really went, or no longer")},
-                [&window, &plots](bool) {
-                    std::vector<ValueKey> speeds = speedsOf(window);
-                    if (speeds.empty())
-                        return window.say(
+                [&window, speeds](bool) {
+                    if (!speeds->toggle())
+                        window.say(
                             QObject::tr("Nothing real is known beside this robot: open a log, or select "
                                         "one of its robots"));
-                    plots.toggleAll(std::move(speeds));
                 });
     window.overlayPanel().causes().offer(actions["plot_speeds"]);
     actions.add(menu,

@@ -35,16 +35,22 @@ struct FrameSize {
         return std::min(image.width() / static_cast<double>(shown.width()),
                         image.height() / static_cast<double>(shown.height()));
     }
+    /// Where what is shown begins, in the middle of the image.
+    QPoint corner() const {
+        const QSizeF free = QSizeF(image) - ratio() * QSizeF(shown);
+        return {static_cast<int>(free.width() / 2), static_cast<int>(free.height() / 2)};
+    }
     /// A film's sides are even.
     FrameSize even() const { return {shown, {image.width() & ~1, image.height() & ~1}}; }
 };
 
-/// A frame on which `paint` draws in the pixels of what is shown.
-QImage frameOf(const FrameSize& asked, const QSize& image, const QColor& ground,
+/// A frame on which `paint` draws in the pixels of what is shown, from `corner` on.
+QImage frameOf(const FrameSize& asked, const QSize& image, const QColor& ground, const QPoint& corner,
                const std::function<void(QPainter&)>& paint) {
     QImage frame(image, QImage::Format_RGB32);
     frame.fill(ground);
     QPainter painter(&frame);
+    painter.translate(corner);
     if (asked.ratio() != 1) painter.scale(asked.ratio(), asked.ratio());
     paint(painter);
     return frame;
@@ -76,7 +82,7 @@ FrameSource fieldSource(MainWindow& window, const SequenceJob& job) {
         if (!visited) return tl::unexpected(visited.error());
         if (!*visited) return {};
         const QSizeF all = QSizeF(asked.image) / asked.ratio();
-        return frameOf(asked, image, picture->theme.surround,
+        return frameOf(asked, image, picture->theme.surround, {},
                        [&](QPainter& painter) { picture->paint(painter, all, *frame); });
     };
 }
@@ -99,9 +105,10 @@ FrameSource windowSource(MainWindow& window, const SequenceJob& job) {
             }
             if (window.plots().series().behind() > 0) return QImage();
             window.plots().settle();
-            return frameOf(asked, image, window.palette().color(QPalette::Window), [&](QPainter& painter) {
-                window.render(&painter, {}, {}, QWidget::DrawWindowBackground | QWidget::DrawChildren);
-            });
+            return frameOf(asked, image, window.palette().color(QPalette::Window), asked.corner(),
+                           [&](QPainter& painter) {
+                               window.render(&painter, {}, {}, QWidget::DrawWindowBackground | QWidget::DrawChildren);
+                           });
         };
     };
     return [&window, draw](std::int64_t tick, const GoesOn& goesOn) -> FramePicture {

@@ -1,7 +1,11 @@
 #include "panels/curve_list.h"
 
+#include <QContextMenuEvent>
 #include <QHeaderView>
+#include <QKeyEvent>
+#include <QMenu>
 #include <QPainter>
+#include <algorithm>
 
 #include "widgets/value_catalogue.h"
 
@@ -37,36 +41,71 @@ CurveList::CurveList(const QFont& font) {
     header()->setMinimumSectionSize(20);
     header()->setSectionResizeMode(0, QHeaderView::Stretch);
     header()->setSectionResizeMode(1, QHeaderView::Fixed);
-    header()->resizeSection(1, QFontMetrics(font).horizontalAdvance("00.0") + numberRoom);
+    makeRoomFor("00.0");
     header()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
-    setTextElideMode(Qt::ElideMiddle);
+    setTextElideMode(Qt::ElideRight);
     setIndentation(0);
     setIconSize({sampleWidth, sampleHeight});
-    setContextMenuPolicy(Qt::CustomContextMenu);
 }
 
 void CurveList::setLines(const std::vector<Line>& lines, const Theme& theme) {
-    const auto count = static_cast<int>(lines.size());
+    lines_.clear();
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (!lines[i].group.isEmpty() && (i == 0 || lines[i - 1].group != lines[i].group))
+            lines_.push_back(std::nullopt);
+        lines_.push_back(static_cast<int>(i));
+    }
+    const auto count = static_cast<int>(lines_.size());
     while (topLevelItemCount() > count) delete takeTopLevelItem(topLevelItemCount() - 1);
     for (int i = 0; i < count; ++i) {
-        const Line& line = lines[static_cast<std::size_t>(i)];
+        const auto at = static_cast<std::size_t>(i);
+        const bool isName = !lines_[at];
+        const Line& line = lines[static_cast<std::size_t>(isName ? *lines_[at + 1] : *lines_[at])];
         QTreeWidgetItem* item = topLevelItem(i);
         if (item == nullptr) item = new QTreeWidgetItem(this);
-        item->setIcon(0, sampleOf(line.pen, devicePixelRatioF()));
-        item->setText(0, line.label);
-        item->setToolTip(0, line.tip);
+        item->setFirstColumnSpanned(isName);
+        item->setIcon(0, isName ? QIcon() : sampleOf(line.pen, devicePixelRatioF()));
+        item->setText(0, isName ? line.group : line.label);
+        item->setForeground(0, isName ? theme.quietText : theme.text);
+        item->setToolTip(0, isName ? line.group : line.tip);
         item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
-        item->setText(2, line.unit);
+        if (isName) item->setText(1, {});
+        item->setText(2, isName ? QString() : line.unit);
         item->setForeground(2, theme.quietText);
     }
 }
 
 void CurveList::setNumber(int line, double number, int decimals) {
-    QTreeWidgetItem* item = topLevelItem(line);
-    if (item == nullptr) return;
+    const auto found = std::find(lines_.begin(), lines_.end(), std::optional(line));
+    if (found == lines_.end()) return;
+    QTreeWidgetItem* item = topLevelItem(static_cast<int>(found - lines_.begin()));
     item->setText(1, fixedText(number, decimals));
-    const int needed = fontMetrics().horizontalAdvance(item->text(1)) + numberRoom;
-    if (needed > columnWidth(1)) setColumnWidth(1, needed);
+    makeRoomFor(item->text(1));
+}
+
+void CurveList::makeRoomFor(const QString& number) {
+    numberWidth_ = std::max(numberWidth_, fontMetrics().horizontalAdvance(number) + numberRoom);
+    if (columnWidth(1) != numberWidth_) setColumnWidth(1, numberWidth_);
+}
+
+std::optional<int> CurveList::lineOf(QTreeWidgetItem* item) const {
+    const int at = indexOfTopLevelItem(item);
+    return at < 0 ? std::nullopt : lines_[static_cast<std::size_t>(at)];
+}
+
+void CurveList::keyPressEvent(QKeyEvent* event) {
+    const auto line = lineOf(currentItem());
+    const bool removes = event->key() == Qt::Key_Delete || event->key() == Qt::Key_Backspace;
+    if (!removes || !line) return QTreeWidget::keyPressEvent(event);
+    emit removalWanted(*line);
+}
+
+void CurveList::contextMenuEvent(QContextMenuEvent* event) {
+    QMenu menu(this);
+    if (const auto line = lineOf(itemAt(event->pos())))
+        menu.addAction(tr("&Remove"), this, [this, line] { emit removalWanted(*line); });
+    menu.addAction(tr("Remove &all"), this, &CurveList::clearWanted);
+    menu.exec(event->globalPos());
 }
 
 }  // namespace mrose::gui

@@ -2,13 +2,14 @@
 
 #include <QPen>
 #include <QTreeWidget>
+#include <optional>
 #include <vector>
 
 #include "widgets/theme.h"
 
 namespace mrose::gui {
 
-/// A legend of the plots with the numbers of an instant: the curves, and below them what they are held against.
+/// A legend of the plots with the numbers of an instant; several curves of one body under its name.
 class CurveList final : public QTreeWidget {
     Q_OBJECT
 
@@ -18,10 +19,26 @@ public:
     struct Line {
         QPen pen;
         QString label, unit, tip;
+        QString group = {};  ///< written above the first of those that have it; empty: nothing
     };
     void setLines(const std::vector<Line>& lines, const Theme& theme);
     /// Of a line. The column grows with its numbers and stays so: nothing jumps.
     void setNumber(int line, double number, int decimals);
+
+signals:
+    void removalWanted(int line);
+    void clearWanted();
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+
+private:
+    std::optional<int> lineOf(QTreeWidgetItem* item) const;
+    void makeRoomFor(const QString& number);
+
+    std::vector<std::optional<int>> lines_;  ///< of each item; nothing: it is a group's name
+    int numberWidth_ = 0;
 };
 
 }  // namespace mrose::gui

@@ -10,7 +10,7 @@
 namespace mrose::gui {
 namespace {
 
-constexpr double leastContrast = 1.9;  // of a curve and its ground
+constexpr double leastContrast = 2.6;  // of a curve and its ground
 constexpr std::array styles{Qt::SolidLine, Qt::DashLine, Qt::DotLine};
 
 QColor groundOf(const Theme& theme) { return theme.dark ? theme.surround : QColor(Qt::white); }
@@ -79,6 +79,32 @@ bool isOfModel(const ValueKey& key) {
     return key.quantity == positionErrorQuantity || key.quantity == headingErrorQuantity;
 }
 
+/// What the names of several quantities end with, in whole words: of "forward" and "real forward" it is "forward".
+QString commonEnd(const std::set<QString>& quantities) {
+    if (quantities.size() < 2) return {};
+    QStringList common = quantities.begin()->split(' ');
+    for (const QString& quantity : quantities) {
+        const QStringList words = quantity.split(' ');
+        int same = 0;
+        while (same < std::min(words.size(), common.size()) &&
+               words[words.size() - 1 - same] == common[common.size() - 1 - same])
+            ++same;
+        common = common.mid(common.size() - same);
+    }
+    return common.join(' ');
+}
+
+/// Of quantities that end alike what is left tells them apart.
+QString tellingPart(const QString& quantity, const std::set<QString>& all) {
+    const QString end = commonEnd(all);
+    if (end.isEmpty()) return quantity;
+    if (quantity != end) {
+        const QString left = quantity.chopped(end.size()).trimmed();
+        return left == "commanded" ? QObject::tr("told") : left;
+    }
+    return all.count("real " + end) > 0 ? QObject::tr("simulated") : quantity;
+}
+
 /// A value's name without its body and its model.
 QString quantityOf(const ValueKey& key, const PlottedValue& value) {
     if (isExpression(key)) return {};
@@ -105,19 +131,24 @@ std::vector<CurveWords> wordsOf(std::span<const ValueKey> keys, std::span<const 
     for (std::size_t i = 0; i < values.size(); ++i) {
         const QString body = QString::fromStdString(keys[i].body), quantity = quantityOf(keys[i], values[i]);
         if (isExpression(keys[i])) {
-            words.push_back({values[i].name, {}});
+            words.push_back({values[i].name, {}, {}, values[i].name});
             continue;
         }
+        const std::set<QString>& beside = quantities[values[i].unit];
+        const QString end = commonEnd(beside), measured = end.isEmpty() ? quantity : end;
         QStringList parts;
-        if (bodies.size() > 1) parts << body;
-        if (quantities[values[i].unit].size() > 1) parts << quantity;
+        if (beside.size() > 1) parts << tellingPart(quantity, beside);
         if (models && isOfModel(keys[i]))
             parts << (!keys[i].of.empty() ? QString::fromStdString(keys[i].of)
                       : !own.isEmpty()    ? own
                                           : QObject::tr("run"));
-        const bool nothing = parts.isEmpty();
+        const bool nothing = parts.isEmpty(), several = bodies.size() > 1;
+        CurveWords& one = words.emplace_back();
+        one.quantity = several || nothing ? measured : body + ": " + measured;
         if (nothing) parts << body;
-        words.push_back({parts.join("  "), bodies.size() > 1 || nothing ? quantity : body + ": " + quantity});
+        one.inGroup = parts.join("  ");
+        one.label = several && !nothing ? body + "  " + one.inGroup : one.inGroup;
+        if (several && !nothing) one.group = body;
     }
     return words;
 }

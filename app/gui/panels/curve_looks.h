@@ -24,6 +24,8 @@ std::vector<CurveLook> looksOf(std::span<const ValueKey> keys, std::span<const P
 struct CurveWords {
     QString label;     ///< what tells one from the others
     QString quantity;  ///< what its axis may be called, with the only body that all are of
+    QString group;     ///< the body under whose name it may be listed; empty: none
+    QString inGroup;   ///< what it is called there
 };
 /// `own` is the motion model by which the run's robots are moved; empty: nobody says.
 std::vector<CurveWords> wordsOf(std::span<const ValueKey> keys, std::span<const PlottedValue> values,

@@ -1,11 +1,10 @@
 #include "panels/plot_panel.h"
 
 #include <QHBoxLayout>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
-#include <QMenu>
 #include <QProgressBar>
+#include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -23,6 +22,7 @@ namespace {
 constexpr int mostSideWidth = 336, leastSideWidth = 120;
 constexpr double mostSideShare = 0.4;
 constexpr int levelDecimals = 1;
+constexpr QSize leastPlot(200, 90);       // pixels
 constexpr std::int64_t worthABar = 2000;  // ticks to be computed
 
 const Reality* realityOf(const std::shared_ptr<const Shown>& shown) {
@@ -46,6 +46,7 @@ PlotPanel::PlotPanel(Session& session, QWidget* parent)
     : QWidget(parent),
       series_(std::make_unique<ValueSeries>(session)),
       view_(new PlotView),
+      area_(new QScrollArea),
       hint_(new QLabel(tr("Nothing is plotted. Click the small curve beside a number in the inspector, or write an "
                           "expression at the right."))),
       list_(new CurveList(smallOf(font()))),
@@ -58,7 +59,13 @@ PlotPanel::PlotPanel(Session& session, QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(hint_, 1);
-    layout->addWidget(view_, 1);
+    area_->setWidget(view_);
+    area_->setWidgetResizable(true);
+    area_->setFrameShape(QFrame::NoFrame);
+    area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area_->setFocusPolicy(Qt::NoFocus);
+    area_->setMinimumSize(leastPlot);
+    layout->addWidget(area_, 1);
     layout->addWidget(makeSide());
     hint_->setAlignment(Qt::AlignCenter);
     hint_->setWordWrap(true);
@@ -85,15 +92,10 @@ QWidget* PlotPanel::makeSide() {
     auto* layout = new QVBoxLayout(side);
     layout->setContentsMargins(4, 2, 6, 4);
     layout->setSpacing(3);
-    list_->installEventFilter(this);
-    connect(list_, &QTreeWidget::customContextMenuRequested, this, [this](const QPoint& place) {
-        const int row = list_->indexOfTopLevelItem(list_->itemAt(place));
-        QMenu menu(this);
-        if (row >= 0 && row < static_cast<int>(keys_.size()))
-            menu.addAction(tr("&Remove"), this, [this, row] { remove(keys_[static_cast<std::size_t>(row)]); });
-        menu.addAction(tr("Remove &all"), this, &PlotPanel::clear);
-        menu.exec(list_->viewport()->mapToGlobal(place));
+    connect(list_, &CurveList::removalWanted, this, [this](int line) {
+        if (line < static_cast<int>(keys_.size())) remove(ValueKey(keys_[static_cast<std::size_t>(line)]));
     });
+    connect(list_, &CurveList::clearWanted, this, &PlotPanel::clear);
     layout->addWidget(list_, 1);
     layout->addWidget(ghostNote_);
     auto* bar = new QHBoxLayout(progress_);
@@ -213,9 +215,13 @@ void PlotPanel::replace(const std::vector<ValueKey>& some, const std::vector<Val
     const auto within = [](const std::vector<ValueKey>& keys) {
         return [&keys](const ValueKey& one) { return std::find(keys.begin(), keys.end(), one) != keys.end(); };
     };
-    std::vector<ValueKey> keys = others;
-    std::copy_if(keys_.begin(), keys_.end(), std::back_inserter(keys),
-                 [&](const ValueKey& one) { return !within(some)(one) && !within(others)(one); });
+    const auto moves = [&](const ValueKey& one) { return within(some)(one) || within(others)(one); };
+    const auto first = std::find_if(keys_.begin(), keys_.end(), within(some));
+    const auto before = first == keys_.end() ? 0 : first - keys_.begin();
+    std::vector<ValueKey> keys;
+    std::remove_copy_if(keys_.begin(), keys_.begin() + before, std::back_inserter(keys), moves);
+    keys.insert(keys.end(), others.begin(), others.end());
+    std::remove_copy_if(keys_.begin() + before, keys_.end(), std::back_inserter(keys), moves);
     if (keys == keys_) return;
     keys_ = std::move(keys);
     rebuild();
@@ -391,7 +397,7 @@ std::vector<PlotCurve> PlotPanel::curvesIn(const Theme& theme) const {
 
 void PlotPanel::rebuild() {
     hint_->setVisible(keys_.empty());
-    view_->setVisible(!keys_.empty());
+    area_->setVisible(!keys_.empty());
     looks_ = looksOf(keys_, values(), realityOf(shown_), theme_);
     series_->want(keys_);
     view_->setCurves(curvesIn(theme_), ghostName());
@@ -411,7 +417,8 @@ void PlotPanel::updateList() {
         PlotCurve curve;
         curve.colour = looks_[i].colour;
         curve.style = looks_[i].style;
-        lines.push_back({curvePen(curve), words[i].label, plotted[i].unit, plotted[i].name.simplified()});
+        lines.push_back(
+            {curvePen(curve), words[i].inGroup, plotted[i].unit, plotted[i].name.simplified(), words[i].group});
     }
     const QPen dashed(TimelineBar::colourOf(TimelineMark::Kind::divergence, theme_), 1, Qt::DashLine);
     for (const PlotLevel& level : levels())
@@ -463,16 +470,6 @@ void PlotPanel::updateProgress() {
 void PlotPanel::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     side_->setFixedWidth(std::clamp(static_cast<int>(mostSideShare * width()), leastSideWidth, mostSideWidth));
-}
-
-bool PlotPanel::eventFilter(QObject* watched, QEvent* event) {
-    if (watched != list_ || event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
-    const int key = static_cast<QKeyEvent*>(event)->key();
-    const int row = list_->indexOfTopLevelItem(list_->currentItem());
-    if ((key != Qt::Key_Delete && key != Qt::Key_Backspace) || row < 0 || row >= static_cast<int>(keys_.size()))
-        return QWidget::eventFilter(watched, event);
-    remove(keys_[static_cast<std::size_t>(row)]);
-    return true;
 }
 
 }  // namespace mrose::gui

@@ -16,7 +16,7 @@
 class QLabel;
 class QLineEdit;
 class QProgressBar;
-class QToolButton;
+class QScrollArea;
 
 namespace mrose {
 class ElidingLabel;
@@ -47,7 +47,7 @@ public:
     void toggleOfAll(const ValueKey& key);
     /// All of them, where not all are plotted; otherwise removes them.
     void toggleAll(std::vector<ValueKey> keys);
-    /// Some that nobody asked for in the place of others.
+    /// Puts others where the first of some is, without those, or before all where none is.
     void replace(const std::vector<ValueKey>& some, const std::vector<ValueKey>& others);
     void remove(const ValueKey& key);
     void clear();
@@ -88,7 +88,6 @@ signals:
     void asked();    ///< somebody added something and wants to see it
 
 protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:
@@ -115,6 +114,7 @@ private:
     Theme theme_ = Theme::light();
 
     PlotView* view_;
+    QScrollArea* area_;  ///< about it
     QLabel* hint_;
     QWidget* side_ = nullptr;
     CurveList* list_;

@@ -15,6 +15,7 @@
 
 #include "comparison/divergence_text.h"
 #include "evaluation/format.h"
+#include "widgets/eliding_text.h"
 #include "widgets/value_catalogue.h"
 
 namespace mrose::gui {
@@ -86,20 +87,16 @@ QDoubleSpinBox* boundBox(const char* suffix, double most, const QString& tip) {
 CausePanel::CausePanel(Overlay& overlay, QWidget* parent)
     : QWidget(parent),
       overlay_(overlay),
-      course_(new QLabel),
-      divergence_(new QLabel),
-      parting_(new QLabel),
-      cause_(new QLabel),
+      course_(new ElidingText(1)),
+      divergence_(new ElidingText(2)),
+      parting_(new ElidingText(2)),
+      cause_(new ElidingText(2)),
       goThere_(new QToolButton),
       speeds_(new QToolButton),
       causes_(new QTreeWidget) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
-    for (QLabel* label : {course_, divergence_, parting_, cause_}) {
-        label->setWordWrap(true);
-        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    }
     QFont bold = course_->font();
     bold.setBold(true);
     course_->setFont(bold);
@@ -109,6 +106,12 @@ CausePanel::CausePanel(Overlay& overlay, QWidget* parent)
     goThere_->setText(tr("Go there"));
     goThere_->setToolTip(tr("To the instant at which it leaves the real course (D)"));
     connect(goThere_, &QToolButton::clicked, this, [this] { overlay_.goToDivergence(); });
+    // What is not there leaves its room free: nothing moves from course to course.
+    for (QWidget* part : {static_cast<QWidget*>(goThere_), static_cast<QWidget*>(causes_)}) {
+        QSizePolicy policy = part->sizePolicy();
+        policy.setRetainSizeWhenHidden(true);
+        part->setSizePolicy(policy);
+    }
     where->addWidget(divergence_, 1);
     where->addWidget(goThere_, 0, Qt::AlignTop);
     where->addWidget(speeds_, 0, Qt::AlignTop);
@@ -225,13 +228,11 @@ QString CausePanel::likely() const {
 
 void CausePanel::refreshCauses() {
     cause_->setText(likely());
-    cause_->setVisible(!cause_->text().isEmpty());
     const auto& finding = overlay_.finding();
     const bool known = finding && finding->diagnosis;
     QString parting = known ? QString::fromStdString(partingText(*finding->diagnosis)) : QString();
     parting.replace(0, 1, parting.left(1).toUpper());
     parting_->setText(parting);
-    parting_->setVisible(!parting.isEmpty());
     causes_->setVisible(known);
     causes_->clear();
     if (!known) return;

@@ -7,9 +7,12 @@
 
 class QCheckBox;
 class QDoubleSpinBox;
-class QLabel;
 class QToolButton;
 class QTreeWidget;
+
+namespace mrose {
+class ElidingText;
+}
 
 namespace mrose::gui {
 
@@ -35,7 +38,7 @@ private:
     QString likely() const;
 
     Overlay& overlay_;
-    QLabel *course_, *divergence_, *parting_, *cause_;
+    ElidingText *course_, *divergence_, *parting_, *cause_;
     QToolButton *goThere_, *speeds_;
     QDoubleSpinBox *position_, *heading_;
     QCheckBox* heldOut_;

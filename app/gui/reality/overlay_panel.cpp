@@ -69,9 +69,15 @@ QString figuresText(const Summary& summary, bool open) {
              counted(summary.windows, QObject::tr("window"), QObject::tr("windows")));
 }
 
-/// Who walks through the courses by keys sees each of them.
+/// Who walks through the courses by keys sees each of them. The current one stays in sight where room is taken.
 class CourseView final : public QTreeView {
 protected:
+    void resizeEvent(QResizeEvent* event) override {
+        const QRect before = visualRect(currentIndex());
+        const bool seen = before.isValid() && before.top() < event->oldSize().height() && before.bottom() >= 0;
+        QTreeView::resizeEvent(event);
+        if (seen) scrollTo(currentIndex());
+    }
     void keyPressEvent(QKeyEvent* event) override {
         const QModelIndex before = currentIndex();
         QTreeView::keyPressEvent(event);

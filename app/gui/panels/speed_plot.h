@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QObject>
+#include <vector>
+
+#include "widgets/value_catalogue.h"
+
+namespace mrose::gui {
+
+class MainWindow;
+
+/// Plots what a robot was told, how fast it goes and how fast it really went: of the selected one, otherwise of the one
+/// that the overlay speaks of. They change with the robot, until somebody removes one of them.
+class SpeedPlot final : public QObject {
+    Q_OBJECT
+
+public:
+    explicit SpeedPlot(MainWindow& window);
+
+    /// Plots them, or no longer; false: nothing real is known beside that robot.
+    bool toggle();
+
+private:
+    void follow();
+
+    MainWindow& window_;
+    std::vector<ValueKey> own_;  ///< plotted by this
+    bool changing_ = false;      ///< what is plotted changes by this alone
+};
+
+}  // namespace mrose::gui

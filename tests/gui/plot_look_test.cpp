@@ -1,0 +1,201 @@
+// Whether plots can be read: what is pale, where titles stand, how low an axis gets, what the legend says.
+#include <QScrollArea>
+#include <QScrollBar>
+
+#include <gmock/gmock.h>
+#include <qcustomplot.h>
+
+#include "gui/overlay_fixture.h"
+#include "panels/curve_list.h"
+#include "panels/error_plot.h"
+#include "panels/plot_panel.h"
+#include "widgets/field_view.h"
+
+namespace mrose::gui {
+namespace {
+
+using testing::ElementsAre;
+
+TEST(AheadPen, IsSeenOnEveryGroundAndThinnerThanWhatIsSimulated) {
+    for (const Theme& theme : {Theme::light(), Theme::darkOne()})
+        for (const QColor& ground : {theme.dark ? theme.surround : QColor(Qt::white), theme.surround,
+                                     theme.dark ? theme.panel.lighter(115) : theme.panel})
+            for (std::size_t i = 0; i < 16; ++i) {
+                PlotCurve curve;
+                curve.colour = i < 8 ? robotColour(i) : modelColour(i - 8);
+                curve.ahead = {{0, 0}, {1, 1}};
+                const QPen pen = aheadPen(curve, ground);
+                EXPECT_GE(contrast(pen.color(), ground), 2) << i << ' ' << ground.name().toStdString();
+                EXPECT_LE(pen.widthF(), 0.7 * curvePen(curve).widthF());
+                if (contrast(curve.colour, ground) > 3) {
+                    EXPECT_LT(contrast(pen.color(), ground), contrast(curve.colour, ground));
+                }
+            }
+}
+
+class PlotLookTest : public OverlayTest {
+protected:
+    PlotPanel& plots() { return window.plots(); }
+    QCustomPlot& canvas() { return *plots().view().findChild<QCustomPlot*>(); }
+    CurveList& legend() { return *plots().findChild<CurveList*>(); }
+    std::vector<std::string> legendLines() {
+        std::vector<std::string> lines;
+        for (int i = 0; i < legend().topLevelItemCount(); ++i)
+            lines.push_back(legend().topLevelItem(i)->text(0).toStdString());
+        return lines;
+    }
+    void plot(const std::vector<const char*>& quantities, std::size_t body) {
+        window.errorPlot().settle();
+        for (const char* quantity : quantities)
+            ASSERT_TRUE(plots().add({quantity, window.shown()->frame->nameOf(body)})) << quantity;
+        settleAll();
+        plots().settle();
+        QApplication::processEvents();
+    }
+    /// A second robot that drives as the first one does.
+    void openTwo() {
+        const std::string file = makeLog([](Log& log) {
+            log.robots[0].robot = "a";
+            log.robots.push_back(log.robots[0]);
+            log.robots[1].robot = "b";
+            for (Trajectory& trajectory : log.robots[1].trajectories)
+                for (StampedPose& stamped : trajectory.poses) stamped.pose.y += 5;
+        });
+        ASSERT_NO_FATAL_FAILURE(openLog(file));
+        window.errorPlot().settle();
+        plots().clear();
+    }
+};
+
+TEST_F(PlotLookTest, TitlesStandBesideTheCurvesRoom) {
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped()));
+    plot({"speed", "x"}, 0);
+    int titles = 0;
+    for (int i = 0; i < canvas().itemCount(); ++i) {
+        auto* title = qobject_cast<QCPItemText*>(canvas().item(i));
+        if (title == nullptr) continue;
+        ++titles;
+        const QRectF box(title->topLeft->pixelPosition(), title->bottomRight->pixelPosition());
+        EXPECT_TRUE(QRectF(canvas().rect()).contains(box)) << title->text().toStdString();
+        for (int axes = 0; axes < canvas().axisRectCount(); ++axes)
+            EXPECT_FALSE(box.intersects(canvas().axisRect(axes)->rect())) << title->text().toStdString() << ' ' << axes;
+    }
+    EXPECT_EQ(titles, 4);
+}
+
+TEST_F(PlotLookTest, ManyAxesAreScrolledAndNotSqueezed) {
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped()));
+    auto* area = plots().findChild<QScrollArea*>();
+    const int before = plots().height();
+    EXPECT_FALSE(area->verticalScrollBar()->isVisible());
+    plot({"speed", "turning", "x"}, 0);
+    ASSERT_EQ(canvas().axisRectCount(), 5);
+    for (int i = 0; i < 5; ++i) EXPECT_GE(canvas().axisRect(i)->height(), 40) << i;
+    EXPECT_TRUE(area->verticalScrollBar()->isVisible());
+    EXPECT_EQ(plots().height(), before);
+    plots().clear();
+    plot({"speed"}, 0);
+    EXPECT_FALSE(area->verticalScrollBar()->isVisible());
+}
+
+TEST_F(PlotLookTest, SpeedsAreCalledByWhatDiffers) {
+    ASSERT_NO_FATAL_FAILURE(openTwo());
+    const std::string first = window.shown()->frame->nameOf(0), second = window.shown()->frame->nameOf(1);
+    plot({"commanded forward", "forward", "real forward", "commanded turning", "turning", "real turning"}, 0);
+    EXPECT_THAT(legendLines(), ElementsAre("told", "simulated", "real", "told", "simulated", "real"));
+    const QString name = QString::fromStdString(first);
+    EXPECT_EQ(plots().view().titles(), (QStringList{name + ": forward (m/s)", name + ": turning (rad/s)"}));
+    const QFontMetrics metrics(legend().font());
+    for (int i = 0; i < legend().topLevelItemCount(); ++i)
+        EXPECT_LT(metrics.horizontalAdvance(legend().topLevelItem(i)->text(0)) + legend().iconSize().width(),
+                  legend().columnWidth(0));
+    plot({"commanded forward", "real forward"}, 1);
+    EXPECT_THAT(legendLines(),
+                ElementsAre(first, "told", "simulated", "real", "told", "simulated", "real", second, "told", "real"));
+    EXPECT_EQ(plots().view().titles().front(), "forward (m/s)");
+    // Each line has its own number, and is removed alone.
+    EXPECT_EQ(legend().topLevelItem(0)->text(1), "");
+    legend().setFocus();
+    legend().setCurrentItem(legend().topLevelItem(8));
+    QTest::keyClick(&legend(), Qt::Key_Delete);
+    EXPECT_EQ(plots().plotted().count({"commanded forward", second}), 0u);
+    EXPECT_EQ(plots().keys().size(), 7u);
+    legend().setCurrentItem(legend().topLevelItem(0));
+    QTest::keyClick(&legend(), Qt::Key_Delete);
+    EXPECT_EQ(plots().keys().size(), 7u) << "a name is no curve";
+    plots().clear();
+    plot({"speed", "commanded forward", "forward in effect"}, 0);
+    EXPECT_THAT(legendLines(), ElementsAre("speed", "commanded forward", "forward in effect"));
+}
+
+TEST_F(PlotLookTest, SpeedsFollowTheRobotUntilOneIsRemoved) {
+    ASSERT_NO_FATAL_FAILURE(openTwo());
+    const std::string first = window.shown()->frame->nameOf(0), second = window.shown()->frame->nameOf(1);
+    const auto bodies = [&] {
+        std::map<std::string, int> count;
+        for (const ValueKey& key : plots().keys()) ++count[key.body];
+        return count;
+    };
+    const auto press = [&] {
+        QTest::keyClick(&window, Qt::Key_V, Qt::ShiftModifier);
+        settleAll();
+    };
+    const auto select = [&](std::size_t body) {
+        window.field().setSelected(body);
+        settleAll();
+    };
+    using Count = std::map<std::string, int>;
+    select(0);
+    plot({"x"}, 0);
+    press();
+    EXPECT_EQ(bodies(), (Count{{first, 7}}));
+    select(1);
+    EXPECT_EQ(bodies(), (Count{{first, 1}, {second, 6}}));
+    EXPECT_EQ(plots().keys().front().quantity, "x") << "they stand where they stood";
+    ASSERT_TRUE(overlay.show(0, 0));
+    settleAll();
+    EXPECT_EQ(window.field().selected(), 0u);
+    EXPECT_EQ(bodies(), (Count{{first, 7}}));
+    press();
+    EXPECT_EQ(bodies(), (Count{{first, 1}}));
+    press();
+    plots().remove({"turning", first});
+    select(1);
+    EXPECT_EQ(bodies(), (Count{{first, 6}})) << "what somebody took in hand stays";
+}
+
+class ResizeCount final : public QObject {
+public:
+    int count = 0;
+    bool eventFilter(QObject*, QEvent* event) override {
+        count += event->type() == QEvent::Resize ? 1 : 0;
+        return false;
+    }
+};
+
+/// With and without a divergence and its cause.
+TEST_F(PlotLookTest, ListOfCoursesKeepsItsHeightFromCourseToCourse) {
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {OverlayPlan::Cut::every, 0, 2}));
+    overlay.setBound({{0.05, 0.3}, false});
+    settleAll();
+    const int height = panel.list().height();
+    int with = 0, without = 0;
+    ResizeCount resizes;
+    panel.list().installEventFilter(&resizes);
+    for (std::size_t i = 1; i <= overlay.requests().size(); ++i) {
+        const std::size_t course = i % overlay.requests().size();
+        ASSERT_TRUE(overlay.show(course));
+        settleAll();
+        ASSERT_NE(overlay.shownRow(), nullptr);
+        ++(overlay.shownRow()->divergence ? with : without);
+        EXPECT_EQ(panel.list().height(), height) << course;
+        const QRect line = panel.list().visualRect(panel.list().currentIndex());
+        EXPECT_TRUE(panel.list().viewport()->rect().contains({1, line.top(), 1, line.height()})) << course;
+    }
+    EXPECT_EQ(resizes.count, 0) << "not even for an instant";
+    EXPECT_GT(with, 0);
+    EXPECT_GT(without, 0);
+}
+
+}  // namespace
+}  // namespace mrose::gui
