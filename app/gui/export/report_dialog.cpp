@@ -126,10 +126,10 @@ ReportDialog::ReportDialog(MainWindow& window, const QString& title, const QStri
     layout->addWidget(error_);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     buttons->addButton(start_, QDialogButtonBox::ActionRole);
-    start_->setDefault(true);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
     connect(start_, &QPushButton::clicked, this, &ReportDialog::start);
     layout->addWidget(buttons);
+    start_->setDefault(true);  // of this dialogue, which the button must be in
 }
 
 QLineEdit* ReportDialog::addWords(const QString& name, const QString& label, const QString& tip) {
@@ -235,8 +235,8 @@ ReportDialog* showComparisonDialog(MainWindow& window) {
     const auto* log = addLog(*dialog);
     const auto* robots = dialog->addWords("robots", QObject::tr("Ro&bots"),
                                           QObject::tr("Of the log, as 1,2; nothing: all that are played"));
-    const auto* every = dialog->addWords("every", QObject::tr("Again &every"),
-                                         QObject::tr("s, from the real robots; nothing: one course"));
+    const auto* every = dialog->addWords("every", QObject::tr("Again &every (s)"),
+                                         QObject::tr("From where the real robots are; nothing: one course"));
     const auto* folder = addFolder(*dialog);
     dialog->setAction([=, &window]() -> Expected<void> {
         if (auto all = needed({{log, "a log"}, {folder, "a folder"}}); !all) return all;
