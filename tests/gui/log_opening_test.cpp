@@ -271,6 +271,7 @@ TEST_F(LogOpeningTest, WhatCannotBeComparedIsRefusedBeforeItIsAskedWhatDrove) {
 TEST_F(LogOpeningTest, NotesTellOfOtherUnitsAndNameNoFlag) {
     const std::string file = makeLog([](Log& log) {
         log.synthetic = false;
+        log.robots[0].robot = "robot";
         for (Trajectory& trajectory : log.robots[0].trajectories)
             for (StampedPose& stamped : trajectory.poses) stamped.pose.heading *= 180 / std::numbers::pi;
     });

@@ -333,7 +333,7 @@ TEST_F(OverlayTest, GapInTheTruthIsSaidAndTheRestGoesOn) {
                   ->index(panel.courses()->lineOf(course.course, course.robot), CourseList::drives)
                   .data()
                   .toString(),
-              "gap");
+              "gap in truth");
 }
 
 TEST_F(OverlayTest, ScriptsAskForFiguresAndOpenTheWorst) {
