@@ -38,7 +38,7 @@ void Motion::add(const std::vector<StampedPose>& poses) {
     }
 }
 
-std::string number(double value) {
+std::string shortText(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.3g", value);
     return text;
@@ -53,16 +53,16 @@ std::vector<std::string> unitDoubts(const Log& log) {
         for (const Trajectory& trajectory : robot.trajectories) motion.add(trajectory.poses);
     std::vector<std::string> doubts;
     if (motion.steps > 0 && motion.far == motion.steps)
-        doubts.push_back("The poses of the log are " + number(motion.seconds / static_cast<double>(motion.steps)) +
+        doubts.push_back("The poses of the log are " + shortText(motion.seconds / static_cast<double>(motion.steps)) +
                          " s apart, so that no course can be compared: times are expected in seconds.");
     const auto often = [&](std::int64_t count) {
         return static_cast<double>(count) > seldom * static_cast<double>(motion.spans);
     };
     if (often(motion.fast))
-        doubts.push_back("The real robots would drive at more than " + number(fastest) +
+        doubts.push_back("The real robots would drive at more than " + shortText(fastest) +
                          " m/s: positions are expected in metres, times in seconds.");
     if (often(motion.fastTurns))
-        doubts.push_back("The real robots would turn by more than " + number(fastestTurn) +
+        doubts.push_back("The real robots would turn by more than " + shortText(fastestTurn) +
                          " rad/s: headings are expected in radians, not in degrees.");
     return doubts;
 }

@@ -96,8 +96,9 @@ void goToDivergence(MainWindow& window) {
     if (overlay.goToDivergence()) return;
     window.say(!overlay.shownCourse() ? QObject::tr("No course of the log is shown")
                : overlay.share() < 1  ? QObject::tr("Nothing leaves the real course as far as they are compared")
-               : overlay.comparison() ? QObject::tr("No course of the log is left by more than the bound")
-                                      : QObject::tr("The courses are not compared"));
+               : overlay.comparison()
+                   ? QObject::tr("Nothing leaves the real course by more than the bound, in none of the courses")
+                   : QObject::tr("The courses are not compared"));
 }
 
 /// The robot of the overlay that a body of the run is.
