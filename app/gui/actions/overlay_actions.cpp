@@ -97,7 +97,7 @@ void goToDivergence(MainWindow& window) {
     window.say(!overlay.shownCourse() ? QObject::tr("No course of the log is shown")
                : overlay.share() < 1  ? QObject::tr("Nothing leaves the real course as far as they are compared")
                : overlay.comparison()
-                   ? QObject::tr("Nothing leaves the real course by more than the bound, in none of the courses")
+                   ? QObject::tr("Nothing leaves the real course by more than the bound in any of the courses")
                    : QObject::tr("The courses are not compared"));
 }
 
