@@ -5,6 +5,7 @@
 #include <QString>
 
 class QKeyEvent;
+class QLineEdit;
 class QWidget;
 
 namespace mrose::gui {
