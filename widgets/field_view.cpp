@@ -205,6 +205,7 @@ void FieldView::setView(const ViewTransform& view) {
     if (like == view_) return;
     view_ = toldView_ = like;
     fitted_ = false;
+    followSelected();
     update();
 }
 

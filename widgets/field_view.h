@@ -50,6 +50,7 @@ public:
     /// A part of it instead, until the user looks elsewhere; another run, too, is shown whole at first.
     void fit(const FieldArea& area);
     bool showsPart() const { return fitted_ && part_; }  ///< of fit(area), still
+    bool showsAll() const { return fitted_ && !part_; }  ///< as fit() left it
     /// Where all of the place lies in the view when it is fitted, pixels.
     QRectF fittedPlace() const;
     /// Of all of the place when it is fitted into a view of that size, pixels per metre; 0: nothing is shown.

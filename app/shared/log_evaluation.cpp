@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "identification/held_out_groups.h"
+#include "logs/unit_doubts.h"
 #include "shared/evaluation_models.h"
 #include "shared/log_files.h"
 #include "shared/notices.h"
@@ -71,7 +72,8 @@ Expected<LogEvaluation> evaluateLog(const LogEvaluationRequest& request, const s
     auto chosen = chosenWindows(request.shown, evaluation->windows.size());
     if (!chosen) return tl::unexpected(chosen.error());
     ReportContext context = reportContext(network, request.network, *log, commandLine);
-    context.notices = noticesOf(network, *log, request.heldOut);
+    context.notices = unitDoubts(*log);
+    for (std::string& notice : noticesOf(network, *log, request.heldOut)) context.notices.push_back(std::move(notice));
     context.chosen = std::move(*chosen);
     return LogEvaluation{std::move(*evaluation), std::move(context)};
 }

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
+#include "logs/csv_format.h"
 #include "motion/learned_model.h"
 
 namespace mrose {
 namespace {
 
 std::string listOf(const std::vector<std::string>& names) {
+    if (names.size() == 1 && names[0] == defaultRobot) return "the " + names[0];
     std::string text = names.size() == 1 ? "robot " : "robots ";
     for (std::size_t i = 0; i < names.size(); ++i) text += (i == 0 ? "" : ", ") + names[i];
     return text;
@@ -30,14 +32,14 @@ std::string ofUnknownRobots(const MotionNetwork& network, const Log& log) {
            listOf(network.robots) + '.';
 }
 
-std::string ofKnownLog(const MotionNetwork& network, const Log& log) {
+std::string ofKnownLog(const MotionNetwork& network, const Log& log, const std::string& howJudged) {
     const auto& known = network.training.logs;
     const auto isKnown = [&](const LogFile& file) {
         return std::any_of(known.begin(), known.end(), [&](const auto& source) { return source.hash == file.hash; });
     };
     if (std::none_of(log.files.begin(), log.files.end(), isKnown)) return {};
     return std::string("The network was learned from this log: on another one its errors are larger.") +
-           (network.heldOut.groups.holdsAny() ? " --held-out judges it by what was kept from learning." : "");
+           (network.heldOut.groups.holdsAny() ? howJudged : "");
 }
 
 }  // namespace
@@ -59,7 +61,8 @@ std::string robotKind(const Log& log) {
 
 std::vector<std::string> noticesOf(const MotionNetwork& network, const Log& log, bool heldOutOnly) {
     std::vector<std::string> notices{ofOtherKind(network, robotKind(log), "the log"), ofUnknownRobots(network, log)};
-    if (!heldOutOnly) notices.push_back(ofKnownLog(network, log));
+    if (!heldOutOnly)
+        notices.push_back(ofKnownLog(network, log, " --held-out judges it by what was kept from learning."));
     std::erase(notices, std::string());
     return notices;
 }
@@ -69,7 +72,7 @@ std::vector<std::string> noticesOf(const MotionNetwork& network, const LogWorld&
     compared.files = world.log().files;
     for (const ComparedRobot& robot : world.robots()) compared.robots.push_back({robot.realName, {}, {}});
     std::vector<std::string> notices{otherKindNotice(network, world), ofUnknownRobots(network, compared),
-                                     ofKnownLog(network, compared)};
+                                     ofKnownLog(network, compared, " mrose evaluate can judge it by what was kept.")};
     std::erase(notices, std::string());
     return notices;
 }

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
+#include "comparison/log_world.h"
 #include "evaluation/format.h"
 #include "io/toml_edit.h"
+#include "scenario/description_reader.h"
 
 namespace mrose {
 namespace {
@@ -26,24 +29,42 @@ std::optional<Kind> kindOf(const Log& log) {
 }
 
 /// All that the robots drive in, with room round it, in whole metres.
-std::string openPlace(const Log& log) {
+struct Place {
     double left = 0, right = 0, bottom = 0, top = 0;
+
+    double span() const { return std::max(right - left, top - bottom); }
+    double farthest() const { return std::max({-left, right, -bottom, top}); }
+};
+
+Place placeOf(const Log& log) {
+    Place place;
     bool any = false;
     for (const RobotLog& robot : log.robots)
         for (const Trajectory& trajectory : robot.trajectories)
             for (const StampedPose& stamped : trajectory.poses) {
-                const Pose& at = stamped.pose;
-                left = any ? std::min(left, at.x) : at.x;
-                right = any ? std::max(right, at.x) : at.x;
-                bottom = any ? std::min(bottom, at.y) : at.y;
-                top = any ? std::max(top, at.y) : at.y;
-                any = true;
+                const double x = stamped.pose.x, y = stamped.pose.y;
+                if (!std::exchange(any, true)) place = {x, x, y, y};
+                place = {std::min(place.left, x), std::max(place.right, x), std::min(place.bottom, y),
+                         std::max(place.top, y)};
             }
-    const auto down = [](double value) { return fixed(std::clamp(std::floor(value) - 1, -9000.0, 9000.0), 1); };
-    const auto up = [](double value) { return fixed(std::clamp(std::ceil(value) + 1, -9000.0, 9000.0), 1); };
-    const std::string x0 = down(left), x1 = up(right), y0 = down(bottom), y1 = up(top);
+    return {std::floor(place.left) - 1, std::ceil(place.right) + 1, std::floor(place.bottom) - 1,
+            std::ceil(place.top) + 1};
+}
+
+std::string openPlace(const Place& place) {
+    const std::string x0 = fixed(place.left, 1), x1 = fixed(place.right, 1), y0 = fixed(place.bottom, 1),
+                      y1 = fixed(place.top, 1);
     return "format = \"mrose environment\"\nversion = 1\nname = \"open place\"\n\n[floor]\narea_m = [[" + x0 + ", " +
            y0 + "], [" + x1 + ", " + y0 + "], [" + x1 + ", " + y1 + "], [" + x0 + ", " + y1 + "]]\n";
+}
+
+Expected<void> checkPlace(const Log& log) {
+    const Place place = placeOf(log);
+    if (place.farthest() <= metresFar) return {};
+    return fail(log.source, "has ground truth that spans " + fixed(place.span() - 2, 0) + " m, up to " +
+                                fixed(place.farthest() - 1, 0) +
+                                " m from the origin; positions are expected in metres, within " + fixed(metresFar, 0) +
+                                " m");
 }
 
 /// "create 3"; a robot that the log calls what it is needs no more.
@@ -55,6 +76,21 @@ std::string nameOf(const Kind& kind, const RobotLog& robot) {
 
 bool tellsRobotKind(const Log& log) { return kindOf(log).has_value(); }
 
+Expected<void> checkPlayable(const Log& log, const std::vector<std::string>& robots) {
+    for (const RobotLog& robot : log.robots) {
+        if (!robots.empty() && std::find(robots.begin(), robots.end(), robot.robot) == robots.end()) continue;
+        Expected<void> playable;
+        for (const Trajectory& trajectory : robot.trajectories) {
+            auto comparable = checkComparable(log, robot, trajectory);
+            if (comparable || playable) playable = comparable;
+            if (comparable) break;
+        }
+        if (!playable) return playable;
+    }
+    const auto kind = kindOf(log);
+    return kind && kind->environment != placeName ? Expected<void>() : checkPlace(log);
+}
+
 Expected<Descriptions> scenarioOfLog(const Log& log, const std::string& place, const std::string& robotFile) {
     std::optional<Kind> kind = kindOf(log);
     if (!robotFile.empty())
@@ -65,6 +101,8 @@ Expected<Descriptions> scenarioOfLog(const Log& log, const std::string& place, c
                     "does not tell what kind of robot drove; expected a robot file (--robot), or a scenario whose "
                     "robots play it");
     if (log.robots.empty()) return fail(log.source, "has no robots");
+    if (kind->environment == placeName)
+        if (auto inside = checkPlace(log); !inside) return tl::unexpected(inside.error());
     const std::string name = std::filesystem::path(log.source).filename().string();
     const std::string file = name + ".toml";
     std::string text = "format = \"mrose scenario\"\nversion = 1\nname = " + tomlString(name) +
@@ -77,7 +115,7 @@ Expected<Descriptions> scenarioOfLog(const Log& log, const std::string& place, c
                 ", robot = " + tomlString(robot.robot) + " }\n";
     }
     Descriptions descriptions{file, {{file, std::move(text)}}};
-    if (kind->environment == placeName) descriptions.texts.emplace(placeName, openPlace(log));
+    if (kind->environment == placeName) descriptions.texts.emplace(placeName, openPlace(placeOf(log)));
     return descriptions;
 }
 

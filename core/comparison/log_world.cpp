@@ -59,12 +59,28 @@ std::optional<std::size_t> trajectoryNamed(const RobotLog& robot, const std::str
     return std::nullopt;
 }
 
+std::string noCommands(const RobotLog& robot) {
+    return "has no commands of robot \"" + robot.robot +
+           "\"; expected the commands that it was sent and the poses that it reached";
+}
+
 }  // namespace
+
+Expected<void> checkComparable(const Log& log, const RobotLog& robot, const Trajectory& trajectory) {
+    if (trajectory.commands.empty()) return fail(log.source, noCommands(robot));
+    if (trajectory.poses.empty())
+        return fail(log.source, "has no ground truth of robot \"" + robot.robot +
+                                    "\": nothing to compare with; expected its poses (x, y, heading) beside its "
+                                    "commands");
+    if (auto overlap = checkOverlap(robot.robot, trajectory); !overlap) return fail(log.source, overlap.error().cause);
+    return {};
+}
 
 Expected<LogWorld> LogWorld::create(ScenarioParts parts, std::shared_ptr<const Log> log, const Names& robots) {
     LogWorld world(std::move(parts), std::move(log));
     if (const auto found = world.findRobots(robots); !found) return tl::unexpected(found.error());
     if (const auto found = world.findTakes(); !found) return tl::unexpected(found.error());
+    world.gatherAll();
     return world;
 }
 
@@ -137,16 +153,10 @@ Expected<Take> LogWorld::takeOf(const std::vector<std::size_t>& trajectories, bo
     Nanoseconds common = std::numeric_limits<Nanoseconds>::min();
     for (std::size_t i = 0; i < robots_.size(); ++i) {
         const RobotLog& real = log_->robots[robots_[i].real];
-        if (real.trajectories.empty() || real.trajectories[trajectories[i]].commands.empty())
-            return fail(log_->source, "has no commands of robot \"" + real.robot +
-                                          "\"; expected the commands that it was sent and the poses that it reached");
+        if (real.trajectories.empty()) return fail(log_->source, noCommands(real));
         const Trajectory& trajectory = real.trajectories[trajectories[i]];
-        if (trajectory.poses.empty())
-            return fail(log_->source, "has no ground truth of robot \"" + real.robot +
-                                          "\": nothing to compare with; expected its poses (x, y, heading) beside its "
-                                          "commands");
-        if (auto overlap = checkOverlap(real.robot, trajectory); !overlap)
-            return fail(log_->source, overlap.error().cause);
+        if (auto comparable = checkComparable(*log_, real, trajectory); !comparable)
+            return tl::unexpected(comparable.error());
         common = std::max(common, beginning(trajectory));
     }
     // As an excerpt begins: when all robots of the log are there, whether they are compared or not.
@@ -167,6 +177,13 @@ std::shared_ptr<const Controller> LogWorld::player(const RolloutStart& start, Na
     std::vector<StampedCommand> commands = commandsRead(start, start.time + duration);
     for (StampedCommand& command : commands) command.time -= start.time;
     return std::make_shared<const CommandPlayer>(commands);
+}
+
+void LogWorld::gatherAll() {
+    ScenarioParts parts = parts_;
+    const auto told = std::make_shared<const CommandPlayer>(std::vector<StampedCommand>{});
+    for (const ComparedRobot& robot : robots_) parts.controllers[robot.body] = told;
+    everybody_ = std::make_shared<const Scenario>(std::move(parts));
 }
 
 LogWorld::OpenedParts LogWorld::partsAt(std::size_t take, Nanoseconds start, Nanoseconds duration) const {

@@ -31,6 +31,10 @@ struct Take {
     Nanoseconds length = 0;   ///< on the take's clock: where the last ground truth ends
 };
 
+/// Whether a robot can be compared over a trajectory of its. Error: it has no commands, or no ground truth of the same
+/// time.
+Expected<void> checkComparable(const Log& log, const RobotLog& robot, const Trajectory& trajectory);
+
 /// A scenario whose robots play a log, and that log. The world can be opened at any instant of it: the simulated robots
 /// are then where the real ones were, as fast, and told the same.
 class LogWorld {
@@ -46,6 +50,9 @@ public:
     const std::shared_ptr<const Log>& sharedLog() const { return log_; }
     const std::vector<ComparedRobot>& robots() const { return robots_; }
     const std::vector<Take>& takes() const { return takes_; }
+    /// A world that all compared robots are in, at the scenario's starts and told nothing: what openAt() leaves out
+    /// where a robot has no ground truth can be named in it.
+    const std::shared_ptr<const Scenario>& everybody() const { return everybody_; }
     const Trajectory& trajectory(std::size_t take, std::size_t robot) const {
         return log_->robots[robots_[robot].real].trajectories[takes_[take].parts[robot].trajectory];
     }
@@ -79,6 +86,7 @@ private:
     LogWorld(ScenarioParts parts, std::shared_ptr<const Log> log) : parts_(std::move(parts)), log_(std::move(log)) {}
     Expected<void> findRobots(const std::vector<std::string>& chosen);
     Expected<void> findTakes();
+    void gatherAll();
     Expected<Take> takeOf(const std::vector<std::size_t>& trajectories, bool first) const;
 
     ScenarioParts parts_;
@@ -86,6 +94,7 @@ private:
     std::vector<ComparedRobot> robots_;
     std::vector<LogExcerpt> excerpts_;  ///< by compared robot
     std::vector<Take> takes_;
+    std::shared_ptr<const Scenario> everybody_;
 };
 
 }  // namespace mrose

@@ -66,7 +66,7 @@ PoseError poseError(const Pose& real, const Pose& simulated) {
 }
 
 Reality realityOf(const LogWorld& world, std::size_t take, Nanoseconds start) {
-    Reality reality{world.sharedLog(), start, {}, {}};
+    Reality reality{world.sharedLog(), start, {}, {}, world.everybody()};
     for (std::size_t i = 0; i < world.robots().size(); ++i)
         reality.robots.push_back({world.robots()[i].name, world.robots()[i].realName, &world.trajectory(take, i),
                                   world.takes()[take].parts[i].origin + start});

@@ -55,6 +55,7 @@ struct Reality {
     Nanoseconds start = 0;  ///< on the take's clock, where the run's is 0
     std::vector<Robot> robots;
     std::vector<ModelCourse> models;
+    std::shared_ptr<const Scenario> everybody = {};  ///< LogWorld::everybody(); nothing: nobody is left out
 
     /// Of the simulated robot of that name; nullptr: none really drove beside it.
     const Robot* robotNamed(const std::string& simulated) const;

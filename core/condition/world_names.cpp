@@ -325,7 +325,9 @@ private:
     };
 
     /// A name for the table of members on top of the stack, which it takes.
-    void addCollection(const Words& words, const std::vector<std::string>& names, lua_CFunction read) {
+    /// `numbers`: of the members, where others are left out; empty: all are there.
+    void addCollection(const Words& words, const std::vector<std::string>& names, lua_CFunction read,
+                       const std::string& numbers = {}) {
         const std::size_t count = names.size();
         const std::string many = words.many, number = count == 0 ? "no" : std::to_string(count);
         pushHandle(lua_, Handle::Kind::collection, 0);
@@ -333,7 +335,9 @@ private:
         lua_pushvalue(lua_, -3);
         lua_pushstring(lua_, words.one);
         const std::string there =
-            count == 1 ? std::string("there is 1 ") + words.one : "there are " + number + ' ' + many;
+            count == 1        ? "there is " + (numbers.empty() ? "1 " + std::string(words.one) : words.one + numbers)
+            : numbers.empty() ? "there are " + number + ' ' + many
+                              : "there are " + many + numbers;
         lua_pushstring(lua_, there.c_str());
         lua_pushstring(lua_, listed(names).c_str());
         lua_pushcclosure(lua_, read, 4);
@@ -349,15 +353,20 @@ private:
     void addRobots(const Words& words, bool persons) {
         lua_newtable(lua_);
         std::vector<std::string> names;
+        std::string numbers;
+        bool gaps = false;
         for (std::uint32_t i = 0; i < scene_.robots.size(); ++i) {
             if (scene_.typeOf(i).person != persons) continue;
             pushHandle(lua_, Handle::Kind::robot, i);
             luaL_setmetatable(lua_, words.name);
             names.push_back(scene_.robots[i].name);
             // Persons stand behind all robots, and nobody leaves one out.
-            addMember(persons ? names.size() : scene_.placeOf(i) + 1, names.back());
+            const std::size_t number = persons ? names.size() : scene_.placeOf(i) + 1;
+            addMember(number, names.back());
+            gaps = gaps || number != names.size();
+            numbers += (names.size() == 1 ? " " : ", ") + std::to_string(number);
         }
-        addCollection(words, names, readMember);
+        addCollection(words, names, readMember, gaps ? numbers : std::string());
     }
 
     void addObjects() {

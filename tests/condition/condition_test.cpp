@@ -242,6 +242,20 @@ TEST_F(Conditions, RefuseWhatTheSceneHasNot) {
 }
 
 /// Also where the start would not lead there.
+TEST(LeftOutRobots, RefusalNamesTheNumbersThatAreThere) {
+    const auto refused = [](const Scenario& scenario) {
+        const auto condition = compileCondition("robot[1].x > 1", scenario);
+        return condition ? "" : condition.error().cause;
+    };
+    ScenarioParts parts = meeting().parts();
+    parts.scene.robots[0].place = 2;
+    parts.scene.robots[1].place = 4;
+    EXPECT_EQ(refused(Scenario(parts)), "there is no robot 1: there are robots 3, 5");
+    parts.scene.robots.erase(parts.scene.robots.begin());
+    parts.controllers.erase(parts.controllers.begin());
+    EXPECT_EQ(refused(Scenario(parts)), "there is no robot 1: there is robot 5");
+}
+
 TEST_F(Conditions, RefuseItBehindAndAndOr) {
     EXPECT_EQ(refusal("time > 60 and\n robot[7].x > 1"), "--until:2:8: there is no robot 7: there are 2 robots");
     EXPECT_EQ(refusal("time < 60 or not ball.touch"),

@@ -83,6 +83,21 @@ protected:
 
 constexpr const char* fast = "robot[2].speed > 0.5";
 
+TEST_F(BreakpointTest, LineStaysWhereItIsWhenAnErrorIsTold) {
+    key(Qt::Key_F8);
+    settle();
+    const QPoint at = line().mapTo(&window, QPoint(0, 0));
+    QTest::keyClicks(&line(), "robot[9].speed > 0.1 and robot[2].speed > 0.5");
+    QTest::keyClick(&line(), Qt::Key_Return);
+    settle();
+    QApplication::processEvents();
+    ASSERT_NE(told(), "");
+    EXPECT_EQ(line().mapTo(&window, QPoint(0, 0)), at);
+    line().clear();
+    QApplication::processEvents();
+    EXPECT_EQ(line().mapTo(&window, QPoint(0, 0)), at);
+}
+
 TEST_F(BreakpointTest, TypedConditionStopsPlayingAndRunningAtItsBeginnings) {
     const std::vector<std::int64_t> ticks = beginningsOf(walked(fast, 1500));
     ASSERT_GE(ticks.size(), 3u);

@@ -145,7 +145,7 @@ TEST_F(LogOpeningTest, PanelOfALogInPiecesTellsThemApart) {
     ASSERT_NO_FATAL_FAILURE(openLog(huskyLog(6)));
     EXPECT_EQ(overlay.world()->world().robots()[0].name, "husky");
     // Six times 1.95 s.
-    EXPECT_THAT(head(), HasSubstr("1 robot, 6 courses, 6 takes, 0:11 min in all"));
+    EXPECT_THAT(head(), HasSubstr("6 courses of 1 robot, 6 takes, 0:11 min in all"));
     const QTreeView& list = panel.list();
     EXPECT_TRUE(list.isColumnHidden(CourseList::robot));
     ASSERT_FALSE(list.isColumnHidden(CourseList::take));
@@ -244,6 +244,48 @@ TEST_F(LogOpeningTest, WhatDroveInOnesOwnLogIsAsked) {
     QTest::keyClick(&dialog()->robots(), Qt::Key_Return);
     settleAll();
     EXPECT_TRUE(overlay.world());
+}
+
+TEST_F(LogOpeningTest, WhatCannotBeComparedIsRefusedBeforeItIsAskedWhatDrove) {
+    const auto opened = [&](const std::function<void(Trajectory&)>& change) {
+        window.messages().clear();
+        makeLog([&](Log& log) {
+            log.synthetic = false;
+            for (Trajectory& trajectory : log.robots[0].trajectories) change(trajectory);
+        });
+        dropAndSettle(path("made.csv"));
+        EXPECT_EQ(dialog(), nullptr);
+        EXPECT_FALSE(overlay.world());
+        return errors();
+    };
+    EXPECT_THAT(opened([](Trajectory& trajectory) {
+                    for (StampedPose& stamped : trajectory.poses) stamped.time += 1000 * nanosecondsPerSecond;
+                }),
+                ElementsAre(HasSubstr("expected both of the same time")));
+    EXPECT_THAT(opened([](Trajectory& trajectory) {
+                    for (StampedPose& stamped : trajectory.poses) stamped.pose.x = 3000 * (1 + stamped.pose.x);
+                }),
+                ElementsAre(HasSubstr("positions are expected in metres")));
+}
+
+TEST_F(LogOpeningTest, NotesTellOfOtherUnitsAndNameNoFlag) {
+    const std::string file = makeLog([](Log& log) {
+        log.synthetic = false;
+        log.robots[0].robot = "robot";
+        for (Trajectory& trajectory : log.robots[0].trajectories)
+            for (StampedPose& stamped : trajectory.poses) stamped.pose.heading *= 180 / std::numbers::pi;
+    });
+    OverlayRequest request{file, ""};
+    request.robotFile = "pioneer1.toml";
+    ASSERT_EQ(refusal(request), "");
+    settleAll();
+    EXPECT_THAT(notes(), Contains(HasSubstr("radians")));
+    EXPECT_THAT(notes(), Not(Contains(HasSubstr("robot robot"))));
+    EXPECT_THAT(notes(), Contains(HasSubstr("not learned from the robot")));
+    for (const std::string& log : {shipped(), (sourceFolder() / "resources/logs/pioneer").string()}) {
+        ASSERT_NO_FATAL_FAILURE(openLog(log));
+        EXPECT_THAT(notes(), Not(Contains(HasSubstr("--"))));
+    }
 }
 
 TEST_F(LogOpeningTest, WhoThinksBetterOfItKeepsWhatIsOpen) {

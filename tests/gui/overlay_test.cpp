@@ -2,6 +2,7 @@
 #include "reality/overlay.h"
 
 #include <QDockWidget>
+#include <QLabel>
 #include <QTreeView>
 #include <QTreeWidget>
 #include <algorithm>
@@ -333,7 +334,13 @@ TEST_F(OverlayTest, GapInTheTruthIsSaidAndTheRestGoesOn) {
                   ->index(panel.courses()->lineOf(course.course, course.robot), CourseList::drives)
                   .data()
                   .toString(),
-              "gap");
+              "gap in truth");
+    const auto counted = std::count_if(overlay.rows().begin(), overlay.rows().end(),
+                                       [](const OverlayRow& row) { return row.use == CourseUse::counted; });
+    QString labels;
+    for (const QLabel* label : panel.findChildren<QLabel*>()) labels += label->text() + '\n';
+    EXPECT_THAT(labels.toStdString(),
+                HasSubstr(std::to_string(counted) + " of " + std::to_string(overlay.rows().size()) + " count; "));
 }
 
 TEST_F(OverlayTest, ScriptsAskForFiguresAndOpenTheWorst) {

@@ -1,14 +1,17 @@
 // How an overlay is looked at: its list, and the field about the course that is picked.
 #include <QComboBox>
 #include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QStyle>
 #include <QTextLayout>
 #include <QTreeWidget>
+#include <algorithm>
 #include <cmath>
 
 #include <gmock/gmock.h>
 
 #include "gui/overlay_fixture.h"
+#include "panels/breakpoint_panel.h"
 #include "panels/plot_panel.h"
 #include "scripting/window_script.h"
 #include "widgets/field_view.h"
@@ -109,13 +112,48 @@ TEST_F(OverlayViewTest, PickedCourseIsSeenFromNearUntilTheUserLooksElsewhere) {
     expectNear();
     field().zoom(0.5);
     EXPECT_FALSE(field().showsPart());
+    const FieldArea chosen = field().transform().shown();
     ASSERT_TRUE(overlay.showNext(1));
     settleAll();
-    EXPECT_FALSE(field().showsPart());
+    EXPECT_EQ(field().transform().shown().least, chosen.least) << "what the user looks at stays";
+    EXPECT_EQ(field().transform().shown().most, chosen.most);
     clickLine(1);
     EXPECT_TRUE(field().showsPart());
     window.actions()["fit"].trigger();
     EXPECT_FALSE(field().showsPart());
+}
+
+TEST_F(OverlayViewTest, ScaleAndTheFollowedRobotGoAlongFromCourseToCourse) {
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {OverlayPlan::Cut::every, 0, 2}));
+    window.actions()["follow"].trigger();
+    clickLine(0);
+    window.session().seek(10);
+    settleAll();
+    const double near = field().transform().scale();
+    ASSERT_GT(near, 1.5 * field().fittedScale(field().size()));
+    const int by = *overlay.shownCourse() + 1 < overlay.requests().size() ? 1 : -1;
+    ASSERT_TRUE(overlay.showNext(by));
+    settleAll();
+    EXPECT_EQ(field().transform().scale(), near);
+    ASSERT_EQ(field().selected(), 0u);
+    const Pose& robot = window.shown()->frame->poseOf(0);
+    const Point middle = field().transform().shown().middle();
+    EXPECT_NEAR(middle.x, robot.x, 1e-9);
+    EXPECT_NEAR(middle.y, robot.y, 1e-9);
+    window.actions()["follow"].trigger();
+    window.actions()["fit"].trigger();
+    ASSERT_TRUE(overlay.showNext(-by));
+    settleAll();
+    EXPECT_TRUE(field().showsAll()) << "all of the place stays all of it";
+}
+
+TEST_F(OverlayViewTest, CourseAsideOfWhatTheUserLooksAtIsSeenFromNear) {
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {OverlayPlan::Cut::every, 0, 2}));
+    field().zoom(3);
+    field().panBy({1e6, 0});
+    ASSERT_TRUE(overlay.showNext(1));
+    settleAll();
+    expectNear();
 }
 
 TEST_F(OverlayViewTest, KeysWalkThroughTheListAndOpenItsCourses) {
@@ -181,6 +219,147 @@ TEST_F(TwoRobotsTest, KeyGoesToTheOneThatLeavesWhereTheSelectedOneStays) {
     EXPECT_EQ(window.shown()->tick(), leaves);
     EXPECT_EQ(overlay.shownRobot(), 1u);
     EXPECT_EQ(window.field().selected(), 1u);
+}
+
+TEST_F(TwoRobotsTest, KeySelectsTheOneThatLeavesAndShowsItFromNear) {
+    field().setSelected({});
+    settleAll();
+    ASSERT_TRUE(field().showsAll());
+    const double whole = field().transform().scale();
+    QTest::keyClick(&window, Qt::Key_D);
+    settleAll();
+    EXPECT_EQ(field().selected(), 1u);
+    EXPECT_TRUE(field().showsPart());
+    EXPECT_GT(field().transform().scale(), whole);
+    field().zoom(0.5);
+    const double chosen = field().transform().scale();
+    QTest::keyClick(&window, Qt::Key_D);
+    settleAll();
+    EXPECT_EQ(field().transform().scale(), chosen) << "who has looked elsewhere stays there";
+}
+
+/// Of the second robot the ground truth is missing between 2 and 4 s.
+class AbsentRobotTest : public OverlayViewTest {
+protected:
+    void SetUp() override {
+        OverlayViewTest::SetUp();
+        const std::string file = makeLog([](Log& log) {
+            log.robots[0].robot = "a";
+            log.robots.insert(log.robots.begin(), log.robots[0]);
+            log.robots[0].robot = "b";
+            for (Trajectory& trajectory : log.robots[0].trajectories) {
+                const Nanoseconds begin = trajectory.poses.front().time;
+                std::erase_if(trajectory.poses, [&](const StampedPose& stamped) {
+                    const double at = toSeconds(stamped.time - begin);
+                    return at > 0.8 && at < 2.2;
+                });
+                for (StampedPose& stamped : trajectory.poses) stamped.pose.y += 5;
+            }
+        });
+        ASSERT_NO_FATAL_FAILURE(openLog(file, {OverlayPlan::Cut::every, 0, 1}));
+        ASSERT_EQ(overlay.world()->world().robots().size(), 2u);
+        ASSERT_EQ(window.shown()->frame->scene().robots.size(), 2u);
+        ASSERT_GE(overlay.requests().size(), 4u);
+    }
+    void next() {
+        ASSERT_TRUE(overlay.showNext(1));
+        settleAll();
+    }
+};
+
+TEST_F(AbsentRobotTest, SelectedRobotIsSelectedAgainWhereItComesBack) {
+    field().setSelected(0);
+    settleAll();
+    const std::string name = window.shown()->frame->nameOf(0);
+    next();
+    ASSERT_EQ(window.shown()->frame->scene().robots.size(), 1u);
+    EXPECT_FALSE(field().selected()) << "no other one in its place";
+    while (window.shown()->frame->scene().robots.size() < 2) ASSERT_NO_FATAL_FAILURE(next());
+    ASSERT_TRUE(field().selected());
+    EXPECT_EQ(window.shown()->frame->nameOf(*field().selected()), name);
+}
+
+TEST_F(AbsentRobotTest, ConditionOnWhoIsAbsentIsLookedForInOtherCourses) {
+    const auto add = [&](const char* text) {
+        const auto added = window.breakpointPanel().add(text);
+        settleAll();
+        return added ? "" : added.error().message();
+    };
+    ASSERT_NO_FATAL_FAILURE(next());
+    ASSERT_EQ(window.shown()->frame->scene().robots.size(), 1u);
+    const std::size_t absent = *overlay.shownCourse();
+    EXPECT_THAT(add("robot[3].speed > 0"), HasSubstr("there is no robot 3: there are 2 robots"));
+    EXPECT_EQ(add("time > 0.4 and robot[1].x > -1000"), "");
+    const BreakpointState state = window.shown()->breakpoints.back();
+    ASSERT_EQ(state.breakpoint.text, "time > 0.4 and robot[1].x > -1000");
+    EXPECT_EQ(state.unfit, "there is no robot 1: there is robot 2 (at character 22)");
+    EXPECT_TRUE(state.elsewhere);
+    EXPECT_EQ(state.inRun, 0);
+    QTest::keyClick(&window, Qt::Key_F6);
+    settleAll();
+    EXPECT_GT(*overlay.shownCourse(), absent);
+    EXPECT_TRUE(window.shown()->breakpoints.back().here);
+    EXPECT_FALSE(window.shown()->breakpoints.back().elsewhere);
+    const std::string name = window.shown()->frame->nameOf(0);
+    ASSERT_TRUE(overlay.show(absent));
+    settleAll();
+    EXPECT_EQ(add(("contact " + name).c_str()), "");
+    EXPECT_THAT(add("contact nobody"), HasSubstr("there is no body 'nobody'"));
+}
+
+TEST_F(OverlayViewTest, EscapeTakesBackOnlyWhatIsNotAccepted) {
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {OverlayPlan::Cut::every, 0, 2}));
+    window.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+    auto* length = panel.findChild<QDoubleSpinBox*>();
+    const auto type = [&](const char* text, Qt::Key end) {
+        length->setFocus();
+        length->selectAll();
+        QTest::keyClicks(length, text);
+        QTest::keyClick(window.windowHandle(), end);
+        settleAll();
+    };
+    type("3", Qt::Key_Return);
+    ASSERT_EQ(overlay.plan().length, 3);
+    ASSERT_TRUE(length->hasFocus());
+    QTest::keyClick(window.windowHandle(), Qt::Key_Escape);
+    settleAll();
+    EXPECT_EQ(overlay.plan().length, 3);
+    EXPECT_TRUE(window.field().hasFocus());
+    type("4", Qt::Key_Return);
+    type("7", Qt::Key_Escape);
+    EXPECT_EQ(overlay.plan().length, 4);
+    EXPECT_EQ(length->value(), 4);
+}
+
+TEST_F(OverlayViewTest, KeyGoesToTheNextCourseThatIsLeft) {
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {OverlayPlan::Cut::every, 0, 2}));
+    // A bound that some courses keep, and others do not.
+    std::vector<double> errors;
+    for (const OverlayRow& row : overlay.rows()) errors.push_back(row.position.value_or(0));
+    std::sort(errors.begin(), errors.end());
+    overlay.setBound({{1.5 * errors[errors.size() / 2], 10}, false});
+    settleAll();
+    const auto isLeft = [&](std::size_t course) { return overlay.rowOf(course, 0)->divergence.has_value(); };
+    std::size_t from = 0;
+    while (from + 1 < overlay.requests().size() && (isLeft(from) || isLeft(from + 1))) ++from;
+    ASSERT_LT(from + 2, overlay.requests().size()) << "two in a row that are kept";
+    ASSERT_TRUE(overlay.show(from));
+    settleAll();
+    std::size_t wanted = from;
+    do {
+        wanted = (wanted + 1) % overlay.requests().size();
+    } while (!isLeft(wanted));
+    QTest::keyClick(&window, Qt::Key_D);
+    settleAll();
+    EXPECT_EQ(overlay.shownCourse(), wanted);
+    EXPECT_EQ(window.shown()->frame->scene().timeOf(state().tick), overlay.rowOf(wanted, 0)->divergence->time);
+    EXPECT_TRUE(field().selected());
+    overlay.setBound({{100, 10}, false});
+    settleAll();
+    QTest::keyClick(&window, Qt::Key_D);
+    settleAll();
+    EXPECT_EQ(overlay.shownCourse(), wanted) << "none is left";
 }
 
 TEST_F(TwoRobotsTest, BreakOnDivergenceNamesAndSelectsTheOneThatLeaves) {

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QTest>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -50,6 +51,15 @@ protected:
 };
 
 /// All files, to the last byte: the command that they tell is the same.
+TEST_F(ReportExportTest, ReturnInALineWritesAndDoesNotClose) {
+    ReportDialog* dialog = showReportDialog(window);
+    auto* line = dialog->findChild<QLineEdit*>("folder");
+    line->setFocus();
+    QTest::keyClick(line, Qt::Key_Return);
+    EXPECT_TRUE(dialog->isVisible());
+    EXPECT_THAT(dialog->findChild<QLabel*>("error")->text().toStdString(), HasSubstr("choose"));
+}
+
 TEST_F(ReportExportTest, IsTheOneOfMroseEvaluate) {
     ASSERT_EQ(runMrose({"evaluate", shippedNetwork(), "--log", shippedLog(), "--report", place("report")}).status, 0);
     std::filesystem::rename(folder.path() / "report", folder.path() / "theirs");

@@ -91,6 +91,16 @@ Expected<void> removeModel(MainWindow& window, const std::string& name) {
     return fail(name, "is not laid over" + (names.empty() ? std::string() : "; expected one of " + names));
 }
 
+void goToDivergence(MainWindow& window) {
+    Overlay& overlay = window.overlay();
+    if (overlay.goToDivergence()) return;
+    window.say(!overlay.shownCourse() ? QObject::tr("No course of the log is shown")
+               : overlay.share() < 1  ? QObject::tr("Nothing leaves the real course as far as they are compared")
+               : overlay.comparison()
+                   ? QObject::tr("Nothing leaves the real course by more than the bound in any of the courses")
+                   : QObject::tr("The courses are not compared"));
+}
+
 /// The robot of the overlay that a body of the run is.
 std::optional<std::size_t> robotOf(MainWindow& window, std::optional<std::size_t> body) {
     if (!body || !window.shown() || !window.overlay().world() || *body >= window.shown()->frame->scene().bodyCount())
@@ -159,11 +169,8 @@ void addOverlayActions(MainWindow& window) {
                           [&](bool) { window.overlay().showNext(-1); }));
     whileOpen(actions.add(menu,
                           {"go_to_divergence", QObject::tr("&Where it leaves the real course"), QKeySequence("D"),
-                           QObject::tr("To the first divergence of the shown course")},
-                          [&](bool) {
-                              if (!window.overlay().goToDivergence())
-                                  window.say(QObject::tr("Nothing leaves the real course here by more than the bound"));
-                          }));
+                           QObject::tr("To the first divergence of the shown course, or of the next that has one")},
+                          [&](bool) { goToDivergence(window); }));
     actions.addSeparator(menu);
     whileOpen(actions.add(menu,
                           {"add_model", QObject::tr("Lay another &model over\u2026"), QKeySequence("Ctrl+M"),

@@ -60,6 +60,32 @@ MarkKind markOf(BreakKind kind) {
     }
 }
 
+Expected<void> checkIn(const Scenario& scenario, std::string_view text, const RealityPointer& reality) {
+    const BreakText what = readBreakText(text);
+    if (what.kind == BreakKind::condition) {
+        auto condition = compileCondition(what.name, scenario, "condition", realPoses(reality));
+        if (condition) return {};
+        // In the text as it is written.
+        if (condition.error().line == 1 && condition.error().column > 0)
+            condition.error().column += static_cast<int>(text.find_first_not_of(space));
+        return tl::unexpected(condition.error());
+    }
+    if (what.name.empty()) return {};
+    if (what.kind == BreakKind::divergence) return fail("", "\"divergence\" takes no name");
+    const std::vector<std::string> names = namesOf(what.kind, scenario.scene());
+    std::string all;
+    for (const std::string& name : names) {
+        if (name == what.name) return {};
+        all += (all.empty() ? "" : ", ") + name;
+    }
+    const std::string one = what.kind == BreakKind::goal ? "goal" : what.kind == BreakKind::contact ? "body" : "robot";
+    const std::string_view meant = nearestWord(what.name, {names.begin(), names.end()});
+    return fail("", "there is no " + one + " '" + std::string(what.name) + '\'' +
+                        (!meant.empty() ? "; did you mean " + std::string(meant) + '?'
+                         : !all.empty() ? "; expected one of " + all
+                                        : ""));
+}
+
 }  // namespace
 
 bool Breakpoint::operator==(const Breakpoint& other) const {
@@ -92,30 +118,14 @@ bool isSameTruth(const RealityPointer& a, const RealityPointer& b) {
                                           });
 }
 
+Expected<void> checkBreakHere(std::string_view text, const Course& course, const RealityPointer& reality) {
+    return checkIn(*course.scenario, text, reality);
+}
+
 Expected<void> checkBreakText(std::string_view text, const Course& course, const RealityPointer& reality) {
-    const BreakText what = readBreakText(text);
-    if (what.kind == BreakKind::condition) {
-        auto condition = compileCondition(what.name, *course.scenario, "condition", realPoses(reality));
-        if (condition) return {};
-        // In the text as it is written.
-        if (condition.error().line == 1 && condition.error().column > 0)
-            condition.error().column += static_cast<int>(text.find_first_not_of(space));
-        return tl::unexpected(condition.error());
-    }
-    if (what.name.empty()) return {};
-    if (what.kind == BreakKind::divergence) return fail("", "\"divergence\" takes no name");
-    const std::vector<std::string> names = namesOf(what.kind, course.scene());
-    std::string all;
-    for (const std::string& name : names) {
-        if (name == what.name) return {};
-        all += (all.empty() ? "" : ", ") + name;
-    }
-    const std::string one = what.kind == BreakKind::goal ? "goal" : what.kind == BreakKind::contact ? "body" : "robot";
-    const std::string_view meant = nearestWord(what.name, {names.begin(), names.end()});
-    return fail("", "there is no " + one + " '" + std::string(what.name) + '\'' +
-                        (!meant.empty() ? "; did you mean " + std::string(meant) + '?'
-                         : !all.empty() ? "; expected one of " + all
-                                        : ""));
+    auto here = checkBreakHere(text, course, reality);
+    if (here || reality == nullptr || reality->everybody == nullptr) return here;
+    return checkIn(*reality->everybody, text, reality);
 }
 
 bool isMeant(const BreakText& text, const TimelineMark& mark, const Course& course) {

@@ -42,8 +42,12 @@ RealPoses realPoses(const RealityPointer& reality);
 /// Whether both tell the same of the same robots, whatever models they have.
 bool isSameTruth(const RealityPointer& a, const RealityPointer& b);
 
-/// Error: a condition that does not compile, a body or goal that the course does not have.
+/// Error: a condition that does not compile, a body or goal that the course does not have. Who is in the real log, but
+/// not in this course, may be in others: Reality::everybody knows them.
 Expected<void> checkBreakText(std::string_view text, const Course& course, const RealityPointer& reality);
+
+/// The same of this course alone.
+Expected<void> checkBreakHere(std::string_view text, const Course& course, const RealityPointer& reality);
 
 /// Whether a mark of the course is what such a breakpoint waits for.
 bool isMeant(const BreakText& text, const TimelineMark& mark, const Course& course);

@@ -65,6 +65,7 @@ void Breakpoints::forgetRun() {
     breakpoints_.clear();
     questions_.clear();
     compiled_.clear();
+    fitElsewhere_.clear();
     judge_ = std::make_unique<BlockJudge>();
     diverged_ = {};
     elsewhere_ = {};
@@ -123,6 +124,7 @@ void Breakpoints::setMetElsewhere(MetElsewhere met) { elsewhere_ = std::move(met
 void Breakpoints::forgetAnswers() {
     questions_.clear();
     compiled_.clear();
+    fitElsewhere_.clear();
     ++version_;
 }
 
@@ -174,6 +176,13 @@ Expected<Condition>& Breakpoints::compiled(const TimeTravel& run, const std::str
     if (compiled_.size() >= mostCompiled) compiled_.clear();
     auto condition = compileCondition(text, *run.course().scenario, "condition", realPoses(run.reality()));
     return compiled_.emplace(key, std::move(condition)).first->second;
+}
+
+/// Of a text that does not fit the shown course.
+bool Breakpoints::fitsElsewhere(const TimeTravel& run, const std::string& text) {
+    const auto [known, isNew] = fitElsewhere_.try_emplace(text);
+    if (isNew) known->second = checkBreakText(text, run.course(), run.reality()).has_value();
+    return known->second;
 }
 
 /// At the shown tick.
@@ -439,9 +448,10 @@ std::vector<BreakpointState> Breakpoints::states(const TimeTravel& run, const st
                 state.unfit = wrongWith(condition.error());
         } else if (text.kind == BreakKind::divergence && !canDiverge()) {
             state.unfit = "no real log is laid over the run yet";
-        } else if (const auto fits = checkBreakText(breakpoint.text, run.course(), run.reality()); !fits) {
+        } else if (const auto fits = checkBreakHere(breakpoint.text, run.course(), run.reality()); !fits) {
             state.unfit = fits.error().cause;
         }
+        state.elsewhere = !state.unfit.empty() && fitsElsewhere(run, breakpoint.text);
         if (isEvent(text.kind)) {
             for (const TimelineMark& mark : happened) {
                 if (!isMeant(text, mark, run.course())) continue;

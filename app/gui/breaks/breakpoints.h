@@ -25,6 +25,7 @@ struct BreakpointState {
     bool known = false;      ///< all of that has been looked at
     bool here = false;       ///< it holds at the shown tick
     std::string unfit;       ///< why it cannot hold in this course; empty: it can
+    bool elsewhere = false;  ///< who is missing here is in other courses of the log
 };
 
 /// Which break is looked for.
@@ -111,6 +112,7 @@ private:
     const Question* knownOf(const Breakpoint& breakpoint) const;
     std::vector<Question*> questions(std::vector<std::uint32_t>* ids = nullptr);
     Expected<Condition>& compiled(const TimeTravel& run, const std::string& text);
+    bool fitsElsewhere(const TimeTravel& run, const std::string& text);
     std::int64_t metBefore(const Breakpoint& breakpoint) const;
     Expected<bool> answer(const TimeTravel& run, const Question& question);
     /// At the shown tick, and that often enough; nothing: the search was ended.
@@ -127,6 +129,7 @@ private:
     MetElsewhere elsewhere_;
     std::unique_ptr<BlockJudge> judge_;
     Compiled compiled_;
+    std::map<std::string, bool> fitElsewhere_;  ///< texts that do not fit the shown course
     std::uint64_t version_ = 0;
 };
 

@@ -151,10 +151,10 @@ ReportDialog::ReportDialog(MainWindow& window, const QString& title, const QStri
     layout->addWidget(error_);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     buttons->addButton(start_, QDialogButtonBox::ActionRole);
-    start_->setDefault(true);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
     connect(start_, &QPushButton::clicked, this, &ReportDialog::start);
     layout->addWidget(buttons);
+    start_->setDefault(true);  // of this dialogue, which the button must be in
 }
 
 QLineEdit* ReportDialog::addWords(const QString& name, const QString& label, const QString& tip) {

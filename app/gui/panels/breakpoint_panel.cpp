@@ -78,6 +78,13 @@ private:
     Theme theme_ = Theme::light();
 };
 
+/// Text in lines of which the room is always the same: one whose height depends on its width makes the whole panel's
+/// depend on it.
+class ToldLabel final : public QLabel {
+public:
+    bool hasHeightForWidth() const override { return false; }
+};
+
 constexpr int leastList = 42;  // pixels: a row
 constexpr const char* breakHereText = "breakHere()";
 
@@ -99,6 +106,7 @@ std::pair<QString, bool> noteOf(const BreakpointState& state) {
     const Breakpoint& breakpoint = state.breakpoint;
     if (!breakpoint.error.empty())
         return {QObject::tr("switched off: %1").arg(QString::fromStdString(breakpoint.error)), true};
+    if (state.elsewhere) return {QObject::tr("in this course %1").arg(QString::fromStdString(state.unfit)), false};
     if (!state.unfit.empty()) return {QString::fromStdString(state.unfit), true};
     QStringList parts;
     if (state.all == 0 && breakpoint.enabled && breakpoint.text == breakHereText)
@@ -117,7 +125,7 @@ std::pair<QString, bool> noteOf(const BreakpointState& state) {
 }  // namespace
 
 BreakpointPanel::BreakpointPanel(QWidget* parent)
-    : QWidget(parent), list_(new QListWidget), line_(new QLineEdit), offers_(new QToolButton), told_(new QLabel) {
+    : QWidget(parent), list_(new QListWidget), line_(new QLineEdit), offers_(new QToolButton), told_(new ToldLabel) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
@@ -140,6 +148,7 @@ BreakpointPanel::BreakpointPanel(QWidget* parent)
     list_->setEditTriggers(QAbstractItemView::DoubleClicked);
     list_->setContextMenuPolicy(Qt::ActionsContextMenu);
     list_->installEventFilter(this);
+    line_->installEventFilter(this);
     line_->setObjectName("breakpoint_line");
     line_->setPlaceholderText(tr("Stop where\u2026"));
     line_->setToolTip(
@@ -154,9 +163,12 @@ BreakpointPanel::BreakpointPanel(QWidget* parent)
     offers_->setFocusPolicy(Qt::TabFocus);
     told_->setObjectName("breakpoint_told");
     told_->setWordWrap(true);
-    told_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    told_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    told_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     told_->setTextFormat(Qt::PlainText);
     told_->setContentsMargins(8, 0, 8, 6);
+    // The line above stays where it is when something is told.
+    told_->setFixedHeight(2 * told_->fontMetrics().lineSpacing() + 6);
     connect(line_, &QLineEdit::textChanged, this, &BreakpointPanel::check);
     connect(line_, &QLineEdit::returnPressed, this, [this] {
         if (!add(line_->text())) return;
@@ -263,9 +275,12 @@ void BreakpointPanel::tell(const QString& text, bool wrong) {
     if (told_->text() != text) told_->setText(text);
     const QString style = "color: " + (wrong ? theme_.warning : theme_.quietText).name();
     if (told_->styleSheet() != style) told_->setStyleSheet(style);
-    told_->setVisible(!text.isEmpty());
-    // Where the panel is scrolled, once it has its new height.
-    if (line_->hasFocus() && !text.isEmpty())
+    told_->setToolTip(text);
+}
+
+bool BreakpointPanel::eventFilter(QObject* watched, QEvent* event) {
+    // Where the panel is scrolled, what will be told of the line is in sight, too.
+    if (watched == line_ && event->type() == QEvent::FocusIn)
         QTimer::singleShot(0, told_, [this] {
             for (QWidget* at = parentWidget(); at != nullptr; at = at->parentWidget())
                 if (auto* area = qobject_cast<QScrollArea*>(at)) {
@@ -273,10 +288,7 @@ void BreakpointPanel::tell(const QString& text, bool wrong) {
                     area->ensureWidgetVisible(line_, 0, 0);
                 }
         });
-}
-
-bool BreakpointPanel::eventFilter(QObject* watched, QEvent* event) {
-    // What is told below takes room from the list: the chosen row stays in sight.
+    // The chosen row stays in sight.
     if (watched == list_ && event->type() == QEvent::Resize)
         QTimer::singleShot(0, list_, [this] { list_->scrollToItem(list_->currentItem()); });
     if (watched != list_ || event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);

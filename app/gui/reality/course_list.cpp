@@ -21,7 +21,7 @@ constexpr CourseColumn courseColumns[] = {
     {QT_TR_NOOP("% of\npath"), QT_TR_NOOP("The same in percent of the way that the real robot drove")},
     {QT_TR_NOOP("Head.\n\u00b0"), QT_TR_NOOP("Heading error, the mean over the course")},
     {QT_TR_NOOP("Leaves\ns"), QT_TR_NOOP("When it first leaves the real course by more than the bound")},
-    {QT_TR_NOOP("Drives"), QT_TR_NOOP("What it is told to do")},
+    {QT_TR_NOOP("Drives"), QT_TR_NOOP("What it is told to do; or why the course does not count in P and Hd")},
 };
 
 /// What lines are sorted by; what nobody knows comes last in either order.
@@ -117,7 +117,7 @@ QString CourseList::text(const OverlayRow& row, int column) const {
         default:
             break;
     }
-    if (row.use == CourseUse::gap) return tr("gap");
+    if (row.use == CourseUse::gap) return tr("gap in truth");
     if (row.use == CourseUse::still) return tr("stands");
     const std::string_view manoeuvre = row.manoeuvre ? name(*row.manoeuvre) : "";
     return QString::fromUtf8(manoeuvre.data(), static_cast<int>(manoeuvre.size()));

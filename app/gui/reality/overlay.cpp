@@ -186,6 +186,7 @@ void Overlay::close() {
     models_.clear();
     loading_.clear();
     robot_.reset();
+    absent_.clear();
     reload_.reset();
     reading_.reset();
     share_ = 1;
@@ -355,19 +356,20 @@ void Overlay::takeCourse(Expected<OpenRun> run, std::size_t course, std::optiona
     }
     window_.messages().remove(overlayTopic);
     const Shown* const shown = window_.shown();
-    std::string selected;
+    const FieldView& field = window_.field();
+    coming_ = Coming{run->course, course, robot, absent_, run->reality, robot.has_value(), {}, then};
     if (robot)
-        selected = world_->world().robots()[*robot].name;
-    else if (const auto body = window_.field().selected(); body && shown != nullptr)
-        selected = shown->frame->nameOf(*body);
-    // Breakpoints go along from course to course.
+        coming_->selected = world_->world().robots()[*robot].name;
+    else if (const auto body = field.selected(); body && shown != nullptr)
+        coming_->selected = shown->frame->nameOf(*body);
+    // Breakpoints and the view go along from course to course.
     std::vector<Breakpoint> breakpoints;
     if (shown != nullptr && shown->run == run_) {
         for (const BreakpointState& state : shown->breakpoints) breakpoints.push_back(state.breakpoint);
         learnHits();
+        coming_->near = robot || field.showsPart();
+        if (!field.showsAll()) coming_->view = field.transform();
     }
-    coming_ = Coming{
-        run->course, course, robot, std::move(selected), run->reality, robot || window_.field().showsPart(), then.look};
     window_.files().takeCourse(*run);
     if (!breakpoints.empty()) window_.session().setBreakpoints(breakpoints);
     tellHits(course);
@@ -395,7 +397,9 @@ void Overlay::followShown() {
     if (isLastCourse()) return sayLogEnds();
     if (window_.files().hasUnsaved())
         return window_.say(tr("This course has branches that are not saved: the next one waits"));
-    showNext(1, Then{true, {}});
+    Then on;
+    on.play = true;
+    showNext(1, on);
 }
 
 /// The run of a course is shown.
@@ -409,15 +413,13 @@ void Overlay::finishComing() {
     reality_ = come.reality;
     shownCourse_ = come.course;
     if (come.robot) robot_ = come.robot;
-    const Scene& scene = window_.shown()->frame->scene();
-    for (std::size_t body = 0; body < scene.robots.size(); ++body)
-        if (scene.robots[body].name == come.selected) window_.field().setSelected(body);
+    selectAgain(come.selected);
     lookAtCourse();
-    if (come.near) showNear();
+    showAsBefore(come);
     emit changed();
-    if (come.look)
-        window_.session().goToBreak(*come.look,
-                                    come.look->back ? Session::BreakReach::all : Session::BreakReach::within);
+    if (come.then.toDivergence) goToDivergence();
+    if (const auto& look = come.then.look)
+        window_.session().goToBreak(*look, look->back ? Session::BreakReach::all : Session::BreakReach::within);
     readAgain();
 }
 

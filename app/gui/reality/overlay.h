@@ -97,7 +97,8 @@ public:
     /// Lays the re-run of a cause beside the shown course; nothing: none.
     void showCause(std::optional<std::size_t> trial);
     std::optional<std::size_t> shownCause() const { return cause_; }
-    /// To the instant at which it leaves the real course; false: it does not.
+    /// To the instant at which it leaves the real course, and it is selected; where the shown course is not left, to
+    /// the next one that is, after the last the first. False: there is none, as far as they are compared.
     bool goToDivergence();
     /// Opens a course as the window's run. A robot that is picked is selected, and its course seen from near. False:
     /// there is none, or what is unsaved is to stay.
@@ -130,6 +131,7 @@ private:
     /// What is to be done once a course is shown.
     struct Then {
         bool play = false;
+        bool toDivergence = false;
         std::optional<BreakWish> look = {};
     };
     /// A run that was given to the session: what is to be done when it is shown.
@@ -140,7 +142,8 @@ private:
         std::string selected;
         std::shared_ptr<const Reality> reality;
         bool near = false;
-        std::optional<BreakWish> look = {};
+        std::optional<ViewTransform> view = {};  ///< the part of the place that was seen; nothing: all of it
+        Then then = {};
     };
     struct WantedModel {
         std::string named;
@@ -184,6 +187,9 @@ private:
     void followShown();
     void finishComing();
     void showNear();
+    void showAsBefore(const Coming& come);
+    void selectAgain(const std::string& name);
+    bool goToOtherDivergence();
     bool coursesFollow() const;
     bool inCourses() const;
     void learnHits();
@@ -212,6 +218,7 @@ private:
     std::vector<OverlayModel> models_;
     std::vector<WantedModel> loading_;  ///< that are not there yet
     std::optional<std::size_t> robot_;
+    std::string absent_;  ///< was selected before a course that does not have it; empty: nobody
     std::optional<Finding> finding_;
     std::optional<std::size_t> cause_;
     std::shared_ptr<const Reality> reality_;  ///< of the shown course, without models

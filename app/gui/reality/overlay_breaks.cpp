@@ -44,13 +44,29 @@ bool Overlay::goToDivergence() {
         const auto first = std::min_element(rows.begin(), rows.end(), [](const OverlayRow& a, const OverlayRow& b) {
             return a.divergence && (!b.divergence || a.divergence->time < b.divergence->time);
         });
-        if (first == rows.end() || !first->divergence) return false;
+        if (first == rows.end() || !first->divergence) return goToOtherDivergence();
         leaves = &*first;
-        select(leaves->robot);
     }
+    select(leaves->robot);
+    if (window_.field().showsAll()) showNear();
     const std::int64_t tick = window_.shown()->frame->scene().ticksOf(leaves->divergence->time);
     window_.session().seek(tick, false);
     return true;
+}
+
+/// In the shown course there is none.
+bool Overlay::goToOtherDivergence() {
+    for (std::size_t i = 1; i < requests_.size(); ++i) {
+        const std::size_t course = (*shownCourse_ + i) % requests_.size();
+        const auto rows = rowsOf(course);
+        if (std::none_of(rows.begin(), rows.end(), [](const OverlayRow& row) { return row.divergence.has_value(); }))
+            continue;
+        window_.say(tr("Nothing leaves the real course in the one before; in this it does"));
+        Then then;
+        then.toDivergence = true;
+        return show(course, {}, then);
+    }
+    return false;
 }
 
 /// A breakpoint stopped the run: where that is because a robot leaves the real course, it is the one to be asked about.
@@ -100,7 +116,9 @@ bool Overlay::playsNext() {
     if (shown == nullptr || !inCourses() || opening() || shown->branch != 0 || !atCourseEnd()) return false;
     const Nanoseconds end = requests_[*shownCourse_].steps * WindowOptions{}.step;
     if (shown->tick() > shown->frame->scene().ticksOf(end)) return false;
-    if (!isLastCourse()) return !window_.files().hasUnsaved() && showNext(1, Then{true, {}});
+    Then on;
+    on.play = true;
+    if (!isLastCourse()) return !window_.files().hasUnsaved() && showNext(1, on);
     if (toldEnd_ == run_) return false;
     sayLogEnds();
     return true;

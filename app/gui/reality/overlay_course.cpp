@@ -4,6 +4,7 @@
 #include "reality/overlay.h"
 #include "reality/overlay_marks.h"
 #include "widgets/field_view.h"
+#include "widgets/value_catalogue.h"
 #include "window/main_window.h"
 
 namespace mrose::gui {
@@ -56,6 +57,15 @@ void Overlay::layReality() {
         laid->models.push_back(std::move(ghost));
     }
     window_.session().setReality(run_, std::move(laid));
+}
+
+/// In another course it has another number. Who is not in it is selected in the next one that has it.
+void Overlay::selectAgain(const std::string& name) {
+    if (name.empty()) return;
+    const std::uint32_t body = bodyNamed(window_.shown()->frame->scene(), name);
+    const bool there = body != noBody;
+    absent_ = there ? std::string() : name;
+    window_.field().setSelected(there ? std::optional<std::size_t>(body) : std::nullopt);
 }
 
 void Overlay::setRobot(std::optional<std::size_t> robot) {
@@ -134,6 +144,17 @@ void Overlay::showNear() {
     const auto half = [&](double size) { return std::max(least / 2, (1 + margin) * (size / 2 + reach)); };
     const Point reaches{half(area.most.x - area.least.x), half(area.most.y - area.least.y)};
     window_.field().fit({middle - reaches, middle + reaches});
+}
+
+/// As before it: the same part of the place, where the course lies in it.
+void Overlay::showAsBefore(const Coming& come) {
+    FieldView& field = window_.field();
+    if (come.view) field.setView(*come.view);
+    const OverlayRow* const row = shownRow();
+    const FieldArea seen = field.transform().shown();
+    const bool aside = row != nullptr && (row->area.most.x < seen.least.x || row->area.least.x > seen.most.x ||
+                                          row->area.most.y < seen.least.y || row->area.least.y > seen.most.y);
+    if (come.near || aside) showNear();
 }
 
 }  // namespace mrose::gui

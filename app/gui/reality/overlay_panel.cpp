@@ -40,15 +40,16 @@ QString counted(std::size_t count, const QString& one, const QString& several) {
     return QString::number(count) + ' ' + (count == 1 ? one : several);
 }
 
-/// "5 robots, 155 courses, 26:00 min"; of a log in parts: "..., 128 takes, 8:32 min in all".
+/// "155 courses of 5 robots, 26:00 min"; of a log in parts: "..., 128 takes, 8:32 min in all".
 QString aboutText(const Overlay& overlay) {
     const LogWorld& world = overlay.world()->world();
     const auto stretch = overlay.plan().stretch;
     Nanoseconds length = 0;
     for (const Take& take : world.takes()) length += std::max<Nanoseconds>(0, take.length);
-    QStringList parts{counted(world.robots().size(), QObject::tr("robot"), QObject::tr("robots")),
-                      counted(overlay.requests().size(), QObject::tr("course"), QObject::tr("courses")) +
-                          (stretch ? QObject::tr(" in %1 s").arg(fixedText(*stretch, 1)) : QString())};
+    QStringList parts{QObject::tr("%1 of %2")
+                          .arg(counted(overlay.requests().size(), QObject::tr("course"), QObject::tr("courses")),
+                               counted(world.robots().size(), QObject::tr("robot"), QObject::tr("robots"))) +
+                      (stretch ? QObject::tr(" in %1 s").arg(fixedText(*stretch, 1)) : QString())};
     const bool several = world.takes().size() > 1;
     if (several) parts << counted(world.takes().size(), QObject::tr("take"), QObject::tr("takes"));
     parts << minutes(length) + (several ? QObject::tr(" in all") : QString());
@@ -67,6 +68,21 @@ QString figuresText(const Summary& summary, bool open) {
         .arg(fixedText(summary.p, 2), fixedText(summary.hd, 2),
              open ? QObject::tr("open loop, as mrose evaluate") : QObject::tr("with contacts, as mrose compare"),
              counted(summary.windows, QObject::tr("window"), QObject::tr("windows")));
+}
+
+/// "372 of 440 count; 40 with gaps and 28 standing do not"; empty: all do.
+QString countText(const std::vector<OverlayRow>& rows) {
+    const auto with = [&](CourseUse use) {
+        return std::count_if(rows.begin(), rows.end(), [use](const OverlayRow& row) { return row.use == use; });
+    };
+    const auto gaps = with(CourseUse::gap), still = with(CourseUse::still);
+    QStringList others;
+    if (gaps > 0) others << QObject::tr("%1 with gaps").arg(gaps);
+    if (still > 0) others << QObject::tr("%1 standing").arg(still);
+    if (others.isEmpty()) return {};
+    const auto all = static_cast<std::int64_t>(rows.size());
+    return QObject::tr("%1 of %2 count; %3 do not")
+        .arg(QString::number(all - gaps - still), QString::number(all), others.join(QObject::tr(" and ")));
 }
 
 /// Who walks through the courses by keys sees each of them. The current one stays in sight where room is taken.
@@ -325,7 +341,11 @@ void OverlayPanel::refresh() {
     filling_ = true;
     log_->setText(world ? QString::fromStdString(world->name()) : tr("No log is open"));
     log_->setToolTip(world ? QString::fromStdString(world->place) : QString());
-    about_->setText(world ? aboutText(overlay_) : tr("File \u2192 Open a real log\u2026"));
+    const QString counts = countText(overlay_.rows());
+    about_->setToolTip(
+        counts.isEmpty() ? QString() : tr("In P and Hd: a robot must drive, and its ground truth be known throughout"));
+    about_->setText(world ? aboutText(overlay_) + (counts.isEmpty() ? "" : '\n' + counts)
+                          : tr("File \u2192 Open a real log\u2026"));
     const OverlayPlan& plan = overlay_.plan();
     cut_->setCurrentIndex(cut_->findData(static_cast<int>(plan.cut)));
     length_->setValue(plan.length);

@@ -8,6 +8,7 @@
 #include "evaluation/format.h"
 #include "io/file.h"
 #include "logs/log_reader.h"
+#include "logs/unit_doubts.h"
 #include "scenario/scenario_file.h"
 #include "shared/notices.h"
 #include "shared/opening.h"
@@ -86,6 +87,7 @@ Expected<LoadedScenario> scenarioMade(OverlayWorld& overlay, std::shared_ptr<con
     auto read = logAt(overlay.place, {}, progress);
     if (!read) return tl::unexpected(read.error());
     log = std::move(*read);
+    if (auto playable = checkPlayable(*log, request.robots); !playable) return tl::unexpected(playable.error());
     if (untold != nullptr) *untold = request.robotFile.empty() && !tellsRobotKind(*log);
     const auto made = scenarioOfLog(*log, overlay.place, request.robotFile);
     if (!made) return tl::unexpected(made.error());
@@ -105,6 +107,7 @@ Expected<LoadedScenario> scenarioMade(OverlayWorld& overlay, std::shared_ptr<con
 void addNotices(OverlayWorld& overlay) {
     if (overlay.world().log().synthetic)
         overlay.notes.push_back("The log comes from a simulated robot: nothing here tells of a real one.");
+    for (std::string& doubt : unitDoubts(overlay.world().log())) overlay.notes.push_back(std::move(doubt));
     for (const MotionNetwork* network : networksOf(overlay.world().parts()))
         for (std::string& notice : noticesOf(*network, overlay.world()))
             if (std::find(overlay.notes.begin(), overlay.notes.end(), notice) == overlay.notes.end())

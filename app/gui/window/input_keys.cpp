@@ -4,8 +4,10 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QSpinBox>
 
 #include "panels/command_panel.h"
 #include "widgets/field_view.h"
@@ -40,12 +42,26 @@ InputKeys::InputKeys(MainWindow& window) : QObject(&window), window_(window) {
 
 void InputKeys::follow(QWidget* now) {
     if (now == input_ || (now != nullptr && now->window() != &window_)) return;
-    if (input_) input_->removeEventFilter(this);
+    if (input_) {
+        input_->removeEventFilter(this);
+        disconnect(accepted_);
+    }
     input_ = now != nullptr && isInput(*now) ? now : nullptr;
     if (!input_) return;
     const QLineEdit* line = lineOf(input_);
     before_ = line != nullptr ? line->text() : QString();
     input_->installEventFilter(this);
+    if (line != nullptr) watchAccepted(line);
+}
+
+/// A number that is no more than typed is told by no signal, where it does not track the keyboard.
+void InputKeys::watchAccepted(const QLineEdit* line) {
+    const auto keep = [this, line] { before_ = line->text(); };
+    if (input_ == line) accepted_ = connect(line, &QLineEdit::returnPressed, this, keep);
+    if (auto* box = qobject_cast<QDoubleSpinBox*>(input_); box != nullptr && !box->keyboardTracking())
+        accepted_ = connect(box, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, keep);
+    if (auto* box = qobject_cast<QSpinBox*>(input_); box != nullptr && !box->keyboardTracking())
+        accepted_ = connect(box, QOverload<int>::of(&QSpinBox::valueChanged), this, keep);
 }
 
 bool InputKeys::eventFilter(QObject* watched, QEvent* event) {

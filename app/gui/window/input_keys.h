@@ -5,14 +5,15 @@
 #include <QString>
 
 class QKeyEvent;
+class QLineEdit;
 class QWidget;
 
 namespace mrose::gui {
 
 class MainWindow;
 
-/// Keys while something is typed in a panel: Escape takes it back, and keys go to the field again. In a number Space is
-/// no letter, and so plays.
+/// Keys while something is typed in a panel: Escape takes back what is not accepted yet, and keys go to the field
+/// again. In a number Space is no letter, and so plays.
 class InputKeys final : public QObject {
     Q_OBJECT
 
@@ -24,11 +25,13 @@ protected:
 
 private:
     void follow(QWidget* now);
+    void watchAccepted(const QLineEdit* line);
     void takeBack();
 
     MainWindow& window_;
     QPointer<QWidget> input_;
-    QString before_;  ///< what stood there when the keys came to it
+    QMetaObject::Connection accepted_;
+    QString before_;  ///< what stood there when the keys came to it, or was accepted since
 };
 
 }  // namespace mrose::gui

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "logs/robot_log.h"
+
+namespace mrose {
+
+/// What in a CSV log looks like another unit than the format's, a sentence each: times so far apart that nothing is
+/// known between poses, robots that are faster, or turn faster, than any. Other formats have units of their own.
+std::vector<std::string> unitDoubts(const Log& log);
+
+}  // namespace mrose

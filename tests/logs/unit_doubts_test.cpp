@@ -1,0 +1,68 @@
+#include "logs/unit_doubts.h"
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include <gmock/gmock.h>
+
+#include "support/units.h"
+
+namespace mrose {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// 60 s on a circle, 50 times a second, with units of its own.
+Log circle(const std::function<void(StampedPose&)>& change, const std::string& format = "csv") {
+    Log log;
+    log.format = format;
+    log.robots.push_back({"robot", {Trajectory{}}, {}});
+    const double speed = 0.3, turning = 0.6;
+    for (int i = 0; i < 3000; ++i) {
+        const double time = 0.02 * i, heading = turning * time, radius = speed / turning;
+        StampedPose stamped{i * 20 * ms, {radius * std::sin(heading), -radius * std::cos(heading), heading}};
+        change(stamped);
+        log.robots[0].trajectories[0].poses.push_back(stamped);
+    }
+    return log;
+}
+
+TEST(UnitDoubts, NoneInTheUnitsOfTheFormatHoweverOftenItHasTurned) {
+    EXPECT_THAT(unitDoubts(circle([](StampedPose&) {})), IsEmpty());
+    EXPECT_THAT(unitDoubts(circle([](StampedPose& stamped) { stamped.pose.heading += 1000; })), IsEmpty());
+    EXPECT_THAT(unitDoubts(circle([](StampedPose& stamped) { stamped.time *= 5; })), IsEmpty()) << "10 a second";
+    EXPECT_THAT(unitDoubts(Log{"", "csv", 0, {}, {}, false}), IsEmpty());
+}
+
+TEST(UnitDoubts, TimesInMillisecondsLeaveNothingToCompare) {
+    EXPECT_THAT(unitDoubts(circle([](StampedPose& stamped) { stamped.time *= 1000; })),
+                ElementsAre(testing::AllOf(HasSubstr("are 20 s apart"), HasSubstr("in seconds"))));
+}
+
+TEST(UnitDoubts, HeadingsInDegrees) {
+    const auto inDegrees = [](StampedPose& stamped) { stamped.pose.heading *= 180 / std::numbers::pi; };
+    EXPECT_THAT(unitDoubts(circle(inDegrees)), ElementsAre(HasSubstr("in radians, not in degrees")));
+    EXPECT_THAT(unitDoubts(circle(inDegrees, "mrclam")), IsEmpty()) << "the format has its units";
+}
+
+TEST(UnitDoubts, PositionsInMillimetres) {
+    EXPECT_THAT(unitDoubts(circle([](StampedPose& stamped) {
+                    stamped.pose.x *= 1000;
+                    stamped.pose.y *= 1000;
+                })),
+                ElementsAre(HasSubstr("in metres")));
+}
+
+TEST(UnitDoubts, TrackerThatJumpsNowAndThenIsLeftAlone) {
+    int count = 0;
+    EXPECT_THAT(unitDoubts(circle([&](StampedPose& stamped) {
+                    if (++count % 500 == 0) stamped.pose = {100, 100, 100};
+                })),
+                IsEmpty());
+}
+
+}  // namespace
+}  // namespace mrose
