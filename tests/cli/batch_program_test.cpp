@@ -124,7 +124,7 @@ TEST_F(BatchProgram, WrongFlagsAreOneLine) {
     }
     expectOneLine(play("batch", {}), {"--output", "required"}, 2);
     expectOneLine(play("batch", {"--trials", "10000000", "--seeds", "1..2", "-o", path("out")}), {"too many runs"});
-    expectOneLine(play("batch", {"--until", "ball.sped > 1", "-o", path("out")}), {"--until:1:1: ", "sped"});
+    expectOneLine(play("batch", {"--until", "ball.sped > 1", "-o", path("out")}), {"--until:1:6: ", "sped"});
     expectOneLine(runMrose({"batch", path("none.toml"), "-o", path("out")}), {"none.toml: does not exist"});
     expectOneLine(play("batch", {"-o", game()}), {"it's a game.toml: ", "director"});
     expectOneLine(play("batch", {"-o", "/proc/none"}), {"/proc/none: "});

@@ -150,10 +150,10 @@ TEST_F(OverlayReloadTest, PlottedErrorsAreThoseOfTheNewCourse) {
     ASSERT_EQ(window.shown()->branch, 0u);
     EXPECT_THAT(ahead(), IsEmpty());
     const auto told = [&] { return panel.causes().text().toStdString(); };
-    EXPECT_THAT(told(), HasSubstr("not in the branch that is shown"));
+    EXPECT_THAT(told(), HasSubstr("not this branch"));
     window.session().redo();
     settleAll();
-    EXPECT_THAT(told(), Not(HasSubstr("not in the branch")));
+    EXPECT_THAT(told(), Not(HasSubstr("not this branch")));
     EXPECT_THAT(ahead(), Pointwise(DoubleNear(1e-12), compared()));
     // Whoever has removed a curve does not get it back by that.
     window.plots().remove({headingErrorQuantity, key.body});

@@ -157,22 +157,14 @@ void CausePanel::makeCauses() {
     causes_->header()->resizeSection(1, barWidth + 4 + numberWidth);
     causes_->setItemDelegateForColumn(1, new ShareBar(causes_));
     causes_->setItemDelegateForColumn(0, new WrappedName(causes_));
-    connect(causes_->header(), &QHeaderView::sectionResized, this, &CausePanel::fitCauses);
+    // Always the same: the list of courses above keeps its room.
+    const int line = causes_->fontMetrics().height() + 5;
+    causes_->setFixedHeight((shownLines + 1) * line + 6);
     connect(causes_, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item) {
         const auto trial = static_cast<std::size_t>(causes_->indexOfTopLevelItem(item));
         const bool again = overlay_.shownCause() == trial;
         overlay_.showCause(again ? std::nullopt : std::optional(trial));
     });
-}
-
-/// As high as its first lines are in this width.
-void CausePanel::fitCauses() {
-    causes_->doItemsLayout();
-    const int line = causes_->fontMetrics().height() + 5;
-    int height = 0;
-    for (int i = 0; i < std::min(shownLines, causes_->topLevelItemCount()); ++i)
-        height += causes_->visualItemRect(causes_->topLevelItem(i)).height();
-    causes_->setFixedHeight(std::clamp(height, line, shownLines * line) + line + 6);
 }
 
 void CausePanel::offer(QAction& speeds) {
@@ -200,9 +192,8 @@ void CausePanel::refresh() {
     if (const std::string take = takeText(overlay_.world()->world().takes()[row->take]); !take.empty())
         robot += tr(" in %1").arg(QString::fromStdString(take));
     const QString start = fixedText(toSeconds(row->start), 1);
-    course_->setText(
-        (overlay_.showsCompared() ? tr("%1 from %2 s: %3") : tr("%1 from %2 s, not in the branch that is shown: %3"))
-            .arg(robot, start, offText(*row)));
+    course_->setText((overlay_.showsCompared() ? tr("%1 from %2 s: %3") : tr("%1 from %2 s (not this branch): %3"))
+                         .arg(robot, start, offText(*row)));
     const auto& divergence = row->divergence;
     goThere_->setVisible(divergence.has_value());
     if (!divergence)
@@ -252,7 +243,6 @@ void CausePanel::refreshCauses() {
         causes_->addTopLevelItem(item);
         if (overlay_.shownCause() == i) item->setSelected(true);
     }
-    fitCauses();
 }
 
 QString CausePanel::text() const {

@@ -32,7 +32,6 @@ public:
 private:
     QWidget* makeBound();
     void makeCauses();
-    void fitCauses();
     void applyBound();
     void refreshCauses();
     QString likely() const;
