@@ -142,7 +142,8 @@ std::vector<CurveWords> wordsOf(std::span<const ValueKey> keys, std::span<const 
             parts << (!keys[i].of.empty() ? QString::fromStdString(keys[i].of)
                       : !own.isEmpty()    ? own
                                           : QObject::tr("run"));
-        const bool nothing = parts.isEmpty(), several = bodies.size() > 1;
+        // An axis of different quantities has no title that tells whose they are.
+        const bool nothing = parts.isEmpty(), several = bodies.size() > 1 || (end.isEmpty() && beside.size() > 1);
         CurveWords& one = words.emplace_back();
         one.quantity = several || nothing ? measured : body + ": " + measured;
         if (nothing) parts << body;
