@@ -22,12 +22,12 @@ RobotLog driven(const std::string& robot, const Pose& from, const Pose& to) {
     return log;
 }
 
-Log logOf(std::vector<RobotLog> robots) { return {"some.csv", "csv", 0, std::move(robots), {}, false}; }
+Log csvLogOf(std::vector<RobotLog> robots) { return {"some.csv", "csv", 0, std::move(robots), {}, false}; }
 
 std::string refusal(const Expected<void>& checked) { return checked ? "" : checked.error().message(); }
 
 TEST(LogScenario, PlaceInMillimetresIsRefusedByTheLogsOwnName) {
-    const Log log = logOf({driven("a", {-2602, 0, 0}, {2604, 100, 0})});
+    const Log log = csvLogOf({driven("a", {-2602, 0, 0}, {2604, 100, 0})});
     const auto made = scenarioOfLog(log, "/logs/some.csv", "pioneer1.toml");
     ASSERT_FALSE(made);
     for (const auto& error : {made.error().message(), refusal(checkPlayable(log))}) {
@@ -35,13 +35,13 @@ TEST(LogScenario, PlaceInMillimetresIsRefusedByTheLogsOwnName) {
         EXPECT_THAT(error, HasSubstr("spans 5206 m"));
         EXPECT_THAT(error, HasSubstr("expected in metres"));
     }
-    const Log near = logOf({driven("a", {-900, 0, 0}, {900, 100, 0})});
+    const Log near = csvLogOf({driven("a", {-900, 0, 0}, {900, 100, 0})});
     EXPECT_TRUE(scenarioOfLog(near, "/logs/some.csv", "pioneer1.toml"));
     EXPECT_EQ(refusal(checkPlayable(near)), "");
 }
 
 TEST(LogScenario, CommandsAndTruthOfOtherTimesAreRefusedBeforeTheKindIsAsked) {
-    Log log = logOf({driven("a", {0, 0, 0}, {1, 0, 0}), driven("b", {0, 1, 0}, {1, 1, 0})});
+    Log log = csvLogOf({driven("a", {0, 0, 0}, {1, 0, 0}), driven("b", {0, 1, 0}, {1, 1, 0})});
     EXPECT_EQ(refusal(checkPlayable(log)), "");
     for (StampedPose& stamped : log.robots[1].trajectories[0].poses) stamped.time += 100'000 * ms;
     EXPECT_THAT(refusal(checkPlayable(log)), HasSubstr("expected both of the same time"));
