@@ -236,6 +236,28 @@ TEST_F(TwoRobotsTest, KeySelectsTheOneThatLeavesAndShowsItFromNear) {
     QTest::keyClick(&window, Qt::Key_D);
     settleAll();
     EXPECT_EQ(field().transform().scale(), chosen) << "who has looked elsewhere stays there";
+    // But not where it is out of sight, however one gets there.
+    const auto seen = [&] {
+        const QPointF pixel = field().transform().toPixels(position(state().robots[1].pose));
+        return QRectF(field().rect()).contains(pixel);
+    };
+    const auto lookAside = [&] {
+        seek(0);
+        field().panBy({4.0 * field().width(), 0});
+        ASSERT_FALSE(seen());
+    };
+    ASSERT_NO_FATAL_FAILURE(lookAside());
+    QTest::keyClick(&window, Qt::Key_D);
+    settleAll();
+    EXPECT_TRUE(seen());
+    ASSERT_NO_FATAL_FAILURE(lookAside());
+    Breakpoint onDivergence;
+    onDivergence.text = "divergence";
+    window.session().setBreakpoints({onDivergence});
+    QTest::keyClick(&window, Qt::Key_F6);
+    settleAll();
+    EXPECT_EQ(window.shown()->tick(), leaves);
+    EXPECT_TRUE(seen());
 }
 
 /// Of the second robot the ground truth is missing between 2 and 4 s.

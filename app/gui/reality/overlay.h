@@ -187,6 +187,7 @@ private:
     void followShown();
     void finishComing();
     void showNear();
+    bool isAside() const;
     void showAsBefore(const Coming& come);
     void selectAgain(const std::string& name);
     bool goToOtherDivergence();

@@ -48,7 +48,7 @@ bool Overlay::goToDivergence() {
         leaves = &*first;
     }
     select(leaves->robot);
-    if (window_.field().showsAll()) showNear();
+    if (window_.field().showsAll() || isAside()) showNear();
     const std::int64_t tick = window_.shown()->frame->scene().ticksOf(leaves->divergence->time);
     window_.session().seek(tick, false);
     return true;
@@ -77,10 +77,13 @@ void Overlay::showLeaving() {
                window_.shown()->frame->scene().ticksOf(row.divergence->time) == window_.shown()->tick();
     };
     const OverlayRow* const asked = shownRow();
-    if (asked != nullptr && leavesHere(*asked)) return;
-    const auto rows = rowsOf(*shownCourse_);
-    const auto leaving = std::find_if(rows.begin(), rows.end(), leavesHere);
-    if (leaving != rows.end()) select(leaving->robot);
+    if (asked == nullptr || !leavesHere(*asked)) {
+        const auto rows = rowsOf(*shownCourse_);
+        const auto leaving = std::find_if(rows.begin(), rows.end(), leavesHere);
+        if (leaving == rows.end()) return;
+        select(leaving->robot);
+    }
+    if (isAside()) showNear();
 }
 
 bool Overlay::coursesFollow() const { return restarts_ && plan_.cut == OverlayPlan::Cut::every; }

@@ -146,15 +146,19 @@ void Overlay::showNear() {
     window_.field().fit({middle - reaches, middle + reaches});
 }
 
+/// Whether the course of the robot that is asked about lies outside of the view.
+bool Overlay::isAside() const {
+    const OverlayRow* const row = shownRow();
+    if (row == nullptr) return false;
+    const FieldArea seen = window_.field().transform().shown();
+    return row->area.most.x < seen.least.x || row->area.least.x > seen.most.x || row->area.most.y < seen.least.y ||
+           row->area.least.y > seen.most.y;
+}
+
 /// As before it: the same part of the place, where the course lies in it.
 void Overlay::showAsBefore(const Coming& come) {
-    FieldView& field = window_.field();
-    if (come.view) field.setView(*come.view);
-    const OverlayRow* const row = shownRow();
-    const FieldArea seen = field.transform().shown();
-    const bool aside = row != nullptr && (row->area.most.x < seen.least.x || row->area.least.x > seen.most.x ||
-                                          row->area.most.y < seen.least.y || row->area.least.y > seen.most.y);
-    if (come.near || aside) showNear();
+    if (come.view) window_.field().setView(*come.view);
+    if (come.near || isAside()) showNear();
 }
 
 }  // namespace mrose::gui
