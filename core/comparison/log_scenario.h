@@ -22,8 +22,7 @@ Expected<void> checkPlayable(const Log& log, const std::vector<std::string>& rob
 /// Creates in the arena of these logs, as in mrclam_replay.toml; others stand in an open place. `robotFile`: what kind
 /// the robots are, where the log cannot tell (CSV); it may be given for any log. Texts for loadScenario(), before those
 /// on disk (LayeredDescriptions); `log` is the place of the log as it is written there. Error: the log tells no kind of
-/// robot and none is given; it has no robots; they are too
-/// far off for metres.
+/// robot and none is given; it has no robots; they are too far off for metres.
 Expected<Descriptions> scenarioOfLog(const Log& log, const std::string& place, const std::string& robotFile = "");
 
 /// Some texts in memory before those of another source.

@@ -90,7 +90,7 @@ CausePanel::CausePanel(Overlay& overlay, QWidget* parent)
       course_(new ElidingText(1)),
       divergence_(new ElidingText(2)),
       parting_(new ElidingText(2)),
-      cause_(new ElidingText(2)),
+      cause_(new ElidingText(3)),
       goThere_(new QToolButton),
       speeds_(new QToolButton),
       causes_(new QTreeWidget) {
