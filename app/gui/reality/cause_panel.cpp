@@ -89,7 +89,7 @@ CausePanel::CausePanel(Overlay& overlay, QWidget* parent)
       overlay_(overlay),
       course_(new ElidingText(1)),
       divergence_(new ElidingText(2)),
-      parting_(new ElidingText(2)),
+      parting_(new ElidingText(3)),
       cause_(new ElidingText(3)),
       goThere_(new QToolButton),
       speeds_(new QToolButton),
