@@ -6,6 +6,7 @@
 
 #include "io/file.h"
 #include "io/number_text.h"
+#include "io/value_bytes.h"
 #include "recording/origin.h"
 #include "scenarios.h"
 #include "version.h"
@@ -40,6 +41,7 @@ bool parseSeeds(const std::string& text, BatchOptions& options) {
 std::string runCommand(const RunFlags& flags, Nanoseconds duration) {
     std::string command = "mrose run " + shellQuoted(flags.scenario);
     if (!flags.log.empty()) command += " --log " + shellQuoted(flags.log);
+    for (const std::string& assignment : flags.overrides) command += " --set " + shellQuoted(assignment);
     if (flags.plugins.isolate) command += " --isolate";
     if (flags.plugins.limit != PluginFlags().limit) command += " --plugin-limit " + numberText(flags.plugins.limit);
     command += " --duration " + plainSeconds(duration);
@@ -58,12 +60,13 @@ std::string placeOf(const std::string& name) {
 /// goes on with --isolate.
 BatchIdentity identityOf(const OpenScenario& open, const RunFlags& flags, Nanoseconds duration) {
     BatchIdentity identity{{"mrose", std::string(MROSE_VERSION) + ' ' + thisOrigin().commit},
-                           {"scenario", placeOf(open.loaded.name)},
+                           {"scenario", placeOf(open.loaded.value.name())},
                            {"--duration", plainSeconds(duration)}};
     if (!flags.until.empty()) identity["--until"] = flags.until;
     if (!flags.log.empty()) identity["--log"] = placeOf(flags.log);
     const std::string content(contentOf);
-    for (const auto& [name, text] : open.loaded.texts) identity[content + placeOf(name)] = contentHash(text);
+    for (const Value::File& file : open.loaded.value.files())
+        identity[content + placeOf(file->name)] = hexadecimal(hashOf(file->content));
     for (const auto& [path, hash] : open.plugins) identity[content + placeOf(path)] = hash;
     return identity;
 }
@@ -138,7 +141,7 @@ int runAll(const BatchCommandFlags& flags, const CommonFlags& common) {
         std::fprintf(stderr, "mrose: --seeds: %s; expected one seed or a range: 1..20\n", flags.seeds.c_str());
         return usage;
     }
-    const auto open = openScenario(flags.run.scenario, 0, flags.run.log, flags.run.plugins);
+    const auto open = openScenario(flags.run, 0);
     if (!open) return report(open.error());
     if (const auto until = openCondition(flags.run.until, *open->scenario); !until) return report(until.error());
     const ScenarioParts& parts = open->scenario->parts();

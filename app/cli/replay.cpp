@@ -18,18 +18,17 @@ struct ReplayCommandFlags {
     PluginFlags plugins;
 };
 
-/// The scenarios of all branches; those of the same descriptions are one.
+/// The scenarios of all branches; those of the same value are one.
 Expected<std::vector<std::shared_ptr<const Scenario>>> recordedScenarios(const Recording& recording,
                                                                          const ReplayCommandFlags& flags) {
-    std::map<const Descriptions*, std::shared_ptr<const Scenario>> loaded;
+    std::map<ScenarioValuePointer, std::shared_ptr<const Scenario>> loaded;
     std::vector<std::shared_ptr<const Scenario>> scenarios;
     for (std::uint32_t i = 0; i < recording.branches.size(); ++i) {
-        std::shared_ptr<const Scenario>& scenario = loaded[recording.branches[i].descriptions.get()];
+        std::shared_ptr<const Scenario>& scenario = loaded[recording.branches[i].value];
         if (!scenario) {
             auto parts = recordedScenario(
                 recording, i,
                 flags.decide ? findingLoader(flags.recording, pluginLoader(flags.plugins)) : PluginLoader());
-            if (parts) parts = asKeptTrial(std::move(*parts), recording.descriptionsOf(i).texts);
             if (!parts) return tl::unexpected(parts.error());
             watchPlugins(*parts);
             scenario = std::make_shared<const Scenario>(std::move(*parts));

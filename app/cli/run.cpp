@@ -42,13 +42,14 @@ public:
 
     Expected<void> record(const OpenScenario& open, const WorldState& initial) {
         std::vector<std::string> read;
-        for (const auto& [name, text] : open.loaded.texts) read.push_back(name);
+        for (const Value::File& file : open.loaded.value.files()) read.push_back(file->name);
         for (const auto& [path, hash] : open.plugins) read.push_back(path);
         if (auto other = checkNotRead(flags_.record, read); !other) return other;
         RecordingWriter::Options options;
         options.overwrite = overwrite_;
-        auto writer = RecordingWriter::create(flags_.record, *open.scenario, initial,
-                                              {open.loaded.name, open.loaded.texts}, commandLine(), options);
+        auto writer =
+            RecordingWriter::create(flags_.record, *open.scenario, initial,
+                                    std::make_shared<const ScenarioValue>(open.loaded.value), commandLine(), options);
         if (!writer) return tl::unexpected(writer.error());
         writer_.emplace(std::move(*writer));
         return {};
@@ -178,7 +179,7 @@ Error hiddenError(const Scenario& scenario, const RewindDifference& hidden, std:
 }
 
 int runScenario(const RunCommandFlags& flags, const CommonFlags& common) {
-    const auto open = openScenario(flags.run.scenario, flags.run.trial, flags.run.log, flags.run.plugins);
+    const auto open = openScenario(flags.run, flags.run.trial);
     if (!open) return report(open.error());
     const Scenario& scenario = *open->scenario;
     auto until = openCondition(flags.run.until, scenario);

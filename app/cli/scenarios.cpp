@@ -3,31 +3,46 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "experiment/variation.h"
 #include "io/file.h"
+#include "scenario/variation.h"
 #include "shared/opening.h"
 #include "shared/resources.h"
 
 namespace mrose::cli {
 
-Expected<OpenScenario> openScenario(const std::string& name, std::uint32_t trial, const std::string& log,
-                                    const PluginFlags& plugins) {
-    DiskDescriptions source = openDescriptions(log);
+namespace {
+
+/// With what is overridden; plug-ins are loaded once, when it is.
+Expected<LoadedScenario> loadOverridden(const RunFlags& flags, const PluginLoader& plugins) {
+    DiskDescriptions source = openDescriptions(flags.log);
+    if (flags.overrides.empty()) return loadScenario(flags.scenario, source, {plugins});
+    auto loaded = loadScenario(flags.scenario, source);
+    if (!loaded) return loaded;
+    for (const std::string& assignment : flags.overrides) {
+        auto changed = loaded->value.overridden(assignment);
+        if (!changed) return tl::unexpected(changed.error());
+        loaded->value = std::move(*changed);
+    }
+    return loadScenario(loaded->value, source, {plugins});
+}
+
+}  // namespace
+
+Expected<OpenScenario> openScenario(const RunFlags& flags, std::uint32_t trial) {
     std::map<std::string, std::string> hashes;
-    const PluginLoader load = pluginLoader(plugins);
+    const PluginLoader load = pluginLoader(flags.plugins);
     const auto loadAndHash = [&](const std::string& path, const std::string& options) {
         if (const auto content = readFile(path)) hashes[path] = contentHash(*content);
         return load(path, options);
     };
-    auto loaded = loadScenario(name, source, {loadAndHash});
+    auto loaded = loadOverridden(flags, loadAndHash);
     if (!loaded) return tl::unexpected(loaded.error());
     watchPlugins(loaded->parts);
     for (const std::string& sentence : startsApartText(*loaded)) report({"", 0, 0, "note", sentence});
-    auto parts = varied(loaded->parts, trial);
-    if (!parts) return tl::unexpected(parts.error());
-    keepTrial(loaded->texts, trial);
-    sayStartsOutside(parts->scene);
-    auto scenario = std::make_shared<const Scenario>(std::move(*parts));
+    loaded = varied(*loaded, trial);
+    if (!loaded) return tl::unexpected(loaded.error());
+    sayStartsOutside(loaded->parts.scene);
+    auto scenario = std::make_shared<const Scenario>(loaded->parts);
     return OpenScenario{std::move(*loaded), std::move(hashes), std::move(scenario)};
 }
 
@@ -43,6 +58,10 @@ void addRunFlags(CLI::App& sub, RunFlags& flags) {
     sub.add_option("--until", flags.until, "Ends a run when this Lua expression over the state holds")
         ->check(
             [](const std::string& text) { return text.empty() ? std::string("is empty; expected a condition") : ""; });
+    sub.add_option("--set", flags.overrides,
+                   "Overrides something in the scenario: PATH=VALUE, such as robot[2].network=create.net")
+        ->type_name("PATH=VALUE")
+        ->allow_extra_args(false);
     sub.add_option("--log", flags.log, "Read this log instead of those that the scenario names");
     addPluginFlags(sub, flags.plugins);
 }

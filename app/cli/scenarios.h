@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "common.h"
 #include "condition/condition.h"
@@ -21,22 +22,23 @@ struct OpenScenario {
     std::shared_ptr<const Scenario> scenario;
 };
 
-/// Loads a scenario file, or the one of that name that ships, as its trial `trial` (0: as it is written).
-Expected<OpenScenario> openScenario(const std::string& name, std::uint32_t trial, const std::string& log,
-                                    const PluginFlags& plugins);
-
 /// One line on standard error for each body that starts outside the walls: most are a mistake.
 void sayStartsOutside(const Scene& scene);
 
 /// Flags that runs of scenarios share.
 struct RunFlags {
     std::string scenario, log, until;
+    std::vector<std::string> overrides;  ///< "PATH=VALUE", as in ScenarioValue::overridden()
     std::optional<double> duration;
     std::optional<std::uint64_t> seed;
     std::uint32_t trial = 0;
     PluginFlags plugins;
 };
 void addRunFlags(CLI::App& sub, RunFlags& flags);
+
+/// Loads the scenario file that the flags name, or the one of that name that ships, with what they override, as its
+/// trial `trial` (0: as it is written).
+Expected<OpenScenario> openScenario(const RunFlags& flags, std::uint32_t trial);
 
 /// A condition of the command line; nothing where none was given.
 Expected<std::optional<Condition>> openCondition(const std::string& text, const Scenario& scenario);

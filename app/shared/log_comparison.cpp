@@ -84,8 +84,7 @@ Expected<LoadedScenario> scenarioFor(const LogComparisonRequest& request, const 
     if (!log) return tl::unexpected(log.error());
     const auto made = scenarioOfLog(*log, place, request.robotFile);
     if (!made) return tl::unexpected(made.error());
-    LayeredDescriptions source(made->texts, disk);
-    return loadScenario(made->scenario, source, {plugins, false});
+    return loadScenario(*made, disk, {plugins, false});
 }
 
 }  // namespace
@@ -104,14 +103,14 @@ Expected<LogComparison> compareLog(const LogComparisonRequest& request, const Lo
     options.seed = request.seed.value_or(loaded->parts.seed);
     if (goesOn) options.progress = [&](std::span<const ComparedCourse>, double share) { return goesOn(share); };
     auto world = LogWorld::create(std::move(loaded->parts), log, request.robots);
-    if (!world) return errorOf(world.error(), source.shown(loaded->name));
+    if (!world) return errorOf(world.error(), source.shown(loaded->value.name()));
     auto suited = suitedWindows(request, *world);
     const bool cut = suited.has_value();
     const auto requests =
         cut ? Expected<std::vector<CourseRequest>>(std::move(*suited)) : coursesAsked(request, *world);
     if (!requests) return tl::unexpected(requests.error());
     auto comparison = compare(*world, *requests, options);
-    if (!comparison) return errorOf(comparison.error(), source.shown(loaded->name));
+    if (!comparison) return errorOf(comparison.error(), source.shown(loaded->value.name()));
     const Nanoseconds step = comparison->evaluation.options.windows.step;
     std::optional<Nanoseconds> asked;
     if (request.windows.empty() && !request.every && !cut)

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <csignal>
 
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "experiment/variation.h"
 #include "io/number_text.h"
 #include "scenario/start_check.h"
 
@@ -24,9 +22,6 @@ std::vector<std::filesystem::path> placesOf(const std::filesystem::path& named,
         if (std::find(places.begin(), places.end(), place) == places.end()) places.push_back(place);
     return places;
 }
-
-/// No description has this name.
-constexpr const char* trialName = "mrose:trial";
 
 /// Metres, to the millimetre.
 std::string millimetresText(double metres) { return numberText(std::round(1000 * metres) / 1000); }
@@ -54,8 +49,7 @@ std::vector<std::string> startsApartText(const LoadedScenario& loaded) {
     constexpr double apart = 0.0005, turned = 0.001;  // m, rad
     const ScenarioParts& parts = loaded.parts;
     if (parts.saved == nullptr || !parts.players.empty()) return {};
-    KeptDescriptions source(loaded.texts);
-    const auto asWritten = loadScenario(loaded.name, source, {.playLogs = false});
+    const auto asWritten = loadScenario(loaded.value, {.playLogs = false});
     if (!asWritten) return {};
     std::string names;
     for (std::size_t i = 0; i < parts.scene.robots.size(); ++i) {
@@ -65,7 +59,7 @@ std::vector<std::string> startsApartText(const LoadedScenario& loaded) {
         if (!same) names += (names.empty() ? "" : ", ") + robot.name;
     }
     if (names.empty()) return {};
-    return {loaded.name + ": the start lines of " + names +
+    return {loaded.value.name() + ": the start lines of " + names +
             " are not where initial_state has them, which holds; without initial_state the run begins at the start "
             "lines"};
 }
@@ -98,20 +92,6 @@ std::optional<bool> isBeingWritten(const std::filesystem::path& path) {
     }
     ::close(file);
     return written;
-}
-
-void keepTrial(std::map<std::string, std::string>& texts, std::uint32_t trial) {
-    if (trial > 0) texts[trialName] = std::to_string(trial);
-}
-
-Expected<ScenarioParts> asKeptTrial(ScenarioParts parts, const std::map<std::string, std::string>& texts) {
-    const auto kept = texts.find(trialName);
-    if (kept == texts.end()) return parts;
-    std::uint32_t trial = 0;
-    const char* const end = kept->second.data() + kept->second.size();
-    if (std::from_chars(kept->second.data(), end, trial).ptr != end)
-        return fail("", "has no number of a trial: " + kept->second);
-    return varied(parts, trial);
 }
 
 }  // namespace mrose

@@ -24,9 +24,4 @@ PluginLoader findingLoader(const std::filesystem::path& recording, PluginLoader 
 /// Whether some program has a file open to write to it; nothing: the system does not tell.
 std::optional<bool> isBeingWritten(const std::filesystem::path& path);
 
-/// A trial's number, kept among the texts that a scenario was made from, so that a recording tells it.
-void keepTrial(std::map<std::string, std::string>& texts, std::uint32_t trial);
-/// `parts` as the trial whose number is kept among its texts; as they are where there is none. Error: as of varied().
-Expected<ScenarioParts> asKeptTrial(ScenarioParts parts, const std::map<std::string, std::string>& texts);
-
 }  // namespace mrose

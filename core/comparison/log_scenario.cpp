@@ -7,7 +7,6 @@
 
 #include "comparison/log_world.h"
 #include "evaluation/format.h"
-#include "io/toml_edit.h"
 #include "scenario/description_reader.h"
 
 namespace mrose {
@@ -51,11 +50,14 @@ Place placeOf(const Log& log) {
             std::ceil(place.top) + 1};
 }
 
-std::string openPlace(const Place& place) {
-    const std::string x0 = fixed(place.left, 1), x1 = fixed(place.right, 1), y0 = fixed(place.bottom, 1),
-                      y1 = fixed(place.top, 1);
-    return "format = \"mrose environment\"\nversion = 1\nname = \"open place\"\n\n[floor]\narea_m = [[" + x0 + ", " +
-           y0 + "], [" + x1 + ", " + y0 + "], [" + x1 + ", " + y1 + "], [" + x0 + ", " + y1 + "]]\n";
+Value openPlace(const Place& place) {
+    const auto corner = [](double x, double y) { return Value::Array{x, y}; };
+    Value::Table environment{{"format", "mrose environment"}, {"version", 1}, {"name", "open place"}};
+    environment.emplace(
+        "floor",
+        Value::Table{{"area_m", Value::Array{corner(place.left, place.bottom), corner(place.right, place.bottom),
+                                             corner(place.right, place.top), corner(place.left, place.top)}}});
+    return std::make_shared<const DescriptionFile>(DescriptionFile{placeName, placeName, std::move(environment)});
 }
 
 Expected<void> checkPlace(const Log& log) {
@@ -91,7 +93,7 @@ Expected<void> checkPlayable(const Log& log, const std::vector<std::string>& rob
     return kind && kind->environment != placeName ? Expected<void>() : checkPlace(log);
 }
 
-Expected<Descriptions> scenarioOfLog(const Log& log, const std::string& place, const std::string& robotFile) {
+Expected<ScenarioValue> scenarioOfLog(const Log& log, const std::string& place, const std::string& robotFile) {
     std::optional<Kind> kind = kindOf(log);
     if (!robotFile.empty())
         kind = Kind{robotFile, "robot", kind ? kind->environment : placeName,
@@ -104,19 +106,20 @@ Expected<Descriptions> scenarioOfLog(const Log& log, const std::string& place, c
     if (kind->environment == placeName)
         if (auto inside = checkPlace(log); !inside) return tl::unexpected(inside.error());
     const std::string name = std::filesystem::path(log.source).filename().string();
-    const std::string file = name + ".toml";
-    std::string text = "format = \"mrose scenario\"\nversion = 1\nname = " + tomlString(name) +
-                       "\nenvironment = " + tomlString(kind->environment) + "\nseed = 1\nduration_s = 60.0\n";
+    Value::Array robots;
     for (const RobotLog& robot : log.robots) {
-        const bool told = std::find(kind->known.begin(), kind->known.end(), robot.robot) != kind->known.end();
-        text += "\n[[robot]]\nname = " + tomlString(nameOf(*kind, robot)) + "\ntype = " + tomlString(kind->robotFile) +
-                '\n' + (told ? "motion_robot = " + tomlString(robot.robot) + '\n' : "") +
-                "controller = { kind = \"log_player\", log = " + tomlString(place) +
-                ", robot = " + tomlString(robot.robot) + " }\n";
+        Value::Table table{{"name", nameOf(*kind, robot)}, {"type", kind->robotFile}};
+        if (std::find(kind->known.begin(), kind->known.end(), robot.robot) != kind->known.end())
+            table.emplace("motion_robot", robot.robot);
+        table.emplace("controller", Value::Table{{"kind", "log_player"}, {"log", place}, {"robot", robot.robot}});
+        robots.emplace_back(std::move(table));
     }
-    Descriptions descriptions{file, {{file, std::move(text)}}};
-    if (kind->environment == placeName) descriptions.texts.emplace(placeName, openPlace(placeOf(log)));
-    return descriptions;
+    Value::Table scenario{
+        {"format", "mrose scenario"}, {"version", 1}, {"name", name}, {"seed", 1}, {"duration_s", 60.0},
+        {"robot", std::move(robots)}};
+    scenario.emplace("environment",
+                     kind->environment == placeName ? openPlace(placeOf(log)) : Value(kind->environment));
+    return ScenarioValue(name + ".toml", std::move(scenario));
 }
 
 }  // namespace mrose

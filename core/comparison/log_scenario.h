@@ -1,12 +1,10 @@
 #pragma once
 
-#include <map>
 #include <string>
 
 #include "io/error.h"
 #include "logs/robot_log.h"
-#include "scenario/description_source.h"
-#include "scenario/description_texts.h"
+#include "scenario/scenario_value.h"
 
 namespace mrose {
 
@@ -20,28 +18,9 @@ Expected<void> checkPlayable(const Log& log, const std::vector<std::string>& rob
 
 /// A scenario for a log that is opened without one: a robot for each of the log's, which plays it. Robots of MRCLAM are
 /// Creates in the arena of these logs, as in mrclam_replay.toml; others stand in an open place. `robotFile`: what kind
-/// the robots are, where the log cannot tell (CSV); it may be given for any log. Texts for loadScenario(), before those
-/// on disk (LayeredDescriptions); `log` is the place of the log as it is written there. Error: the log tells no kind of
+/// the robots are, where the log cannot tell (CSV); it may be given for any log. A value for loadScenario(), with the
+/// names of files that it needs; `log` is the place of the log as it is written there. Error: the log tells no kind of
 /// robot and none is given; it has no robots; they are too far off for metres.
-Expected<Descriptions> scenarioOfLog(const Log& log, const std::string& place, const std::string& robotFile = "");
-
-/// Some texts in memory before those of another source.
-class LayeredDescriptions final : public DescriptionSource {
-public:
-    LayeredDescriptions(std::map<std::string, std::string> texts, DescriptionSource& below)
-        : texts_(std::move(texts)), below_(below) {}
-
-    Expected<std::optional<std::string>> text(const std::string& name) override {
-        const auto found = texts_.find(name);
-        if (found != texts_.end()) return found->second;
-        return below_.text(name);
-    }
-    Expected<std::optional<std::string>> excerpt(const LogExcerpt& excerpt) override { return below_.excerpt(excerpt); }
-    std::string shown(const std::string& name) const override { return below_.shown(name); }
-
-private:
-    std::map<std::string, std::string> texts_;
-    DescriptionSource& below_;
-};
+Expected<ScenarioValue> scenarioOfLog(const Log& log, const std::string& place, const std::string& robotFile = "");
 
 }  // namespace mrose

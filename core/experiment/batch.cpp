@@ -8,8 +8,8 @@
 #include "condition/condition.h"
 #include "experiment/results_file.h"
 #include "experiment/run.h"
-#include "experiment/variation.h"
 #include "learning/parallel_for.h"
+#include "scenario/variation.h"
 
 namespace mrose {
 namespace {

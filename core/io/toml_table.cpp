@@ -3,43 +3,63 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <sstream>
 
 #include "io/nearest_word.h"
 #include "io/number_text.h"
+#include "io/toml_text.h"
 
 namespace mrose {
 namespace {
 
+const Value emptyTable = Value::Table();
+
 /// How messages tell an element of an array: by its name, where it has one, as conditions do.
-std::string elementKey(std::string_view key, const toml::table& element, std::size_t index) {
-    const auto name = element["name"].value<std::string>();
-    return std::string(key) + '[' + (name && !name->empty() ? '"' + *name + '"' : std::to_string(index + 1)) + ']';
+std::string elementKey(std::string_view key, const Value& element, std::size_t index) {
+    const Value* const name = element.find("name");
+    const std::string* const text = name ? name->asText() : nullptr;
+    return std::string(key) + '[' + (text && !text->empty() ? '"' + *text + '"' : std::to_string(index + 1)) + ']';
+}
+
+/// Whole numbers are real ones, too, as far as these can tell them.
+std::optional<double> numberOf(const Value& value) {
+    constexpr std::int64_t most = std::int64_t{1} << 53;
+    if (const double* const real = value.asFloat()) return *real;
+    const std::int64_t* const integer = value.asInteger();
+    if (!integer || *integer > most || *integer < -most) return {};
+    return static_cast<double>(*integer);
 }
 
 }  // namespace
 
-TomlTable::TomlTable(std::string_view text, std::string file) : state_(std::make_shared<State>()) {
+TomlTable::TomlTable(std::string_view text, std::string file)
+    : state_(std::make_shared<State>()), table_(&state_->root) {
+    auto root = parseToml(text, file);
+    state_->root = root ? std::move(*root) : emptyTable;
     state_->file = std::move(file);
-    try {
-        state_->root = toml::parse(text);
-    } catch (const toml::parse_error& e) {
-        const auto where = e.source().begin;
-        state_->error =
-            Error{state_->file, int(where.line), int(where.column), "", "is not TOML: " + std::string(e.description())};
-    }
-    table_ = &state_->root;
+    if (!root) state_->error = std::move(root.error());
 }
+
+TomlTable TomlTable::of(Value root, std::string file) {
+    TomlTable table("", std::move(file));
+    if (root.asTable())
+        table.state_->root = std::move(root);
+    else
+        table.reject("", "expected a table");
+    return table;
+}
+
+TomlTable::TomlTable(std::shared_ptr<State> state, const Value* table, std::string path, std::string place)
+    : state_(std::move(state)), table_(table), path_(std::move(path)), place_(std::move(place)) {}
 
 bool TomlTable::has(std::string_view key) {
     known_.emplace_back(key);
-    return table_->contains(key);
+    return table_->find(key) != nullptr;
 }
 
-const toml::node* TomlTable::find(std::string_view key) {
+const Value* TomlTable::find(std::string_view key) {
     asked_.emplace_back(key);
     known_.emplace_back(key);
-    const toml::node* node = table_->get(key);
+    const Value* node = table_->find(key);
     if (node || failed()) return node;
     if (rejectMisspelt(key)) return nullptr;
     reject(key, "is missing");
@@ -48,9 +68,9 @@ const toml::node* TomlTable::find(std::string_view key) {
 }
 
 bool TomlTable::rejectMisspelt(std::string_view key) {
-    for (const auto& [other, value] : *table_) {
-        if (isAsked(other.str()) || 4 * wordDistance(other.str(), key) > key.size()) continue;
-        rejectAt(&value, other.str(), "is not a known key; did you mean " + std::string(key) + '?');
+    for (const auto& [other, value] : *table_->asTable()) {
+        if (isAsked(other) || 4 * wordDistance(other, key) > key.size()) continue;
+        rejectAt(&value, other, "is not a known key; did you mean " + std::string(key) + '?');
         return true;
     }
     return false;
@@ -66,12 +86,12 @@ bool TomlTable::isAsked(std::string_view key) const {
     return std::find(asked_.begin(), asked_.end(), key) != asked_.end();
 }
 
-void TomlTable::reject(std::string_view key, std::string cause) { rejectAt(table_->get(key), key, std::move(cause)); }
+void TomlTable::reject(std::string_view key, std::string cause) { rejectAt(table_->find(key), key, std::move(cause)); }
 
 void TomlTable::rejectElement(std::string_view key, std::size_t index, std::string cause) {
-    const toml::node* node = table_->get(key);
-    const toml::array* array = node ? node->as_array() : nullptr;
-    const toml::node* element = array && index < array->size() ? array->get(index) : node;
+    const Value* node = table_->find(key);
+    const Value::Array* array = node ? node->asArray() : nullptr;
+    const Value* element = array && index < array->size() ? &(*array)[index] : node;
     rejectAt(element, std::string(key) + '[' + std::to_string(index + 1) + ']', std::move(cause));
 }
 
@@ -79,14 +99,14 @@ void TomlTable::adopt(Error error) {
     if (!failed()) state_->error = std::move(error);
 }
 
-void TomlTable::rejectAt(const toml::node* node, std::string_view key, std::string cause) {
+void TomlTable::rejectAt(const Value* node, std::string_view key, std::string cause) {
     if (failed()) return;
-    const auto where = (node ? node : table_)->source().begin;
+    const Value& where = node ? *node : *table_;
     state_->error = Error{state_->file, int(where.line), int(where.column), path_ + std::string(key), std::move(cause)};
 }
 
-std::optional<double> TomlTable::numberIn(const toml::node& node, std::string_view key, NumberRange range) {
-    const auto value = node.value<double>();
+std::optional<double> TomlTable::numberIn(const Value& node, std::string_view key, NumberRange range) {
+    const auto value = numberOf(node);
     if (value && *value >= range.least && *value <= range.most && std::isfinite(*value)) return value;
     rejectAt(&node, key,
              value && std::isfinite(*value) ? "is " + numberText(*value) + "; expected " + numberText(range.least) +
@@ -96,7 +116,7 @@ std::optional<double> TomlTable::numberIn(const toml::node& node, std::string_vi
 }
 
 double TomlTable::number(std::string_view key, NumberRange range) {
-    const toml::node* node = find(key);
+    const Value* node = find(key);
     return node ? numberIn(*node, key, range).value_or(0) : 0;
 }
 
@@ -105,9 +125,9 @@ double TomlTable::numberOr(std::string_view key, double fallback, NumberRange ra
 }
 
 std::int64_t TomlTable::integer(std::string_view key, std::int64_t least, std::int64_t most) {
-    const toml::node* node = find(key);
+    const Value* node = find(key);
     if (!node) return least;
-    const auto value = node->is_integer() ? node->value<std::int64_t>() : std::nullopt;
+    const std::int64_t* const value = node->asInteger();
     if (value && *value >= least && *value <= most) return *value;
     rejectAt(node, key, "expected a whole number from " + std::to_string(least) + " to " + std::to_string(most));
     return least;
@@ -118,19 +138,21 @@ std::int64_t TomlTable::integerOr(std::string_view key, std::int64_t fallback, s
 }
 
 bool TomlTable::boolean(std::string_view key) {
-    const toml::node* node = find(key);
+    const Value* node = find(key);
     if (!node) return false;
-    if (!node->is_boolean()) rejectAt(node, key, "expected true or false");
-    return node->value_or(false);
+    const bool* const value = node->asBoolean();
+    if (!value) rejectAt(node, key, "expected true or false");
+    return value && *value;
 }
 
 bool TomlTable::booleanOr(std::string_view key, bool fallback) { return has(key) ? boolean(key) : fallback; }
 
 std::string TomlTable::string(std::string_view key) {
-    const toml::node* node = find(key);
+    const Value* node = find(key);
     if (!node) return {};
-    if (!node->is_string()) rejectAt(node, key, "expected a text in quotes");
-    return node->value_or(std::string());
+    const std::string* const value = node->asText();
+    if (!value) rejectAt(node, key, "expected a text in quotes");
+    return value ? *value : std::string();
 }
 
 std::string TomlTable::stringOr(std::string_view key, std::string fallback) {
@@ -148,22 +170,22 @@ std::size_t TomlTable::choice(std::string_view key, std::span<const std::string_
 }
 
 std::vector<std::string> TomlTable::strings(std::string_view key) {
-    const toml::node* node = find(key);
+    const Value* node = find(key);
     std::vector<std::string> values;
     if (!node) return values;
-    if (!node->is_array()) rejectAt(node, key, "expected an array of texts");
-    if (const toml::array* array = node->as_array()) {
-        for (const toml::node& element : *array) {
-            if (!element.is_string()) rejectAt(&element, key, "expected a text in quotes");
-            values.push_back(element.value_or(std::string()));
-        }
+    const Value::Array* const array = node->asArray();
+    if (!array) return rejectAt(node, key, "expected an array of texts"), values;
+    for (const Value& element : *array) {
+        const std::string* const value = element.asText();
+        if (!value) rejectAt(&element, key, "expected a text in quotes");
+        values.push_back(value ? *value : std::string());
     }
     return values;
 }
 
-void TomlTable::appendRow(const toml::node* node, std::string_view key, std::size_t count, NumberRange range,
+void TomlTable::appendRow(const Value* node, std::string_view key, std::size_t count, NumberRange range,
                           std::vector<double>& out) {
-    const toml::array* array = node ? node->as_array() : nullptr;
+    const Value::Array* array = node ? node->asArray() : nullptr;
     if (node && !array) rejectAt(node, key, "expected an array of numbers");
     if (!array) return;
     if (array->size() != count) {
@@ -172,7 +194,7 @@ void TomlTable::appendRow(const toml::node* node, std::string_view key, std::siz
                      "; expected " + std::to_string(count));
         return;
     }
-    for (const toml::node& element : *array) {
+    for (const Value& element : *array) {
         const auto value = numberIn(element, key, range);
         if (!value) return;
         out.push_back(*value);
@@ -188,20 +210,20 @@ std::vector<double> TomlTable::numbers(std::string_view key, std::size_t count, 
 
 std::vector<double> TomlTable::matrix(std::string_view key, std::size_t rows, std::size_t columns, NumberRange range) {
     std::vector<double> values;
-    const toml::node* node = find(key);
-    const toml::array* array = node ? node->as_array() : nullptr;
+    const Value* node = find(key);
+    const Value::Array* array = node ? node->asArray() : nullptr;
     if (node && (!array || array->size() != rows))
         rejectAt(node, key, "expected " + std::to_string(rows) + " arrays of numbers");
     else if (array)
-        for (const toml::node& row : *array) appendRow(&row, key, columns, range, values);
+        for (const Value& row : *array) appendRow(&row, key, columns, range, values);
     values.resize(rows * columns);
     return values;
 }
 
 std::vector<double> TomlTable::rows(std::string_view key, std::size_t columns, std::size_t least, std::size_t most,
                                     NumberRange range) {
-    const toml::node* node = find(key);
-    const toml::array* array = node ? node->as_array() : nullptr;
+    const Value* node = find(key);
+    const Value::Array* array = node ? node->asArray() : nullptr;
     if (node && (!array || array->size() < least || array->size() > most))
         rejectAt(node, key,
                  (array ? "has " + std::to_string(array->size()) + " elements; " : "") + "expected " +
@@ -209,34 +231,36 @@ std::vector<double> TomlTable::rows(std::string_view key, std::size_t columns, s
                      " numbers");
     std::vector<double> values;
     if (!array || failed()) return values;
-    for (const toml::node& row : *array) appendRow(&row, key, columns, range, values);
+    for (const Value& row : *array) appendRow(&row, key, columns, range, values);
     return failed() ? std::vector<double>() : values;
 }
 
 TomlTable TomlTable::table(std::string_view key) {
-    static const toml::table empty;
-    const toml::node* node = find(key);
-    const toml::table* found = node ? node->as_table() : nullptr;
+    const Value* node = find(key);
+    const bool found = node && node->asTable();
     if (node && !found) rejectAt(node, key, "expected a table");
-    return TomlTable(state_, found ? found : &empty, path_ + std::string(key) + '.');
+    return {state_, found ? node : &emptyTable, path_ + std::string(key) + '.', place_ + std::string(key) + '.'};
 }
 
 TomlTable TomlTable::tableOrEmpty(std::string_view key) {
-    static const toml::table empty;
-    return has(key) ? table(key) : TomlTable(state_, &empty, path_ + std::string(key) + '.');
+    if (has(key)) return table(key);
+    return {state_, &emptyTable, path_ + std::string(key) + '.', place_ + std::string(key) + '.'};
 }
 
 std::vector<TomlTable> TomlTable::tables(std::string_view key) {
     std::vector<TomlTable> found;
-    const toml::node* node = find(key);
+    const Value* node = find(key);
     if (!node) return found;
-    const toml::array* array = node->as_array();
+    const Value::Array* array = node->asArray();
     if (!array) rejectAt(node, key, "expected an array of tables");
     for (std::size_t i = 0; array && i < array->size(); ++i) {
-        if (const toml::table* element = (*array)[i].as_table())
-            found.push_back(TomlTable(state_, element, path_ + elementKey(key, *element, i) + '.'));
+        const Value& element = (*array)[i];
+        const std::string numbered = std::string(key) + '[' + std::to_string(i + 1) + ']';
+        if (element.asTable())
+            found.push_back(
+                TomlTable(state_, &element, path_ + elementKey(key, element, i) + '.', place_ + numbered + '.'));
         else
-            rejectAt(array->get(i), std::string(key) + '[' + std::to_string(i + 1) + ']', "expected a table");
+            rejectAt(&element, numbered, "expected a table");
     }
     return found;
 }
@@ -245,18 +269,41 @@ std::vector<TomlTable> TomlTable::tablesOrNone(std::string_view key) {
     return has(key) ? tables(key) : std::vector<TomlTable>();
 }
 
-std::string TomlTable::text() const {
-    toml::table root = *table_;
-    root.is_inline(false);  // what stood in braces stands in lines
-    std::ostringstream text;
-    text << root;
-    return text.str();
+void TomlTable::resolve(std::string_view key, Value value) {
+    state_->resolved.insert_or_assign(place_ + std::string(key), std::move(value));
 }
+
+Value TomlTable::resolved() const { return resolved(state_->root, ""); }
+
+Value TomlTable::resolved(const Value& value, const std::string& place) const {
+    const auto next = state_->resolved.lower_bound(place);
+    if (next == state_->resolved.end() || !next->first.starts_with(place)) return value;
+    if (next->first == place) return next->second;
+    Value changed;
+    if (const Value::Table* const table = value.asTable()) {
+        Value::Table copy;
+        for (const auto& [key, element] : *table)
+            copy.emplace(key, resolved(element, place + (place.empty() ? "" : ".") + key));
+        changed = std::move(copy);
+    } else if (const Value::Array* const array = value.asArray()) {
+        Value::Array copy;
+        for (std::size_t i = 0; i < array->size(); ++i)
+            copy.push_back(resolved((*array)[i], place + '[' + std::to_string(i + 1) + ']'));
+        changed = std::move(copy);
+    } else {
+        return value;
+    }
+    changed.line = value.line;
+    changed.column = value.column;
+    return changed;
+}
+
+std::string TomlTable::text() const { return tomlText(*table_); }
 
 std::string TomlTable::meantFor(std::string_view key) const {
     std::vector<std::string_view> candidates;
     for (const std::string& known : known_)
-        if (!table_->contains(known)) candidates.push_back(known);
+        if (!table_->find(known)) candidates.push_back(known);
     return std::string(nearestWord(key, candidates));
 }
 
@@ -269,9 +316,9 @@ std::string TomlTable::knownKeys() const {
 
 void TomlTable::rejectUnknown() {
     if (failed() && state_->lacking != table_) return;
-    for (const auto& [key, node] : *table_) {
-        if (isAsked(key.str())) continue;
-        const std::string meant = meantFor(key.str());
+    for (const auto& [key, node] : *table_->asTable()) {
+        if (isAsked(key)) continue;
+        const std::string meant = meantFor(key);
         // After an error not all keys need to have been asked for.
         if (failed() && meant.empty()) continue;
         state_->error.reset();
@@ -281,7 +328,7 @@ void TomlTable::rejectUnknown() {
             cause += "; did you mean " + meant + '?';
         else if (!known_.empty())
             cause += "; expected one of " + knownKeys();
-        return rejectAt(&node, key.str(), std::move(cause));
+        return rejectAt(&node, key, std::move(cause));
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <initializer_list>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -9,9 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include <toml++/toml.h>
-
 #include "io/error.h"
+#include "io/value.h"
 
 namespace mrose {
 
@@ -20,15 +20,16 @@ struct NumberRange {
     double most = std::numeric_limits<double>::infinity();
 };
 
-/// A TOML table read strictly: every read names its key, says what was expected, and remembers the first thing wrong
-/// with file, line and column; of a table that lacks one key and has another one that nobody knows, the latter.
-/// Elements of arrays are told by their names, "robot[\"keeper\"].start", or counted from 1. After an error reads
-/// return neutral values, so that a loader checks once, at its end. For .cpp files of loaders; no public header shows
-/// it.
+/// A table of a description read strictly: every read names its key, says what was expected, and remembers the first
+/// thing wrong with file, line and column; of a table that lacks one key and has another one that nobody knows, the
+/// latter. Elements of arrays are told by their names, "robot[\"keeper\"].start", or counted from 1. After an error
+/// reads return neutral values, so that a loader checks once, at its end.
 class TomlTable {
 public:
     /// Parses a whole file's text. A syntax error is remembered like any other.
     TomlTable(std::string_view text, std::string file);
+    /// The same of what was parsed before, or was never a text: `file` is what errors call it.
+    static TomlTable of(Value root, std::string file);
 
     bool has(std::string_view key);
     /// One of these two must be there, and not both; `expected` tells them as they are written.
@@ -59,6 +60,13 @@ public:
     std::vector<TomlTable> tables(std::string_view key);  ///< an array of tables
     std::vector<TomlTable> tablesOrNone(std::string_view key);
 
+    /// The value of a key as it is; null, after remembering that it is missing, where there is none.
+    const Value* value(std::string_view key) { return find(key); }
+    /// Notes that what a key holds is the same as `value`: the file that it names. resolved() has it in that place.
+    void resolve(std::string_view key, Value value);
+    /// The whole file's table with all that resolve() was told, in this table and others of the file.
+    Value resolved() const;
+
     /// The table's own text in TOML.
     std::string text() const;
 
@@ -75,30 +83,32 @@ public:
 
 private:
     struct State {
-        toml::table root;
+        Value root;
         std::string file;
         std::optional<Error> error;
-        const toml::table* lacking = nullptr;  ///< the table that the error says a key is missing in
+        const Value* lacking = nullptr;         ///< the table that the error says a key is missing in
+        std::map<std::string, Value> resolved;  ///< by their places
     };
-    TomlTable(std::shared_ptr<State> state, const toml::table* table, std::string path)
-        : state_(std::move(state)), table_(table), path_(std::move(path)) {}
+    TomlTable(std::shared_ptr<State> state, const Value* table, std::string path, std::string place);
 
     /// A key that was probably meant to be this one; whether there was such.
     bool rejectMisspelt(std::string_view key);
-    const toml::node* find(std::string_view key);
-    void rejectAt(const toml::node* node, std::string_view key, std::string cause);
+    const Value* find(std::string_view key);
+    void rejectAt(const Value* node, std::string_view key, std::string cause);
+    Value resolved(const Value& value, const std::string& place) const;
     bool isAsked(std::string_view key) const;
     /// The key that a misspelt one is meant for; "" where none is near.
     std::string meantFor(std::string_view key) const;
     std::string knownKeys() const;
     /// A finite number in `range`; nothing, after remembering the error, for anything else.
-    std::optional<double> numberIn(const toml::node& node, std::string_view key, NumberRange range);
-    void appendRow(const toml::node* node, std::string_view key, std::size_t count, NumberRange range,
+    std::optional<double> numberIn(const Value& node, std::string_view key, NumberRange range);
+    void appendRow(const Value* node, std::string_view key, std::size_t count, NumberRange range,
                    std::vector<double>& out);
 
     std::shared_ptr<State> state_;
-    const toml::table* table_;
-    std::string path_;
+    const Value* table_;                      ///< a table
+    std::string path_;                        ///< as messages tell it, with a dot at its end
+    std::string place_;                       ///< the same with the numbers of elements
     std::vector<std::string> asked_, known_;  ///< keys read; those and the ones looked for
 };
 

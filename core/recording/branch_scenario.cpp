@@ -6,7 +6,8 @@
 namespace mrose {
 namespace {
 
-constexpr std::uint32_t scenarioVersion = 1;
+constexpr std::uint32_t textsVersion = 1;     // told by the texts of its descriptions
+constexpr std::uint32_t scenarioVersion = 2;  // told by its value
 
 bool readControllerNeeds(ByteReader& reader, std::vector<RecordingHeader::ControllerNeeds>& controllers) {
     const auto count = reader.number<std::uint64_t>();
@@ -19,17 +20,32 @@ bool readControllerNeeds(ByteReader& reader, std::vector<RecordingHeader::Contro
 }
 
 /// One text under its name; whether it is sound.
-bool readDescription(ByteReader& reader, const Descriptions& run, std::map<std::string, std::string>& texts) {
+bool readText(ByteReader& reader, const KeptTexts& run, KeptTexts& texts) {
     const std::string name(readLong(reader));
     const auto own = reader.number<std::uint8_t>();
     if (own == 1) return texts.emplace(name, readLong(reader)).second && !reader.failed();
-    const auto shared = run.texts.find(name);
-    return own == 0 && !reader.failed() && shared != run.texts.end() && texts.insert(*shared).second;
+    const auto shared = run.find(name);
+    return own == 0 && !reader.failed() && shared != run.end() && texts.insert(*shared).second;
+}
+
+std::optional<ScenarioValue> readTexts(ByteReader& reader, const KeptTexts& run) {
+    const std::string name(readLong(reader));
+    KeptTexts texts;
+    for (auto left = reader.number<std::uint64_t>(); left > 0; --left)
+        if (!readText(reader, run, texts)) return {};
+    if (!reader.done()) return {};
+    auto value = scenarioOfTexts(name, texts);
+    if (!value) return {};
+    return std::move(*value);
+}
+
+std::vector<Value::File> filesOf(const ScenarioValue* scenario) {
+    return scenario ? scenario->files() : std::vector<Value::File>();
 }
 
 }  // namespace
 
-std::string branchScenarioBytes(const BranchScenario& scenario, const Descriptions& run) {
+std::string branchScenarioBytes(const BranchScenario& scenario, const ScenarioValue* run) {
     std::string bytes;
     appendNumber(bytes, scenarioVersion);
     appendNumber(bytes, scenario.branch);
@@ -39,32 +55,25 @@ std::string branchScenarioBytes(const BranchScenario& scenario, const Descriptio
         appendNumber(bytes, needs.memorySize);
         appendNumber(bytes, needs.commandsPerPeriod);
     }
-    appendLong(bytes, scenario.descriptions.scenario);
-    appendNumber(bytes, std::uint64_t{scenario.descriptions.texts.size()});
-    for (const auto& [name, text] : scenario.descriptions.texts) {
-        const auto shared = run.texts.find(name);
-        const bool own = shared == run.texts.end() || shared->second != text;
-        appendLong(bytes, name);
-        appendNumber(bytes, static_cast<std::uint8_t>(own));
-        if (own) appendLong(bytes, text);
-    }
+    bytes += scenario.value->bytes(filesOf(run));
     return compressed(bytes);
 }
 
-std::optional<BranchScenario> parseBranchScenario(std::string_view bytes, const Descriptions& run) {
+std::optional<BranchScenario> parseBranchScenario(std::string_view bytes, const ScenarioValue* run,
+                                                  const KeptTexts& texts) {
     const std::optional<std::string> content = decompressed(bytes);
     if (!content) return std::nullopt;
     ByteReader reader(*content);
-    if (reader.number<std::uint32_t>() != scenarioVersion) return std::nullopt;
+    const auto version = reader.number<std::uint32_t>();
+    if (version != scenarioVersion && version != textsVersion) return std::nullopt;
     BranchScenario scenario;
     scenario.branch = reader.number<std::uint32_t>();
     scenario.layout.tickLength = reader.number<Nanoseconds>();
     if (scenario.layout.tickLength <= 0 || !readControllerNeeds(reader, scenario.layout.controllers))
         return std::nullopt;
-    scenario.descriptions.scenario = readLong(reader);
-    for (auto left = reader.number<std::uint64_t>(); left > 0; --left)
-        if (!readDescription(reader, run, scenario.descriptions.texts)) return std::nullopt;
-    if (!reader.done()) return std::nullopt;
+    auto value = version == textsVersion ? readTexts(reader, texts) : ScenarioValue::parse(reader.rest(), filesOf(run));
+    if (!value) return std::nullopt;
+    scenario.value = std::make_shared<const ScenarioValue>(std::move(*value));
     return scenario;
 }
 

@@ -1,24 +1,28 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "recording/kept_texts.h"
 #include "recording/recording.h"
 
 namespace mrose {
 
-/// A branch's own scenario as it lies in a recording, compressed, and back; README.md of this folder tells the layout.
-/// Texts that are the same as those of the run are told by their names.
+/// The scenario of the run, or of a branch that has its own, as it lies in a recording, compressed, and back; README.md
+/// of this folder tells the layout.
 struct BranchScenario {
-    std::uint32_t branch = 0;
+    std::uint32_t branch = 0;  ///< 0: the run
     Recording::Layout layout;
-    Descriptions descriptions;
+    ScenarioValuePointer value;
 };
-std::string branchScenarioBytes(const BranchScenario& scenario, const Descriptions& run);
+/// `run`: the run's, of whose files the branch's need not be told again; null for the run itself.
+std::string branchScenarioBytes(const BranchScenario& scenario, const ScenarioValue* run);
 
-/// Nothing where the bytes are none, or name a text that the run does not have.
-std::optional<BranchScenario> parseBranchScenario(std::string_view bytes, const Descriptions& run);
+/// Nothing where the bytes are none, or name a file that the run does not have. `texts`: the run's in an old recording.
+std::optional<BranchScenario> parseBranchScenario(std::string_view bytes, const ScenarioValue* run,
+                                                  const KeptTexts& texts = {});
 
 }  // namespace mrose

@@ -15,11 +15,11 @@ History::History(std::vector<Branch> branches, const Options& options)
 }
 
 std::uint32_t History::beginBranch(std::uint32_t parent, const WorldState& state, std::string name,
-                                   std::shared_ptr<const Descriptions> descriptions) {
+                                   ScenarioValuePointer value) {
     assert(parent < branches_.size());
-    if (!descriptions) descriptions = branches_[parent].descriptions;
+    if (!value) value = branches_[parent].value;
     branches_.push_back(
-        {parent, state.tick, std::move(name), Timeline(state, options_.keyframeInterval), std::move(descriptions)});
+        {parent, state.tick, std::move(name), Timeline(state, options_.keyframeInterval), std::move(value)});
     return static_cast<std::uint32_t>(branches_.size() - 1);
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "recording/timeline.h"
-#include "scenario/description_texts.h"
+#include "scenario/scenario_value.h"
 
 namespace mrose {
 
@@ -17,7 +17,7 @@ struct Branch {
     std::int64_t tick = 0;     ///< of the state that it begins with; its parent may not have such a tick
     std::string name;
     Timeline timeline;
-    std::shared_ptr<const Descriptions> descriptions = nullptr;  ///< of its scenario; null: those of the run
+    ScenarioValuePointer value = nullptr;  ///< of its scenario; null: the run's
 };
 
 /// What a running simulation keeps in memory, so that any tick of any branch can be reached again (playback.h). Where
@@ -35,10 +35,10 @@ public:
     explicit History(std::vector<Branch> branches) : History(std::move(branches), Options{}) {}
     History(std::vector<Branch> branches, const Options& options);
 
-    /// A new branch that begins with `state`, at its tick; its index. It runs in its parent's scenario unless other
-    /// descriptions are given.
+    /// A new branch that begins with `state`, at its tick; its index. It runs in its parent's scenario unless another
+    /// one is given.
     std::uint32_t beginBranch(std::uint32_t parent, const WorldState& state, std::string name,
-                              std::shared_ptr<const Descriptions> descriptions = nullptr);
+                              ScenarioValuePointer value = nullptr);
     void rename(std::uint32_t branch, std::string name) { branches_[branch].name = std::move(name); }
     /// One tick more at the end of a branch.
     void add(const WorldState& after, const StepTrace& trace, std::uint32_t branch = 0);

@@ -77,7 +77,8 @@ private:
     Expected<void> readHeader() {
         const mcap::Strings* const run = metadataOf(content_, format::run);
         if (run == nullptr) return fail(name_, "is no recording of mrose" + damageText());
-        if (const std::string found = valueOf(*run, format::formatKey); found != format::version)
+        if (const std::string found = valueOf(*run, format::formatKey);
+            found != format::version && found != format::textsVersion)
             return fail(name_, "is a recording of format " + found + "; expected " + format::version, 0,
                         format::formatKey);
         RecordingHeader& header = recording_.header;
@@ -86,7 +87,6 @@ private:
                          valueOf(*run, format::cLibraryKey),       valueOf(*run, format::processorKey),
                          valueOf(*run, format::instructionSetsKey)};
         header.name = valueOf(*run, format::scenarioKey);
-        header.descriptions.scenario = valueOf(*run, format::scenarioFileKey);
         header.commandLine = valueOf(*run, format::commandLineKey);
         if (!parseInteger(valueOf(*run, format::seedKey), header.seed))
             return fail(name_, "expected an integer", 0, format::seedKey);
@@ -113,10 +113,11 @@ private:
     bool readAttachment(const mcap::Attachment& attachment) {
         if (attachment.name.starts_with(format::descriptionPrefix)) {
             const std::string_view name = attachment.name.substr(std::string_view(format::descriptionPrefix).size());
-            recording_.header.descriptions.texts.emplace(name, attachment.data);
+            texts_.emplace(name, attachment.data);
         } else if (attachment.name.starts_with(format::scenarioPrefix)) {
-            scenario_ = parseBranchScenario(attachment.data, recording_.header.descriptions);
-            return scenario_ && scenario_->branch > 0 && scenario_->branch == recording_.branches.size();
+            scenario_ = parseBranchScenario(attachment.data, recording_.header.value.get(), texts_);
+            if (scenario_ && recording_.branches.empty()) recording_.header.value = scenario_->value;
+            return scenario_ && scenario_->branch == recording_.branches.size();
         } else if (attachment.name.starts_with(format::branchPrefix)) {
             return addBranch(parseBranch(attachment.data));
         } else if (attachment.name.starts_with(format::blockPrefix)) {
@@ -129,6 +130,7 @@ private:
         std::vector<Branch>& branches = recording_.branches;
         if (!start || start->branch != branches.size()) return false;
         if (branches.empty() ? start->parent != 0 : start->parent >= branches.size()) return false;
+        if (branches.empty() && !texts_.empty()) readTexts();
         const std::int64_t tick = start->block.first;
         const std::uint32_t parent = start->parent;
         branches.push_back({parent, tick, std::move(start->name), Timeline(std::move(start->block))});
@@ -136,16 +138,25 @@ private:
         return true;
     }
 
+    /// Of a recording from before scenarios were values.
+    void readTexts() {
+        const std::string name = valueOf(*metadataOf(content_, format::run), format::scenarioFileKey);
+        auto value = scenarioOfTexts(name, texts_);
+        if (value)
+            recording_.header.value = std::make_shared<const ScenarioValue>(std::move(*value));
+        else
+            recording_.header.unknown = value.error();
+    }
+
     /// Of the latest branch: its own, or that of its parent.
     void addScenario(std::uint32_t parent) {
-        if (scenario_) {
-            recording_.branches.back().descriptions =
-                std::make_shared<const Descriptions>(std::move(scenario_->descriptions));
-            recording_.layouts.push_back(std::move(scenario_->layout));
-        } else if (recording_.layouts.empty()) {
+        if (recording_.layouts.empty()) {
             recording_.layouts.push_back({recording_.header.tickLength, recording_.header.controllers});
+        } else if (scenario_) {
+            recording_.branches.back().value = std::move(scenario_->value);
+            recording_.layouts.push_back(std::move(scenario_->layout));
         } else {
-            recording_.branches.back().descriptions = recording_.branches[parent].descriptions;
+            recording_.branches.back().value = recording_.branches[parent].value;
             recording_.layouts.push_back(Recording::Layout(recording_.layouts[parent]));
         }
         scenario_.reset();
@@ -159,6 +170,7 @@ private:
     const mcap::Content& content_;
     std::string name_;
     Recording recording_;
+    KeptTexts texts_;                         ///< of an old recording
     std::optional<BranchScenario> scenario_;  ///< of the branch that comes next
 };
 
@@ -178,9 +190,10 @@ Expected<Recording> openRecording(const std::filesystem::path& path) {
 
 Expected<ScenarioParts> recordedScenario(const Recording& recording, std::uint32_t branch,
                                          const PluginLoader& plugins) {
-    const Descriptions& descriptions = recording.descriptionsOf(branch);
-    KeptDescriptions source(descriptions.texts);
-    auto loaded = loadScenario(descriptions.scenario, source, {plugins});
+    const ScenarioValuePointer& value = recording.valueOf(branch);
+    if (!value && recording.header.unknown) return tl::unexpected(*recording.header.unknown);
+    if (!value) return fail("", "the recording does not tell its scenario");
+    auto loaded = loadScenario(*value, {plugins});
     if (!loaded) return tl::unexpected(loaded.error());
     const auto& needs = recording.layouts[branch].controllers;
     std::vector<std::shared_ptr<const Controller>>& controllers = loaded->parts.controllers;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,14 +12,15 @@
 #include "io/error.h"
 #include "recording/history.h"
 #include "recording/origin.h"
-#include "scenario/description_texts.h"
 #include "scenario/scenario_file.h"
+#include "scenario/scenario_value.h"
 
 namespace mrose {
 
 /// What a run was, besides its ticks.
 struct RecordingHeader {
-    Descriptions descriptions;
+    ScenarioValuePointer value;         ///< null: the recording does not tell it
+    std::optional<Error> unknown = {};  ///< why, where it should
     std::string commandLine;
     Origin origin;
     std::string name;  ///< of the scenario
@@ -30,7 +32,6 @@ struct RecordingHeader {
         bool operator==(const ControllerNeeds&) const = default;
     };
     std::vector<ControllerNeeds> controllers;
-    bool operator==(const RecordingHeader&) const = default;
 };
 
 /// What was shown when a recording was saved.
@@ -67,8 +68,9 @@ struct Recording {
     std::vector<std::string> damage;  ///< what is wrong with the file, a sentence each; the recording ends before it
     bool endless = false;             ///< its end is missing, which is damage, too: perhaps it is still being written
 
-    const Descriptions& descriptionsOf(std::uint32_t branch) const {
-        return branches[branch].descriptions ? *branches[branch].descriptions : header.descriptions;
+    /// Of the scenario that a branch runs in; null: the recording does not tell it.
+    const ScenarioValuePointer& valueOf(std::uint32_t branch) const {
+        return branches[branch].value ? branches[branch].value : header.value;
     }
 };
 
@@ -78,7 +80,7 @@ Expected<Recording> openRecording(const std::filesystem::path& path);
 /// The same of a file's bytes; `name` is said in errors.
 Expected<Recording> parseRecording(std::string_view bytes, const std::string& name);
 
-/// The scenario of a branch, from the texts in the recording. Without a loader of plug-ins no controller is at hand,
+/// The scenario of a branch, from its value in the recording. Without a loader of plug-ins no controller is at hand,
 /// and their stand-ins keep the states' layout. Error: as of loadScenario().
 Expected<ScenarioParts> recordedScenario(const Recording& recording, std::uint32_t branch,
                                          const PluginLoader& plugins = {});

@@ -25,13 +25,19 @@ constexpr std::size_t worthAChunk = std::size_t{1} << 17, mostPending = std::siz
 }  // namespace
 
 Expected<RecordingWriter> RecordingWriter::create(const std::filesystem::path& path, const Scenario& scenario,
-                                                  const WorldState& initial, const Descriptions& descriptions,
+                                                  const WorldState& initial, const ScenarioValuePointer& value,
                                                   const std::string& commandLine, const Options& options) {
     Expected<mcap::Writer> mcap = mcap::Writer::create(path, options.overwrite, "mrose " + options.origin.version);
     if (!mcap) return tl::unexpected(mcap.error());
-    RecordingWriter writer(std::move(*mcap), scenario, descriptions, options.keyframeInterval);
-    writer.writeHeader({descriptions, commandLine, options.origin, scenario.parts().name, initial.seed,
-                        scenario.scene().tickLength, needsOf(scenario)});
+    RecordingWriter writer(std::move(*mcap), scenario, value, options.keyframeInterval);
+    writer.writeHeader({value,
+                        {},
+                        commandLine,
+                        options.origin,
+                        scenario.parts().name,
+                        initial.seed,
+                        scenario.scene().tickLength,
+                        needsOf(scenario)});
     writer.startBranch(0, initial, options.name, scenario, writer.schemas_);
     writer.flush();
     if (!writer.state()) {
@@ -54,7 +60,7 @@ void RecordingWriter::writeHeader(const RecordingHeader& header) {
                                     {format::processorKey, origin.processor},
                                     {format::instructionSetsKey, origin.instructionSets},
                                     {format::scenarioKey, header.name},
-                                    {format::scenarioFileKey, header.descriptions.scenario},
+                                    {format::scenarioFileKey, header.value ? header.value->name() : ""},
                                     {format::seedKey, std::to_string(header.seed)},
                                     {format::tickLengthKey, std::to_string(header.tickLength)},
                                     {format::commandLineKey, header.commandLine}});
@@ -63,8 +69,9 @@ void RecordingWriter::writeHeader(const RecordingHeader& header) {
         controllers[std::to_string(i)] = std::to_string(header.controllers[i].memorySize) + ' ' +
                                          std::to_string(header.controllers[i].commandsPerPeriod);
     mcap_.addMetadata(format::controllers, controllers);
-    for (const auto& [name, text] : header.descriptions.texts)
-        mcap_.addAttachment(format::descriptionPrefix + name, "text/plain", 0, text);
+    if (header.value)
+        mcap_.addAttachment(format::scenarioPrefix + std::string("0"), format::blockType, 0,
+                            branchScenarioBytes({0, {header.tickLength, header.controllers}, header.value}, nullptr));
 }
 
 void RecordingWriter::keepShown(const ShownPlace& place) {
@@ -97,13 +104,13 @@ std::uint32_t RecordingWriter::beginBranch(std::uint32_t parent, const WorldStat
 }
 
 std::uint32_t RecordingWriter::beginBranch(std::uint32_t parent, const WorldState& state, const std::string& name,
-                                           const Scenario& scenario, const Descriptions& descriptions) {
+                                           const Scenario& scenario, const ScenarioValuePointer& value) {
     assert(parent < branches_.size());
     flush();
     const auto branch = static_cast<std::uint32_t>(branches_.size());
-    const BranchScenario own{branch, {scenario.scene().tickLength, needsOf(scenario)}, descriptions};
+    const BranchScenario own{branch, {scenario.scene().tickLength, needsOf(scenario)}, value};
     mcap_.addAttachment(format::scenarioPrefix + std::to_string(branch), format::blockType,
-                        scenario.scene().timeOf(state.tick), branchScenarioBytes(own, run_));
+                        scenario.scene().timeOf(state.tick), branchScenarioBytes(own, run_.get()));
     startBranch(parent, state, name, scenario, SceneTopics::addSchemas(mcap_, scenario, schemas_));
     return branch;
 }

@@ -27,14 +27,14 @@ public:
         Origin origin = thisOrigin();
         std::string name = {};  ///< of the run, as branches have names
     };
-    /// The scenario must stay as long as the writer. Error: what the system says.
+    /// The scenario must stay as long as the writer; `value` is what it was made from. Error: what the system says.
     static Expected<RecordingWriter> create(const std::filesystem::path& path, const Scenario& scenario,
-                                            const WorldState& initial, const Descriptions& descriptions,
+                                            const WorldState& initial, const ScenarioValuePointer& value,
                                             const std::string& commandLine, const Options& options);
     static Expected<RecordingWriter> create(const std::filesystem::path& path, const Scenario& scenario,
-                                            const WorldState& initial, const Descriptions& descriptions = {},
+                                            const WorldState& initial, const ScenarioValuePointer& value = {},
                                             const std::string& commandLine = {}) {
-        return create(path, scenario, initial, descriptions, commandLine, Options{});
+        return create(path, scenario, initial, value, commandLine, Options{});
     }
 
     /// One tick more at the end of a branch: the state after it and what step() told of it.
@@ -43,7 +43,7 @@ public:
     std::uint32_t beginBranch(std::uint32_t parent, const WorldState& state, const std::string& name);
     /// The same of a scenario of its own, which must stay as long as the writer.
     std::uint32_t beginBranch(std::uint32_t parent, const WorldState& state, const std::string& name,
-                              const Scenario& scenario, const Descriptions& descriptions);
+                              const Scenario& scenario, const ScenarioValuePointer& value);
     /// Ticks that a timeline kept, which must go on where the branch ends; what other programs see of each of them is
     /// told by show() before.
     void add(const TimelineBlock& kept, std::uint32_t branch);
@@ -61,10 +61,10 @@ public:
     const Expected<void>& state() const { return mcap_.state(); }
 
 private:
-    RecordingWriter(mcap::Writer mcap, const Scenario& scenario, const Descriptions& descriptions,
+    RecordingWriter(mcap::Writer mcap, const Scenario& scenario, ScenarioValuePointer value,
                     std::int64_t keyframeInterval)
         : mcap_(std::move(mcap)),
-          run_(descriptions),
+          run_(std::move(value)),
           schemas_(SceneTopics::addSchemas(mcap_, scenario)),
           keyframeInterval_(keyframeInterval) {}
     void writeHeader(const RecordingHeader& header);
@@ -81,7 +81,7 @@ private:
         SceneTopics topics;
     };
     mcap::Writer mcap_;
-    Descriptions run_;
+    ScenarioValuePointer run_;
     SceneTopics::Schemas schemas_;
     std::int64_t keyframeInterval_;
     std::vector<OpenBranch> branches_;

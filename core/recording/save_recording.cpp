@@ -15,7 +15,7 @@ namespace {
 class RecordingSaver {
 public:
     RecordingSaver(std::span<const Branch> branches, std::span<const std::shared_ptr<const Scenario>> scenarios,
-                   const Descriptions& run, const SaveRecordingOptions& options)
+                   const ScenarioValuePointer& run, const SaveRecordingOptions& options)
         : branches_(branches), scenarios_(scenarios), run_(run), options_(options) {
         for (const Branch& branch : branches) ticks_ += branch.timeline.last() - branch.timeline.first();
     }
@@ -33,8 +33,8 @@ public:
     }
 
 private:
-    const Descriptions& descriptionsOf(std::uint32_t branch) const {
-        return branches_[branch].descriptions ? *branches_[branch].descriptions : run_;
+    const ScenarioValuePointer& valueOf(std::uint32_t branch) const {
+        return branches_[branch].value ? branches_[branch].value : run_;
     }
 
     Expected<void> begin(const std::filesystem::path& path, std::uint32_t branch) {
@@ -50,11 +50,10 @@ private:
                                                   {true, 0, options_.origin, own.name});
             if (!writer) return tl::unexpected(writer.error());
             writer_.emplace(std::move(*writer));
-        } else if (scenarios_[own.parent] == scenarios_[branch] &&
-                   descriptionsOf(own.parent) == descriptionsOf(branch)) {
+        } else if (scenarios_[own.parent] == scenarios_[branch] && valueOf(own.parent) == valueOf(branch)) {
             writer_->beginBranch(own.parent, *state, own.name);
         } else {
-            writer_->beginBranch(own.parent, *state, own.name, scenario, descriptionsOf(branch));
+            writer_->beginBranch(own.parent, *state, own.name, scenario, valueOf(branch));
         }
         return {};
     }
@@ -83,7 +82,7 @@ private:
 
     std::span<const Branch> branches_;
     std::span<const std::shared_ptr<const Scenario>> scenarios_;
-    const Descriptions& run_;
+    const ScenarioValuePointer& run_;
     const SaveRecordingOptions& options_;
     std::optional<RecordingWriter> writer_;
     StepTrace trace_;
@@ -93,8 +92,8 @@ private:
 }  // namespace
 
 Expected<bool> saveRecording(const std::filesystem::path& path, std::span<const Branch> branches,
-                             std::span<const std::shared_ptr<const Scenario>> scenarios, const Descriptions& run,
-                             const SaveRecordingOptions& options) {
+                             std::span<const std::shared_ptr<const Scenario>> scenarios,
+                             const ScenarioValuePointer& run, const SaveRecordingOptions& options) {
     assert(!branches.empty() && scenarios.size() == branches.size());
     if (auto writable = checkWritable(path, options.overwrite); !writable) return tl::unexpected(writable.error());
     PendingFile file(path);

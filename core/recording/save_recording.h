@@ -31,7 +31,7 @@ struct SaveRecordingOptions {
 /// where progress() ended it, all is as it was. False: progress() did. Error: what the system says; a branch is none of
 /// its scenario.
 Expected<bool> saveRecording(const std::filesystem::path& path, std::span<const Branch> branches,
-                             std::span<const std::shared_ptr<const Scenario>> scenarios, const Descriptions& run,
-                             const SaveRecordingOptions& options = {});
+                             std::span<const std::shared_ptr<const Scenario>> scenarios,
+                             const ScenarioValuePointer& run, const SaveRecordingOptions& options = {});
 
 }  // namespace mrose

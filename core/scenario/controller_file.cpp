@@ -15,8 +15,6 @@
 namespace mrose {
 namespace {
 
-using File = DescriptionLibrary::File;
-
 constexpr NumberRange speeds{0, 20};
 constexpr NumberRange rotations{0, 3600};
 constexpr NumberRange runTime{0, 1e6};
@@ -34,7 +32,7 @@ public:
 struct Context {
     TomlTable& table;
     const DrivenRobot& driven;
-    const File& from;
+    const std::string& from;  ///< the scenario file's name
     DescriptionLibrary& library;
     const ScenarioLoading& loading;
 };
@@ -56,25 +54,33 @@ ControllerSetting velocityScript(const Context& context) {
 ControllerSetting logPlayer(const Context& context) {
     TomlTable& table = context.table;
     LogExcerpt excerpt;
-    excerpt.reference = table.string("log");
-    excerpt.log = joinedName(context.from.name, excerpt.reference);
+    const Value* const log = table.value("log");
+    const DescriptionFile* const told = log ? log->asFile() : nullptr;
+    excerpt.reference = told ? told->reference : table.string("log");
+    excerpt.log = told ? told->name : joinedName(context.from, excerpt.reference);
     excerpt.robot = name(table, "robot");
     excerpt.trajectory = nameOr(table, "trajectory", "");
     excerpt.start = table.numberOr("start_s", 0, {-runTime.most, runTime.most});
     if (const auto& motion = context.driven.robot.motion) excerpt.drive = motion->network().drive;
     if (table.failed()) return {};
     if (!context.loading.playLogs) return {noController(), Pose{}, excerpt};
-    const auto file = context.library.excerpt(excerpt);
-    if (!file) return table.adopt(file.error()), ControllerSetting{};
-    if (*file == nullptr) {
+    auto content = told ? parseExcerpt(told->content) : std::optional<ExcerptContent>();
+    if (told && !content) table.reject("log", "does not hold commands");
+    if (!told) {
+        auto found = context.library.excerpt(excerpt);
+        if (!found) return table.adopt(found.error()), ControllerSetting{};
+        content = std::move(*found);
+        if (content)
+            table.resolve("log", std::make_shared<const DescriptionFile>(
+                                     DescriptionFile{excerpt.log, excerpt.reference, excerptValue(*content)}));
+    }
+    if (!content) {
         table.reject("log",
                      '"' + excerpt.reference +
                          "\" was not found; expected a log of that name beside this file, in the current folder or "
                          "in the folder that MROSE_DATA names, or another one by --log");
         return {};
     }
-    auto content = parseExcerpt((*file)->text, (*file)->shown);
-    if (!content) return table.adopt(content.error()), ControllerSetting{};
     return {std::make_shared<CommandPlayer>(content->commands), content->start, excerpt};
 }
 
@@ -143,8 +149,7 @@ ControllerSetting plugin(const Context& context) {
     TomlTable options = table.tableOrEmpty("options");
     if (table.failed()) return {};
     if (!context.loading.plugins) return {std::make_shared<AbsentController>()};
-    auto loaded =
-        context.loading.plugins(context.library.shown(joinedName(context.from.name, library)), options.text());
+    auto loaded = context.loading.plugins(context.library.shown(joinedName(context.from, library)), options.text());
     if (loaded) return {std::move(*loaded)};
     const Error& error = loaded.error();
     if (error.key.empty())
@@ -164,7 +169,7 @@ constexpr std::array kinds{
 
 }  // namespace
 
-ControllerSetting readController(TomlTable table, const DrivenRobot& driven, const File& from,
+ControllerSetting readController(TomlTable table, const DrivenRobot& driven, const std::string& from,
                                  DescriptionLibrary& library, const ScenarioLoading& loading) {
     std::array<std::string_view, kinds.size()> names;
     for (std::size_t i = 0; i < kinds.size(); ++i) names[i] = kinds[i].name;

@@ -13,7 +13,7 @@
 
 namespace mrose {
 
-/// What a scenario file says about who drives a robot. For .cpp files of loaders: it shows TomlTable.
+/// What a scenario file says about who drives a robot.
 struct ControllerSetting {
     std::shared_ptr<const Controller> controller;  ///< nothing after an error, which the table remembers
     std::optional<Pose> logStart = {};             ///< of a log player: where the real robot was
@@ -27,9 +27,9 @@ struct DrivenRobot {
     std::shared_ptr<const FloorPlan> walls;
 };
 
-/// Reads `controller = { kind = ..., ... }` of the scenario `from`. resources/README.md lists the kinds and their
-/// options. A plug-in that is not to be loaded tells its robot nothing.
-ControllerSetting readController(TomlTable table, const DrivenRobot& driven, const DescriptionLibrary::File& from,
+/// Reads `controller = { kind = ..., ... }` of the scenario file called `from`. resources/README.md lists the kinds and
+/// their options. A plug-in that is not to be loaded tells its robot nothing.
+ControllerSetting readController(TomlTable table, const DrivenRobot& driven, const std::string& from,
                                  DescriptionLibrary& library, const ScenarioLoading& loading);
 
 /// Of a robot that nobody drives: it stands.

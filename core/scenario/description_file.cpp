@@ -22,15 +22,17 @@ Expected<Description> loadDescription(const std::string& name, DescriptionSource
     DescriptionLibrary library(source);
     const auto file = library.file(name, folders);
     if (!file) return tl::unexpected(file.error());
-    const auto kind = descriptionKind((*file)->text, (*file)->shown);
+    const Value& content = (*file)->content;
+    const std::string shown = library.shown((*file)->name);
+    const auto kind = descriptionKind(content, shown);
     if (!kind) return tl::unexpected(kind.error());
     switch (*kind) {
         case DescriptionKind::shape:
-            return described(parseShape((*file)->text, (*file)->shown));
+            return described(readShape(content, shown));
         case DescriptionKind::environment:
-            return described(parseEnvironment((*file)->text, (*file)->shown));
+            return described(readEnvironment(content, shown));
         case DescriptionKind::robot:
-            return described(readRobot(**file, library));
+            return described(readRobot(*file, library));
         case DescriptionKind::scenario:
             break;
     }

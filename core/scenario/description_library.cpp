@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "io/toml_text.h"
 #include "scenario/delayed_network.h"
 #include "scenario/shape_file.h"
 
@@ -14,48 +15,64 @@ std::string shippedFolder(std::string_view folder) {
 
 }  // namespace
 
-Expected<const DescriptionLibrary::File*> DescriptionLibrary::open(const std::string& name) {
-    if (const auto found = files_.find(name); found != files_.end()) return &found->second;
+Expected<Value::File> DescriptionLibrary::open(const std::string& name, const std::string& reference, Holds holds) {
+    if (const auto found = files_.find({name, holds}); found != files_.end()) return found->second;
     auto text = source_.text(name);
     if (!text) return tl::unexpected(text.error());
     if (!*text) return nullptr;
-    const std::string& kept = texts_.emplace(name, std::move(**text)).first->second;
-    return &files_.emplace(name, File{name, source_.shown(name), kept}).first->second;
+    DescriptionFile file{name, reference, {}};
+    if (holds == Holds::tables) {
+        auto tables = parseToml(**text, source_.shown(name));
+        if (!tables) return tl::unexpected(tables.error());
+        file.content = std::move(*tables);
+    } else {
+        file.content = std::move(**text);
+    }
+    return files_.emplace(std::pair(name, holds), std::make_shared<const DescriptionFile>(std::move(file)))
+        .first->second;
 }
 
-Expected<const DescriptionLibrary::File*> DescriptionLibrary::file(const std::string& name,
-                                                                   std::span<const std::string_view> folders) {
-    if (auto given = open(name); !given || *given != nullptr) return given;
+Expected<Value::File> DescriptionLibrary::file(const std::string& name, std::span<const std::string_view> folders) {
+    if (auto given = open(name, "", Holds::tables); !given || *given) return given;
     std::vector<std::string> places{joinedName(shippedFolder(""), name)};
     for (const std::string_view folder : folders) places.push_back(joinedName(shippedFolder(folder), name));
     std::erase(places, name);  // absolute, or as recordings call it
-    const File* found = nullptr;
+    Value::File found;
     std::string looked, several;
     for (const std::string& place : places) {
-        const auto shipped = open(place);
-        if (!shipped) return tl::unexpected(shipped.error());
+        auto shipped = open(place, "", Holds::tables);
+        if (!shipped) return shipped;
         looked += (looked.empty() ? ", nor does " : " or ") + source_.shown(place);
-        if (*shipped == nullptr) continue;
+        if (!*shipped) continue;
         several += (several.empty() ? "" : " and ") + place.substr(shippedPrefix.size());
-        if (found != nullptr)
-            return fail(name, "several files of that name ship: " + several + "; expected one of them");
+        if (found) return fail(name, "several files of that name ship: " + several + "; expected one of them");
         found = *shipped;
     }
-    if (found != nullptr) return found;
+    if (found) return found;
     return fail(source_.shown(name), "does not exist" + looked);
 }
 
-const DescriptionLibrary::File* DescriptionLibrary::file(TomlTable& table, std::string_view key,
-                                                         const std::string& from, std::string_view folder) {
+Value::File DescriptionLibrary::file(TomlTable& table, std::string_view key, const std::string& from,
+                                     std::string_view folder, Holds holds) {
+    const Value* const given = table.value(key);
+    if (!given) return nullptr;
+    if (Value::File file = given->sharedFile()) {
+        if (holds == Holds::tables ? file->content.asTable() != nullptr : file->content.asText() != nullptr)
+            return file;
+        table.reject(key, "holds something else than such a file");
+        return nullptr;
+    }
     const std::string reference = table.string(key);
     if (table.failed()) return nullptr;
     const std::string beside = joinedName(from, reference);
     const std::string shipped = joinedName(shippedFolder(folder), reference);
     for (const std::string& name : {beside, shipped}) {
         if (name == from) continue;  // a robot file and its shape file may be called the same
-        const auto found = open(name);
-        if (!found) table.adopt(found.error());
-        if (!found || *found != nullptr) return found.value_or(nullptr);
+        const auto found = open(name, reference, holds);
+        if (!found) return table.adopt(found.error()), nullptr;
+        if (!*found) continue;
+        table.resolve(key, *found);
+        return *found;
     }
     table.reject(key, '"' + reference + "\" was not found; expected " + source_.shown(beside) +
                           (beside == shipped ? "" : " or " + source_.shown(shipped)));
@@ -64,22 +81,22 @@ const DescriptionLibrary::File* DescriptionLibrary::file(TomlTable& table, std::
 
 std::shared_ptr<const Shape> DescriptionLibrary::shape(TomlTable& table, std::string_view key,
                                                        const std::string& from) {
-    const File* file = this->file(table, key, from, "shapes");
-    if (file == nullptr) return nullptr;
-    std::shared_ptr<const Shape>& shape = shapes_[file->name];
+    const Value::File file = this->file(table, key, from, "shapes", Holds::tables);
+    if (!file) return nullptr;
+    std::shared_ptr<const Shape>& shape = shapes_[file];
     if (shape) return shape;
-    auto parsed = parseShape(file->text, file->shown);
-    if (!parsed) return table.adopt(parsed.error()), nullptr;
-    return shape = std::make_shared<const Shape>(std::move(*parsed));
+    auto read = readShape(file->content, shown(file->name));
+    if (!read) return table.adopt(read.error()), nullptr;
+    return shape = std::make_shared<const Shape>(std::move(*read));
 }
 
 const MotionNetwork* DescriptionLibrary::network(TomlTable& table, std::string_view key, const std::string& from) {
-    const File* file = this->file(table, key, from, "nets");
-    if (file == nullptr) return nullptr;
-    if (const auto found = networks_.find(file->name); found != networks_.end()) return &found->second;
-    auto parsed = parseNetwork(file->text, file->shown);
+    const Value::File file = this->file(table, key, from, "nets", Holds::text);
+    if (!file) return nullptr;
+    if (const auto found = networks_.find(file); found != networks_.end()) return &found->second;
+    auto parsed = parseNetwork(*file->content.asText(), shown(file->name));
     if (!parsed) return table.adopt(parsed.error()), nullptr;
-    return &networks_.emplace(file->name, std::move(*parsed)).first->second;
+    return &networks_.emplace(file, std::move(*parsed)).first->second;
 }
 
 std::shared_ptr<const LearnedMotion> DescriptionLibrary::motion(const MotionNetwork& network, Nanoseconds laterV,
@@ -87,16 +104,6 @@ std::shared_ptr<const LearnedMotion> DescriptionLibrary::motion(const MotionNetw
     std::shared_ptr<const LearnedMotion>& motion = motions_[{&network, laterV, laterW}];
     if (!motion) motion = std::make_shared<const LearnedMotion>(delayed(network, laterV, laterW));
     return motion;
-}
-
-Expected<const DescriptionLibrary::File*> DescriptionLibrary::excerpt(const LogExcerpt& excerpt) {
-    const std::string name = excerpt.name();
-    if (const auto found = files_.find(name); found != files_.end()) return &found->second;
-    auto text = source_.excerpt(excerpt);
-    if (!text) return tl::unexpected(text.error());
-    if (!*text) return nullptr;
-    const std::string& kept = texts_.emplace(name, std::move(**text)).first->second;
-    return &files_.emplace(name, File{name, name, kept}).first->second;
 }
 
 }  // namespace mrose

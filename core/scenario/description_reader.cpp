@@ -68,15 +68,15 @@ ShapePart circle(TomlTable table, double far) {
 
 }  // namespace
 
-TomlTable openDescription(std::string_view text, const std::string& file, DescriptionKind kind) {
-    TomlTable root(text, file);
+TomlTable openDescription(const Value& content, const std::string& file, DescriptionKind kind) {
+    TomlTable root = TomlTable::of(content, file);
     root.choice("format", {formats[static_cast<std::size_t>(kind)]});
     root.integer("version", formatVersion, formatVersion);
     return root;
 }
 
-Expected<DescriptionKind> descriptionKind(std::string_view text, const std::string& file) {
-    TomlTable root(text, file);
+Expected<DescriptionKind> descriptionKind(const Value& content, const std::string& file) {
+    TomlTable root = TomlTable::of(content, file);
     const auto kind = static_cast<DescriptionKind>(root.choice("format", formats));
     if (root.failed()) return tl::unexpected(root.error());
     return kind;
@@ -111,8 +111,13 @@ Point pointOr(TomlTable& table, std::string_view key, const Point& fallback, dou
 
 Pose pose(TomlTable table) {
     const NumberRange metres{-metresFar, metresFar};
-    const Pose pose{table.number("x_m", metres), table.number("y_m", metres),
-                    angleOr(table, "heading_deg", 0, {-360, 360})};
+    Pose pose{table.number("x_m", metres), table.number("y_m", metres), 0};
+    if (table.has("heading_rad")) {
+        if (table.has("heading_deg")) table.reject("heading_rad", "heading_deg is there too; expected one of them");
+        pose.heading = table.number("heading_rad", {-1e6, 1e6});
+    } else {
+        pose.heading = angleOr(table, "heading_deg", 0, {-360, 360});
+    }
     table.rejectUnknown();
     return pose;
 }

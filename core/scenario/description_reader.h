@@ -11,16 +11,16 @@
 
 namespace mrose {
 
-// What description files have in common. For .cpp files of their loaders: it shows TomlTable.
+// What description files have in common.
 
 /// Kinds of description files; `format = "mrose shape"` in a file says which it is.
 enum class DescriptionKind { shape, environment, robot, scenario };
 
 /// The root of a file of the given kind; anything else is remembered as its error.
-TomlTable openDescription(std::string_view text, const std::string& file, DescriptionKind kind);
+TomlTable openDescription(const Value& content, const std::string& file, DescriptionKind kind);
 
 /// The kind that a file says it is. Error: it says none.
-Expected<DescriptionKind> descriptionKind(std::string_view text, const std::string& file);
+Expected<DescriptionKind> descriptionKind(const Value& content, const std::string& file);
 
 // Values, with their units in the keys: lengths and positions `_m`, angles `_deg`, which become radians here.
 
@@ -36,7 +36,7 @@ Nanoseconds duration(TomlTable& table, std::string_view key, NumberRange seconds
 Nanoseconds durationOr(TomlTable& table, std::string_view key, Nanoseconds fallback, NumberRange seconds);
 Point point(TomlTable& table, std::string_view key, double far);
 Point pointOr(TomlTable& table, std::string_view key, const Point& fallback, double far);
-/// { x_m, y_m, heading_deg }; the heading may be missing.
+/// { x_m, y_m, heading_deg }, or heading_rad, which is exact; the heading may be missing.
 Pose pose(TomlTable table);
 /// A name of a body, a file's part ...: not empty, at most 64 bytes, printable.
 std::string name(TomlTable& table, std::string_view key);

@@ -43,6 +43,7 @@ Expected<std::optional<std::string>> DiskDescriptions::text(const std::string& n
     if (!std::filesystem::exists(path, ignored)) return std::nullopt;
     auto content = readFile(path);
     if (!content) return tl::unexpected(content.error());
+    hashes_[path.string()] = contentHash(*content);
     return std::move(*content);
 }
 
@@ -53,6 +54,7 @@ Expected<const Log*> DiskDescriptions::log(const std::filesystem::path& path, co
     options.drive = drive;
     auto log = readLog(path, options);
     if (!log) return tl::unexpected(log.error());
+    for (const LogFile& file : log->files) hashes_[file.path] = file.hash;
     return &logs_.emplace(key, std::move(*log)).first->second;
 }
 
@@ -66,20 +68,28 @@ std::optional<std::filesystem::path> DiskDescriptions::logPlace(const LogExcerpt
     return {};
 }
 
-Expected<std::optional<std::string>> DiskDescriptions::excerpt(const LogExcerpt& excerpt) {
+Expected<std::optional<ExcerptContent>> DiskDescriptions::excerpt(const LogExcerpt& excerpt) {
     const auto place = logPlace(excerpt);
     if (!place) return std::nullopt;
     const auto found = log(*place, excerpt.drive.value_or(DifferentialDrive{}));
     if (!found) return tl::unexpected(found.error());
-    auto text = excerptText(**found, excerpt);
-    if (!text) return tl::unexpected(text.error());
-    return std::move(*text);
+    auto content = excerptOf(**found, excerpt);
+    if (!content) return tl::unexpected(content.error());
+    return std::move(*content);
 }
 
 Expected<std::optional<std::string>> KeptDescriptions::text(const std::string& name) {
     const auto found = texts_.find(name);
     if (found == texts_.end()) return std::nullopt;
     return found->second;
+}
+
+Expected<std::optional<ExcerptContent>> KeptDescriptions::excerpt(const LogExcerpt& excerpt) {
+    const auto found = texts_.find(excerpt.name());
+    if (found == texts_.end()) return std::nullopt;
+    auto content = parseExcerpt(found->second, found->first);
+    if (!content) return tl::unexpected(content.error());
+    return std::move(*content);
 }
 
 }  // namespace mrose

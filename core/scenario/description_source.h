@@ -9,23 +9,9 @@
 
 #include "io/error.h"
 #include "logs/robot_log.h"
-#include "world/differential_drive.h"
+#include "scenario/log_player.h"
 
 namespace mrose {
-
-/// A part of a robot's log that a simulated robot is to be driven by.
-struct LogExcerpt {
-    std::string log;         ///< the log's name, joined from where it is referred to
-    std::string reference;   ///< as it is written there
-    std::string robot;       ///< as the log calls it
-    std::string trajectory;  ///< "": the first
-    double start = 0;        ///< s after the log's start: what becomes the run's start
-    /// How wheel commands are read, where the robot's network says it: as it was learned.
-    std::optional<DifferentialDrive> drive = {};
-
-    /// The name that its text is kept by.
-    std::string name() const;
-};
 
 /// Where the texts of descriptions come from. Names are paths with '/', as given or joined from where they are referred
 /// to; those that begin with "mrose:" are of what ships with the program, so that they mean the same on every machine.
@@ -35,9 +21,8 @@ public:
 
     /// The text of that name; nothing where there is none. Error: there is one that cannot be read.
     virtual Expected<std::optional<std::string>> text(const std::string& name) = 0;
-    /// An excerpt of a log as a CSV log with the commands of one robot, of which one row has a pose: it is where the
-    /// robot was at the run's start. Nothing where there is no such log. Error: it has no such robot or cannot be read.
-    virtual Expected<std::optional<std::string>> excerpt(const LogExcerpt& excerpt) = 0;
+    /// What a log tells a robot. Nothing where there is no such log. Error: it has no such robot or cannot be read.
+    virtual Expected<std::optional<ExcerptContent>> excerpt(const LogExcerpt& excerpt) = 0;
     /// What a person calls the file of that name.
     virtual std::string shown(const std::string& name) const { return name; }
 };
@@ -53,8 +38,10 @@ public:
     explicit DiskDescriptions(Options options) : options_(std::move(options)) {}
 
     Expected<std::optional<std::string>> text(const std::string& name) override;
-    Expected<std::optional<std::string>> excerpt(const LogExcerpt& excerpt) override;
+    Expected<std::optional<ExcerptContent>> excerpt(const LogExcerpt& excerpt) override;
     std::string shown(const std::string& name) const override;
+    /// Hashes of the files that were read, by their paths.
+    const std::map<std::string, std::string>& hashes() const { return hashes_; }
     /// Where the log of an excerpt lies; nothing where none is found.
     std::optional<std::filesystem::path> logPlace(const LogExcerpt& excerpt) const;
 
@@ -63,18 +50,27 @@ private:
 
     Options options_;
     std::map<std::tuple<std::filesystem::path, double, double>, Log> logs_;  ///< by place and drive
+    std::map<std::string, std::string> hashes_;
 };
 
-/// Texts kept in memory, by name: of a recording, of a test.
+/// Texts kept in memory, by name: of an old recording, of a test. Excerpts of logs are kept as CSV logs by
+/// LogExcerpt::name().
 class KeptDescriptions final : public DescriptionSource {
 public:
     explicit KeptDescriptions(std::map<std::string, std::string> texts) : texts_(std::move(texts)) {}
 
     Expected<std::optional<std::string>> text(const std::string& name) override;
-    Expected<std::optional<std::string>> excerpt(const LogExcerpt& excerpt) override { return text(excerpt.name()); }
+    Expected<std::optional<ExcerptContent>> excerpt(const LogExcerpt& excerpt) override;
 
 private:
     std::map<std::string, std::string> texts_;
+};
+
+/// No files at all: for scenarios that hold all that they are made of.
+class NoDescriptions final : public DescriptionSource {
+public:
+    Expected<std::optional<std::string>> text(const std::string&) override { return std::nullopt; }
+    Expected<std::optional<ExcerptContent>> excerpt(const LogExcerpt&) override { return std::nullopt; }
 };
 
 /// What begins the name of a file that ships with the program.

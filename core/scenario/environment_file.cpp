@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/toml_text.h"
 #include "scenario/description_reader.h"
 
 namespace mrose {
@@ -137,8 +138,8 @@ void readGoals(TomlTable& root, Environment& environment) {
 
 }  // namespace
 
-Expected<Environment> parseEnvironment(std::string_view text, const std::string& file) {
-    TomlTable root = openDescription(text, file, DescriptionKind::environment);
+Expected<Environment> readEnvironment(const Value& content, const std::string& file) {
+    TomlTable root = openDescription(content, file, DescriptionKind::environment);
     Environment environment;
     environment.name = name(root, "name");
     const Surface surface = surfaceOr(root, "surface", {});
@@ -151,6 +152,11 @@ Expected<Environment> parseEnvironment(std::string_view text, const std::string&
     root.rejectUnknown();
     if (root.failed()) return tl::unexpected(root.error());
     return environment;
+}
+
+Expected<Environment> parseEnvironment(std::string_view text, const std::string& file) {
+    const auto content = parseToml(text, file);
+    return content ? readEnvironment(*content, file) : tl::unexpected(content.error());
 }
 
 }  // namespace mrose

@@ -1,10 +1,11 @@
 #include "scenario/log_excerpt.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "io/bytes.h"
 #include "io/number_text.h"
 #include "logs/csv_reader.h"
-#include "logs/csv_writer.h"
 #include "logs/pose_grid.h"
 
 namespace mrose {
@@ -54,7 +55,7 @@ Nanoseconds beginning(const Trajectory& trajectory) {
     return trajectory.poses.empty() ? commanded : std::max(commanded, trajectory.poses.front().time);
 }
 
-Expected<std::string> excerptText(const Log& log, const LogExcerpt& excerpt) {
+Expected<ExcerptContent> excerptOf(const Log& log, const LogExcerpt& excerpt) {
     const auto found = find(log, excerpt);
     if (!found) return tl::unexpected(found.error());
     const Trajectory& whole = **found;
@@ -66,18 +67,57 @@ Expected<std::string> excerptText(const Log& log, const LogExcerpt& excerpt) {
     if (start >= whole.commands.back().time)
         return fail(log.source, "robot \"" + excerpt.robot + "\" has no commands after " + numberText(excerpt.start) +
                                     " s from the log's start");
-    Trajectory part{.name = whole.name};
+    ExcerptContent content;
     if (whole.poses.empty()) {
-        part.commands = changes(whole.commands, start);
-        part.commands.front().time = std::max(part.commands.front().time, start);
+        content.commands = changes(whole.commands, start);
+        content.commands.front().time = std::max(content.commands.front().time, start);
     } else {
-        part.commands = changes(whole.commands, start - before);
-        part.poses = {{start, truthAt(whole.poses, start)}};
+        content.commands = changes(whole.commands, start - before);
+        content.start = truthAt(whole.poses, start);
     }
-    Log text;
-    text.synthetic = log.synthetic;
-    text.robots.push_back({excerpt.robot, {std::move(part)}, {}});
-    return toCsv(text);
+    // Where nobody knows when it stood where, its first command begins the run.
+    const Nanoseconds zero = content.start ? start : content.commands.front().time;
+    for (StampedCommand& command : content.commands) command.time -= zero;
+    return content;
+}
+
+Value excerptValue(const ExcerptContent& content) {
+    std::string commands;
+    for (const StampedCommand& command : content.commands) {
+        appendNumber(commands, command.time);
+        appendNumber(commands, command.command.v);
+        appendNumber(commands, command.command.w);
+    }
+    Value::Table table{{"commands", std::move(commands)}};
+    if (content.start) table.emplace("start", Value::Array{content.start->x, content.start->y, content.start->heading});
+    return table;
+}
+
+std::optional<ExcerptContent> parseExcerpt(const Value& value) {
+    const Value* const commands = value.find("commands");
+    if (!commands || !commands->asText()) return {};
+    ExcerptContent content;
+    ByteReader reader(*commands->asText());
+    while (!reader.rest().empty()) {
+        const auto time = reader.number<Nanoseconds>();
+        const auto v = reader.number<double>(), w = reader.number<double>();
+        const bool sound =
+            std::isfinite(v) && std::isfinite(w) && (content.commands.empty() || time > content.commands.back().time);
+        if (reader.failed() || !sound) return {};
+        content.commands.push_back({time, {v, w}});
+    }
+    if (const Value* const start = value.find("start")) {
+        const Value::Array* const numbers = start->asArray();
+        if (!numbers || numbers->size() != 3) return {};
+        double pose[3];
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double* const number = (*numbers)[i].asFloat();
+            if (!number || !std::isfinite(*number)) return {};
+            pose[i] = *number;
+        }
+        content.start = Pose{pose[0], pose[1], pose[2]};
+    }
+    return content;
 }
 
 Expected<ExcerptContent> parseExcerpt(std::string_view text, const std::string& name) {

@@ -53,8 +53,8 @@ std::string robotNames(const MotionNetwork& network) {
     return names.empty() ? "none" : names;
 }
 
-void readLearned(TomlTable& root, RobotDescription& robot, const DescriptionLibrary::File& file,
-                 DescriptionLibrary& library, DeadTimes& deadTimes) {
+void readLearned(TomlTable& root, RobotDescription& robot, const DescriptionFile& file, DescriptionLibrary& library,
+                 DeadTimes& deadTimes) {
     TomlTable table = root.table("motion");
     const MotionNetwork* network = library.network(table, "network", file.name);
     robot.motionRobot = nameOr(table, "robot", "");
@@ -112,8 +112,8 @@ void readKinematics(TomlTable& root, RobotDescription& robot, DeadTimes& deadTim
     if (!root.failed()) robot.kinematics = std::make_shared<const KinematicModel>(parameters, period);
 }
 
-void readMotion(TomlTable& root, RobotDescription& robot, const DescriptionLibrary::File& file,
-                DescriptionLibrary& library, DeadTimes& deadTimes) {
+void readMotion(TomlTable& root, RobotDescription& robot, const DescriptionFile& file, DescriptionLibrary& library,
+                DeadTimes& deadTimes) {
     root.expectOneOf("kinematics", "motion", "[motion] with a network or [kinematics]");
     if (root.has("motion"))
         readLearned(root, robot, file, library, deadTimes);
@@ -160,22 +160,23 @@ void readManipulators(TomlTable& root, RobotType& type, const DeadTimes& deadTim
 
 }  // namespace
 
-Expected<RobotDescription> readRobot(const DescriptionLibrary::File& file, DescriptionLibrary& library) {
-    TomlTable root = openDescription(file.text, file.shown, DescriptionKind::robot);
+Expected<RobotDescription> readRobot(const Value::File& file, DescriptionLibrary& library) {
+    TomlTable root = openDescription(file->content, library.shown(file->name), DescriptionKind::robot);
     RobotDescription robot;
     RobotType& type = robot.type;
     DeadTimes deadTimes;
     type.name = name(root, "name");
-    type.shape = library.shape(root, "shape", file.name);
+    type.shape = library.shape(root, "shape", file->name);
     type.mass = root.number("mass_kg", {0.001, 1e5});
     type.surface = surfaceOr(root, "surface", type.surface);
-    if (!root.failed()) readMotion(root, robot, file, library, deadTimes);
+    if (!root.failed()) readMotion(root, robot, *file, library, deadTimes);
     robot.deadTime = (deadTimes.v + deadTimes.w) / 2;
     type.motionNoise = readMotionNoise(root.tableOrEmpty("motion_noise"));
     readManipulators(root, type, deadTimes);
     type.perception = readPerception(root.tableOrEmpty("perception"));
     root.rejectUnknown();
     if (root.failed()) return tl::unexpected(root.error());
+    robot.file = std::make_shared<const DescriptionFile>(DescriptionFile{file->name, file->reference, root.resolved()});
     return robot;
 }
 

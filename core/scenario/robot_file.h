@@ -18,6 +18,8 @@ struct RobotDescription {
     std::string motionRobot;                           ///< which of the network's robots it is; "": the mean of them
     std::shared_ptr<const KinematicModel> kinematics;  ///< nothing where it is learned
 
+    Value::File file;  ///< what it was read from, with all that this names
+
     double deadTime = 0;  ///< s, by which it answers: the mean of its speed's and its rotation's
 
     Nanoseconds controlPeriod() const { return motion ? motion->network().period : kinematics->period(); }
@@ -25,7 +27,7 @@ struct RobotDescription {
 
 /// A robot file (resources/README.md explains the keys). Error: file, line, column and key of the first thing wrong, in
 /// it or in a file that it names.
-Expected<RobotDescription> readRobot(const DescriptionLibrary::File& file, DescriptionLibrary& library);
+Expected<RobotDescription> readRobot(const Value::File& file, DescriptionLibrary& library);
 
 /// The same robot with another network as its motion; which of the network's robots it is stays where the network has
 /// such. Error, a cause alone: the network is for another control period.

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "io/base64.h"
-#include "io/toml_edit.h"
 #include "io/toml_table.h"
+#include "io/toml_text.h"
 #include "scenario/carry_over.h"
 #include "world/plain_seconds.h"
 #include "world/state_bytes.h"

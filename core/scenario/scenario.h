@@ -9,7 +9,7 @@
 
 #include "control/controller.h"
 #include "physics/collision_shape.h"
-#include "scenario/description_source.h"
+#include "scenario/log_player.h"
 #include "scene/obstacle_index.h"
 #include "scene/scene.h"
 #include "world/world_state.h"
@@ -24,12 +24,6 @@ struct Variation {
     double frictionShare = 0;   ///< of the floor's frictions
     double massShare = 0;       ///< of the objects' masses
     bool operator==(const Variation&) const = default;
-};
-
-/// A robot that is given the commands of a real one.
-struct LogPlayer {
-    std::uint32_t robot = 0;  ///< in the scene
-    LogExcerpt excerpt;
 };
 
 struct SavedState;

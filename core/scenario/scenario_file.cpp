@@ -15,19 +15,17 @@
 namespace mrose {
 namespace {
 
-using File = DescriptionLibrary::File;
-
 constexpr std::int64_t mostNumber = 1'000'000;  // of a robot
 
 class ScenarioReader {
 public:
-    ScenarioReader(const File& file, DescriptionLibrary& library, const ScenarioLoading& loading)
-        : file_(file),
+    ScenarioReader(const ScenarioValue& value, DescriptionLibrary& library, const ScenarioLoading& loading)
+        : name_(value.name()),
           library_(library),
           loading_(loading),
-          root_(openDescription(file.text, file.shown, DescriptionKind::scenario)) {}
+          root_(openDescription(value.content(), library.shown(value.name()), DescriptionKind::scenario)) {}
 
-    Expected<ScenarioParts> read();
+    Expected<LoadedScenario> read();
 
 private:
     void readRun();
@@ -49,7 +47,7 @@ private:
     void checkStarts();
     void readSavedState();
 
-    const File& file_;
+    const std::string& name_;  ///< of the scenario's file
     DescriptionLibrary& library_;
     const ScenarioLoading& loading_;
     TomlTable root_;
@@ -58,7 +56,7 @@ private:
     std::vector<TomlTable> robotTables_, objectTables_;  ///< of the scene's bodies
     std::set<std::string> names_;
     std::shared_ptr<const FloorPlan> walls_;
-    std::map<std::string, RobotDescription> descriptions_;
+    std::map<Value::File, RobotDescription> descriptions_;
     std::map<std::pair<const RobotDescription*, const MotionNetwork*>, RobotDescription> moved_;  ///< by own networks
     std::map<std::pair<const RobotDescription*, bool>, std::uint32_t> types_;
     std::map<std::pair<const void*, std::string>, std::uint32_t> models_;
@@ -84,9 +82,10 @@ void ScenarioReader::readRun() {
 }
 
 void ScenarioReader::readEnvironment() {
-    const File* file = library_.file(root_, "environment", file_.name, "resources/environments");
-    if (file == nullptr) return;
-    auto environment = parseEnvironment(file->text, file->shown);
+    const Value::File file =
+        library_.file(root_, "environment", name_, "resources/environments", DescriptionLibrary::Holds::tables);
+    if (!file) return;
+    auto environment = mrose::readEnvironment(file->content, library_.shown(file->name));
     if (!environment) return root_.adopt(environment.error());
     scene_.environment = std::move(*environment);
     std::vector<ConvexPiece> pieces;
@@ -103,18 +102,22 @@ std::string ScenarioReader::bodyName(TomlTable& table) {
 }
 
 const RobotDescription* ScenarioReader::robotDescription(TomlTable& table) {
-    const File* file = library_.file(table, "type", file_.name, "resources/robots");
-    if (file == nullptr) return nullptr;
-    if (const auto found = descriptions_.find(file->name); found != descriptions_.end()) return &found->second;
-    auto robot = mrose::readRobot(*file, library_);
-    if (!robot) return table.adopt(robot.error()), nullptr;
-    return &descriptions_.emplace(file->name, std::move(*robot)).first->second;
+    const Value::File file = library_.file(table, "type", name_, "resources/robots", DescriptionLibrary::Holds::tables);
+    if (!file) return nullptr;
+    auto found = descriptions_.find(file);
+    if (found == descriptions_.end()) {
+        auto robot = mrose::readRobot(file, library_);
+        if (!robot) return table.adopt(robot.error()), nullptr;
+        found = descriptions_.emplace(file, std::move(*robot)).first;
+    }
+    table.resolve("type", found->second.file);
+    return &found->second;
 }
 
 /// The robot as it is moved by the network that the scenario names for it, if it does.
 const RobotDescription* ScenarioReader::withOwnNetwork(TomlTable& table, const RobotDescription* robot) {
     if (!table.has("network")) return robot;
-    const MotionNetwork* network = library_.network(table, "network", file_.name);
+    const MotionNetwork* network = library_.network(table, "network", name_);
     if (network == nullptr) return nullptr;
     if (const auto found = moved_.find({robot, network}); found != moved_.end()) return &found->second;
     auto moved = movedBy(*network, *robot, library_);
@@ -192,7 +195,7 @@ void ScenarioReader::readRobot(TomlTable& table, bool person) {
     body.model = modelIndex(*robot, motionRobot(table, *robot));
     ControllerSetting setting{noController()};
     if (table.has("controller"))
-        setting = readController(table.table("controller"), {*robot, ballRadius(), walls_}, file_, library_, loading_);
+        setting = readController(table.table("controller"), {*robot, ballRadius(), walls_}, name_, library_, loading_);
     if (setting.logStart && !table.has("start"))
         body.start = *setting.logStart;
     else
@@ -210,7 +213,7 @@ void ScenarioReader::readRobot(TomlTable& table, bool person) {
 ObjectType ScenarioReader::objectType(TomlTable& table) {
     ObjectType type;
     type.rolls = table.has("kind") ? table.choice("kind", {"ball", "box"}) == 0 : true;
-    type.shape = library_.shape(table, "shape", file_.name);
+    type.shape = library_.shape(table, "shape", name_);
     type.mass = table.number("mass_kg", {0.001, 1e5});
     type.surface = surfaceOr(table, "surface", type.surface);
     if (type.rolls) type.inertia = table.numberOr("inertia", type.inertia, {0.01, 1});
@@ -289,9 +292,10 @@ void ScenarioReader::checkStarts() {
 
 /// What the bodies' starts are then is where the state has them; after a goal the objects still go where the file says.
 void ScenarioReader::readSavedState() {
-    const File* const file = library_.file(root_, "initial_state", file_.name, "resources/scenarios");
-    if (file == nullptr || root_.failed()) return;
-    auto saved = parseSavedState(file->text, file->shown);
+    const Value::File file =
+        library_.file(root_, "initial_state", name_, "resources/scenarios", DescriptionLibrary::Holds::text);
+    if (!file || root_.failed()) return;
+    auto saved = parseSavedState(*file->content.asText(), library_.shown(file->name));
     if (!saved) return root_.adopt(saved.error());
     if (!loading_.playLogs) return;
     if (const std::string wrong = unfit(*saved, scene_); !wrong.empty()) return root_.reject("initial_state", wrong);
@@ -305,7 +309,7 @@ void ScenarioReader::readSavedState() {
         root_.reject("initial_state", "does not fit the scenario: it has " + wrong);
 }
 
-Expected<ScenarioParts> ScenarioReader::read() {
+Expected<LoadedScenario> ScenarioReader::read() {
     readRun();
     readEnvironment();
     for (TomlTable& table : root_.tablesOrNone("object"))
@@ -319,7 +323,7 @@ Expected<ScenarioParts> ScenarioReader::read() {
     root_.rejectUnknown();
     if (!root_.failed() && !goesOn) checkStarts();
     if (root_.failed()) return tl::unexpected(root_.error());
-    return std::move(parts_);
+    return LoadedScenario{ScenarioValue(name_, root_.resolved()), std::move(parts_)};
 }
 
 }  // namespace
@@ -330,9 +334,18 @@ Expected<LoadedScenario> loadScenario(const std::string& name, DescriptionSource
     constexpr std::string_view folders[] = {"resources/scenarios"};
     const auto file = library.file(name, folders);
     if (!file) return tl::unexpected(file.error());
-    auto parts = ScenarioReader(**file, library, loading).read();
-    if (!parts) return tl::unexpected(parts.error());
-    return LoadedScenario{(*file)->name, std::move(*parts), library.texts()};
+    return ScenarioReader(ScenarioValue(*file), library, loading).read();
+}
+
+Expected<LoadedScenario> loadScenario(const ScenarioValue& value, DescriptionSource& source,
+                                      const ScenarioLoading& loading) {
+    DescriptionLibrary library(source);
+    return ScenarioReader(value, library, loading).read();
+}
+
+Expected<LoadedScenario> loadScenario(const ScenarioValue& value, const ScenarioLoading& loading) {
+    NoDescriptions none;
+    return loadScenario(value, none, loading);
 }
 
 }  // namespace mrose

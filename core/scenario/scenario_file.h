@@ -1,22 +1,20 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <memory>
 #include <string>
 
 #include "io/error.h"
 #include "scenario/description_source.h"
 #include "scenario/scenario.h"
+#include "scenario/scenario_value.h"
 
 namespace mrose {
 
-/// A scenario with all texts that say what it is: KeptDescriptions of them under the same name give it again, without
-/// any disk.
+/// A scenario as a value, and what is made of it.
 struct LoadedScenario {
-    std::string name;  ///< of its own text
+    ScenarioValue value;
     ScenarioParts parts;
-    std::map<std::string, std::string> texts;
 };
 
 /// Makes the controller that a shared library holds, from its path and its options as TOML. Error: where an option is
@@ -36,5 +34,11 @@ struct ScenarioLoading {
 /// with every file that it names. Error: file, line, column and key of the first thing wrong in any of them.
 Expected<LoadedScenario> loadScenario(const std::string& name, DescriptionSource& source,
                                       const ScenarioLoading& loading = {});
+
+/// The same of a value. What it names and does not hold itself comes from `source`, without one from nowhere; the value
+/// given back holds it.
+Expected<LoadedScenario> loadScenario(const ScenarioValue& value, DescriptionSource& source,
+                                      const ScenarioLoading& loading = {});
+Expected<LoadedScenario> loadScenario(const ScenarioValue& value, const ScenarioLoading& loading = {});
 
 }  // namespace mrose

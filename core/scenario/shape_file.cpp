@@ -1,5 +1,6 @@
 #include "scenario/shape_file.h"
 
+#include "io/toml_text.h"
 #include "scenario/description_reader.h"
 
 namespace mrose {
@@ -16,8 +17,8 @@ ShapePart moved(ShapePart part, const Point& origin) {
 
 }  // namespace
 
-Expected<Shape> parseShape(std::string_view text, const std::string& file) {
-    TomlTable root = openDescription(text, file, DescriptionKind::shape);
+Expected<Shape> readShape(const Value& content, const std::string& file) {
+    TomlTable root = openDescription(content, file, DescriptionKind::shape);
     const std::string called = name(root, "name");
     const Point reference = pointOr(root, "reference_m", {}, shapeReach);
     std::vector<ShapePart> parts;
@@ -31,6 +32,11 @@ Expected<Shape> parseShape(std::string_view text, const std::string& file) {
     root.rejectUnknown();
     if (root.failed()) return tl::unexpected(root.error());
     return Shape::fromParts(called, std::move(parts));
+}
+
+Expected<Shape> parseShape(std::string_view text, const std::string& file) {
+    const auto content = parseToml(text, file);
+    return content ? readShape(*content, file) : tl::unexpected(content.error());
 }
 
 }  // namespace mrose

@@ -1,16 +1,12 @@
 #include "scenario/state_scenario.h"
 
-#include <algorithm>
 #include <map>
 #include <numbers>
 #include <set>
 #include <vector>
 
 #include "io/file.h"
-#include "io/number_text.h"
-#include "io/toml_edit.h"
-#include "scenario/description_edit.h"
-#include "scenario/description_source.h"
+#include "io/toml_text.h"
 #include "scenario/saved_state.h"
 #include "scenario/scenario_file.h"
 #include "world/state_hash.h"
@@ -18,206 +14,124 @@
 namespace mrose {
 namespace {
 
-/// Keys that name other description files, and where those ship.
-struct ReferenceKey {
-    const char* path;
-    const char* folder;
-};
-constexpr ReferenceKey scenarioReferences[] = {
-    {"environment", "resources/environments"},
-    {"robot[].type", "resources/robots"},
-    {"person[].type", "resources/robots"},
-    {"robot[].network", "nets"},
-    {"person[].network", "nets"},
-    {"object[].shape", "shapes"},
-};
-constexpr ReferenceKey robotReferences[] = {{"shape", "shapes"}, {"motion.network", "nets"}};
-
-std::string shippedName(const ReferenceKey& key, const std::string& reference) {
-    return joinedName(std::string(shippedPrefix) + key.folder + '/', reference);
-}
+constexpr const char* comment =
+    "The run goes on from `initial_state`, which holds. The starts of robots say where they are in it, those of "
+    "objects\n"
+    "where these go after a goal. Without `initial_state` the run begins at the starts.";
 
 std::string absoluteName(const std::string& name) {
     std::error_code ignored;
     return std::filesystem::absolute(name, ignored).lexically_normal().generic_string();
 }
 
-/// Descriptions on their way to another folder.
+/// A scenario's files on their way to another folder.
 class Relocation {
 public:
-    Relocation(const Descriptions& from, const std::filesystem::path& path)
-        : from_(from), folder_(path.parent_path()), stem_(path.stem().string()) {}
+    Relocation(const std::filesystem::path& path, DescriptionSource& disk)
+        : folder_(path.parent_path()), stem_(path.stem().string()), disk_(disk) {}
 
-    /// The scenario's text with its references as they are to be from there.
-    Expected<std::string> scenarioText() {
-        const std::string& text = from_.texts.at(from_.scenario);
-        std::vector<TomlEdit> edits;
-        if (auto done = relocate(text, from_.scenario, scenarioReferences, edits); !done)
-            return tl::unexpected(done.error());
-        for (const char* const kind : {"robot", "person"}) {
-            if (auto done = relocateLogs(text, kind, edits); !done) return tl::unexpected(done.error());
-            const auto libraries = tomlStrings(text, from_.scenario, kind + std::string("[].controller.library"));
-            if (!libraries) return tl::unexpected(libraries.error());
-            for (const TomlString& library : *libraries)
-                edits.push_back({library.place, tomlString(absoluteName(joinedName(from_.scenario, library.value)))});
+    /// What a value says, with references as they are to be from there.
+    Value moved(const Value& value) {
+        Value copy = value;
+        if (const Value::File file = value.sharedFile()) {
+            Value::File& place = moved_[file];
+            if (!place) place = movedFile(file);
+            copy = place;
+        } else if (const Value::Table* const table = value.asTable()) {
+            Value::Table tables;
+            for (const auto& [key, element] : *table) tables.emplace(key, moved(element));
+            copy = std::move(tables);
+        } else if (const Value::Array* const array = value.asArray()) {
+            Value::Array elements;
+            for (const Value& element : *array) elements.push_back(moved(element));
+            copy = std::move(elements);
         }
-        return withTomlValues(text, from_.scenario, edits);
+        return copy;
     }
 
-    /// By their names as the new text leads to them: all that it needs, and those of them to be written.
-    const std::map<std::string, std::string>& texts() const { return texts_; }
     const std::vector<NamedFile>& files() const { return files_; }
 
 private:
-    /// The name by which a text is kept that a key of the file `from` refers to; "" where none is.
-    std::string nameOf(const std::string& from, const ReferenceKey& key, const std::string& reference) const {
-        for (const std::string& name : {joinedName(from, reference), shippedName(key, reference)})
-            if (name != from && from_.texts.contains(name)) return name;
-        return "";
-    }
-
-    Expected<void> relocate(const std::string& text, const std::string& from, std::span<const ReferenceKey> keys,
-                            std::vector<TomlEdit>& edits) {
-        for (const ReferenceKey& key : keys) {
-            const auto references = tomlStrings(text, from, key.path);
-            if (!references) return tl::unexpected(references.error());
-            for (const TomlString& reference : *references) {
-                const std::string name = nameOf(from, key, reference.value);
-                if (name.empty()) continue;
-                const auto moved = movedReference(name, key, reference.value);
-                if (!moved) return tl::unexpected(moved.error());
-                if (*moved != reference.value) edits.push_back({reference.place, tomlString(*moved)});
-            }
-        }
-        return {};
-    }
-
-    /// How a file is referred to from the new folder.
-    Expected<std::string> movedReference(const std::string& name, const ReferenceKey& key,
-                                         const std::string& reference) {
-        if (const auto found = moved_.find(name); found != moved_.end()) return found->second;
-        if (name.starts_with(shippedPrefix)) {
-            addTree(name);
-            return moved_[name] = shippedName(key, reference) == name ? reference : name;
-        }
-        if (isOnDisk(name)) {
-            addTree(name);
-            return moved_[name] = absoluteName(name);
-        }
-        std::string text = from_.texts.at(name);
-        std::vector<TomlEdit> edits;
-        if (key.folder == std::string_view("resources/robots")) {
-            if (auto done = relocate(text, name, robotReferences, edits); !done) return tl::unexpected(done.error());
-            auto edited = withTomlValues(text, name, edits);
-            if (!edited) return edited;
-            text = std::move(*edited);
-        }
-        std::string beside = stem_ + '_' + std::filesystem::path(name).filename().string();
+    Value::File movedFile(const Value::File& file) {
+        const auto named = [&](const std::string& reference) {
+            return std::make_shared<const DescriptionFile>(DescriptionFile{file->name, reference, file->content});
+        };
+        if (file->content.find("commands")) return named(logReference(*file));
+        if (file->name.starts_with(shippedPrefix) && isThere(*file)) return named(shortName(*file));
+        if (!file->name.starts_with(shippedPrefix) && isThere(*file)) return named(absoluteName(file->name));
+        std::string beside = stem_ + '_' + std::filesystem::path(file->name).filename().string();
         while (!taken_.insert(beside).second) beside = '_' + beside;
-        files_.push_back({folder_ / beside, text});
-        texts_[(folder_ / beside).generic_string()] = std::move(text);
-        return moved_[name] = beside;
+        const Value content = moved(file->content);
+        const std::string* const text = content.asText();
+        files_.push_back({folder_ / beside, text ? *text : tomlText(content)});
+        return named(beside);
+    }
+
+    /// Where a file ships in the folder that its reference is looked for in, the reference will do.
+    std::string shortName(const DescriptionFile& file) const {
+        std::error_code ignored;
+        const bool ends = !file.reference.empty() && file.name.ends_with('/' + file.reference);
+        return ends && !std::filesystem::exists(folder_ / file.reference, ignored) ? file.reference : file.name;
+    }
+
+    /// One that is not beside the scenario is looked for where logs are kept.
+    std::string logReference(const DescriptionFile& file) const {
+        std::error_code ignored;
+        return std::filesystem::exists(file.name, ignored) ? absoluteName(file.name) : file.reference;
     }
 
     /// Whether the file lies there as it was read, with all that it names.
-    bool isOnDisk(const std::string& name) const {
-        const auto there = readFile(name);
-        if (!there || *there != from_.texts.at(name)) return false;
-        for (const std::string& nested : namedBy(name))
-            if (!nested.starts_with(shippedPrefix) && !isOnDisk(nested)) return false;
+    bool isThere(const DescriptionFile& file) {
+        const auto text = disk_.text(file.name);
+        if (!text || !*text) return false;
+        if (const std::string* const own = file.content.asText()) return **text == *own;
+        const auto content = parseToml(**text, file.name);
+        return content && says(*content, file.content);
+    }
+
+    /// Whether a description says what another one does whose files are known.
+    bool says(const Value& text, const Value& known) {
+        if (const DescriptionFile* const file = known.asFile())
+            return text.asText() && *text.asText() == file->reference && isThere(*file);
+        const Value::Table *const table = known.asTable(), *const own = text.asTable();
+        if (!table || !own) return text == known;
+        if (table->size() != own->size()) return false;
+        for (const auto& [key, element] : *table) {
+            const Value* const other = text.find(key);
+            if (!other || !says(*other, element)) return false;
+        }
         return true;
     }
 
-    /// Files that a robot file names.
-    std::vector<std::string> namedBy(const std::string& robot) const {
-        std::vector<std::string> names;
-        for (const ReferenceKey& key : robotReferences) {
-            const auto references = tomlStrings(from_.texts.at(robot), robot, key.path);
-            if (!references) continue;  // a network is no TOML
-            for (const TomlString& reference : *references)
-                if (const std::string name = nameOf(robot, key, reference.value); !name.empty()) names.push_back(name);
-        }
-        return names;
-    }
-
-    void addTree(const std::string& name) {
-        const std::string kept = name.starts_with(shippedPrefix) ? name : absoluteName(name);
-        if (!texts_.emplace(kept, from_.texts.at(name)).second) return;
-        for (const std::string& nested : namedBy(name)) addTree(nested);
-    }
-
-    Expected<void> relocateLogs(const std::string& text, const std::string& kind, std::vector<TomlEdit>& edits) {
-        const auto logs = tomlStrings(text, from_.scenario, kind + "[].controller.log");
-        if (!logs) return tl::unexpected(logs.error());
-        for (const TomlString& log : *logs) {
-            const std::string name = joinedName(from_.scenario, log.value);
-            std::error_code ignored;
-            const bool there = std::filesystem::exists(name, ignored);
-            // One that is not beside the scenario is looked for where logs are kept.
-            const std::string now =
-                there ? absoluteName(name) : (folder_ / log.value).lexically_normal().generic_string();
-            if (there) edits.push_back({log.place, tomlString(now)});
-            for (const auto& [kept, excerpt] : from_.texts)
-                if (kept.starts_with(name + '#')) texts_[now + kept.substr(name.size())] = excerpt;
-        }
-        return {};
-    }
-
-    const Descriptions& from_;
     std::filesystem::path folder_;
     std::string stem_;
-    std::map<std::string, std::string> moved_;  ///< references by the names of what they lead to
+    DescriptionSource& disk_;
+    std::map<Value::File, Value::File> moved_;
     std::set<std::string> taken_;
-    std::map<std::string, std::string> texts_;
     std::vector<NamedFile> files_;
 };
 
-/// The key that says where a scenario goes on from, with what its reader must know.
-constexpr const char* stateKey = "initial_state = ";
-constexpr const char* stateComment =
-    "# The run goes on from this state, which holds. The start lines of robots say where they are in it, those of\n"
-    "# objects where these go after a goal. Without the next line the run begins at the start lines.\n";
-
-/// The text with the robots' start lines as they are in a state: of those that have one.
-Expected<std::string> withStarts(const std::string& text, const std::string& name, const Scenario& scenario,
-                                 const WorldState& state) {
-    const std::size_t persons =
-        static_cast<std::size_t>(std::ranges::count_if(scenario.scene().robots, [&](const SceneRobot& robot) {
-            return scenario.scene().robotTypes[robot.type].person;
-        }));
-    const std::size_t robots = state.robots.size() - persons;
-    std::vector<std::vector<TomlEdit>> all;
-    for (std::size_t i = 0; i < state.robots.size(); ++i) {
-        const std::string table =
-            (i < robots ? "robot[" + std::to_string(i) : "person[" + std::to_string(i - robots)) + "].start";
-        const Pose& pose = state.robots[i].pose;
-        all.push_back({{{table, "x_m"}, numberText(pose.x)},
-                       {{table, "y_m"}, numberText(pose.y)},
-                       {{table, "heading_deg"}, numberText(wrapAngle(pose.heading) * 180 / std::numbers::pi)}});
+/// Plug-ins are named by full paths.
+Expected<ScenarioValue> withPluginPaths(ScenarioValue value) {
+    for (const char* const kind : {"robot", "person"}) {
+        const Value* const bodies = value.content().find(kind);
+        const std::size_t count = bodies && bodies->asArray() ? bodies->asArray()->size() : 0;
+        for (std::size_t i = 1; i <= count; ++i) {
+            const std::string path = kind + ('[' + std::to_string(i) + "].controller.library");
+            const Value* const library = value.at(path);
+            if (!library || !library->asText()) continue;
+            auto changed = value.with(path, absoluteName(joinedName(value.name(), *library->asText())));
+            if (!changed) return changed;
+            value = std::move(*changed);
+        }
     }
-    std::vector<TomlEdit> together;
-    for (const std::vector<TomlEdit>& edits : all) together.insert(together.end(), edits.begin(), edits.end());
-    if (auto edited = withTomlValues(text, name, together)) return edited;
-    // Some robot starts where its log does.
-    std::string changed = text;
-    for (const std::vector<TomlEdit>& edits : all)
-        if (auto edited = withTomlValues(changed, name, edits)) changed = std::move(*edited);
-    return changed;
+    return value;
 }
 
-std::string withStateComment(std::string text) {
-    const std::size_t at = text.starts_with(stateKey) ? 0 : text.find(std::string("\n") + stateKey) + 1;
-    const std::string comment = stateComment;
-    if (at < comment.size() || text.compare(at - comment.size(), comment.size(), comment) != 0)
-        text.insert(at, comment);
-    return text;
-}
-
-/// Whether what was written goes on as the run would.
-Expected<void> checkGoesOn(const std::string& name, std::map<std::string, std::string> texts, const Scenario& scenario,
+/// Whether the value goes on as the run would.
+Expected<void> checkGoesOn(const std::string& name, const ScenarioValue& value, const Scenario& scenario,
                            const WorldState& state) {
-    KeptDescriptions source(std::move(texts));
-    auto loaded = loadScenario(name, source);
+    auto loaded = loadScenario(value);
     if (!loaded) return tl::unexpected(loaded.error());
     // The run's own controllers: plug-ins among them were not loaded.
     loaded->parts.controllers = scenario.parts().controllers;
@@ -229,39 +143,48 @@ Expected<void> checkGoesOn(const std::string& name, std::map<std::string, std::s
                scenario.kickOffPose(i) == loaded->parts.kickOffPoses[i];
     const Scenario again(std::move(loaded->parts));
     if (!same || hashOf(again.initialState()) != hashOf(state))
-        return fail(name,
-                    "would not go on as the run does, which is not as its scenario's files say; expected a run "
-                    "that is no trial of a batch");
+        return fail(name, "would not go on as the run does, which is not as its scenario says");
     return {};
 }
 
 }  // namespace
 
-Expected<void> saveStateAsScenario(const std::filesystem::path& path, const Descriptions& descriptions,
-                                   const Scenario& scenario, const WorldState& state) {
-    if (!descriptions.texts.contains(descriptions.scenario))
-        return fail(path.string(), "cannot be written: the run has no description of its scenario");
+Expected<ScenarioValue> withState(const ScenarioValue& value, const Scenario& scenario, const WorldState& state) {
+    if (state.seed > static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max()))
+        return fail(value.name(), "a seed of " + std::to_string(state.seed) + " is beyond what a file can hold", 0,
+                    "seed");
+    auto changed = value.with("seed", static_cast<std::int64_t>(state.seed));
+    for (std::size_t i = 0; changed && i < state.robots.size(); ++i) {
+        const std::string body = changed->bodyPath(scenario.scene().robots[i].name);
+        const Pose& pose = state.robots[i].pose;
+        const double heading = wrapAngle(pose.heading) * 180 / std::numbers::pi;
+        // One that starts where its log does has none.
+        if (changed->at(body + ".start"))
+            changed = changed->with(body + ".start",
+                                    Value::Table{{"x_m", pose.x}, {"y_m", pose.y}, {"heading_deg", heading}});
+    }
+    if (!changed) return changed;
+    const std::string name = "state";
+    return changed->with("initial_state", std::make_shared<const DescriptionFile>(DescriptionFile{
+                                              name, name, savedStateText(savedState(scenario, state))}));
+}
+
+Expected<void> saveStateAsScenario(const std::filesystem::path& path, const ScenarioValue& value,
+                                   const Scenario& scenario, const WorldState& state, DescriptionSource& disk) {
     const std::filesystem::path statePath = std::filesystem::path(path).replace_extension(".state");
     if (statePath == path) return fail(path.string(), "is a name for the state beside; expected one such as NAME.toml");
-    Relocation relocation(descriptions, path);
-    const auto text = relocation.scenarioText();
-    if (!text) return tl::unexpected(text.error());
-    const std::string name = path.generic_string();
-    const auto seeded = withSeed({name, {{name, *text}}}, state.seed);
-    if (!seeded) return tl::unexpected(seeded.error());
-    auto started = withStarts(seeded->texts.at(name), name, scenario, state);
-    if (!started) return tl::unexpected(started.error());
-    auto complete =
-        withTomlValue(*started, name, {"", "initial_state", "environment"}, tomlString(statePath.filename().string()));
-    if (!complete) return tl::unexpected(complete.error());
-    *complete = withStateComment(std::move(*complete));
+    auto begun = withState(value, scenario, state);
+    if (!begun) return tl::unexpected(begun.error());
+    if (auto same = checkGoesOn(path.generic_string(), *begun, scenario, state); !same) return same;
+    begun = withPluginPaths(std::move(*begun));
+    if (!begun) return tl::unexpected(begun.error());
+    const std::string stateText = *begun->at("initial_state")->asFile()->content.asText();
+    begun = begun->with("initial_state", statePath.filename().string());
+    Relocation relocation(path, disk);
+    const Value written = relocation.moved(begun->content());
     std::vector<NamedFile> files = relocation.files();
-    files.push_back({statePath, savedStateText(savedState(scenario, state))});
-    files.push_back({path, *complete});
-    std::map<std::string, std::string> texts = relocation.texts();
-    texts[joinedName(name, statePath.filename().string())] = files[files.size() - 2].content;
-    texts[name] = *complete;
-    if (auto same = checkGoesOn(name, std::move(texts), scenario, state); !same) return same;
+    files.push_back({statePath, stateText});
+    files.push_back({path, tomlText(written, comment)});
     return writeFilesAtomically(files);
 }
 

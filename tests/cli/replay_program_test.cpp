@@ -16,7 +16,7 @@ namespace {
 
 /// What a recording in which something is amiss was made with.
 struct Amiss {
-    std::function<void(std::map<std::string, std::string>&)> texts = {};  ///< of its descriptions
+    std::function<ScenarioValue(const ScenarioValue&)> value = {};  ///< what it says its scenario is
     Origin origin = thisOrigin();
     std::int64_t falseTick = -1;  ///< the ball's place in the state after it is off by the last bit ...
     bool inBranch = false;        ///< ... of the branch
@@ -35,19 +35,18 @@ protected:
     void recordByProgram() { EXPECT_EQ(play("run", {"--record", path("game.mcap")}).status, 0); }
     /// The same as game.mcap with a branch in which the ball is thrown, written here.
     void recordHere(const Amiss& amiss);
-    /// A run, and a branch of it that begins anew with a part of a text replaced; `broken` is added to the kept text.
-    void recordReloaded(const std::string& part, const std::string& by, const std::string& broken = "");
+    /// A run, and a branch of it that begins anew with something overridden; `broken` is in what is kept of it, too.
+    void recordReloaded(const std::string& assignment, const std::string& broken = "");
 };
 
 void ReplayProgram::recordHere(const Amiss& amiss) {
     DiskDescriptions source({sourceFolder(), {}, ""});
     auto loaded = loadScenario(game(), source);
     ASSERT_TRUE(loaded) << loaded.error().message();
-    Descriptions descriptions{loaded->name, loaded->texts};
-    if (amiss.texts) amiss.texts(descriptions.texts);
+    const auto value = std::make_shared<const ScenarioValue>(amiss.value ? amiss.value(loaded->value) : loaded->value);
     const Scenario scenario(loaded->parts);
     WorldState state = scenario.initialState(), other;
-    auto writer = RecordingWriter::create(path("game.mcap"), scenario, state, descriptions, "mrose run",
+    auto writer = RecordingWriter::create(path("game.mcap"), scenario, state, value, "mrose run",
                                           {.overwrite = true, .origin = amiss.origin});
     ASSERT_TRUE(writer) << writer.error().message();
     StepBuffers buffers;
@@ -71,24 +70,24 @@ void ReplayProgram::recordHere(const Amiss& amiss) {
     ASSERT_TRUE(writer->close());
 }
 
-void ReplayProgram::recordReloaded(const std::string& part, const std::string& by, const std::string& broken) {
+void ReplayProgram::recordReloaded(const std::string& assignment, const std::string& broken) {
     DiskDescriptions source({sourceFolder(), {}, ""});
     auto loaded = loadScenario(game(), source);
     ASSERT_TRUE(loaded) << loaded.error().message();
-    const Descriptions descriptions{loaded->name, loaded->texts};
-    Descriptions changed = descriptions;
-    std::string& text = changed.texts[changed.scenario];
-    ASSERT_NE(text.find(part), std::string::npos) << text;
-    text.replace(text.find(part), part.size(), by);
-    KeptDescriptions kept(changed.texts);
-    auto again = loadScenario(changed.scenario, kept);
+    const auto changed = loaded->value.overridden(assignment);
+    ASSERT_TRUE(changed) << changed.error().message();
+    auto again = loadScenario(*changed);
     ASSERT_TRUE(again) << again.error().message();
-    text = broken + "\n" + text;
+    const auto told = broken.empty() ? changed : changed->overridden(broken);
+    ASSERT_TRUE(told) << told.error().message();
     const Scenario scenario(loaded->parts), reloaded(again->parts);
-    auto writer = RecordingWriter::create(path("game.mcap"), scenario, scenario.initialState(), descriptions, "",
-                                          {.overwrite = true});
+    auto writer =
+        RecordingWriter::create(path("game.mcap"), scenario, scenario.initialState(),
+                                std::make_shared<const ScenarioValue>(loaded->value), "", {.overwrite = true});
     ASSERT_TRUE(writer) << writer.error().message();
-    EXPECT_EQ(writer->beginBranch(0, reloaded.initialState(), "reloaded", reloaded, changed), 1u);
+    EXPECT_EQ(writer->beginBranch(0, reloaded.initialState(), "reloaded", reloaded,
+                                  std::make_shared<const ScenarioValue>(*told)),
+              1u);
     for (const std::uint32_t branch : {0u, 1u}) {
         const Scenario& own = branch == 0 ? scenario : reloaded;
         WorldState state = own.initialState();
@@ -131,16 +130,16 @@ TEST_F(ReplayProgram, BranchesAreReplayedToo) {
     }
 }
 
-/// A branch whose descriptions were changed and loaded again.
+/// A branch whose scenario was changed.
 TEST_F(ReplayProgram, BranchesAreReplayedInTheirOwnScenario) {
-    recordReloaded(" = [4.8, 0.0]", " = [0.0, 2.5]");
+    recordReloaded("robot[1].controller.target_m=[0.0, 2.5]");
     for (const std::vector<std::string>& more : {std::vector<std::string>{"--json"}, {"--json", "--decide"}}) {
         const nlohmann::json json = told(replay("game.mcap", more));
         EXPECT_EQ(json["ticks"], branchTicks + branchTicks);
         EXPECT_EQ(json["same"], true) << json;
     }
-    recordReloaded(" = [4.8, 0.0]", " = [0.0, 2.5]", "tick_s = 0.0");
-    expectOneLine(replay("game.mcap"), {"it's a game.toml:1:", "tick_s"});
+    recordReloaded("robot[1].controller.target_m=[0.0, 2.5]", "tick_s=0.0");
+    expectOneLine(replay("game.mcap"), {"it's a game.toml: tick_s: is 0.0; expected 0.001 to 0.1"});
 }
 
 /// The last bit of one number in one tick of the run, or of its branch.
@@ -168,15 +167,8 @@ TEST_F(ReplayProgram, NamesTheFirstTickThatDiffers) {
 
 /// The scenario in the recording has another target for the controller than the one that decided.
 TEST_F(ReplayProgram, ChangedControllerIsNamedWhereItDecidesAgainAndOnlyThere) {
-    recordHere({.texts = [](auto& texts) {
-        bool changed = false;
-        for (auto& [name, text] : texts) {
-            const auto at = text.find("target_m = [4.8, 0.0]");
-            if (at == std::string::npos) continue;
-            text.replace(at, 21, "target_m = [0.0, 2.5]");
-            changed = true;
-        }
-        EXPECT_TRUE(changed);
+    recordHere({.value = [](const ScenarioValue& value) {
+        return value.overridden("robot[1].controller.target_m = [0.0, 2.5]").value();
     }});
     EXPECT_EQ(replay("game.mcap").status, 0);
     const ProgramResult decided = replay("game.mcap", {"--decide"});

@@ -32,8 +32,7 @@ LogWorld worldOf(const std::vector<Nanoseconds>& drives, double speed = 0.5) {
     const auto made = scenarioOfLog(log, "/logs/it");
     EXPECT_TRUE(made) << made.error().message();
     DiskDescriptions disk({sourceFolder(), {}, ""});
-    LayeredDescriptions source(made->texts, disk);
-    auto scenario = loadScenario(made->scenario, source, {{}, false});
+    auto scenario = loadScenario(*made, disk, {{}, false});
     EXPECT_TRUE(scenario) << scenario.error().message();
     auto world = LogWorld::create(std::move(scenario->parts), std::make_shared<const Log>(log));
     EXPECT_TRUE(world) << world.error().message();

@@ -14,8 +14,8 @@
 
 #include "experiment/run.h"
 #include "experiment/trial_world.h"
-#include "experiment/variation.h"
 #include "io/file.h"
+#include "scenario/variation.h"
 #include "support/scenes.h"
 #include "support/temporary_folder.h"
 #include "support/units.h"

@@ -1,5 +1,5 @@
 // Whatever the bytes are, taken as a shape, an environment, a robot or a scenario they give something sound, of which a
-// scenario can be run and loaded again from its texts, or an error of one line.
+// scenario can be run and loaded again from its value, or an error of one line.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -8,6 +8,7 @@
 
 #include "drawing/scene_drawing.h"
 #include "fuzz/require.h"
+#include "io/toml_text.h"
 #include "scenario/environment_file.h"
 #include "scenario/robot_file.h"
 #include "scenario/scenario_file.h"
@@ -93,10 +94,10 @@ public:
             if (name.starts_with(folder) && !besideARobot(name)) return text;
         return std::nullopt;
     }
-    Expected<std::optional<std::string>> excerpt(const LogExcerpt& wanted) override {
+    Expected<std::optional<ExcerptContent>> excerpt(const LogExcerpt& wanted) override {
         // Each robot has a place of its own.
-        const std::string y = wanted.robot.empty() ? "0" : std::to_string(wanted.robot.front() % 10);
-        return "t,v_cmd,w_cmd,x,y,heading\n0,0.1,0,,,\n1,0.2,0.3,1," + y + ",0.5\n";
+        const double y = wanted.robot.empty() ? 0 : wanted.robot.front() % 10;
+        return ExcerptContent{{{-nanosecondsPerSecond, {0.1, 0}}, {0, {0.2, 0.3}}}, Pose{1, y, 0.5}};
     }
 
 private:
@@ -128,9 +129,12 @@ void runTicks(const LoadedScenario& loaded, int ticks) {
 }
 
 void requireSound(const LoadedScenario& loaded) {
-    KeptDescriptions kept(loaded.texts);
-    const auto again = loadScenario(loaded.name, kept);
-    require(again && again->texts == loaded.texts);
+    const auto value = ScenarioValue::parse(loaded.value.bytes());
+    require(value && *value == loaded.value && value->hash() == loaded.value.hash());
+    const auto again = loadScenario(*value);
+    require(again && again->value == loaded.value);
+    const auto text = parseToml(tomlText(loaded.value.content()), "f");
+    require(text.has_value());
     drawScene(loaded.parts.scene, loaded.parts.name);
     // Each state holds the poses of a second of all bodies, and a kinematic robot may have many commands a period.
     if (loaded.parts.scene.bodyCount() < 50) runTicks(loaded, 12);
@@ -152,7 +156,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         requireOneLine(environment.error());
     FuzzedDescriptions source(text);
     DescriptionLibrary library(source);
-    if (const auto robot = readRobot(**library.file("f", {}), library))
+    const auto file = library.file("f", {});
+    if (!file) return requireOneLine(file.error()), 0;
+    if (const auto robot = readRobot(*file, library))
         drawRobot(robot->type);
     else
         requireOneLine(robot.error());

@@ -55,11 +55,11 @@ void requireBranch(std::string_view bytes) {
 }
 
 void requireBranchScenario(std::string_view bytes) {
-    const Descriptions run{"s", {{"s", "seed = 1\n"}}};
-    const auto read = parseBranchScenario(compressed(bytes), run);
+    const ScenarioValue run("s", Value::Table{{"seed", 1}});
+    const auto read = parseBranchScenario(compressed(bytes), &run, {{"s", "seed = 1\n"}});
     if (!read) return;
-    const auto again = parseBranchScenario(branchScenarioBytes(*read, run), run);
-    require(again && again->branch == read->branch && again->descriptions == read->descriptions &&
+    const auto again = parseBranchScenario(branchScenarioBytes(*read, &run), &run);
+    require(again && again->branch == read->branch && *again->value == *read->value &&
             again->layout.tickLength == read->layout.tickLength &&
             again->layout.controllers == read->layout.controllers);
 }

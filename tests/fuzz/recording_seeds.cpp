@@ -62,9 +62,10 @@ Expected<void> writeSeeds(const std::filesystem::path& folder) {
     if (!recording) return tl::unexpected(recording.error());
     const auto& blocks = recording->branches[0].timeline.blocks();
     const std::string first = *decompressed(branchBytes({0, 0, "", {0, stateBytes(run.states.front()), {}, {}}}));
+    const Value::File odd = std::make_shared<const DescriptionFile>(DescriptionFile{"s", "s", "text"});
+    const Value named = Value::Table{{"seed", 2}, {"shape", odd}, {"x", Value::Array{1.5, true, "y"}}};
     const std::string own = *decompressed(
-        branchScenarioBytes({1, {20'000'000, {{16, 2}}}, {"t", {{"s", "seed = 1\n"}, {"t", "seed = 2\n"}}}},
-                            recording->header.descriptions));
+        branchScenarioBytes({1, {20'000'000, {{16, 2}}}, std::make_shared<const ScenarioValue>("t", named)}, nullptr));
     std::string pieces = piece(first, true), block;
     for (const TimelineBlock& part : blocks) pieces += piece(block = *decompressed(blockBytes(part, 0)), false);
     for (const auto& [name, bytes] :

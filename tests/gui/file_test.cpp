@@ -13,11 +13,11 @@
 
 #include <gmock/gmock.h>
 
-#include "experiment/variation.h"
 #include "files/window_files.h"
 #include "gui/file_fixture.h"
 #include "recording/recording.h"
 #include "scenario/scenario_file.h"
+#include "scenario/variation.h"
 #include "support/places.h"
 #include "support/run_program.h"
 #include "widgets/field_view.h"

@@ -30,19 +30,18 @@ class BranchScenarios : public RecordingFile {
 protected:
     std::filesystem::path recordAll() {
         const std::filesystem::path path = folder.path() / "all.mcap";
-        auto writer =
-            RecordingWriter::create(path, scenario, run.states.front(), descriptions, "", {.keyframeInterval = 30});
+        auto writer = RecordingWriter::create(path, scenario, run.states.front(), value, "", {.keyframeInterval = 30});
         EXPECT_TRUE(writer);
         const auto add = [&](const StraightRun& course, std::uint32_t branch) {
             for (std::size_t i = 0; i < course.traces.size(); ++i)
                 writer->add(course.states[i + 1], course.traces[i], branch);
         };
         add(run, 0);
-        EXPECT_EQ(writer->beginBranch(0, reloaded.states.front(), "reloaded", *other, otherDescriptions), 1u);
+        EXPECT_EQ(writer->beginBranch(0, reloaded.states.front(), "reloaded", *other, otherValue), 1u);
         add(reloaded, 1);
         EXPECT_EQ(writer->beginBranch(1, pushedAgain.states.front(), "pushed"), 2u);
         add(pushedAgain, 2);
-        EXPECT_EQ(writer->beginBranch(2, branchRun.states.front(), "back", scenario, descriptions), 3u);
+        EXPECT_EQ(writer->beginBranch(2, branchRun.states.front(), "back", scenario, value), 3u);
         add(branchRun, 3);
         const auto closed = writer->close();
         EXPECT_TRUE(closed) << closed.error().message();
@@ -73,24 +72,22 @@ protected:
     }
 
     std::shared_ptr<const Scenario> other = smaller(3, 5);
-    Descriptions otherDescriptions{
-        "soccer.toml",
-        {{"soccer.toml", "seed = 5\n"}, {"robots/new.toml", ""}, {"shapes/ball \"x\".toml", std::string("\0\n", 2)}}};
+    ScenarioValuePointer otherValue = valueOf("soccer.toml", 5);
     StraightRun reloaded = runMatch(*other, other->initialState(), 70);
     StraightRun pushedAgain = runMatch(*other, pushed(reloaded.states[40]), 30);
 };
 
 TEST_F(BranchScenarios, HistoryKeepsThemAndBranchesInheritThem) {
     History history(run.states.front());
-    const auto own = std::make_shared<const Descriptions>(otherDescriptions);
+    const ScenarioValuePointer own = otherValue;
     EXPECT_EQ(history.beginBranch(0, reloaded.states.front(), "a", own), 1u);
     EXPECT_EQ(history.beginBranch(1, pushedAgain.states.front(), "b"), 2u);
     EXPECT_EQ(history.beginBranch(0, run.states.front(), "c"), 3u);
     for (std::size_t i = 0; i < reloaded.traces.size(); ++i) history.add(reloaded.states[i + 1], reloaded.traces[i], 1);
-    EXPECT_EQ(history.branches()[0].descriptions, nullptr);
-    EXPECT_EQ(history.branches()[1].descriptions, own);
-    EXPECT_EQ(history.branches()[2].descriptions, own);
-    EXPECT_EQ(history.branches()[3].descriptions, nullptr);
+    EXPECT_EQ(history.branches()[0].value, nullptr);
+    EXPECT_EQ(history.branches()[1].value, own);
+    EXPECT_EQ(history.branches()[2].value, own);
+    EXPECT_EQ(history.branches()[3].value, nullptr);
     const auto reached = Playback(*other).reach(history.branches()[1].timeline, 70);
     ASSERT_TRUE(reached) << reached.error().message();
     EXPECT_FALSE(firstDifference(reloaded.states[70], reached->state));
@@ -101,18 +98,17 @@ TEST_F(BranchScenarios, ComeBackFromTheFile) {
     ASSERT_TRUE(recording) << recording.error().message();
     EXPECT_TRUE(recording->damage.empty()) << recording->damage.front();
     ASSERT_EQ(recording->branches.size(), 4u);
-    const std::vector<const Descriptions*> expected{&descriptions, &otherDescriptions, &otherDescriptions,
-                                                    &descriptions};
+    const std::vector<ScenarioValuePointer> expected{value, otherValue, otherValue, value};
     const std::vector<std::int64_t> begins{0, 0, 40, 90};
     for (std::uint32_t i = 0; i < 4; ++i) {
-        EXPECT_EQ(recording->descriptionsOf(i), *expected[i]) << i;
+        EXPECT_EQ(*recording->valueOf(i), *expected[i]) << i;
         const bool smaller = i == 1 || i == 2;
         EXPECT_EQ(recording->layouts[i].tickLength, smaller ? 10'000'000 : 20'000'000);
         EXPECT_EQ(recording->layouts[i].controllers,
                   std::vector<RecordingHeader::ControllerNeeds>(smaller ? 3 : 8, {16, 2}));
         EXPECT_EQ(recording->branches[i].tick, begins[i]);
     }
-    EXPECT_EQ(recording->branches[2].descriptions, recording->branches[1].descriptions);
+    EXPECT_EQ(recording->branches[2].value, recording->branches[1].value);
     const auto reached = Playback(*other).reach(recording->branches[2].timeline, 63);
     ASSERT_TRUE(reached) << reached.error().message();
     EXPECT_TRUE(reached->worldSame && reached->mindsSame);
@@ -164,7 +160,7 @@ TEST_F(BranchScenarios, CutOffAnywhereNoBranchIsOfAnother) {
             most = std::max(most, recording->branches.size());
             ASSERT_EQ(recording->layouts.size(), recording->branches.size());
             if (recording->branches.size() > 1) {
-                EXPECT_EQ(recording->descriptionsOf(1), otherDescriptions);
+                EXPECT_EQ(*recording->valueOf(1), *otherValue);
             }
         }
     EXPECT_EQ(most, 4u);
@@ -173,20 +169,19 @@ TEST_F(BranchScenarios, CutOffAnywhereNoBranchIsOfAnother) {
 TEST_F(BranchScenarios, WhatIsNoScenarioIsDamage) {
     const std::string whole = *readFile(recordAll());
     const Recording::Layout layout{10'000'000, {3, {16, 2}}};
-    const std::string good = branchScenarioBytes({1, layout, otherDescriptions}, descriptions);
+    const std::string good = branchScenarioBytes({1, layout, otherValue}, value.get());
     EXPECT_EQ(parseRecording(withScenario(whole, good), "f")->branches.size(), 4u);
-    Descriptions more = descriptions;
-    more.texts["another"] = "text";
-    Descriptions asMore = more;
-    asMore.texts.erase("soccer.toml");
+    const ScenarioValue more =
+        *value->with("shape", std::make_shared<const DescriptionFile>(DescriptionFile{"another", "another", "text"}));
+    const auto asMore = std::make_shared<const ScenarioValue>(*more.with("seed", 6));
     std::string longer = *decompressed(good);
     longer += 'x';
     for (const std::string& bad :
          {std::string(), std::string("no frame"), good.substr(0, good.size() / 2),
-          branchScenarioBytes({2, layout, otherDescriptions}, descriptions),
-          branchScenarioBytes({1, {0, {}}, otherDescriptions}, descriptions),
-          branchScenarioBytes({1, layout, asMore}, more),  // tells a text by its name that the run has not
-          compressed(longer), compressed("\2" + decompressed(good)->substr(1))}) {
+          branchScenarioBytes({2, layout, otherValue}, value.get()),
+          branchScenarioBytes({1, {0, {}}, otherValue}, value.get()),
+          branchScenarioBytes({1, layout, asMore}, &more),  // tells a file by its hash that the run has not
+          compressed(longer), compressed("\3" + decompressed(good)->substr(1))}) {
         const auto recording = parseRecording(withScenario(whole, bad), "f");
         ASSERT_TRUE(recording) << recording.error().message();
         EXPECT_EQ(recording->branches.size(), 1u);
@@ -198,7 +193,7 @@ TEST_F(BranchScenarios, WhatIsNoScenarioIsDamage) {
     // Cut off at every byte it is none either.
     const std::string content = *decompressed(good);
     for (std::size_t size = 0; size < content.size(); ++size)
-        EXPECT_FALSE(parseBranchScenario(compressed(content.substr(0, size)), descriptions)) << size;
+        EXPECT_FALSE(parseBranchScenario(compressed(content.substr(0, size)), value.get())) << size;
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ TEST_F(RecordingFile, FullDiskLeavesWhatWasWrittenWhole) {
         Expected<void> closed;
         {
             const FullDisk full(room);
-            auto writer = RecordingWriter::create(path, scenario, run.states.front(), descriptions, "", {true, 40});
+            auto writer = RecordingWriter::create(path, scenario, run.states.front(), value, "", {true, 40});
             if (!writer) {
                 EXPECT_EQ(last, -1) << "there was room when there was less";
                 EXPECT_NE(writer.error().message().find(path.string() + ": cannot be written"), std::string::npos);
@@ -55,7 +55,7 @@ TEST_F(RecordingFile, KilledProgramLeavesWhatItFlushed) {
     const std::filesystem::path path = folder.path() / "killed.mcap";
     const pid_t child = ::fork();
     if (child == 0) {
-        auto writer = RecordingWriter::create(path, scenario, run.states.front(), descriptions);
+        auto writer = RecordingWriter::create(path, scenario, run.states.front(), value);
         for (std::size_t i = 0; i < 150; ++i) {
             writer->add(run.states[i + 1], run.traces[i]);
             if (i % 50 == 40) writer->flush();
@@ -69,7 +69,7 @@ TEST_F(RecordingFile, KilledProgramLeavesWhatItFlushed) {
     const auto recording = openRecording(path);
     ASSERT_TRUE(recording) << recording.error().message();
     EXPECT_EQ(recording->damage.size(), 1u);
-    EXPECT_EQ(recording->header.descriptions, descriptions);
+    EXPECT_EQ(*recording->header.value, *value);
     EXPECT_EQ(recording->branches[0].timeline.last(), 141);
     expectStates(recording->branches[0].timeline, run);
 }
@@ -86,7 +86,7 @@ TEST_F(RecordingFile, FileThatIsNotAtItsPlaceAnyMoreIsAnErrorAtTheNextFlush) {
     for (const auto& [does, says] : cases)
         for (const bool flushes : {true, false}) {
             const std::filesystem::path path = folder.path() / "run.mcap";
-            auto writer = RecordingWriter::create(path, scenario, run.states.front(), descriptions, "", {true});
+            auto writer = RecordingWriter::create(path, scenario, run.states.front(), value, "", {true});
             ASSERT_TRUE(writer) << writer.error().message();
             for (std::size_t i = 0; i < 60; ++i) writer->add(run.states[i + 1], run.traces[i]);
             writer->flush();

@@ -7,7 +7,7 @@ namespace mrose {
 
 std::filesystem::path RecordingFile::record(const RecordingWriter::Options& options) {
     const std::filesystem::path path = folder.path() / "run.mcap";
-    auto writer = RecordingWriter::create(path, scenario, run.states.front(), descriptions, "mrose run x", options);
+    auto writer = RecordingWriter::create(path, scenario, run.states.front(), value, "mrose run x", options);
     EXPECT_TRUE(writer) << writer.error().message();
     for (std::size_t i = 0; i < run.traces.size(); ++i) {
         writer->add(run.states[i + 1], run.traces[i]);

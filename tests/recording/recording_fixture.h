@@ -26,8 +26,14 @@ protected:
     Scenario scenario{matchParts()};
     StraightRun run = runMatch(scenario, scenario.initialState(), ticks);
     StraightRun branchRun = runMatch(scenario, pushed(run.states[branchTick]), branchTicks);
-    Descriptions descriptions{"soccer.toml",
-                              {{"soccer.toml", "seed = 1\n"}, {"shapes/ball \"x\".toml", std::string("\0\n", 2)}}};
+    ScenarioValuePointer value = valueOf("soccer.toml", 1);
+
+    /// Of a scenario that names a file of odd name and content.
+    static ScenarioValuePointer valueOf(const std::string& name, std::int64_t seed) {
+        const Value odd = std::make_shared<const DescriptionFile>(
+            DescriptionFile{"shapes/ball \"x\".toml", "ball", std::string("\0\n", 2)});
+        return std::make_shared<const ScenarioValue>(name, Value::Table{{"seed", seed}, {"shape", odd}});
+    }
 };
 
 }  // namespace mrose

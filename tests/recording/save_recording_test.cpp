@@ -39,11 +39,10 @@ protected:
         add(guided, 0);
         add(branchRun, history.beginBranch(0, branchRun.states.front(), "pushed"));
         add(second, history.beginBranch(1, second.states.front(), "pushed again"));
-        add(fewer, history.beginBranch(0, fewer.states.front(), "fewer",
-                                       std::make_shared<const Descriptions>(fewerDescriptions)));
+        add(fewer, history.beginBranch(0, fewer.states.front(), "fewer", fewerValue));
     }
     Expected<bool> save(const SaveRecordingOptions& options = {}) {
-        return saveRecording(path, history.branches(), scenarios, descriptions, options);
+        return saveRecording(path, history.branches(), scenarios, value, options);
     }
     std::vector<std::string> listing() const {
         std::vector<std::string> names;
@@ -61,7 +60,7 @@ protected:
     std::shared_ptr<const Scenario> whole = std::make_shared<const Scenario>(matchParts());
     std::shared_ptr<const Scenario> few = std::make_shared<const Scenario>(matchParts(three()));
     std::vector<std::shared_ptr<const Scenario>> scenarios{whole, whole, whole, few};
-    Descriptions fewerDescriptions{"few.toml", {{"few.toml", "x = 1\n"}}};
+    ScenarioValuePointer fewerValue = valueOf("few.toml", 9);
     StraightRun guided = runMatch(*whole, whole->initialState(), ticks, handOnTwo);
     StraightRun second = runMatch(*whole, pushed(branchRun.states[20]), 50);
     StraightRun fewer = runMatch(*few, few->initialState(9), 80);
@@ -88,7 +87,7 @@ TEST_F(SavedRecording, ComesBackAsItWasKept) {
         EXPECT_EQ(read.name, kept.name);
         EXPECT_EQ(read.parent, kept.parent);
         EXPECT_EQ(read.tick, kept.tick);
-        EXPECT_EQ(recording->descriptionsOf(i), i == 3 ? fewerDescriptions : descriptions);
+        EXPECT_EQ(*recording->valueOf(i), i == 3 ? *fewerValue : *value);
         ASSERT_EQ(read.timeline.first(), kept.timeline.first());
         ASSERT_EQ(read.timeline.last(), kept.timeline.last());
         for (std::int64_t tick = read.timeline.first() + 1; tick <= read.timeline.last(); ++tick)
@@ -148,7 +147,7 @@ TEST_F(SavedRecording, BeginsWithTheEarliestThatIsKept) {
     for (std::size_t i = 0; i < longer.traces.size(); ++i) small.add(longer.states[i + 1], longer.traces[i]);
     small.add(longer.states[1], longer.traces[0], branch);
     ASSERT_GT(small.branches()[0].timeline.first(), 200);
-    const auto saved = saveRecording(path, small.branches(), std::vector{whole, whole}, descriptions);
+    const auto saved = saveRecording(path, small.branches(), std::vector{whole, whole}, value);
     ASSERT_TRUE(saved) << saved.error().message();
     const auto recording = openRecording(path);
     ASSERT_TRUE(recording) << recording.error().message();
@@ -267,7 +266,7 @@ TEST_F(SavedRecording, OpenedHistoryGoesOn) {
     scenarios = {whole, whole, whole};
     SaveRecordingOptions options;
     options.overwrite = true;
-    ASSERT_TRUE(saveRecording(path, opened.branches(), scenarios, descriptions, options));
+    ASSERT_TRUE(saveRecording(path, opened.branches(), scenarios, value, options));
     const auto again = openRecording(path);
     ASSERT_TRUE(again);
     EXPECT_FALSE(replay(again->branches, *whole, {true, {}})->difference);

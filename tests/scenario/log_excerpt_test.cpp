@@ -31,9 +31,7 @@ constexpr const char* twoRobots = R"(t,robot,v_cmd,w_cmd,x,y,heading
 Log log() { return parseCsv(twoRobots, "log").value(); }
 
 ExcerptContent excerpt(const LogExcerpt& which) {
-    const auto text = excerptText(log(), which);
-    EXPECT_TRUE(text) << text.error().message();
-    const auto content = parseExcerpt(text.value_or(""), "x");
+    const auto content = excerptOf(log(), which);
     EXPECT_TRUE(content) << content.error().message();
     return content.value_or(ExcerptContent{});
 }
@@ -60,7 +58,7 @@ TEST(LogExcerpt, StartIsCountedFromThere) {
     const ExcerptContent a = excerpt({"log", "log", "a", "", 1.5});
     EXPECT_EQ(a.commands.back(), (StampedCommand{fromSeconds(2.5), {}}));
     EXPECT_EQ(*a.start, (Pose{3, 4, 1.5}));
-    EXPECT_EQ(excerptText(log(), {"log", "log", "a", "", 3.5}).error().message(),
+    EXPECT_EQ(excerptOf(log(), {"log", "log", "a", "", 3.5}).error().message(),
               "log: robot \"a\" has no commands after 3.5 s from the log's start");
 }
 
@@ -68,8 +66,7 @@ TEST(LogExcerpt, OnlyTheCommandInForceThreeSecondsBeforeIsKept) {
     std::string rows = "t,v_cmd,w_cmd,x,y,heading\n";
     for (int i = 0; i < 100; ++i) rows += std::to_string(10 + 0.1 * i) + ',' + std::to_string(0.001 * i) + ",0,1,1,0\n";
     const Log steady = parseCsv(rows, "log").value();
-    const auto text = excerptText(steady, {"log", "log", steady.robots[0].robot, "", 5});
-    const auto content = parseExcerpt(*text, "x");
+    const auto content = excerptOf(steady, {"log", "log", steady.robots[0].robot, "", 5});
     ASSERT_TRUE(content) << content.error().message();
     EXPECT_EQ(content->commands.front().time, -3 * nanosecondsPerSecond);
     EXPECT_EQ(content->commands.front().command.v, 0.02);
@@ -77,16 +74,26 @@ TEST(LogExcerpt, OnlyTheCommandInForceThreeSecondsBeforeIsKept) {
 
 TEST(LogExcerpt, WithoutGroundTruthThereIsNoStartPose) {
     const Log blind = parseCsv("t,v_cmd,w_cmd\n5,0.1,0\n6,0.2,0\n7,0.3,0\n", "log").value();
-    const auto text = excerptText(blind, {"log", "log", blind.robots[0].robot, "", 1.5});
-    const auto content = parseExcerpt(*text, "x");
+    const auto content = excerptOf(blind, {"log", "log", blind.robots[0].robot, "", 1.5});
     ASSERT_TRUE(content) << content.error().message();
     EXPECT_FALSE(content->start);
     EXPECT_EQ(content->commands, commands({{0, 0.2, 0}, {0.5, 0.3, 0}, {1, 0, 0}}));
 }
 
+TEST(LogExcerpt, ComesBackFromItsValueToTheBit) {
+    const ExcerptContent content = excerpt({"log", "log", "a", "", 1.5});
+    const auto again = parseExcerpt(excerptValue(content));
+    ASSERT_TRUE(again);
+    EXPECT_EQ(again->commands, content.commands);
+    EXPECT_EQ(again->start, content.start);
+    for (const Value& unsound : {Value(), Value(Value::Table{}), Value(Value::Table{{"commands", "x"}}),
+                                 Value(Value::Table{{"commands", ""}, {"start", Value::Array{1.0, 2.0}}})})
+        EXPECT_FALSE(parseExcerpt(unsound));
+}
+
 TEST(LogExcerpt, UnknownRobotsAndTrajectoriesAreNamed) {
-    EXPECT_EQ(excerptText(log(), {"log", "log", "c", "", 0}).error().message(), "log: has no robot \"c\"");
-    EXPECT_EQ(excerptText(log(), {"log", "log", "a", "run9", 0}).error().message(),
+    EXPECT_EQ(excerptOf(log(), {"log", "log", "c", "", 0}).error().message(), "log: has no robot \"c\"");
+    EXPECT_EQ(excerptOf(log(), {"log", "log", "a", "run9", 0}).error().message(),
               "log: has no trajectory \"run9\" of robot \"a\"");
 }
 
@@ -107,10 +114,9 @@ TEST(LogExcerpt, ScenarioKeepsItAndLoadsItWithoutTheLog) {
     // The log's robot stands at (3, 4), beyond the yard's fence but in nobody's way.
     ASSERT_TRUE(loaded) << loaded.error().message();
     EXPECT_EQ(loaded->parts.scene.robots[1].start, (Pose{3, 4, 1.5}));
-    KeptDescriptions kept(loaded->texts);
-    const auto again = loadScenario(name, kept);
+    const auto again = loadScenario(loaded->value);
     ASSERT_TRUE(again) << again.error().message();
-    EXPECT_EQ(again->texts, loaded->texts);
+    EXPECT_EQ(again->value, loaded->value);
     EXPECT_EQ(again->parts.scene.robots[1].start, loaded->parts.scene.robots[1].start);
 
     DiskDescriptions other({sourceFolder(), {}, (folder.path() / "none.csv").string()});
@@ -138,18 +144,14 @@ TEST(LogExcerpt, WheelCommandsAreReadByTheGeometryThatTheNetworkLearned) {
     DiskDescriptions disk({sourceFolder(), {}, ""});
     const auto loaded = loadScenario((folder.path() / "s.toml").string(), disk);
     ASSERT_TRUE(loaded) << loaded.error().message();
-    int excerpts = 0;
-    for (const auto& [name, text] : loaded->texts) {
-        if (name.find("wheels.csv#") == std::string::npos) continue;
-        ++excerpts;
-        const auto content = parseExcerpt(text, name);
-        ASSERT_TRUE(content && !content->commands.empty());
-        EXPECT_NEAR(content->commands.front().command.v, 0.2 * (2 + 3) / 2, 1e-12);
-        EXPECT_NEAR(content->commands.front().command.w, 0.2 * (3 - 2) / 0.5, 1e-12);
-    }
-    EXPECT_EQ(excerpts, 1);
-    KeptDescriptions kept(loaded->texts);
-    EXPECT_TRUE(loadScenario((folder.path() / "s.toml").string(), kept));
+    const Value* const played = loaded->value.at(loaded->value.bodyPath("two") + ".controller.log");
+    ASSERT_TRUE(played && played->asFile());
+    EXPECT_EQ(played->asFile()->reference, "wheels.csv");
+    const auto content = parseExcerpt(played->asFile()->content);
+    ASSERT_TRUE(content && !content->commands.empty());
+    EXPECT_NEAR(content->commands.front().command.v, 0.2 * (2 + 3) / 2, 1e-12);
+    EXPECT_NEAR(content->commands.front().command.w, 0.2 * (3 - 2) / 0.5, 1e-12);
+    EXPECT_TRUE(loadScenario(loaded->value));
 }
 
 TEST(LogExcerpt, RealLogDrivesTheReplayThatShips) {
@@ -164,8 +166,10 @@ TEST(LogExcerpt, RealLogDrivesTheReplayThatShips) {
     EXPECT_EQ(scene.robotTypes.size(), 1u);
     for (const SceneRobot& robot : scene.robots)
         EXPECT_TRUE(contains(scene.environment.floor.area, position(robot.start)));
-    KeptDescriptions kept(replay->texts);
-    EXPECT_TRUE(loadScenario(replay->name, kept));
+    const auto again = ScenarioValue::parse(replay->value.bytes());
+    ASSERT_TRUE(again);
+    EXPECT_EQ(*again, replay->value);
+    EXPECT_TRUE(loadScenario(*again));
 }
 
 }  // namespace

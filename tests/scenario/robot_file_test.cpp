@@ -17,7 +17,7 @@ Expected<RobotDescription> load(std::map<std::string, std::string> texts, const 
     DescriptionLibrary library(source);
     const auto file = library.file(name, {});
     if (!file) return tl::unexpected(file.error());
-    return readRobot(**file, library);
+    return readRobot(*file, library);
 }
 
 /// The refusal of a learned robot whose [motion] holds more than the network, and whose file begins with `root`.

@@ -3,11 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "experiment/variation.h"
 #include "io/file.h"
-#include "scenario/description_edit.h"
 #include "scenario/descriptions.h"
 #include "scenario/state_scenario.h"
+#include "scenario/variation.h"
 #include "simulation/step.h"
 #include "support/places.h"
 #include "support/temporary_folder.h"
@@ -27,18 +26,19 @@ Expected<LoadedScenario> loadFromDisk(const std::filesystem::path& path) {
 
 class SavedStates : public testing::Test {
 protected:
-    /// A run of descriptions, up to where it is saved.
-    void open(const Descriptions& descriptions) {
-        descriptions_ = descriptions;
-        const auto loaded = loadFrom(descriptions.texts, descriptions.scenario);
+    /// A run of a scenario, up to where it is saved.
+    void open(const std::map<std::string, std::string>& texts) { open(loadFrom(texts)); }
+    void open(const Expected<LoadedScenario>& loaded) {
         ASSERT_TRUE(loaded) << loaded.error().message();
+        value = std::make_shared<const ScenarioValue>(loaded->value);
         scenario.emplace(loaded->parts);
         state = scenario->initialState(23);
         StepBuffers buffers;
         while (state.tick < savedAt) step(*scenario, state, buffers);
     }
     Expected<void> save(const std::filesystem::path& path) const {
-        return saveStateAsScenario(path, descriptions_, *scenario, state);
+        DiskDescriptions disk({sourceFolder(), {}, ""});
+        return saveStateAsScenario(path, *value, *scenario, state, disk);
     }
     /// The scenario in that file goes on as the run does.
     void expectGoesOn(const std::filesystem::path& path) {
@@ -80,13 +80,13 @@ protected:
     }
 
     TemporaryFolder folder;
-    Descriptions descriptions_;
+    ScenarioValuePointer value;
     std::optional<Scenario> scenario;
     WorldState state;
 };
 
 TEST_F(SavedStates, ComeBackToTheBit) {
-    open({"s.toml", smallWorld()});
+    open(smallWorld());
     const SavedState saved = savedState(*scenario, state);
     const auto read = parseSavedState(savedStateText(saved), "x.state");
     ASSERT_TRUE(read) << read.error().message();
@@ -100,24 +100,20 @@ TEST_F(SavedStates, ComeBackToTheBit) {
 /// What ships is named as it was.
 TEST_F(SavedStates, ShippedScenarioGoesOnFromAnywhere) {
     DiskDescriptions source({sourceFolder(), {}, ""});
-    const auto loaded = loadScenario("soccer.toml", source);
-    ASSERT_TRUE(loaded);
-    open({loaded->name, loaded->texts});
+    open(loadScenario("soccer.toml", source));
     const auto saved = save(folder.path() / "later.toml");
     ASSERT_TRUE(saved) << saved.error().message();
     EXPECT_EQ(listing("."), (std::vector<std::string>{"later.state", "later.toml"}));
     expectGoesOn(folder.path() / "later.toml");
     const auto text = readFile(folder.path() / "later.toml");
-    EXPECT_NE(text->find("[variation] # of trials\n"), std::string::npos);
-    // Who edits a start line reads first what holds.
-    const std::size_t at = text->find("\ninitial_state = \"later.state\"\n");
-    ASSERT_NE(at, std::string::npos);
-    EXPECT_EQ(text->rfind("\n# ", at), text->rfind('\n', at - 1));
-    EXPECT_LT(text->find("environment = \"midsize_2001.toml\"\n# The run goes on from this state"), at);
-    EXPECT_NE(text->find("seed = 23\n"), std::string::npos);
+    // Who edits a start reads first what holds.
+    EXPECT_TRUE(text->starts_with("# The run goes on from `initial_state`, which holds.")) << *text;
+    for (const char* const line : {"\n[variation]\n", "\ninitial_state = \"later.state\"\n",
+                                   "\nenvironment = \"midsize_2001.toml\"\n", "\nseed = 23\n"})
+        EXPECT_NE(text->find(line), std::string::npos) << line;
     // And saved again from there.
     const auto later = loadFromDisk(folder.path() / "later.toml");
-    descriptions_ = {later->name, later->texts};
+    value = std::make_shared<const ScenarioValue>(later->value);
     scenario.emplace(later->parts);
     state = stepped(*scenario, scenario->initialState());
     ASSERT_TRUE(save(folder.path() / "again.toml"));
@@ -126,7 +122,7 @@ TEST_F(SavedStates, ShippedScenarioGoesOnFromAnywhere) {
 
 /// Texts that lie nowhere on the disk, as of a recording, are written beside.
 TEST_F(SavedStates, WhatIsNotOnTheDiskIsWrittenBeside) {
-    open({"s.toml", smallWorld()});
+    open(smallWorld());
     std::filesystem::create_directories(folder.path() / "new");
     const auto saved = save(folder.path() / "new" / "later.toml");
     ASSERT_TRUE(saved) << saved.error().message();
@@ -137,10 +133,8 @@ TEST_F(SavedStates, WhatIsNotOnTheDiskIsWrittenBeside) {
 }
 
 TEST_F(SavedStates, WhatIsOnTheDiskIsNamedWhereItLies) {
-    Descriptions world{(folder.path() / "old" / "s.toml").string(), {}};
-    for (const auto& [name, text] : smallWorld())
-        world.texts[(folder.path() / "old" / name).string()] = text, folder.write("old/" + name, text);
-    open(world);
+    for (const auto& [name, text] : smallWorld()) folder.write("old/" + name, text);
+    open(loadFromDisk(folder.path() / "old" / "s.toml"));
     std::filesystem::create_directories(folder.path() / "new");
     ASSERT_TRUE(save(folder.path() / "new" / "later.toml"));
     EXPECT_EQ(listing("new"), (std::vector<std::string>{"later.state", "later.toml"}));
@@ -153,22 +147,36 @@ TEST_F(SavedStates, WhatIsOnTheDiskIsNamedWhereItLies) {
     expectGoesOn(folder.path() / "new" / "later.toml");
 }
 
+/// Friction and masses of a trial are its own; those of the scenario are written beside.
+TEST_F(SavedStates, TrialGoesOnWithItsFrictionAndMasses) {
+    const auto base =
+        loadFrom(changedWorld("s.toml", "kick_off = false", "variation = { friction_share = 0.5, mass_share = 0.3 }"));
+    ASSERT_TRUE(base) << base.error().message();
+    open(varied(*base, 3));
+    const double friction = scenario->scene().environment.floor.slidingFriction;
+    ASSERT_NE(friction, base->parts.scene.environment.floor.slidingFriction);
+    ASSERT_TRUE(save(folder.path() / "later.toml"));
+    expectGoesOn(folder.path() / "later.toml");
+    const auto later = loadFromDisk(folder.path() / "later.toml");
+    EXPECT_EQ(later->parts.scene.environment.floor.slidingFriction, friction);
+    for (std::size_t i = 0; i < 2; ++i)
+        EXPECT_EQ(later->parts.scene.typeOfObject(i).mass, scenario->scene().typeOfObject(i).mass);
+}
+
 TEST_F(SavedStates, WhatWouldGoOnOtherwiseIsNotSaved) {
-    open({"s.toml", changedWorld("s.toml", "kick_off = false", "variation = { friction_share = 0.5 }")});
+    open(changedWorld("s.toml", "kick_off = false", "variation = { friction_share = 0.5 }"));
     scenario.emplace(*varied(scenario->parts(), 3));
     const auto saved = save(folder.path() / "later.toml");
     ASSERT_FALSE(saved);
     EXPECT_NE(saved.error().message().find("would not go on as the run does"), std::string::npos);
-    open({"s.toml", smallWorld()});
+    open(smallWorld());
     EXPECT_FALSE(save(folder.path() / "none" / "later.toml"));
     EXPECT_FALSE(save(folder.path() / "later.state"));
-    descriptions_.texts.clear();
-    EXPECT_FALSE(save(folder.path() / "later.toml"));
     EXPECT_TRUE(listing(".").empty());
 }
 
 TEST_F(SavedStates, MistakesAreNamed) {
-    open({"s.toml", smallWorld()});
+    open(smallWorld());
     EXPECT_EQ(refused("", ""), "");
     EXPECT_EQ(refused("\"x.state\"", "\"y.state\""),
               "s.toml:4:17: initial_state: \"y.state\" was not found; expected y.state or "
@@ -202,13 +210,17 @@ TEST_F(SavedStates, MistakesAreNamed) {
 
 /// Trials move the bodies from where the state has them, with their way and their past; all else is the state's.
 TEST_F(SavedStates, TrialsMoveItsBodies) {
-    open({"s.toml", changedWorld("s.toml", "kick_off = false",
-                                 "variation = { robot_position_m = 0.2, robot_heading_deg = 20, object_position_m = "
-                                 "0.1 }")});
+    open(changedWorld("s.toml", "kick_off = false",
+                      "variation = { robot_position_m = 0.2, robot_heading_deg = 20, object_position_m = 0.1 }"));
     ASSERT_TRUE(save(folder.path() / "later.toml"));
     const auto loaded = loadFromDisk(folder.path() / "later.toml");
     EXPECT_FALSE(firstDifference(Scenario(*varied(loaded->parts, 0)).initialState(), state));
     const Scenario trial(*varied(loaded->parts, 3));
+    const auto trialValue = varied(*loaded, 3);
+    ASSERT_TRUE(trialValue);
+    const auto fromValue = loadScenario(trialValue->value);
+    ASSERT_TRUE(fromValue) << fromValue.error().message();
+    EXPECT_FALSE(firstDifference(Scenario(fromValue->parts).initialState(), trial.initialState()));
     const WorldState moved = trial.initialState();
     EXPECT_EQ(moved.tick, savedAt);
     EXPECT_EQ(moved.commands.size(), state.commands.size());
@@ -243,12 +255,13 @@ TEST_F(SavedStates, TrialsMoveItsBodies) {
 
 /// Another model or controller takes what suits it.
 TEST_F(SavedStates, SwappedModelsGoOnFromIt) {
-    open({"s.toml", smallWorld()});
+    open(smallWorld());
     ASSERT_TRUE(save(folder.path() / "later.toml"));
     const auto loaded = loadFromDisk(folder.path() / "later.toml");
-    const auto swapped = withNetwork({loaded->name, loaded->texts}, "one", "later_n.net", smallWorld()["n.net"]);
+    const auto swapped = loaded->value.with(loaded->value.bodyPath("one") + ".network", "later_n.net");
     ASSERT_TRUE(swapped);
-    const auto again = loadFrom(swapped->texts, swapped->scenario);
+    DiskDescriptions disk({sourceFolder(), {}, ""});
+    const auto again = loadScenario(*swapped, disk);
     ASSERT_TRUE(again) << again.error().message();
     const Scenario other(again->parts);
     const WorldState begun = other.initialState();

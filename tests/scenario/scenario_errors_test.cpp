@@ -48,7 +48,7 @@ TEST(ScenarioErrors, EveryMistakeNamesItsPlace) {
         {"name = \"two\"", "name = \"\"",
          "s.toml:17:8: robot[2].name: expected a name of 1 to 64 printable characters"},
         {"y_m = 0.5, heading_deg = 90", "heading_deg = 90", "s.toml:13:9: robot[\"one\"].start.y_m: is missing"},
-        {"heading_deg = 90", "heading_rad = 1.5", "s.toml:13:46: robot[\"one\"].start.heading_rad: is not a known key"},
+        {"heading_deg = 90", "bearing_deg = 1.5", "s.toml:13:46: robot[\"one\"].start.bearing_deg: is not a known key"},
         {"heading_deg = 90", "heading_deg = 900",
          "s.toml:13:46: robot[\"one\"].start.heading_deg: is 900.0; expected -360.0 to 360.0"},
         {"start = { x_m = 1, y_m = 0.5 }\n", "", "s.toml:16:1: robot[\"two\"].start: is missing"},

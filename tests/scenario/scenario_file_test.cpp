@@ -1,6 +1,7 @@
 #include "scenario/scenario_file.h"
 
 #include <numbers>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -109,12 +110,20 @@ TEST(ScenarioFile, PhasesSpreadByThemselves) {
     for (const int count : robots) EXPECT_GE(count, 2) << "13 robots over the 5 ticks of a period";
 }
 
-TEST(ScenarioFile, TextsKeptLoadTheSameScenarioAgain) {
+TEST(ScenarioFile, ItsValueLoadsTheSameScenarioAgain) {
     const auto first = loadFrom(smallWorld());
     ASSERT_TRUE(first) << first.error().message();
-    EXPECT_EQ(first->texts, smallWorld()) << "all files were read, and nothing else was kept";
-    const auto second = loadFrom(first->texts, first->name);
+    std::set<std::string> names, files;
+    for (const auto& [name, text] : smallWorld()) names.insert(name);
+    for (const Value::File& file : first->value.files()) files.insert(file->name);
+    EXPECT_EQ(files, names) << "all files were read, and nothing else was kept";
+    const auto value = ScenarioValue::parse(first->value.bytes());
+    ASSERT_TRUE(value);
+    EXPECT_EQ(*value, first->value);
+    EXPECT_EQ(value->hash(), first->value.hash());
+    const auto second = loadScenario(*value);
     ASSERT_TRUE(second) << second.error().message();
+    EXPECT_EQ(second->value, first->value);
     const StateHash run = hashOf(stateAfter(first->parts, 300));
     EXPECT_EQ(run, hashOf(stateAfter(second->parts, 300)));
     EXPECT_NE(run, hashOf(stateAfter(first->parts, 299))) << "they move at all";
@@ -147,7 +156,10 @@ TEST(ScenarioFile, FilesAreFoundBesideTheOneThatNamesThemThenWhereTheyShip) {
     const auto loaded = loadFrom(texts, "here/there/s.toml");
     ASSERT_TRUE(loaded) << loaded.error().message();
     texts.erase("mrose:resources/robots/r.toml");
-    EXPECT_EQ(loaded->texts, texts);
+    std::set<std::string> names, files;
+    for (const auto& [name, text] : texts) names.insert(name);
+    for (const Value::File& file : loaded->value.files()) files.insert(file->name);
+    EXPECT_EQ(files, names);
     texts["mrose:resources/scenarios/s.toml"] = world.at("s.toml");
     texts["mrose:shapes/ball.toml"] = world.at("ball.toml");
     EXPECT_EQ(loadFrom(texts, "s.toml").error().message(),

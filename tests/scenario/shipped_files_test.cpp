@@ -187,7 +187,7 @@ TEST(ShippedFiles, SoccerIsFourAgainstFourWithABallInTheMiddle) {
     DiskDescriptions source = disk();
     const auto soccer = loadScenario("soccer.toml", source);
     ASSERT_TRUE(soccer) << soccer.error().message();
-    EXPECT_EQ(soccer->name, "mrose:resources/scenarios/soccer.toml") << "found where it ships";
+    EXPECT_EQ(soccer->value.name(), "mrose:resources/scenarios/soccer.toml") << "found where it ships";
     const Scene& scene = soccer->parts.scene;
     std::map<std::string, int> kinds;
     for (std::size_t i = 0; i < scene.robots.size(); ++i) ++kinds[scene.typeOf(i).name];
@@ -207,15 +207,14 @@ TEST(ShippedFiles, CorridorHasPeopleInIt) {
     EXPECT_EQ(scene.robots.size(), 4u);
 }
 
-/// A recording carries all texts: what they give is the same world, to the last bit, without any file.
-TEST(ShippedFiles, TextsOfSoccerGiveSoccerWithoutADisk) {
+/// A recording carries the value: what it gives is the same world, to the last bit, without any file.
+TEST(ShippedFiles, ValueOfSoccerGivesSoccerWithoutADisk) {
     DiskDescriptions source = disk();
     const auto onDisk = loadScenario("soccer.toml", source);
     ASSERT_TRUE(onDisk) << onDisk.error().message();
-    KeptDescriptions kept(onDisk->texts);
-    const auto again = loadScenario(onDisk->name, kept);
+    const auto again = loadScenario(ScenarioValue::parse(onDisk->value.bytes()).value());
     ASSERT_TRUE(again) << again.error().message();
-    EXPECT_EQ(again->texts, onDisk->texts);
+    EXPECT_EQ(again->value, onDisk->value);
     EXPECT_EQ(hashOf(stateAfter(onDisk->parts, 250)), hashOf(stateAfter(again->parts, 250)));
 }
 

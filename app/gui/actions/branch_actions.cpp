@@ -51,8 +51,8 @@ Expected<void> swapModel(MainWindow& window, const QString& file) {
 /// Where one was swapped in from, otherwise those that ship.
 QString folderOfNetworks(const Course& course) {
     QString folder = QString::fromStdString((resourceFolder() / "nets").string());
-    for (const auto& [name, text] : course.descriptions.texts) {
-        const QFileInfo file(QString::fromStdString(name));
+    for (const Value::File& read : course.value ? course.value->files() : std::vector<Value::File>()) {
+        const QFileInfo file(QString::fromStdString(read->name));
         if (file.isAbsolute() && file.suffix() == "net" && file.exists()) folder = file.path();
     }
     return folder;

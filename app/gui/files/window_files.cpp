@@ -15,6 +15,7 @@
 #include "panels/trial_list.h"
 #include "reality/overlay.h"
 #include "scenario/state_scenario.h"
+#include "shared/resources.h"
 #include "travel/file_kind.h"
 #include "travel/run_recorder.h"
 #include "widgets/field_view.h"
@@ -318,7 +319,10 @@ Expected<void> WindowFiles::saveScenario(const QString& path) {
     auto result = std::make_shared<Expected<void>>();
     const auto save = [this, path, result](TimeTravel& run, const Session::Progress&) {
         const Course& course = run.course();
-        *result = saveStateAsScenario(path.toStdString(), course.descriptions, *course.scenario, run.state());
+        DiskDescriptions disk = openDescriptions();
+        *result = !course.value
+                      ? fail(path.toStdString(), "cannot be written: the run has no description")
+                      : saveStateAsScenario(path.toStdString(), *course.value, *course.scenario, run.state(), disk);
         QMetaObject::invokeMethod(
             this, [this, path, result] { savedScenario(path, *result); }, Qt::QueuedConnection);
         return QString();

@@ -32,8 +32,7 @@ void WindowFiles::reload(const QString& why) {
         if (run && run->recorded()) return takeGrown(*run);
         const Shown* const now = window_.shown();
         // A plug-in that crashed or was too slow gets another chance.
-        if (run && now && run->files == files_ && run->course->descriptions == now->course->descriptions &&
-            now->faults.empty())
+        if (run && now && run->files == files_ && *run->course->value == *now->course->value && now->faults.empty())
             return sayUnchanged();
         takeReloaded(std::move(run), why);
     });

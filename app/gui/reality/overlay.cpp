@@ -124,7 +124,7 @@ void Overlay::follow(const OpenRun& run) {
     OverlayRequest request{run.source.log, run.source.file};
     request.seed = run.source.seed;
     request.pluginLimit = run.source.pluginLimit;
-    if (run.recorded()) request.kept = run.course->descriptions;
+    if (run.recorded()) request.kept = run.course->value;
     opener_.post([this, request, followed = run.course](const JobQueue::GoesOn& goesOn) -> JobQueue::Answer {
         OpenProgress progress;
         progress.goesOn = goesOn;

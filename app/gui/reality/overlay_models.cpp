@@ -33,8 +33,8 @@ Expected<std::shared_ptr<const LogWorld>> worldMovedBy(const OverlayWorld& overl
 std::string ownName(const OverlayWorld& overlay) {
     std::string only;
     int networks = 0;
-    for (const auto& [name, text] : overlay.descriptions.texts)
-        if (const std::filesystem::path path(name); path.extension() == ".net") {
+    for (const Value::File& file : overlay.value->files())
+        if (const std::filesystem::path path(file->name); path.extension() == ".net") {
             only = path.filename().string();
             ++networks;
         }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "comparison/course_descriptions.h"
+#include "comparison/course_value.h"
 #include "comparison/log_scenario.h"
 #include "evaluation/format.h"
 #include "io/file.h"
@@ -37,19 +37,18 @@ Expected<std::shared_ptr<const Log>> logAt(const std::string& place, const std::
     return std::make_shared<const Log>(std::move(*log));
 }
 
-Expected<LoadedScenario> withoutLogs(const std::string& name, DescriptionSource& source, const OverlayRequest& request,
+/// `from` is a scenario's name or its value.
+template <class From>
+Expected<LoadedScenario> withoutLogs(const From& from, DiskDescriptions& source, const OverlayRequest& request,
                                      std::map<std::string, std::string>& files) {
     const PluginLoader isolated = [&](const std::string& path,
                                       const std::string& options) -> Expected<std::shared_ptr<const Controller>> {
         if (const auto content = readFile(path)) files[path] = contentHash(*content);
         return startPluginProcess(path, options, request.pluginLimit);
     };
-    auto loaded = loadScenario(name, source, {isolated, false});
+    auto loaded = loadScenario(from, source, {isolated, false});
     if (!loaded) return loaded;
-    std::error_code ignored;
-    for (const auto& [text, content] : loaded->texts)
-        if (const std::string path = source.shown(text); fs::is_regular_file(path, ignored))
-            files[path] = contentHash(content);
+    for (const auto& [path, hash] : source.hashes()) files[path] = hash;
     return loaded;
 }
 
@@ -58,17 +57,18 @@ Expected<LoadedScenario> scenarioNamed(OverlayWorld& overlay, std::shared_ptr<co
                                        const OpenProgress& progress) {
     const OverlayRequest& request = overlay.request;
     DiskDescriptions source = openDescriptions(request.log.empty() ? "" : placeOfLog(request.log));
-    LayeredDescriptions kept(request.kept ? request.kept->texts : std::map<std::string, std::string>{}, source);
-    auto loaded = withoutLogs(request.kept ? request.kept->scenario : request.scenario, kept, request, overlay.files);
+    auto loaded = request.kept ? withoutLogs(*request.kept, source, request, overlay.files)
+                               : withoutLogs(request.scenario, source, request, overlay.files);
     if (!loaded) return loaded;
     if (loaded->parts.players.empty())
-        return fail(source.shown(loaded->name),
+        return fail(source.shown(loaded->value.name()),
                     "plays no log; expected a robot with controller = { kind = \"log_player\", ... }");
     const auto place = source.logPlace(loaded->parts.players.front().excerpt);
     if (!place)
-        return fail(source.shown(loaded->name), "its log \"" + loaded->parts.players.front().excerpt.reference +
-                                                    "\" was not found; expected it in the folder that MROSE_DATA "
-                                                    "names, or another one by --log");
+        return fail(source.shown(loaded->value.name()),
+                    "its log \"" + loaded->parts.players.front().excerpt.reference +
+                        "\" was not found; expected it in the folder that MROSE_DATA "
+                        "names, or another one by --log");
     overlay.place = fullPath(place->string());
     const auto networks = networksOf(loaded->parts);
     auto read = logAt(overlay.place, networks.empty() ? std::nullopt : networks.front()->drive, progress);
@@ -92,8 +92,7 @@ Expected<LoadedScenario> scenarioMade(OverlayWorld& overlay, std::shared_ptr<con
     const auto made = scenarioOfLog(*log, overlay.place, request.robotFile);
     if (!made) return tl::unexpected(made.error());
     DiskDescriptions disk = openDescriptions();
-    LayeredDescriptions source(made->texts, disk);
-    auto loaded = withoutLogs(made->scenario, source, request, overlay.files);
+    auto loaded = withoutLogs(*made, disk, request, overlay.files);
     if (!loaded) return loaded;
     const auto networks = networksOf(loaded->parts);
     if (networks.empty() || !networks.front()->drive) return loaded;
@@ -139,12 +138,12 @@ Expected<OverlayWorldPointer> openOverlayWorld(const OverlayRequest& request, co
     auto loaded = request.scenario.empty() && !request.kept ? scenarioMade(opening, log, progress, untold)
                                                             : scenarioNamed(opening, log, progress);
     if (!loaded) return tl::unexpected(loaded.error());
-    opening.descriptions = {loaded->name, std::move(loaded->texts)};
+    opening.value = std::make_shared<const ScenarioValue>(std::move(loaded->value));
     opening.seed = request.seed.value_or(loaded->parts.seed);
     const std::vector<std::string> shared = sharedRobots(request, loaded->parts, *log);
     auto world = LogWorld::create(std::move(loaded->parts), std::move(log), shared);
     if (!world) {
-        if (world.error().file.empty()) world.error().file = loaded->name;
+        if (world.error().file.empty()) world.error().file = opening.value->name();
         return tl::unexpected(world.error());
     }
     opening.played = std::make_shared<const LogWorld>(std::move(*world));
@@ -165,17 +164,13 @@ Expected<OpenRun> openCourse(const OverlayWorld& overlay, const CourseRequest& c
     const Nanoseconds step = WindowOptions{}.step;
     const Nanoseconds left = world.takes()[course.take].length - course.start;
     const Nanoseconds duration = toldOn ? std::max(left, course.steps * step) : course.steps * step;
-    const LogWorld::Opened opened = world.openAt(course.take, course.start, duration, overlay.seed);
-    if (std::none_of(opened.starts.begin(), opened.starts.end(), [](const auto& start) { return start.has_value(); }))
-        return fail(overlay.place, "has no ground truth of any robot there; expected another start");
-    auto described =
-        describeCourse(world, opened, overlay.descriptions, overlay.place, course, course.steps * step, duration);
-    if (!described) return tl::unexpected(described.error());
-    OpenRun run{courseName(overlay, course), {}, nullptr, std::move(described->state), {}, {}, {}, {}};
+    auto opened =
+        mrose::openCourse(world, *overlay.value, overlay.place, course, overlay.seed, course.steps * step, duration);
+    if (!opened) return tl::unexpected(opened.error());
+    OpenRun run{courseName(overlay, course), {}, nullptr, std::move(opened->state), {}, {}, {}, {}};
     run.source = {overlay.request.scenario.empty() ? overlay.place : overlay.request.scenario, 0, overlay.request.seed,
                   overlay.place, overlay.request.pluginLimit};
-    run.course =
-        std::make_shared<const Course>(Course{std::move(described->descriptions), std::move(described->scenario)});
+    run.course = std::make_shared<const Course>(Course{std::move(opened->value), std::move(opened->scenario)});
     run.reality = std::make_shared<const Reality>(realityOf(world, course.take, course.start));
     run.files = overlay.files;
     return run;

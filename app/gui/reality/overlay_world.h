@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "comparison/compare.h"
-#include "scenario/description_texts.h"
+#include "scenario/scenario_value.h"
 #include "travel/open_run.h"
 
 namespace mrose::gui {
@@ -20,15 +20,15 @@ struct OverlayRequest {
     std::vector<std::string> robots = {};  ///< only these, by their names in the log; empty: all
     std::vector<std::string> models = {};  ///< to be laid over as well: overlayModel()
     std::optional<std::uint64_t> seed = {};
-    double pluginLimit = 2;                 ///< s
-    std::optional<Descriptions> kept = {};  ///< the scenario as a recording has it, instead of any file
+    double pluginLimit = 2;               ///< s
+    ScenarioValuePointer kept = nullptr;  ///< the scenario as a recording has it, instead of any file
 };
 
 /// A log with the scenario that plays it, ready to be opened at any instant. It never changes.
 struct OverlayWorld {
     OverlayRequest request;
-    std::string place;          ///< of the log
-    Descriptions descriptions;  ///< without what is told from the log
+    std::string place;           ///< of the log
+    ScenarioValuePointer value;  ///< without what is told from the log
     std::shared_ptr<const LogWorld> played;
     std::uint64_t seed = 1;
     std::map<std::string, std::string> files;  ///< as OpenRun::files
@@ -50,7 +50,7 @@ std::string takeText(const Take& take);
 std::string courseName(const OverlayWorld& overlay, const CourseRequest& course);
 
 /// One course as a run that begins as the comparison's does. With `toldOn` its robots are told what they were told to
-/// the log's end, and not to the course's alone. Error: as of describeCourse(); no robot has ground truth there.
+/// the log's end, and not to the course's alone. Error: as of mrose::openCourse().
 Expected<OpenRun> openCourse(const OverlayWorld& overlay, const CourseRequest& course, bool toldOn);
 
 }  // namespace mrose::gui

@@ -60,9 +60,9 @@ Expected<void> TimeTravel::branchOff(const Edit& edit) {
     if (const std::string wrong = misfit(*course->scenario, state); !wrong.empty())
         return tl::unexpected(Error{"", 0, 0, "", "the state does not fit the scenario: " + wrong});
     const bool otherCourse = course != records_[parent].coursePointer();
-    const std::uint32_t made = history_.beginBranch(
-        parent, state, merges ? together(branches()[branch_].name, edit.name) : edit.name,
-        otherCourse ? std::shared_ptr<const Descriptions>(course, &course->descriptions) : nullptr);
+    const std::uint32_t made =
+        history_.beginBranch(parent, state, merges ? together(branches()[branch_].name, edit.name) : edit.name,
+                             otherCourse ? course->value : nullptr);
     std::vector<HandOrder> orders = merges ? records_[branch_].orders() : std::vector<HandOrder>{};
     orders.insert(orders.end(), edit.orders.begin(), edit.orders.end());
     records_.emplace_back(course, state, std::move(orders));

@@ -7,9 +7,9 @@
 
 namespace mrose::gui {
 
-/// What a branch runs in: all that is constant, and the texts that say so.
+/// What a branch runs in: all that is constant, and the value that says so.
 struct Course {
-    Descriptions descriptions;
+    ScenarioValuePointer value;
     std::shared_ptr<const Scenario> scenario;
 
     const Scene& scene() const { return scenario->scene(); }

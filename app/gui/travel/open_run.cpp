@@ -5,11 +5,11 @@
 
 #include <unistd.h>
 
-#include "experiment/variation.h"
 #include "io/file.h"
 #include "recording/playback.h"
 #include "recording/recording.h"
 #include "scenario/scenario_file.h"
+#include "scenario/variation.h"
 #include "shared/opening.h"
 #include "shared/plugin_process.h"
 #include "shared/resources.h"
@@ -42,12 +42,13 @@ public:
         progress_.reads(path);
         return disk_.text(name);
     }
-    Expected<std::optional<std::string>> excerpt(const LogExcerpt& excerpt) override {
+    Expected<std::optional<ExcerptContent>> excerpt(const LogExcerpt& excerpt) override {
         if (!progress_.goesOn()) return fail(excerpt.log, "was not opened: cancelled");
         progress_.reads(excerpt.log);
         return disk_.excerpt(excerpt);
     }
     std::string shown(const std::string& name) const override { return disk_.shown(name); }
+    const std::map<std::string, std::string>& hashes() const { return disk_.hashes(); }
 
 private:
     DiskDescriptions disk_;
@@ -66,36 +67,22 @@ PluginLoader isolating(const OpenRequest& request, const OpenProgress& progress,
     };
 }
 
-/// Of the texts that are files on disk.
-void addHashes(const LoadedScenario& loaded, const DescriptionSource& source,
-               std::map<std::string, std::string>& files) {
-    std::error_code ignored;
-    for (const auto& [name, text] : loaded.texts) {
-        const std::string path = source.shown(name);
-        if (std::filesystem::is_regular_file(path, ignored)) files[path] = contentHash(text);
-        // An excerpt of a log: the log itself, where it is one file.
-        const std::string log = path.substr(0, path.find("#robot="));
-        if (log != path && std::filesystem::is_regular_file(log, ignored))
-            if (const auto content = readFile(log)) files[log] = contentHash(*content);
-    }
-}
-
 Expected<OpenRun> openScenario(const OpenRequest& request, const OpenProgress& progress) {
     WatchedDescriptions source(openDescriptions(request.log), progress);
     std::map<std::string, std::string> files;
     auto loaded = loadScenario(request.file, source, {isolating(request, progress, files)});
     if (!loaded) return tl::unexpected(loaded.error());
-    addHashes(*loaded, source, files);
+    for (const auto& [path, hash] : source.hashes()) files[path] = hash;
     std::vector<std::string> notes = startsApartText(*loaded);
-    auto parts = varied(loaded->parts, request.trial);
-    if (!parts) return tl::unexpected(parts.error());
-    keepTrial(loaded->texts, request.trial);
-    for (std::string& sentence : startsOutsideText(parts->scene)) notes.push_back(std::move(sentence));
-    auto scenario = std::make_shared<const Scenario>(std::move(*parts));
+    loaded = varied(*loaded, request.trial);
+    if (!loaded) return tl::unexpected(loaded.error());
+    for (std::string& sentence : startsOutsideText(loaded->parts.scene)) notes.push_back(std::move(sentence));
+    auto scenario = std::make_shared<const Scenario>(std::move(loaded->parts));
     OpenRun run{scenario->parts().name, request, nullptr, scenario->initialState(), {}, {}, std::move(notes), {}};
     if (request.seed) run.start = scenario->initialState(*request.seed);
     if (request.trial > 0) run.name += ", trial " + std::to_string(request.trial);
-    run.course = std::make_shared<const Course>(Course{{loaded->name, std::move(loaded->texts)}, std::move(scenario)});
+    run.course = std::make_shared<const Course>(
+        Course{std::make_shared<const ScenarioValue>(std::move(loaded->value)), std::move(scenario)});
     run.files = std::move(files);
     return run;
 }
@@ -119,7 +106,6 @@ Expected<CoursePointer> courseOf(const Recording& recording, std::uint32_t branc
         return std::make_shared<const AbsentPlugin>();
     };
     auto parts = recordedScenario(recording, branch, tolerant);
-    if (parts) parts = asKeptTrial(std::move(*parts), recording.descriptionsOf(branch).texts);
     if (!parts) return tl::unexpected(parts.error());
     const std::vector<RecordingHeader::ControllerNeeds>& needs = recording.layouts[branch].controllers;
     if (parts->controllers.size() != needs.size())
@@ -132,17 +118,17 @@ Expected<CoursePointer> courseOf(const Recording& recording, std::uint32_t branc
             parts->controllers[i] = std::make_shared<const RecordedController>(needs[i]);
     }
     auto scenario = std::make_shared<const Scenario>(std::move(*parts));
-    return std::make_shared<const Course>(Course{recording.descriptionsOf(branch), std::move(scenario)});
+    return std::make_shared<const Course>(Course{recording.valueOf(branch), std::move(scenario)});
 }
 
-/// Branches of the same descriptions share a course.
+/// Branches of the same scenario share a course.
 Expected<std::vector<OpenRun::Recorded>> branchesOf(const Recording& recording, const PluginLoader& load,
                                                     std::vector<std::string>& notes) {
-    std::map<const Descriptions*, CoursePointer> courses;
+    std::map<ScenarioValuePointer, CoursePointer> courses;
     std::vector<OpenRun::Recorded> branches;
     for (std::uint32_t i = 0; i < recording.branches.size(); ++i) {
         const Branch& branch = recording.branches[i];
-        CoursePointer& course = courses[branch.descriptions.get()];
+        CoursePointer& course = courses[branch.value];
         if (!course) {
             auto opened = courseOf(recording, i, load, notes);
             if (!opened) return tl::unexpected(opened.error());

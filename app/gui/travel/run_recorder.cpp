@@ -12,7 +12,7 @@ Expected<RunRecorder> RunRecorder::begin(const std::filesystem::path& path, cons
     const Timeline& timeline = run.branches().front().timeline;
     auto start = Playback(*course.scenario).reach(timeline, timeline.first());
     if (!start) return tl::unexpected(start.error());
-    auto writer = RecordingWriter::create(path, *course.scenario, start->state, course.descriptions, commandLine,
+    auto writer = RecordingWriter::create(path, *course.scenario, start->state, course.value, commandLine,
                                           {.overwrite = overwrite});
     if (!writer) return tl::unexpected(writer.error());
     RunRecorder recorder(path, std::move(*writer));
@@ -33,8 +33,7 @@ Expected<void> RunRecorder::open(const TimeTravel& run, std::uint32_t branch) {
     if (course == run.record(begun.parent).coursePointer())
         places_[branch] = writer_.beginBranch(parent, start->state, begun.name);
     else
-        places_[branch] =
-            writer_.beginBranch(parent, start->state, begun.name, *course->scenario, course->descriptions);
+        places_[branch] = writer_.beginBranch(parent, start->state, begun.name, *course->scenario, course->value);
     branches_.emplace_back(course, std::move(*start));
     return {};
 }
@@ -100,7 +99,7 @@ Expected<bool> saveRun(const std::filesystem::path& path, const TimeTravel& run,
     options.progress = [&](std::int64_t done, std::int64_t all) {
         return progress(static_cast<double>(done) / static_cast<double>(std::max<std::int64_t>(1, all)));
     };
-    return saveRecording(path, branches, scenarios, run.record(0).course().descriptions, options);
+    return saveRecording(path, branches, scenarios, run.record(0).course().value, options);
 }
 
 }  // namespace mrose::gui

@@ -3,7 +3,6 @@
 #include <filesystem>
 
 #include "io/file.h"
-#include "scenario/description_edit.h"
 #include "scenario/scenario_file.h"
 
 namespace mrose::gui {
@@ -27,26 +26,23 @@ Expected<CoursePointer> withSwappedModel(const Course& course, std::size_t robot
     if (!content) return tl::unexpected(content.error());
     const ScenarioParts& before = course.scenario->parts();
     const std::string path = std::filesystem::absolute(file, ignored).lexically_normal().string();
-    auto edited = withNetwork(course.descriptions, before.scene.robots[robot].name, path, *content);
-    if (!edited) return tl::unexpected(edited.error());
-    KeptDescriptions source(edited->texts);
+    if (!course.value) return fail(file, "cannot be taken over: the run has no description");
+    const std::string body = course.value->bodyPath(before.scene.robots[robot].name);
+    auto value = course.value->with(body + ".network",
+                                    std::make_shared<const DescriptionFile>(DescriptionFile{path, path, *content}));
+    if (!value) return tl::unexpected(value.error());
     const PluginLoader keepPlace = [](const std::string&, const std::string&) {
         return Expected<std::shared_ptr<const Controller>>(std::make_shared<const PlaceOfPlugin>());
     };
-    auto loaded = loadScenario(edited->scenario, source, {keepPlace});
+    auto loaded = loadScenario(*value, {keepPlace});
     if (!loaded) return tl::unexpected(loaded.error());
     ScenarioParts& parts = loaded->parts;
     for (std::size_t i = 0; i < parts.controllers.size(); ++i)
         if (dynamic_cast<const PlaceOfPlugin*>(parts.controllers[i].get()) != nullptr)
             parts.controllers[i] = before.controllers[i];
-    // What varies from trial to trial is no part of the texts.
-    for (std::size_t i = 0; i < parts.scene.robots.size(); ++i)
-        parts.scene.robots[i].start = before.scene.robots[i].start;
-    parts.scene.environment = before.scene.environment;
-    parts.scene.objectTypes = before.scene.objectTypes;
-    parts.scene.objects = before.scene.objects;
     auto scenario = std::make_shared<const Scenario>(std::move(parts));
-    return std::make_shared<const Course>(Course{std::move(*edited), std::move(scenario)});
+    return std::make_shared<const Course>(
+        Course{std::make_shared<const ScenarioValue>(std::move(loaded->value)), std::move(scenario)});
 }
 
 }  // namespace mrose::gui

@@ -1,9 +1,10 @@
-#include "experiment/variation.h"
+#include "scenario/variation.h"
 
 #include <optional>
 #include <vector>
 
 #include "behaviour/floor_plan.h"
+#include "scenario/saved_state.h"
 #include "scenario/start_check.h"
 #include "world/noise.h"
 #include "world/noise_channel.h"
@@ -72,6 +73,53 @@ std::optional<Scene> moved(Scene scene, const Variation& variation, const FloorP
     return scene;
 }
 
+Value poseValue(const Pose& pose) {
+    return Value::Table{{"x_m", pose.x}, {"y_m", pose.y}, {"heading_rad", pose.heading}};
+}
+
+/// What a trial draws, written into the value of the scenario that it was drawn from.
+class Drawn {
+public:
+    explicit Drawn(const ScenarioValue& value) : value_(value) {}
+
+    void set(const std::string& path, Value value) {
+        if (!value_) return;
+        auto changed = value_->with(path, std::move(value));
+        value_ = std::move(changed);
+    }
+    std::string body(const std::string& name) const { return value_ ? value_->bodyPath(name) : ""; }
+    Expected<ScenarioValue>& value() { return value_; }
+
+private:
+    Expected<ScenarioValue> value_;
+};
+
+/// The value with what differs between the parts that were made of it and those of a trial.
+Expected<ScenarioValue> withParts(const ScenarioValue& value, const ScenarioParts& from, const ScenarioParts& to) {
+    Drawn drawn(value);
+    if (to.saved) {
+        // Where bodies are in a saved state that state says.
+        const Scenario scenario(to);
+        const std::string name = value.name() + "#state";
+        drawn.set("initial_state", std::make_shared<const DescriptionFile>(DescriptionFile{
+                                       name, name, savedStateText(savedState(scenario, scenario.initialState()))}));
+    } else {
+        for (const SceneRobot& robot : to.scene.robots)
+            drawn.set(drawn.body(robot.name) + ".start", poseValue(robot.start));
+        for (const SceneObject& object : to.scene.objects)
+            drawn.set(drawn.body(object.name) + ".start", poseValue(object.start));
+    }
+    const FloorSurface &floor = to.scene.environment.floor, &before = from.scene.environment.floor;
+    if (floor.slidingFriction != before.slidingFriction)
+        drawn.set("environment.floor.sliding_friction", floor.slidingFriction);
+    if (floor.rollingDeceleration != before.rollingDeceleration)
+        drawn.set("environment.floor.rolling_deceleration_mps2", floor.rollingDeceleration);
+    for (std::size_t i = 0; i < to.scene.objects.size(); ++i)
+        if (const double mass = to.scene.typeOfObject(i).mass; mass != from.scene.typeOfObject(i).mass)
+            drawn.set(drawn.body(to.scene.objects[i].name) + ".mass_kg", mass);
+    return std::move(drawn.value());
+}
+
 FloorPlan wallsOf(const Environment& environment) {
     std::vector<ConvexPiece> pieces;
     for (const Obstacle& obstacle : environment.obstacles)
@@ -96,6 +144,15 @@ Expected<ScenarioParts> varied(const ScenarioParts& parts, std::uint32_t trial) 
     return fail(parts.name,
                 "in a hundred draws of trial " + std::to_string(trial) +
                     " bodies have overlapped or begun behind a wall; expected less variation, or more room");
+}
+
+Expected<LoadedScenario> varied(const LoadedScenario& loaded, std::uint32_t trial) {
+    if (trial == 0) return loaded;
+    auto parts = varied(loaded.parts, trial);
+    if (!parts) return tl::unexpected(parts.error());
+    auto value = withParts(loaded.value, loaded.parts, *parts);
+    if (!value) return tl::unexpected(value.error());
+    return LoadedScenario{std::move(*value), std::move(*parts)};
 }
 
 }  // namespace mrose

@@ -1,4 +1,4 @@
-#include "comparison/course_descriptions.h"
+#include "comparison/course_value.h"
 
 #include <gmock/gmock.h>
 
@@ -38,7 +38,7 @@ Log twoCreates() {
 
 struct LoadedLog {
     Log log;
-    Descriptions descriptions;
+    std::optional<ScenarioValue> value;
     std::optional<LogWorld> world;
 };
 
@@ -46,19 +46,17 @@ void load(LoadedLog& loaded, const std::string& robotFile = "") {
     const auto made = scenarioOfLog(loaded.log, "/logs/it", robotFile);
     ASSERT_TRUE(made) << made.error().message();
     DiskDescriptions disk({sourceFolder(), {}, ""});
-    LayeredDescriptions source(made->texts, disk);
-    auto scenario = loadScenario(made->scenario, source, {{}, false});
+    auto scenario = loadScenario(*made, disk, {{}, false});
     ASSERT_TRUE(scenario) << scenario.error().message();
-    loaded.descriptions = {scenario->name, scenario->texts};
+    loaded.value.emplace(scenario->value);
     auto world = LogWorld::create(std::move(scenario->parts), std::make_shared<const Log>(loaded.log));
     ASSERT_TRUE(world) << world.error().message();
     loaded.world.emplace(std::move(*world));
 }
 
-/// Both go on alike, from texts alone.
-void expectSameRun(const DescribedCourse& course, LogWorld::Opened opened, int ticks) {
-    KeptDescriptions source(course.descriptions.texts);
-    auto loaded = loadScenario(course.descriptions.scenario, source);
+/// Both go on alike, from the value alone, and so does what it was opened as.
+void expectSameRun(const OpenedCourse& course, LogWorld::Opened opened, int ticks) {
+    auto loaded = loadScenario(ScenarioValue::parse(course.value->bytes()).value());
     ASSERT_TRUE(loaded) << loaded.error().message();
     const Scenario again(std::move(loaded->parts));
     WorldState state = again.initialState();
@@ -72,7 +70,7 @@ void expectSameRun(const DescribedCourse& course, LogWorld::Opened opened, int t
     }
 }
 
-TEST(CourseDescriptions, CourseOfTheShippedLogRunsFromItsTextsAloneAsItWasOpened) {
+TEST(CourseValue, CourseOfTheShippedLogRunsFromItsValueAloneAsItWasOpened) {
     LoadedLog loaded{shippedLog(), {}, {}};
     ASSERT_NO_FATAL_FAILURE(load(loaded));
     const LogWorld& world = *loaded.world;
@@ -80,31 +78,29 @@ TEST(CourseDescriptions, CourseOfTheShippedLogRunsFromItsTextsAloneAsItWasOpened
     const CourseRequest request{1, 7'300'000'123, 100};
     const Nanoseconds length = 10 * second;
     const LogWorld::Opened opened = world.openAt(request.take, request.start, length, 7);
-    const auto course = describeCourse(world, opened, loaded.descriptions, "/logs/it", request, length, length);
+    const auto course = openCourse(world, *loaded.value, "/logs/it", request, 7, length, length);
     ASSERT_TRUE(course) << course.error().message();
     EXPECT_EQ(course->scenario->parts().duration, length);
     expectSameRun(*course, opened, 500);
 }
 
-TEST(CourseDescriptions, RobotThatNobodySeesIsNoPartOfTheText) {
+TEST(CourseValue, RobotThatNobodySeesIsNoPartOfIt) {
     LoadedLog loaded{twoCreates(), {}, {}};
     ASSERT_NO_FATAL_FAILURE(load(loaded));
     const LogWorld& world = *loaded.world;
     for (const Nanoseconds start : {2 * second, 12 * second}) {
         const LogWorld::Opened opened = world.openAt(0, start, 5 * second, 1);
-        const auto course =
-            describeCourse(world, opened, loaded.descriptions, "/logs/it", {0, start, 50}, 5 * second, 5 * second);
+        const auto course = openCourse(world, *loaded.value, "/logs/it", {0, start, 50}, 1, 5 * second, 5 * second);
         ASSERT_TRUE(course) << course.error().message();
-        const std::string& text = course->descriptions.texts.at(course->descriptions.scenario);
-        EXPECT_THAT(text, HasSubstr("create 1"));
+        EXPECT_EQ(course->value->bodyPath("create 1"), "robot[1]");
         const bool present = start <= 9 * second;
-        EXPECT_EQ(text.find("create 2") != std::string::npos, present);
+        EXPECT_EQ(course->value->bodyPath("create 2"), present ? "robot[2]" : "");
         expectSameRun(*course, opened, 250);
     }
 }
 
 /// Windows of one robot may lie before the log's start, at which all of its robots are there.
-TEST(CourseDescriptions, CourseMayBeginBeforeTheOthersAreThere) {
+TEST(CourseValue, CourseMayBeginBeforeTheOthersAreThere) {
     Log log = twoCreates();
     Trajectory& late = log.robots[0].trajectories[0];
     std::erase_if(late.poses, [](const StampedPose& stamped) { return stamped.time < 13 * second; });
@@ -114,8 +110,7 @@ TEST(CourseDescriptions, CourseMayBeginBeforeTheOthersAreThere) {
     const Nanoseconds start = -2 * second;
     const LogWorld::Opened opened = world.openAt(0, start, 5 * second, 1);
     ASSERT_TRUE(!opened.starts[0] && opened.starts[1]);
-    const auto course =
-        describeCourse(world, opened, loaded.descriptions, "/logs/it", {0, start, 50, 1}, 5 * second, 5 * second);
+    const auto course = openCourse(world, *loaded.value, "/logs/it", {0, start, 50, 1}, 1, 5 * second, 5 * second);
     ASSERT_TRUE(course) << course.error().message();
     expectSameRun(*course, opened, 250);
     // Who is left out takes no number away.
@@ -129,7 +124,7 @@ TEST(CourseDescriptions, CourseMayBeginBeforeTheOthersAreThere) {
         EXPECT_FALSE(compileCondition("robot[1].x > 0", *scenario));
     }
     // Before the robot itself is there nobody can be told where to begin.
-    const auto early = excerptText(log, {.robot = "2", .start = -4});
+    const auto early = excerptOf(log, {.robot = "2", .start = -4});
     ASSERT_FALSE(early);
     EXPECT_THAT(early.error().message(), HasSubstr("robot \"2\" begins "));
 }

@@ -1,4 +1,4 @@
-#include "experiment/variation.h"
+#include "scenario/variation.h"
 
 #include <functional>
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "io/error.h"
-#include "scenario/scenario.h"
+#include "scenario/scenario_file.h"
 
 namespace mrose {
 
@@ -11,5 +11,8 @@ namespace mrose {
 /// the same `trial` on every machine. Trial 0 is the scenario itself. Starts that overlap, and those to which a wall
 /// bars the straight way from the scenario's own, are drawn again. Error: a hundred draws were such.
 Expected<ScenarioParts> varied(const ScenarioParts& parts, std::uint32_t trial);
+
+/// The same with the value that gives it: what was drawn stands in it.
+Expected<LoadedScenario> varied(const LoadedScenario& loaded, std::uint32_t trial);
 
 }  // namespace mrose

@@ -1,0 +1,180 @@
+#include "io/value.h"
+
+#include <bit>
+#include <charconv>
+#include <optional>
+#include <span>
+
+namespace mrose {
+namespace {
+
+/// One step of a path: a key of a table, or an element of an array by its number from 0 or its name.
+struct Step {
+    std::string key;
+    std::optional<std::size_t> index = {};
+    bool name = false;  ///< the key is an element's name
+};
+
+bool isKeyLetter(char letter) { return letter != '.' && letter != '[' && letter != ']' && letter != '"'; }
+
+/// `[2]` or `["keeper"]` off the front of a path.
+std::optional<Step> takeElement(std::string_view& path) {
+    if (path.starts_with("[\"")) {
+        const std::size_t end = path.find("\"]", 2);
+        if (end == std::string_view::npos) return {};
+        Step step{std::string(path.substr(2, end - 2)), {}, true};
+        path.remove_prefix(end + 2);
+        return step;
+    }
+    const std::size_t end = path.find(']');
+    std::size_t number = 0;
+    if (end == std::string_view::npos) return {};
+    const auto parsed = std::from_chars(path.data() + 1, path.data() + end, number);
+    if (parsed.ptr != path.data() + end || parsed.ec != std::errc{} || number == 0) return {};
+    path.remove_prefix(end + 1);
+    return Step{{}, number - 1};
+}
+
+/// Nothing: it is no path.
+std::optional<std::vector<Step>> stepsOf(std::string_view path) {
+    std::vector<Step> steps;
+    while (!path.empty()) {
+        if (path.front() == '[' && !steps.empty()) {
+            const auto step = takeElement(path);
+            if (!step) return {};
+            steps.push_back(*step);
+            continue;
+        }
+        if (!steps.empty() && path.front() != '.') return {};
+        if (!steps.empty()) path.remove_prefix(1);
+        std::size_t size = 0;
+        while (size < path.size() && isKeyLetter(path[size])) ++size;
+        if (size == 0) return {};
+        steps.push_back({std::string(path.substr(0, size))});
+        path.remove_prefix(size);
+    }
+    if (steps.empty()) return {};
+    return steps;
+}
+
+/// What a value holds for who looks into it: of a file its content.
+const Value& inside(const Value& value) {
+    const DescriptionFile* const file = value.asFile();
+    return file ? file->content : value;
+}
+
+std::optional<std::size_t> elementOf(const Value::Array& array, const Step& step) {
+    if (!step.name) return step.index && *step.index < array.size() ? step.index : std::nullopt;
+    for (std::size_t i = 0; i < array.size(); ++i) {
+        const Value* const name = array[i].find("name");
+        if (name && name->asText() && *name->asText() == step.key) return i;
+    }
+    return {};
+}
+
+const Value* childOf(const Value& value, const Step& step) {
+    const Value& content = inside(value);
+    if (!step.index && !step.name) return content.find(step.key);
+    const Value::Array* const array = content.asArray();
+    const auto element = array ? elementOf(*array, step) : std::nullopt;
+    return element ? &(*array)[*element] : nullptr;
+}
+
+/// With `changed` in the place of a value's content.
+Value repacked(const Value& value, Value changed) {
+    if (const DescriptionFile* const file = value.asFile())
+        changed = std::make_shared<const DescriptionFile>(DescriptionFile{file->name, file->reference, changed});
+    changed.line = value.line;
+    changed.column = value.column;
+    return changed;
+}
+
+using Steps = std::span<const Step>;
+
+/// Nothing: the path does not exist. `value` nothing: what is there is taken away.
+std::optional<Value> changed(const Value& from, Steps steps, const std::optional<Value>& value) {
+    if (steps.empty()) return value;
+    const Step& step = steps.front();
+    const Value& content = inside(from);
+    if (step.index || step.name) {
+        const Value::Array* const array = content.asArray();
+        const auto element = array ? elementOf(*array, step) : std::nullopt;
+        if (!element) return {};
+        Value::Array copy = *array;
+        const auto place = copy.begin() + static_cast<std::ptrdiff_t>(*element);
+        if (steps.size() == 1 && !value) {
+            copy.erase(place);
+        } else {
+            auto child = changed(*place, steps.subspan(1), value);
+            if (!child) return {};
+            *place = std::move(*child);
+        }
+        return repacked(from, std::move(copy));
+    }
+    const Value::Table* const table = content.asTable();
+    if (!table) return {};
+    const auto found = table->find(step.key);
+    if (found == table->end() && (!value || (steps.size() > 1 && (steps[1].index || steps[1].name)))) return {};
+    Value::Table copy = *table;
+    if (steps.size() == 1 && !value) {
+        copy.erase(step.key);
+    } else {
+        static const Value empty = Value::Table();
+        auto child = changed(found == table->end() ? empty : found->second, steps.subspan(1), value);
+        if (!child) return {};
+        copy.insert_or_assign(step.key, std::move(*child));
+    }
+    return repacked(from, std::move(copy));
+}
+
+}  // namespace
+
+Value::File Value::sharedFile() const {
+    const File* const file = std::get_if<File>(&content_);
+    return file ? *file : nullptr;
+}
+
+const Value* Value::find(std::string_view key) const {
+    const Table* const table = asTable();
+    if (!table) return nullptr;
+    const auto found = table->find(key);
+    return found == table->end() ? nullptr : &found->second;
+}
+
+const Value* Value::at(std::string_view path) const {
+    const auto steps = stepsOf(path);
+    if (!steps) return nullptr;
+    const Value* value = this;
+    for (const Step& step : *steps)
+        if (!(value = childOf(*value, step))) return nullptr;
+    return value;
+}
+
+Expected<Value> Value::with(std::string_view path, Value value) const {
+    const auto steps = stepsOf(path);
+    auto result = steps ? changed(*this, *steps, std::move(value)) : std::nullopt;
+    if (!result)
+        return fail("",
+                    steps ? "names nothing that there is; expected a path such as robot[2].network"
+                          : "is no path; expected one such as robot[2].network",
+                    0, std::string(path));
+    return std::move(*result);
+}
+
+Value Value::without(std::string_view path) const {
+    const auto steps = stepsOf(path);
+    return steps ? changed(*this, *steps, std::nullopt).value_or(*this) : *this;
+}
+
+bool Value::operator==(const Value& other) const {
+    if (content_.index() != other.content_.index()) return false;
+    if (const double* const number = asFloat())
+        return std::bit_cast<std::uint64_t>(*number) == std::bit_cast<std::uint64_t>(*other.asFloat());
+    if (const Array* const array = asArray()) return array == other.asArray() || *array == *other.asArray();
+    if (const Table* const table = asTable()) return table == other.asTable() || *table == *other.asTable();
+    if (const DescriptionFile* const file = asFile())
+        return file == other.asFile() || file->content == other.asFile()->content;
+    return content_ == other.content_;
+}
+
+}  // namespace mrose

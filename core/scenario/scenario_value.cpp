@@ -1,0 +1,61 @@
+#include "scenario/scenario_value.h"
+
+#include "io/toml_text.h"
+#include "io/value_bytes.h"
+
+namespace mrose {
+
+ScenarioValue::ScenarioValue(std::string name, Value content)
+    : file_(std::make_shared<const DescriptionFile>(DescriptionFile{std::move(name), {}, std::move(content)})) {}
+
+Expected<ScenarioValue> ScenarioValue::with(std::string_view path, Value value) const {
+    auto changed = content().with(path, std::move(value));
+    if (!changed) {
+        changed.error().file = name();
+        return tl::unexpected(changed.error());
+    }
+    return ScenarioValue(name(), std::move(*changed));
+}
+
+ScenarioValue ScenarioValue::without(std::string_view path) const { return {name(), content().without(path)}; }
+
+Expected<ScenarioValue> ScenarioValue::overridden(std::string_view assignment) const {
+    const std::size_t equals = assignment.find('=');
+    const std::string_view before = assignment.substr(0, equals);
+    const std::string path(before.substr(0, before.find_last_not_of(' ') + 1));
+    if (equals == std::string_view::npos || path.empty())
+        return fail(std::string(assignment), "expected PATH=VALUE, such as robot[2].network=create.net or seed=4");
+    const std::string text(assignment.substr(equals + 1));
+    auto parsed = parseToml("value = " + text, "");
+    const Value* const value = parsed ? parsed->find("value") : nullptr;
+    Value given = value ? *value : Value(text);
+    given.line = given.column = 0;
+    return with(path, std::move(given));
+}
+
+std::string ScenarioValue::bodyPath(std::string_view name) const {
+    for (const char* const kind : {"robot", "person", "object"}) {
+        const Value* const bodies = content().find(kind);
+        const Value::Array* const all = bodies ? bodies->asArray() : nullptr;
+        for (std::size_t i = 0; all && i < all->size(); ++i) {
+            const Value* const called = (*all)[i].find("name");
+            if (called && called->asText() && *called->asText() == name)
+                return std::string(kind) + '[' + std::to_string(i + 1) + ']';
+        }
+    }
+    return {};
+}
+
+std::vector<Value::File> ScenarioValue::files() const { return filesOf(file_); }
+
+std::string ScenarioValue::bytes(std::span<const Value::File> known) const { return valueBytes(file_, known); }
+
+std::optional<ScenarioValue> ScenarioValue::parse(std::string_view bytes, std::span<const Value::File> known) {
+    const auto value = parseValue(bytes, known);
+    if (!value || !value->asFile() || !value->asFile()->content.asTable()) return {};
+    return ScenarioValue(value->sharedFile());
+}
+
+std::uint64_t ScenarioValue::hash() const { return hashOf(content()); }
+
+}  // namespace mrose
