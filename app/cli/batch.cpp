@@ -150,6 +150,7 @@ int runAll(const BatchCommandFlags& flags, const CommonFlags& common) {
     options.duration = flags.run.duration ? fromSeconds(*flags.run.duration) : parts.duration;
     options.until = flags.run.until;
     options.command = runCommand(flags.run, options.duration);
+    options.value = std::make_shared<const ScenarioValue>(open->loaded.value);
     options.identity = identityOf(*open, flags.run, options.duration);
     options.begins = [](const RunKey& key) { sayPluginsRun(key); };
     watchInterrupts();

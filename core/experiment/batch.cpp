@@ -8,7 +8,9 @@
 #include "condition/condition.h"
 #include "experiment/results_file.h"
 #include "experiment/run.h"
+#include "io/file.h"
 #include "learning/parallel_for.h"
+#include "scenario/value_file.h"
 #include "scenario/variation.h"
 
 namespace mrose {
@@ -22,6 +24,12 @@ std::int64_t runsOf(const BatchOptions& options) {
     if (more >= static_cast<std::uint64_t>(mostRuns)) return -1;
     const std::int64_t runs = static_cast<std::int64_t>(more + 1) * options.trials;
     return runs > mostRuns ? -1 : runs;
+}
+
+/// A batch that is gone on with has it already: of one identity it is the same.
+Expected<void> keepValue(const ScenarioValue& value, const std::filesystem::path& path) {
+    std::error_code ignored;
+    return std::filesystem::exists(path, ignored) ? Expected<void>() : writeFileAtomically(path, valueFileText(value));
 }
 
 /// Runs of one batch, on any thread.
@@ -136,6 +144,9 @@ Expected<BatchSummary> runBatch(const ScenarioParts& parts, const BatchOptions& 
     auto file = ResultsFile::open(folder, options.identity, resultsHeader(parts));
     if (!file) return tl::unexpected(file.error());
     if (const auto fits = checkRows(*file, options, folder); !fits) return tl::unexpected(fits.error());
+    if (options.value)
+        if (auto kept = keepValue(*options.value, folder / "scenario.value"); !kept)
+            return tl::unexpected(kept.error());
     return BatchRunner(parts, options, *file).runAll();
 }
 

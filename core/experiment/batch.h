@@ -8,6 +8,7 @@
 #include "experiment/results_row.h"
 #include "io/error.h"
 #include "scenario/scenario.h"
+#include "scenario/scenario_value.h"
 
 namespace mrose {
 
@@ -19,6 +20,8 @@ struct BatchOptions {
     std::string until;  ///< a condition that ends a run; empty: none
     /// What the rows' commands begin with; " --trial 3 --seed 7" follows: all else that a run depends on is in it.
     std::string command = "mrose run";
+    /// Kept in the folder as `scenario.value` (value_file.h), if given: what its trials are of.
+    std::shared_ptr<const ScenarioValue> value = nullptr;
     /// What all runs depend on. A folder with results of another identity is refused.
     BatchIdentity identity;
     /// Told which run this thread begins, from any thread. May be empty.

@@ -3,7 +3,7 @@
 #include <cstring>
 
 #include "io/bytes.h"
-#include "recording/compression.h"
+#include "io/compression.h"
 #include "recording/decision_bytes.h"
 #include "world/state_bytes.h"
 

@@ -1,7 +1,7 @@
 #include "recording/branch_scenario.h"
 
 #include "io/bytes.h"
-#include "recording/compression.h"
+#include "io/compression.h"
 
 namespace mrose {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "recording/compression.h"
+#include "io/compression.h"
 #include "recording/crc32.h"
 
 namespace mrose::mcap {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "recording/compression.h"
+#include "io/compression.h"
 #include "recording/crc32.h"
 
 namespace mrose::mcap {

@@ -6,6 +6,7 @@
 #include "io/toml_table.h"
 #include "io/toml_text.h"
 #include "scenario/carry_over.h"
+#include "scenario/value_file.h"
 #include "world/plain_seconds.h"
 #include "world/state_bytes.h"
 
@@ -92,7 +93,7 @@ SavedState savedState(const Scenario& scenario, const WorldState& state) {
     return saved;
 }
 
-std::string savedStateText(const SavedState& saved) {
+std::string savedStateText(const SavedState& saved, const ScenarioValue* value) {
     const auto number = [](const char* key, std::uint64_t value) {
         return std::string(key) + " = " + std::to_string(value) + '\n';
     };
@@ -102,6 +103,7 @@ std::string savedStateText(const SavedState& saved) {
         tomlString(saved.scenario) + '\n' + number("tick", static_cast<std::uint64_t>(saved.state.tick)) +
         number("tick_ns", static_cast<std::uint64_t>(saved.tickLength)) + "state = \"\"\"\n" +
         base64(stateBytes(saved.state)) + "\"\"\"\n";
+    if (value) text += "value = \"\"\"\n" + encoded(*value) + "\"\"\"\n";
     for (const SavedState::Robot& robot : saved.robots)
         text += "\n[[robot]]\nname = " + tomlString(robot.name) + '\n' +
                 number("period_ns", static_cast<std::uint64_t>(robot.period)) + number("commands", robot.commands) +
@@ -111,7 +113,12 @@ std::string savedStateText(const SavedState& saved) {
 }
 
 Expected<SavedState> parseSavedState(std::string_view text, const std::string& file) {
-    TomlTable root(text, file);
+    const auto content = parseToml(text, file);
+    return content ? readSavedState(*content, file) : tl::unexpected(content.error());
+}
+
+Expected<SavedState> readSavedState(const Value& content, const std::string& file) {
+    TomlTable root = TomlTable::of(content, file);
     root.choice("format", {"mrose state"});
     root.integer("version", 1, 1);
     SavedState saved;
@@ -119,6 +126,7 @@ Expected<SavedState> parseSavedState(std::string_view text, const std::string& f
     const std::int64_t tick = root.integer("tick", 0, mostTicks);
     saved.tickLength = root.integer("tick_ns", 1, mostOfAnything);
     const std::string letters = root.string("state");
+    root.stringOr("value", "");  // of who runs the file by itself (value_file.h)
     for (TomlTable& table : root.tablesOrNone("robot")) {
         const std::string name = table.string("name");
         const Nanoseconds period = table.integer("period_ns", 1, mostOfAnything * 10);

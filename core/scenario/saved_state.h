@@ -7,6 +7,7 @@
 
 #include "io/error.h"
 #include "scenario/scenario.h"
+#include "scenario/scenario_value.h"
 
 namespace mrose {
 
@@ -27,9 +28,10 @@ struct SavedState {
 };
 SavedState savedState(const Scenario& scenario, const WorldState& state);
 
-/// As a state file (resources/README.md), exact to the last bit, and back. Error: file, line and key of the first thing
-/// wrong.
-std::string savedStateText(const SavedState& saved);
+/// As a state file (resources/README.md), exact to the last bit, and back. With `value`, the scenario that it is a
+/// state of, the file is one that can be run by itself. Error: file, line and key of the first thing wrong.
+std::string savedStateText(const SavedState& saved, const ScenarioValue* value = nullptr);
+Expected<SavedState> readSavedState(const Value& content, const std::string& file);
 Expected<SavedState> parseSavedState(std::string_view text, const std::string& file);
 
 /// Why a scene cannot go on from it: other bodies, ticks of another length. Empty: it can.

@@ -10,6 +10,7 @@
 #include "scenario/robot_file.h"
 #include "scenario/saved_state.h"
 #include "scenario/start_check.h"
+#include "scenario/value_file.h"
 #include "world/plain_seconds.h"
 
 namespace mrose {
@@ -334,7 +335,9 @@ Expected<LoadedScenario> loadScenario(const std::string& name, DescriptionSource
     constexpr std::string_view folders[] = {"resources/scenarios"};
     const auto file = library.file(name, folders);
     if (!file) return tl::unexpected(file.error());
-    return ScenarioReader(ScenarioValue(*file), library, loading).read();
+    const auto value = scenarioOf(*file, library.shown((*file)->name));
+    if (!value) return tl::unexpected(value.error());
+    return ScenarioReader(*value, library, loading).read();
 }
 
 Expected<LoadedScenario> loadScenario(const ScenarioValue& value, DescriptionSource& source,

@@ -31,7 +31,8 @@ struct ScenarioLoading {
 };
 
 /// Loads the scenario file called `name` (resources/README.md explains the keys), or the one of that name that ships,
-/// with every file that it names. Error: file, line, column and key of the first thing wrong in any of them.
+/// with every file that it names; or the scenario that a value file or a state file holds (value_file.h). Error: file,
+/// line, column and key of the first thing wrong in any of them.
 Expected<LoadedScenario> loadScenario(const std::string& name, DescriptionSource& source,
                                       const ScenarioLoading& loading = {});
 

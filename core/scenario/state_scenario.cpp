@@ -178,7 +178,8 @@ Expected<void> saveStateAsScenario(const std::filesystem::path& path, const Scen
     if (auto same = checkGoesOn(path.generic_string(), *begun, scenario, state); !same) return same;
     begun = withPluginPaths(std::move(*begun));
     if (!begun) return tl::unexpected(begun.error());
-    const std::string stateText = *begun->at("initial_state")->asFile()->content.asText();
+    const ScenarioValue alone = begun->without("initial_state");
+    const std::string stateText = savedStateText(savedState(scenario, state), &alone);
     begun = begun->with("initial_state", statePath.filename().string());
     Relocation relocation(path, disk);
     const Value written = relocation.moved(begun->content());

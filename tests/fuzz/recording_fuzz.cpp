@@ -8,7 +8,7 @@
 #include "fuzz/require.h"
 #include "recording/block_bytes.h"
 #include "recording/branch_scenario.h"
-#include "recording/compression.h"
+#include "io/compression.h"
 #include "recording/decision_bytes.h"
 #include "recording/mcap_format.h"
 #include "recording/recording.h"

@@ -7,7 +7,7 @@
 #include "io/file.h"
 #include "recording/block_bytes.h"
 #include "recording/branch_scenario.h"
-#include "recording/compression.h"
+#include "io/compression.h"
 #include "recording/match.h"
 #include "recording/recording_writer.h"
 #include "world/state_bytes.h"

@@ -5,7 +5,7 @@
 
 #include "io/bytes.h"
 #include "io/file.h"
-#include "recording/compression.h"
+#include "io/compression.h"
 #include "recording/mcap_walk.h"
 #include "recording/playback.h"
 #include "recording/recording_fixture.h"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "recording/compression.h"
+#include "io/compression.h"
 
 namespace mrose {
 namespace {

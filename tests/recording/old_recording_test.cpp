@@ -3,7 +3,7 @@
 
 #include "io/bytes.h"
 #include "recording/branch_scenario.h"
-#include "recording/compression.h"
+#include "io/compression.h"
 #include "recording/replay.h"
 #include "scenario/descriptions.h"
 #include "support/places.h"

@@ -1,4 +1,4 @@
-#include "recording/compression.h"
+#include "io/compression.h"
 
 #include <cassert>
 
