@@ -14,7 +14,8 @@ if [ -d "$log" ]; then
     "$program" --offscreen --size 1360x850 --script "$here/reality.lua" --log "$log"
     pictures="$pictures reality.png"
 fi
+case $(convert -version 2>/dev/null) in *ImageMagick*Copyright*) magick=yes ;; *) magick= ;; esac
 for picture in $pictures; do
-    if command -v convert >/dev/null; then convert "$picture" +dither -colors 255 -strip "PNG8:$picture"; fi
+    [ -z "$magick" ] || convert "$picture" +dither -colors 255 -strip "PNG8:$picture"
     echo "$PWD/$picture"
 done
