@@ -50,8 +50,7 @@ Expected<void> writeFilesAtomically(std::span<const NamedFile> files) {
 }
 
 Expected<void> checkWritable(const std::filesystem::path& path, bool overwrite) {
-    PendingFile file(path);
-    if (auto writable = file.write({}); !writable) return writable;
+    if (auto writable = PendingFile(path).check(); !writable) return writable;
     std::error_code ignored;
     if (!overwrite && std::filesystem::exists(path, ignored)) return fail(path.string(), notOverwritten);
     return {};

@@ -13,8 +13,8 @@ namespace mrose {
 Expected<std::string> readFile(const std::filesystem::path& path);
 
 /// Replaces `path` in one go: the content is written beside it, synced and renamed, so that a full disk, a crash or a
-/// kill leaves either the old file or the new one. Parent folders must exist. Error: what the system says.
-/// A symbolic link stays one: the file that it names is replaced. What is no regular file (a folder, a device) is not.
+/// kill leaves either the old file or the new one. Parent folders must exist. Error: what the system says. What becomes
+/// of links, modes and files that are no regular ones says PendingFile.
 Expected<void> writeFileAtomically(const std::filesystem::path& path, std::string_view content);
 
 /// Several files that belong together: all of them are written before the first replaces its old one, so that a full
@@ -26,7 +26,7 @@ struct NamedFile {
 Expected<void> writeFilesAtomically(std::span<const NamedFile> files);
 
 /// Error unless a file could be written at `path`; lets long work fail at its start and not at its end. Without
-/// `overwrite` a file that is there already is an error too.
+/// `overwrite` a file that is there already is an error too. Nothing is changed, and nothing stays.
 Expected<void> checkWritable(const std::filesystem::path& path, bool overwrite = true);
 
 /// What is said of a file that is there already.

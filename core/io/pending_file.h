@@ -8,7 +8,9 @@
 namespace mrose {
 
 /// An output on its way: written beside its place, and gone again unless it replaces what is there. A symbolic link
-/// stays one: the file that it names is replaced. What is no regular file (a folder, a device) is not.
+/// stays one: the file that it names is replaced. What is no regular file (a folder, a device) is not, and nor is what
+/// a running program writes (io/file_lock.h). The new file has mode and owner of the old one, as far as the system
+/// allows.
 class PendingFile {
 public:
     explicit PendingFile(const std::filesystem::path& path);
@@ -16,17 +18,30 @@ public:
     PendingFile& operator=(const PendingFile&) = delete;
     ~PendingFile();
 
-    /// Makes the file beside with this content, on the disk.
+    /// Error unless it could be written; makes nothing that stays.
+    Expected<void> check();
+    /// Makes the file beside with this content, on the disk; once.
     Expected<void> write(std::string_view content);
-    /// Where it is until it replaces: who has much to write opens this after write().
+    /// Where it is until it replaces, after write(): who has much to write opens this.
     const std::filesystem::path& beside() const { return beside_; }
+    /// All of it on the disk, under its own name.
     Expected<void> replace();
 
 private:
+    Expected<void> checkTarget() const;
+    Expected<void> makeBeside();
+    void takeModeAndOwner() const;
     tl::unexpected<Error> systemFailure() const;
 
     std::filesystem::path path_, target_, beside_;
-    bool pending_ = false;
+    int descriptor_ = -1;  ///< of the file beside
 };
+
+/// A name beside a file or folder for what will replace it, as "a.net.k3b9x2qa.part". Nobody else comes upon it; what a
+/// killed program leaves behind is known by it and harms nobody.
+std::filesystem::path nameBeside(const std::filesystem::path& target);
+
+/// Waits until the disk knows what the folder of `path` holds.
+void syncFolderOf(const std::filesystem::path& path);
 
 }  // namespace mrose

@@ -112,11 +112,23 @@ TEST_F(Output, KillInMidTrainingLeavesTheEarlierNetwork) {
     EXPECT_EQ(listing(), before);
 }
 
-TEST_F(Output, WhatAKillLeftBehindDoesNotDisturb) {
-    write("b.net.part", "half a netw");
+TEST_F(Output, PartOfSomebodyElseStaysWhatItIs) {
+    write("b.net.part", "somebody's");
+    expectOneLine(runMrose({"train", path("none.csv"), "-o", path("b.net")}), {"none.csv"});
+    EXPECT_EQ(read("b.net.part"), "somebody's");
     ASSERT_EQ(runMrose(trainWords(path("b.net"))).status, 0);
     EXPECT_TRUE(loadNetwork(path("b.net")));
-    EXPECT_FALSE(std::filesystem::exists(path("b.net.part")));
+    EXPECT_EQ(read("b.net.part"), "somebody's");
+}
+
+TEST_F(Output, PrivateNetworkStaysPrivate) {
+    write("b.net", "earlier");
+    std::filesystem::permissions(path("b.net"), std::filesystem::perms(0600));
+    std::vector<std::string> words = trainWords(path("b.net"));
+    words.push_back("--overwrite");
+    ASSERT_EQ(runMrose(words).status, 0);
+    EXPECT_TRUE(loadNetwork(path("b.net")));
+    EXPECT_EQ(std::filesystem::status(path("b.net")).permissions(), std::filesystem::perms(0600));
 }
 
 }  // namespace

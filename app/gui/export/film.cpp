@@ -4,8 +4,6 @@
 #include <QStandardPaths>
 #include <utility>
 
-#include <unistd.h>
-
 #include "io/file.h"
 
 namespace mrose::gui {
@@ -90,10 +88,9 @@ Expected<bool> Film::finish() {
     while (ffmpeg_.state() == QProcess::Running && goesOn_()) ffmpeg_.waitForFinished(pipePatience);
     if (ffmpeg_.state() == QProcess::Running) return false;
     if (ffmpeg_.exitStatus() != QProcess::NormalExit || ffmpeg_.exitCode() != 0) return broken();
-    QFile whole(QString::fromStdString(file_.beside().string()));
-    if (!whole.open(QIODevice::ReadWrite) || ::fsync(whole.handle()) != 0)
-        return fail(path_.toStdString(), "cannot be written: " + whole.errorString().toStdString());
-    if (whole.size() == 0) return fail(path_.toStdString(), "ffmpeg wrote nothing");
+    std::error_code ignored;
+    if (std::filesystem::file_size(file_.beside(), ignored) == 0)
+        return fail(path_.toStdString(), "ffmpeg wrote nothing");
     if (auto replaced = file_.replace(); !replaced) return tl::unexpected(replaced.error());
     return true;
 }

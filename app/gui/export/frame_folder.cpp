@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <system_error>
 
+#include "io/pending_file.h"
+
 namespace mrose::gui {
 namespace {
 
 constexpr std::size_t leastDigits = 4;
-constexpr int mostParts = 100;
+constexpr int mostTries = 100;
 
 /// "frames/" and "frames" are the same folder.
 std::filesystem::path plainPath(const std::filesystem::path& folder) {
@@ -39,8 +41,8 @@ Expected<std::unique_ptr<FrameSink>> FrameFolder::begin(const std::filesystem::p
     const std::size_t digits = std::max(leastDigits, std::to_string(frames - 1).size());
     std::unique_ptr<FrameFolder> made(new FrameFolder(path, std::move(*parent), digits));
     std::error_code error;
-    for (int i = 0; i < mostParts && !error; ++i) {
-        const std::filesystem::path part = path.string() + (i == 0 ? ".part" : ".part" + std::to_string(i));
+    for (int i = 0; i < mostTries && !error; ++i) {
+        const std::filesystem::path part = nameBeside(path);
         if (!std::filesystem::create_directory(part, error)) continue;
         made->part_ = part;
         return std::unique_ptr<FrameSink>(std::move(made));
@@ -71,6 +73,7 @@ Expected<bool> FrameFolder::finish() {
     std::filesystem::rename(part_, folder_, error);
     if (error) return fail(folder_.string(), "cannot be written: " + error.message());
     part_.clear();
+    syncFolderOf(folder_);
     return true;
 }
 

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+namespace mrose {
+
+// Who writes to a file for long locks it, so that it has one writer. A lock is the open file's, and goes with its
+// process however that ends. Where a file system knows no locks, nobody is kept away.
+
+/// Of a file that is open for writing. False: it has a writer already.
+bool lockForWriting(int descriptor);
+
+/// Whether a file has such a writer, in any process; looking changes nothing. nullopt: the system does not tell.
+std::optional<bool> isBeingWritten(const std::filesystem::path& path);
+constexpr const char* beingWritten = "is being written by a running program; expected another name";
+
+/// Whether the file that is open is still the one at `path`: who has waited for a lock may have got that of a file that
+/// was removed or replaced meanwhile.
+bool isFileAt(int descriptor, const std::filesystem::path& path);
+
+}  // namespace mrose
