@@ -1,12 +1,7 @@
 #include "shared/opening.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <csignal>
-
-#include <fcntl.h>
-#include <unistd.h>
 
 #include "io/number_text.h"
 #include "scenario/start_check.h"
@@ -76,22 +71,6 @@ PluginLoader findingLoader(const std::filesystem::path& recording, PluginLoader 
         }
         return fail("", "the plug-in is neither " + looked);
     };
-}
-
-std::optional<bool> isBeingWritten(const std::filesystem::path& path) {
-    const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    if (file < 0) return {};
-    // The system gives a lease to read only where nobody writes. Who begins to meanwhile waits for its end below; the
-    // signal about that is one that is ignored.
-    std::optional<bool> written;
-    if (::fcntl(file, F_SETSIG, SIGURG) == 0) {
-        if (::fcntl(file, F_SETLEASE, F_RDLCK) == 0)
-            written = false;
-        else if (errno == EAGAIN)
-            written = true;
-    }
-    ::close(file);
-    return written;
 }
 
 }  // namespace mrose

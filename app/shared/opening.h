@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,8 +19,5 @@ std::vector<std::string> startsApartText(const LoadedScenario& loaded);
 /// Loads plug-ins that a recording names from wherever they are found: as they were named, seen from the current
 /// folder; the same seen from the recording's; beside the recording. Error: all places where there is none.
 PluginLoader findingLoader(const std::filesystem::path& recording, PluginLoader load);
-
-/// Whether some program has a file open to write to it; nothing: the system does not tell.
-std::optional<bool> isBeingWritten(const std::filesystem::path& path);
 
 }  // namespace mrose

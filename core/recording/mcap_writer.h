@@ -36,6 +36,8 @@ public:
     void sync();
     /// Ends the chunk and writes the summary. Nothing may be added afterwards.
     Expected<void> close();
+    /// Nothing of it stays; nor may anything be added.
+    void discard() { file_.discard(); }
 
     const Expected<void>& state() const { return file_.state(); }
 

@@ -9,20 +9,34 @@
 #include <unistd.h>
 
 #include "io/file.h"
+#include "io/file_lock.h"
+#include "io/pending_file.h"
 #include "recording/crc32.h"
 
 namespace mrose {
 namespace {
+
+constexpr int mostTries = 100;
 
 std::string systemCause(const char* what, int error) { return std::string(what) + ": " + std::strerror(error); }
 
 }  // namespace
 
 Expected<OutputFile> OutputFile::create(const std::filesystem::path& path, bool overwrite) {
+    Expected<OutputFile> file = open(path, overwrite);
+    // Somebody may have removed or replaced it before it was locked.
+    for (int i = 0; i < mostTries && file && !isFileAt(file->descriptor_, path); ++i) file = open(path, overwrite);
+    if (!file) return file;
+    if (::ftruncate(file->descriptor_, 0) != 0) return fail(path.string(), systemCause("cannot be written", errno));
+    syncFolderOf(path);
+    return file;
+}
+
+/// A file that is there is emptied only after it has turned out to be one that may be, and nobody else's.
+Expected<OutputFile> OutputFile::open(const std::filesystem::path& path, bool overwrite) {
     const std::string name = path.string();
-    // A file that is there is emptied only after it has turned out to be one that may be.
     const int exclusive = overwrite ? 0 : O_EXCL;
-    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NONBLOCK | exclusive, 0644);
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NONBLOCK | exclusive, 0666);
     struct stat status {};
     if (descriptor < 0 && errno == EEXIST && ::stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode))
         return fail(name, notOverwritten);
@@ -31,7 +45,7 @@ Expected<OutputFile> OutputFile::create(const std::filesystem::path& path, bool 
     OutputFile file(descriptor, name);
     if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode))
         return fail(name, "is no regular file; expected a name for one");
-    if (::ftruncate(descriptor, 0) != 0) return fail(name, systemCause("cannot be written", errno));
+    if (!lockForWriting(descriptor)) return fail(name, beingWritten);
     return file;
 }
 
@@ -90,6 +104,12 @@ void OutputFile::checkPlace() {
                                      : open.st_nlink == 0 ? "is no longer there: it was removed"
                                                           : "is no longer there: it was moved") +
                              " while it was written");
+}
+
+void OutputFile::discard() {
+    if (descriptor_ < 0) return;
+    if (isFileAt(descriptor_, name_)) ::unlink(name_.c_str());
+    ::close(std::exchange(descriptor_, -1));
 }
 
 Expected<void> OutputFile::close() {

@@ -10,10 +10,11 @@ namespace mrose {
 
 /// A file that grows while a program runs and is of use at every moment: what one call writes is in it wholly or not at
 /// all, unless the process is killed within the call. After an error it is cut back to the last whole write, and
-/// nothing more is written.
+/// nothing more is written. It has one writer at a time, in whatever process.
 class OutputFile {
 public:
-    /// Error: it exists and `overwrite` is false; it cannot be made; it is no regular file.
+    /// Error: it exists and `overwrite` is false; it cannot be made; it is no regular file; a running program writes
+    /// it, and then it stays as it is.
     static Expected<OutputFile> create(const std::filesystem::path& path, bool overwrite);
     OutputFile(const OutputFile&) = delete;
     OutputFile(OutputFile&& other) noexcept;
@@ -26,6 +27,8 @@ public:
     /// moved or replaced it.
     void sync();
     Expected<void> close();  ///< as sync()
+    /// Removes it, unless somebody else has put another one in its place.
+    void discard();
 
     std::uint64_t size() const { return size_; }
     std::uint32_t crc() const { return crc_; }  ///< of all that was written
@@ -34,6 +37,7 @@ public:
 
 private:
     OutputFile(int descriptor, std::string name) : descriptor_(descriptor), name_(std::move(name)) {}
+    static Expected<OutputFile> open(const std::filesystem::path& path, bool overwrite);
     void failWith(const char* what);
     void checkPlace();
 

@@ -42,8 +42,7 @@ Expected<RecordingWriter> RecordingWriter::create(const std::filesystem::path& p
     writer.flush();
     if (!writer.state()) {
         // No recording yet: it must not stand in the way of the next try.
-        std::error_code ignored;
-        if (std::filesystem::is_regular_file(path, ignored)) std::filesystem::remove(path, ignored);
+        writer.mcap_.discard();
         return tl::unexpected(writer.state().error());
     }
     return writer;

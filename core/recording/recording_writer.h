@@ -27,7 +27,8 @@ public:
         Origin origin = thisOrigin();
         std::string name = {};  ///< of the run, as branches have names
     };
-    /// The scenario must stay as long as the writer; `value` is what it was made from. Error: what the system says.
+    /// The scenario must stay as long as the writer; `value` is what it was made from. Error: what the system says; a
+    /// running program records there.
     static Expected<RecordingWriter> create(const std::filesystem::path& path, const Scenario& scenario,
                                             const WorldState& initial, const ScenarioValuePointer& value,
                                             const std::string& commandLine, const Options& options);

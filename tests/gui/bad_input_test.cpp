@@ -11,6 +11,7 @@
 #include "gui/file_fixture.h"
 #include "io/file.h"
 #include "recording/recording.h"
+#include "recording/recording_writer.h"
 #include "support/full_disk.h"
 #include "support/places.h"
 #include "support/run_program.h"
@@ -212,6 +213,31 @@ TEST_F(BadInput, RecordingWhoseFileIsGoneIsNoSuccess) {
     ASSERT_TRUE(window.actions().perform("save_recording", qPath("left.mcap")));
     ASSERT_TRUE(waitFor([&] { return !notes().empty(); }));
     EXPECT_EQ(openRecording(path("left.mcap"))->branches[0].timeline.last(), stood);
+}
+
+/// Of another program or of this one; neither loses anything.
+TEST_F(BadInput, WhatIsBeingWrittenIsNotWrittenOver) {
+    window.files().record(qPath("mine.mcap"));
+    settle();
+    (void)window.actions().perform("save_recording", qPath("mine.mcap"));
+    ASSERT_TRUE(waitFor([&] { return !errors().empty(); }));
+    EXPECT_THAT(errors(), ElementsAre(AllOf(HasSubstr("mine.mcap: is being written by a running program"),
+                                            HasSubstr("Nothing is lost"))));
+    window.messages().clear();
+    {
+        const auto scenario = scenarioOf(path("game.toml"));
+        const auto other = RecordingWriter::create(path("theirs.mcap"), *scenario, scenario->initialState());
+        ASSERT_TRUE(other);
+        const std::string before = readFile(path("theirs.mcap")).value_or("");
+        window.files().record(qPath("theirs.mcap"));
+        ASSERT_TRUE(waitFor([&] { return !errors().empty(); }));
+        EXPECT_THAT(errors(), ElementsAre(AllOf(HasSubstr("theirs.mcap: is being written by a running program"),
+                                                HasSubstr("Nothing is recorded"))));
+        EXPECT_EQ(readFile(path("theirs.mcap")).value_or(""), before);
+    }
+    const auto mine = openRecording(path("mine.mcap"));
+    ASSERT_TRUE(mine);
+    EXPECT_THAT(mine->damage, testing::IsEmpty());
 }
 
 TEST_F(BadInput, RecordingToADeviceIsRefused) {

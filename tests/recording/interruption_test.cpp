@@ -103,6 +103,31 @@ TEST_F(RecordingFile, FileThatIsNotAtItsPlaceAnyMoreIsAnErrorAtTheNextFlush) {
     EXPECT_EQ(openRecording(moved)->branches[0].timeline.last(), 60);
 }
 
+TEST_F(RecordingFile, SecondWriterIsRefusedAndTheFirstGoesOn) {
+    const std::filesystem::path path = folder.path() / "run.mcap";
+    {
+        auto first = RecordingWriter::create(path, scenario, run.states.front(), descriptions);
+        ASSERT_TRUE(first) << first.error().message();
+        for (std::size_t i = 0; i < run.traces.size(); ++i) {
+            if (i == 60) {
+                const auto second = RecordingWriter::create(path, scenario, run.states.front(), {}, "", {true});
+                ASSERT_FALSE(second);
+                EXPECT_EQ(second.error().message(),
+                          path.string() + ": is being written by a running program; " + "expected another name");
+                EXPECT_FALSE(writeFileAtomically(path, "other"));
+            }
+            first->add(run.states[i + 1], run.traces[i]);
+        }
+        const auto closed = first->close();
+        ASSERT_TRUE(closed) << closed.error().message();
+    }
+    const auto recording = openRecording(path);
+    ASSERT_TRUE(recording) << recording.error().message();
+    EXPECT_TRUE(recording->damage.empty());
+    expectStates(recording->branches[0].timeline, run);
+    EXPECT_TRUE(RecordingWriter::create(path, scenario, run.states.front(), {}, "", {true})) << "once it is closed";
+}
+
 TEST_F(RecordingFile, RecordingDoesNotChangeTheRun) {
     auto writer = RecordingWriter::create(folder.path() / "a.mcap", scenario, run.states.front());
     ASSERT_TRUE(writer);

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "io/file.h"
+#include "io/file_lock.h"
 #include "recording/playback.h"
 #include "recording/recording.h"
 #include "scenario/scenario_file.h"
