@@ -9,13 +9,16 @@
 #include <utility>
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include "io/file.h"
+#include "io/file_lock.h"
+#include "io/pending_file.h"
 
 namespace mrose {
 namespace {
+
+constexpr int mostTries = 100;
 
 /// Trial and seed that a row begins with.
 std::optional<RunKey> keyOf(std::string_view row) {
@@ -29,7 +32,7 @@ std::optional<RunKey> keyOf(std::string_view row) {
 }
 
 tl::unexpected<Error> systemError(const std::filesystem::path& path) {
-    return fail(path.string(), std::strerror(errno));
+    return fail(path.string(), std::string("cannot be written: ") + std::strerror(errno));
 }
 
 std::string escaped(std::string_view text) {
@@ -118,12 +121,10 @@ Expected<ResultsFile> ResultsFile::open(const std::filesystem::path& folder, con
     std::filesystem::create_directories(folder, failed);
     if (failed) return fail(folder.string(), failed.message());
     ResultsFile file(folder, header);
-    const bool known = std::filesystem::exists(file.batch());
-    if (!known && (std::filesystem::exists(folder / "results.csv") || std::filesystem::exists(file.part())))
+    // In this order: a batch that begins meanwhile has batch.txt before any results.
+    const bool results = std::filesystem::exists(folder / "results.csv") || std::filesystem::exists(file.part());
+    if (results && !std::filesystem::exists(file.batch()))
         return fail(folder.string(), "holds results of no batch; expected an empty folder");
-    if (!known)
-        if (const auto begun = writeFileAtomically(file.batch(), identityText(identity)); !begun)
-            return tl::unexpected(begun.error());
     if (const auto locked = file.lock(); !locked) return tl::unexpected(locked.error());
     for (const std::filesystem::path& path : {folder / "results.csv", file.part()})
         if (std::filesystem::exists(path))
@@ -139,11 +140,15 @@ Expected<ResultsFile> ResultsFile::open(const std::filesystem::path& folder, con
 }
 
 Expected<void> ResultsFile::lock() {
-    if (lock_ >= 0) ::close(lock_);
-    lock_ = ::open(batch().c_str(), O_RDONLY | O_CLOEXEC);
-    if (lock_ < 0) return systemError(batch());
-    if (::flock(lock_, LOCK_EX | LOCK_NB) != 0) return fail(folder_.string(), "another mrose batch is at work in it");
-    return {};
+    for (int i = 0; i < mostTries; ++i) {
+        if (lock_ >= 0) ::close(lock_);
+        lock_ = ::open(batch().c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+        if (lock_ < 0) return systemError(batch());
+        if (!lockForWriting(lock_)) return fail(folder_.string(), "another mrose batch is at work in it");
+        // Who could not write what it made has removed it.
+        if (isFileAt(lock_, batch())) return {};
+    }
+    return fail(batch().string(), "cannot be locked: it is another file each time");
 }
 
 /// A folder without a row yet may become another batch's.
@@ -162,8 +167,20 @@ Expected<void> ResultsFile::checkIdentity(const BatchIdentity& identity) {
     if (!rows_.empty())
         return fail(folder_.string(),
                     "holds results of another batch: " + other + "; expected an empty folder, or the same batch");
-    if (auto begun = writeFileAtomically(batch(), identityText(identity)); !begun) return begun;
-    return lock();
+    return writeIdentity(identity);
+}
+
+/// In its place: the lock is the file's. What a kill cuts off belongs to no row.
+Expected<void> ResultsFile::writeIdentity(const BatchIdentity& identity) const {
+    Expected<void> written;
+    if (::ftruncate(lock_, 0) != 0 || ::lseek(lock_, 0, SEEK_SET) != 0) written = systemError(batch());
+    if (written) written = writeAll(lock_, identityText(identity), batch());
+    if (written && ::fsync(lock_) != 0) written = systemError(batch());
+    if (written)
+        syncFolderOf(batch());
+    else
+        ::unlink(batch().c_str());
+    return written;
 }
 
 Expected<void> ResultsFile::readRows(const std::filesystem::path& path) {

@@ -26,7 +26,8 @@ using BatchIdentity = std::map<std::string, std::string>;
 constexpr std::string_view contentOf = "content of ";
 
 /// The rows of a batch on disk: each is kept as soon as it is there, in results.part.csv; all of them in order become
-/// results.csv. A file batch.txt says which batch the folder belongs to.
+/// results.csv. A file batch.txt says which batch the folder belongs to; who works in the folder has it locked, so that
+/// it is never replaced.
 class ResultsFile {
 public:
     /// Opens a folder, made where it is missing, with the rows that an earlier call has left. A row cut off by a kill
@@ -52,12 +53,13 @@ private:
     std::filesystem::path batch() const { return folder_ / "batch.txt"; }
     Expected<void> lock();
     Expected<void> checkIdentity(const BatchIdentity& identity);
+    Expected<void> writeIdentity(const BatchIdentity& identity) const;
     Expected<void> readRows(const std::filesystem::path& path);
 
     std::filesystem::path folder_;
     std::string header_;
     std::map<RunKey, std::string> rows_;
-    int descriptor_ = -1, lock_ = -1;
+    int descriptor_ = -1, lock_ = -1;  ///< of results.part.csv, of batch.txt
 };
 
 }  // namespace mrose

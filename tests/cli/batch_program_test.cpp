@@ -171,7 +171,8 @@ TEST_F(BatchProgram, FullDiskIsOneLine) {
                   {"out/batch.txt: cannot be written: File too large"});
     // Room for the first rows: they stay, and the same command goes on.
     const std::vector<std::string> words{"--trials", "20", "--duration", "0.2", "-o", path("out")};
-    expectOneLine(play("batch", words, {.fullDisk = true, .room = 1000}), {"out/results.part.csv: File too large"});
+    expectOneLine(play("batch", words, {.fullDisk = true, .room = 1000}),
+                  {"out/results.part.csv: cannot be written: File too large"});
     const std::string part = read("out/results.part.csv");
     EXPECT_TRUE(!part.empty() && part.ends_with('\n')) << part;
     const Json json = told(play("batch", {"--trials", "20", "--duration", "0.2", "-o", path("out"), "--json"}));
@@ -222,6 +223,27 @@ TEST_F(LongBatch, KilledItGoesOnWhereItWas) {
 TEST_F(LongBatch, InterruptedItGoesOnWhereItWas) {
     ASSERT_EQ(cutShort(SIGINT, "out"), 130);
     expectGoesOn();
+}
+
+TEST_F(LongBatch, OfManyStartsInANewFolderOneGoesOn) {
+    const std::string scenario = game();
+    std::vector<std::unique_ptr<RunningProgram>> programs;
+    for (int i = 0; i < 12; ++i)
+        programs.push_back(std::make_unique<RunningProgram>(
+            std::vector<std::string>{mroseProgram(), "batch", scenario, "--trials", "50000", "--duration", "2",
+                                     "--threads", "1", "-o", path("out")}));
+    // Each says a line: how far it is, or what is wrong.
+    for (const auto& program : programs) EXPECT_TRUE(program->waitForError("\n"));
+    int atWork = 0;
+    for (const auto& program : programs) {
+        program->send(SIGINT);
+        const ProgramResult result = program->finish();
+        atWork += result.status == 130 ? 1 : 0;
+        if (result.status != 130) expectOneLine(result, {path("out") + ": another mrose batch is at work in it"});
+    }
+    EXPECT_EQ(atWork, 1);
+    EXPECT_EQ(listing(),
+              (std::vector<std::string>{"it's a game.toml", "out", "out/batch.txt", "out/results.part.csv"}));
 }
 
 }  // namespace

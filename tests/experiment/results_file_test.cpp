@@ -1,5 +1,9 @@
 #include "experiment/results_file.h"
 
+#include <optional>
+#include <thread>
+#include <vector>
+
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -152,6 +156,37 @@ TEST_F(Results, OneBatchAtATime) {
     EXPECT_NE(second.error().message().find("another mrose batch is at work in it"), std::string::npos);
     EXPECT_TRUE(first->add({1, 1}, "1,1,a"));
     EXPECT_EQ(read("results.part.csv"), "1,1,a\n");
+}
+
+/// They all find no batch.txt.
+TEST_F(Results, OfManyThatBeginAtOnceOneHasTheFolder) {
+    for (int round = 0; round < 40; ++round) {
+        std::filesystem::remove_all(folder_.path() / "out");
+        std::vector<std::optional<Expected<ResultsFile>>> opened(6);
+        std::vector<std::thread> threads;
+        for (auto& one : opened) threads.emplace_back([&] { one.emplace(open()); });
+        for (std::thread& thread : threads) thread.join();
+        std::string errors;
+        int holders = 0;
+        for (const auto& one : opened)
+            if (*one)
+                ++holders;
+            else if (one->error().cause != "another mrose batch is at work in it")
+                errors += one->error().message() + '\n';
+        ASSERT_EQ(errors, "");
+        ASSERT_EQ(holders, 1);
+        ASSERT_EQ(read("batch.txt"), "--duration = 2.0\n");
+    }
+}
+
+/// As one who begins when the folder is made for the first time.
+TEST_F(Results, FolderOfABatchWithoutARowIsLockedWhileItBecomesAnother) {
+    ASSERT_TRUE(open());
+    const auto mine = open({{"--duration", "3.0"}});
+    ASSERT_TRUE(mine) << mine.error().message();
+    EXPECT_EQ(read("batch.txt"), "--duration = 3.0\n");
+    EXPECT_FALSE(open({{"--duration", "3.0"}}));
+    EXPECT_FALSE(open());
 }
 
 TEST_F(Results, PlacesThatCannotBeWrittenAreNamed) {
