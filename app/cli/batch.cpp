@@ -164,7 +164,8 @@ int runAll(const BatchCommandFlags& flags, const CommonFlags& common) {
         printJson(*summary, flags.out);
     else
         print(*summary, flags, progress.seconds());
-    return summary->complete ? success : interrupted;
+    if (!summary->complete) return interruptedStatus();
+    return success;
 }
 
 }  // namespace

@@ -1,9 +1,7 @@
 #include "common.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -17,13 +15,6 @@ namespace mrose::cli {
 namespace {
 
 std::string givenCommandLine;
-std::atomic<bool> interruptSeen{false};
-static_assert(std::atomic<bool>::is_always_lock_free);
-
-extern "C" void onInterrupt(int signal) {
-    interruptSeen = true;
-    std::signal(signal, SIG_DFL);
-}
 
 /// Columns that a terminal needs for UTF-8 text without wide characters.
 std::size_t displayWidth(const std::string& text) {
@@ -82,15 +73,17 @@ int report(Error error, const std::string& file) {
     return report(error);
 }
 
+int reportInterrupted() {
+    std::fprintf(stderr, "mrose: interrupted; nothing written\n");
+    return interruptedStatus();
+}
+
 std::string commandLine() { return givenCommandLine; }
 
 void rememberCommandLine(int argc, char** argv) {
     givenCommandLine = "mrose";
     for (int i = 1; i < argc; ++i) givenCommandLine += ' ' + shellQuoted(argv[i]);
 }
-
-void watchInterrupts() { std::signal(SIGINT, onInterrupt); }
-bool wasInterrupted() { return interruptSeen; }
 
 ProgressLine::ProgressLine(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
 

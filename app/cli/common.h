@@ -12,13 +12,15 @@
 
 #include "io/error.h"
 #include "shared/flag_checks.h"
+#include "shared/interrupts.h"
 #include "shared/log_files.h"
 #include "shared/notices.h"
 #include "shared/shell_quoted.h"
 
 namespace mrose::cli {
 
-enum ExitStatus : int { success = 0, failure = 1, usage = 2, interrupted = 130 };
+/// Beside interruptedStatus().
+enum ExitStatus : int { success = 0, failure = 1, usage = 2 };
 
 /// Flags with the same meaning in every subcommand.
 struct CommonFlags {
@@ -64,13 +66,12 @@ int report(const Error& error);
 /// The same of what names no file of its own.
 int report(Error error, const std::string& file);
 
+/// Of what leaves nothing when it is interrupted: says so; returns interruptedStatus().
+int reportInterrupted();
+
 /// The command line as it can be typed again.
 std::string commandLine();
 void rememberCommandLine(int argc, char** argv);
-
-/// Starts to watch for Ctrl-C; the second one ends the program at once.
-void watchInterrupts();
-bool wasInterrupted();
 
 /// Progress on standard error: one line that is written over where that is a terminal, else a line each; nothing when
 /// `quiet`.

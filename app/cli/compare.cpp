@@ -70,15 +70,12 @@ int compareScenario(const CompareFlags& flags, const CommonFlags& common) {
     if (!flags.folder.empty())
         if (const auto writable = checkComparisonFolder(flags.folder, common.overwrite); !writable)
             return report(writable.error());
-    watchInterrupts();
     const auto compared = compareLog(flags.what, {pluginLoader(flags.plugins), watchPlugins}, commandLine());
     if (!compared) return report(compared.error());
+    watchInterrupts();
     const auto divergences = findDivergences(compared->world, compared->comparison, flags.divergence, common.quiet);
     if (!divergences) return report(divergences.error(), compared->comparison.scenario);
-    if (divergences->cancelled) {
-        std::fprintf(stderr, "mrose: interrupted; nothing written\n");
-        return interrupted;
-    }
+    if (divergences->cancelled) return reportInterrupted();
     return deliver(*compared, *divergences, flags, common);
 }
 

@@ -72,7 +72,9 @@ int evaluateNetwork(const EvaluateFlags& flags, const CommonFlags& common) {
     if (!flags.folder.empty())
         if (const auto writable = checkReportFolder(flags.folder, common.overwrite); !writable)
             return report(writable.error());
-    const auto evaluated = evaluateLog(flags.what, commandLine());
+    watchInterrupts();
+    const auto evaluated = evaluateLog(flags.what, commandLine(), [](double) { return !wasInterrupted(); });
+    if (wasInterrupted()) return reportInterrupted();
     if (!evaluated) return report(evaluated.error());
     const auto& [evaluation, context] = *evaluated;
     if (common.json)

@@ -109,10 +109,7 @@ int generate(const GenerateFlags& flags, const CommonFlags& common) {
     if (!folder) return report(folder.error());
     watchInterrupts();
     const std::vector<GeneratedFile> files = drive(parts, flags, common);
-    if (files.size() < parts.size()) {
-        std::fprintf(stderr, "mrose: interrupted; nothing written\n");
-        return interrupted;
-    }
+    if (files.size() < parts.size()) return reportInterrupted();
     for (const GeneratedFile& file : files)
         if (const auto written = writeCsv(file.path, file.log); !written) return report(written.error());
     print(files, parts, common);

@@ -93,7 +93,8 @@ int replayRecording(const ReplayCommandFlags& flags, const CommonFlags& common) 
         std::printf("%lld ticks replayed, %s: the same to the last bit\n", static_cast<long long>(replayed->ticks),
                     flags.decide ? "the controllers deciding again" : "the recorded decisions in force");
     }
-    return replayed->cancelled ? interrupted : difference ? failure : success;
+    if (replayed->cancelled) return interruptedStatus();
+    return difference ? failure : success;
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "experiment/run.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <thread>
@@ -103,8 +104,10 @@ private:
     void keepPace(std::int64_t tick) {
         if (flags_.speed <= 0) return;
         const double due = static_cast<double>(tick - first_) * tick_ / flags_.speed;
-        std::this_thread::sleep_until(began_ +
-                                      std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(due)));
+        const auto until = began_ + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(due));
+        // However slow it is, it can be interrupted.
+        while (Clock::now() < until && !wasInterrupted())
+            std::this_thread::sleep_until(std::min(until, Clock::now() + std::chrono::milliseconds(100)));
     }
 
     void show(std::int64_t tick) {
@@ -191,9 +194,9 @@ int runScenario(const RunCommandFlags& flags, const CommonFlags& common) {
     options.checkRewind = flags.checkRewind;
     const WorldState initial = scenario.initialState(flags.run.seed.value_or(scenario.parts().seed));
     Conductor conductor(flags, common, scenario, initial.tick, options.duration / scenario.scene().tickLength);
+    watchInterrupts();
     if (!flags.record.empty())
         if (const auto opened = conductor.record(*open, initial); !opened) return report(opened.error());
-    watchInterrupts();
     options.each = [&](const WorldState& state, const StepTrace& trace) { return conductor.after(state, trace); };
     beforePluginEndsProgram([&] { conductor.flush(); });
     const auto result = run(scenario, initial, options);
@@ -207,7 +210,8 @@ int runScenario(const RunCommandFlags& flags, const CommonFlags& common) {
         print(scenario, flags, *result, recorded, common.quiet ? 0 : conductor.wallSeconds());
     for (const RewindDifference& hidden : result->hidden) report(hiddenError(scenario, hidden, result->state.tick));
     const bool failed = !kept || result->end == RunEnd::fault || result->end == RunEnd::rewind;
-    return result->end == RunEnd::stopped ? interrupted : failed ? failure : success;
+    if (result->end == RunEnd::stopped) return interruptedStatus();
+    return failed ? failure : success;
 }
 
 }  // namespace

@@ -154,7 +154,8 @@ int train(TrainFlags flags, const CommonFlags& common) {
     if (const auto saved = saveNetwork(summary->network, flags.out); !saved) return report(saved.error());
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
     printSummary(*summary, flags, common, spent.count());
-    return summary->cancelled ? interrupted : success;
+    if (summary->cancelled) return interruptedStatus();
+    return success;
 }
 
 }  // namespace
@@ -167,7 +168,9 @@ Subcommand addTrain(CLI::App& app, CommonFlags& common) {
         "  mrose train husky_windows.csv --hold-out 0.2 -o husky.net\n"
         "  mrose train monday.csv tuesday.csv --robots attacker -o attacker.net\n" +
         std::string(modelsText) +
-        "Ctrl-C ends learning and saves the best network so far; a second one ends the program at once.";
+        "Ctrl-C, SIGTERM or SIGHUP ends learning and saves the best network so far; Ctrl-C after that ends the program "
+        "at "
+        "once.";
     CLI::App* sub = addSubcommand(app, common, "train", "Learn a motion network from logs", examples);
     addSeed(*sub, common);
     addThreads(*sub, common);

@@ -20,6 +20,8 @@
 #include "qt_messages.h"
 #include "reality/overlay.h"
 #include "scripting/window_script.h"
+#include "session/background_work.h"
+#include "shared/interrupts.h"
 #include "shared/plugin_process.h"
 #include "shared/resources.h"
 #include "widgets/field_view.h"
@@ -246,6 +248,15 @@ int runAlone(MainWindow& window, const CommandLine& line) {
     return finish(window, line, held);
 }
 
+/// In a thread of its own, since the window's may be waiting for what takes long. The recording is closed, and what is
+/// half exported is removed.
+[[noreturn]] void endAtOnce(MainWindow& window) {
+    window.session().quit();
+    window.background().quit();
+    std::fflush(stdout);
+    std::_Exit(interruptedStatus());
+}
+
 int runWindow(const CommandLine& line) {
     if (line.at && overlayOf(line)) {
         std::fputs("mrose-gui: --at is a time of the run alone; with a log --start says where in it to begin\n",
@@ -264,6 +275,8 @@ int runWindow(const CommandLine& line) {
     if (!line.record.empty())
         if (const auto free = checkWritable(line.record, line.overwrite); !free) return report(free.error());
     MainWindow window;
+    watchInterrupts();
+    const OnInterrupt ending([&window] { endAtOnce(window); });
     if (line.printKeys) {
         std::fputs(shortcutText(shortcutGroups(window.actions())).toUtf8().constData(), stdout);
         return 0;

@@ -1,5 +1,6 @@
 #include "plugin/plugin_host.h"
 
+#include <csignal>
 #include <memory>
 #include <thread>
 
@@ -88,6 +89,8 @@ void endWithTheProgram(int socket) {
 void servePlugin(int socket) {
     const rlimit noCore{0, 0};
     ::setrlimit(RLIMIT_CORE, &noCore);
+    // Schedulers tell all processes; the program alone says when this one ends.
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) std::signal(number, SIG_IGN);
     endWithTheProgram(socket);
     const MessageChannel channel(socket);
     PluginServer server;

@@ -225,6 +225,12 @@ TEST_F(LongBatch, InterruptedItGoesOnWhereItWas) {
     expectGoesOn();
 }
 
+/// As a scheduler does it.
+TEST_F(LongBatch, TerminatedItGoesOnWhereItWas) {
+    ASSERT_EQ(cutShort(SIGTERM, "out"), 128 + SIGTERM);
+    expectGoesOn();
+}
+
 TEST_F(LongBatch, OfManyStartsInANewFolderOneGoesOn) {
     const std::string scenario = game();
     std::vector<std::unique_ptr<RunningProgram>> programs;

@@ -1,6 +1,7 @@
 // Outputs that cannot be written, and runs that end before their time: what was there before stays.
 #include <csignal>
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -87,16 +88,54 @@ TEST_F(Output, FullDiskKeepsEarlierOutputs) {
     EXPECT_EQ(listing(), before) << "nor a folder";
 }
 
+/// Ctrl-C, a scheduler, a terminal that closes.
 TEST_F(Output, InterruptSavesTheBestNetworkSoFar) {
-    RunningProgram program(mroseWords(longTraining(trainWords(path("b.net")))));
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        std::filesystem::remove(path("b.net"));
+        const auto before = (log(), listing());
+        RunningProgram program(mroseWords(longTraining(trainWords(path("b.net")))));
+        ASSERT_TRUE(program.waitForError("epoch "));
+        program.send(signal);
+        // Schedulers and terminals say it more than once.
+        for (int i = 0; i < 100 && signal != SIGINT; ++i) {
+            ::usleep(1000);
+            program.send(signal);
+        }
+        const ProgramResult result = program.finish();
+        EXPECT_EQ(result.status, 128 + signal) << result.err;
+        EXPECT_NE(result.out.find("interrupted"), std::string::npos) << result.out;
+        EXPECT_TRUE(loadNetwork(path("b.net")));
+        EXPECT_EQ(runMrose({"evaluate", path("b.net"), "--log", log()}).status, 0);
+        EXPECT_EQ(listing().size(), before.size() + 1);
+    }
+}
+
+TEST_F(Output, HangupIsIgnoredWhereItWasBefore) {
+    std::string command = "trap '' HUP; exec";
+    for (const std::string& word : mroseWords(longTraining(trainWords(path("b.net"))))) command += " '" + word + "'";
+    RunningProgram program({"/bin/sh", "-c", command});
     ASSERT_TRUE(program.waitForError("epoch "));
-    program.send(SIGINT);
-    const ProgramResult result = program.finish();
-    EXPECT_EQ(result.status, 130) << result.err;
-    EXPECT_NE(result.out.find("interrupted"), std::string::npos) << result.out;
-    EXPECT_TRUE(loadNetwork(path("b.net")));
-    EXPECT_EQ(runMrose({"evaluate", path("b.net"), "--log", log()}).status, 0);
-    EXPECT_FALSE(std::filesystem::exists(path("b.net.part")));
+    program.send(SIGHUP);
+    ::sleep(1);
+    program.send(SIGTERM);
+    EXPECT_EQ(program.finish().status, 128 + SIGTERM);
+}
+
+/// It reads a network from a pipe, and so waits until the signal has come.
+TEST_F(Output, InterruptedEvaluationWritesNothing) {
+    const std::string net = network(), content = read("a.net");
+    ASSERT_EQ(::mkfifo(path("pipe.net").c_str(), 0600), 0);
+    const auto before = listing();
+    RunningProgram program(
+        {mroseProgram(), "evaluate", net, "--log", log(), "--against", path("pipe.net"), "--report", path("report")});
+    const int pipe = ::open(path("pipe.net").c_str(), O_WRONLY);  // waits until it is read
+    program.send(SIGTERM);
+    const auto handler = ::signal(SIGPIPE, SIG_IGN);
+    EXPECT_EQ(::write(pipe, content.data(), content.size()), static_cast<ssize_t>(content.size()));
+    ::close(pipe);
+    ::signal(SIGPIPE, handler);
+    expectOneLine(program.finish(), {"interrupted; nothing written"}, 128 + SIGTERM);
+    EXPECT_EQ(listing(), before);
 }
 
 TEST_F(Output, KillInMidTrainingLeavesTheEarlierNetwork) {

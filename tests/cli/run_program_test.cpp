@@ -1,6 +1,8 @@
 // `mrose run` as its users run it.
 #include <algorithm>
+#include <chrono>
 #include <csignal>
+#include <thread>
 
 #include "cli/game_folder.h"
 #include "io/file.h"
@@ -209,19 +211,64 @@ protected:
 };
 
 TEST_F(LongRun, InterruptClosesTheRecording) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        std::filesystem::remove(path("game.mcap"));
+        const auto program = underWay();
+        program->send(signal);
+        const ProgramResult result = program->finish();
+        EXPECT_EQ(result.status, 128 + signal) << result.err;
+        EXPECT_NE(result.out.find(" s, interrupted"), std::string::npos) << result.out;
+        EXPECT_NE(result.out.find("recorded in " + path("game.mcap")), std::string::npos) << result.out;
+        const auto recording = openRecording(path("game.mcap"));
+        ASSERT_TRUE(recording) << recording.error().message();
+        EXPECT_TRUE(recording->damage.empty());
+        const double seconds = static_cast<double>(recording->branches[0].timeline.last()) * 0.02;
+        char text[60];
+        std::snprintf(text, sizeof text, "a game, seed 5: %.2f s, interrupted", seconds);
+        EXPECT_TRUE(result.out.starts_with(text)) << result.out << text;
+    }
+}
+
+/// Its ticks are minutes apart.
+TEST_F(LongRun, SlowRunIsInterruptedAtOnce) {
+    using Clock = std::chrono::steady_clock;
+    RunningProgram program(
+        {mroseProgram(), "run", game(), "--speed", "0.0001", "--record", path("game.mcap"), "--quiet"});
+    while (!std::filesystem::exists(path("game.mcap"))) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    const Clock::time_point sent = Clock::now();
+    program.send(SIGTERM);
+    EXPECT_EQ(program.finish().status, 128 + SIGTERM);
+    EXPECT_LT(Clock::now() - sent, std::chrono::seconds(100));
+    EXPECT_TRUE(openRecording(path("game.mcap"))->damage.empty());
+}
+
+/// Of two on one recording the second is refused, and harms nothing.
+TEST_F(LongRun, RecordingHasOneWriter) {
     const auto program = underWay();
+    for (const std::vector<std::string>& more : {std::vector<std::string>{"--overwrite"}, {}})
+        for (const std::string name : {"game.mcap", "link.mcap"}) {
+            std::vector<std::string> words{"--record", path(name)};
+            if (name != "game.mcap" && !std::filesystem::exists(path(name)))
+                std::filesystem::create_symlink("game.mcap", path(name));
+            words.insert(words.end(), more.begin(), more.end());
+            const ProgramResult second = play("run", words);
+            expectOneLine(second, {path(name) + (more.empty() ? ": is there already" : ": is being written by a ru")});
+            EXPECT_EQ(second.out, "");
+        }
     program->send(SIGINT);
-    const ProgramResult result = program->finish();
-    EXPECT_EQ(result.status, 130) << result.err;
-    EXPECT_NE(result.out.find(" s, interrupted"), std::string::npos) << result.out;
-    EXPECT_NE(result.out.find("recorded in " + path("game.mcap")), std::string::npos) << result.out;
-    const auto recording = openRecording(path("game.mcap"));
-    ASSERT_TRUE(recording) << recording.error().message();
-    EXPECT_TRUE(recording->damage.empty());
-    const double seconds = static_cast<double>(recording->branches[0].timeline.last()) * 0.02;
-    char text[60];
-    std::snprintf(text, sizeof text, "a game, seed 5: %.2f s, interrupted", seconds);
-    EXPECT_TRUE(result.out.starts_with(text)) << result.out << text;
+    const ProgramResult first = program->finish();
+    EXPECT_EQ(first.err.find("game.mcap"), std::string::npos) << first.err;
+    EXPECT_NE(first.out.find("recorded in "), std::string::npos) << first.out;
+    EXPECT_EQ(runMrose({"replay", path("game.mcap"), "--quiet"}).status, 0);
+}
+
+TEST_F(LongRun, WhoIsKilledStandsInNobodysWay) {
+    const auto program = underWay();
+    program->send(SIGKILL);
+    program->finish();
+    const Json json = told(play("run", {"--record", path("game.mcap"), "--overwrite", "--json"}));
+    EXPECT_EQ(json["recording"], path("game.mcap"));
+    EXPECT_TRUE(openRecording(path("game.mcap"))->damage.empty());
 }
 
 TEST_F(LongRun, KillLeavesARecordingThatReplays) {

@@ -121,6 +121,17 @@ TEST_F(FilmTest, CancellingLeavesNothing) {
     EXPECT_EQ(files(), std::vector<std::string>{"bin"});
 }
 
+TEST_F(FilmTest, ProgramThatIsToEndLeavesNoPart) {
+    pretend("exec sleep 1000");
+    const auto program = std::filesystem::path(mroseProgram()).parent_path() / "mrose-gui";
+    RunningProgram running({program.string(), "--offscreen", "--run", "soccer.toml", "--ticks", "100", "--film",
+                            path("game.mp4").toStdString()});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return files().size() == 2; }, 60'000));
+    running.send(SIGTERM);
+    EXPECT_EQ(running.finish().status, 128 + SIGTERM);
+    EXPECT_EQ(files(), std::vector<std::string>{"bin"});
+}
+
 TEST_F(FilmTest, CommandLineMakesOneOfWhatWasRun) {
     const auto run = [&](const std::string& file) {
         const auto program = std::filesystem::path(mroseProgram()).parent_path() / "mrose-gui";

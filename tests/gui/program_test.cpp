@@ -1,5 +1,6 @@
 // The program mrose-gui as a process, without a display.
 #include <QImage>
+#include <QTest>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -7,6 +8,7 @@
 
 #include <gmock/gmock.h>
 
+#include "recording/recording.h"
 #include "support/places.h"
 #include "support/run_program.h"
 #include "support/temporary_folder.h"
@@ -263,6 +265,35 @@ TEST_F(GuiProgram, WhatCannotBeOpenedIsSaidInTheTerminal) {
         window.send(SIGTERM);
         EXPECT_EQ(window.finish().status, 128 + SIGTERM) << "it was still there";
     }
+}
+
+/// Whether somebody attends or nobody does.
+TEST_F(GuiProgram, WhatEndsItFindsTheRecordingWhole) {
+    const std::string program = (std::filesystem::path(mroseProgram()).parent_path() / "mrose-gui").string();
+    const std::vector<std::string> alone{program,   "--offscreen", "--run",      "soccer.toml",
+                                         "--speed", "1",           "--duration", "10000"};
+    const std::vector<std::string> attended{"/usr/bin/env", "QT_QPA_PLATFORM=offscreen",
+                                            "XDG_CONFIG_HOME=" + path("settings"), program, "soccer.toml"};
+    for (std::vector<std::string> words : {alone, attended})
+        for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
+            const std::string file = path("game.mcap");
+            std::filesystem::remove(file);
+            words.insert(words.end(), {"--record", file});
+            RunningProgram window(words);
+            words.resize(words.size() - 2);
+            const bool plays = words.size() == alone.size();
+            ASSERT_TRUE(QTest::qWaitFor(
+                [&] {
+                    const auto recording = openRecording(file);
+                    return recording && (!plays || recording->branches[0].timeline.last() > 20);
+                },
+                60'000));
+            window.send(signal);
+            EXPECT_EQ(window.finish().status, 128 + signal);
+            const auto recording = openRecording(file);
+            ASSERT_TRUE(recording) << recording.error().message();
+            EXPECT_THAT(recording->damage, testing::IsEmpty()) << signal << words[0];
+        }
 }
 
 TEST_F(GuiProgram, WhatIsWrongWithFilesIsOneLineAndStatusOne) {

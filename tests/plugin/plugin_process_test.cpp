@@ -176,6 +176,9 @@ TEST(PluginProcesses, SignalsAreLivedThrough) {
     const std::vector<pid_t> children = childrenOf(::getpid());
     ASSERT_EQ(children.size(), 1u);
     EXPECT_NE(::getpgid(children[0]), ::getpgid(0)) << "Ctrl-C would reach it";
+    // A scheduler tells all processes; which one ends when is the program's business.
+    for (const int number : {SIGTERM, SIGINT, SIGHUP}) ::kill(children[0], number);
+    EXPECT_EQ(Asked(*controller).decide(*controller).fault, "");
     ::kill(children[0], SIGKILL);
     siginfo_t ended{};
     ASSERT_EQ(::waitid(P_PID, static_cast<id_t>(children[0]), &ended, WEXITED | WNOWAIT), 0);

@@ -24,6 +24,8 @@ namespace {
         ::setrlimit(RLIMIT_FSIZE, &room);
         ::signal(SIGXFSZ, SIG_IGN);
     }
+    // Whatever who runs the tests does with them.
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) ::signal(number, SIG_DFL);
     ::alarm(300);  // s; a program that should have ended and did not is ended, and the test fails
     ::execv(words[0], words);
     ::_exit(127);

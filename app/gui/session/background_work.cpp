@@ -29,12 +29,15 @@ Expected<void> BackgroundWork::start(const QString& what, Job job, Done done) {
     cancelled_ = false;
     outcome_.reset();
     telling_.start();
+    atWork_ = true;
     // A thread of Qt's: jobs may wait for other programs.
     thread_.reset(QThread::create([this, job = std::move(job)] {
         outcome_ = job([this](double share) {
             share_ = share;
-            return !cancelled_;
+            return !cancelled_ && !quit_;
         });
+        atWork_ = false;
+        atWork_.notify_all();
         QMetaObject::invokeMethod(this, &BackgroundWork::finish, Qt::QueuedConnection);
     }));
     thread_->start();
@@ -45,6 +48,11 @@ bool BackgroundWork::cancel() {
     if (!running_) return false;
     cancelled_ = true;
     return true;
+}
+
+void BackgroundWork::quit() {
+    quit_ = true;
+    atWork_.wait(true);
 }
 
 void BackgroundWork::finish() {

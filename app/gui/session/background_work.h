@@ -36,6 +36,9 @@ public:
     bool busy() const { return running_; }
     /// Until nothing is under way; the window goes on meanwhile.
     void settle();
+    /// Ends what is under way, and whatever is begun after it, and waits until that has left nothing behind; from any
+    /// thread.
+    void quit();
 
 signals:
     void progress(const QString& what, double share);  ///< share 1: it has ended
@@ -49,7 +52,8 @@ private:
     QTimer telling_;
     std::optional<Outcome> outcome_;  ///< set by the thread before it ends
     std::atomic<double> share_ = 0;
-    std::atomic<bool> cancelled_ = false;
+    std::atomic<bool> cancelled_ = false, quit_ = false;
+    std::atomic<bool> atWork_ = false;  ///< the job has not returned
     std::unique_ptr<QThread> thread_;
 };
 

@@ -23,13 +23,15 @@ QString secondsText(const TimeTravel& run, std::int64_t tick) {
 
 Session::Session(QObject* parent) : QObject(parent), worker_([this] { work(); }) {}
 
-Session::~Session() {
+Session::~Session() { quit(); }
+
+void Session::quit() {
     {
         const std::lock_guard lock(mutex_);
         quit_ = true;
     }
     wake_.notify_all();
-    worker_.join();
+    if (worker_.joinable()) worker_.join();
 }
 
 void Session::request(std::function<void()> what, Kind kind) {

@@ -28,6 +28,9 @@ class Session final : public QObject {
 public:
     explicit Session(QObject* parent = nullptr);
     ~Session() override;
+    /// Ends its thread, and closes the recording; as the destructor, but from another thread. Later requests are not
+    /// carried out.
+    void quit();
 
     /// Another run, standing at its start. It ends what takes long in the one before, but for what `finishes`. The
     /// number that Shown::run will have.
