@@ -28,6 +28,7 @@ std::filesystem::path resourceFolder() {
          folder = folder.parent_path())
         for (const std::filesystem::path& candidate : {folder / "share" / "mrose", folder})
             if (holdsResources(candidate)) return candidate;
+    if (holdsResources(MROSE_SOURCE_DIR)) return MROSE_SOURCE_DIR;
     return program.parent_path().parent_path() / "share" / "mrose";
 }
 

@@ -8,7 +8,8 @@
 namespace mrose {
 
 /// The folder that holds resources/, shapes/ and nets/ as they ship: the one that MROSE_RESOURCES names; otherwise
-/// share/mrose beside the program's folder, where it is installed, or the source tree in which it was built.
+/// share/mrose beside the program's folder, where it is installed, or the source tree that it is in; then the one that
+/// it was built from.
 std::filesystem::path resourceFolder();
 
 /// Where a log of that name is: as it is named; otherwise in the folder that MROSE_DATA names, or in mrclam/ or drive/
