@@ -1,8 +1,16 @@
+# In a unit of many files a local name may hide another file's, which GCC alone tells from a local that hides a local or a
+# parameter; and GCC takes the anonymous namespaces of a unit's files for ones of headers. The debug preset, file by file, warns
+# of all shadows.
+set(MROSE_UNIT_WARNINGS -Wshadow)
+if(CMAKE_UNITY_BUILD)
+  set(MROSE_UNIT_WARNINGS $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local> $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+endif()
+
 # Flags of every target. Nothing that ships is built for one processor (-march=native): kernels that profit from wider
 # instruction sets are compiled several times and chosen at run time.
 add_library(mrose_flags INTERFACE)
 target_compile_options(mrose_flags INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wimplicit-fallthrough -Werror
+  -Wall -Wextra -Wpedantic ${MROSE_UNIT_WARNINGS} -Wnon-virtual-dtor -Woverloaded-virtual -Wimplicit-fallthrough -Werror
   # Members have defaults: an initializer that leaves some out is complete.
   -Wno-missing-field-initializers
   # GCC 12 sees overlaps in std::string's operator+ that are not there (GCC bug 105651).
@@ -10,10 +18,8 @@ target_compile_options(mrose_flags INTERFACE
   # A fused multiply-add rounds once where two instructions round twice: what feeds the state must not depend on it.
   -ffp-contract=off)
 
-# In a unit of many files a local name may hide another file's; the release build, file by file, tells real shadows.
-if(CMAKE_UNITY_BUILD)
-  target_compile_options(mrose_flags INTERFACE -Wno-shadow)
-endif()
+# What __FILE__ and debugging symbols say of a source begins at the root: objects do not depend on where the clone lies.
+target_compile_options(mrose_flags INTERFACE -ffile-prefix-map=${PROJECT_SOURCE_DIR}/=)
 
 if(MROSE_SANITIZE)
   target_compile_options(mrose_flags INTERFACE -fsanitize=${MROSE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)

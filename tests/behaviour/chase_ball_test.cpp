@@ -8,7 +8,6 @@
 namespace mrose {
 namespace {
 
-constexpr int second = 50;  // ticks
 const ChaseBall::Options toTheEast{.target = {9, 2.5}};
 
 RobotType kickingRobot() {
@@ -37,10 +36,10 @@ Outcome play(const Scenario& scenario, std::uint64_t seed, int seconds) {
     WorldState state = scenario.initialState(seed);
     StepBuffers buffers;
     Outcome outcome;
-    Progress progress(40 * second / 5);
-    for (int tick = 0; tick < seconds * second; ++tick) {
+    Progress progress(40 * ticksPerSecond / 5);
+    for (int tick = 0; tick < seconds * ticksPerSecond; ++tick) {
         step(scenario, state, buffers);
-        if (outcome.arrived < 0 && state.objects[0].pose.x > 6) outcome.arrived = tick / double(second);
+        if (outcome.arrived < 0 && state.objects[0].pose.x > 6) outcome.arrived = tick / double(ticksPerSecond);
         if (tick % 5 == 0) progress.watch(state.robots[0].pose);
     }
     outcome.leastWay = progress.leastWay();
@@ -78,12 +77,12 @@ double secondsToFree(const RobotType& type, const ChaseBall::Options& options, c
     WorldState state = scenario.initialState(static_cast<std::uint64_t>(which));
     StepBuffers buffers;
     std::int64_t came = -1;
-    while (state.tick < 120 * second) {
+    while (state.tick < 120 * ticksPerSecond) {
         step(scenario, state, buffers);
         const Point now = position(state.objects[0].pose);
         if (came < 0 && distance(now, position(state.robots[0].pose)) < 0.5) came = state.tick;
         if (distance(now, ball) > 0.7)
-            return static_cast<double>(state.tick - std::max<std::int64_t>(0, came)) / second;
+            return static_cast<double>(state.tick - std::max<std::int64_t>(0, came)) / ticksPerSecond;
     }
     return 120;
 }
@@ -126,7 +125,7 @@ TEST(ChaseBall, WithoutAGuideItWaitsAsideOfACorner) {
                 .object(ballType(), {ball.x, ball.y, 0})
                 .scenario();
         WorldState state = scenario.initialState();
-        run(scenario, state, 60 * second);
+        run(scenario, state, 60 * ticksPerSecond);
         const double far = distance(position(state.robots[0].pose), ball);
         EXPECT_TRUE(far > 1.2 && far < 2) << far;
     }
@@ -153,7 +152,7 @@ Kicked kicksOf(const RobotType& type, const ChaseBall::Options& options) {
         WorldState state = scenario.initialState(static_cast<std::uint64_t>(i));
         StepBuffers buffers;
         StepTrace trace;
-        for (int tick = 0; tick < 60 * second; ++tick) {
+        for (int tick = 0; tick < 60 * ticksPerSecond; ++tick) {
             step(scenario, state, buffers, {}, &trace);
             for (const StepTrace::Kicked& kick : trace.kicks) (kick.hit ? result.hits : result.misses) += 1;
             result.faults += static_cast<int>(trace.faults.size());
@@ -226,7 +225,7 @@ TEST(ChaseBall, ShowsWhatItBelievesAndWants) {
     WorldState state = scenario.initialState();
     StepBuffers buffers;
     StepTrace trace;
-    while (state.tick < 2 * second || !trace.robots[0].decided) step(scenario, state, buffers, {}, &trace);
+    while (state.tick < 2 * ticksPerSecond || !trace.robots[0].decided) step(scenario, state, buffers, {}, &trace);
     std::vector<std::string> labels;
     for (const Annotation& annotation : trace.robots[0].decision.annotations) {
         labels.push_back(annotation.label);

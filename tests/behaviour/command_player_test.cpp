@@ -8,12 +8,11 @@
 #include "simulation/small_world.h"
 #include "support/places.h"
 #include "support/test_data.h"
+#include "support/units.h"
 #include "world/noise.h"
 
 namespace mrose {
 namespace {
-
-constexpr Nanoseconds ms = 1'000'000;
 
 std::vector<StampedCommand> decided(const CommandPlayer& player, std::span<std::byte> memory, Nanoseconds now) {
     Decision decision;

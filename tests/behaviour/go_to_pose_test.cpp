@@ -9,8 +9,6 @@
 namespace mrose {
 namespace {
 
-constexpr int second = 50;  // ticks
-
 double off(const WorldState& state, const Pose& goal) {
     return distance(position(state.robots[0].pose), position(goal));
 }
@@ -41,12 +39,12 @@ TEST(GoToPose, ArrivesWithinItsTolerancesFromEverywhereAndStays) {
             const Scenario scenario =
                 alone(exactRobot(), somewhere(71, i, 9, 5), {.targets = {goal}, .backwards = backwards}, i % 5);
             WorldState state = scenario.initialState();
-            run(scenario, state, 40 * second);
+            run(scenario, state, 40 * ticksPerSecond);
             EXPECT_LT(off(state, goal), 0.05) << i;
             EXPECT_LT(turned(state, goal), 0.1) << i;
             EXPECT_TRUE(rests(state)) << i;
             const Pose arrived = state.robots[0].pose;
-            run(scenario, state, 20 * second);
+            run(scenario, state, 20 * ticksPerSecond);
             EXPECT_EQ(state.robots[0].pose, arrived) << i;
         }
 }
@@ -58,11 +56,11 @@ TEST(GoToPose, ArrivesByNoisyCamerasAsFarAsTheyTell) {
         const Pose goal = somewhere(72, 1000 + i, 9, 5);
         const Scenario scenario = alone(guideRobot(cameras()), somewhere(72, i, 9, 5), {.targets = {goal}}, i % 5);
         WorldState state = scenario.initialState(static_cast<std::uint64_t>(i));
-        run(scenario, state, 40 * second);
+        run(scenario, state, 40 * ticksPerSecond);
         resting += rests(state) ? 1 : 0;
         EXPECT_LT(off(state, goal), 0.25) << i;
         far += off(state, goal) > 0.12 ? 1 : 0;
-        run(scenario, state, 20 * second);
+        run(scenario, state, 20 * ticksPerSecond);
         EXPECT_LT(off(state, goal), 0.25) << i;
     }
     EXPECT_GE(resting, 85);
@@ -76,7 +74,7 @@ TEST(GoToPose, VisitsItsTargetsInOrderAndAgainIfItLoops) {
         WorldState state = scenario.initialState();
         StepBuffers buffers;
         std::vector<std::size_t> visited;
-        for (int tick = 0; tick < 90 * second; ++tick) {
+        for (int tick = 0; tick < 90 * ticksPerSecond; ++tick) {
             step(scenario, state, buffers);
             for (std::size_t i = 0; i < targets.size(); ++i)
                 if (off(state, targets[i]) < 0.05 && turned(state, targets[i]) < 0.1 && rests(state, 0.05) &&
@@ -95,7 +93,8 @@ TEST(GoToPose, GoesTailFirstWhereItMay) {
     for (const bool backwards : {false, true}) {
         const Scenario scenario = alone(exactRobot(), start, {.targets = {goal}, .backwards = backwards});
         WorldState state = scenario.initialState();
-        while ((off(state, goal) > 0.05 || !rests(state) || turned(state, goal) > 0.1) && state.tick < 60 * second) {
+        while ((off(state, goal) > 0.05 || !rests(state) || turned(state, goal) > 0.1) &&
+               state.tick < 60 * ticksPerSecond) {
             run(scenario, state, 1);
             EXPECT_TRUE(!backwards || turned(state, goal) < 0.2);
         }
@@ -117,7 +116,7 @@ TEST(GoToPose, PassesARobotThatComesItsWay) {
     WorldState state = scenario.initialState();
     StepBuffers buffers;
     StepTrace trace;
-    while (state.tick < 60 * second) {
+    while (state.tick < 60 * ticksPerSecond) {
         step(scenario, state, buffers, {}, &trace);
         EXPECT_TRUE(trace.contacts.empty()) << state.tick;
     }
@@ -130,7 +129,7 @@ TEST(GoToPose, StandsUntilItKnowsWhereItIs) {
     perception.self.dropOut = 1;
     const Scenario scenario = alone(guideRobot(perception), {2, 2, 0}, {.targets = {{4, 2, 0}}});
     WorldState state = scenario.initialState();
-    run(scenario, state, 5 * second);
+    run(scenario, state, 5 * ticksPerSecond);
     EXPECT_EQ(state.robots[0].pose, (Pose{2, 2, 0}));
 }
 
@@ -172,17 +171,17 @@ TEST(GoToPose, KeepsOffWallsThatItKnows) {
             WorldState state = scenario.initialState(seed);
             StepBuffers buffers;
             StepTrace trace;
-            for (int tick = 0; tick < 120 * second; ++tick) {
+            for (int tick = 0; tick < 120 * ticksPerSecond; ++tick) {
                 step(scenario, state, buffers, {}, &trace);
                 touching += trace.contacts.empty() ? 0 : 1;
             }
             arrived += off(state, targets.back()) < 0.5 ? 1 : 0;
         }
         if (knows) {
-            EXPECT_LT(touching, 10 * 120 * second / 200);
+            EXPECT_LT(touching, 10 * 120 * ticksPerSecond / 200);
             EXPECT_EQ(arrived, 10);
         } else {
-            EXPECT_GT(touching, 10 * 120 * second / 50);
+            EXPECT_GT(touching, 10 * 120 * ticksPerSecond / 50);
         }
     }
 }
@@ -200,7 +199,7 @@ TEST(GoToPose, GoesRoundABoxButNotRoundTheBall) {
         StepBuffers buffers;
         StepTrace trace;
         int touching = 0;
-        for (int tick = 0; tick < 40 * second; ++tick) {
+        for (int tick = 0; tick < 40 * ticksPerSecond; ++tick) {
             step(scenario, state, buffers, {}, &trace);
             touching += trace.contacts.empty() ? 0 : 1;
         }

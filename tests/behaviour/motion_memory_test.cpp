@@ -3,11 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "behaviour/small_field.h"
+#include "support/units.h"
 
 namespace mrose {
 namespace {
-
-constexpr Nanoseconds ms = 1'000'000;
 
 void expectNear(const Pose& a, const Pose& b, double tolerance) {
     EXPECT_NEAR(a.x, b.x, tolerance);

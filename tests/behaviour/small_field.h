@@ -7,6 +7,8 @@
 
 namespace mrose {
 
+constexpr int ticksPerSecond = 50;
+
 /// A drive that answers 0.3 s late, then by a lag and within its acceleration.
 inline std::shared_ptr<const MotionModel> lateDrive() {
     KinematicParameters parameters;

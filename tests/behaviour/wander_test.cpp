@@ -10,8 +10,6 @@
 namespace mrose {
 namespace {
 
-constexpr int second = 50;  // ticks
-
 TEST(Wander, NeverStandsStillForLong) {
     for (const int robots : {1, 5})
         for (std::uint64_t seed = 0; seed < 10; ++seed) {
@@ -22,9 +20,9 @@ TEST(Wander, NeverStandsStillForLong) {
             const Scenario scenario = world.scenario();
             WorldState state = scenario.initialState(seed);
             StepBuffers buffers;
-            std::vector<Progress> shortly(static_cast<std::size_t>(robots), Progress(4 * second)),
-                lately(static_cast<std::size_t>(robots), Progress(40 * second / 5));
-            for (int tick = 0; tick < 90 * second; ++tick) {
+            std::vector<Progress> shortly(static_cast<std::size_t>(robots), Progress(4 * ticksPerSecond)),
+                lately(static_cast<std::size_t>(robots), Progress(40 * ticksPerSecond / 5));
+            for (int tick = 0; tick < 90 * ticksPerSecond; ++tick) {
                 step(scenario, state, buffers);
                 for (std::size_t i = 0; i < state.robots.size(); ++i) {
                     shortly[i].watch(state.robots[i].pose);
@@ -48,7 +46,7 @@ TEST(Wander, GoesDifferentWaysBySeedAndSeesTheWholePlace) {
                 .scenario();
         WorldState state = scenario.initialState(seed);
         StepBuffers buffers;
-        for (int tick = 0; tick < 120 * second; ++tick) {
+        for (int tick = 0; tick < 120 * ticksPerSecond; ++tick) {
             step(scenario, state, buffers);
             cells.insert({static_cast<int>(state.robots[0].pose.x), static_cast<int>(state.robots[0].pose.y)});
         }
@@ -74,8 +72,8 @@ TEST(Wander, TurnsAwayFromWallsThatItKnows) {
             WorldState state = scenario.initialState(seed);
             StepBuffers buffers;
             StepTrace trace;
-            Progress progress(40 * second / 5);
-            for (int tick = 0; tick < 120 * second; ++tick) {
+            Progress progress(40 * ticksPerSecond / 5);
+            for (int tick = 0; tick < 120 * ticksPerSecond; ++tick) {
                 step(scenario, state, buffers, {}, &trace);
                 touching += trace.contacts.empty() ? 0 : 1;
                 if (tick % 5 == 0) progress.watch(state.robots[0].pose);
@@ -83,9 +81,9 @@ TEST(Wander, TurnsAwayFromWallsThatItKnows) {
             EXPECT_GT(progress.leastWay(), 0.3) << seed;
         }
         if (knows)
-            EXPECT_LT(touching, 10 * 120 * second / 200);
+            EXPECT_LT(touching, 10 * 120 * ticksPerSecond / 200);
         else
-            EXPECT_GT(touching, 10 * 120 * second / 50);
+            EXPECT_GT(touching, 10 * 120 * ticksPerSecond / 50);
     }
 }
 
@@ -98,7 +96,7 @@ TEST(Wander, TurnsSmoothly) {
     StepBuffers buffers;
     StepTrace trace;
     double last = 0, most = 0;
-    for (int tick = 0; tick < 120 * second; ++tick) {
+    for (int tick = 0; tick < 120 * ticksPerSecond; ++tick) {
         step(scenario, state, buffers, {}, &trace);
         if (!trace.robots[0].decided) continue;
         const double w = trace.robots[0].decision.command->w;
@@ -120,7 +118,7 @@ TEST(Wander, TurnsAwayFromABodyAhead) {
         WorldState state = scenario.initialState(seed);
         StepBuffers buffers;
         StepTrace trace;
-        for (int tick = 0; tick < 20 * second; ++tick) {
+        for (int tick = 0; tick < 20 * ticksPerSecond; ++tick) {
             step(scenario, state, buffers, {}, &trace);
             EXPECT_TRUE(trace.contacts.empty()) << seed;
         }

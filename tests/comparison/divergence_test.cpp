@@ -13,7 +13,6 @@ namespace mrose {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double degree = std::numbers::pi / 180;
 constexpr Nanoseconds apart = 100 * ms;
 
 /// A robot that stands at the origin, and its simulation, so far off after each step.

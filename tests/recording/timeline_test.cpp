@@ -23,7 +23,7 @@ void expectSame(const WorldState& expected, const WorldState& found) {
 }
 
 /// Someone takes over robot 2 for some ticks, and robot 4 once.
-std::vector<RobotDecision> hand(std::int64_t tick) {
+std::vector<RobotDecision> takenOver(std::int64_t tick) {
     std::vector<RobotDecision> decisions;
     Decision decision;
     decision.command = Command{0.7, -0.0};
@@ -34,7 +34,7 @@ std::vector<RobotDecision> hand(std::int64_t tick) {
 
 TEST(Timeline, EveryTickIsReachedAsItWas) {
     const Scenario scenario(matchParts());
-    const StraightRun run = runMatch(scenario, scenario.initialState(), 400, hand);
+    const StraightRun run = runMatch(scenario, scenario.initialState(), 400, takenOver);
     const Timeline timeline = timelineOf(run, 60);
     EXPECT_EQ(timeline.first(), 0);
     EXPECT_EQ(timeline.last(), 400);
@@ -67,7 +67,7 @@ TEST(Timeline, TheRunHasContactsKicksAndGoalsToTell) {
 /// Going on tick by tick, from wherever, also through keyframes and where somebody decided from outside.
 TEST(Timeline, AdvancingGivesEveryTickAndWhatItTold) {
     const Scenario scenario(matchParts());
-    const StraightRun run = runMatch(scenario, scenario.initialState(), 260, hand);
+    const StraightRun run = runMatch(scenario, scenario.initialState(), 260, takenOver);
     const Timeline timeline = timelineOf(run, 60);
     Playback playback(scenario);
     StepTrace trace;
@@ -95,7 +95,7 @@ TEST(Timeline, AdvancingGivesEveryTickAndWhatItTold) {
 /// Without the controllers the world is still reached exactly, and only the world.
 TEST(Timeline, OtherControllersDoNotMatter) {
     const Scenario scenario(matchParts());
-    const StraightRun run = runMatch(scenario, scenario.initialState(), 200, hand);
+    const StraightRun run = runMatch(scenario, scenario.initialState(), 200, takenOver);
     const Timeline timeline = timelineOf(run, 50);
     MatchOptions other;
     other.controller = std::make_shared<const Rover>(1);

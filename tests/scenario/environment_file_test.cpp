@@ -9,16 +9,16 @@
 namespace mrose {
 namespace {
 
-const std::string head = "format = \"mrose environment\"\nversion = 1\nname = \"e\"\n";
+const std::string environmentHead = "format = \"mrose environment\"\nversion = 1\nname = \"e\"\n";
 
 Environment parsed(const std::string& body) {
-    const auto environment = parseEnvironment(head + body, "f");
+    const auto environment = parseEnvironment(environmentHead + body, "f");
     EXPECT_TRUE(environment) << environment.error().message();
     return environment.value_or(Environment{});
 }
 
-std::string refusalOf(const std::string& body) {
-    const auto environment = parseEnvironment(head + body, "f");
+std::string environmentRefusal(const std::string& body) {
+    const auto environment = parseEnvironment(environmentHead + body, "f");
     return environment ? "" : environment.error().message();
 }
 
@@ -131,7 +131,7 @@ TEST(EnvironmentFile, EveryMistakeNamesItsPlace) {
         {"wall = 1", "f:4:8: wall: expected an array of tables"},
         {"[[walls]]", "f:4:1: walls: is not a known key; did you mean wall?"},
     };
-    for (const auto& [body, message] : cases) EXPECT_EQ(refusalOf(body), message) << body;
+    for (const auto& [body, message] : cases) EXPECT_EQ(environmentRefusal(body), message) << body;
 }
 
 }  // namespace

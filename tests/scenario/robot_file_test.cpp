@@ -6,11 +6,10 @@
 
 #include "motion/network_fixture.h"
 #include "scenario/descriptions.h"
+#include "support/units.h"
 
 namespace mrose {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 Expected<RobotDescription> load(std::map<std::string, std::string> texts, const std::string& name) {
     KeptDescriptions source(std::move(texts));
@@ -21,7 +20,7 @@ Expected<RobotDescription> load(std::map<std::string, std::string> texts, const 
 }
 
 /// The refusal of a learned robot whose [motion] holds more than the network, and whose file begins with `root`.
-std::string refusalOf(const std::string& motion, const std::string& root = "") {
+std::string motionRefusal(const std::string& motion, const std::string& root = "") {
     auto texts = changedWorld("learned.toml", "network = \"n.net\"\n", "network = \"n.net\"\n" + motion);
     texts["learned.toml"].insert(texts["learned.toml"].find("[motion]"), root);
     const auto robot = load(texts, "learned.toml");
@@ -112,26 +111,26 @@ TEST(RobotFile, OverriddenDeadTimeShiftsTheCommandsThatTheNetworkReads) {
 }
 
 TEST(RobotFile, DeadTimeBelongsToTheNetworkUnlessOverridden) {
-    EXPECT_EQ(refusalOf("dead_time = { v_s = 0.2, w_s = 0.15 }"),
+    EXPECT_EQ(motionRefusal("dead_time = { v_s = 0.2, w_s = 0.15 }"),
               "learned.toml:8:13: motion.dead_time.override: is not true; the network has its own dead time, and only "
               "`override = true` beside another one replaces it");
-    EXPECT_EQ(refusalOf("dead_time = { v_s = 0.2, w_s = 0.15, override = false }").substr(0, 50),
+    EXPECT_EQ(motionRefusal("dead_time = { v_s = 0.2, w_s = 0.15, override = false }").substr(0, 50),
               "learned.toml:8:49: motion.dead_time.override: is n");
-    EXPECT_EQ(refusalOf("dead_time = { v_s = 0.2, w_s = 0.15, override = true }"), "");
-    EXPECT_EQ(refusalOf("dead_time = { v_s = 0.1, w_s = 0.05, override = true }"),
+    EXPECT_EQ(motionRefusal("dead_time = { v_s = 0.2, w_s = 0.15, override = true }"), "");
+    EXPECT_EQ(motionRefusal("dead_time = { v_s = 0.1, w_s = 0.05, override = true }"),
               "learned.toml:8:13: motion.dead_time: the network's is 0.2 and 0.15; its inputs cannot be shifted by the "
               "differences to this one")
         << "its newest input reads the present: earlier would be the future";
-    EXPECT_NE(refusalOf("dead_time = { v_s = 0.4, w_s = 0.15, override = true }"), "") << "its wheels read both";
-    EXPECT_EQ(refusalOf("dead_time_s = 0.2"),
+    EXPECT_NE(motionRefusal("dead_time = { v_s = 0.4, w_s = 0.15, override = true }"), "") << "its wheels read both";
+    EXPECT_EQ(motionRefusal("dead_time_s = 0.2"),
               "learned.toml:8:15: motion.dead_time_s: is not a known key; did you mean dead_time?");
 }
 
 TEST(RobotFile, NetworkMustBeThereAndFit) {
-    EXPECT_EQ(refusalOf("", "control_period_s = 0.05\n"),
+    EXPECT_EQ(motionRefusal("", "control_period_s = 0.05\n"),
               "learned.toml:6:20: control_period_s: is 0.05; the network was learned for 0.1");
-    EXPECT_EQ(refusalOf("", "control_period_s = 0.1\n"), "");
-    EXPECT_EQ(refusalOf("robot = \"r2d2\""),
+    EXPECT_EQ(motionRefusal("", "control_period_s = 0.1\n"), "");
+    EXPECT_EQ(motionRefusal("robot = \"r2d2\""),
               "learned.toml:8:9: motion.robot: is none of the network's robots: \"a\", \"b\"");
     EXPECT_EQ(refusal("learned.toml", "n.net", "no.net"),
               "learned.toml:7:11: motion.network: \"no.net\" was not found; expected no.net or mrose:nets/no.net");

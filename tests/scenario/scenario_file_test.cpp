@@ -1,6 +1,5 @@
 #include "scenario/scenario_file.h"
 
-#include <numbers>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -9,12 +8,11 @@
 #include "motion/network_fixture.h"
 #include "scenario/descriptions.h"
 #include "simulation/step.h"
+#include "support/units.h"
 #include "world/state_hash.h"
 
 namespace mrose {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 TEST(ScenarioFile, GivesWhatTheFilesHold) {
     const auto loaded = loadFrom(smallWorld());

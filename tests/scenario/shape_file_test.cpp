@@ -8,17 +8,17 @@
 namespace mrose {
 namespace {
 
-const std::string head = "format = \"mrose shape\"\nversion = 1\nname = \"s\"\n";
+const std::string shapeHead = "format = \"mrose shape\"\nversion = 1\nname = \"s\"\n";
 
-Expected<Shape> parse(const std::string& body) { return parseShape(head + body, "f"); }
+Expected<Shape> parse(const std::string& body) { return parseShape(shapeHead + body, "f"); }
 
-std::string refusalOf(const std::string& body) {
+std::string shapeRefusal(const std::string& body) {
     const auto shape = parse(body);
     return shape ? "" : shape.error().message();
 }
 
 /// The refusal of one part whose polygon is given.
-std::string refusalOfPolygon(const std::string& corners) { return refusalOf("[[part]]\npolygon_m = " + corners); }
+std::string polygonRefusal(const std::string& corners) { return shapeRefusal("[[part]]\npolygon_m = " + corners); }
 
 /// Area by counting the centres of small squares that lie in the polygon: no formula in common with ours.
 double countedArea(const Polygon& polygon, double cell) {
@@ -92,35 +92,35 @@ TEST(ShapeFile, AnySimplePolygonIsDividedIntoPiecesThatCoverIt) {
 }
 
 TEST(ShapeFile, PolygonsWithoutSizeAreRefusedWhereTheyStand) {
-    EXPECT_EQ(refusalOfPolygon("[[0, 0], [0, 0],\n  [0, 0]]"),
+    EXPECT_EQ(polygonRefusal("[[0, 0], [0, 0],\n  [0, 0]]"),
               "f:5:14: part[1].polygon_m[1]: is nearer than 0.001 m to the next corner; edges need some length");
-    EXPECT_EQ(refusalOfPolygon("[[0, 0], [0.1, 0],\n  [0.1, 0.1], [0.1, 0.1005]]"),
+    EXPECT_EQ(polygonRefusal("[[0, 0], [0.1, 0],\n  [0.1, 0.1], [0.1, 0.1005]]"),
               "f:6:3: part[1].polygon_m[3]: is nearer than 0.001 m to the next corner; edges need some length");
-    EXPECT_EQ(refusalOfPolygon("[[0, 0], [0.1, 0], [0.1, 0.1],\n [0.0005, 0]]"),
+    EXPECT_EQ(polygonRefusal("[[0, 0], [0.1, 0], [0.1, 0.1],\n [0.0005, 0]]"),
               "f:6:2: part[1].polygon_m[4]: is nearer than 0.001 m to the next corner; edges need some length");
-    EXPECT_EQ(refusalOfPolygon("[[0, 0], [0.1, 0], [0.05, 0.0005]]"),
+    EXPECT_EQ(polygonRefusal("[[0, 0], [0.1, 0], [0.05, 0.0005]]"),
               "f:5:13: part[1].polygon_m: is thinner than 0.001 m");
     EXPECT_EQ(
-        refusalOfPolygon("[[0, 0], [0.1, 0], [0.2, 0]]"),
+        polygonRefusal("[[0, 0], [0.1, 0], [0.2, 0]]"),
         "f:5:32: part[1].polygon_m[3]: begins an edge that meets the edge from corner 2; expected a simple polygon");
-    EXPECT_EQ(refusalOfPolygon("[[0, 0], [0.1, 0]]"),
+    EXPECT_EQ(polygonRefusal("[[0, 0], [0.1, 0]]"),
               "f:5:13: part[1].polygon_m: has 2 elements; expected 3 to 100 arrays of 2 numbers");
 }
 
 TEST(ShapeFile, PolygonsThatAreNotSimpleAreRefused) {
     // A bow tie: the edges from corners 1 and 3 cross.
     EXPECT_EQ(
-        refusalOfPolygon("[[0, 0], [1, 0], [0, 1],\n [1, 1]]"),
+        polygonRefusal("[[0, 0], [1, 0], [0, 1],\n [1, 1]]"),
         "f:6:2: part[1].polygon_m[4]: begins an edge that meets the edge from corner 2; expected a simple polygon");
     // A corner that touches another edge.
-    EXPECT_NE(refusalOfPolygon("[[0, 0], [1, 0], [1, 1], [0.5, 0], [0, 1]]").find("expected a simple polygon"),
+    EXPECT_NE(polygonRefusal("[[0, 0], [1, 0], [1, 1], [0.5, 0], [0, 1]]").find("expected a simple polygon"),
               std::string::npos);
     // An edge that runs back along its neighbour.
-    EXPECT_NE(refusalOfPolygon("[[0, 0], [1, 0], [0.5, 0], [0.5, 1]]").find("expected a simple polygon"),
+    EXPECT_NE(polygonRefusal("[[0, 0], [1, 0], [0.5, 0], [0.5, 1]]").find("expected a simple polygon"),
               std::string::npos);
     // A bridge of 0.05 mm between two blocks.
-    EXPECT_NE(refusalOfPolygon("[[-1, -1], [-0.5, -1], [-0.5, 0], [0.5, 0], [0.5, -1], [1, -1], [1, 1], [0.5, 1],"
-                               "[0.5, 0.00005], [-0.5, 0.00005], [-0.5, 1], [-1, 1]]")
+    EXPECT_NE(polygonRefusal("[[-1, -1], [-0.5, -1], [-0.5, 0], [0.5, 0], [0.5, -1], [1, -1], [1, 1], [0.5, 1],"
+                             "[0.5, 0.00005], [-0.5, 0.00005], [-0.5, 1], [-1, 1]]")
                   .find("thin"),
               std::string::npos);
 }
@@ -156,7 +156,7 @@ TEST(ShapeFile, EveryOtherMistakeNamesItsPlace) {
          "f:4:10: colour: is not a known key; expected one of format, name, part, reference_m, version"},
         {"reference_m = [0]\n[[part]]\ncircle = { radius_m = 1 }", "f:4:15: reference_m: has 1 number; expected 2"},
     };
-    for (const auto& [body, message] : cases) EXPECT_EQ(refusalOf(body), message) << body;
+    for (const auto& [body, message] : cases) EXPECT_EQ(shapeRefusal(body), message) << body;
 }
 
 TEST(ShapeFile, AnotherKindOrVersionOfFileIsRefused) {

@@ -1,6 +1,5 @@
 // The files that ship load, and mean what they say.
 #include <algorithm>
-#include <numbers>
 #include <optional>
 #include <sstream>
 
@@ -12,12 +11,11 @@
 #include "scenario/descriptions.h"
 #include "support/places.h"
 #include "support/test_data.h"
+#include "support/units.h"
 #include "world/state_hash.h"
 
 namespace mrose {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 DiskDescriptions disk(std::vector<std::filesystem::path> logs = {}) {
     return DiskDescriptions({sourceFolder(), std::move(logs), ""});
@@ -35,7 +33,7 @@ double areaOf(const ShapePart& part) {
     return part.polygon.empty() ? pi * part.radius * part.radius : std::abs(signedArea(part.polygon));
 }
 
-bool holds(const Shape& shape, const Point& point) {
+bool holdsWithin(const Shape& shape, const Point& point) {
     return std::any_of(shape.pieces.begin(), shape.pieces.end(),
                        [&](const ConvexPiece& piece) { return distance(ConvexPiece::circle(point, 1e-9), piece) < 0; });
 }
@@ -46,7 +44,7 @@ std::vector<Point> solidPoints(const Environment& environment, double width, dou
     for (double x = -width / 2; x <= width / 2; x += 0.0173)
         for (double y = -height / 2; y <= height / 2; y += 0.0173)
             for (const Obstacle& obstacle : environment.obstacles)
-                if (holds(obstacle.shape, {x, y})) points.push_back({x, y});
+                if (holdsWithin(obstacle.shape, {x, y})) points.push_back({x, y});
     return points;
 }
 
@@ -85,7 +83,7 @@ TEST(ShippedFiles, ShapesAreSymmetricAboutTheirHeading) {
         EXPECT_NEAR(shape.centroid.y, 0, 1e-12) << name;
         for (double x = -0.6; x < 0.6; x += 0.0131)
             for (double y = 0.0011; y < 0.6; y += 0.0131)
-                EXPECT_EQ(holds(shape, {x, y}), holds(shape, {x, -y})) << name << ' ' << x << ' ' << y;
+                EXPECT_EQ(holdsWithin(shape, {x, y}), holdsWithin(shape, {x, -y})) << name << ' ' << x << ' ' << y;
     }
 }
 
@@ -134,7 +132,7 @@ TEST(ShippedFiles, FieldIsSymmetricAndClosed) {
     EXPECT_GT(solid.size(), 1000u);
     const auto solidAt = [&](const Point& p) {
         return std::any_of(field.obstacles.begin(), field.obstacles.end(),
-                           [&](const Obstacle& obstacle) { return holds(obstacle.shape, p); });
+                           [&](const Obstacle& obstacle) { return holdsWithin(obstacle.shape, p); });
     };
     for (const Point& p : solid) {
         EXPECT_TRUE(solidAt({-p.x, p.y}) && solidAt({p.x, -p.y})) << p.x << ' ' << p.y;

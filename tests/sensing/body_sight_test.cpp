@@ -1,14 +1,11 @@
 #include "sensing/body_sight.h"
 
-#include <numbers>
-
 #include "sensing/perceiving.h"
+#include "support/units.h"
 
 namespace mrose {
 namespace {
 
-constexpr Nanoseconds ms = 1'000'000;
-constexpr double pi = std::numbers::pi;
 const Pose start{2, 1, 2.5};
 
 /// One robot and balls at polar places about it: range, bearing.

@@ -3,18 +3,18 @@
 #include <map>
 
 #include "sensing/perceiving.h"
+#include "support/units.h"
 
 namespace mrose {
 namespace {
 
-constexpr Nanoseconds ms = 1'000'000;
 constexpr double period = 0.1;  // s
-const Pose start{1, -2, 0.5};
+const Pose startPose{1, -2, 0.5};
 
 Scenario scenarioOf(const SelfLocalisation& self) {
     Perception perception;
     perception.self = self;
-    return SmallWorld().robot(perceiving(perception), start, still(), ideal()).scenario();
+    return SmallWorld().robot(perceiving(perception), startPose, still(), ideal()).scenario();
 }
 
 TEST(SelfLocalisation, WhiteNoiseHasTheStatedDeviations) {
@@ -25,8 +25,8 @@ TEST(SelfLocalisation, WhiteNoiseHasTheStatedDeviations) {
     double last = 0;
     for (int i = 0; i < 20000; ++i) {
         const Pose self = watch.next().self;
-        const double zx = (self.x - start.x) / deviation.x, zy = (self.y - start.y) / deviation.y;
-        const double zh = (self.heading - start.heading) / deviation.heading;
+        const double zx = (self.x - startPose.x) / deviation.x, zy = (self.y - startPose.y) / deviation.y;
+        const double zh = (self.heading - startPose.heading) / deviation.heading;
         x.add(zx);
         y.add(zy);
         heading.add(zh);
@@ -59,10 +59,10 @@ TEST(SelfLocalisation, BiasIsAutoregressiveWithItsCorrelationTime) {
         const auto innovation = [&](double before, double after, double truth, double deviation) {
             return ((after - truth) - kept * (before - truth)) / (added * deviation);
         };
-        const double z = innovation(last.x, now.x, start.x, self.bias.x);
+        const double z = innovation(last.x, now.x, startPose.x, self.bias.x);
         x.add(z);
-        y.add(innovation(last.y, now.y, start.y, self.bias.y));
-        heading.add(innovation(last.heading, now.heading, start.heading, self.bias.heading));
+        y.add(innovation(last.y, now.y, startPose.y, self.bias.y));
+        heading.add(innovation(last.heading, now.heading, startPose.heading, self.bias.heading));
         successive.add((z + lastInnovation) / std::sqrt(2));
         lastInnovation = z;
         last = now;
@@ -79,9 +79,9 @@ TEST(SelfLocalisation, BiasIsStationaryFromTheFirstMeasurementOn) {
     StandardNormals first, third;
     for (std::uint64_t seed = 0; seed < 5000; ++seed) {
         Watch watch(scenario, seed);
-        first.add((watch.next().self.x - start.x) / self.bias.x);
+        first.add((watch.next().self.x - startPose.x) / self.bias.x);
         watch.next();
-        third.add((watch.next().self.heading - start.heading) / self.bias.heading);
+        third.add((watch.next().self.heading - startPose.heading) / self.bias.heading);
     }
     first.expectStandard("first");
     third.expectStandard("third");
@@ -92,9 +92,9 @@ TEST(SelfLocalisation, NoiseAndBiasAreIndependent) {
     StandardNormals x, y, heading;
     for (std::uint64_t seed = 0; seed < 5000; ++seed) {
         const Pose self = Watch(scenario, seed).next().self;
-        x.add((self.x - start.x) / 0.05);
-        y.add((self.y - start.y) / 0.05);
-        heading.add((self.heading - start.heading) / 0.05);
+        x.add((self.x - startPose.x) / 0.05);
+        y.add((self.y - startPose.y) / 0.05);
+        heading.add((self.heading - startPose.heading) / 0.05);
     }
     x.expectStandard("x");
     y.expectStandard("y");
@@ -106,12 +106,12 @@ TEST(SelfLocalisation, MeasurementIsOldByTheLatencyToTheTick) {
     perception.self.latency = 110 * ms;  // 5.5 ticks of 20 ms: 6
     const Scenario scenario =
         SmallWorld()
-            .robot(perceiving(perception), start, std::make_shared<const Told>(Command{0.5, 1}), ideal(), 2)
+            .robot(perceiving(perception), startPose, std::make_shared<const Told>(Command{0.5, 1}), ideal(), 2)
             .scenario();
     WorldState state = scenario.initialState();
     StepBuffers buffers;
     std::map<std::int64_t, Pose> truth;
-    for (std::int64_t tick = -6; tick < 0; ++tick) truth[tick] = start;
+    for (std::int64_t tick = -6; tick < 0; ++tick) truth[tick] = startPose;
     int observed = 0;
     for (std::int64_t tick = 0; tick < 60; ++tick) {
         truth[tick] = state.robots[0].pose;
@@ -168,10 +168,10 @@ TEST(SelfLocalisation, JumpsAreRareAndFar) {
         const Observation& now = watch.next();
         if (!now.localised || now.selfMeasured != now.time) continue;
         ++measured;
-        if (now.self == start) continue;
-        EXPECT_EQ(now.self.heading, start.heading);
-        x.add((now.self.x - start.x) / 0.5);
-        y.add((now.self.y - start.y) / 0.5);
+        if (now.self == startPose) continue;
+        EXPECT_EQ(now.self.heading, startPose.heading);
+        x.add((now.self.x - startPose.x) / 0.5);
+        y.add((now.self.y - startPose.y) / 0.5);
     }
     expectRate(x.count, measured, 0.02);
     x.expectStandard("x");

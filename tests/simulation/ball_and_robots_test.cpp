@@ -2,18 +2,16 @@
 // nobody can hold it.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "simulation/small_world.h"
 #include "support/shipped.h"
+#include "support/units.h"
 #include "world/noise.h"
 
 namespace mrose {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 ObjectType shippedBallType() {
     ObjectType type = ballType();

@@ -1,18 +1,16 @@
 // Oblique collisions against closed forms.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "simulation/small_world.h"
 #include "support/shipped.h"
+#include "support/units.h"
 #include "world/noise.h"
 
 namespace mrose {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 struct Partner {
     double mass, inertia;  ///< kg, kg m2

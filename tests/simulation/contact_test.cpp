@@ -1,17 +1,15 @@
 // Touch: laws of collision against closed forms, and what must never happen.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "simulation/small_world.h"
+#include "support/units.h"
 #include "world/noise.h"
 
 namespace mrose {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 ObjectType smoothBall(double restitution) {
     ObjectType type = ballType();

@@ -2,19 +2,19 @@
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "learning/parallel_for.h"
 #include "simulation/small_world.h"
 #include "support/shipped.h"
+#include "support/units.h"
 #include "world/noise.h"
 
 namespace mrose {
 namespace {
 
-constexpr double pi = std::numbers::pi, side = 4;
+constexpr double side = 4;
 
 /// Drives and kicks at random.
 class Wild final : public Controller {

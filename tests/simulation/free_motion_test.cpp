@@ -8,11 +8,10 @@
 #include "simulation/predictions.h"
 #include "simulation/shipped_crowd.h"
 #include "simulation/small_world.h"
+#include "support/units.h"
 
 namespace mrose {
 namespace {
-
-constexpr Nanoseconds ms = 1'000'000;
 
 TEST(FreeMotion, IsTheModelsPrediction) {
     SmallWorld world;

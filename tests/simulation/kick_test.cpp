@@ -3,11 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "simulation/small_world.h"
+#include "support/units.h"
 
 namespace mrose {
 namespace {
-
-constexpr Nanoseconds ms = 1'000'000;
 
 /// Stands, and kicks with the given power at every control instant.
 class Kicker final : public Controller {

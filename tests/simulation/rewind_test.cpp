@@ -1,5 +1,4 @@
 // A state is all there is: whoever keeps one can go back to it, branch from it, replay to it, to the last bit.
-#include <numbers>
 
 #include <gtest/gtest.h>
 #include <tbb/parallel_for.h>
@@ -7,6 +6,7 @@
 #include "motion/learned_model.h"
 #include "simulation/small_world.h"
 #include "support/places.h"
+#include "support/units.h"
 #include "world/noise.h"
 #include "world/state_bytes.h"
 #include "world/state_difference.h"
@@ -14,8 +14,6 @@
 
 namespace mrose {
 namespace {
-
-constexpr Nanoseconds ms = 1'000'000;
 
 /// Remembers how often it was asked, and drives by that.
 class Counting final : public Controller {

@@ -12,14 +12,14 @@ namespace {
 
 constexpr double width = 6, height = 4;
 
-struct Kind {
+struct CrowdKind {
     std::string name;
     RobotType type;
     std::shared_ptr<const MotionModel> model;
 };
 
-std::vector<Kind> kindsThatShip() {
-    std::vector<Kind> kinds;
+std::vector<CrowdKind> kindsThatShip() {
+    std::vector<CrowdKind> kinds;
     for (const char* name : {"pioneer1", "nomad200", "husky", "b21", "human", "pioneer1", "nomad200"}) {
         const RobotDescription robot = shippedRobot(name);
         kinds.push_back({name, robot.type, motionOf(robot)});
@@ -48,7 +48,7 @@ std::vector<std::shared_ptr<const Controller>> controllersThatShip() {
 Scenario shippedCrowd(bool noise) {
     SmallWorld world(walledField(width, height));
     if (noise) world.parts().scene.randomFactor = 0.3;
-    const std::vector<Kind> kinds = kindsThatShip();
+    const std::vector<CrowdKind> kinds = kindsThatShip();
     const auto controllers = controllersThatShip();
     const auto wild = std::make_shared<const RandomCommands>(-0.1, 0.4, 1.5);
     for (std::size_t i = 0; i < kinds.size(); ++i) {
