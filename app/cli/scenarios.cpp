@@ -1,7 +1,9 @@
 #include "scenarios.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
+#include <filesystem>
 
 #include "io/file.h"
 #include "scenario/variation.h"
@@ -12,6 +14,17 @@ namespace mrose::cli {
 
 namespace {
 
+/// A file that is named on the command line is seen from the current folder, otherwise as the scenario's own are.
+Value seenFromHere(const ScenarioOverride& given) {
+    constexpr std::array files{"network", "type", "environment", "shape", "initial_state", "log", "library"};
+    const std::string key = given.path.substr(given.path.find_last_of('.') + 1);
+    const std::string* const name = given.value.asText();
+    std::error_code ignored;
+    const bool here =
+        name && std::filesystem::exists(*name, ignored) && std::find(files.begin(), files.end(), key) != files.end();
+    return here ? Value(std::filesystem::absolute(*name, ignored).lexically_normal().string()) : given.value;
+}
+
 /// With what is overridden; plug-ins are loaded once, when it is.
 Expected<LoadedScenario> loadOverridden(const RunFlags& flags, const PluginLoader& plugins) {
     DiskDescriptions source = openDescriptions(flags.log);
@@ -19,7 +32,9 @@ Expected<LoadedScenario> loadOverridden(const RunFlags& flags, const PluginLoade
     auto loaded = loadScenario(flags.scenario, source);
     if (!loaded) return loaded;
     for (const std::string& assignment : flags.overrides) {
-        auto changed = loaded->value.overridden(assignment);
+        const auto given = parseOverride(assignment);
+        if (!given) return tl::unexpected(given.error());
+        auto changed = loaded->value.with(given->path, seenFromHere(*given));
         if (!changed) return tl::unexpected(changed.error());
         loaded->value = std::move(*changed);
     }

@@ -20,9 +20,15 @@ Expected<ScenarioValue> ScenarioValue::with(std::string_view path, Value value) 
 ScenarioValue ScenarioValue::without(std::string_view path) const { return {name(), content().without(path)}; }
 
 Expected<ScenarioValue> ScenarioValue::overridden(std::string_view assignment) const {
+    auto parsed = parseOverride(assignment);
+    if (!parsed) return tl::unexpected(parsed.error());
+    return with(parsed->path, std::move(parsed->value));
+}
+
+Expected<ScenarioOverride> parseOverride(std::string_view assignment) {
     const std::size_t equals = assignment.find('=');
     const std::string_view before = assignment.substr(0, equals);
-    const std::string path(before.substr(0, before.find_last_not_of(' ') + 1));
+    std::string path(before.substr(0, before.find_last_not_of(' ') + 1));
     if (equals == std::string_view::npos || path.empty())
         return fail(std::string(assignment), "expected PATH=VALUE, such as robot[2].network=create.net or seed=4");
     const std::string text(assignment.substr(equals + 1));
@@ -30,7 +36,7 @@ Expected<ScenarioValue> ScenarioValue::overridden(std::string_view assignment) c
     const Value* const value = parsed ? parsed->find("value") : nullptr;
     Value given = value ? *value : Value(text);
     given.line = given.column = 0;
-    return with(path, std::move(given));
+    return ScenarioOverride{std::move(path), std::move(given)};
 }
 
 std::string ScenarioValue::bodyPath(std::string_view name) const {

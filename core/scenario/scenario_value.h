@@ -13,6 +13,14 @@
 
 namespace mrose {
 
+/// Another value at a path.
+struct ScenarioOverride {
+    std::string path;
+    Value value;
+};
+/// "PATH=VALUE", the value as in TOML; a text needs no quotes. Error: it is not that.
+Expected<ScenarioOverride> parseOverride(std::string_view assignment);
+
 /// All that a scenario's run is made from, as a value: its description with those of all that it names, and the
 /// commands and states that it begins with. It gives the same scenario again without any disk (scenario_file.h); TOML
 /// is one way in, state_scenario.h one way out. Paths are as in Value: `robot[2].network`, `robot["keeper"].start.x_m`,
@@ -32,7 +40,7 @@ public:
     /// Value::with().
     Expected<ScenarioValue> with(std::string_view path, Value value) const;
     ScenarioValue without(std::string_view path) const;
-    /// With what a person writes, "PATH=VALUE", the value as in TOML; a text needs no quotes. Error: it is not that.
+    /// With what a person writes (parseOverride()). Error: it is not that; as of with().
     Expected<ScenarioValue> overridden(std::string_view assignment) const;
 
     /// The path of the robot, person or object of that name: `robot[2]`; "" where there is none.

@@ -59,6 +59,35 @@ TEST_F(RunProgram, SeedTrialAndDurationDecideTheRun) {
     EXPECT_NE(play("run", {"--trial", "4"}).out.find("a game, trial 4, seed 5: "), std::string::npos);
 }
 
+TEST_F(RunProgram, AnythingOfTheScenarioMayBeOverridden) {
+    const auto hash = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words{"--json"};
+        words.insert(words.end(), more.begin(), more.end());
+        return told(play("run", words))["world_hash"].get<std::string>();
+    };
+    EXPECT_EQ(hash({"--set", "seed=6"}), hash({"--seed", "6"}));
+    EXPECT_EQ(hash({"--set", "seed = 5"}), hash({}));
+    EXPECT_NE(hash({"--set", "robot[\"one's\"].start.x_m=0.1"}), hash({}));
+    // A file is seen from the current folder.
+    const std::string network = (sourceFolder() / "nets/pioneer.net").string();
+    write("mine.net", *readFile(network));
+    const std::string set = "robot[1].network=";
+    const ProgramResult here = RunningProgram({"/usr/bin/env", "-C", path("."), mroseProgram(), "run", game(), "--json",
+                                               "--quiet", "--set", set + "mine.net"})
+                                   .finish();
+    EXPECT_EQ(told(here)["world_hash"], hash({"--set", set + network}));
+    // Rows of a batch run alone as they did, and so do trials of what its folder keeps.
+    ASSERT_EQ(play("batch", {"--trials", "2", "--set", "seed=6", "-o", path("games")}).status, 0);
+    const auto rows = csvRows(*readFile(path("games/results.csv")));
+    ASSERT_EQ(rows.size(), 2u);
+    EXPECT_NE(rows[1].at("command").find(" --set seed=6 "), std::string::npos) << rows[1].at("command");
+    EXPECT_EQ(told(runMrose({"run", path("games/scenario.value"), "--trial", "2", "--json", "--quiet"}))["world_hash"],
+              hash({"--seed", "6", "--trial", "2"}));
+    expectOneLine(play("run", {"--set", "robot[9].network=x"}), {"robot[9].network: names nothing that there is"});
+    expectOneLine(play("run", {"--set", "seed"}), {"seed: expected PATH=VALUE"});
+    expectOneLine(play("run", {"--set", "robot[2].network=none.net"}), {"\"none.net\" was not found"});
+}
+
 TEST_F(RunProgram, ConditionEndsIt) {
     const Json json = told(play("run", {"--json", "--until", "robot[\"one's\"].speed > 0.2 and time > 1.5"}));
     EXPECT_EQ(json["end"], "condition");
@@ -290,7 +319,7 @@ TEST_F(RunProgram, ScenarioOfASavedStateEndsAsTheRunItIsOf) {
     WorldState state = scenario.initialState();
     while (state.tick < 50) state = stepped(scenario, std::move(state));
     std::filesystem::create_directories(path("other"));
-    const auto saved = saveStateAsScenario(path("other/later.toml"), {loaded->name, loaded->texts}, scenario, state);
+    const auto saved = saveStateAsScenario(path("other/later.toml"), loaded->value, scenario, state, source);
     ASSERT_TRUE(saved) << saved.error().message();
     const nlohmann::json whole = told(play("run", {"--duration", "3", "--json"}));
     const nlohmann::json later =
@@ -300,13 +329,18 @@ TEST_F(RunProgram, ScenarioOfASavedStateEndsAsTheRunItIsOf) {
     EXPECT_EQ(told(runMrose(
                   {"run", path("other/later.toml"), "--duration", "2", "--trial", "1", "--json", "--quiet"}))["time_s"],
               3.0);
+    // The state file holds the scenario, too.
+    std::filesystem::rename(path("other/later.state"), path("alone.state"));
+    EXPECT_EQ(told(runMrose({"run", path("alone.state"), "--duration", "2", "--json", "--quiet"}))["world_hash"],
+              whole["world_hash"]);
+    std::filesystem::rename(path("alone.state"), path("other/later.state"));
     // A batch is not taken up where the state has become another.
     const std::vector<std::string> batch{"batch", path("other/later.toml"), "--duration", "0.1", "--trials", "2",
                                          "-o",    path("results"),          "--quiet"};
     EXPECT_EQ(runMrose(batch).status, 0);
     EXPECT_EQ(runMrose(batch).status, 0);
     state = stepped(scenario, std::move(state));
-    ASSERT_TRUE(saveStateAsScenario(path("other/later.toml"), {loaded->name, loaded->texts}, scenario, state));
+    ASSERT_TRUE(saveStateAsScenario(path("other/later.toml"), loaded->value, scenario, state, source));
     const ProgramResult changed = runMrose(batch);
     EXPECT_EQ(changed.status, 1) << changed.out;
     EXPECT_NE(changed.err.find("later.state"), std::string::npos) << changed.err;
