@@ -34,9 +34,12 @@ std::optional<double> numberOf(const Value& value) {
 TomlTable::TomlTable(std::string_view text, std::string file)
     : state_(std::make_shared<State>()), table_(&state_->root) {
     auto root = parseToml(text, file);
-    state_->root = root ? std::move(*root) : emptyTable;
+    state_->root = emptyTable;
     state_->file = std::move(file);
-    if (!root) state_->error = std::move(root.error());
+    if (root)
+        state_->root = std::move(*root);
+    else
+        state_->error = std::move(root.error());
 }
 
 TomlTable TomlTable::of(Value root, std::string file) {

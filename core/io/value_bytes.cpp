@@ -3,6 +3,7 @@
 #include <map>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include <xxhash.h>
 
@@ -18,10 +19,7 @@ enum class FileKind : std::uint8_t { told, known };
 
 constexpr int mostDepth = 64;
 
-struct Hash {
-    std::uint64_t low = 0, high = 0;
-    auto operator<=>(const Hash&) const = default;
-};
+using Hash = std::pair<std::uint64_t, std::uint64_t>;  // low and high half
 
 void appendKind(std::string& bytes, Kind kind) { appendNumber(bytes, kind); }
 
@@ -70,8 +68,8 @@ public:
         std::string bytes;
         append(value, bytes, [&](const Value::File& file) {
             const Hash hash = of(*file);
-            appendNumber(bytes, hash.low);
-            appendNumber(bytes, hash.high);
+            appendNumber(bytes, hash.first);
+            appendNumber(bytes, hash.second);
         });
         const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
         return {hash.low64, hash.high64};
@@ -222,8 +220,8 @@ std::string valueBytes(const Value& value, std::span<const Value::File> known) {
         const Hash hash = files.hashes().of(*file);
         appendNumber(bytes, isKnown.contains(hash) ? FileKind::known : FileKind::told);
         if (isKnown.contains(hash)) {
-            appendNumber(bytes, hash.low);
-            appendNumber(bytes, hash.high);
+            appendNumber(bytes, hash.first);
+            appendNumber(bytes, hash.second);
         } else {
             append(file->content, bytes, appendNumberOf);
         }
@@ -236,6 +234,6 @@ std::optional<Value> parseValue(std::string_view bytes, std::span<const Value::F
     return Reader(bytes).read(known);
 }
 
-std::uint64_t hashOf(const Value& value) { return Hashes().of(value).low; }
+std::uint64_t hashOf(const Value& value) { return Hashes().of(value).first; }
 
 }  // namespace mrose

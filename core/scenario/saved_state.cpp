@@ -93,7 +93,7 @@ SavedState savedState(const Scenario& scenario, const WorldState& state) {
     return saved;
 }
 
-std::string savedStateText(const SavedState& saved, const ScenarioValue* value) {
+std::string savedStateText(const SavedState& saved, const ScenarioValue* whole) {
     const auto number = [](const char* key, std::uint64_t value) {
         return std::string(key) + " = " + std::to_string(value) + '\n';
     };
@@ -103,7 +103,7 @@ std::string savedStateText(const SavedState& saved, const ScenarioValue* value) 
         tomlString(saved.scenario) + '\n' + number("tick", static_cast<std::uint64_t>(saved.state.tick)) +
         number("tick_ns", static_cast<std::uint64_t>(saved.tickLength)) + "state = \"\"\"\n" +
         base64(stateBytes(saved.state)) + "\"\"\"\n";
-    if (value) text += "value = \"\"\"\n" + encoded(*value) + "\"\"\"\n";
+    if (whole) text += "value = \"\"\"\n" + encoded(*whole) + "\"\"\"\n";
     for (const SavedState::Robot& robot : saved.robots)
         text += "\n[[robot]]\nname = " + tomlString(robot.name) + '\n' +
                 number("period_ns", static_cast<std::uint64_t>(robot.period)) + number("commands", robot.commands) +

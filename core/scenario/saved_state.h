@@ -30,7 +30,7 @@ SavedState savedState(const Scenario& scenario, const WorldState& state);
 
 /// As a state file (resources/README.md), exact to the last bit, and back. With `value`, the scenario that it is a
 /// state of, the file is one that can be run by itself. Error: file, line and key of the first thing wrong.
-std::string savedStateText(const SavedState& saved, const ScenarioValue* value = nullptr);
+std::string savedStateText(const SavedState& saved, const ScenarioValue* whole = nullptr);
 Expected<SavedState> readSavedState(const Value& content, const std::string& file);
 Expected<SavedState> parseSavedState(std::string_view text, const std::string& file);
 
