@@ -6,21 +6,10 @@
 #include <vector>
 
 #include "comparison/reality.h"
-#include "scenario/scenario.h"
-#include "simulation/step.h"
+#include "quantities/catalogue.h"
 #include "widgets/trails.h"
 
 namespace mrose {
-
-/// What a robot saw, decided and was predicted to do at its last control instant: it holds until the next.
-struct RobotInsight {
-    std::int64_t tick = -1;  ///< of the state in which it decided; -1: never yet
-    bool observed = false;
-    Observation observation;
-    Decision decision;
-    MotionStep predicted;
-    std::vector<std::byte> memoryBefore;  ///< its controller's, before it decided
-};
 
 /// Where the bodies were at the shown tick in another branch.
 struct Ghost {
@@ -35,8 +24,7 @@ struct FieldFrame {
     std::shared_ptr<const Scenario> scenario;
     WorldState state;
     std::vector<RobotInsight> insights;        ///< of each robot
-    std::vector<StepTrace::Robot> lastTick;    ///< what the tick that led here told of each robot; empty at a beginning
-    std::vector<ContactReport> contacts;       ///< of that tick
+    StepTrace lastTick;                        ///< of the tick that led here; empty at a beginning
     std::vector<StepTrace::Kicked> kicks;      ///< of the last moments
     Trails trails;                             ///< up to here
     std::vector<std::vector<Pose>> predicted;  ///< of each robot, if all go on as commanded; may be empty
@@ -47,11 +35,10 @@ struct FieldFrame {
 
     const Scene& scene() const { return scenario->scene(); }
     Nanoseconds now() const { return scene().timeOf(state.tick); }
+    /// What is known of it; as long as it lives.
+    Moment moment() const { return {scenario.get(), &state, &lastTick, insights, reality.get()}; }
     const Pose& poseOf(std::size_t body) const { return Scenario::poseOf(state, body); }
-    const std::string& nameOf(std::size_t body) const {
-        const Scene& s = scene();
-        return body < s.robots.size() ? s.robots[body].name : s.objects[body - s.robots.size()].name;
-    }
+    const std::string& nameOf(std::size_t body) const { return nameOfBody(scene(), static_cast<std::uint32_t>(body)); }
 };
 
 }  // namespace mrose

@@ -76,7 +76,7 @@ QString bodyReadout(const FieldFrame& frame, std::size_t body) {
 
 QString signReadout(const FieldFrame& frame, const Point& at, double reach) {
     QStringList lines;
-    for (const ContactReport& contact : frame.contacts)
+    for (const ContactReport& contact : frame.lastTick.contacts)
         if (distance(contact.position, at) <= reach)
             lines += QObject::tr("%1 on %2: %3")
                          .arg(nameOfBody(frame, contact.bodyA), nameOfBody(frame, contact.bodyB),

@@ -25,7 +25,7 @@ bool hasNumber(const ContactReport& contact) { return contact.impulse >= 0.05; }
 bool isNumbered(const FieldFrame& frame, const FieldFocus& focus, const ContactReport& contact) {
     if (focus.lit.empty()) return hasNumber(contact);
     const ContactReport* strongest = nullptr;
-    for (const ContactReport& one : frame.contacts) {
+    for (const ContactReport& one : frame.lastTick.contacts) {
         const bool about = std::any_of(focus.lit.begin(), focus.lit.end(),
                                        [&](std::size_t body) { return body == one.bodyA || body == one.bodyB; });
         if (about && hasNumber(one) && (strongest == nullptr || one.impulse > strongest->impulse)) strongest = &one;
@@ -111,10 +111,10 @@ double impulsePixels(double impulse, double scale) {
 
 void drawContacts(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus,
                   std::vector<FieldLabel>& labels) {
-    const bool few = frame.contacts.size() <= mostNames;
+    const bool few = frame.lastTick.contacts.size() <= mostNames;
     std::map<std::uint64_t, std::uint64_t> touches;
-    canvas.painter.setRenderHint(QPainter::Antialiasing, frame.contacts.size() <= mostSmooth);
-    for (const ContactReport& contact : frame.contacts) {
+    canvas.painter.setRenderHint(QPainter::Antialiasing, frame.lastTick.contacts.size() <= mostSmooth);
+    for (const ContactReport& contact : frame.lastTick.contacts) {
         if (!canvas.visible(contact.position, 0.5)) continue;
         const QPointF at = canvas.at(contact.position), along(contact.normal.x, -contact.normal.y);
         const double size = impulsePixels(contact.impulse, canvas.view.scale());

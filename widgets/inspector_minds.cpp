@@ -4,6 +4,7 @@
 #include <cstring>
 #include <span>
 
+#include "quantities/note_label.h"
 #include "widgets/inspector_rows.h"
 #include "widgets/timeline_bar.h"
 
@@ -23,32 +24,24 @@ InspectorRow asError(InspectorRow row) {
 }
 
 InspectorRow noteRow(const RowWriter& write, const Annotation& note) {
-    const QString tip = QObject::tr("the controller's own note");
+    const Quantity& quantity = quantityNamed("note", Quantity::Of::items);
     const NoteLabel label = noteLabel(note.label);
-    const QString name = QString::fromStdString(note.kind == Annotation::Kind::value ? label.name : note.label);
-    InspectorRow row = RowWriter::text(name, {}, tip);
-    switch (note.kind) {
-        case Annotation::Kind::value:
-            return write.number(name, ValueKey{"note", write.bodyName, label.name, label.unit}, tip);
-        case Annotation::Kind::text:
-            row.value = QString::fromStdString(note.text);
-            return row;
-        case Annotation::Kind::point:
-        case Annotation::Kind::line:
-            break;
-    }
+    if (note.kind == Annotation::Kind::value) return write.item(quantity, {label.name, label.unit});
+    if (note.kind == Annotation::Kind::text) return write.item(quantity, {note.label, ""});
+    InspectorRow row = RowWriter::text(QString::fromStdString(note.label), {}, QObject::tr(quantity.what));
     if (note.points.empty()) return row;
     row.value = pointText(note.points.front());
     if (note.kind == Annotation::Kind::line) row.value += QString::fromUtf8(" \u2192 ") + pointText(note.points.back());
-    row.children.push_back(write.number(QObject::tr("x"), "x of note", tip, note.label));
-    row.children.push_back(write.number(QObject::tr("y"), "y of note", tip, note.label));
+    for (const char* const axis : {"note_x", "note_y"}) {
+        row.children.push_back(write.item(quantityNamed(axis, Quantity::Of::items), {note.label, ""}));
+        row.children.back().name = axis;
+    }
     return row;
 }
 
-InspectorRow entryRow(const RowWriter& write, const MemoryEntry& entry) {
-    const QString name = QString::fromStdString(entry.name);
-    if (!entry.text.empty()) return RowWriter::text(name, QString::fromStdString(entry.text));
-    return write.number(name, ValueKey{"remembers", write.bodyName, entry.name, entry.unit});
+/// `part`: whose memory it is.
+InspectorRow entryRow(const RowWriter& write, const MemoryEntry& entry, std::uint32_t part) {
+    return write.value({&partQuantity(), write.body, part, entry.name, entry.unit}, QString::fromStdString(entry.name));
 }
 
 QString hexText(std::span<const std::byte> bytes) {
@@ -83,32 +76,21 @@ std::vector<InspectorRow> hexRows(std::span<const std::byte> memory, std::span<c
     return rows;
 }
 
-InspectorRow seenRow(const RowWriter& write, std::size_t other) {
-    const std::string& of = write.frame.nameOf(other);
-    const ValueKey error{"error in seeing", write.bodyName, of};
-    InspectorRow row =
-        asError(write.number(QString::fromStdString(of), error,
-                             QObject::tr("how far off it sees this body: measured then, against where it is now")));
-    row.id = QString::fromStdString(of);
+InspectorRow seenRow(const RowWriter& write, std::uint32_t other) {
+    InspectorRow row = asError(write.value(quantityNamed("seen_error", Quantity::Of::seenPair), other));
+    row.id = row.name = QString::fromStdString(write.frame.nameOf(other));
     if (row.quiet) {
         row.value = QObject::tr("not in sight");
         row.unit.clear();
     }
-    const auto add = [&](const QString& name, const char* quantity, const QString& tip = {}) {
-        row.children.push_back(write.number(name, quantity, tip, of));
-    };
-    add(QObject::tr("Measured x"), "sees x of", QObject::tr("with the pose that it takes itself to have"));
-    add(QObject::tr("Measured y"), "sees y of", QObject::tr("with the pose that it takes itself to have"));
-    const auto truth = [&](const QString& name, const char* quantity) {
-        const ValueKey key{quantity, of};
-        const RowWriter theirs(write.frame, other);
-        row.children.push_back(theirs.number(name, key));
-    };
-    truth(QObject::tr("True x"), "x");
-    truth(QObject::tr("True y"), "y");
-    add(QObject::tr("Age"), "age of sight of", QObject::tr("since the measurement"));
-    add(QObject::tr("True distance"), "distance to", QObject::tr("between the reference points"));
-    add(QObject::tr("True bearing"), "bearing of", QObject::tr("from its heading; left is positive"));
+    for (const Quantity& quantity : quantities())
+        if (quantity.of == Quantity::Of::seenPair || quantity.of == Quantity::Of::pair)
+            row.children.push_back(write.value(quantity, other));
+    const RowWriter theirs(write.frame, other);
+    for (const auto& [name, quantity] : {std::pair{QObject::tr("true x"), "x"}, {QObject::tr("true y"), "y"}}) {
+        row.children.push_back(theirs.value(quantityNamed(quantity, Quantity::Of::body)));
+        row.children.back().name = name;
+    }
     return row;
 }
 
@@ -147,7 +129,7 @@ InspectorRow controllerRows(const RowWriter& write) {
 
 InspectorRow memoryRows(const RowWriter& write, const RowIsOpen& isOpen) {
     InspectorRow section = RowWriter::section(QObject::tr("Memory"), false);
-    const std::span<const std::byte> memory = write.at.scenario.memoryOf(write.at.state, write.body);
+    const std::span<const std::byte> memory = write.at.scenario->memoryOf(*write.at.state, write.body);
     const std::vector<std::byte>& before = write.frame.insights[write.body].memoryBefore;
     std::size_t changed = 0;
     if (before.size() == memory.size())
@@ -157,12 +139,12 @@ InspectorRow memoryRows(const RowWriter& write, const RowIsOpen& isOpen) {
     section.tip = QObject::tr("what its controller keeps, and how many bytes of it the last decision changed");
     section.quiet = memory.empty();
     if (memory.empty()) return section;
-    const Controller& controller = write.at.scenario.controller(write.body);
+    const Controller& controller = write.at.scenario->controller(write.body);
     const bool open = isOpen(section.id);
     const std::vector<MemoryEntry> entries = controller.explain(memory);
     const std::vector<MemoryEntry> old = before.size() == memory.size() ? controller.explain(before) : entries;
     for (std::size_t i = 0; open && i < entries.size(); ++i) {
-        section.children.push_back(entryRow(write, entries[i]));
+        section.children.push_back(entryRow(write, entries[i], 0));
         const bool same = i < old.size() && old[i].name == entries[i].name && old[i].text == entries[i].text;
         section.children.back().notable = !same;
     }
@@ -181,26 +163,19 @@ InspectorRow perceptionRows(const RowWriter& write) {
         section.value = QObject::tr("nothing yet");
         section.quiet = true;
     }
-    InspectorRow self =
-        asError(write.number(QObject::tr("Itself"), "error of own place",
-                             QObject::tr("how far off it takes itself to be: as measured, against where it is now")));
+    InspectorRow all = write.section("Sees");
+    InspectorRow self = asError(all.children.front());
+    self.name = QObject::tr("Itself");
     if (self.quiet) {
         self.value = QObject::tr("not yet");
         self.unit.clear();
     }
-    for (const auto& [name, quantity] : {std::pair{QObject::tr("Measured x"), "measured x"},
-                                         {QObject::tr("Measured y"), "measured y"},
-                                         {QObject::tr("Measured heading"), "measured heading"},
-                                         {QObject::tr("Error of heading"), "error of own heading"},
-                                         {QObject::tr("Age"), "age of own pose"},
-                                         {QObject::tr("Forward, odometry"), "odometry forward"},
-                                         {QObject::tr("Turning, odometry"), "odometry turning"}})
-        self.children.push_back(write.number(name, quantity));
+    self.children.assign(all.children.begin() + 1, all.children.end());
     rows.push_back(std::move(self));
     const std::size_t robots = write.frame.state.robots.size();
-    for (std::size_t other = robots; other < write.frame.scene().bodyCount(); ++other)
+    for (auto other = static_cast<std::uint32_t>(robots); other < write.frame.scene().bodyCount(); ++other)
         rows.push_back(seenRow(write, other));
-    for (std::size_t other = 0; other < robots; ++other)
+    for (std::uint32_t other = 0; other < robots; ++other)
         if (other != write.body && (robots <= mostListed || inSight(write, other)))
             rows.push_back(seenRow(write, other));
     return section;

@@ -9,29 +9,6 @@
 namespace mrose {
 namespace {
 
-InspectorRow motionRows(const RowWriter& write) {
-    InspectorRow section = RowWriter::section(QObject::tr("Motion"));
-    const bool robot = write.body < write.frame.state.robots.size();
-    const auto add = [&](const QString& name, const char* quantity, const QString& tip) {
-        section.children.push_back(write.number(name, quantity, tip));
-    };
-    add(QObject::tr("x"), "x", QObject::tr("of the reference point, in the world"));
-    add(QObject::tr("y"), "y", QObject::tr("of the reference point, in the world"));
-    add(QObject::tr("Heading"), "heading", QObject::tr("counter-clockwise from the x axis"));
-    add(QObject::tr("Speed"), "speed", QObject::tr("in whatever direction"));
-    if (robot) {
-        add(QObject::tr("Forward"), "forward", QObject::tr("its velocity along its heading"));
-        add(QObject::tr("Sideways"), "sideways", QObject::tr("its velocity to its left: where it is pushed"));
-        add(QObject::tr("Turning"), "turning", QObject::tr("counter-clockwise"));
-        return section;
-    }
-    add(QObject::tr("Direction"), "direction", QObject::tr("in which it moves"));
-    add(QObject::tr("Spin"), "spin", QObject::tr("about the vertical"));
-    if (write.frame.scene().typeOfObject(write.body - write.frame.state.robots.size()).rolls)
-        add(QObject::tr("Slip"), "slip", QObject::tr("speed of its lowest point over the floor: 0 where it rolls"));
-    return section;
-}
-
 InspectorRow comingCommand(const CommandsOnTheWay::Coming& coming) {
     const auto wait = [](Nanoseconds until) {
         return until == 0 ? QObject::tr("now") : QObject::tr("in %1 ms").arg(fixedText(toSeconds(until) * 1e3, 0));
@@ -45,14 +22,8 @@ InspectorRow comingCommand(const CommandsOnTheWay::Coming& coming) {
 }
 
 InspectorRow commandRows(const RowWriter& write) {
-    InspectorRow section = RowWriter::section(QObject::tr("Commands"));
+    InspectorRow section = write.section("Commands");
     auto& rows = section.children;
-    const QString active = QObject::tr("issued a dead time ago: what it does now");
-    rows.push_back(write.number(QObject::tr("In effect, forward"), "forward in effect", active));
-    rows.push_back(write.number(QObject::tr("In effect, turning"), "turning in effect", active));
-    const QString last = QObject::tr("takes effect a dead time from its issue");
-    rows.push_back(write.number(QObject::tr("Issued, forward"), "commanded forward", last));
-    rows.push_back(write.number(QObject::tr("Issued, turning"), "commanded turning", last));
     const CommandQueue::Content content = commandsOf(*write.frame.scenario, write.frame.state, write.body);
     const CommandsOnTheWay way = commandsOnTheWay(content);
     InspectorRow coming = RowWriter::text(QObject::tr("On their way"), QString::number(way.coming.size()),
@@ -70,26 +41,18 @@ InspectorRow commandRows(const RowWriter& write) {
     return section;
 }
 
+/// With what power a kick is on its way.
 InspectorRow kickRows(const RowWriter& write) {
-    InspectorRow section = RowWriter::section(QObject::tr("Kicks"));
+    InspectorRow section = write.section("Kicks");
     const std::vector<Manipulator>& manipulators = write.frame.scene().typeOf(write.body).manipulators;
-    for (std::size_t m = 0; m < manipulators.size(); ++m) {
-        const QString name = QString::fromStdString(manipulators[m].name);
-        InspectorRow ready = write.number(QObject::tr("%1 ready in").arg(name), "ready in",
-                                          QObject::tr("until it can act again"), manipulators[m].name);
-        InspectorRow due =
-            write.number(QObject::tr("%1 kicks in").arg(name), "kick due in",
-                         QObject::tr("a kick on its way: until it is carried out"), manipulators[m].name);
-        due.quiet = true;
+    for (InspectorRow& row : section.children)
         for (const PendingKick& kick : write.frame.state.kicks) {
-            if (kick.robot != write.body || kick.manipulator != m) continue;
-            due.quiet = false;
-            due.notable = true;
-            due.tip += QObject::tr("; with %1 % of its power").arg(fixedText(100 * kick.power, 0));
+            const bool due = kick.robot == write.body && row.plot->quantity == "kick_in" &&
+                             row.plot->of == manipulators[kick.manipulator].name;
+            if (!due) continue;
+            row.notable = true;
+            row.tip += QObject::tr("; with %1 % of its power").arg(fixedText(100 * kick.power, 0));
         }
-        section.children.push_back(std::move(ready));
-        section.children.push_back(std::move(due));
-    }
     return section;
 }
 
@@ -100,52 +63,33 @@ void setNotable(InspectorRow& row, bool touched) {
 }
 
 /// How a body came to be where it is not planned to be.
-void contactRows(const RowWriter& write, std::vector<InspectorRow>& rows) {
+InspectorRow contactRow(const RowWriter& write) {
     std::vector<std::uint32_t> others;
-    for (const ContactReport& contact : write.frame.contacts) {
+    for (const ContactReport& contact : write.frame.lastTick.contacts) {
         const bool first = contact.bodyA == write.body;
         if (!first && contact.bodyB != write.body) continue;
         const std::uint32_t other = first ? contact.bodyB : contact.bodyA;
         if (std::find(others.begin(), others.end(), other) == others.end()) others.push_back(other);
     }
-    InspectorRow all = write.number(QObject::tr("Contact"), "impulse", QObject::tr("of all touches in the last tick"));
+    InspectorRow all = write.value(quantityNamed("impulse", Quantity::Of::body));
     setNotable(all, !others.empty());
     all.open = true;
     for (const std::uint32_t other : others) {
-        const std::string of = other == noBody ? wallName : write.frame.nameOf(other);
-        InspectorRow row = write.number(QObject::tr("with %1").arg(QString::fromStdString(of)), "impulse from",
-                                        QObject::tr("along the normal, in the last tick"), of);
+        InspectorRow row = write.value(quantityNamed("impulse", Quantity::Of::touchingPair), other);
+        row.name = QObject::tr("with %1").arg(QString::fromStdString(row.plot->of));
         setNotable(row, true);
         all.children.push_back(std::move(row));
     }
-    rows.push_back(std::move(all));
+    return all;
 }
 
 InspectorRow predictionRows(const RowWriter& write) {
-    InspectorRow section = RowWriter::section(QObject::tr("Motion model"));
-    auto& rows = section.children;
-    const QString end = QObject::tr("predicted for the end of its control period, if nothing touches it");
-    rows.push_back(write.number(QObject::tr("Predicted x"), "predicted x", end));
-    rows.push_back(write.number(QObject::tr("Predicted y"), "predicted y", end));
-    rows.push_back(write.number(QObject::tr("Predicted heading"), "predicted heading", end));
-    rows.push_back(write.number(QObject::tr("Predicted forward"), "predicted forward", end));
-    rows.push_back(write.number(QObject::tr("Predicted turning"), "predicted turning", end));
-    contactRows(write, rows);
-    const bool touched = write.body < write.frame.lastTick.size() && write.frame.lastTick[write.body].touched;
-    const QString off =
-        QObject::tr("where contact put it in the last tick, as seen from where the model had planned it");
-    for (const auto& [name, quantity] : {std::pair{QObject::tr("Put ahead by"), "pushed ahead"},
-                                         {QObject::tr("Put to the left by"), "pushed left"},
-                                         {QObject::tr("Turned by"), "pushed round"}}) {
-        rows.push_back(write.number(name, quantity, off));
-        setNotable(rows.back(), touched);
-    }
-    const bool pushed = write.frame.state.robots[write.body].pushed;
-    rows.push_back(RowWriter::text(QObject::tr("Wheels"),
-                                   pushed ? QObject::tr("bring it back") : QObject::tr("follow the model"),
-                                   QObject::tr("a pushed robot returns to its way as fast as traction allows")));
-    rows.back().notable = pushed;
-    rows.back().plot = ValueKey{"recovers", write.bodyName};
+    InspectorRow section = write.section("Motion model");
+    const std::vector<StepTrace::Robot>& robots = write.frame.lastTick.robots;
+    const bool touched = write.body < robots.size() && robots[write.body].touched;
+    for (InspectorRow& row : section.children)
+        if (row.plot->quantity.starts_with("pushed")) setNotable(row, touched);
+    section.children.push_back(contactRow(write));
     return section;
 }
 
@@ -158,69 +102,84 @@ InspectorRow lostRow(const std::optional<RealRobot>& robot) {
     return row;
 }
 
-/// How far the robot, or a motion model in its place, is from the real one.
-InspectorRow modelRows(const RowWriter& write, const std::string& model) {
-    const QString position = QObject::tr("of what this motion model makes of the same start and commands");
-    InspectorRow row = write.number(QString::fromStdString(model), positionErrorQuantity, position, model);
-    row.children.push_back(write.number(QObject::tr("Heading error"), headingErrorQuantity, position, model));
-    return row;
-}
-
-/// Nothing: no real robot drove what this one repeats.
+/// How far the robot, or a motion model in its place, is from the real one. Nothing: no real robot drove what this one
+/// repeats.
 std::optional<InspectorRow> realityRows(const RowWriter& write) {
-    const auto real = write.frame.reality == nullptr ? nullptr : write.frame.reality->robotNamed(write.bodyName);
-    if (real == nullptr) return std::nullopt;
-    InspectorRow section = RowWriter::section(QObject::tr("Reality"));
-    const auto add = [&](const QString& name, const char* quantity, const QString& tip) {
-        section.children.push_back(write.number(name, quantity, tip));
-    };
-    add(QObject::tr("Position error"), positionErrorQuantity, QObject::tr("from the real robot to the simulated one"));
-    add(QObject::tr("Heading error"), headingErrorQuantity, QObject::tr("without its sign"));
-    const QString frame = QObject::tr("where the simulated robot is, as seen from the real one");
-    add(QObject::tr("Error ahead"), "error ahead", frame);
-    add(QObject::tr("Error to the left"), "error to the left", frame);
-    const QString truth = QObject::tr("by the log's ground truth");
-    add(QObject::tr("Real x"), "real x", truth);
-    add(QObject::tr("Real y"), "real y", truth);
-    add(QObject::tr("Real heading"), "real heading", truth);
-    add(QObject::tr("Real forward"), "real forward", QObject::tr("the slope of the ground truth, along its heading"));
-    add(QObject::tr("Real turning"), "real turning", QObject::tr("the slope of the ground truth"));
-    if (const auto robot = realRobotOf(write.frame, write.body); !robot || !robot->known())
+    const FieldFrame& frame = write.frame;
+    if (frame.reality == nullptr || frame.reality->robotNamed(frame.nameOf(write.body)) == nullptr) return std::nullopt;
+    InspectorRow section = write.section("Reality");
+    if (const auto robot = realRobotOf(frame, write.body); !robot || !robot->known())
         section.children.insert(section.children.begin(), lostRow(robot));
-    for (const Reality::ModelCourse& model : write.frame.reality->models)
-        section.children.push_back(modelRows(write, model.name));
+    for (const Reality::ModelCourse& model : frame.reality->models) {
+        const auto error = [&](const char* quantity) {
+            return write.item(quantityNamed(quantity, Quantity::Of::items), {model.name, ""});
+        };
+        InspectorRow row = error(modelPositionErrorQuantity);
+        row.children.push_back(error(modelHeadingErrorQuantity));
+        row.children.back().name = headingErrorQuantity;
+        section.children.push_back(std::move(row));
+    }
     return section;
 }
 
 InspectorRow touchRows(const RowWriter& write) {
     InspectorRow section = RowWriter::section(QObject::tr("Touched by"));
-    contactRows(write, section.children);
+    section.children.push_back(contactRow(write));
     return section;
 }
 
 }  // namespace
 
 RowWriter::RowWriter(const FieldFrame& shown, std::size_t which)
-    : frame(shown), body(which), at(momentOf(shown)), bodyName(shown.nameOf(which)) {}
+    : frame(shown), body(static_cast<std::uint32_t>(which)), at(shown.moment()) {}
 
-InspectorRow RowWriter::number(const QString& name, const ValueKey& key, const QString& tip) const {
-    const QuantityText* const text = quantityText(key.quantity);
+InspectorRow RowWriter::value(const BoundValue& value, const QString& name) const {
+    const ValueKey key = keyOf(*at.scenario, value);
     InspectorRow row;
     row.id = QString::fromStdString(key.quantity + ' ' + key.of);
     row.name = name;
-    const double value = readValue(at, key, static_cast<std::uint32_t>(body));
-    row.value = fixedText(value, text->decimals);
-    row.unit = key.unit == "rad" ? QString::fromUtf8("\u00b0")
-                                 : QString::fromUtf8(key.unit.empty() ? text->unit : key.unit.c_str());
-    row.tip = tip;
+    const QuantityValue content = value.value(at);
+    row.tip = QObject::tr("%1\n%2 in conditions")
+                  .arg(QObject::tr(value.quantity->what), QString::fromStdString(pathOf(*at.scenario, value)));
+    if (const auto* const text = std::get_if<std::string>(&content)) {
+        row.value = QString::fromStdString(*text);
+        return row;
+    }
     row.plot = key;
-    row.quiet = !std::isfinite(value);
+    if (const bool* const truth = std::get_if<bool>(&content)) {
+        row.value = *truth ? QObject::tr("yes") : QObject::tr("no");
+        row.notable = *truth;
+        return row;
+    }
+    const double number = value.shown(numberOf(content));
+    row.value = fixedText(number, value.quantity->unit.digits);
+    row.unit = QString::fromStdString(value.shownUnit());
+    row.quiet = !std::isfinite(number);
     return row;
 }
 
-InspectorRow RowWriter::number(const QString& label, const char* quantity, const QString& tip,
-                               const std::string& of) const {
-    return number(label, ValueKey{quantity, bodyName, of}, tip);
+InspectorRow RowWriter::value(const Quantity& quantity, std::uint32_t other) const {
+    return value({&quantity, body, other}, quantity.name);
+}
+
+InspectorRow RowWriter::item(const Quantity& quantity, const Quantity::Item& item) const {
+    return value({&quantity, body, noBody, item.name, item.unit}, QString::fromStdString(item.name));
+}
+
+InspectorRow RowWriter::section(const char* name) const {
+    InspectorRow section = RowWriter::section(QObject::tr(name));
+    for (const Quantity& quantity : quantities()) {
+        if (quantity.section != std::string_view(name) || !hasQuantity(frame.scene(), body, quantity)) continue;
+        if (quantity.of != Quantity::Of::items) {
+            section.children.push_back(value(quantity));
+            continue;
+        }
+        for (const Quantity::Item& one : quantity.items({at, body})) {
+            section.children.push_back(item(quantity, one));
+            section.children.back().name = QString("%1 %2").arg(quantity.name, QString::fromStdString(one.name));
+        }
+    }
+    return section;
 }
 
 InspectorRow RowWriter::text(const QString& name, const QString& value, const QString& tip) {
@@ -239,14 +198,14 @@ InspectorRow RowWriter::section(const QString& name, bool open) {
 
 std::vector<InspectorRow> inspectorRows(const FieldFrame& frame, std::size_t body, const RowIsOpen& isOpen) {
     const RowWriter write(frame, body);
-    std::vector<InspectorRow> rows{motionRows(write)};
+    std::vector<InspectorRow> rows{write.section("Motion")};
     if (body >= frame.state.robots.size()) {
         rows.push_back(touchRows(write));
         return rows;
     }
     if (auto reality = realityRows(write)) rows.push_back(std::move(*reality));
     rows.push_back(commandRows(write));
-    if (InspectorRow kicks = kickRows(write); !kicks.children.empty()) rows.push_back(std::move(kicks));
+    if (!frame.scene().typeOf(body).manipulators.empty()) rows.push_back(kickRows(write));
     rows.push_back(predictionRows(write));
     rows.push_back(controllerRows(write));
     rows.push_back(perceptionRows(write));

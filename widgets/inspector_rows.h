@@ -31,22 +31,23 @@ using RowIsOpen = std::function<bool(const QString& path)>;
 /// What is known of a body at the shown tick, as a person reads it: every number with its unit.
 std::vector<InspectorRow> inspectorRows(const FieldFrame& frame, std::size_t body, const RowIsOpen& isOpen);
 
-/// What the inspector writes rows with: values of the catalogue by their names.
+/// What the inspector writes rows with: values of the catalogue, by their names there unless another is given.
 class RowWriter {
 public:
     RowWriter(const FieldFrame& frame, std::size_t body);
 
-    /// A number of the catalogue.
-    InspectorRow number(const QString& name, const ValueKey& key, const QString& tip = {}) const;
-    InspectorRow number(const QString& name, const char* quantity, const QString& tip = {},
-                        const std::string& of = {}) const;
+    InspectorRow value(const BoundValue& value, const QString& name) const;
+    /// Of the body, and another one; noBody: what stands still.
+    InspectorRow value(const Quantity& quantity, std::uint32_t other = noBody) const;
+    InspectorRow item(const Quantity& quantity, const Quantity::Item& item) const;
+    /// A section with all that the catalogue has for it.
+    InspectorRow section(const char* name) const;
     static InspectorRow text(const QString& name, const QString& value, const QString& tip = {});
     static InspectorRow section(const QString& name, bool open = true);
 
     const FieldFrame& frame;
-    const std::size_t body;
+    const std::uint32_t body;
     const Moment at;
-    const std::string& bodyName;
 };
 
 // The parts of it.

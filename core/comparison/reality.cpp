@@ -1,7 +1,6 @@
 #include "comparison/reality.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "logs/pose_grid.h"
 
@@ -60,13 +59,36 @@ std::optional<PoseError> Reality::modelError(const ModelCourse& model, std::size
     return real ? std::optional(poseError(*real, *predicted)) : std::nullopt;
 }
 
-PoseError poseError(const Pose& real, const Pose& simulated) {
-    return {std::hypot(simulated.x - real.x, simulated.y - real.y),
-            std::abs(wrapAngle(simulated.heading - real.heading))};
+std::optional<Pose> Reality::poseOf(const std::string& simulated, Nanoseconds now) const {
+    const Robot* const robot = robotNamed(simulated);
+    return robot == nullptr ? std::nullopt : robot->poseAt(now);
+}
+
+std::optional<Velocity> Reality::velocityOf(const std::string& simulated, Nanoseconds now) const {
+    const Robot* const robot = robotNamed(simulated);
+    return robot == nullptr ? std::nullopt : robot->velocityAt(now);
+}
+
+std::vector<std::string> Reality::modelNames() const {
+    std::vector<std::string> names;
+    for (const ModelCourse& model : models) names.push_back(model.name);
+    return names;
+}
+
+std::optional<PoseError> Reality::errorOf(const std::string& model, const std::string& simulated,
+                                          Nanoseconds now) const {
+    const Robot* const robot = robotNamed(simulated);
+    const auto found =
+        std::find_if(models.begin(), models.end(), [&](const ModelCourse& one) { return one.name == model; });
+    if (robot == nullptr || found == models.end()) return {};
+    return modelError(*found, static_cast<std::size_t>(robot - robots.data()), now);
 }
 
 Reality realityOf(const LogWorld& world, std::size_t take, Nanoseconds start) {
-    Reality reality{world.sharedLog(), start, {}, {}, world.everybody()};
+    Reality reality;
+    reality.log = world.sharedLog();
+    reality.start = start;
+    reality.everybody = world.everybody();
     for (std::size_t i = 0; i < world.robots().size(); ++i)
         reality.robots.push_back({world.robots()[i].name, world.robots()[i].realName, &world.trajectory(take, i),
                                   world.takes()[take].parts[i].origin + start});

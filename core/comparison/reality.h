@@ -8,18 +8,13 @@
 #include <vector>
 
 #include "comparison/log_world.h"
+#include "quantities/real_robots.h"
 
 namespace mrose {
 
-/// As windowErrors() has it: m, and rad, absolute, wrapped.
-struct PoseError {
-    double position = 0, heading = 0;
-};
-PoseError poseError(const Pose& real, const Pose& simulated);
-
 /// What really happened beside a run that begins at an instant of a log, on the run's clock. A value; whoever shows the
-/// run shows it too, and errors of the simulated robots are against it.
-struct Reality {
+/// run shows it too, and errors of the simulated robots, as windowErrors() has them, are against it.
+struct Reality : RealRobots {
     struct Robot {
         std::string name;                        ///< of the simulated robot
         std::string realName;                    ///< in the log
@@ -62,6 +57,12 @@ struct Reality {
     /// How far a model is from a robot of `robots`, at the last of its instants up to `now`; nothing where one of the
     /// two is unknown then.
     std::optional<PoseError> modelError(const ModelCourse& model, std::size_t robot, Nanoseconds now) const;
+
+    std::optional<Pose> poseOf(const std::string& simulated, Nanoseconds now) const override;
+    std::optional<Velocity> velocityOf(const std::string& simulated, Nanoseconds now) const override;
+    std::vector<std::string> modelNames() const override;
+    std::optional<PoseError> errorOf(const std::string& model, const std::string& simulated,
+                                     Nanoseconds now) const override;
 };
 
 /// Beside LogWorld::openAt() of that take and start.

@@ -1,17 +1,41 @@
 #include "condition/condition.h"
 
+#include <algorithm>
 #include <cassert>
+#include <vector>
 
+#include "condition/lua_paths.h"
 #include "condition/world_expression.h"
+#include "quantities/catalogue.h"
+#include "quantities/part.h"
 
 namespace mrose {
 namespace {
 
-Expected<std::unique_ptr<WorldExpression>> compiled(std::string_view text, const Scenario& scenario,
-                                                    const std::string& source, const RealPoses& real) {
-    auto expression = std::make_unique<WorldExpression>(text, source, real);
-    if (const auto done = expression->compile(scenario); !done) return tl::unexpected(done.error());
+/// A run's start, at which nobody has seen or decided anything yet.
+struct Start {
+    WorldState state;
+    std::vector<RobotInsight> insights;
+    Moment moment;
+
+    Start(const Scenario& scenario, const RealRobots* real)
+        : state(scenario.initialState()),
+          insights(state.robots.size()),
+          moment{&scenario, &state, nullptr, insights, real} {}
+    Start(const Start&) = delete;
+    Start& operator=(const Start&) = delete;
+};
+
+Expected<std::unique_ptr<WorldExpression>> compiled(std::string_view text, const Start& start,
+                                                    const std::string& source) {
+    auto expression = std::make_unique<WorldExpression>(text, source);
+    if (const auto done = expression->compile(start.moment); !done) return tl::unexpected(done.error());
     return expression;
+}
+
+Expected<LuaValue> valueAt(WorldExpression& expression, const Moment& at) {
+    assert(at.state->robots.size() == at.scene().robots.size());
+    return expression.evaluate(at);
 }
 
 }  // namespace
@@ -23,20 +47,30 @@ Condition::~Condition() = default;
 
 const std::string& Condition::text() const { return expression_->text(); }
 
-Expected<bool> Condition::holds(const Scenario& scenario, const WorldState& state, const StepTrace* trace) {
-    assert(state.robots.size() == scenario.scene().robots.size());
-    const auto value = expression_->evaluate(scenario, state, trace);
+Expected<bool> Condition::holds(const Moment& at) {
+    const auto value = valueAt(*expression_, at);
     if (!value) return tl::unexpected(value.error());
     if (const bool* const answer = std::get_if<bool>(&*value)) return *answer;
     return expression_->unfit(*value, "true or false");
 }
 
+bool readsControl(std::string_view text, const Scenario& scenario) {
+    std::vector<std::string> names;
+    for (const Quantity& quantity : quantities())
+        if (quantity.needs == Quantity::Needs::control) names.emplace_back(quantity.name);
+    for (std::size_t robot = 0; robot < scenario.scene().robots.size(); ++robot)
+        for (const std::string& part : partNames(scenario, robot)) names.push_back(part);
+    const std::vector<std::string_view> words = luaWords(text);
+    return std::find_first_of(words.begin(), words.end(), names.begin(), names.end()) != words.end();
+}
+
 Expected<Condition> compileCondition(std::string_view text, const Scenario& scenario, const std::string& source,
-                                     const RealPoses& real) {
-    auto expression = compiled(text, scenario, source, real);
+                                     const RealRobots* real) {
+    const Start start(scenario, real);
+    auto expression = compiled(text, start, source);
     if (!expression) return tl::unexpected(expression.error());
     Condition condition(std::move(*expression));
-    const auto answer = condition.holds(scenario, scenario.initialState(), nullptr);
+    const auto answer = condition.holds(start.moment);
     if (!answer) return tl::unexpected(answer.error());
     return condition;
 }
@@ -48,9 +82,8 @@ WorldValue::~WorldValue() = default;
 
 const std::string& WorldValue::text() const { return expression_->text(); }
 
-Expected<double> WorldValue::value(const Scenario& scenario, const WorldState& state, const StepTrace* trace) {
-    assert(state.robots.size() == scenario.scene().robots.size());
-    const auto value = expression_->evaluate(scenario, state, trace);
+Expected<double> WorldValue::value(const Moment& at) {
+    const auto value = valueAt(*expression_, at);
     if (!value) return tl::unexpected(value.error());
     if (const double* const number = std::get_if<double>(&*value)) return *number;
     if (const bool* const answer = std::get_if<bool>(&*value)) return *answer ? 1 : 0;
@@ -58,11 +91,12 @@ Expected<double> WorldValue::value(const Scenario& scenario, const WorldState& s
 }
 
 Expected<WorldValue> compileWorldValue(std::string_view text, const Scenario& scenario, const std::string& source,
-                                       const RealPoses& real) {
-    auto expression = compiled(text, scenario, source, real);
+                                       const RealRobots* real) {
+    const Start start(scenario, real);
+    auto expression = compiled(text, start, source);
     if (!expression) return tl::unexpected(expression.error());
     WorldValue value(std::move(*expression));
-    const auto first = value.value(scenario, scenario.initialState(), nullptr);
+    const auto first = value.value(start.moment);
     if (!first) return tl::unexpected(first.error());
     return value;
 }

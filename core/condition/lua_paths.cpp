@@ -151,4 +151,18 @@ private:
 
 std::vector<LuaPath> luaPaths(std::string_view text) { return PathSearch(text).find(); }
 
+std::vector<std::string_view> luaWords(std::string_view text) {
+    std::vector<std::string_view> words;
+    const Tokens tokens(text);
+    for (const Token& token : tokens.all()) {
+        const std::string_view word = text.substr(token.begin, token.end - token.begin);
+        if (token.kind == Token::Kind::name) words.push_back(word);
+        if (token.kind != Token::Kind::string) continue;
+        constexpr std::string_view quotes = "'\"[=]";
+        const std::size_t begin = std::min(word.find_first_not_of(quotes), word.size());
+        words.push_back(word.substr(begin, word.find_last_not_of(quotes) + 1 - begin));
+    }
+    return words;
+}
+
 }  // namespace mrose

@@ -22,4 +22,7 @@ struct LuaPath {
 /// local.
 std::vector<LuaPath> luaPaths(std::string_view text);
 
+/// All names and strings in any text, these without their quotation marks.
+std::vector<std::string_view> luaWords(std::string_view text);
+
 }  // namespace mrose

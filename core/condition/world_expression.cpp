@@ -15,16 +15,15 @@ std::string typeName(const LuaValue& value) {
 
 }  // namespace
 
-Expected<void> WorldExpression::compile(const Scenario& scenario) {
+Expected<void> WorldExpression::compile(const Moment& start) {
     addMath(sandbox_);
-    addWorldNames(sandbox_, scenario, view_);
+    addWorldNames(sandbox_, *start.scenario, view_);
     const auto expression = sandbox_.load(text_, source_);
     if (!expression) return tl::unexpected(expression.error());
     expression_ = *expression;
-    const WorldState start = scenario.initialState();
-    view_ = {&scenario, &start, nullptr, &real_};
+    view_.at = start;
     Expected<void> checked = checkPaths();
-    view_ = {};
+    view_.at = {};
     return checked;
 }
 
@@ -52,9 +51,8 @@ Expected<void> WorldExpression::checkPaths() {
     return {};
 }
 
-Expected<LuaValue> WorldExpression::evaluate(const Scenario& scenario, const WorldState& state,
-                                             const StepTrace* trace) {
-    view_ = {&scenario, &state, trace, &real_};
+Expected<LuaValue> WorldExpression::evaluate(const Moment& at) {
+    view_.at = at;
     return sandbox_.evaluate(expression_, source_);
 }
 

@@ -12,15 +12,14 @@ namespace mrose {
 /// A Lua expression over the world's names, in an interpreter of its own, and what it gives.
 class WorldExpression {
 public:
-    WorldExpression(std::string_view text, const std::string& source, RealPoses real)
-        : text_(text), source_(source), real_(std::move(real)) {}
+    WorldExpression(std::string_view text, const std::string& source) : text_(text), source_(source) {}
     WorldExpression(const WorldExpression&) = delete;
     WorldExpression& operator=(const WorldExpression&) = delete;
 
     const std::string& text() const { return text_; }
-    /// Once, first. Error: as of compileCondition().
-    Expected<void> compile(const Scenario& scenario);
-    Expected<LuaValue> evaluate(const Scenario& scenario, const WorldState& state, const StepTrace* trace);
+    /// Once, first; `start` is what is known at a run's start. Error: as of compileCondition().
+    Expected<void> compile(const Moment& start);
+    Expected<LuaValue> evaluate(const Moment& at);
     /// Says that it gives another kind of value than was asked for.
     tl::unexpected<Error> unfit(const LuaValue& value, const char* expected) const;
 
@@ -29,7 +28,6 @@ private:
     Expected<LuaValue> valueOf(std::string_view path);
 
     std::string text_, source_;
-    RealPoses real_;
     WorldView view_;
     LuaSandbox sandbox_;
     LuaSandbox::Expression expression_;

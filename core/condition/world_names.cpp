@@ -1,168 +1,139 @@
 #include "condition/world_names.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <new>
-#include <span>
 #include <string>
 #include <vector>
 
 #include <lua.hpp>
+
+#include "quantities/catalogue.h"
+#include "quantities/part.h"
 
 namespace mrose {
 namespace {
 
 /// All userdata of a condition: what a name stands for. It never changes; only what it reads does.
 struct Handle {
-    enum class Kind : std::uint32_t { robot, object, wall, collection };
+    enum class Kind : std::uint32_t { robot, object, wall, collection, items };
     Kind kind = Kind::collection;
-    std::uint32_t body = 0;  ///< number in the world, of robots and objects
+    std::uint32_t body = noBody;         ///< number in the world, of robots and objects
+    const Quantity* quantity = nullptr;  ///< of items
+    std::uint32_t part = noBody;         ///< of items that a part remembers
 };
 
 const WorldView& viewOf(lua_State* lua) { return **static_cast<const WorldView**>(lua_getextraspace(lua)); }
 
-const RobotState& robot(const WorldView& view, std::uint32_t body) { return view.state->robots[body]; }
-const ObjectState& object(const WorldView& view, std::uint32_t body) {
-    return view.state->objects[body - view.state->robots.size()];
+/// Pushes what a quantity gives; an error where the moment does not have what it needs.
+int pushValue(lua_State* lua, const Quantity& quantity, const Subject& subject) {
+    if (quantity.needs == Quantity::Needs::real && subject.at.real == nullptr)
+        return luaL_error(lua, "'%s' needs a real log beside the run: none is open", quantity.name);
+    if (quantity.needs == Quantity::Needs::control && subject.at.insights.empty())
+        return luaL_error(lua, "what controllers saw and decided is not known here: write the name of '%s' out",
+                          quantity.name);
+    if (const auto* const number = std::get_if<double (*)(const Subject&)>(&quantity.read)) {
+        lua_pushnumber(lua, (*number)(subject));
+    } else if (const auto* const truth = std::get_if<bool (*)(const Subject&)>(&quantity.read)) {
+        lua_pushboolean(lua, static_cast<int>((*truth)(subject)));
+    } else if (const auto* const count = std::get_if<std::int64_t (*)(const Subject&)>(&quantity.read)) {
+        lua_pushinteger(lua, (*count)(subject));
+    } else {
+        double number = 0;
+        bool text = false;
+        {
+            QuantityValue value = quantity.value(subject);
+            text = std::holds_alternative<std::string>(value);
+            if (text)
+                viewOf(lua).text = std::move(std::get<std::string>(value));
+            else
+                number = numberOf(value);
+        }
+        if (text)
+            lua_pushlstring(lua, viewOf(lua).text.data(), viewOf(lua).text.size());
+        else
+            lua_pushnumber(lua, number);
+    }
+    return 1;
 }
 
-/// Whether any of what the last step reports fits; there was no last step at a run's start.
-template <class Report, class Fits>
-bool any(const WorldView& view, std::vector<Report> StepTrace::*reports, Fits fits) {
-    return view.trace != nullptr && std::any_of((view.trace->*reports).begin(), (view.trace->*reports).end(), fits);
+const Quantity& quantityIn(lua_State* lua, int index) {
+    return *static_cast<const Quantity*>(lua_touserdata(lua, index));
 }
-
-bool meet(const WorldView& view, std::uint32_t a, std::uint32_t b) {
-    return any(view, &StepTrace::contacts, [&](const ContactReport& contact) {
-        return (contact.bodyA == a && contact.bodyB == b) || (contact.bodyA == b && contact.bodyB == a);
-    });
-}
-
-double touching(const WorldView& view, std::uint32_t body) {
-    return any(view, &StepTrace::contacts,
-               [&](const ContactReport& contact) { return contact.bodyA == body || contact.bodyB == body; });
-}
-
-double kicked(const WorldView& view, std::uint32_t body) {
-    return any(view, &StepTrace::kicks, [&](const StepTrace::Kicked& kick) { return kick.robot == body; });
-}
-
-Command commandOf(const WorldView& view, std::uint32_t body) {
-    return view.scenario->commandsOf(*view.state, body).at(view.scenario->scene().timeOf(view.state->tick));
-}
-
-/// Where the real robot is, and how far the simulated one is from there. Of no number all comparisons are false.
-template <class Of>
-double besideReal(const WorldView& view, std::uint32_t body, Of of) {
-    const Scene& scene = view.scenario->scene();
-    const auto real = (*view.real)(scene.robots[body].name, scene.timeOf(view.state->tick));
-    return real ? of(*real, robot(view, body).pose) : std::numeric_limits<double>::quiet_NaN();
-}
-
-struct Field {
-    enum class Kind : std::uint8_t {
-        number,
-        flag,  ///< true or false
-        real   ///< a number that a real log tells
-    };
-    const char* name;
-    double (*read)(const WorldView& view, std::uint32_t body);
-    Kind kind = Kind::number;
-};
-
-constexpr Field robotFields[] = {
-    {"x", [](const WorldView& view, std::uint32_t i) { return robot(view, i).pose.x; }},
-    {"y", [](const WorldView& view, std::uint32_t i) { return robot(view, i).pose.y; }},
-    {"heading", [](const WorldView& view, std::uint32_t i) { return wrapAngle(robot(view, i).pose.heading); }},
-    {"v", [](const WorldView& view, std::uint32_t i) { return robot(view, i).velocity_B.x; }},
-    {"w", [](const WorldView& view, std::uint32_t i) { return robot(view, i).velocity_B.rotation; }},
-    {"speed",
-     [](const WorldView& view, std::uint32_t i) {
-         return length({robot(view, i).velocity_B.x, robot(view, i).velocity_B.y});
-     }},
-    {"command_v", [](const WorldView& view, std::uint32_t i) { return commandOf(view, i).v; }},
-    {"command_w", [](const WorldView& view, std::uint32_t i) { return commandOf(view, i).w; }},
-    {"touching", touching, Field::Kind::flag},
-    {"kicked", kicked, Field::Kind::flag},
-    {"error",
-     [](const WorldView& view, std::uint32_t i) {
-         return besideReal(view, i, [](const Pose& real, const Pose& simulated) {
-             return std::hypot(simulated.x - real.x, simulated.y - real.y);
-         });
-     },
-     Field::Kind::real},
-    {"heading_error",
-     [](const WorldView& view, std::uint32_t i) {
-         return besideReal(view, i, [](const Pose& real, const Pose& simulated) {
-             return std::abs(wrapAngle(simulated.heading - real.heading));
-         });
-     },
-     Field::Kind::real},
-    {"real_x",
-     [](const WorldView& view, std::uint32_t i) {
-         return besideReal(view, i, [](const Pose& real, const Pose&) { return real.x; });
-     },
-     Field::Kind::real},
-    {"real_y",
-     [](const WorldView& view, std::uint32_t i) {
-         return besideReal(view, i, [](const Pose& real, const Pose&) { return real.y; });
-     },
-     Field::Kind::real},
-    {"real_heading",
-     [](const WorldView& view, std::uint32_t i) {
-         return besideReal(view, i, [](const Pose& real, const Pose&) { return wrapAngle(real.heading); });
-     },
-     Field::Kind::real},
-};
-/// Persons drive by no log: theirs are those before.
-constexpr std::span<const Field> personFields{
-    robotFields, std::find_if(std::begin(robotFields), std::end(robotFields),
-                              [](const Field& field) { return field.kind == Field::Kind::real; })};
-
-constexpr Field objectFields[] = {
-    {"x", [](const WorldView& view, std::uint32_t i) { return object(view, i).pose.x; }},
-    {"y", [](const WorldView& view, std::uint32_t i) { return object(view, i).pose.y; }},
-    {"heading", [](const WorldView& view, std::uint32_t i) { return wrapAngle(object(view, i).pose.heading); }},
-    {"vx", [](const WorldView& view, std::uint32_t i) { return object(view, i).velocity_W.x; }},
-    {"vy", [](const WorldView& view, std::uint32_t i) { return object(view, i).velocity_W.y; }},
-    {"w", [](const WorldView& view, std::uint32_t i) { return object(view, i).velocity_W.rotation; }},
-    {"speed",
-     [](const WorldView& view, std::uint32_t i) {
-         return length({object(view, i).velocity_W.x, object(view, i).velocity_W.y});
-     }},
-    {"touching", touching, Field::Kind::flag},
-};
 
 /// A text that outlives a scenario may keep a body that the next one does not have.
 void checkThere(lua_State* lua, const Handle& handle) {
-    const WorldState& state = *viewOf(lua).state;
+    const WorldState& state = *viewOf(lua).at.state;
     const std::size_t robots = state.robots.size();
-    const bool there = handle.kind == Handle::Kind::robot
-                           ? handle.body < robots
-                           : handle.body >= robots && handle.body < robots + state.objects.size();
+    const bool there = handle.kind == Handle::Kind::object
+                           ? handle.body >= robots && handle.body < robots + state.objects.size()
+                           : handle.body < robots;
     if (handle.kind != Handle::Kind::wall && !there) luaL_error(lua, "this body is of another scenario");
 }
 
-/// __index of bodies; upvalue 1 has their fields' indices by name, 2 is the array of Field, 3 what they are and have.
-int readField(lua_State* lua) {
-    const Handle& handle = *static_cast<const Handle*>(lua_touserdata(lua, 1));
-    lua_pushvalue(lua, 2);
-    if (lua_rawget(lua, lua_upvalueindex(1)) != LUA_TNUMBER)
-        return luaL_error(lua, "there is no '%s': %s", luaL_tolstring(lua, 2, nullptr),
-                          lua_tostring(lua, lua_upvalueindex(3)));
-    const auto* const fields = static_cast<const Field*>(lua_touserdata(lua, lua_upvalueindex(2)));
-    const Field& field = fields[lua_tointeger(lua, -1)];
-    checkThere(lua, handle);
-    const WorldView& view = viewOf(lua);
-    if (field.kind == Field::Kind::real && (view.real == nullptr || !*view.real))
-        return luaL_error(lua, "'%s' needs a real log beside the run: none is open", field.name);
-    const double value = field.read(view, handle.body);
-    if (field.kind == Field::Kind::flag)
-        lua_pushboolean(lua, value != 0);
-    else
-        lua_pushnumber(lua, value);
+/// The items of a quantity, or the memory of a part.
+int pushItems(lua_State* lua, std::uint32_t body, const Quantity& quantity, std::uint32_t part) {
+    new (lua_newuserdatauv(lua, sizeof(Handle), 0)) Handle{Handle::Kind::items, body, &quantity, part};
+    luaL_setmetatable(lua, "items");
     return 1;
+}
+
+/// The place of a robot's part of the name at index 2; noBody: it has none.
+std::uint32_t partNamed(lua_State* lua, std::uint32_t robot) {
+    if (lua_type(lua, 2) != LUA_TSTRING) return noBody;
+    const std::string_view name = lua_tostring(lua, 2);
+    const std::vector<std::string> parts = partNames(*viewOf(lua).at.scenario, robot);
+    const auto found = std::find(parts.begin(), parts.end(), name);
+    return found == parts.end() ? noBody : static_cast<std::uint32_t>(found - parts.begin());
+}
+
+/// What is said of a name that a body does not have.
+const char* whatThereIs(lua_State* lua, const Handle& handle, const char* written) {
+    const WorldView& view = viewOf(lua);
+    const Scene& scene = view.at.scene();
+    const bool robot = handle.body < scene.robots.size();
+    view.text = !robot ? "an object" : scene.typeOf(handle.body).person ? "a person" : "a robot";
+    view.text += " has " + nearestNames(written, quantityNames(*view.at.scenario, handle.body));
+    return view.text.c_str();
+}
+
+/// __index of bodies; upvalue 1 has their quantities by name.
+int readQuantity(lua_State* lua) {
+    const Handle& handle = *static_cast<const Handle*>(lua_touserdata(lua, 1));
+    checkThere(lua, handle);
+    lua_pushvalue(lua, 2);
+    if (lua_rawget(lua, lua_upvalueindex(1)) == LUA_TLIGHTUSERDATA) {
+        const Quantity& quantity = quantityIn(lua, -1);
+        if (quantity.of == Quantity::Of::items) return pushItems(lua, handle.body, quantity, noBody);
+        return pushValue(lua, quantity, {viewOf(lua).at, handle.body});
+    }
+    const std::uint32_t part = handle.kind == Handle::Kind::robot ? partNamed(lua, handle.body) : noBody;
+    if (part != noBody) return pushItems(lua, handle.body, partQuantity(), part);
+    const char* const written = luaL_tolstring(lua, 2, nullptr);
+    return luaL_error(lua, "there is no '%s': %s", written, whatThereIs(lua, handle, written));
+}
+
+/// Whether items that never change lack this one; then what there is lies in the view's text.
+bool lacksItem(const WorldView& view, const Quantity& quantity, const Subject& subject) {
+    if (quantity.itemsChange) return false;
+    const std::vector<Quantity::Item> items = quantity.items(subject);
+    view.text = items.empty() ? "it has none" : "it has ";
+    for (const Quantity::Item& item : items) {
+        if (item.name == subject.item) return false;
+        view.text += (&item == items.data() ? "'" : ", '") + item.name + '\'';
+    }
+    return true;
+}
+
+/// __index of items.
+int readItem(lua_State* lua) {
+    const Handle& handle = *static_cast<const Handle*>(lua_touserdata(lua, 1));
+    checkThere(lua, handle);
+    std::size_t size = 0;
+    const char* const name = luaL_checklstring(lua, 2, &size);
+    const Subject subject{viewOf(lua).at, handle.body, handle.part, {name, size}};
+    if (lacksItem(viewOf(lua), *handle.quantity, subject))
+        return luaL_error(lua, "there is no '%s' in '%s': %s", name, handle.quantity->name, viewOf(lua).text.c_str());
+    return pushValue(lua, *handle.quantity, subject);
 }
 
 /// ", called a, b ..."; nothing where there are none.
@@ -191,66 +162,40 @@ int readMember(lua_State* lua) {
                       lua_tostring(lua, lua_upvalueindex(3)), named ? lua_tostring(lua, lua_upvalueindex(4)) : "");
 }
 
-/// The same of goals: members are their numbers from 0, and what is read is the balls in them.
+/// The same of goals: members are their numbers from 0; upvalue 5 is what is read of them.
 int readGoal(lua_State* lua) {
     readMember(lua);
-    lua_pushinteger(lua, viewOf(lua).state->goals[static_cast<std::size_t>(lua_tointeger(lua, -1))]);
-    return 1;
+    const auto goal = static_cast<std::uint32_t>(lua_tointeger(lua, -1));
+    return pushValue(lua, quantityIn(lua, lua_upvalueindex(5)), {viewOf(lua).at, goal});
 }
 
 /// The argument as a body.
-Handle bodyAt(lua_State* lua, int index, bool wallToo) {
+std::uint32_t bodyAt(lua_State* lua, int index, Quantity::Of of) {
     const auto* const handle = static_cast<const Handle*>(lua_touserdata(lua, index));
-    if (handle == nullptr || handle->kind == Handle::Kind::collection ||
-        (handle->kind == Handle::Kind::wall && !wallToo)) {
-        luaL_argerror(
-            lua, index,
-            wallToo ? "expected a robot, a person, an object or wall" : "expected a robot, a person or an object");
-        return {};  // not reached
-    }
+    const bool wallToo = of == Quantity::Of::touchingPair, robot = of == Quantity::Of::seenPair && index == 1;
+    const auto is = [&](Handle::Kind kind) { return handle != nullptr && handle->kind == kind; };
+    if (!is(Handle::Kind::robot) && (robot || !is(Handle::Kind::object)) && (!wallToo || !is(Handle::Kind::wall)))
+        luaL_argerror(lua, index,
+                      robot     ? "expected a robot or a person"
+                      : wallToo ? "expected a robot, a person, an object or wall"
+                                : "expected a robot, a person or an object");
     checkThere(lua, *handle);
-    return *handle;
+    return handle->body;
 }
 
-const Pose& poseAt(lua_State* lua, int index) {
-    return Scenario::poseOf(*viewOf(lua).state, bodyAt(lua, index, false).body);
+/// A function of two bodies; upvalue 1 is the quantity.
+int readPair(lua_State* lua) {
+    const Quantity& quantity = quantityIn(lua, lua_upvalueindex(1));
+    const std::uint32_t first = bodyAt(lua, 1, quantity.of), second = bodyAt(lua, 2, quantity.of);
+    // Between two of what stands still nothing is known.
+    return pushValue(lua, quantity, {viewOf(lua).at, first, second});
 }
 
-int distanceBetween(lua_State* lua) {
-    lua_pushnumber(lua, distance(position(poseAt(lua, 1)), position(poseAt(lua, 2))));
-    return 1;
-}
-
-int bearing(lua_State* lua) {
-    const Pose &from = poseAt(lua, 1), &to = poseAt(lua, 2);
-    lua_pushnumber(lua, wrapAngle(std::atan2(to.y - from.y, to.x - from.x) - from.heading));
-    return 1;
-}
+/// A variable of the run; upvalue 1 is the quantity.
+int readOfRun(lua_State* lua) { return pushValue(lua, quantityIn(lua, lua_upvalueindex(1)), {viewOf(lua).at}); }
 
 int wrap(lua_State* lua) {
     lua_pushnumber(lua, wrapAngle(luaL_checknumber(lua, 1)));
-    return 1;
-}
-
-int touchingBodies(lua_State* lua) {
-    const Handle a = bodyAt(lua, 1, true), b = bodyAt(lua, 2, true);
-    lua_pushboolean(lua, static_cast<int>(meet(viewOf(lua), a.body, b.body)));
-    return 1;
-}
-
-int pushTime(lua_State* lua) {
-    const WorldView& view = viewOf(lua);
-    lua_pushnumber(lua, toSeconds(view.scenario->scene().timeOf(view.state->tick)));
-    return 1;
-}
-
-int pushTick(lua_State* lua) {
-    lua_pushinteger(lua, viewOf(lua).state->tick);
-    return 1;
-}
-
-int pushSeed(lua_State* lua) {
-    lua_pushinteger(lua, static_cast<lua_Integer>(viewOf(lua).state->seed));
     return 1;
 }
 
@@ -266,41 +211,45 @@ public:
         : sandbox_(sandbox), lua_(sandbox.state()), scene_(scenario.scene()) {}
 
     void write() {
-        makeBodyMetatable("robot", "a robot", robotFields);
-        makeBodyMetatable("person", "a person", personFields);
-        makeBodyMetatable("object", "an object", objectFields);
+        addBodyType("robot", [](const Quantity& q) { return q.of != Quantity::Of::object; });
+        addBodyType("person",
+                    [](const Quantity& q) { return q.of != Quantity::Of::object && q.needs != Quantity::Needs::real; });
+        addBodyType("object",
+                    [](const Quantity& q) { return q.of == Quantity::Of::object || q.of == Quantity::Of::body; });
+        luaL_newmetatable(lua_, "items");
+        lua_pushcfunction(lua_, readItem);
+        lua_setfield(lua_, -2, "__index");
+        lua_pop(lua_, 1);
         addRobots({"robot", "robot", "robots"}, false);
         addRobots({"person", "person", "persons"}, true);
         addObjects();
-        addGoals();
+        for (const Quantity& quantity : quantities())
+            if (quantity.of == Quantity::Of::goal) addGoals(quantity);
         pushHandle(lua_, Handle::Kind::wall, noBody);
         nameType("wall");
         sandbox_.addName("wall");
-        for (const auto& [name, function] : {luaL_Reg{"distance", distanceBetween},
-                                             {"bearing", bearing},
-                                             {"wrap", wrap},
-                                             {"touching", touchingBodies}}) {
-            lua_pushcfunction(lua_, function);
-            sandbox_.addName(name);
-        }
-        sandbox_.addVariable("time", pushTime);
-        sandbox_.addVariable("tick", pushTick);
-        sandbox_.addVariable("seed", pushSeed);
+        lua_pushcfunction(lua_, wrap);
+        sandbox_.addName("wrap");
+        for (const Quantity& quantity : quantities())
+            if (quantity.isPair() || quantity.of == Quantity::Of::run) {
+                lua_pushlightuserdata(lua_, const_cast<Quantity*>(&quantity));
+                lua_pushcclosure(lua_, quantity.isPair() ? readPair : readOfRun, 1);
+                quantity.isPair() ? sandbox_.addName(quantity.name) : sandbox_.addVariable(quantity.name);
+            }
     }
 
 private:
-    void makeBodyMetatable(const char* type, const std::string& subject, std::span<const Field> fields) {
+    /// A metatable with what `fits` a kind of body.
+    template <class Fits>
+    void addBodyType(const char* type, Fits fits) {
         luaL_newmetatable(lua_, type);
         lua_newtable(lua_);
-        std::string have = subject + " has ";
-        for (std::size_t i = 0; i < fields.size(); ++i) {
-            lua_pushinteger(lua_, static_cast<lua_Integer>(i));
-            lua_setfield(lua_, -2, fields[i].name);
-            have += (i == 0 ? "" : ", ") + std::string(fields[i].name);
-        }
-        lua_pushlightuserdata(lua_, const_cast<Field*>(fields.data()));
-        lua_pushstring(lua_, have.c_str());
-        lua_pushcclosure(lua_, readField, 3);
+        for (const Quantity& quantity : quantities())
+            if (quantity.isOfBody() && fits(quantity)) {
+                lua_pushlightuserdata(lua_, const_cast<Quantity*>(&quantity));
+                lua_setfield(lua_, -2, quantity.name);
+            }
+        lua_pushcclosure(lua_, readQuantity, 1);
         lua_setfield(lua_, -2, "__index");
         lua_pop(lua_, 1);
     }
@@ -326,8 +275,9 @@ private:
 
     /// A name for the table of members on top of the stack, which it takes.
     /// `numbers`: of the members, where others are left out; empty: all are there.
+    /// `quantity`: what is read of a member.
     void addCollection(const Words& words, const std::vector<std::string>& names, lua_CFunction read,
-                       const std::string& numbers = {}) {
+                       const std::string& numbers = {}, const Quantity* quantity = nullptr) {
         const std::size_t count = names.size();
         const std::string many = words.many, number = count == 0 ? "no" : std::to_string(count);
         pushHandle(lua_, Handle::Kind::collection, 0);
@@ -340,7 +290,8 @@ private:
                               : "there are " + many + numbers;
         lua_pushstring(lua_, there.c_str());
         lua_pushstring(lua_, listed(names).c_str());
-        lua_pushcclosure(lua_, read, 4);
+        lua_pushlightuserdata(lua_, const_cast<Quantity*>(quantity));
+        lua_pushcclosure(lua_, read, 5);
         lua_setfield(lua_, -2, "__index");
         lua_pushinteger(lua_, static_cast<lua_Integer>(count));
         lua_pushcclosure(lua_, countMembers, 1);
@@ -392,7 +343,7 @@ private:
         addCollection({"object", "object", "objects"}, names, readMember);
     }
 
-    void addGoals() {
+    void addGoals(const Quantity& quantity) {
         lua_newtable(lua_);
         std::vector<std::string> names;
         const std::vector<Goal>& goals = scene_.environment.goals;
@@ -401,7 +352,7 @@ private:
             names.push_back(goals[i].name);
             addMember(names.size(), names.back());
         }
-        addCollection({"goals", "goal", "goals"}, names, readGoal);
+        addCollection({quantity.name, "goal", "goals"}, names, readGoal, {}, &quantity);
     }
 
     LuaSandbox& sandbox_;

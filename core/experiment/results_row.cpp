@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "io/number_text.h"
+#include "quantities/catalogue.h"
 #include "world/plain_seconds.h"
 #include "world/state_hash.h"
 
@@ -66,6 +67,10 @@ std::vector<VariedValue> variedValues(const ScenarioParts& parts) {
     return values;
 }
 
+const Quantity& goals() { return quantityNamed("goals", Quantity::Of::goal); }
+/// As conditions call it.
+std::string goalsName(const Goal& goal) { return goals().name + ('.' + goal.name); }
+
 }  // namespace
 
 std::vector<std::string> resultsCells(std::string_view line) {
@@ -86,7 +91,7 @@ std::vector<std::string> resultsCells(std::string_view line) {
 
 std::string resultsHeader(const ScenarioParts& parts) {
     std::string line = "trial,seed,end,time_s,touches,kicks,hits,faults,driven_m";
-    for (const Goal& goal : parts.scene.environment.goals) line += ',' + cell("goals " + goal.name);
+    for (const Goal& goal : parts.scene.environment.goals) line += ',' + cell(goalsName(goal));
     for (const VariedValue& value : variedValues(parts)) line += ',' + cell(value.name);
     return line + ",world_hash,command,first_fault";
 }
@@ -98,7 +103,8 @@ std::string resultsRow(const RunKey& key, const RunResult& result, const Scenari
                        plainSeconds(result.state.tick * parts.scene.tickLength);
     for (const std::int64_t count : {s.touches, s.kicks, s.hits, s.faults}) line += ',' + std::to_string(count);
     line += ',' + numberText(std::accumulate(s.driven.begin(), s.driven.end(), 0.0));
-    for (const std::int32_t goals : s.goals) line += ',' + std::to_string(goals);
+    for (std::uint32_t goal = 0; goal < s.goals.size(); ++goal)
+        line += ',' + std::to_string(std::get<std::int64_t>(goals().value({{nullptr, &result.state}, goal})));
     for (const VariedValue& value : variedValues(parts)) line += ',' + numberText(value.value);
     return line + ',' + hexadecimal(hashOf(result.state).world) + ',' + cell(command) + ',' + cell(s.firstFault);
 }
@@ -106,7 +112,7 @@ std::string resultsRow(const RunKey& key, const RunResult& result, const Scenari
 ResultsSummary::ResultsSummary(const Scene& scene) {
     for (const char* const name : {"time, s", "touches", "kicks", "hits", "faults", "driven, m"})
         columns.push_back({name});
-    for (const Goal& goal : scene.environment.goals) columns.push_back({"goals in " + goal.name});
+    for (const Goal& goal : scene.environment.goals) columns.push_back({goalsName(goal)});
 }
 
 void ResultsSummary::add(std::string_view row) {

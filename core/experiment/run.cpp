@@ -25,6 +25,9 @@ Expected<RunResult> run(const Scenario& scenario, WorldState state, const RunOpt
     StepBuffers buffers;
     StepTrace trace;
     WorldState before = result.state;
+    // Only who asks for them pays for them.
+    const bool follows = options.until != nullptr && readsControl(options.until->text(), scenario);
+    std::vector<RobotInsight> insights(follows ? result.state.robots.size() : 0);
     while (result.state.tick < last) {
         before = result.state;
         if (options.checkRewind)
@@ -45,7 +48,8 @@ Expected<RunResult> run(const Scenario& scenario, WorldState state, const RunOpt
             return result;
         }
         if (options.until == nullptr) continue;
-        const auto holds = options.until->holds(scenario, result.state, &trace);
+        if (follows) noteInsights(scenario, trace, result.state.tick, before.memory, insights);
+        const auto holds = options.until->holds({&scenario, &result.state, &trace, insights});
         if (!holds) return tl::unexpected(holds.error());
         if (*holds) {
             result.end = RunEnd::condition;

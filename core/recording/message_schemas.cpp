@@ -1,5 +1,7 @@
 #include "recording/message_schemas.h"
 
+#include "recording/state_messages.h"
+
 namespace mrose {
 namespace {
 
@@ -97,11 +99,13 @@ std::string entity() {
                            property("data", R"({"type":"string","contentEncoding":"base64"})")));
 }
 
-/// A property of numbers for each of the names.
-std::string groups(const std::string& title, std::span<const std::string> names, const std::string& numbers) {
+/// A property of numbers for each of some robots, or objects.
+std::string bodies(const std::string& title, std::span<const std::string> names, bool robots) {
+    std::string numbers;
+    for (const Quantity* quantity : sampledQuantities(robots)) numbers += std::string(quantity->name) + ',';
     std::string all;
     for (const std::string& name : names)
-        all += (all.empty() ? "" : ",") + property(name, objectSchema(title, properties(numbers, number)));
+        all += (all.empty() ? "" : ",") + property(name, objectSchema(title, properties(numbers + "pressed", number)));
     return all;
 }
 
@@ -135,9 +139,9 @@ std::string logSchema() {
 }
 
 std::string bodiesSchema(std::span<const std::string> robots, std::span<const std::string> objects) {
-    std::string all = groups("mrose.Robot", robots, "x,y,heading,v,v_left,w,v_command,w_command,pressed");
+    std::string all = bodies("mrose.Robot", robots, true);
     if (!robots.empty() && !objects.empty()) all += ',';
-    return objectSchema("mrose.Bodies", all + groups("mrose.Object", objects, "x,y,heading,vx,vy,w,pressed"));
+    return objectSchema("mrose.Bodies", all + bodies("mrose.Object", objects, false));
 }
 
 }  // namespace mrose

@@ -13,12 +13,6 @@ void appendField(std::string& json, const char* key, double value, int decimals 
     appendFixed(json, value, decimals);
 }
 
-void appendPose(std::string& json, const Pose& pose) {
-    appendField(json, "{\"x\":", pose.x);
-    appendField(json, ",\"y\":", pose.y);
-    appendField(json, ",\"heading\":", pose.heading);
-}
-
 void appendTransform(std::string& json, const Pose& pose, const std::string& frame, const std::string& stamp) {
     json += R"({"timestamp":)";
     json += stamp;
@@ -79,6 +73,18 @@ std::string kickText(const Scenario& scenario, const StepTrace::Kicked& kick, st
 
 }  // namespace
 
+const std::vector<const Quantity*>& sampledQuantities(bool robot) {
+    static const auto sampled = [](Quantity::Of kind) {
+        std::vector<const Quantity*> some;
+        for (const Quantity& quantity : quantities())
+            if (quantity.sampled && (quantity.of == Quantity::Of::body || quantity.of == kind))
+                some.push_back(&quantity);
+        return some;
+    };
+    static const auto ofRobots = sampled(Quantity::Of::robot), ofObjects = sampled(Quantity::Of::object);
+    return robot ? ofRobots : ofObjects;
+}
+
 std::string transformsMessage(const WorldState& state, std::span<const std::string> frames, Nanoseconds time) {
     const std::string stamp = stampOf(time);
     std::string json = "{\"transforms\":[";
@@ -112,33 +118,19 @@ std::string bodiesMessage(const Scenario& scenario, const WorldState& state, std
     for (const SummedContact& contact : contacts)
         for (const std::uint32_t body : {contact.bodyA, contact.bodyB})
             if (body < pressed.size()) pressed[body] += contact.impulse;
-    const Nanoseconds now = scenario.scene().timeOf(state.tick);
+    const Moment at{&scenario, &state};
     std::string json;
-    const auto begin = [&](std::size_t body) {
+    for (std::uint32_t body = 0; body < names.size(); ++body) {
         json += body == 0 ? '{' : ',';
         appendQuoted(json, names[body]);
-        json += ':';
-        appendPose(json, Scenario::poseOf(state, body));
-    };
-    for (std::size_t i = 0; i < state.robots.size(); ++i) {
-        const Twist& velocity = state.robots[i].velocity_B;
-        const Command command = scenario.commandsOf(state, i).at(now);
-        begin(i);
-        appendField(json, ",\"v\":", velocity.x);
-        appendField(json, ",\"v_left\":", velocity.y);
-        appendField(json, ",\"w\":", velocity.rotation);
-        appendField(json, ",\"v_command\":", command.v);
-        appendField(json, ",\"w_command\":", command.w);
-        appendField(json, ",\"pressed\":", pressed[i], 1);
-        json += '}';
-    }
-    for (std::size_t i = 0; i < state.objects.size(); ++i) {
-        const Twist& velocity = state.objects[i].velocity_W;
-        begin(state.robots.size() + i);
-        appendField(json, ",\"vx\":", velocity.x);
-        appendField(json, ",\"vy\":", velocity.y);
-        appendField(json, ",\"w\":", velocity.rotation);
-        appendField(json, ",\"pressed\":", pressed[state.robots.size() + i], 1);
+        json += ":{";
+        for (const Quantity* quantity : sampledQuantities(body < state.robots.size())) {
+            appendQuoted(json, quantity->name);
+            json += ':';
+            appendFixed(json, numberOf(quantity->value({at, body})), 3);
+            json += ',';
+        }
+        appendField(json, "\"pressed\":", pressed[body], 1);
         json += '}';
     }
     return json.empty() ? "{}" : json + '}';

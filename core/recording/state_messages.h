@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "quantities/catalogue.h"
 #include "scenario/scenario.h"
 #include "simulation/step.h"
 
@@ -28,8 +29,11 @@ struct SummedContact {
 /// Sums up contacts of several ticks, pair by pair; in ascending order of the pairs.
 std::vector<SummedContact> summedContacts(std::vector<ContactReport> reports);
 
-/// mrose.Bodies: by its name each robot's pose, velocity and the command in force, each object's pose and velocity in
-/// the world's frame, and what contacts have pressed on either.
+/// The quantities of the catalogue that mrose.Bodies has of each robot, or of each object.
+const std::vector<const Quantity*>& sampledQuantities(bool robot);
+
+/// mrose.Bodies: by its name each body's sampled quantities, and what contacts have pressed on it since the last
+/// sample.
 std::string bodiesMessage(const Scenario& scenario, const WorldState& state, std::span<const SummedContact> contacts,
                           std::span<const std::string> names);
 

@@ -250,11 +250,16 @@ void LuaSandbox::addName(const char* name) {
 }
 
 void LuaSandbox::addVariable(const char* name, int (*function)(lua_State*)) {
+    lua_pushcfunction(interpreter_->lua, function);
+    addVariable(name);
+}
+
+void LuaSandbox::addVariable(const char* name) {
     lua_State* const lua = interpreter_->lua;
     lua_rawgeti(lua, LUA_REGISTRYINDEX, interpreter_->variables);
-    lua_pushcfunction(lua, function);
+    lua_pushvalue(lua, -2);
     lua_setfield(lua, -2, name);
-    lua_pop(lua, 1);
+    lua_pop(lua, 2);
 }
 
 Expected<LuaSandbox::Expression> LuaSandbox::load(std::string_view text, const std::string& source) {

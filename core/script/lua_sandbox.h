@@ -43,6 +43,7 @@ public:
     void addName(const char* name);
     /// A name whose value `function` (lua_State*) -> int pushes anew each time.
     void addVariable(const char* name, int (*function)(lua_State*));
+    void addVariable(const char* name);  ///< the same of the function on top of the stack, which it takes
 
     /// A compiled expression.
     struct Expression {

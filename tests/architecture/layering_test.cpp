@@ -32,15 +32,18 @@ const std::map<std::string, std::set<std::string>> allowedLayers{
     {"scenario", {"io", "geometry", "world", "logs", "motion", "physics", "scene", "control", "behaviour", "plugin"}},
     {"sensing", {"geometry", "world", "motion", "scene", "control", "scenario"}},
     {"simulation", {"io", "geometry", "world", "motion", "physics", "scene", "control", "scenario", "sensing"}},
+    {"quantities", {"io", "geometry", "world", "motion", "physics", "scene", "control", "scenario", "simulation"}},
     {"experiment",
      {"io", "geometry", "world", "learning", "motion", "physics", "scene", "control", "behaviour", "scenario",
-      "simulation", "condition"}},
-    {"recording", {"io", "geometry", "world", "motion", "physics", "scene", "control", "scenario", "simulation"}},
+      "simulation", "quantities", "condition"}},
+    {"recording",
+     {"io", "geometry", "world", "motion", "physics", "scene", "control", "scenario", "simulation", "quantities"}},
     {"comparison",
      {"io", "geometry", "world", "learning", "logs", "motion", "physics", "scene", "control", "behaviour", "scenario",
-      "simulation", "experiment", "evaluation", "drawing"}},
+      "simulation", "quantities", "experiment", "evaluation", "drawing"}},
     {"script", {"io"}},
-    {"condition", {"io", "geometry", "world", "physics", "scene", "control", "scenario", "simulation", "script"}},
+    {"condition",
+     {"io", "geometry", "world", "physics", "scene", "control", "scenario", "simulation", "quantities", "script"}},
 };
 
 /// Libraries that only some layers see: what an include begins with, and who may.

@@ -28,7 +28,7 @@ protected:
         for (const auto& [name, metres] : run["driven_m"].items()) driven += metres.get<double>();
         EXPECT_NEAR(std::stod(row.at("driven_m")), driven, 1e-12);
         for (const auto& [name, count] : run["goals"].items())
-            EXPECT_EQ(row.at("goals " + name), std::to_string(count.get<int>()));
+            EXPECT_EQ(row.at("goals." + name), std::to_string(count.get<int>()));
     }
 };
 
@@ -39,7 +39,7 @@ TEST_F(BatchProgram, WritesARowForEachRunAndSumsUp) {
     EXPECT_EQ(result.err, "");
     for (const std::string& part :
          {std::string("mean  least  most"), std::string("time, s"), std::string("touches"),
-          std::string("goals in blue"), std::string("10 runs in "), "; results in " + path("out") + "/results.csv\n"})
+          std::string("goals.blue"), std::string("10 runs in "), "; results in " + path("out") + "/results.csv\n"})
         EXPECT_NE(result.out.find(part), std::string::npos) << result.out << part;
     const auto rows = csvRows(read("out/results.csv"));
     ASSERT_EQ(rows.size(), 10u);

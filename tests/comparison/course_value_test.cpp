@@ -120,7 +120,7 @@ TEST(CourseValue, CourseMayBeginBeforeTheOthersAreThere) {
         EXPECT_EQ(scenario->scene().placeOf(0), 1u);
         auto same = compileCondition("robot[2].x == robot['create 2'].x", *scenario);
         ASSERT_TRUE(same) << same.error().message();
-        EXPECT_EQ(same->holds(*scenario, opened.state, nullptr).value_or(false), true);
+        EXPECT_EQ(same->holds({scenario, &opened.state}).value_or(false), true);
         EXPECT_FALSE(compileCondition("robot[1].x > 0", *scenario));
     }
     // Before the robot itself is there nobody can be told where to begin.

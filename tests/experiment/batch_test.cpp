@@ -88,7 +88,7 @@ TEST_F(Batch, EveryTrialWithEverySeedHasARowInOrder) {
     ASSERT_EQ(rows.size(), 19u);
     const std::vector<std::string> header = cells(rows[0]);
     const std::vector<std::string> first{"trial", "seed", "end",    "time_s",   "touches",
-                                         "kicks", "hits", "faults", "driven_m", "goals east"},
+                                         "kicks", "hits", "faults", "driven_m", "goals.east"},
         last{"world_hash", "command", "first_fault"};
     ASSERT_EQ(header.size(), first.size() + variedColumns + last.size());
     EXPECT_TRUE(std::equal(first.begin(), first.end(), header.begin()));
@@ -133,7 +133,7 @@ TEST_F(Batch, SummaryIsOfAllRows) {
     const std::vector<std::string> rows = lines(results("out"));
     const ResultsSummary& results = summary->results;
     ASSERT_EQ(results.columns.size(), 7u);
-    EXPECT_EQ(results.columns[6].name, "goals in east");
+    EXPECT_EQ(results.columns[6].name, "goals.east");
     // Each column's numbers, sorted; the first is the fourth cell.
     for (std::size_t c = 0; c < results.columns.size(); ++c) {
         std::vector<double> numbers;

@@ -14,7 +14,7 @@ void requireAnswers(std::string_view text) {
     static const WorldState start = scenario.initialState(), later = stepped(scenario, start);
     auto condition = compileCondition(text, scenario);
     if (!condition) return requireOneLine(condition.error());
-    const auto answer = condition->holds(scenario, later, nullptr), again = condition->holds(scenario, later, nullptr);
+    const auto answer = condition->holds({&scenario, &later}), again = condition->holds({&scenario, &later});
     require(answer.has_value() == again.has_value());
     if (!answer) return requireOneLine(answer.error());
     require(*answer == *again);

@@ -44,7 +44,7 @@ std::vector<Is> walked(TimeTravel& run, const std::string& text) {
     std::vector<Is> all;
     EXPECT_TRUE(run.seek(run.first()));
     for (;;) {
-        const auto held = condition->holds(*run.course().scenario, run.state(), run.trace());
+        const auto held = condition->holds(run.moment());
         all.push_back(!held ? Is::failing : *held ? Is::yes : Is::no);
         if (run.tick() == run.last()) return all;
         EXPECT_TRUE(run.forward());
@@ -84,9 +84,11 @@ std::int64_t nextAfter(const std::vector<Is>& is, std::int64_t tick) {
 std::string someCondition(std::mt19937& random) {
     const auto number = [&](int most) { return std::to_string(random() % static_cast<unsigned>(most)); };
     const std::string robot = "robot[" + std::to_string(1 + random() % 4) + ']';
-    switch (random() % 8) {
+    switch (random() % 9) {
         case 0:
             return robot + ".x > " + number(8);
+        case 8:
+            return robot + ".odometry_v > 0." + number(10);
         case 1:
             return robot + ".touching";
         case 2:
@@ -231,7 +233,8 @@ Breakpoint waitingFor(const std::string& text, int from = 1) {
 
 /// Played, run to, and found backwards: all agree, in what has been as in what has not.
 TEST(Breakpoints, StopAtTheBeginningOfEachStretchHoweverTheyAreReached) {
-    for (const std::string text : {"robot[1].touching", "robot[2].speed > 0.5", "robot[3].heading > 0"}) {
+    for (const std::string text :
+         {"robot[1].touching", "robot[2].speed > 0.5", "robot[3].heading > 0", "robot[2].odometry_v > 0.5"}) {
         TimeTravel known(fieldRun(5));
         runTo(known, 1500);
         const std::vector<Is> is = walked(known, text);
@@ -400,7 +403,7 @@ TEST(Breakpoints, TextsAreChecked) {
                                   "contact " + name, "kick  " + name})
         EXPECT_EQ(wrong(text), "fits") << text;
     EXPECT_EQ(wrong("robt[1].x > 1"), "unknown name 'robt'; did you mean robot? (at character 1)");
-    EXPECT_EQ(wrong("  1 < robot[1].sped").substr(0, 40), "there is no 'sped': a robot has x, y, he");
+    EXPECT_EQ(wrong("  1 < robot[1].sped").substr(0, 39), "there is no 'sped': a robot has speed, ");
     EXPECT_NE(wrong("  1 < robot[1].sped").find(" (at character 16)"), std::string::npos);
     EXPECT_EQ(wrong("robot[1].error > 1"), "'error' needs a real log beside the run: none is open (at character 10)");
     EXPECT_EQ(wrong("robot[1].x"), "gives the number " + wrong("robot[1].x").substr(17));

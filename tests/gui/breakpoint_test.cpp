@@ -66,10 +66,10 @@ protected:
         WorldState world = scenario.initialState();
         StepBuffers buffers;
         StepTrace trace;
-        std::vector<bool> held{*condition->holds(scenario, world, nullptr)};
+        std::vector<bool> held{*condition->holds({&scenario, &world})};
         while (world.tick < ticks) {
             step(scenario, world, buffers, {}, &trace);
-            held.push_back(*condition->holds(scenario, world, &trace));
+            held.push_back(*condition->holds({&scenario, &world, &trace}));
         }
         return held;
     }

@@ -10,6 +10,7 @@
 
 #include "gui/window_fixture.h"
 #include "panels/plot_panel.h"
+#include "quantities/note_label.h"
 #include "widgets/inspector_delegate.h"
 #include "widgets/value_catalogue.h"
 
@@ -76,14 +77,14 @@ TEST_F(InspectorTest, SaysWhereARobotIsAndHowItMoves) {
     const RobotState& robot = frame().state.robots[1];
     EXPECT_EQ(value({"Motion", "x"}), text(robot.pose.x, 3, "m"));
     EXPECT_EQ(value({"Motion", "y"}), text(robot.pose.y, 3, "m"));
-    EXPECT_EQ(value({"Motion", "Heading"}),
+    EXPECT_EQ(value({"Motion", "heading"}),
               text(std::remainder(robot.pose.heading, 2 * std::numbers::pi) * 180 / std::numbers::pi, 1, "\u00b0"));
-    EXPECT_EQ(value({"Motion", "Forward"}), text(robot.velocity_B.x, 3, "m/s"));
-    EXPECT_EQ(value({"Motion", "Turning"}), text(robot.velocity_B.rotation, 3, "rad/s"));
-    EXPECT_EQ(value({"Motion", "Speed"}), text(std::hypot(robot.velocity_B.x, robot.velocity_B.y), 3, "m/s"));
+    EXPECT_EQ(value({"Motion", "v"}), text(robot.velocity_B.x, 3, "m/s"));
+    EXPECT_EQ(value({"Motion", "w"}), text(robot.velocity_B.rotation, 3, "rad/s"));
+    EXPECT_EQ(value({"Motion", "speed"}), text(std::hypot(robot.velocity_B.x, robot.velocity_B.y), 3, "m/s"));
     select(8);
     const ObjectState& ball = frame().state.objects[0];
-    EXPECT_EQ(value({"Motion", "Speed"}), text(std::hypot(ball.velocity_W.x, ball.velocity_W.y), 3, "m/s"));
+    EXPECT_EQ(value({"Motion", "speed"}), text(std::hypot(ball.velocity_W.x, ball.velocity_W.y), 3, "m/s"));
 }
 
 TEST_F(InspectorTest, SaysWhatIsInEffectByTheDeadTimes) {
@@ -94,9 +95,9 @@ TEST_F(InspectorTest, SaysWhatIsInEffectByTheDeadTimes) {
     const auto dead = frame().scene().modelOf(2).deadTimes();
     ASSERT_GT(dead.v, 0);
     const Nanoseconds now = frame().scene().timeOf(333);
-    EXPECT_EQ(value({"Commands", "In effect, forward"}), text(view.at(now - dead.v).v, 3, "m/s"));
-    EXPECT_EQ(value({"Commands", "In effect, turning"}), text(view.at(now - dead.w).w, 3, "rad/s"));
-    EXPECT_EQ(value({"Commands", "Issued, turning"}), text(view.at(now).w, 3, "rad/s"));
+    EXPECT_EQ(value({"Commands", "active_v"}), text(view.at(now - dead.v).v, 3, "m/s"));
+    EXPECT_EQ(value({"Commands", "active_w"}), text(view.at(now - dead.w).w, 3, "rad/s"));
+    EXPECT_EQ(value({"Commands", "command_w"}), text(view.at(now).w, 3, "rad/s"));
     int coming = 0;
     for (std::size_t i = 0; i < view.size(); ++i) coming += view.issueTime(i) + std::max(dead.v, dead.w) > now ? 1 : 0;
     EXPECT_EQ(value({"Commands", "On their way"}), std::to_string(coming));
@@ -106,42 +107,42 @@ TEST_F(InspectorTest, SaysWhatContactChangedAndBetweenWhom) {
     std::uint32_t robot = noBody;
     for (std::int64_t tick = 20; tick < 1500 && robot == noBody; ++tick) {
         seek(tick);
-        for (const ContactReport& contact : frame().contacts)
-            if (contact.bodyA < 8 && frame().lastTick[contact.bodyA].touched && contact.impulse > 0.01)
+        for (const ContactReport& contact : frame().lastTick.contacts)
+            if (contact.bodyA < 8 && frame().lastTick.robots[contact.bodyA].touched && contact.impulse > 0.01)
                 robot = contact.bodyA;
     }
     ASSERT_NE(robot, noBody);
     select(robot);
     double sum = 0;
     std::map<std::uint32_t, double> with;
-    for (const ContactReport& contact : frame().contacts)
+    for (const ContactReport& contact : frame().lastTick.contacts)
         if (contact.bodyA == robot || contact.bodyB == robot) {
             sum += contact.impulse;
             with[contact.bodyA == robot ? contact.bodyB : contact.bodyA] += contact.impulse;
         }
-    EXPECT_EQ(value({"Motion model", "Contact"}), text(sum, 2, "N s"));
+    EXPECT_EQ(value({"Motion model", "impulse"}), text(sum, 2, "N s"));
     for (const auto& [other, impulse] : with) {
         const QString name = other == noBody ? "wall" : QString::fromStdString(frame().nameOf(other));
-        EXPECT_EQ(value({"Motion model", "Contact", "with " + name}), text(impulse, 2, "N s"));
+        EXPECT_EQ(value({"Motion model", "impulse", "with " + name}), text(impulse, 2, "N s"));
     }
-    const Pose& planned = frame().lastTick[robot].planned;
+    const Pose& planned = frame().lastTick.robots[robot].planned;
     const Pose& came = frame().state.robots[robot].pose;
     const double ahead =
         std::cos(planned.heading) * (came.x - planned.x) + std::sin(planned.heading) * (came.y - planned.y);
-    EXPECT_EQ(value({"Motion model", "Put ahead by"}), text(ahead, 4, "m"));
+    EXPECT_EQ(value({"Motion model", "pushed_ahead"}), text(ahead, 4, "m"));
 }
 
 /// What rounds to nothing alarms nobody.
 TEST_F(InspectorTest, TouchBelowTheShownDigitsIsQuiet) {
     FieldFrame touched = frame();
     for (const double impulse : {0.3, 0.004}) {
-        touched.contacts = {{0, 1, 0, {0, 0}, {1, 0}, impulse}};
+        touched.lastTick.contacts = {{0, 1, 0, {0, 0}, {1, 0}, impulse}};
         const std::vector<InspectorRow> rows = inspectorRows(touched, 0, [](const QString&) { return false; });
         const auto model =
             std::find_if(rows.begin(), rows.end(), [](const auto& row) { return row.name == "Motion model"; });
         ASSERT_NE(model, rows.end());
         const auto contact = std::find_if(model->children.begin(), model->children.end(),
-                                          [](const auto& row) { return row.name == "Contact"; });
+                                          [](const auto& row) { return row.name == "impulse"; });
         ASSERT_NE(contact, model->children.end());
         EXPECT_EQ(contact->notable, impulse > 0.1) << contact->value.toStdString();
         EXPECT_EQ(contact->quiet, impulse < 0.1);
@@ -192,9 +193,10 @@ TEST_F(InspectorTest, SetsWhatIsSeenAgainstTheTruth) {
         const double y = self.y + s * found->position_B.x + c * found->position_B.y;
         const Pose& truth = frame().state.robots[other].pose;
         EXPECT_EQ(value({"Sees", name}), text(std::hypot(x - truth.x, y - truth.y), 3, "m off"));
-        EXPECT_EQ(value({"Sees", name, "Measured x"}), text(x, 3, "m"));
-        EXPECT_EQ(value({"Sees", name, "True y"}), text(truth.y, 3, "m"));
-        EXPECT_EQ(value({"Sees", name, "Age"}), text(toSeconds(frame().scene().timeOf(400) - found->measured), 3, "s"));
+        EXPECT_EQ(value({"Sees", name, "seen_x"}), text(x, 3, "m"));
+        EXPECT_EQ(value({"Sees", name, "true y"}), text(truth.y, 3, "m"));
+        EXPECT_EQ(value({"Sees", name, "seen_age"}),
+                  text(toSeconds(frame().scene().timeOf(400) - found->measured), 3, "s"));
     }
     EXPECT_GT(seen, 0);
 }
@@ -264,10 +266,10 @@ TEST_F(InspectorTest, KeepsSelectionFoldsAndPlaceWhileItPlays) {
 TEST_F(InspectorTest, PlotsByClickKeyAndAction) {
     seek(100);
     select(2);
-    clickPlotMark(row({"Motion", "Forward"}));
-    EXPECT_EQ(window.plots().keys(), (std::vector<ValueKey>{{"forward", "red 3"}}));
+    clickPlotMark(row({"Motion", "v"}));
+    EXPECT_EQ(window.plots().keys(), (std::vector<ValueKey>{{"v", "red 3"}}));
     EXPECT_TRUE(window.plots().isVisible());
-    tree().setCurrentItem(row({"Motion", "Turning"}));
+    tree().setCurrentItem(row({"Motion", "w"}));
     tree().setFocus();
     QTest::keyClick(&tree(), Qt::Key_Return);
     EXPECT_EQ(window.plots().keys().size(), 2u);
@@ -275,7 +277,7 @@ TEST_F(InspectorTest, PlotsByClickKeyAndAction) {
     EXPECT_EQ(window.plots().keys().size(), 1u) << "a second time takes it away";
     window.actions()["plot_value_of_all"].trigger();
     EXPECT_EQ(window.plots().keys().size(), 9u);
-    clickPlotMark(row({"Motion", "Forward"}));
+    clickPlotMark(row({"Motion", "v"}));
     EXPECT_EQ(window.plots().keys().size(), 8u);
     tree().setCurrentItem(row({"Controller", "state"}));
     EXPECT_FALSE(inspector().currentValue()) << "a text is no number";

@@ -103,7 +103,7 @@ TEST_F(LogWindowTest, PlottedErrorsFollowCourseAndModels) {
     window.overlay().addModel("velocity = command");
     settleAll();
     ASSERT_EQ(window.plots().keys().size(), 4u);
-    const ValueKey model{positionErrorQuantity, robot(), "velocity = command"};
+    const ValueKey model{modelPositionErrorQuantity, robot(), "velocity = command"};
     const PlotCurve& added = curve(model);
     ASSERT_GT(added.ahead.size(), 400);
     const Reality& reality = *window.shown()->frame->reality;
@@ -163,7 +163,7 @@ TEST_F(LogWindowTest, CurvesAreCalledByWhatDiffersAndAxesByTheirQuantity) {
     const QString own = QString::fromStdString(window.overlay().models().front().name);
     const QString name = QString::fromStdString(robot());
     EXPECT_EQ(window.plots().view().titles(),
-              (QStringList{name + ": position error (cm)", name + QString::fromUtf8(": heading error (\u00b0)")}));
+              (QStringList{name + ": error (cm)", name + QString::fromUtf8(": heading_error (\u00b0)")}));
     auto* list = window.plots().findChild<QTreeWidget*>();
     ASSERT_EQ(list->topLevelItemCount(), 6);
     for (int i = 0; i < 4; ++i) {
@@ -185,7 +185,7 @@ TEST_F(LogWindowTest, CurvesAreCalledByWhatDiffersAndAxesByTheirQuantity) {
     EXPECT_FALSE(list->isColumnHidden(2));
     EXPECT_GE(window.plots().view().width(), 0.6 * window.plots().width());
     EXPECT_EQ(window.plots().view().rangeOf(0).first, 0) << "no error is below zero";
-    ASSERT_TRUE(window.plots().add({"error ahead", robot()}));
+    ASSERT_TRUE(window.plots().add({"error_ahead", robot()}));
     settleAll();
     EXPECT_EQ(window.plots().view().titles().front(), "cm") << "of several quantities";
 }
@@ -205,7 +205,7 @@ TEST_F(LogWindowTest, PictureOfPlotsNamesLogCourseModelsAndBound) {
     const std::string course = window.runName().toStdString() + " for 10.0 s, " + robot();
     for (const std::string& part :
          {std::string("random.csv"), course, window.overlay().models().front().name, std::string("velocity = command"),
-          std::string("bound"), std::string("leaves the real course"), std::string("position error (cm)")})
+          std::string("bound"), std::string("leaves the real course"), std::string("error (cm)")})
         EXPECT_THAT(text, HasSubstr(part));
     const QString colour = TimelineBar::colourOf(TimelineMark::Kind::divergence, Theme::light()).name();
     EXPECT_GE(QString::fromStdString(text).count(colour), 6) << "bound and mark of both axes and in the legend";

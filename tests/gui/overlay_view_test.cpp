@@ -397,11 +397,11 @@ TEST_F(TwoRobotsTest, SpeedsOfTheSelectedOneArePlottedByAKey) {
     QTest::keyClick(&window, Qt::Key_V, Qt::ShiftModifier);
     settleAll();
     const auto plotted = window.plots().plotted();
-    for (const char* quantity : {"commanded forward", "forward", "real turning"})
+    for (const char* quantity : {"command_v", "v", "real_w"})
         EXPECT_EQ(plotted.count({quantity, window.shown()->frame->nameOf(0)}), 1u) << quantity;
     QTest::keyClick(&window, Qt::Key_V, Qt::ShiftModifier);
     settleAll();
-    EXPECT_EQ(window.plots().plotted().count({"forward", window.shown()->frame->nameOf(0)}), 0u);
+    EXPECT_EQ(window.plots().plotted().count({"v", window.shown()->frame->nameOf(0)}), 0u);
 }
 
 TEST_F(OverlayViewTest, PanelBehindAnotherComesToTheFront) {

@@ -35,7 +35,7 @@ protected:
         }
         return rows;
     }
-    static double speedOf(const RobotState& robot) { return std::hypot(robot.velocity_B.x, robot.velocity_B.y); }
+    static double speedOf(const RobotState& robot) { return length({robot.velocity_B.x, robot.velocity_B.y}); }
 };
 
 /// Of another run, stepped by core alone.

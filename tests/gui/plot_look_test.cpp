@@ -88,7 +88,7 @@ TEST_F(PlotLookTest, ManyAxesAreScrolledAndNotSqueezed) {
     auto* area = plots().findChild<QScrollArea*>();
     const int before = plots().height();
     EXPECT_FALSE(area->verticalScrollBar()->isVisible());
-    plot({"speed", "turning", "x"}, 0);
+    plot({"speed", "w", "x"}, 0);
     ASSERT_EQ(canvas().axisRectCount(), 5);
     for (int i = 0; i < 5; ++i) EXPECT_GE(canvas().axisRect(i)->height(), 40) << i;
     EXPECT_TRUE(area->verticalScrollBar()->isVisible());
@@ -101,31 +101,31 @@ TEST_F(PlotLookTest, ManyAxesAreScrolledAndNotSqueezed) {
 TEST_F(PlotLookTest, SpeedsAreCalledByWhatDiffers) {
     ASSERT_NO_FATAL_FAILURE(openTwo());
     const std::string first = window.shown()->frame->nameOf(0), second = window.shown()->frame->nameOf(1);
-    plot({"commanded forward", "forward", "real forward", "commanded turning", "turning", "real turning"}, 0);
+    plot({"command_v", "v", "real_v", "command_w", "w", "real_w"}, 0);
     EXPECT_THAT(legendLines(), ElementsAre("told", "simulated", "real", "told", "simulated", "real"));
     const QString name = QString::fromStdString(first);
-    EXPECT_EQ(plots().view().titles(), (QStringList{name + ": forward (m/s)", name + ": turning (rad/s)"}));
+    EXPECT_EQ(plots().view().titles(), (QStringList{name + ": v (m/s)", name + ": w (rad/s)"}));
     const QFontMetrics metrics(legend().font());
     for (int i = 0; i < legend().topLevelItemCount(); ++i)
         EXPECT_LT(metrics.horizontalAdvance(legend().topLevelItem(i)->text(0)) + legend().iconSize().width(),
                   legend().columnWidth(0));
-    plot({"commanded forward", "real forward"}, 1);
+    plot({"command_v", "real_v"}, 1);
     EXPECT_THAT(legendLines(),
                 ElementsAre(first, "told", "simulated", "real", "told", "simulated", "real", second, "told", "real"));
-    EXPECT_EQ(plots().view().titles().front(), "forward (m/s)");
+    EXPECT_EQ(plots().view().titles().front(), "v (m/s)");
     // Each line has its own number, and is removed alone.
     EXPECT_EQ(legend().topLevelItem(0)->text(1), "");
     legend().setFocus();
     legend().setCurrentItem(legend().topLevelItem(8));
     QTest::keyClick(&legend(), Qt::Key_Delete);
-    EXPECT_EQ(plots().plotted().count({"commanded forward", second}), 0u);
+    EXPECT_EQ(plots().plotted().count({"command_v", second}), 0u);
     EXPECT_EQ(plots().keys().size(), 7u);
     legend().setCurrentItem(legend().topLevelItem(0));
     QTest::keyClick(&legend(), Qt::Key_Delete);
     EXPECT_EQ(plots().keys().size(), 7u) << "a name is no curve";
     plots().clear();
-    plot({"speed", "commanded forward", "forward in effect"}, 0);
-    EXPECT_THAT(legendLines(), ElementsAre(first, "speed", "commanded forward", "forward in effect"))
+    plot({"speed", "command_v", "active_v"}, 0);
+    EXPECT_THAT(legendLines(), ElementsAre(first, "speed", "command_v", "active_v"))
         << "their axis is called by none of them";
 }
 
@@ -160,7 +160,7 @@ TEST_F(PlotLookTest, SpeedsFollowTheRobotUntilOneIsRemoved) {
     press();
     EXPECT_EQ(bodies(), (Count{{first, 1}}));
     press();
-    plots().remove({"turning", first});
+    plots().remove({"w", first});
     select(1);
     EXPECT_EQ(bodies(), (Count{{first, 6}})) << "what somebody took in hand stays";
 }

@@ -5,12 +5,14 @@
 #include <QWheelEvent>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <set>
 
 #include <qcustomplot.h>
 
 #include "gui/window_fixture.h"
 #include "panels/plot_panel.h"
+#include "support/values_at.h"
 #include "widgets/curve_sampling.h"
 
 namespace mrose::gui {
@@ -50,12 +52,12 @@ TEST_F(PlotTest, NumbersAreThoseOfStepAtEveryTick) {
     seek(600);
     plot({"speed", "red 2"});
     plot({"x", "ball"});
-    plot({"commanded turning", "red 3"});
-    plot({"turning in effect", "red 3"});
-    plot({"distance to", "red 2", "ball"});
+    plot({"command_w", "red 3"});
+    plot({"active_w", "red 3"});
+    plot({"distance", "red 2", "ball"});
     plot({"impulse", "blue 2"});
-    plot({"predicted x", "red 4"});
-    plot({"error in seeing", "red 3", "ball"});
+    plot({"predicted_x", "red 4"});
+    plot({"seen_error", "red 3", "ball"});
     plot({"note", "red 1", "distance"});
     ASSERT_TRUE(plots().addExpression("robot['red 2'].v + #robot"));
     settlePlots();
@@ -82,16 +84,16 @@ TEST_F(PlotTest, NumbersAreThoseOfStepAtEveryTick) {
         expect("ball  x", ball.x);
         const CommandView commands = scenario().commandsOf(state, 2);
         const Nanoseconds now = scenario().scene().timeOf(tick);
-        expect("red 3  commanded turning", commands.at(now).w);
-        expect("red 3  turning in effect", commands.at(now - dead.w).w);
-        expect("red 2  distance to", std::hypot(red2.pose.x - ball.x, red2.pose.y - ball.y));
+        expect("red 3  command_w", commands.at(now).w);
+        expect("red 3  active_w", commands.at(now - dead.w).w);
+        expect("red 2  distance", std::hypot(red2.pose.x - ball.x, red2.pose.y - ball.y));
         double impulse = 0;
         for (const ContactReport& contact : trace.contacts)
             if (tick > 0 && (contact.bodyA == 5 || contact.bodyB == 5)) impulse += contact.impulse;
         touches += impulse > 0 ? 1 : 0;
         expect("blue 2  impulse", impulse);
         const MotionSegment& way = state.robots[3].segment;
-        expect("red 4  predicted x", (way.start * way.increment).x);
+        expect("red 4  predicted_x", (way.start * way.increment).x);
         expect("red 1  note distance", noted);
         off = std::nan("");
         if (inSight) {
@@ -100,7 +102,7 @@ TEST_F(PlotTest, NumbersAreThoseOfStepAtEveryTick) {
             const double y = self.y + s * seen.x + c * seen.y;
             off = std::hypot(x - ball.x, y - ball.y);
         }
-        const double plotted = curve("red 3  error in seeing").at(tick);
+        const double plotted = curve("red 3  seen_error").at(tick);
         EXPECT_TRUE(std::isnan(off) ? std::isnan(plotted) : std::abs(plotted - off) < 1e-6) << tick;
         expect("robot['red 2'].v", red2.velocity_B.x + 8);
         step(scenario(), state, buffers, {}, &trace);
@@ -117,6 +119,31 @@ TEST_F(PlotTest, NumbersAreThoseOfStepAtEveryTick) {
     }
     EXPECT_EQ(errors, 0);
     EXPECT_GT(touches, 0);
+}
+
+/// In the unit that people are shown.
+TEST_F(PlotTest, EveryValueOfTheCatalogueIsPlottedAsAConditionHasIt) {
+    seek(333);
+    const FieldFrame& frame = *window.shown()->frame;
+    const Moment moment = frame.moment();
+    std::size_t known = 0;
+    for (const ValueKey& key : valuesAt(moment)) {
+        const auto bound = boundValue(scenario(), key);
+        ASSERT_TRUE(bound);
+        const std::string path = pathOf(scenario(), *bound);
+        if (std::holds_alternative<std::string>(bound->value(moment))) continue;
+        const auto plotted = plottedValue(scenario(), key),
+                   expression = plottedValue(scenario(), {"expression", "", path});
+        ASSERT_TRUE(plotted && expression) << path;
+        const double shown = plotted->read(moment), number = expression->read(moment);
+        if (std::isnan(number)) {
+            EXPECT_TRUE(std::isnan(shown)) << path;
+            continue;
+        }
+        ++known;
+        EXPECT_EQ(shown, plotted->angle ? wrapAngle(number) * 180 / std::numbers::pi : number) << path;
+    }
+    EXPECT_GT(known, 500u);
 }
 
 TEST_F(PlotTest, NewTicksArePlottedAsTheyCome) {
@@ -340,7 +367,7 @@ TEST_F(PlotTest, CurvesOfOneRobotAreToldApart) {
         for (std::size_t robot = 0; robot < scenario().scene().robots.size(); ++robot) {
             const std::string& name = scenario().scene().robots[robot].name;
             plots().clear();
-            for (const char* quantity : {"speed", "commanded forward", "forward in effect"}) plot({quantity, name});
+            for (const char* quantity : {"speed", "command_v", "active_v"}) plot({quantity, name});
             const std::vector<PlotCurve>& curves = view().curves();
             ASSERT_EQ(curves.size(), 3u);
             std::set<Qt::PenStyle> styles;

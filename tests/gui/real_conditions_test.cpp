@@ -152,10 +152,10 @@ TEST_F(RealConditionsTest, ScriptsAndPlotsKnowThemToo) {
     const auto value =
         plottedValue(*window.shown()->frame->scenario, {expressionQuantity, "", "100 * robot[1].error", "cm"});
     ASSERT_TRUE(value) << value.error().message();
-    EXPECT_DOUBLE_EQ(value->read(momentOf(*window.shown()->frame)), 100 * shownError());
+    EXPECT_DOUBLE_EQ(value->read(window.shown()->frame->moment()), 100 * shownError());
     FieldFrame alone = *window.shown()->frame;
     alone.reality = nullptr;
-    EXPECT_TRUE(std::isnan(value->read(momentOf(alone))));
+    EXPECT_TRUE(std::isnan(value->read(alone.moment())));
 }
 
 }  // namespace

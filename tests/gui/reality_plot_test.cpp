@@ -66,8 +66,8 @@ protected:
 
 TEST_F(RealityPlotTest, NumbersAreThoseOfTheTruthAtEveryTick) {
     seek(400);
-    for (const char* quantity : {"position error", "heading error", "real x", "real heading", "real forward",
-                                 "error ahead", "error to the left"})
+    for (const char* quantity :
+         {"error", "heading_error", "real_x", "real_heading", "real_v", "error_ahead", "error_left"})
         for (const char* body : {"sim a", "sim b"}) ASSERT_TRUE(window.plots().add({quantity, body}));
     settlePlots();
     const Scenario& scenario = *run.course->scenario;
@@ -91,37 +91,37 @@ TEST_F(RealityPlotTest, NumbersAreThoseOfTheTruthAtEveryTick) {
             };
             const double x = simulated.x - real.x, y = simulated.y - real.y;
             const double c = std::cos(real.heading), s = std::sin(real.heading);
-            expect("position error", 100 * std::sqrt(x * x + y * y));
-            expect("heading error", std::abs(simulated.heading - real.heading) / degree);
-            expect("error ahead", 100 * (c * x + s * y));
-            expect("error to the left", 100 * (c * y - s * x));
-            expect("real x", real.x);
-            expect("real heading", real.heading / degree);
+            expect("error", 100 * std::sqrt(x * x + y * y));
+            expect("heading_error", std::abs(simulated.heading - real.heading) / degree);
+            expect("error_ahead", 100 * (c * x + s * y));
+            expect("error_left", 100 * (c * y - s * x));
+            expect("real_x", real.x);
+            expect("real_heading", real.heading / degree);
             // The slope is that of the poses about it: none next to the gap.
-            if (std::abs(now - 5.5) > 0.6) expect("real forward", drive.command.v);
+            if (std::abs(now - 5.5) > 0.6) expect("real_v", drive.command.v);
         }
         step(scenario, state, buffers);
     }
     EXPECT_EQ(unknown, 50);
-    EXPECT_LT(curve("sim a  error ahead").at(300), -100) << "half as fast: it is behind";
-    EXPECT_EQ(curve("sim a  position error").unit, "cm");
+    EXPECT_LT(curve("sim a  error_ahead").at(300), -100) << "half as fast: it is behind";
+    EXPECT_EQ(curve("sim a  error").unit, "cm");
 }
 
 TEST_F(RealityPlotTest, AnotherRealityMakesOtherNumbers) {
     seek(150);
-    ASSERT_TRUE(window.plots().add({"position error", "sim b"}));
+    ASSERT_TRUE(window.plots().add({"error", "sim b"}));
     ASSERT_TRUE(window.plots().add({"speed", "sim b"}));
     settlePlots();
-    const double before = curve("sim b  position error").at(100);
+    const double before = curve("sim b  error").at(100);
     Reality later = *run.reality;
     for (Reality::Robot& robot : later.robots) robot.origin += nanosecondsPerSecond;
     setReality(later);
     settlePlots();
     // A second later the real one is 0.3 m farther on.
-    EXPECT_NEAR(curve("sim b  position error").at(100), before + 30, 1e-3);
+    EXPECT_NEAR(curve("sim b  error").at(100), before + 30, 1e-3);
     window.session().setReality(window.shown()->run, nullptr);
     settlePlots();
-    EXPECT_TRUE(std::isnan(curve("sim b  position error").at(100)));
+    EXPECT_TRUE(std::isnan(curve("sim b  error").at(100)));
     EXPECT_FALSE(std::isnan(curve("sim b  speed").at(100)));
     // One for a run that is open no more changes nothing.
     window.session().setReality(window.shown()->run + 1, run.reality);
@@ -136,13 +136,13 @@ TEST_F(RealityPlotTest, OneKeyPlotsTheErrorsOfRunAndModels) {
     QTest::keyClick(&window, Qt::Key_R, Qt::ShiftModifier);
     settlePlots();
     ASSERT_EQ(window.plots().keys().size(), 6u);
-    EXPECT_NEAR(curve("sim a  first: position error").at(100),
-                100 * std::hypot(-2 - ahead.poseAt(3).x, -ahead.poseAt(3).y), 1e-3);
-    EXPECT_NEAR(curve("sim a  second: heading error").at(100), 30, 1e-4);
+    EXPECT_NEAR(curve("sim a  first: error").at(100), 100 * std::hypot(-2 - ahead.poseAt(3).x, -ahead.poseAt(3).y),
+                1e-3);
+    EXPECT_NEAR(curve("sim a  second: heading_error").at(100), 30, 1e-4);
     const auto colours = window.plots().plotted();
-    EXPECT_EQ(colours.at({"position error", "sim a", "first"}), modelColour(0));
-    EXPECT_EQ(colours.at({"position error", "sim a", "second"}), modelColour(1));
-    EXPECT_EQ(curve("sim a  second: heading error").style, modelStyle(1));
+    EXPECT_EQ(colours.at({"model_error", "sim a", "first"}), modelColour(0));
+    EXPECT_EQ(colours.at({"model_error", "sim a", "second"}), modelColour(1));
+    EXPECT_EQ(curve("sim a  second: heading_error").style, modelStyle(1));
     QTest::keyClick(&window, Qt::Key_R, Qt::ShiftModifier);
     EXPECT_TRUE(window.plots().keys().empty());
     window.field().setSelected(std::nullopt);
@@ -166,18 +166,18 @@ TEST_F(RealityPlotTest, InspectorTellsOfTheRealRobot) {
     };
     seek(100);
     const double error = 100 * (ahead.poseAt(3).x - window.shown()->frame->poseOf(0).x);
-    EXPECT_EQ(row("Position error").value, QString::number(error, 'f', 1));
-    EXPECT_EQ(row("Position error").unit, "cm");
-    EXPECT_EQ(row("Error ahead").value, QString::number(-error, 'f', 1));
-    EXPECT_EQ(row("Real x").value, "-1.500");
-    EXPECT_EQ(row("Real forward").value, "0.500");
+    EXPECT_EQ(row("error").value, QString::number(error, 'f', 1));
+    EXPECT_EQ(row("error").unit, "cm");
+    EXPECT_EQ(row("error_ahead").value, QString::number(-error, 'f', 1));
+    EXPECT_EQ(row("real_x").value, "-1.500");
+    EXPECT_EQ(row("real_v").value, "0.500");
     EXPECT_EQ(row("first").value, QString::number(100 * std::hypot(0.5, 2), 'f', 1));
     ASSERT_TRUE(row("first").plot);
-    EXPECT_EQ(*row("first").plot, (ValueKey{"position error", "sim a", "first"}));
+    EXPECT_EQ(*row("first").plot, (ValueKey{"model_error", "sim a", "first"}));
     EXPECT_EQ(row("Ground truth").value, QString());
     seek(220);  // 5.4 s
     EXPECT_EQ(row("Ground truth").value, "none for 0.4 s");
-    EXPECT_TRUE(row("Position error").quiet);
+    EXPECT_TRUE(row("error").quiet);
 }
 
 TEST_F(RealityPlotTest, TimelineShowsWhereNobodySawAndWhatIsNoted) {
@@ -214,7 +214,7 @@ TEST_F(RealityPlotTest, TimelineShowsWhereNobodySawAndWhatIsNoted) {
 
 TEST_F(RealityPlotTest, PlotsShowTheBoundAndTheInstantBeyondIt) {
     seek(400);
-    ASSERT_TRUE(window.plots().add({"position error", "sim b"}));
+    ASSERT_TRUE(window.plots().add({"error", "sim b"}));
     settlePlots();
     PlotView& view = window.plots().view();
     const QColor colour = TimelineBar::colourOf(TimelineMark::Kind::divergence, Theme::light());

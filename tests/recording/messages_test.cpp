@@ -120,8 +120,8 @@ TEST_F(RecordingFile, OtherProgramsSeeCommandsContactsAndScene) {
             const auto& third = json["rover_3"];
             EXPECT_NEAR(third["v"], state.robots[2].velocity_B.x, 5.1e-4);
             EXPECT_NEAR(third["w"], state.robots[2].velocity_B.rotation, 5.1e-4);
-            EXPECT_NEAR(third["heading"], state.robots[2].pose.heading, 5.1e-4);
-            EXPECT_NEAR(third["w_command"], scenario.commandsOf(state, 2).at(message.time).w, 5.1e-4);
+            EXPECT_NEAR(third["heading"], wrapAngle(state.robots[2].pose.heading), 5.1e-4);
+            EXPECT_NEAR(third["command_w"], scenario.commandsOf(state, 2).at(message.time).w, 5.1e-4);
         }
         if (message.topic == "/log") kicksTold += json["message"].get<std::string>().find("kicks") != std::string::npos;
         if (message.topic == "/scene") {

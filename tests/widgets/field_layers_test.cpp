@@ -41,7 +41,7 @@ FieldFrame everything() {
     frame.predicted = {{{2, -3, 0}, {3, -3, 0}, {4, -3, 0}}, {}};
     frame.predictedStep = nanosecondsPerSecond;
     frame.insights[0].decision.annotations = {{Annotation::Kind::point, "aim", 0, "", {{3, 2}}}};
-    frame.contacts = {{0, 1, 0, {0, 3}, {1, 0}, 0.02}};
+    frame.lastTick.contacts = {{0, 1, 0, {0, 3}, {1, 0}, 0.02}};
     frame.insights[1].observed = frame.insights[1].observation.localised = true;
     frame.insights[1].observation.self = {-2.5, 2.5, 0};
     frame.ghosts = {{"then", frame.scenario, {{2, 0, 0}, {-3.5, 2.5, 0}, {4.5, 3.5, 0}}, {}}};
@@ -188,7 +188,7 @@ TEST(FieldLayers, ArrowsOfImpulsesStayShort) {
         EXPECT_LT(impulsePixels(impulse, 30), 0.6 * 30) << "as small as the robots";
     }
     FieldFrame frame = frameOfDiscs({{-4, -3, 0}});
-    frame.contacts = {{0, noBody, 0, {0, 0}, {0, 1}, 500}};
+    frame.lastTick.contacts = {{0, noBody, 0, {0, 0}, {0, 1}, 500}};
     FieldView view;
     view.resize(800, 640);
     view.setFrame(std::make_shared<const FieldFrame>(frame));

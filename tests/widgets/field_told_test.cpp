@@ -51,7 +51,7 @@ TEST_F(FieldViewTest, FileShowsTheSameAsTheWindow) {
 TEST_F(FieldViewTest, TellsOfWhatItRestsOn) {
     FieldFrame frame = frameOfDiscs({{1, 1, 30 * oneDegree}, {-2, 0, 0}});
     frame.state.robots[0].velocity_B = {0.25, 0, -10 * oneDegree};
-    frame.contacts.push_back({0, 1, 0, {1.3, 1}, {1, 0}, 13.06});
+    frame.lastTick.contacts.push_back({0, 1, 0, {1.3, 1}, {1, 0}, 13.06});
     frame.insights[1].decision.annotations.push_back({Annotation::Kind::point, "aim", 0, "", {{3, -2}}});
     show(frame);
     const QString body = view.readoutAt(pixelOf({1, 1}));

@@ -308,7 +308,7 @@ TEST_F(FieldViewTest, LabelsStayClearOfWhatLiesOverTheView) {
 /// Two places at which the same two touch: each number stays where it is while nothing moves.
 TEST_F(FieldViewTest, NumbersOfTwoTouchesOfAPairDoNotChangePlaces) {
     FieldFrame frame = frameOfDiscs({{0, 0, 0}, {0.6, 0, 0}});
-    frame.contacts = {{0, 1, 0, {0.3, 0.08}, {1, 0}, 0.57}, {0, 1, 0, {0.3, -0.08}, {1, 0}, 0.06}};
+    frame.lastTick.contacts = {{0, 1, 0, {0.3, 0.08}, {1, 0}, 0.57}, {0, 1, 0, {0.3, -0.08}, {1, 0}, 0.06}};
     show(frame);
     view.setLayers(only({FieldLayer::contacts}));
     const QImage first = rendered(view);
@@ -317,7 +317,7 @@ TEST_F(FieldViewTest, NumbersOfTwoTouchesOfAPairDoNotChangePlaces) {
 
 TEST_F(FieldViewTest, WhatAnAnswerIsAboutIsNearAndLoudAndTheRestIsQuiet) {
     FieldFrame frame = frameOfDiscs({{0, 0, 0}, {1.2, 1, 0}, {-1.2, 1, 0}}, {0.5, 0, 0});
-    frame.contacts = {
+    frame.lastTick.contacts = {
         {0, 3, 0, {0.35, 0}, {1, 0}, 0.5}, {0, 3, 0, {0.35, 0.05}, {1, 0}, 0.9}, {1, 2, 0, {0, 1.5}, {1, 0}, 3}};
     show(frame);
     view.setLayers(only({FieldLayer::contacts}));

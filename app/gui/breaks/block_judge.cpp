@@ -49,7 +49,7 @@ std::vector<Condition*> BlockJudge::Worker::compiled(const Scenario& wanted, std
     for (const std::string& text : texts) {
         auto found = known.find(text);
         if (found == known.end())
-            found = known.emplace(text, compileCondition(text, wanted, "condition", realPoses(real))).first;
+            found = known.emplace(text, compileCondition(text, wanted, "condition", real.get())).first;
         all.push_back(found->second ? &*found->second : nullptr);
     }
     return all;
@@ -66,8 +66,9 @@ Expected<std::vector<Verdicts>> BlockJudge::Worker::judge(const BlockTicks& tick
         return fail({}, "the state kept of tick " + std::to_string(block.first) + " is none of this scenario");
     std::vector<Verdicts> verdicts(texts.size());
     const auto ask = [&](const StepTrace* step) {
+        const Moment at{&world, &*state, step, {}, real.get()};
         for (std::size_t i = 0; i < verdicts.size(); ++i)
-            verdicts[i].add(state->tick, conditions[i] != nullptr ? conditions[i]->holds(world, *state, step) : false);
+            verdicts[i].add(state->tick, conditions[i] != nullptr ? conditions[i]->holds(at) : false);
     };
     if (ticks.first == block.first) ask(nullptr);
     DecisionReader reader(block.decisions);

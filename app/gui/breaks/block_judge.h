@@ -34,7 +34,7 @@ struct BlockTicks {
 };
 
 /// Asks conditions over blocks that have been, on all cores. It steps again by the recorded decisions and asks no
-/// controller: the world comes out as it was, to the last bit, and of the rest conditions see nothing.
+/// controller: the world comes out as it was, to the last bit; of the rest conditions must ask nothing (readsControl).
 class BlockJudge {
 public:
     BlockJudge();

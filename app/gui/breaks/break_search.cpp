@@ -90,11 +90,39 @@ BreakSearch::Known BreakSearch::knownAfter(const Question& question, std::int64_
     return {high >= last(), {}};
 }
 
+/// Tick by tick: a predicate, or a condition that reads what sensors and controllers saw and remember, which are asked
+/// again for it.
+Verdicts BreakSearch::walk(const Question& question, const BlockTicks& block, std::uint32_t branch) const {
+    Verdicts verdicts;
+    if (question.predicate) {
+        for (std::int64_t at = block.first; at <= block.last; ++at)
+            verdicts.add(at, question.predicate(run_, branch, at));
+        return verdicts;
+    }
+    const Scenario& scenario = *block.course->scenario;
+    const Reality* const reality = run_.reality().get();
+    auto condition = compileCondition(question.text, scenario, "condition", reality);
+    auto cursor = run_.cursorAt(branch, block.first);
+    for (std::int64_t at = block.first; at <= block.last; ++at) {
+        if (cursor && at > block.first)
+            if (auto done = run_.advance(*cursor, branch); !done) cursor = tl::unexpected(done.error());
+        verdicts.add(at, condition && cursor ? condition->holds(cursor->moment(scenario, reality)) : false);
+    }
+    return verdicts;
+}
+
 /// Asks in so many blocks, of which the first has `tick`, further ones lie before it or after it.
 Expected<void> BreakSearch::ask(const std::vector<Question*>& questions, std::int64_t tick, bool backwards,
                                 std::size_t most) {
     const TimeTravel::Part& part = partOf(tick);
     const Timeline& timeline = run_.branches()[part.branch].timeline;
+    const auto isJudged = [&](const Question& question) {
+        return !question.predicate && !readsControl(question.text, *run_.record(part.branch).course().scenario);
+    };
+    // A condition that walks does so on one core.
+    if (std::any_of(questions.begin(), questions.end(),
+                    [&](const Question* one) { return !one->predicate && !isJudged(*one); }))
+        most = std::min(most, fewBlocks);
     std::vector<BlockTicks> blocks;
     for (std::int64_t at = tick; blocks.size() < most && at >= part.first && at <= part.last;) {
         const TimelineBlock& block = timeline.blockOf(std::max(at - 1, timeline.first()));
@@ -106,15 +134,12 @@ Expected<void> BreakSearch::ask(const std::vector<Question*>& questions, std::in
     std::vector<std::string> texts;
     std::vector<Question*> conditions;
     for (Question* question : questions) {
-        if (!question->predicate) {
+        if (isJudged(*question)) {
             texts.push_back(question->text);
             conditions.push_back(question);
             continue;
         }
-        Verdicts& known = question->known[part.branch];
-        for (const BlockTicks& block : blocks)
-            for (std::int64_t at = block.first; at <= block.last; ++at)
-                known.add(at, question->predicate(run_, part.branch, at));
+        for (const BlockTicks& block : blocks) question->known[part.branch].add(walk(*question, block, part.branch));
     }
     if (conditions.empty()) return {};
     const auto verdicts = judge_.judge(blocks, texts, run_.reality());

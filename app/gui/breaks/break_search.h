@@ -85,6 +85,7 @@ private:
     };
     Known knownBefore(const Question& question, std::int64_t tick) const;
     Known knownAfter(const Question& question, std::int64_t tick) const;
+    Verdicts walk(const Question& question, const BlockTicks& block, std::uint32_t branch) const;
     Expected<void> ask(const std::vector<Question*>& questions, std::int64_t tick, bool backwards, std::size_t blocks);
 
     const TimeTravel& run_;

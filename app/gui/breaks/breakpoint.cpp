@@ -63,7 +63,7 @@ MarkKind markOf(BreakKind kind) {
 Expected<void> checkIn(const Scenario& scenario, std::string_view text, const RealityPointer& reality) {
     const BreakText what = readBreakText(text);
     if (what.kind == BreakKind::condition) {
-        auto condition = compileCondition(what.name, scenario, "condition", realPoses(reality));
+        auto condition = compileCondition(what.name, scenario, "condition", reality.get());
         if (condition) return {};
         // In the text as it is written.
         if (condition.error().line == 1 && condition.error().column > 0)
@@ -99,14 +99,6 @@ BreakText readBreakText(std::string_view text) {
     for (const auto& [name, kind] : words)
         if (word == name) return {kind, trimmed(text.substr(word.size()))};
     return {BreakKind::condition, text};
-}
-
-RealPoses realPoses(const RealityPointer& reality) {
-    if (reality == nullptr) return {};
-    return [reality](const std::string& robot, Nanoseconds now) -> std::optional<Pose> {
-        const Reality::Robot* const real = reality->robotNamed(robot);
-        return real != nullptr ? real->poseAt(now) : std::nullopt;
-    };
 }
 
 bool isSameTruth(const RealityPointer& a, const RealityPointer& b) {

@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "comparison/reality.h"
-#include "condition/world_names.h"
 #include "io/error.h"
 #include "travel/course.h"
 #include "widgets/timeline_mark.h"
@@ -38,7 +37,6 @@ BreakText readBreakText(std::string_view text);
 
 /// What conditions ask of the real log; null: none is open.
 using RealityPointer = std::shared_ptr<const Reality>;
-RealPoses realPoses(const RealityPointer& reality);
 /// Whether both tell the same of the same robots, whatever models they have.
 bool isSameTruth(const RealityPointer& a, const RealityPointer& b);
 

@@ -174,7 +174,7 @@ Expected<Condition>& Breakpoints::compiled(const TimeTravel& run, const std::str
     const auto known = compiled_.find(key);
     if (known != compiled_.end()) return known->second;
     if (compiled_.size() >= mostCompiled) compiled_.clear();
-    auto condition = compileCondition(text, *run.course().scenario, "condition", realPoses(run.reality()));
+    auto condition = compileCondition(text, *run.course().scenario, "condition", run.reality().get());
     return compiled_.emplace(key, std::move(condition)).first->second;
 }
 
@@ -189,7 +189,7 @@ bool Breakpoints::fitsElsewhere(const TimeTravel& run, const std::string& text) 
 Expected<bool> Breakpoints::answer(const TimeTravel& run, const Question& question) {
     if (question.predicate) return question.predicate(run, run.owner(), run.tick());
     Expected<Condition>& condition = compiled(run, question.text);
-    return condition ? condition->holds(*run.course().scenario, run.state(), run.trace()) : false;
+    return condition ? condition->holds(run.moment()) : false;
 }
 
 void Breakpoints::leave(const TimeTravel& run) {

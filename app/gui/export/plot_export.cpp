@@ -196,8 +196,7 @@ public:
             for (const ValueKey& key : table_.keys)
                 values_.push_back(plottedValue(scenario, key).value_or(PlottedValue{}));
         }
-        Moment moment = at.moment(scenario);
-        moment.reality = travel.reality().get();
+        const Moment moment = at.moment(scenario, travel.reality().get());
         for (std::size_t i = 0; i < values_.size(); ++i)
             course_.columns[i].push_back(values_[i].read ? values_[i].read(moment)
                                                          : std::numeric_limits<double>::quiet_NaN());

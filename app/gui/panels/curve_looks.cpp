@@ -74,24 +74,19 @@ namespace {
 
 bool isExpression(const ValueKey& key) { return key.quantity == expressionQuantity; }
 
-/// Of a motion model, the run's own or one that is laid over.
-bool isOfModel(const ValueKey& key) {
-    return key.quantity == positionErrorQuantity || key.quantity == headingErrorQuantity;
-}
-
-/// What the names of several quantities end with, in whole words: of "forward" and "real forward" it is "forward".
+/// What the names of several quantities end with, in whole words: of "v" and "real_v" it is "v".
 QString commonEnd(const std::set<QString>& quantities) {
     if (quantities.size() < 2) return {};
-    QStringList common = quantities.begin()->split(' ');
+    QStringList common = quantities.begin()->split('_');
     for (const QString& quantity : quantities) {
-        const QStringList words = quantity.split(' ');
+        const QStringList words = quantity.split('_');
         int same = 0;
         while (same < std::min(words.size(), common.size()) &&
                words[words.size() - 1 - same] == common[common.size() - 1 - same])
             ++same;
         common = common.mid(common.size() - same);
     }
-    return common.join(' ');
+    return common.join('_');
 }
 
 /// Of quantities that end alike what is left tells them apart.
@@ -99,10 +94,10 @@ QString tellingPart(const QString& quantity, const std::set<QString>& all) {
     const QString end = commonEnd(all);
     if (end.isEmpty()) return quantity;
     if (quantity != end) {
-        const QString left = quantity.chopped(end.size()).trimmed();
-        return left == "commanded" ? QObject::tr("told") : left;
+        const QString left = quantity.chopped(end.size() + 1);
+        return left == "command" ? QObject::tr("told") : left;
     }
-    return all.count("real " + end) > 0 ? QObject::tr("simulated") : quantity;
+    return all.count("real_" + end) > 0 ? QObject::tr("simulated") : quantity;
 }
 
 /// A value's name without its body and its model.
@@ -111,7 +106,7 @@ QString quantityOf(const ValueKey& key, const PlottedValue& value) {
     const QString body = QString::fromStdString(key.body) + "  ", model = QString::fromStdString(key.of) + ": ";
     QString words = value.name;
     if (words.startsWith(body)) words.remove(0, body.size());
-    if (isOfModel(key) && words.startsWith(model)) words.remove(0, model.size());
+    if (isError(key) && words.startsWith(model)) words.remove(0, model.size());
     return words;
 }
 
@@ -125,7 +120,7 @@ std::vector<CurveWords> wordsOf(std::span<const ValueKey> keys, std::span<const 
     for (std::size_t i = 0; i < values.size(); ++i) {
         bodies.insert(keys[i].body);
         quantities[values[i].unit].insert(quantityOf(keys[i], values[i]));
-        models = models || (isOfModel(keys[i]) && !keys[i].of.empty());
+        models = models || (isError(keys[i]) && !keys[i].of.empty());
     }
     std::vector<CurveWords> words;
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -138,7 +133,7 @@ std::vector<CurveWords> wordsOf(std::span<const ValueKey> keys, std::span<const 
         const QString end = commonEnd(beside), measured = end.isEmpty() ? quantity : end;
         QStringList parts;
         if (beside.size() > 1) parts << tellingPart(quantity, beside);
-        if (models && isOfModel(keys[i]))
+        if (models && isError(keys[i]))
             parts << (!keys[i].of.empty() ? QString::fromStdString(keys[i].of)
                       : !own.isEmpty()    ? own
                                           : QObject::tr("run"));

@@ -21,7 +21,8 @@ bool has(const std::vector<ValueKey>& keys, const ValueKey& key) {
 
 /// In the unit that is plotted.
 double plottedError(const PoseError& error, const std::string& quantity) {
-    return quantity == positionErrorQuantity ? 100 * error.position : error.heading * 180 / std::numbers::pi;
+    const bool position = quantity == positionErrorQuantity || quantity == modelPositionErrorQuantity;
+    return position ? 100 * error.position : error.heading * 180 / std::numbers::pi;
 }
 
 QVector<QPointF> errorsAlong(const ComparedCourse& course, const std::string& quantity, Nanoseconds tickLength) {
@@ -48,9 +49,10 @@ QVector<QPointF> errorsAlong(const Reality& reality, const Reality::ModelCourse&
 
 std::vector<ValueKey> errorKeysOf(const Reality& reality, const std::string& robot) {
     std::vector<ValueKey> keys;
-    for (const char* quantity : {positionErrorQuantity, headingErrorQuantity}) {
-        keys.push_back({quantity, robot});
-        for (const Reality::ModelCourse& model : reality.models) keys.push_back({quantity, robot, model.name});
+    for (const auto& [own, ofModel] : {std::pair{positionErrorQuantity, modelPositionErrorQuantity},
+                                       {headingErrorQuantity, modelHeadingErrorQuantity}}) {
+        keys.push_back({own, robot});
+        for (const Reality::ModelCourse& model : reality.models) keys.push_back({ofModel, robot, model.name});
     }
     return keys;
 }

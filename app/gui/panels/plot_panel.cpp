@@ -381,7 +381,7 @@ std::vector<PlotCurve> PlotPanel::curvesIn(const Theme& theme) const {
             curve.style = looks[i].style;
             curve.label = words[i].label;
             curve.quantity = words[i].quantity;
-            curve.fromZero = keys_[i].quantity == positionErrorQuantity || keys_[i].quantity == headingErrorQuantity;
+            curve.fromZero = isError(keys_[i]);
             curve.ghost = ghost;
             if (ghost) curve.id += "\nghost";
             if (known != nullptr && !ghost)

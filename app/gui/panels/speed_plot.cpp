@@ -19,8 +19,7 @@ std::vector<ValueKey> speedsOf(const MainWindow& window) {
     if (const auto body = window.field().selected()) robot = frame.nameOf(*body);
     if (frame.reality->robotNamed(robot) == nullptr) return {};
     std::vector<ValueKey> keys;
-    for (const char* const quantity :
-         {"commanded forward", "forward", "real forward", "commanded turning", "turning", "real turning"})
+    for (const char* const quantity : {"command_v", "v", "real_v", "command_w", "w", "real_w"})
         keys.push_back({quantity, robot});
     return keys;
 }

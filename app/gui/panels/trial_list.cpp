@@ -43,8 +43,9 @@ QString titleOf(const std::string& column) {
         {"trial", "Trial"}, {"seed", "Seed"}, {"end", "Ended by"},  {"time_s", "Time (s)"},    {"touches", "Touches"},
         {"kicks", "Kicks"}, {"hits", "Hits"}, {"faults", "Faults"}, {"driven_m", "Driven (m)"}};
     if (const auto known = titles.find(column); known != titles.end()) return QObject::tr(known->second);
-    constexpr std::string_view goals = "goals ";
-    if (column.starts_with(goals))
+    // "goals.left"; of earlier versions "goals left"
+    constexpr std::string_view goals = "goals.";
+    if (column.starts_with("goals") && column.size() > goals.size())
         return QObject::tr("Goals in %1").arg(QString::fromStdString(column.substr(goals.size())));
     return QString::fromStdString(column);
 }

@@ -2,7 +2,6 @@
 
 #include <lua.hpp>
 
-#include "breaks/breakpoint.h"
 #include "widgets/field_view.h"
 #include "window/main_window.h"
 
@@ -56,24 +55,16 @@ void ScriptWorld::update() {
     const Shown* shown = window_.shown();
     if (shown == nullptr) return;
     frame_ = shown->frame;
-    view_.scenario = frame_->scenario.get();
-    view_.state = &frame_->state;
+    view_.at = frame_->moment();
     view_.branch = shown->branch == 0 ? "the run" : shown->branches[shown->branch].name.toStdString();
     view_.branches = listedBranches(shown->branches);
     view_.playing = shown->playing;
     view_.message = window_.said().toStdString();
     const std::optional<std::size_t> body = window_.field().selected();
     view_.selected = body && *body < frame_->scene().bodyCount() ? frame_->nameOf(*body) : "";
-    trace_.contacts = frame_->contacts;
-    trace_.kicks.clear();
-    for (const TimelineMark& mark : *shown->marks)
-        if (mark.tick == shown->tick() && mark.kind == TimelineMark::Kind::kick) trace_.kicks.push_back({mark.body});
-    view_.trace = &trace_;
-    real_ = realPoses(frame_->reality);
-    view_.real = &real_;
     std::string bodies = bodiesOf(frame_->scene());
     if (bodies == bodies_) return;
-    addWorldNames(sandbox_, *view_.scenario, view_);
+    addWorldNames(sandbox_, *frame_->scenario, view_);
     bodies_ = std::move(bodies);
 }
 

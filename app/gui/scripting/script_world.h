@@ -31,8 +31,6 @@ private:
     MainWindow& window_;
     View view_;
     std::shared_ptr<const FieldFrame> frame_;
-    StepTrace trace_;
-    RealPoses real_;
     std::string bodies_;  ///< for which the names are
 };
 

@@ -312,7 +312,7 @@ private:
         const Nanoseconds tickLength = frame().scene().tickLength;
         const double ticks = std::floor(most / toSeconds(tickLength) + 1e-6);
         if (!(ticks >= 0 && ticks <= 1e9)) return fail("", "expected a number of seconds");
-        auto condition = compileCondition(text, *frame().scenario, "condition", realPoses(frame().reality));
+        auto condition = compileCondition(text, *frame().scenario, "condition", frame().reality.get());
         if (!condition) return tl::unexpected(condition.error());
         Expected<bool> held = false;
         window_.session().pause();
@@ -329,7 +329,7 @@ private:
     static Expected<bool> goUntil(TimeTravel& run, Condition& condition, std::int64_t ticks,
                                   const Session::Progress& progress) {
         for (std::int64_t i = 0;; ++i) {
-            auto held = condition.holds(*run.course().scenario, run.state(), run.trace());
+            auto held = condition.holds(run.moment());
             if (!held || *held || i == ticks) return held;
             if (auto done = run.forward(); !done) return tl::unexpected(done.error());
             if (!progress(static_cast<double>(i) / static_cast<double>(ticks))) return false;

@@ -247,8 +247,7 @@ bool ValueSeries::tell(Walker& walker, const Task& task) {
     auto delivered = Clock::now();
     const std::int64_t end = std::min(task.last, walker.timeline->last());
     for (bool goesOn = true; goesOn;) {
-        Moment moment = walker.cursor->moment(*walker.course->scenario);
-        moment.reality = task.reality.get();
+        const Moment moment = walker.cursor->moment(*walker.course->scenario, task.reality.get());
         for (std::size_t i = 0; i < columns.size(); ++i) {
             const PlottedValue& value = walker.values.at(task.values[i]);
             columns[i].push_back(value.read ? static_cast<float>(value.read(moment)) : noNumber);

@@ -37,7 +37,7 @@ public:
 
     const Course& course() const { return *course_; }
     const CoursePointer& coursePointer() const { return course_; }
-    Playback& playback() { return playback_; }
+    Playback& playback() const { return playback_; }
     const PoseTrack& track() const { return track_; }
     PoseTrack& track() { return track_; }
     const std::vector<TimelineMark>& marks() const { return marks_; }
@@ -75,7 +75,7 @@ private:
     void note(const WorldState& after, const StepTrace& trace);
 
     CoursePointer course_;
-    Playback playback_;
+    mutable Playback playback_;  ///< how it reaches a tick makes no difference
     PoseTrack track_;
     std::vector<TimelineMark> marks_;
     std::vector<KickOrder> kickOrders_;

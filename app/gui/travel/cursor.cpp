@@ -6,7 +6,7 @@ namespace mrose::gui {
 
 Cursor::Cursor(std::uint32_t branch, ReachedState at) : branch_(branch), at_(std::move(at)) { forgetNotes(); }
 
-Expected<void> Cursor::advance(BranchRecord& record, const Timeline& timeline) {
+Expected<void> Cursor::advance(const BranchRecord& record, const Timeline& timeline) {
     memoryBefore_ = at_.state.memory;
     if (auto advanced = record.playback().advance(timeline, at_, trace_); !advanced) return advanced;
     note(record);
@@ -33,15 +33,11 @@ void Cursor::note(const BranchRecord& record) {
     const Scenario& scenario = *record.course().scenario;
     hasTrace_ = true;
     breakReason_.clear();
-    for (std::uint32_t robot = 0; robot < trace_.robots.size(); ++robot) {
-        const StepTrace::Robot& told = trace_.robots[robot];
-        if (!told.decided) continue;
-        const auto before = scenario.memoryOf(memoryBefore_, robot);
-        insights_[robot] = {tick() - 1,    told.observed,  told.observation,
-                            told.decision, told.predicted, {before.begin(), before.end()}};
-        if (!told.decision.breakReason.empty())
-            breakReason_ = scenario.scene().robots[robot].name + ": " + told.decision.breakReason;
-    }
+    noteInsights(scenario, trace_, tick(), memoryBefore_, insights_);
+    for (std::size_t robot = 0; robot < trace_.robots.size(); ++robot)
+        if (const Decision& decision = trace_.robots[robot].decision;
+            trace_.robots[robot].decided && !decision.breakReason.empty())
+            breakReason_ = scenario.scene().robots[robot].name + ": " + decision.breakReason;
     noteThoughts(record);
     const std::int64_t oldest = tick() - scenario.scene().ticksOf(kickShown);
     std::erase_if(kicks_, [&](const SeenKick& seen) { return seen.tick < oldest; });
@@ -72,17 +68,13 @@ FieldFrame Cursor::frame(std::shared_ptr<const Scenario> scenario) const {
     frame.scenario = std::move(scenario);
     frame.state = at_.state;
     frame.insights = insights_;
-    if (hasTrace_) {
-        frame.lastTick = trace_.robots;
-        frame.contacts = trace_.contacts;
-    }
+    if (hasTrace_) frame.lastTick = trace_;
     for (const SeenKick& seen : kicks_) frame.kicks.push_back(seen.kick);
     return frame;
 }
 
-Moment Cursor::moment(const Scenario& scenario) const {
-    if (!hasTrace_) return {scenario, at_.state, {}, {}, insights_};
-    return {scenario, at_.state, trace_.robots, trace_.contacts, insights_, &trace_};
+Moment Cursor::moment(const Scenario& scenario, const Reality* reality) const {
+    return {&scenario, &at_.state, trace(), insights_, reality};
 }
 
 }  // namespace mrose::gui

@@ -7,7 +7,6 @@
 #include "recording/playback.h"
 #include "travel/branch_record.h"
 #include "widgets/field_frame.h"
-#include "widgets/value_catalogue.h"
 
 namespace mrose::gui {
 
@@ -26,7 +25,7 @@ public:
     const StepTrace* trace() const { return hasTrace_ ? &trace_ : nullptr; }
 
     /// One tick on along a timeline where it has been before.
-    Expected<void> advance(BranchRecord& record, const Timeline& timeline);
+    Expected<void> advance(const BranchRecord& record, const Timeline& timeline);
     /// One tick on that has never been.
     const StepTrace& step(BranchRecord& record, StepBuffers& buffers);
     /// A state of another branch. Where it follows on from this one, what robots saw and decided stays known.
@@ -36,8 +35,8 @@ public:
 
     /// State, insights, contacts and kicks; nothing of other ticks.
     FieldFrame frame(std::shared_ptr<const Scenario> scenario) const;
-    /// The same for who reads numbers; valid until the next tick.
-    Moment moment(const Scenario& scenario) const;
+    /// The same for who reads numbers, `reality` beside it if it is known; valid until the next tick.
+    Moment moment(const Scenario& scenario, const Reality* reality) const;
 
 private:
     void note(const BranchRecord& record);

@@ -82,7 +82,7 @@ std::vector<TimelineMark> TimeTravel::marks() const {
     return marks;
 }
 
-Expected<void> TimeTravel::advance(Cursor& cursor, std::uint32_t branch) {
+Expected<void> TimeTravel::advance(Cursor& cursor, std::uint32_t branch) const {
     const std::uint32_t owner = ownerOf(branch, cursor.tick() + 1);
     if (owner != cursor.branch()) {
         Expected<Cursor> there = cursorAt(owner, cursor.tick() + 1);
@@ -90,7 +90,7 @@ Expected<void> TimeTravel::advance(Cursor& cursor, std::uint32_t branch) {
         cursor = std::move(*there);
         return {};
     }
-    BranchRecord& record = records_[owner];
+    const BranchRecord& record = records_[owner];
     return cursor.advance(record, timelineOf(owner));
 }
 
@@ -146,11 +146,11 @@ Expected<void> TimeTravel::show(std::uint32_t branch, std::int64_t tick) {
     return {};
 }
 
-Expected<Cursor> TimeTravel::courseAt(std::uint32_t branch, std::int64_t tick) {
+Expected<Cursor> TimeTravel::courseAt(std::uint32_t branch, std::int64_t tick) const {
     return cursorAt(ownerOf(branch, tick), tick);
 }
 
-Expected<Cursor> TimeTravel::cursorAt(std::uint32_t branch, std::int64_t tick) {
+Expected<Cursor> TimeTravel::cursorAt(std::uint32_t branch, std::int64_t tick) const {
     tick = std::clamp(tick, timelineOf(branch).first(), timelineOf(branch).last());
     Cursor cursor(branch, {});
     // From a little earlier, so that what robots saw and decided is known.
@@ -159,12 +159,12 @@ Expected<Cursor> TimeTravel::cursorAt(std::uint32_t branch, std::int64_t tick) {
     return cursor;
 }
 
-Expected<void> TimeTravel::walk(Cursor& cursor, std::uint32_t branch, std::int64_t from, std::int64_t to) {
+Expected<void> TimeTravel::walk(Cursor& cursor, std::uint32_t branch, std::int64_t from, std::int64_t to) const {
     const Branch& way = branches()[branch];
     const bool fromParent = from < way.timeline.first() && departs(branch) && sharesMinds(branch);
     if (fromParent)
         if (auto walked = walk(cursor, way.parent, from, way.tick); !walked) return walked;
-    BranchRecord& record = records_[branch];
+    const BranchRecord& record = records_[branch];
     Expected<ReachedState> reached = record.playback().reach(way.timeline, std::clamp(from, way.timeline.first(), to));
     if (!reached) return tl::unexpected(reached.error());
     cursor.moveTo(branch, std::move(*reached), fromParent);

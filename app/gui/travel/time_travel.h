@@ -70,6 +70,8 @@ public:
     const std::string& breakReason() const { return shown_.breakReason(); }
     /// Of the tick that led here; nullptr: none is known.
     const StepTrace* trace() const { return shown_.trace(); }
+    /// What is known of the shown tick; valid until the next.
+    Moment moment() const { return shown_.moment(*course().scenario, reality_.get()); }
     std::size_t memory() const { return history_.size(); }  ///< bytes of the timelines, roughly
     std::size_t trackBytes() const;
 
@@ -81,11 +83,11 @@ public:
     Expected<void> show(std::uint32_t branch, std::int64_t tick);
 
     /// To one of a branch's own ticks, without going there.
-    Expected<Cursor> cursorAt(std::uint32_t branch, std::int64_t tick);
+    Expected<Cursor> cursorAt(std::uint32_t branch, std::int64_t tick) const;
     /// The same of a branch's course, which begins with ticks of those that it came from.
-    Expected<Cursor> courseAt(std::uint32_t branch, std::int64_t tick);
+    Expected<Cursor> courseAt(std::uint32_t branch, std::int64_t tick) const;
     /// One tick on in a branch's course, where it has been.
-    Expected<void> advance(Cursor& cursor, std::uint32_t branch);
+    Expected<void> advance(Cursor& cursor, std::uint32_t branch) const;
     /// Where all bodies were at a tick of a branch's course; nothing where that is forgotten or not yet looked at.
     std::optional<std::vector<Pose>> posesAt(std::uint32_t branch, std::int64_t tick) const;
 
@@ -158,7 +160,7 @@ private:
     const std::shared_ptr<const Scenario>& scenarioOf(std::uint32_t branch) const {
         return records_[branch].course().scenario;
     }
-    Expected<void> walk(Cursor& cursor, std::uint32_t branch, std::int64_t from, std::int64_t to);
+    Expected<void> walk(Cursor& cursor, std::uint32_t branch, std::int64_t from, std::int64_t to) const;
     void goOnWith(std::uint32_t branch, std::int64_t most);
     void followBeside();
     void keepTracksSmall();

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "quantities/real_robots.h"
+#include "scenario/scenario.h"
+#include "simulation/step.h"
+
+namespace mrose {
+
+/// What a robot saw, decided and was predicted to do at its last control instant: it holds until the next.
+struct RobotInsight {
+    std::int64_t tick = -1;  ///< of the state in which it decided; -1: never yet
+    bool observed = false;
+    Observation observation;
+    Decision decision;
+    MotionStep predicted;
+    std::vector<std::byte> memoryBefore;  ///< its controller's, before it decided
+};
+
+/// Takes over what robots saw and decided in the tick that led to `tick`. `memoryBefore` is WorldState::memory before
+/// that.
+void noteInsights(const Scenario& scenario, const StepTrace& trace, std::int64_t tick,
+                  const std::vector<std::byte>& memoryBefore, std::vector<RobotInsight>& insights);
+
+/// What is known of a run at a tick: all that quantities are read from.
+struct Moment {
+    const Scenario* scenario = nullptr;
+    const WorldState* state = nullptr;
+    const StepTrace* trace = nullptr;             ///< of the tick that led there; nullptr at a run's start
+    std::span<const RobotInsight> insights = {};  ///< of each robot; empty: nobody has followed them
+    const RealRobots* real = nullptr;             ///< nullptr: no real log is open
+
+    const Scene& scene() const { return scenario->scene(); }
+    Nanoseconds now() const { return scene().timeOf(state->tick); }
+};
+
+}  // namespace mrose
