@@ -41,7 +41,7 @@ class TrainingDisplay {
 public:
     explicit TrainingDisplay(bool quiet) : line_(quiet) {}
 
-    bool operator()(const TrainingProgress& p) {
+    bool operator()(const NetworkProgress& p) {
         const double done = p.member + static_cast<double>(p.epoch) / p.epochs;
         const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin_;
         const int tenth = static_cast<int>(10 * done / p.members);
@@ -63,7 +63,7 @@ private:
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-void printSummary(const TrainingSummary& summary, const TrainFlags& flags, const CommonFlags& common, double seconds) {
+void printSummary(const TrainedNetwork& summary, const TrainFlags& flags, const CommonFlags& common, double seconds) {
     const MotionNetwork& n = summary.network;
     if (common.json) {
         std::puts(nlohmann::json{{"network", flags.out},

@@ -82,8 +82,8 @@ const Planted& plantedPaper() {
     return planted;
 }
 
-TrainerOptions quick(LearningLoss loss) {
-    TrainerOptions options;
+NetworkTrainerOptions quick(LearningLoss loss) {
+    NetworkTrainerOptions options;
     options.loss = loss;
     options.hidden = 8;
     options.members = 2;
@@ -123,7 +123,7 @@ class RolloutBatchOfBothForms : public testing::TestWithParam<MotionNetwork::For
 TEST_P(RolloutBatchOfBothForms, DrivesLikeTheModelThatIsUsed) {
     const bool state = GetParam() == MotionNetwork::Form::state;
     const Planted& p = state ? plantedPaper() : plantedHistory();
-    TrainerOptions options = quick(state ? LearningLoss::oneStep : LearningLoss::rollout);
+    NetworkTrainerOptions options = quick(state ? LearningLoss::oneStep : LearningLoss::rollout);
     options.members = 1;
     const auto summary = trainNetwork(p.blueprint, p.samples, options);
     ASSERT_TRUE(summary);
@@ -159,7 +159,7 @@ INSTANTIATE_TEST_SUITE_P(Forms, RolloutBatchOfBothForms,
 
 TEST(TrainNetwork, HistoryFormLearnsALaggedRobotOpenLoop) {
     const Planted& p = plantedHistory();
-    TrainerOptions options = quick(LearningLoss::rollout);
+    NetworkTrainerOptions options = quick(LearningLoss::rollout);
     options.hidden = 16;
     options.epochs = 400;
     const auto summary = trainNetwork(p.blueprint, p.samples, options);
@@ -172,13 +172,13 @@ TEST(TrainNetwork, HistoryFormLearnsALaggedRobotOpenLoop) {
 
 TEST(TrainNetwork, PapersNetworkLearnsALaggedRobotByEveryMethod) {
     const Planted& p = plantedPaper();
-    for (const LearningMethod method :
-         {LearningMethod::irpropPlus, LearningMethod::irpropMinus, LearningMethod::rpropPlus,
-          LearningMethod::rpropMinus, LearningMethod::levenbergMarquardt}) {
-        TrainerOptions options = quick(LearningLoss::oneStep);
+    for (const TrainingMethod method :
+         {TrainingMethod::irpropPlus, TrainingMethod::irpropMinus, TrainingMethod::rpropPlus,
+          TrainingMethod::rpropMinus, TrainingMethod::levenbergMarquardt}) {
+        NetworkTrainerOptions options = quick(LearningLoss::oneStep);
         options.method = method;
         options.members = 1;
-        options.epochs = method == LearningMethod::levenbergMarquardt ? 40 : 500;
+        options.epochs = method == TrainingMethod::levenbergMarquardt ? 40 : 500;
         const auto summary = trainNetwork(p.blueprint, p.samples, options);
         ASSERT_TRUE(summary);
         EXPECT_LT(summary->network.heldOut.position, 5) << summary->network.training.method;
@@ -204,7 +204,7 @@ TEST(TrainNetwork, SameSeedGivesTheSameFileWhateverTheThreads) {
 }
 
 TEST(TrainNetwork, AnotherSeedGivesAnotherNetwork) {
-    TrainerOptions options = quick(LearningLoss::oneStep);
+    NetworkTrainerOptions options = quick(LearningLoss::oneStep);
     const auto first = trainNetwork(plantedPaper().blueprint, plantedPaper().samples, options);
     options.seed = 2;
     const auto second = trainNetwork(plantedPaper().blueprint, plantedPaper().samples, options);
@@ -216,7 +216,7 @@ TEST(TrainNetwork, CancelledGivesTheBestNetworkSoFar) {
     int calls = 0;
     OpenLoopError best;
     const auto summary =
-        trainNetwork(p.blueprint, p.samples, quick(LearningLoss::rollout), [&](const TrainingProgress& progress) {
+        trainNetwork(p.blueprint, p.samples, quick(LearningLoss::rollout), [&](const NetworkProgress& progress) {
             best = progress.heldOut;
             return ++calls < 2;
         });
@@ -229,7 +229,7 @@ TEST(TrainNetwork, CancelledGivesTheBestNetworkSoFar) {
 
 TEST(TrainNetwork, RecoversFromAWrongStartVelocityWithTheLagOfItsFile) {
     const Planted& p = plantedHistory();
-    TrainerOptions options = quick(LearningLoss::rollout);
+    NetworkTrainerOptions options = quick(LearningLoss::rollout);
     options.epochs = 200;
     const auto summary = trainNetwork(p.blueprint, p.samples, options);
     const LearnedModel model(std::make_shared<const LearnedMotion>(summary->network), "1");
