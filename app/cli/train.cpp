@@ -119,7 +119,7 @@ int train(TrainFlags flags, const CommonFlags& common) {
     for (const std::string& log : flags.logs) read.push_back(placeOfLog(log));
     if (const auto writable = checkOutput(flags.out, read, common.overwrite); !writable)
         return report(writable.error());
-    const GroupHoldOut holdOut = holdOutShare(flags.holdOut, flags.holdOutPart);
+    const HoldOut holdOut = holdOutShare(flags.holdOut, flags.holdOutPart);
     const auto opened = openLearningLogs({flags.logs, flags.robots, holdOut});
     if (!opened) return report(opened.error());
     const std::vector<Log>& logs = opened->logs;
@@ -142,7 +142,7 @@ int train(TrainFlags flags, const CommonFlags& common) {
     for (std::size_t i = 0; i < trackers.size() && i < blueprint.identified.size(); ++i)
         blueprint.identified[i].tracker = trackers[i];
     blueprint.drive = opened->drive;
-    blueprint.heldOut.groups = holdOut;
+    blueprint.heldOut.part = holdOut;
     blueprint.synthetic = std::any_of(logs.begin(), logs.end(), [](const Log& log) { return log.synthetic; });
     blueprint.training.command = commandLine();
     for (const Log& log : logs)

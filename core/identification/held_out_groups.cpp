@@ -5,7 +5,7 @@
 
 namespace mrose {
 
-Expected<Log> partOf(Log log, const GroupHoldOut& holdOut, LogPart part) {
+Expected<Log> partOf(Log log, const HoldOut& holdOut, LogPart part) {
     bool any = false;
     for (RobotLog& robot : log.robots) {
         std::erase_if(robot.trajectories, [&](const Trajectory& trajectory) {

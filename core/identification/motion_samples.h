@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "learning/hold_out.h"
 #include "logs/robot_log.h"
-#include "motion/group_hold_out.h"
 #include "motion/input_reader.h"
 
 namespace mrose {
@@ -29,9 +29,9 @@ struct SampleOptions {
     Nanoseconds period = 100'000'000;
     int phases = 5;  ///< of the period at which a log is read; more patterns from the same log
     int folds = 4;
-    GroupHoldOut heldOut{};  ///< groups that are not among the logs: the others are divided evenly
-    double block = 44;       ///< s: a trajectory of several blocks is divided among the folds by blocks, a shorter one
-                             ///< belongs to one fold with all of its group
+    HoldOut heldOut{};  ///< groups that are not among the logs: the others are divided evenly
+    double block = 44;  ///< s: a trajectory of several blocks is divided among the folds by blocks, a shorter one
+                        ///< belongs to one fold with all of its group
 };
 
 /// The patterns of one or several logs.

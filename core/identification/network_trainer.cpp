@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "identification/velocity_outputs.h"
+#include "learning/ensemble.h"
 #include "learning/initial_weights.h"
 
 namespace mrose {
@@ -128,7 +129,7 @@ private:
 
 /// One network of the ensemble, as it was when it was best.
 struct Member {
-    std::vector<float> parameters;
+    Mlp mlp;
     OpenLoopError error;
     int epochs = 0;
     bool cancelled = false;
@@ -148,34 +149,20 @@ Member learn(MotionObjective& objective, const NetworkTrainerOptions& options, i
         return !progress || progress({index, options.members, p.epoch, options.epochs, p.loss, member.error});
     };
     const std::uint64_t seed = options.seed * 1000 + static_cast<std::uint64_t>(index);
-    TrainingResult result =
-        train(objective, randomMlp(objective.engine().shape(), {.seed = seed}).parameters, training, report);
-    member.parameters = std::move(result.parameters);
+    const MlpShape shape = objective.engine().shape();
+    TrainingResult result = train(objective, randomMlp(shape, {.seed = seed}).parameters, training, report);
+    member.mlp = {shape, std::move(result.parameters)};
     member.epochs = result.epochs;
     member.cancelled = result.end == TrainingEnd::stopped;
     return member;
 }
 
-/// The mean of the members' outputs, as one network: their hidden layers side by side.
-Mlp meanOf(const std::vector<Member>& members, const MlpShape& one) {
-    const auto count = static_cast<int>(members.size());
-    const auto ni = static_cast<std::size_t>(one.inputs), nh = static_cast<std::size_t>(one.hidden);
-    std::vector<float> weights, biases, outWeights, outBiases(static_cast<std::size_t>(one.outputs));
-    for (const Member& member : members) {
-        const float* p = member.parameters.data();
-        weights.insert(weights.end(), p, p + nh * ni);
-        biases.insert(biases.end(), p + nh * ni, p + nh * (ni + 1));
-    }
-    for (std::size_t k = 0; k < outBiases.size(); ++k)
-        for (const Member& member : members) {
-            const float* p = member.parameters.data() + nh * (ni + 1);
-            for (std::size_t j = 0; j < nh; ++j) outWeights.push_back(p[k * nh + j] / float(count));
-            outBiases[k] += p[outBiases.size() * nh + k] / float(count);
-        }
-    Mlp mlp{{one.inputs, one.hidden * count, one.outputs}, std::move(weights)};
-    for (const auto* part : {&biases, &outWeights, &outBiases})
-        mlp.parameters.insert(mlp.parameters.end(), part->begin(), part->end());
-    return mlp;
+/// As one network, which knows its members.
+void merge(const std::vector<Member>& members, MotionNetwork& network) {
+    std::vector<Mlp> networks;
+    for (const Member& member : members) networks.push_back(member.mlp);
+    network.mlp = mergedMean(networks);
+    network.members = networks.size() > 1 ? membersOf(networks) : std::vector<EnsembleMember>();
 }
 
 void describe(const std::vector<Member>& members, const NetworkTrainerOptions& options, double horizon,
@@ -203,7 +190,6 @@ Expected<TrainedNetwork> trainNetwork(const MotionNetwork& blueprint, const Moti
     network = blueprint;
     standardise(samples, network);
     std::vector<Member> members;
-    MlpShape shape;
     double horizon = 0;
     for (int m = 0; m < options.members && !trained.cancelled; ++m) {
         const int fold = m % samples.folds;
@@ -212,16 +198,15 @@ Expected<TrainedNetwork> trainNetwork(const MotionNetwork& blueprint, const Moti
             return fail("", "the logs are too short: part " + std::to_string(fold + 1) + " of " +
                                 std::to_string(samples.folds) + " leaves nothing to learn from or to hold out");
         Member member = learn(objective, options, m, progress);
-        if (member.parameters.empty()) return fail("", "learning diverged: the loss is not a finite number");
+        if (member.mlp.parameters.empty()) return fail("", "learning diverged: the loss is not a finite number");
         trained.cancelled = member.cancelled;
-        shape = objective.engine().shape();
         horizon = objective.horizon();
         network.training.patterns =
             std::max(network.training.patterns, static_cast<std::int64_t>(objective.learnedPatterns()));
         // A member that was cut off is worse than the others; it counts only where it is all there is.
         if (!member.cancelled || members.empty()) members.push_back(std::move(member));
     }
-    network.mlp = meanOf(members, shape);
+    merge(members, network);
     describe(members, options, horizon, network);
     if (network.form == Form::history) addVelocityOutputs(samples, network);
     return trained;

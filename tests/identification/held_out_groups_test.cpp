@@ -39,28 +39,28 @@ std::set<int> groupsOf(const Log& log) {
     return groups;
 }
 
-TEST(GroupHoldOut, HoldsEveryNthGroupAndNegativeOnesToo) {
-    const GroupHoldOut fifth{5, 3};
+TEST(HoldOut, HoldsEveryNthGroupAndNegativeOnesToo) {
+    const HoldOut fifth{5, 3};
     for (const int group : {-2, 3, 8, 1003}) EXPECT_TRUE(fifth.holds(group)) << group;
     for (const int group : {-3, 0, 4, 5}) EXPECT_FALSE(fifth.holds(group)) << group;
-    EXPECT_FALSE(GroupHoldOut{}.holds(0));
+    EXPECT_FALSE(HoldOut{}.holds(0));
 }
 
-TEST(GroupHoldOut, OthersAreNumberedWithoutGaps) {
+TEST(HoldOut, OthersAreNumberedWithoutGaps) {
     for (const int offset : {0, 1, 4}) {
-        const GroupHoldOut fifth{5, offset};
+        const HoldOut fifth{5, offset};
         std::set<int> ranks;
         for (int group = 0; group < 100; ++group)
             if (!fifth.holds(group)) ranks.insert(fifth.rankOfOther(group));
         EXPECT_EQ(ranks.size(), 80u) << offset;
         EXPECT_EQ(*ranks.rbegin() - *ranks.begin(), 79) << offset;
     }
-    EXPECT_EQ(GroupHoldOut{}.rankOfOther(17), 17);
+    EXPECT_EQ(HoldOut{}.rankOfOther(17), 17);
 }
 
 TEST(HeldOutGroups, PartsShareNothingAndLackNothing) {
     const Log log = shortWindows(11);
-    const GroupHoldOut third{3, 1};
+    const HoldOut third{3, 1};
     const auto learned = partOf(log, third, LogPart::learned), heldOut = partOf(log, third, LogPart::heldOut);
     ASSERT_TRUE(learned && heldOut);
     EXPECT_EQ(groupsOf(*heldOut), (std::set{1, 4, 7, 10}));
@@ -110,7 +110,7 @@ TEST(MotionSamplesOfShortWindows, VelocitiesAreTheRobotsOwn) {
 }
 
 TEST(MotionSamplesOfShortWindows, FoldsAreEvenWithoutTheHeldOutGroups) {
-    const GroupHoldOut fifth{5, 4};
+    const HoldOut fifth{5, 4};
     const auto learned = partOf(shortWindows(20), fifth, LogPart::learned);
     ASSERT_TRUE(learned);
     const std::vector<Log> logs{*learned};

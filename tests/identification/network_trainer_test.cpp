@@ -211,6 +211,27 @@ TEST(TrainNetwork, AnotherSeedGivesAnotherNetwork) {
     EXPECT_NE(first->network.mlp.parameters, second->network.mlp.parameters);
 }
 
+TEST(TrainNetwork, KnowsItsMembers) {
+    const Planted& p = plantedHistory();
+    const auto learn = [&](int members) {
+        NetworkTrainerOptions options = quick(LearningLoss::rollout);
+        options.members = members;
+        return trainNetwork(p.blueprint, p.samples, options)->network;
+    };
+    const MotionNetwork alone = learn(1), both = learn(2);
+    EXPECT_TRUE(alone.members.empty());
+    ASSERT_EQ(both.members.size(), 2u);
+    // The first member was learned as if it were alone; the velocities at start and end are fitted to all.
+    const Mlp first = memberOf(both.mlp, both.members, 0);
+    EXPECT_EQ(first.shape.outputs, 3);
+    const auto common = static_cast<std::ptrdiff_t>(8 * (both.inputs.size() + 1) + 3 * 8);
+    EXPECT_TRUE(std::equal(first.parameters.begin(), first.parameters.begin() + common, alone.mlp.parameters.begin()));
+    EXPECT_TRUE(std::equal(first.parameters.end() - 3, first.parameters.end(), alone.mlp.parameters.end() - 7));
+    const auto read = parseNetwork(networkText(both), "n.net");
+    ASSERT_TRUE(read) << read.error().message();
+    EXPECT_TRUE(*read == both);
+}
+
 TEST(TrainNetwork, CancelledGivesTheBestNetworkSoFar) {
     const Planted& p = plantedHistory();
     int calls = 0;
