@@ -51,24 +51,25 @@ void standardise(const MotionSamples& samples, MotionNetwork& network) {
         network.outputs.push_back({m.mean(count), scale(m)});
 }
 
-template <class Predicate>
-std::size_t longestRun(const MotionSamples& samples, Predicate wanted) {
+/// Of the runs from their pattern `first(run)` on.
+template <class First>
+std::size_t longestRun(const MotionSamples& samples, First first) {
     std::size_t longest = 1;
-    for (const SampleRun& run : samples.runs)
-        if (wanted(run)) longest = std::max(longest, run.count);
+    for (const SampleRun& run : samples.runs) longest = std::max(longest, run.count - first(run));
     return longest;
 }
 
 /// The chains of one fold that nothing is learned from, `horizon` long or as long as the fold's longest run.
 RolloutBatch heldOutChains(const MotionSamples& samples, const MotionNetwork& network, double horizon, int fold) {
-    const auto isHeldOut = [&](const SampleRun& run) { return run.phase == 0 && run.fold == fold; };
-    const std::size_t longest = longestRun(samples, isHeldOut);
+    const auto heldOut = [&](const SampleRun& run) { return run.phase == 0 && run.fold == fold ? 0 : run.count; };
+    const std::size_t longest = longestRun(samples, heldOut);
     const auto wanted = static_cast<std::size_t>(std::llround(horizon / toSeconds(samples.period)));
     const std::size_t steps = std::min(wanted, longest);
-    return {samples, network, chainStarts(samples, steps, std::max<std::size_t>(1, steps / 10), isHeldOut), steps};
+    return {samples, network, chainStarts(samples, steps, std::max<std::size_t>(1, steps / 10), heldOut), steps};
 }
 
-/// Learned from: all patterns but those of one fold, as chains or as single steps. Held out: that fold, open loop.
+/// Learned from: all patterns but those of one fold and those that read it, as chains or as single steps. Held out:
+/// that fold, open loop.
 class MotionObjective final : public TrainingObjective {
 public:
     MotionObjective(const MotionSamples& samples, const MotionNetwork& network, const NetworkTrainerOptions& options,
@@ -77,7 +78,7 @@ public:
           loss_(options.rolloutLoss),
           heldOut_(heldOutChains(samples, network, options.horizon, fold)),
           period_(samples.period) {
-        const auto learned = [&](const SampleRun& run) { return run.fold != fold; };
+        const auto learned = [&](const SampleRun& run) { return run.firstLearned(fold); };
         const auto length = std::min(static_cast<std::size_t>(options.rolloutLength), longestRun(samples, learned));
         if (options.loss == LearningLoss::rollout)
             chains_.emplace(samples, network, chainStarts(samples, length, length, learned), length);

@@ -298,29 +298,62 @@ TEST(MotionSamples, TrackerOffsetIsFoundAndRemoved) {
         EXPECT_NEAR(samples.samples[i].increment.y, body.samples[i].increment.y, 3e-4);
 }
 
+/// However far a model reads back; the velocity model reads farther than a second.
 TEST(MotionSamples, HistoryOfAPatternNeverReachesIntoAnotherFold) {
-    const MotionNetwork blueprint = historyBlueprint(robotTraits("test"), {"1"}, times);
-    std::vector<Log> logs;
-    logs.push_back(drivenLog(KinematicModel(laggedRobot(), 20 * ms), 1, 200, 5));
-    SampleOptions options;
-    options.block = 20;
-    const auto samples = motionSamples(logs, blueprint, options);
-    ASSERT_TRUE(samples);
-    double reach = 0;
-    for (const NetworkInput& input : blueprint.inputs) reach = std::max(reach, input.oldest);
-    int folds = 0;
-    for (const SampleRun& a : samples->runs) {
-        folds |= 1 << a.fold;
-        for (const SampleRun& b : samples->runs) {
-            if (a.fold == b.fold) continue;
-            const Nanoseconds begin = samples->samples[a.first].start - fromSeconds(reach);
-            const Nanoseconds end = samples->samples[b.first + b.count - 1].start + 100 * ms;
-            const bool disjoint =
-                begin >= end || samples->samples[a.first + a.count - 1].start <= samples->samples[b.first].start;
-            EXPECT_TRUE(disjoint);
+    const std::vector<Log> logs{drivenLog(KinematicModel(laggedRobot(), 20 * ms), 1, 200, 5)};
+    for (const auto blueprint : {&historyBlueprint, &stateBlueprint, &velocityBlueprint, &paperBlueprint}) {
+        const MotionNetwork network = blueprint(robotTraits("test"), {"1"}, times);
+        SampleOptions options;
+        options.block = 20;
+        const auto samples = motionSamples(logs, network, options);
+        ASSERT_TRUE(samples);
+        const Nanoseconds memory = InputReader(network).memory();
+        int folds = 0;
+        for (const SampleRun& a : samples->runs) {
+            folds |= 1 << a.fold;
+            for (const SampleRun& b : samples->runs) {
+                if (a.fold == b.fold) continue;
+                const Nanoseconds begin = samples->samples[a.first].start - memory;
+                const Nanoseconds end = samples->samples[b.first + b.count - 1].start + 100 * ms;
+                const bool disjoint =
+                    begin >= end || samples->samples[a.first + a.count - 1].start <= samples->samples[b.first].start;
+                EXPECT_TRUE(disjoint) << toSeconds(memory);
+            }
         }
+        EXPECT_EQ(folds, 0b1111);
     }
-    EXPECT_EQ(folds, 0b1111);
+}
+
+TEST(MotionSamples, ABlockLosesASecondOrWhatThePatternsReadBack) {
+    const std::vector<Log> logs{drivenLog(KinematicModel(laggedRobot(), 20 * ms), 1, 200, 5)};
+    for (const auto& [blueprint, lost] : {std::pair{&historyBlueprint, 1.0}, {&velocityBlueprint, 1.4 + 0.1}}) {
+        SampleOptions options;
+        options.block = 20;
+        options.phases = 1;
+        const auto samples = motionSamples(logs, blueprint(robotTraits("test"), {"1"}, times), options);
+        ASSERT_TRUE(samples);
+        const Nanoseconds begin = samples->samples.front().start;  // of the first block
+        for (const SampleRun& run : samples->runs) {
+            const double since = toSeconds(samples->samples[run.first].start - begin);
+            if (since == 0) continue;
+            EXPECT_NEAR(std::fmod(since, 20), lost, 1e-9);
+        }
+        EXPECT_EQ(samples->runs.size(), 10u);
+    }
+}
+
+TEST(MotionSamples, NoPatternReadsBackBeyondTheFirstCommand) {
+    ResponseTimes late = times;
+    late.deadTimeV = late.deadTimeW = 0.8;
+    const MotionNetwork network = velocityBlueprint(robotTraits("test"), {"1"}, late);
+    const Nanoseconds memory = InputReader(network).memory();
+    ASSERT_EQ(memory, 2000 * ms);
+    for (const double seconds : {8.0, 30.0}) {
+        const std::vector<Log> logs{drivenLog(KinematicModel(laggedRobot(), 20 * ms), 1, seconds, 5)};
+        const auto samples = motionSamples(logs, network, {});
+        ASSERT_TRUE(samples);
+        EXPECT_EQ(samples->samples.front().start, memory) << "the first command is of the instant 0";
+    }
 }
 
 TEST(MotionSamples, LogWithoutGroundTruthIsAnError) {
