@@ -64,7 +64,7 @@ Expected<LearningLogs> openLearningLogs(const LearningLogsRequest& request) {
     return LearningLogs{std::move(*logs), fit->drive};
 }
 
-GroupHoldOut holdOutShare(double share, int part) {
+HoldOut holdOutShare(double share, int part) {
     if (share <= 0) return {};
     const int every = std::max(2, static_cast<int>(std::lround(1 / share)));
     return {every, (part % every + every - 1) % every};

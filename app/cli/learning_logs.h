@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "io/error.h"
+#include "learning/hold_out.h"
 #include "logs/robot_log.h"
-#include "motion/group_hold_out.h"
 #include "world/differential_drive.h"
 
 namespace mrose::cli {
@@ -20,7 +20,7 @@ struct LearningLogs {
 struct LearningLogsRequest {
     std::vector<std::string> sources;
     std::vector<std::string> robots;  ///< empty: all
-    GroupHoldOut holdOut;
+    HoldOut holdOut;
 };
 
 /// Error: a log that cannot be read, that is given twice, of another kind of robot, or that has nothing to hold out or
@@ -28,6 +28,6 @@ struct LearningLogsRequest {
 Expected<LearningLogs> openLearningLogs(const LearningLogsRequest& request);
 
 /// Every n-th group, so that about `share` of them is held out; none for a share of 0.
-GroupHoldOut holdOutShare(double share, int part);
+HoldOut holdOutShare(double share, int part);
 
 }  // namespace mrose::cli

@@ -41,7 +41,7 @@ class TrainingDisplay {
 public:
     explicit TrainingDisplay(bool quiet) : line_(quiet) {}
 
-    bool operator()(const TrainingProgress& p) {
+    bool operator()(const NetworkProgress& p) {
         const double done = p.member + static_cast<double>(p.epoch) / p.epochs;
         const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin_;
         const int tenth = static_cast<int>(10 * done / p.members);
@@ -63,7 +63,7 @@ private:
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-void printSummary(const TrainingSummary& summary, const TrainFlags& flags, const CommonFlags& common, double seconds) {
+void printSummary(const TrainedNetwork& summary, const TrainFlags& flags, const CommonFlags& common, double seconds) {
     const MotionNetwork& n = summary.network;
     if (common.json) {
         std::puts(nlohmann::json{{"network", flags.out},
@@ -119,7 +119,7 @@ int train(TrainFlags flags, const CommonFlags& common) {
     for (const std::string& log : flags.logs) read.push_back(placeOfLog(log));
     if (const auto writable = checkOutput(flags.out, read, common.overwrite); !writable)
         return report(writable.error());
-    const GroupHoldOut holdOut = holdOutShare(flags.holdOut, flags.holdOutPart);
+    const HoldOut holdOut = holdOutShare(flags.holdOut, flags.holdOutPart);
     const auto opened = openLearningLogs({flags.logs, flags.robots, holdOut});
     if (!opened) return report(opened.error());
     const std::vector<Log>& logs = opened->logs;
@@ -142,7 +142,7 @@ int train(TrainFlags flags, const CommonFlags& common) {
     for (std::size_t i = 0; i < trackers.size() && i < blueprint.identified.size(); ++i)
         blueprint.identified[i].tracker = trackers[i];
     blueprint.drive = opened->drive;
-    blueprint.heldOut.groups = holdOut;
+    blueprint.heldOut.part = holdOut;
     blueprint.synthetic = std::any_of(logs.begin(), logs.end(), [](const Log& log) { return log.synthetic; });
     blueprint.training.command = commandLine();
     for (const Log& log : logs)

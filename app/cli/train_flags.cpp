@@ -1,15 +1,15 @@
 #include "train_flags.h"
 
+#include <algorithm>
 #include <map>
 
 namespace mrose::cli {
 namespace {
 
-const std::map<std::string, LearningMethod> methods{{"irprop+", LearningMethod::irpropPlus},
-                                                    {"irprop-", LearningMethod::irpropMinus},
-                                                    {"rprop+", LearningMethod::rpropPlus},
-                                                    {"rprop-", LearningMethod::rpropMinus},
-                                                    {"lm", LearningMethod::levenbergMarquardt}};
+TrainingMethod methodOf(const TrainFlags& flags) {
+    const auto found = std::find(trainingMethodNames.begin(), trainingMethodNames.end(), flags.method);
+    return static_cast<TrainingMethod>(found - trainingMethodNames.begin());
+}
 
 const std::map<std::string, Recipe> recipes{
     {"history", {historyBlueprint, LearningLoss::rollout, 32, 4, 1000, 300, 5, 20}},
@@ -45,7 +45,7 @@ void addWhat(CLI::App& sub, TrainFlags& flags) {
 
 void addHow(CLI::App& sub, TrainFlags& flags) {
     sub.add_option("--method", flags.method, "Learning method; lm fits single steps only")
-        ->check(CLI::IsMember({"irprop+", "irprop-", "rprop+", "rprop-", "lm"}))
+        ->check(CLI::IsMember(std::vector<std::string>(trainingMethodNames.begin(), trainingMethodNames.end())))
         ->capture_default_str();
     sub.add_option("--loss", flags.loss, "What is minimised; default: one-step for paper, else rollout")
         ->check(CLI::IsMember({"one-step", "rollout"}));
@@ -102,11 +102,11 @@ void addTrainFlags(CLI::App& sub, TrainFlags& flags) {
 
 const Recipe& recipeOf(const std::string& model) { return recipes.at(model); }
 
-TrainerOptions trainerOptions(const TrainFlags& flags, const CommonFlags& common) {
+NetworkTrainerOptions trainerOptions(const TrainFlags& flags, const CommonFlags& common) {
     const Recipe& recipe = recipeOf(flags.model);
     const auto given = [](int flag, int otherwise) { return flag > 0 ? flag : otherwise; };
-    TrainerOptions options;
-    options.method = methods.at(flags.method);
+    NetworkTrainerOptions options;
+    options.method = methodOf(flags);
     options.loss = lossOf(flags);
     options.hidden = given(flags.hidden, recipe.hidden);
     options.members = given(flags.members, recipe.members);

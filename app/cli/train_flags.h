@@ -35,7 +35,7 @@ void addTrainFlags(CLI::App& sub, TrainFlags& flags);
 const Recipe& recipeOf(const std::string& model);
 
 /// The recipe's, unless the command line says otherwise.
-TrainerOptions trainerOptions(const TrainFlags& flags, const CommonFlags& common);
+NetworkTrainerOptions trainerOptions(const TrainFlags& flags, const CommonFlags& common);
 
 /// Error: flags that do not go together.
 Expected<void> checkTogether(const TrainFlags& flags);

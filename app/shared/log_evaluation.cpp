@@ -14,12 +14,12 @@ namespace {
 
 /// The part of the log that the network has never seen.
 Expected<Log> heldOutPart(Log log, const MotionNetwork& network, const std::string& path) {
-    if (!network.heldOut.groups.holdsAny()) return fail(path, "was learned without --hold-out: it has seen its logs");
+    if (!network.heldOut.part.holdsAny()) return fail(path, "was learned without --hold-out: it has seen its logs");
     const auto& known = network.training.logs;
     for (const LogFile& file : log.files)
         if (std::none_of(known.begin(), known.end(), [&](const auto& source) { return source.hash == file.hash; }))
             return fail(file.path, "is no log that " + path + " was learned from; --held-out is for those");
-    return partOf(std::move(log), network.heldOut.groups, LogPart::heldOut);
+    return partOf(std::move(log), network.heldOut.part, LogPart::heldOut);
 }
 
 /// Their indices.

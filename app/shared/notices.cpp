@@ -39,7 +39,7 @@ std::string ofKnownLog(const MotionNetwork& network, const Log& log, const std::
     };
     if (std::none_of(log.files.begin(), log.files.end(), isKnown)) return {};
     return std::string("The network was learned from this log: on another one its errors are larger.") +
-           (network.heldOut.groups.holdsAny() ? howJudged : "");
+           (network.heldOut.part.holdsAny() ? howJudged : "");
 }
 
 }  // namespace

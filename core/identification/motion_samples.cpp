@@ -2,23 +2,31 @@
 
 #include <algorithm>
 
+#include "identification/held_out_groups.h"
 #include "logs/pose_grid.h"
 
 namespace mrose {
 namespace {
 
-constexpr Nanoseconds guard = nanosecondsPerSecond;
+constexpr Nanoseconds leastGuard = nanosecondsPerSecond;
 constexpr Nanoseconds shortTrajectory = 10 * nanosecondsPerSecond;
 
 /// The usual margins would leave nothing of a short trajectory. Its history may be known before its truth begins.
-GridMargins marginsOf(const Trajectory& trajectory) {
+GridMargins marginsOf(const Trajectory& trajectory, Nanoseconds memory) {
     GridMargins margins;
+    margins.begin = std::max(margins.begin, memory);
     if (trajectory.poses.empty() || trajectory.commands.empty()) return margins;
     const Nanoseconds first = trajectory.poses.front().time;
     if (trajectory.poses.back().time - first >= shortTrajectory) return margins;
     const Nanoseconds known = std::max<Nanoseconds>(0, first - trajectory.commands.front().time);
     return {std::max<Nanoseconds>(0, margins.begin - known), 0};
 }
+
+/// A stretch of truth of a trajectory that another one continues.
+struct Past {
+    Nanoseconds end = 0;
+    int fold = 0;
+};
 
 int foldOf(int group, const SampleOptions& options) {
     return ((options.heldOut.rankOfOther(group) % options.folds) + options.folds) % options.folds;
@@ -27,15 +35,17 @@ int foldOf(int group, const SampleOptions& options) {
 /// The patterns of one trajectory.
 class TrajectoryReader {
 public:
-    TrajectoryReader(const Trajectory& trajectory, int robot, int trajectoryFold, const InputReader& reader,
+    TrajectoryReader(const Trajectory& trajectory, int robot, std::vector<Past> pasts, const InputReader& reader,
                      const SampleOptions& options, MotionSamples& out)
         : trajectory_(trajectory),
           robot_(robot),
-          trajectoryFold_(trajectoryFold),
+          trajectoryFold_(mrose::foldOf(trajectory.group, options)),
+          pasts_(std::move(pasts)),
           reader_(reader),
           options_(options),
           out_(out),
-          fine_(poseGrid(trajectory, options.period / options.phases, marginsOf(trajectory))) {}
+          fine_(poseGrid(trajectory, options.period / options.phases, marginsOf(trajectory, reader.memory()))),
+          guard_(std::max(leastGuard, reader.memory() + options.period)) {}
 
     void read() {
         for (int phase = 0; phase < options_.phases; ++phase) readPhase(phase);
@@ -51,7 +61,7 @@ private:
         return divided() ? (blockOf(time) + robot_) % options_.folds : trajectoryFold_;
     }
     bool inGuard(Nanoseconds time) const {
-        return divided() && blockOf(time) > 0 && blockOf(time - guard) != blockOf(time);
+        return divided() && blockOf(time) > 0 && blockOf(time - guard_) != blockOf(time);
     }
 
     void readPhase(int phase) {
@@ -74,8 +84,19 @@ private:
             run.fold = foldOf(start);
             add(history, i);
             ++run.count;
+            markReaches(start, run);
         }
         close();
+    }
+
+    void markReaches(Nanoseconds start, SampleRun& run) const {
+        for (const Past& past : pasts_) {
+            if (past.fold == run.fold || past.end <= start - reader_.memory()) continue;
+            auto reach = std::find_if(run.reaches.begin(), run.reaches.end(),
+                                      [&](const SampleRun::Reach& r) { return r.fold == past.fold; });
+            if (reach == run.reaches.end()) reach = run.reaches.insert(reach, {past.fold, 0});
+            reach->patterns = run.count;
+        }
     }
 
     Velocity velocityAt(std::size_t i) const {
@@ -93,13 +114,30 @@ private:
 
     const Trajectory& trajectory_;
     int robot_, trajectoryFold_;
+    std::vector<Past> pasts_;
     const InputReader& reader_;
     const SampleOptions& options_;
     MotionSamples& out_;
     PoseGrid fine_;
+    Nanoseconds guard_;  ///< left out at the beginning of a block
 };
 
+/// What a trajectory's commands tell of before its own truth: other trajectories of the robot.
+std::vector<Past> pastsOf(const Trajectory& trajectory, const RobotLog& robot, const SampleOptions& options) {
+    std::vector<Past> pasts;
+    for (const Trajectory& other : robot.trajectories)
+        if (continues(trajectory, other)) pasts.push_back({other.poses.back().time, foldOf(other.group, options)});
+    return pasts;
+}
+
 }  // namespace
+
+std::size_t SampleRun::firstLearned(int heldOut) const {
+    if (fold == heldOut) return count;
+    for (const Reach& reach : reaches)
+        if (reach.fold == heldOut) return reach.patterns;
+    return 0;
+}
 
 std::vector<TrackerOffset> removeTrackerOffsets(MotionSamples& samples) {
     std::vector<TrackerOffset> offsets(samples.robots.size());
@@ -138,8 +176,8 @@ Expected<MotionSamples> motionSamples(std::span<const Log> logs, const MotionNet
     for (const Log& log : logs)
         for (const RobotLog& robot : log.robots)
             for (const Trajectory& trajectory : robot.trajectories)
-                TrajectoryReader(trajectory, reader.robotIndex(robot.robot), foldOf(trajectory.group, options), reader,
-                                 options, out)
+                TrajectoryReader(trajectory, reader.robotIndex(robot.robot), pastsOf(trajectory, robot, options),
+                                 reader, options, out)
                     .read();
     if (out.samples.empty())
         return fail(logs.empty() ? "" : logs.front().source,

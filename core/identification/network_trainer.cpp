@@ -7,9 +7,8 @@
 #include <optional>
 
 #include "identification/velocity_outputs.h"
+#include "learning/ensemble.h"
 #include "learning/initial_weights.h"
-#include "learning/levenberg_marquardt.h"
-#include "learning/rprop.h"
 
 namespace mrose {
 namespace {
@@ -52,29 +51,34 @@ void standardise(const MotionSamples& samples, MotionNetwork& network) {
         network.outputs.push_back({m.mean(count), scale(m)});
 }
 
-RpropOptions rpropOptions(LearningMethod method) {
-    RpropOptions options;
-    options.firstStep = 0.01;
-    if (method == LearningMethod::irpropMinus) options.variant = RpropVariant::iRpropMinus;
-    if (method == LearningMethod::rpropPlus) options.variant = RpropVariant::rpropPlus;
-    if (method == LearningMethod::rpropMinus) options.variant = RpropVariant::rpropMinus;
-    return options;
-}
-
-template <class Predicate>
-std::size_t longestRun(const MotionSamples& samples, Predicate wanted) {
+/// Of the runs from their pattern `first(run)` on.
+template <class First>
+std::size_t longestRun(const MotionSamples& samples, First first) {
     std::size_t longest = 1;
-    for (const SampleRun& run : samples.runs)
-        if (wanted(run)) longest = std::max(longest, run.count);
+    for (const SampleRun& run : samples.runs) longest = std::max(longest, run.count - first(run));
     return longest;
 }
 
-/// What is learned from: all patterns but those of one fold, as chains or as single steps.
-class LearningSet {
+/// The chains of one fold that nothing is learned from, `horizon` long or as long as the fold's longest run.
+RolloutBatch heldOutChains(const MotionSamples& samples, const MotionNetwork& network, double horizon, int fold) {
+    const auto heldOut = [&](const SampleRun& run) { return run.phase == 0 && run.fold == fold ? 0 : run.count; };
+    const std::size_t longest = longestRun(samples, heldOut);
+    const auto wanted = static_cast<std::size_t>(std::llround(horizon / toSeconds(samples.period)));
+    const std::size_t steps = std::min(wanted, longest);
+    return {samples, network, chainStarts(samples, steps, std::max<std::size_t>(1, steps / 10), heldOut), steps};
+}
+
+/// Learned from: all patterns but those of one fold and those that read it, as chains or as single steps. Held out:
+/// that fold, open loop.
+class MotionObjective final : public TrainingObjective {
 public:
-    LearningSet(const MotionSamples& samples, const MotionNetwork& network, const TrainerOptions& options, int heldOut)
-        : engine_({int(samples.width), options.hidden, int(network.outputs.size())}), loss_(options.rolloutLoss) {
-        const auto learned = [&](const SampleRun& run) { return run.fold != heldOut; };
+    MotionObjective(const MotionSamples& samples, const MotionNetwork& network, const NetworkTrainerOptions& options,
+                    int fold)
+        : engine_({int(samples.width), options.hidden, int(network.outputs.size())}),
+          loss_(options.rolloutLoss),
+          heldOut_(heldOutChains(samples, network, options.horizon, fold)),
+          period_(samples.period) {
+        const auto learned = [&](const SampleRun& run) { return run.firstLearned(fold); };
         const auto length = std::min(static_cast<std::size_t>(options.rolloutLength), longestRun(samples, learned));
         if (options.loss == LearningLoss::rollout)
             chains_.emplace(samples, network, chainStarts(samples, length, length, learned), length);
@@ -82,182 +86,131 @@ public:
             gatherSteps(samples, network, chainStarts(samples, 1, 1, learned));
     }
 
-    const MlpGradient& engine() const { return engine_; }
-    std::size_t patterns() const { return chains_ ? chains_->chains() * chains_->length() : targets_.patterns(); }
-    const PatternMatrix& inputs() const { return inputs_; }    ///< of single steps
-    const PatternMatrix& targets() const { return targets_; }  ///< likewise
-
-    double lossAndGradient(std::span<const float> parameters, std::span<double> gradient) const {
+    const MlpGradient& engine() const override { return engine_; }
+    double lossAndGradient(std::span<const float> parameters, std::span<double> gradient) const override {
         return chains_ ? chains_->lossAndGradient(engine_, parameters, loss_, gradient)
-                       : engine_.meanSquaredError(parameters, inputs_, targets_, gradient);
+                       : engine_.meanSquaredError(parameters, steps_.inputs, steps_.targets, gradient);
     }
+    double validationError(std::span<const float> parameters) override {
+        lastError_ = openLoopError(heldOut_, heldOut_.predict(engine_, parameters), period_);
+        return lastError_.position + 0.5 * lastError_.heading;
+    }
+    const PatternSet* patterns() const override { return chains_ ? nullptr : &steps_; }
+
+    /// Of the last validation.
+    const OpenLoopError& lastError() const { return lastError_; }
+    std::size_t learnedPatterns() const {
+        return chains_ ? chains_->chains() * chains_->length() : steps_.inputs.patterns();
+    }
+    std::size_t heldOutChainCount() const { return heldOut_.chains(); }
+    double horizon() const { return toSeconds(period_) * static_cast<double>(heldOut_.length()); }
 
 private:
     void gatherSteps(const MotionSamples& samples, const MotionNetwork& network, const std::vector<std::size_t>& rows) {
-        inputs_ = PatternMatrix(rows.size(), int(network.inputs.size()));
-        targets_ = PatternMatrix(rows.size(), int(network.outputs.size()));
+        steps_ = {PatternMatrix(rows.size(), int(network.inputs.size())),
+                  PatternMatrix(rows.size(), int(network.outputs.size()))};
         for (std::size_t r = 0; r < rows.size(); ++r) {
             const auto raw = samples.inputsOf(rows[r]);
             for (std::size_t i = 0; i < raw.size(); ++i)
-                inputs_(r, int(i)) = float((raw[i] - network.inputs[i].mean) / network.inputs[i].scale);
+                steps_.inputs(r, int(i)) = float((raw[i] - network.inputs[i].mean) / network.inputs[i].scale);
             const auto y = targetsOf(samples.samples[rows[r]]);
             for (std::size_t k = 0; k < network.outputs.size(); ++k)
-                targets_(r, int(k)) = float((y[k] - network.outputs[k].mean) / network.outputs[k].scale);
+                steps_.targets(r, int(k)) = float((y[k] - network.outputs[k].mean) / network.outputs[k].scale);
         }
     }
 
     MlpGradient engine_;
     RolloutLoss loss_;
     std::optional<RolloutBatch> chains_;
-    PatternMatrix inputs_, targets_;
+    PatternSet steps_;
+    RolloutBatch heldOut_;
+    Nanoseconds period_;
+    OpenLoopError lastError_;
 };
 
-/// The chains of one fold that nothing is learned from, `horizon` long or as long as the fold's longest run.
-RolloutBatch heldOutChains(const MotionSamples& samples, const MotionNetwork& network, double horizon, int fold) {
-    const auto isHeldOut = [&](const SampleRun& run) { return run.phase == 0 && run.fold == fold; };
-    const std::size_t longest = longestRun(samples, isHeldOut);
-    const auto wanted = static_cast<std::size_t>(std::llround(horizon / toSeconds(samples.period)));
-    const std::size_t steps = std::min(wanted, longest);
-    return {samples, network, chainStarts(samples, steps, std::max<std::size_t>(1, steps / 10), isHeldOut), steps};
-}
-
-/// A network while it learns, and the best that it was.
+/// One network of the ensemble, as it was when it was best.
 struct Member {
-    std::vector<float> parameters, best;
-    OpenLoopError bestError;
-    double bestScore = std::numeric_limits<double>::infinity();
-    int epochs = 0, bestEpoch = 0;
+    Mlp mlp;
+    OpenLoopError error;
+    int epochs = 0;
     bool cancelled = false;
 };
 
-/// One epoch of any method; its loss.
-using Epoch = std::function<double(std::span<float> parameters)>;
-
-Epoch epochsBy(LearningMethod method, const LearningSet& set) {
-    if (method == LearningMethod::levenbergMarquardt)
-        return [optimiser = LevenbergMarquardt(set.engine(), set.inputs(), set.targets())](
-                   std::span<float> parameters) mutable {
-            optimiser.step(parameters);
-            return optimiser.loss();
-        };
-    const std::size_t count = set.engine().shape().parameterCount();
-    return [&set, rprop = Rprop(count, rpropOptions(method)),
-            gradient = std::vector<double>(count)](std::span<float> parameters) mutable {
-        const double loss = set.lossAndGradient(parameters, gradient);
-        rprop.step(parameters, gradient, loss);
-        return loss;
-    };
-}
-
-Member learn(const LearningSet& set, const RolloutBatch& heldOut, const TrainerOptions& options, int index,
-             Nanoseconds period, const ProgressCallback& progress) {
+Member learn(MotionObjective& objective, const NetworkTrainerOptions& options, int index,
+             const NetworkProgressCallback& progress) {
+    TrainingOptions training;
+    training.method = options.method;
+    training.rprop.firstStep = 0.01;
+    training.epochs = options.epochs;
+    training.validateEvery = options.evaluateEvery;
+    training.patience = options.patience;
     Member member;
+    const auto report = [&](const TrainingProgress& p) {
+        if (p.bestEpoch == p.epoch) member.error = objective.lastError();
+        return !progress || progress({index, options.members, p.epoch, options.epochs, p.loss, member.error});
+    };
     const std::uint64_t seed = options.seed * 1000 + static_cast<std::uint64_t>(index);
-    member.parameters = randomMlp(set.engine().shape(), {.seed = seed}).parameters;
-    const Epoch epoch = epochsBy(options.method, set);
-    while (member.epochs < options.epochs && !member.cancelled) {
-        const double loss = epoch(member.parameters);
-        if (++member.epochs % options.evaluateEvery != 0 && member.epochs < options.epochs) continue;
-        const OpenLoopError error = openLoopError(heldOut, heldOut.predict(set.engine(), member.parameters), period);
-        const double score = error.position + 0.5 * error.heading;
-        if (score < member.bestScore) {
-            member.bestScore = score;
-            member.bestError = error;
-            member.best = member.parameters;
-            member.bestEpoch = member.epochs;
-        }
-        member.cancelled =
-            progress && !progress({index, options.members, member.epochs, options.epochs, loss, member.bestError});
-        if (!std::isfinite(loss) || member.epochs - member.bestEpoch >= options.patience) break;
-    }
+    const MlpShape shape = objective.engine().shape();
+    TrainingResult result = train(objective, randomMlp(shape, {.seed = seed}).parameters, training, report);
+    member.mlp = {shape, std::move(result.parameters)};
+    member.epochs = result.epochs;
+    member.cancelled = result.end == TrainingEnd::stopped;
     return member;
 }
 
-/// The mean of the members' outputs, as one network: their hidden layers side by side.
-Mlp meanOf(const std::vector<Member>& members, const MlpShape& one) {
-    const auto count = static_cast<int>(members.size());
-    const auto ni = static_cast<std::size_t>(one.inputs), nh = static_cast<std::size_t>(one.hidden);
-    std::vector<float> weights, biases, outWeights, outBiases(static_cast<std::size_t>(one.outputs));
-    for (const Member& member : members) {
-        const float* p = member.best.data();
-        weights.insert(weights.end(), p, p + nh * ni);
-        biases.insert(biases.end(), p + nh * ni, p + nh * (ni + 1));
-    }
-    for (std::size_t k = 0; k < outBiases.size(); ++k)
-        for (const Member& member : members) {
-            const float* p = member.best.data() + nh * (ni + 1);
-            for (std::size_t j = 0; j < nh; ++j) outWeights.push_back(p[k * nh + j] / float(count));
-            outBiases[k] += p[outBiases.size() * nh + k] / float(count);
-        }
-    Mlp mlp{{one.inputs, one.hidden * count, one.outputs}, std::move(weights)};
-    for (const auto* part : {&biases, &outWeights, &outBiases})
-        mlp.parameters.insert(mlp.parameters.end(), part->begin(), part->end());
-    return mlp;
+/// As one network, which knows its members.
+void merge(const std::vector<Member>& members, MotionNetwork& network) {
+    std::vector<Mlp> networks;
+    for (const Member& member : members) networks.push_back(member.mlp);
+    network.mlp = mergedMean(networks);
+    network.members = networks.size() > 1 ? membersOf(networks) : std::vector<EnsembleMember>();
 }
 
-std::string methodName(LearningMethod method) {
-    switch (method) {
-        case LearningMethod::irpropPlus:
-            return "irprop+";
-        case LearningMethod::irpropMinus:
-            return "irprop-";
-        case LearningMethod::rpropPlus:
-            return "rprop+";
-        case LearningMethod::rpropMinus:
-            return "rprop-";
-        case LearningMethod::levenbergMarquardt:
-            return "lm";
-    }
-    return {};
-}
-
-void describe(const std::vector<Member>& members, const TrainerOptions& options, double horizon,
+void describe(const std::vector<Member>& members, const NetworkTrainerOptions& options, double horizon,
               MotionNetwork& network) {
-    network.training.method = methodName(options.method);
+    network.training.method = nameOf(options.method);
     network.training.loss = options.loss == LearningLoss::rollout ? "rollout" : "one-step";
     network.training.seed = options.seed;
     network.heldOut.horizon = horizon;
     const double share = 1 / static_cast<double>(members.size());
     for (const Member& member : members) {
         network.training.epochs += member.epochs;
-        network.heldOut.windows += member.bestError.windows;
-        network.heldOut.position += share * member.bestError.position;
-        network.heldOut.heading += share * member.bestError.heading;
+        network.heldOut.windows += member.error.windows;
+        network.heldOut.position += share * member.error.position;
+        network.heldOut.heading += share * member.error.heading;
     }
 }
 
 }  // namespace
 
-Expected<TrainingSummary> trainNetwork(const MotionNetwork& blueprint, const MotionSamples& samples,
-                                       const TrainerOptions& options, const ProgressCallback& progress) {
-    assert(options.method != LearningMethod::levenbergMarquardt || options.loss == LearningLoss::oneStep);
-    TrainingSummary summary;
-    MotionNetwork& network = summary.network;
+Expected<TrainedNetwork> trainNetwork(const MotionNetwork& blueprint, const MotionSamples& samples,
+                                      const NetworkTrainerOptions& options, const NetworkProgressCallback& progress) {
+    assert(options.method != TrainingMethod::levenbergMarquardt || options.loss == LearningLoss::oneStep);
+    TrainedNetwork trained;
+    MotionNetwork& network = trained.network;
     network = blueprint;
     standardise(samples, network);
     std::vector<Member> members;
-    MlpShape shape;
     double horizon = 0;
-    for (int m = 0; m < options.members && !summary.cancelled; ++m) {
+    for (int m = 0; m < options.members && !trained.cancelled; ++m) {
         const int fold = m % samples.folds;
-        const LearningSet set(samples, network, options, fold);
-        const RolloutBatch heldOut = heldOutChains(samples, network, options.horizon, fold);
-        if (set.patterns() == 0 || heldOut.chains() == 0)
+        MotionObjective objective(samples, network, options, fold);
+        if (objective.learnedPatterns() == 0 || objective.heldOutChainCount() == 0)
             return fail("", "the logs are too short: part " + std::to_string(fold + 1) + " of " +
                                 std::to_string(samples.folds) + " leaves nothing to learn from or to hold out");
-        Member member = learn(set, heldOut, options, m, samples.period, progress);
-        if (member.best.empty()) return fail("", "learning diverged: the loss is not a finite number");
-        summary.cancelled = member.cancelled;
-        shape = set.engine().shape();
-        horizon = toSeconds(samples.period) * static_cast<double>(heldOut.length());
-        network.training.patterns = std::max(network.training.patterns, static_cast<std::int64_t>(set.patterns()));
+        Member member = learn(objective, options, m, progress);
+        if (member.mlp.parameters.empty()) return fail("", "learning diverged: the loss is not a finite number");
+        trained.cancelled = member.cancelled;
+        horizon = objective.horizon();
+        network.training.patterns =
+            std::max(network.training.patterns, static_cast<std::int64_t>(objective.learnedPatterns()));
         // A member that was cut off is worse than the others; it counts only where it is all there is.
         if (!member.cancelled || members.empty()) members.push_back(std::move(member));
     }
-    network.mlp = meanOf(members, shape);
+    merge(members, network);
     describe(members, options, horizon, network);
     if (network.form == Form::history) addVelocityOutputs(samples, network);
-    return summary;
+    return trained;
 }
 
 }  // namespace mrose

@@ -5,14 +5,14 @@
 
 #include "identification/motion_samples.h"
 #include "identification/rollout_batch.h"
+#include "learning/trainer.h"
 
 namespace mrose {
 
-enum class LearningMethod { irpropPlus, irpropMinus, rpropPlus, rpropMinus, levenbergMarquardt };
 enum class LearningLoss { oneStep, rollout };
 
-struct TrainerOptions {
-    LearningMethod method = LearningMethod::irpropPlus;
+struct NetworkTrainerOptions {
+    TrainingMethod method = TrainingMethod::irpropPlus;
     LearningLoss loss = LearningLoss::rollout;
     int hidden = 32;  ///< units of each member
     int members = 4;  ///< networks learned with other folds held out, whose mean is one network of one hidden layer
@@ -25,7 +25,7 @@ struct TrainerOptions {
     RolloutLoss rolloutLoss;
 };
 
-struct TrainingProgress {
+struct NetworkProgress {
     int member = 0, members = 1;  ///< 0 is the first
     int epoch = 0, epochs = 0;
     double loss = 0;
@@ -33,9 +33,9 @@ struct TrainingProgress {
 };
 
 /// Called about every evaluateEvery epochs; false ends learning with the best network so far.
-using ProgressCallback = std::function<bool(const TrainingProgress&)>;
+using NetworkProgressCallback = std::function<bool(const NetworkProgress&)>;
 
-struct TrainingSummary {
+struct TrainedNetwork {
     MotionNetwork network;  ///< with layers, scales, heldOut and training.{method, loss, seed, patterns, epochs}
     bool cancelled = false;
 };
@@ -44,7 +44,8 @@ struct TrainingSummary {
 /// recovery. Runs in the caller's oneTBB arena; the same samples, options and seed give the same network whatever the
 /// number of threads. Levenberg-Marquardt needs LearningLoss::oneStep. Error: too few patterns to learn from and to
 /// hold out.
-Expected<TrainingSummary> trainNetwork(const MotionNetwork& blueprint, const MotionSamples& samples,
-                                       const TrainerOptions& options, const ProgressCallback& progress = {});
+Expected<TrainedNetwork> trainNetwork(const MotionNetwork& blueprint, const MotionSamples& samples,
+                                      const NetworkTrainerOptions& options,
+                                      const NetworkProgressCallback& progress = {});
 
 }  // namespace mrose

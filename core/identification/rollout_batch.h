@@ -9,14 +9,13 @@
 
 namespace mrose {
 
-/// Starts of chains of `length` consecutive periods, `stride` apart, inside the runs that `wanted` accepts.
-template <class Predicate>
+/// Starts of chains of `length` consecutive periods, `stride` apart, in each run from its pattern `first(run)` on.
+template <class First>
 std::vector<std::size_t> chainStarts(const MotionSamples& samples, std::size_t length, std::size_t stride,
-                                     Predicate wanted) {
+                                     First first) {
     std::vector<std::size_t> starts;
     for (const SampleRun& run : samples.runs)
-        if (wanted(run))
-            for (std::size_t i = 0; i + length <= run.count; i += stride) starts.push_back(run.first + i);
+        for (std::size_t i = first(run); i + length <= run.count; i += stride) starts.push_back(run.first + i);
     return starts;
 }
 

@@ -211,6 +211,18 @@ std::vector<double> TomlTable::numbers(std::string_view key, std::size_t count, 
     return values;
 }
 
+std::vector<double> TomlTable::someNumbers(std::string_view key, std::size_t least, std::size_t most,
+                                           NumberRange range) {
+    std::vector<double> values;
+    const toml::node* node = find(key);
+    const toml::array* array = node ? node->as_array() : nullptr;
+    if (node && (!array || array->size() < least || array->size() > most))
+        rejectAt(node, key, "expected " + std::to_string(least) + " to " + std::to_string(most) + " numbers");
+    else if (array)
+        appendRow(node, key, array->size(), range, values);
+    return values;
+}
+
 std::vector<double> TomlTable::matrix(std::string_view key, std::size_t rows, std::size_t columns, NumberRange range) {
     std::vector<double> values;
     const Value* node = find(key);

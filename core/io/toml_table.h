@@ -50,6 +50,8 @@ public:
     std::vector<std::string> strings(std::string_view key);
     /// Exactly `count` finite numbers in `range`.
     std::vector<double> numbers(std::string_view key, std::size_t count, NumberRange range = {});
+    /// `least` to `most` of them.
+    std::vector<double> someNumbers(std::string_view key, std::size_t least, std::size_t most, NumberRange range = {});
     /// `rows` arrays of `columns` finite numbers each, one after the other.
     std::vector<double> matrix(std::string_view key, std::size_t rows, std::size_t columns, NumberRange range = {});
     /// `least` to `most` arrays of `columns` finite numbers each, one after the other; empty after an error.

@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "io/error.h"
-#include "learning/mlp.h"
-#include "motion/group_hold_out.h"
+#include "learning/learned_network.h"
 #include "motion/kinematic.h"
 #include "world/differential_drive.h"
 #include "world/time.h"
@@ -68,8 +67,7 @@ struct MotionNetwork {
         history,  ///< commands -> (dx, dy, dphi, v0, w0, v1, w1): the motion that the commands alone lead to, with the
                   ///< velocities at the period's start and end; what differs from them decays by `recovery`
     };
-    static constexpr int version = 1;
-    static constexpr std::size_t maxInputs = 256, maxOutputs = 7, maxHidden = 4096;
+    static constexpr std::size_t maxInputs = LearnedNetwork::maxInputs, maxOutputs = 7;
 
     Form form = Form::state;
     std::string robotType;            ///< "irobot-create"
@@ -79,6 +77,7 @@ struct MotionNetwork {
     std::vector<NetworkInput> inputs;
     std::vector<NetworkOutput> outputs;
     Mlp mlp;
+    std::vector<EnsembleMember> members;  ///< empty where it is one network, or they are not known
 
     struct WheelPhase {
         double halfTrack = 0;  ///< m
@@ -113,27 +112,14 @@ struct MotionNetwork {
     };
     std::vector<Identified> identified;
 
-    struct Source {
-        std::string path, hash;
-        bool operator==(const Source&) const = default;
-    };
-    struct Training {
-        std::string command;  ///< the command line that made it
-        std::string method;   ///< "irprop+", "lm" ...
-        std::string loss;     ///< "one-step", "rollout"
-        std::uint64_t seed = 0;
-        std::int64_t patterns = 0, epochs = 0;
-        std::vector<Source> logs;
-        bool operator==(const Training&) const = default;
-    };
-    Training training;
+    NetworkTraining training;
 
     /// Open-loop errors on the trajectories held out from learning.
     struct HeldOut {
         std::int64_t windows = 0;
         double horizon = 0;                ///< s
         double position = 0, heading = 0;  ///< P and Hd, %
-        GroupHoldOut groups{};             ///< of the logs, kept from every member and from all that was identified
+        HoldOut part{};                    ///< of the logs: kept from every member and from all that was identified
         bool operator==(const HeldOut&) const = default;
     };
     HeldOut heldOut;
@@ -141,7 +127,8 @@ struct MotionNetwork {
     bool operator==(const MotionNetwork&) const = default;
 };
 
-/// The text of a network file (TOML) and back, exact to the bit. Error: file, line and key of what does not fit.
+/// The text of a network file (`learning/network_file.h`) and back, exact to the bit; files of the first version are
+/// read too, and their members are not known. Error: file, line and key of what does not fit, another kind of network.
 std::string networkText(const MotionNetwork& network);
 Expected<MotionNetwork> parseNetwork(std::string_view text, const std::string& file);
 

@@ -1,15 +1,17 @@
 #pragma once
 
 #include <array>
-#include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "motion/motion_network.h"
 
 namespace mrose {
 
-/// The words of a network file that its writer and its reader share.
-constexpr std::string_view networkFormat = "mrose motion network";
+// The words of a motion network's file that its writer and its readers share.
+
+constexpr std::string_view motionKind = "motion";
 
 /// By NetworkInput::Quantity.
 constexpr std::array<std::string_view, 12> quantityNames{
@@ -19,14 +21,12 @@ constexpr std::array<std::string_view, 12> quantityNames{
 /// By MotionNetwork::Form.
 constexpr std::array<std::string_view, 2> formNames{"state", "history"};
 
-constexpr std::array<std::string_view, 5> stateOutputs{"dx_m", "dy_m", "dphi_rad", "end_v_mps", "end_w_radps"};
-constexpr std::array<std::string_view, 7> historyOutputs{"dx_m",          "dy_m",      "dphi_rad",   "start_v_mps",
-                                                         "start_w_radps", "end_v_mps", "end_w_radps"};
+/// "command_v 0.1 to 0.2 s before", "robot b".
+std::string inputName(const NetworkInput& input);
+/// "m/s"; "1" of what has none.
+std::string_view inputUnit(const NetworkInput& input);
 
-/// With their units, in the order of the output layer.
-constexpr std::span<const std::string_view> outputNames(MotionNetwork::Form form) {
-    if (form == MotionNetwork::Form::state) return stateOutputs;
-    return historyOutputs;
-}
+/// Names and units in the order of the output layer.
+std::vector<NetworkVariable> outputVariables(MotionNetwork::Form form);
 
 }  // namespace mrose

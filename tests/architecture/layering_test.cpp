@@ -17,7 +17,7 @@ const std::map<std::string, std::set<std::string>> allowedLayers{
     {"io", {}},
     {"geometry", {}},
     {"world", {"io", "geometry"}},
-    {"learning", {}},
+    {"learning", {"io"}},
     {"logs", {"io", "geometry", "world"}},
     {"motion", {"io", "geometry", "world", "learning"}},
     {"identification", {"io", "geometry", "world", "learning", "logs", "motion"}},

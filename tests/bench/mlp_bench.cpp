@@ -16,7 +16,7 @@
 #include "learning/initial_weights.h"
 #include "learning/mlp_gradient.h"
 #include "learning/mlp_inference.h"
-#include "learning/one_step_training.h"
+#include "learning/squared_error.h"
 
 namespace mrose::bench {
 namespace {
@@ -79,14 +79,14 @@ public:
 
     void convergence(double target, int seeds) {
         std::printf("\nSeconds to validation MSE %.4f, median of %d seeds (epochs)\n", target, seeds);
-        FitOptions options;
+        TrainingOptions options;
         options.targetError = target;
         options.patience = 1 << 30;
-        options.maxEpochs = 10000;
+        options.epochs = 10000;
         for (const int threads : {1, 2}) reach("iRprop+", options, threads, seeds);
-        options.method = FitMethod::levenbergMarquardt;
+        options.method = TrainingMethod::levenbergMarquardt;
         options.validateEvery = 1;
-        options.maxEpochs = 300;
+        options.epochs = 300;
         for (const int threads : {1, 2}) reach("Levenberg-Marquardt", options, threads, seeds);
     }
 
@@ -155,17 +155,17 @@ private:
         compare(title.c_str(), std::move(contenders), fann != nullptr, rounds, 1e9, "ns");
     }
 
-    void reach(const char* method, const FitOptions& options, int threads, int seeds) {
+    void reach(const char* method, const TrainingOptions& options, int threads, int seeds) {
         std::vector<double> times, epochs;
         int reached = 0;
         tbb::task_arena arena(threads);
         for (int seed = 1; seed <= seeds; ++seed) {
-            Mlp net = randomMlp(shape_, {.seed = static_cast<std::uint64_t>(seed)});
-            FitSummary summary;
-            times.push_back(
-                secondsOf([&] { arena.execute([&] { summary = fitOneStep(net, training_, validation_, options); }); }));
-            epochs.push_back(summary.epochs);
-            reached += summary.end == FitEnd::target;
+            SquaredError objective(shape_, training_, validation_);
+            TrainingResult result;
+            const std::vector<float> start = randomMlp(shape_, {.seed = static_cast<std::uint64_t>(seed)}).parameters;
+            times.push_back(secondsOf([&] { arena.execute([&] { result = train(objective, start, options); }); }));
+            epochs.push_back(result.epochs);
+            reached += result.end == TrainingEnd::target;
         }
         std::printf("  %-22s %d thread(s) %9.3f s  (%.0f)  reached %d of %d\n", method, threads, median(times),
                     median(epochs), reached, seeds);

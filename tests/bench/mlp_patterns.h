@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "io/error.h"
-#include "learning/one_step_training.h"
+#include "learning/pattern_set.h"
 
 namespace mrose::bench {
 

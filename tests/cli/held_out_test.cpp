@@ -17,7 +17,7 @@ TEST_F(HeldOutProgram, EvaluatesOnlyWhatWasHeldOut) {
     ASSERT_EQ(runMrose(words).status, 0);
     const auto network = loadNetwork(path("half.net"));
     ASSERT_TRUE(network) << network.error().message();
-    EXPECT_TRUE((network->heldOut.groups == GroupHoldOut{2, 1}));
+    EXPECT_TRUE((network->heldOut.part == HoldOut{2, 1}));
 
     const auto windowsOf = [&](std::vector<std::string> more) {
         std::vector<std::string> all{"evaluate", path("half.net"), "--log", log(), "--no-floor", "--json"};
@@ -36,7 +36,7 @@ TEST_F(HeldOutProgram, ThePartsAreDifferentGroups) {
     auto words = trainWords(path("other.net"));
     words.insert(words.end(), {"--hold-out", "0.5", "--hold-out-part", "1"});
     ASSERT_EQ(runMrose(words).status, 0);
-    EXPECT_TRUE((loadNetwork(path("other.net"))->heldOut.groups == GroupHoldOut{2, 0}));
+    EXPECT_TRUE((loadNetwork(path("other.net"))->heldOut.part == HoldOut{2, 0}));
 }
 
 TEST_F(HeldOutProgram, NothingWasHeldOut) {

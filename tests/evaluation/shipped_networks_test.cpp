@@ -83,7 +83,7 @@ TEST(ShippedNetworks, HuskyMeetsItsBoundOnCommandsItHasNotSeen) {
     options.drive = *husky->network().drive;
     auto log = readLog(*data / "drive" / "husky_windows.csv", options);
     ASSERT_TRUE(log) << log.error().message();
-    log = partOf(std::move(*log), husky->network().heldOut.groups, LogPart::heldOut);
+    log = partOf(std::move(*log), husky->network().heldOut.part, LogPart::heldOut);
     ASSERT_TRUE(log);
     const Summary steady = partOf(openLoop(husky, *log), "steady");
     EXPECT_EQ(steady.windows, 80u);

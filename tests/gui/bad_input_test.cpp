@@ -128,10 +128,12 @@ TEST_F(BadInput, HalfWrittenRecordingIsShownUpToItsDamage) {
 
 TEST_F(BadInput, NetworkNeedsARobot) {
     const std::string network = (std::filesystem::path(path("a.net"))).string();
-    write("a.net", "format = \"mrose motion network\"\n");
-    dropFile(network);
-    settle();
-    EXPECT_THAT(notes(), ElementsAre(HasSubstr("select a robot first")));
+    for (const char* format : {"mrose motion network", "mrose network"}) {
+        write("a.net", std::string("format = \"") + format + "\"\n");
+        dropFile(network);
+        settle();
+        EXPECT_THAT(notes(), ElementsAre(HasSubstr("select a robot first"))) << format;
+    }
     window.field().setSelected(2);  // the ball
     dropFile(network);
     settle();

@@ -39,28 +39,28 @@ std::set<int> groupsOf(const Log& log) {
     return groups;
 }
 
-TEST(GroupHoldOut, HoldsEveryNthGroupAndNegativeOnesToo) {
-    const GroupHoldOut fifth{5, 3};
+TEST(HoldOut, HoldsEveryNthGroupAndNegativeOnesToo) {
+    const HoldOut fifth{5, 3};
     for (const int group : {-2, 3, 8, 1003}) EXPECT_TRUE(fifth.holds(group)) << group;
     for (const int group : {-3, 0, 4, 5}) EXPECT_FALSE(fifth.holds(group)) << group;
-    EXPECT_FALSE(GroupHoldOut{}.holds(0));
+    EXPECT_FALSE(HoldOut{}.holds(0));
 }
 
-TEST(GroupHoldOut, OthersAreNumberedWithoutGaps) {
+TEST(HoldOut, OthersAreNumberedWithoutGaps) {
     for (const int offset : {0, 1, 4}) {
-        const GroupHoldOut fifth{5, offset};
+        const HoldOut fifth{5, offset};
         std::set<int> ranks;
         for (int group = 0; group < 100; ++group)
             if (!fifth.holds(group)) ranks.insert(fifth.rankOfOther(group));
         EXPECT_EQ(ranks.size(), 80u) << offset;
         EXPECT_EQ(*ranks.rbegin() - *ranks.begin(), 79) << offset;
     }
-    EXPECT_EQ(GroupHoldOut{}.rankOfOther(17), 17);
+    EXPECT_EQ(HoldOut{}.rankOfOther(17), 17);
 }
 
 TEST(HeldOutGroups, PartsShareNothingAndLackNothing) {
     const Log log = shortWindows(11);
-    const GroupHoldOut third{3, 1};
+    const HoldOut third{3, 1};
     const auto learned = partOf(log, third, LogPart::learned), heldOut = partOf(log, third, LogPart::heldOut);
     ASSERT_TRUE(learned && heldOut);
     EXPECT_EQ(groupsOf(*heldOut), (std::set{1, 4, 7, 10}));
@@ -110,7 +110,7 @@ TEST(MotionSamplesOfShortWindows, VelocitiesAreTheRobotsOwn) {
 }
 
 TEST(MotionSamplesOfShortWindows, FoldsAreEvenWithoutTheHeldOutGroups) {
-    const GroupHoldOut fifth{5, 4};
+    const HoldOut fifth{5, 4};
     const auto learned = partOf(shortWindows(20), fifth, LogPart::learned);
     ASSERT_TRUE(learned);
     const std::vector<Log> logs{*learned};
@@ -120,6 +120,84 @@ TEST(MotionSamplesOfShortWindows, FoldsAreEvenWithoutTheHeldOutGroups) {
     std::vector<int> runs(4);
     for (const SampleRun& run : samples->runs) ++runs.at(static_cast<std::size_t>(run.fold));
     EXPECT_EQ(runs, (std::vector{4, 4, 4, 4}));
+}
+
+/// Windows of 2 s without a pause between them; each begins with the commands of the 4 s before it, like the Husky's.
+Log continuedWindows(int windows) {
+    Log log;
+    log.source = "windows";
+    RobotLog robot{"1", {}, {}};
+    for (int window = 0; window < windows; ++window) {
+        Trajectory trajectory;
+        trajectory.group = window / 2;
+        const Nanoseconds begin = window * 2000 * ms;
+        for (Nanoseconds t = std::max<Nanoseconds>(0, begin - 4000 * ms); t < begin + 2000 * ms; t += 50 * ms) {
+            const double v = 0.1 * toSeconds(t) / 4;
+            trajectory.commands.push_back({t, {v, 0}});
+            trajectory.blips.push_back({t, {}});
+            trajectory.measuredVelocity.push_back({t, {v, 0}});
+            trajectory.measuredRotation.push_back({t, {}});
+            if (t >= begin) trajectory.poses.push_back({t, {v * toSeconds(t), 0, 0}});
+        }
+        robot.trajectories.push_back(std::move(trajectory));
+    }
+    log.robots.push_back(std::move(robot));
+    return log;
+}
+
+TEST(MotionSamplesOfContinuedWindows, WhatIsLearnedFromReadsNothingOfTheFoldThatIsHeldOut) {
+    const Log log = continuedWindows(16);
+    const MotionNetwork network = velocityBlueprint({}, {"1"}, {});
+    const Nanoseconds memory = InputReader(network).memory();
+    const auto samples = motionSamples(std::vector<Log>{log}, network, {.phases = 2, .folds = 4});
+    ASSERT_TRUE(samples);
+    int cut = 0, whole = 0;
+    for (int heldOut = 0; heldOut < 4; ++heldOut)
+        for (const SampleRun& run : samples->runs) {
+            const std::size_t first = run.firstLearned(heldOut);
+            if (run.fold == heldOut) {
+                EXPECT_EQ(first, run.count);
+                continue;
+            }
+            (first > 0 ? cut : whole) += 1;
+            for (const Trajectory& other : log.robots[0].trajectories) {
+                if (other.group % 4 != heldOut) continue;
+                const Nanoseconds begin = other.poses.front().time, end = other.poses.back().time;
+                for (std::size_t i = first; i < run.count; ++i) {
+                    const Nanoseconds start = samples->samples[run.first + i].start;
+                    EXPECT_TRUE(start - memory >= end || start < begin);
+                }
+                // No more is lost than that.
+                if (first > 0 && first < run.count) {
+                    const Nanoseconds lost = samples->samples[run.first + first - 1].start;
+                    EXPECT_TRUE(lost - memory < end || lost > end + 2000 * ms);
+                }
+            }
+        }
+    EXPECT_EQ(cut, 14)
+        << "the first window of each group but the first one, at both phases, where the group before is held out";
+    EXPECT_EQ(whole, 4 * 32 - 32 - 14);
+}
+
+TEST(HeldOutGroups, WhatIsLearnedFromTellsNothingOfThem) {
+    const Log log = continuedWindows(12);  // of the groups 0 to 5
+    const auto learned = partOf(log, {3, 1}, LogPart::learned);
+    ASSERT_TRUE(learned);
+    ASSERT_EQ(learned->robots[0].trajectories.size(), 8u);
+    for (const Trajectory& trajectory : learned->robots[0].trajectories) {
+        const Nanoseconds begin = trajectory.poses.front().time;
+        // Groups 2 and 5 follow a held-out one: 1 and 4 end at 8 s and 20 s.
+        const Nanoseconds known = trajectory.group == 2   ? 8000 * ms
+                                  : trajectory.group == 5 ? 20000 * ms
+                                                          : std::max<Nanoseconds>(0, begin - 4000 * ms);
+        EXPECT_EQ(trajectory.commands.front().time, known);
+        EXPECT_EQ(trajectory.blips.front().time, known);
+        EXPECT_EQ(trajectory.measuredVelocity.front().time, known);
+        EXPECT_EQ(trajectory.measuredRotation.front().time, known);
+    }
+    const auto heldOut = partOf(log, {3, 1}, LogPart::heldOut);
+    ASSERT_TRUE(heldOut);
+    EXPECT_EQ(heldOut->robots[0].trajectories[0].commands.front().time, 0) << "commands are known when they are given";
 }
 
 TEST(VelocityBlueprint, IsLearnedOnRolloutsFromTheMeasuredVelocity) {

@@ -82,8 +82,8 @@ const Planted& plantedPaper() {
     return planted;
 }
 
-TrainerOptions quick(LearningLoss loss) {
-    TrainerOptions options;
+NetworkTrainerOptions quick(LearningLoss loss) {
+    NetworkTrainerOptions options;
     options.loss = loss;
     options.hidden = 8;
     options.members = 2;
@@ -123,7 +123,7 @@ class RolloutBatchOfBothForms : public testing::TestWithParam<MotionNetwork::For
 TEST_P(RolloutBatchOfBothForms, DrivesLikeTheModelThatIsUsed) {
     const bool state = GetParam() == MotionNetwork::Form::state;
     const Planted& p = state ? plantedPaper() : plantedHistory();
-    TrainerOptions options = quick(state ? LearningLoss::oneStep : LearningLoss::rollout);
+    NetworkTrainerOptions options = quick(state ? LearningLoss::oneStep : LearningLoss::rollout);
     options.members = 1;
     const auto summary = trainNetwork(p.blueprint, p.samples, options);
     ASSERT_TRUE(summary);
@@ -159,7 +159,7 @@ INSTANTIATE_TEST_SUITE_P(Forms, RolloutBatchOfBothForms,
 
 TEST(TrainNetwork, HistoryFormLearnsALaggedRobotOpenLoop) {
     const Planted& p = plantedHistory();
-    TrainerOptions options = quick(LearningLoss::rollout);
+    NetworkTrainerOptions options = quick(LearningLoss::rollout);
     options.hidden = 16;
     options.epochs = 400;
     const auto summary = trainNetwork(p.blueprint, p.samples, options);
@@ -172,13 +172,13 @@ TEST(TrainNetwork, HistoryFormLearnsALaggedRobotOpenLoop) {
 
 TEST(TrainNetwork, PapersNetworkLearnsALaggedRobotByEveryMethod) {
     const Planted& p = plantedPaper();
-    for (const LearningMethod method :
-         {LearningMethod::irpropPlus, LearningMethod::irpropMinus, LearningMethod::rpropPlus,
-          LearningMethod::rpropMinus, LearningMethod::levenbergMarquardt}) {
-        TrainerOptions options = quick(LearningLoss::oneStep);
+    for (const TrainingMethod method :
+         {TrainingMethod::irpropPlus, TrainingMethod::irpropMinus, TrainingMethod::rpropPlus,
+          TrainingMethod::rpropMinus, TrainingMethod::levenbergMarquardt}) {
+        NetworkTrainerOptions options = quick(LearningLoss::oneStep);
         options.method = method;
         options.members = 1;
-        options.epochs = method == LearningMethod::levenbergMarquardt ? 40 : 500;
+        options.epochs = method == TrainingMethod::levenbergMarquardt ? 40 : 500;
         const auto summary = trainNetwork(p.blueprint, p.samples, options);
         ASSERT_TRUE(summary);
         EXPECT_LT(summary->network.heldOut.position, 5) << summary->network.training.method;
@@ -204,11 +204,32 @@ TEST(TrainNetwork, SameSeedGivesTheSameFileWhateverTheThreads) {
 }
 
 TEST(TrainNetwork, AnotherSeedGivesAnotherNetwork) {
-    TrainerOptions options = quick(LearningLoss::oneStep);
+    NetworkTrainerOptions options = quick(LearningLoss::oneStep);
     const auto first = trainNetwork(plantedPaper().blueprint, plantedPaper().samples, options);
     options.seed = 2;
     const auto second = trainNetwork(plantedPaper().blueprint, plantedPaper().samples, options);
     EXPECT_NE(first->network.mlp.parameters, second->network.mlp.parameters);
+}
+
+TEST(TrainNetwork, KnowsItsMembers) {
+    const Planted& p = plantedHistory();
+    const auto learn = [&](int members) {
+        NetworkTrainerOptions options = quick(LearningLoss::rollout);
+        options.members = members;
+        return trainNetwork(p.blueprint, p.samples, options)->network;
+    };
+    const MotionNetwork alone = learn(1), both = learn(2);
+    EXPECT_TRUE(alone.members.empty());
+    ASSERT_EQ(both.members.size(), 2u);
+    // The first member was learned as if it were alone; the velocities at start and end are fitted to all.
+    const Mlp first = memberOf(both.mlp, both.members, 0);
+    EXPECT_EQ(first.shape.outputs, 3);
+    const auto common = static_cast<std::ptrdiff_t>(8 * (both.inputs.size() + 1) + 3 * 8);
+    EXPECT_TRUE(std::equal(first.parameters.begin(), first.parameters.begin() + common, alone.mlp.parameters.begin()));
+    EXPECT_TRUE(std::equal(first.parameters.end() - 3, first.parameters.end(), alone.mlp.parameters.end() - 7));
+    const auto read = parseNetwork(networkText(both), "n.net");
+    ASSERT_TRUE(read) << read.error().message();
+    EXPECT_TRUE(*read == both);
 }
 
 TEST(TrainNetwork, CancelledGivesTheBestNetworkSoFar) {
@@ -216,7 +237,7 @@ TEST(TrainNetwork, CancelledGivesTheBestNetworkSoFar) {
     int calls = 0;
     OpenLoopError best;
     const auto summary =
-        trainNetwork(p.blueprint, p.samples, quick(LearningLoss::rollout), [&](const TrainingProgress& progress) {
+        trainNetwork(p.blueprint, p.samples, quick(LearningLoss::rollout), [&](const NetworkProgress& progress) {
             best = progress.heldOut;
             return ++calls < 2;
         });
@@ -229,7 +250,7 @@ TEST(TrainNetwork, CancelledGivesTheBestNetworkSoFar) {
 
 TEST(TrainNetwork, RecoversFromAWrongStartVelocityWithTheLagOfItsFile) {
     const Planted& p = plantedHistory();
-    TrainerOptions options = quick(LearningLoss::rollout);
+    NetworkTrainerOptions options = quick(LearningLoss::rollout);
     options.epochs = 200;
     const auto summary = trainNetwork(p.blueprint, p.samples, options);
     const LearnedModel model(std::make_shared<const LearnedMotion>(summary->network), "1");
@@ -277,29 +298,62 @@ TEST(MotionSamples, TrackerOffsetIsFoundAndRemoved) {
         EXPECT_NEAR(samples.samples[i].increment.y, body.samples[i].increment.y, 3e-4);
 }
 
+/// However far a model reads back; the velocity model reads farther than a second.
 TEST(MotionSamples, HistoryOfAPatternNeverReachesIntoAnotherFold) {
-    const MotionNetwork blueprint = historyBlueprint(robotTraits("test"), {"1"}, times);
-    std::vector<Log> logs;
-    logs.push_back(drivenLog(KinematicModel(laggedRobot(), 20 * ms), 1, 200, 5));
-    SampleOptions options;
-    options.block = 20;
-    const auto samples = motionSamples(logs, blueprint, options);
-    ASSERT_TRUE(samples);
-    double reach = 0;
-    for (const NetworkInput& input : blueprint.inputs) reach = std::max(reach, input.oldest);
-    int folds = 0;
-    for (const SampleRun& a : samples->runs) {
-        folds |= 1 << a.fold;
-        for (const SampleRun& b : samples->runs) {
-            if (a.fold == b.fold) continue;
-            const Nanoseconds begin = samples->samples[a.first].start - fromSeconds(reach);
-            const Nanoseconds end = samples->samples[b.first + b.count - 1].start + 100 * ms;
-            const bool disjoint =
-                begin >= end || samples->samples[a.first + a.count - 1].start <= samples->samples[b.first].start;
-            EXPECT_TRUE(disjoint);
+    const std::vector<Log> logs{drivenLog(KinematicModel(laggedRobot(), 20 * ms), 1, 200, 5)};
+    for (const auto blueprint : {&historyBlueprint, &stateBlueprint, &velocityBlueprint, &paperBlueprint}) {
+        const MotionNetwork network = blueprint(robotTraits("test"), {"1"}, times);
+        SampleOptions options;
+        options.block = 20;
+        const auto samples = motionSamples(logs, network, options);
+        ASSERT_TRUE(samples);
+        const Nanoseconds memory = InputReader(network).memory();
+        int folds = 0;
+        for (const SampleRun& a : samples->runs) {
+            folds |= 1 << a.fold;
+            for (const SampleRun& b : samples->runs) {
+                if (a.fold == b.fold) continue;
+                const Nanoseconds begin = samples->samples[a.first].start - memory;
+                const Nanoseconds end = samples->samples[b.first + b.count - 1].start + 100 * ms;
+                const bool disjoint =
+                    begin >= end || samples->samples[a.first + a.count - 1].start <= samples->samples[b.first].start;
+                EXPECT_TRUE(disjoint) << toSeconds(memory);
+            }
         }
+        EXPECT_EQ(folds, 0b1111);
     }
-    EXPECT_EQ(folds, 0b1111);
+}
+
+TEST(MotionSamples, ABlockLosesASecondOrWhatThePatternsReadBack) {
+    const std::vector<Log> logs{drivenLog(KinematicModel(laggedRobot(), 20 * ms), 1, 200, 5)};
+    for (const auto& [blueprint, lost] : {std::pair{&historyBlueprint, 1.0}, {&velocityBlueprint, 1.4 + 0.1}}) {
+        SampleOptions options;
+        options.block = 20;
+        options.phases = 1;
+        const auto samples = motionSamples(logs, blueprint(robotTraits("test"), {"1"}, times), options);
+        ASSERT_TRUE(samples);
+        const Nanoseconds begin = samples->samples.front().start;  // of the first block
+        for (const SampleRun& run : samples->runs) {
+            const double since = toSeconds(samples->samples[run.first].start - begin);
+            if (since == 0) continue;
+            EXPECT_NEAR(std::fmod(since, 20), lost, 1e-9);
+        }
+        EXPECT_EQ(samples->runs.size(), 10u);
+    }
+}
+
+TEST(MotionSamples, NoPatternReadsBackBeyondTheFirstCommand) {
+    ResponseTimes late = times;
+    late.deadTimeV = late.deadTimeW = 0.8;
+    const MotionNetwork network = velocityBlueprint(robotTraits("test"), {"1"}, late);
+    const Nanoseconds memory = InputReader(network).memory();
+    ASSERT_EQ(memory, 2000 * ms);
+    for (const double seconds : {8.0, 30.0}) {
+        const std::vector<Log> logs{drivenLog(KinematicModel(laggedRobot(), 20 * ms), 1, seconds, 5)};
+        const auto samples = motionSamples(logs, network, {});
+        ASSERT_TRUE(samples);
+        EXPECT_EQ(samples->samples.front().start, memory) << "the first command is of the instant 0";
+    }
 }
 
 TEST(MotionSamples, LogWithoutGroundTruthIsAnError) {

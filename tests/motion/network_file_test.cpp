@@ -20,13 +20,32 @@ TEST(NetworkFile, ReadsBackEveryBitOfBothForms) {
     }
 }
 
-TEST(NetworkFile, TellsWhichGroupsWereHeldOutOnlyWhereSomeWere) {
-    MotionNetwork network = arbitraryNetwork(Form::state);
-    EXPECT_THAT(networkText(network), testing::Not(testing::HasSubstr("groups")));
-    network.heldOut.groups = {5, 3};
+TEST(NetworkFile, KeepsTheMembersOfAnEnsemble) {
+    MotionNetwork network = arbitraryNetwork(Form::history);
+    std::vector<float>& p = network.mlp.parameters;
+    network.members = {{8, {0.1f, 0.2f, 0.3f}}, {5, {0.3f, -0.2f, 0.7f}}};
+    for (std::size_t k = 0; k < 3; ++k)
+        p[p.size() - 7 + k] = network.members[0].outputBiases[k] / 2 + network.members[1].outputBiases[k] / 2;
     const auto read = parseNetwork(networkText(network), "n.net");
     ASSERT_TRUE(read) << read.error().message();
     EXPECT_TRUE(*read == network);
+}
+
+TEST(NetworkFile, TellsWhichGroupsWereHeldOutOnlyWhereSomeWere) {
+    MotionNetwork network = arbitraryNetwork(Form::state);
+    EXPECT_THAT(networkText(network), testing::Not(testing::HasSubstr("groups")));
+    network.heldOut.part = {5, 3};
+    const auto read = parseNetwork(networkText(network), "n.net");
+    ASSERT_TRUE(read) << read.error().message();
+    EXPECT_TRUE(*read == network);
+}
+
+TEST(NetworkFile, SaysOfEachVariableWhatItIsAndInWhatUnit) {
+    const std::string text = networkText(arbitraryNetwork(Form::history));
+    EXPECT_THAT(text, testing::HasSubstr("{ name = \"velocity_v\", unit = \"m/s\", mean = 0.0, scale = 0.1 }"));
+    EXPECT_THAT(text, testing::HasSubstr("{ name = \"robot b\", unit = \"1\", "));
+    EXPECT_THAT(text, testing::HasSubstr("{ name = \"command_w 0.1 to 0.225 s before\", unit = \"rad/s\", "));
+    EXPECT_THAT(text, testing::HasSubstr("{ name = \"start_w\", unit = \"rad/s\", "));
 }
 
 /// The error of a file in which `from` was replaced by `to`.
@@ -40,44 +59,40 @@ std::string errorAfter(const std::string& from, const std::string& to, Form form
 }
 
 TEST(NetworkFile, NamesFileLineAndKeyOfWhatDoesNotFit) {
-    EXPECT_THAT(errorAfter("\"mrose motion network\"", "\"poem\""), testing::MatchesRegex("n.net:2:.*format.*poem.*"));
-    EXPECT_THAT(errorAfter("version = 1", "version = 2"), testing::MatchesRegex("n.net:3:.*version.*"));
-    EXPECT_THAT(errorAfter("form = \"history\"", "form = \"recurrent\""), testing::HasSubstr("form: is \"recurrent\""));
-    EXPECT_THAT(errorAfter("period_s = 0.1", "period_s = 0.0"), testing::HasSubstr("period_s"));
-    EXPECT_THAT(errorAfter("period_s = 0.1", "period_s = \"fast\""), testing::HasSubstr("period_s"));
-    EXPECT_THAT(errorAfter("period_s = 0.1", "period_s = nan"), testing::HasSubstr("period_s"));
-    EXPECT_THAT(errorAfter("period_s = 0.1\n", ""), testing::HasSubstr("period_s: is missing"));
+    EXPECT_THAT(errorAfter("form = \"history\"", "form = \"recurrent\""),
+                testing::MatchesRegex("n.net:[0-9]+:[0-9]+: motion.form: is \"recurrent\".*"));
+    EXPECT_THAT(errorAfter("period_s = 0.1", "period_s = 0.0"), testing::HasSubstr("motion.period_s"));
+    EXPECT_THAT(errorAfter("period_s = 0.1", "period_s = \"fast\""), testing::HasSubstr("motion.period_s"));
+    EXPECT_THAT(errorAfter("period_s = 0.1", "period_s = nan"), testing::HasSubstr("motion.period_s"));
+    EXPECT_THAT(errorAfter("period_s = 0.1\n", ""), testing::HasSubstr("motion.period_s: is missing"));
     EXPECT_THAT(errorAfter("period_s = 0.1\n", "period_s = 0.1\nperiod_ms = 100\n"),
-                testing::HasSubstr("period_ms: is not a known key"));
+                testing::HasSubstr("motion.period_ms: is not a known key"));
     EXPECT_THAT(errorAfter("hidden = 13", "hidden = 12"), testing::HasSubstr("layers.hidden_weights"));
-    EXPECT_THAT(errorAfter("hidden = 13", "hidden = 999999999999"), testing::HasSubstr("hidden"));
-    EXPECT_THAT(errorAfter("command_v", "command_u"), testing::HasSubstr("inputs[4].quantity"));
-    EXPECT_THAT(errorAfter("robot = \"b\"", "robot = \"z\""), testing::HasSubstr("inputs[3].robot"));
+    EXPECT_THAT(errorAfter("quantity = \"command_v\"", "quantity = \"command_u\""),
+                testing::HasSubstr("motion.reads[4].quantity"));
+    EXPECT_THAT(errorAfter("robot = \"b\"", "robot = \"z\""), testing::HasSubstr("motion.reads[3].robot"));
     EXPECT_THAT(errorAfter("oldest_s = 0.04", "oldest_s = 0.0"), testing::HasSubstr("oldest_s"));
-    EXPECT_THAT(errorAfter("name = \"dx_m\"", "name = \"dz_m\""), testing::HasSubstr("outputs[\"dz_m\"].name"));
-    EXPECT_THAT(errorAfter("[recovery]", "[recovery_]"), testing::HasSubstr("recovery"));
-    EXPECT_THAT(errorAfter("quantum_mps = 0.0084", "quantum_mps = 0"), testing::HasSubstr("wheel_phase.quantum_mps"));
-    EXPECT_THAT(errorAfter("hidden_biases = [", "hidden_biases = [1.0, "), testing::HasSubstr("layers.hidden_biases"));
-    EXPECT_THAT(errorAfter("hidden_biases = [", "hidden_biases = [\"1\", "),
-                testing::HasSubstr("layers.hidden_biases"));
-    EXPECT_THAT(errorAfter("[held_out]", "[held_in]"), testing::HasSubstr("held_out: is missing"));
-}
-
-TEST(NetworkFile, HeldOutGroupsMustBeARule) {
-    const auto errorOf = [](const std::string& groups) {
-        return errorAfter("heading_percent = 3.89", "heading_percent = 3.89\ngroups = " + groups);
-    };
-    EXPECT_EQ(errorOf("{ every = 5, offset = 4 }"), "no error");
-    EXPECT_THAT(errorOf("{ every = 1, offset = 0 }"), testing::HasSubstr("held_out.groups.every"));
-    EXPECT_THAT(errorOf("{ every = 5, offset = 5 }"), testing::HasSubstr("held_out.groups.offset: expected less"));
-    EXPECT_THAT(errorOf("{ every = 5, offset = -1 }"), testing::HasSubstr("held_out.groups.offset"));
-    EXPECT_THAT(errorOf("{ every = 5 }"), testing::HasSubstr("held_out.groups.offset: is missing"));
-    EXPECT_THAT(errorOf("{ every = 5, offset = 4, share = 0.2 }"), testing::HasSubstr("held_out.groups.share"));
-    EXPECT_THAT(errorOf("\"group % 5\""), testing::HasSubstr("held_out.groups"));
+    EXPECT_THAT(errorAfter("oldest_s = 0.04", "oldest_s = 0.05"),
+                testing::HasSubstr("motion.reads[4]: is \"command_v 0.0 to 0.05 s before\" in m/s; that input of the "
+                                   "network is \"command_v 0.0 to 0.04 s before\" in m/s"));
+    EXPECT_THAT(errorAfter("name = \"velocity_w\", unit = \"rad/s\"", "name = \"velocity_w\", unit = \"deg/s\""),
+                testing::HasSubstr("motion.reads[2]: is \"velocity_w\" in rad/s; that input"));
+    EXPECT_THAT(errorAfter("  { quantity = \"velocity_v\" },\n", ""),
+                testing::HasSubstr("motion.reads: has 20 elements; the network has 21 inputs"));
+    EXPECT_THAT(errorAfter("name = \"dx\"", "name = \"dz\""),
+                testing::HasSubstr("motion.form: has other outputs than the network: expected dx m, dy m, "));
+    EXPECT_THAT(errorAfter("name = \"dx\", unit = \"m\"", "name = \"dx\", unit = \"cm\""),
+                testing::HasSubstr("motion.form: has other outputs"));
+    EXPECT_THAT(errorAfter("[motion.recovery]", "[motion.recovery_]"), testing::HasSubstr("motion.recovery"));
+    EXPECT_THAT(errorAfter("quantum_mps = 0.0084", "quantum_mps = 0"),
+                testing::HasSubstr("motion.wheel_phase.quantum_mps"));
+    EXPECT_THAT(errorAfter("[motion.wheel_phase]\nhalf_track_m = 0.13\nquantum_mps = 0.0084\n", ""),
+                testing::HasSubstr("motion.wheel_phase: is missing; an input needs it"));
+    EXPECT_THAT(errorAfter("held_out_error = {", "held_in_error = {"), testing::HasSubstr("motion.held_in_error"));
 }
 
 TEST(NetworkFile, StateFormNeedsFiveOutputs) {
-    EXPECT_THAT(errorAfter("form = \"history\"", "form = \"state\""), testing::HasSubstr("outputs"));
+    EXPECT_THAT(errorAfter("form = \"history\"", "form = \"state\""), testing::HasSubstr("motion.form: has other"));
 }
 
 TEST(NetworkFile, TruncatedAnywhereIsAnError) {

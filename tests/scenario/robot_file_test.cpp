@@ -135,7 +135,7 @@ TEST(RobotFile, NetworkMustBeThereAndFit) {
     EXPECT_EQ(refusal("learned.toml", "n.net", "no.net"),
               "learned.toml:7:11: motion.network: \"no.net\" was not found; expected no.net or mrose:nets/no.net");
     EXPECT_EQ(refusal("n.net", "form = \"state\"", "form = \"else\""),
-              "n.net:4:8: form: is \"else\"; expected one of \"state\", \"history\"");
+              "n.net:39:8: motion.form: is \"else\"; expected one of \"state\", \"history\"");
     EXPECT_EQ(refusal("learned.toml", "disc.toml", "../none.toml"),
               "learned.toml:4:9: shape: \"../none.toml\" was not found; expected ../none.toml or mrose:none.toml");
     EXPECT_EQ(refusal("disc.toml", "radius_m = 0.2", "radius_m = 0"),

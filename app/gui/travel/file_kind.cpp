@@ -65,8 +65,9 @@ Expected<FileKind> fileKind(const std::string& path) {
     if (bytes->starts_with(recordingMagic)) return FileKind::recording;
     if (!isText(*bytes)) return fail(path, notThis("is no description, recording or network of mrose"));
     const std::string format = formatOf(*bytes);
-    if (format == "mrose scenario" || format == "mrose scenario value" || format == "mrose state") return FileKind::scenario;
-    if (format == "mrose motion network") return FileKind::network;
+    if (format == "mrose scenario" || format == "mrose scenario value" || format == "mrose state")
+        return FileKind::scenario;
+    if (format == "mrose network" || format == "mrose motion network") return FileKind::network;
     if (format == "mrose shape" || format == "mrose environment" || format == "mrose robot")
         return fail(path, "describes " + std::string(format == "mrose environment" ? "an " : "a ") + format.substr(6) +
                               "; open a scenario that names it");

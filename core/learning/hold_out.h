@@ -2,11 +2,11 @@
 
 namespace mrose {
 
-/// Which trajectories of a log no part of learning has seen: those whose group number is `offset` modulo `every`.
-struct GroupHoldOut {
+/// What no part of learning has seen: of data in numbered groups those whose number is `offset` modulo `every`.
+struct HoldOut {
     int every = 0;  ///< 0: nothing is held out; else at least 2
     int offset = 0;
-    bool operator==(const GroupHoldOut&) const = default;
+    bool operator==(const HoldOut&) const = default;
 
     bool holdsAny() const { return every > 0; }
     bool holds(int group) const { return holdsAny() && remainder(group - offset) == 0; }
