@@ -29,8 +29,7 @@ int pushValue(lua_State* lua, const Quantity& quantity, const Subject& subject) 
     if (quantity.needs == Quantity::Needs::real && subject.at.real == nullptr)
         return luaL_error(lua, "'%s' needs a real log beside the run: none is open", quantity.name);
     if (quantity.needs == Quantity::Needs::control && subject.at.insights.empty())
-        return luaL_error(lua, "what controllers saw and decided is not known here: write the name of '%s' out",
-                          quantity.name);
+        return luaL_error(lua, "what robots saw, decided and remember is not known here: its name must be written out");
     if (const auto* const number = std::get_if<double (*)(const Subject&)>(&quantity.read)) {
         lua_pushnumber(lua, (*number)(subject));
     } else if (const auto* const truth = std::get_if<bool (*)(const Subject&)>(&quantity.read)) {
@@ -38,20 +37,20 @@ int pushValue(lua_State* lua, const Quantity& quantity, const Subject& subject) 
     } else if (const auto* const count = std::get_if<std::int64_t (*)(const Subject&)>(&quantity.read)) {
         lua_pushinteger(lua, (*count)(subject));
     } else {
-        double number = 0;
+        double value = 0;
         bool text = false;
         {
-            QuantityValue value = quantity.value(subject);
-            text = std::holds_alternative<std::string>(value);
+            QuantityValue read = quantity.value(subject);
+            text = std::holds_alternative<std::string>(read);
             if (text)
-                viewOf(lua).text = std::move(std::get<std::string>(value));
+                viewOf(lua).text = std::move(std::get<std::string>(read));
             else
-                number = numberOf(value);
+                value = numberOf(read);
         }
         if (text)
             lua_pushlstring(lua, viewOf(lua).text.data(), viewOf(lua).text.size());
         else
-            lua_pushnumber(lua, number);
+            lua_pushnumber(lua, value);
     }
     return 1;
 }

@@ -214,8 +214,8 @@ std::vector<double> TomlTable::numbers(std::string_view key, std::size_t count, 
 std::vector<double> TomlTable::someNumbers(std::string_view key, std::size_t least, std::size_t most,
                                            NumberRange range) {
     std::vector<double> values;
-    const toml::node* node = find(key);
-    const toml::array* array = node ? node->as_array() : nullptr;
+    const Value* node = find(key);
+    const Value::Array* array = node ? node->asArray() : nullptr;
     if (node && (!array || array->size() < least || array->size() > most))
         rejectAt(node, key, "expected " + std::to_string(least) + " to " + std::to_string(most) + " numbers");
     else if (array)

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "io/number_text.h"
-#include "io/toml_edit.h"
+#include "io/toml_text.h"
 #include "io/toml_table.h"
 
 namespace mrose {

@@ -1,6 +1,6 @@
 #include "io/file.h"
 #include "io/number_text.h"
-#include "io/toml_edit.h"
+#include "io/toml_text.h"
 #include "learning/network_file.h"
 #include "motion/motion_network.h"
 #include "motion/network_words.h"

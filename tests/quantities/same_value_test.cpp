@@ -67,8 +67,7 @@ protected:
 
     /// Runs and records; keeps what is known at the ticks that are asked.
     void record() {
-        auto writer =
-            RecordingWriter::create(path(), scenario_, scenario_.initialState(), {"x.toml", {}}, "mrose run", {});
+        auto writer = RecordingWriter::create(path(), scenario_, scenario_.initialState());
         ASSERT_TRUE(writer) << writer.error().message();
         Known now{scenario_.initialState(), {}, std::vector<RobotInsight>(scenario_.scene().robots.size())};
         StepBuffers buffers;

@@ -106,7 +106,7 @@ TEST_F(RecordingFile, FileThatIsNotAtItsPlaceAnyMoreIsAnErrorAtTheNextFlush) {
 TEST_F(RecordingFile, SecondWriterIsRefusedAndTheFirstGoesOn) {
     const std::filesystem::path path = folder.path() / "run.mcap";
     {
-        auto first = RecordingWriter::create(path, scenario, run.states.front(), descriptions);
+        auto first = RecordingWriter::create(path, scenario, run.states.front(), value);
         ASSERT_TRUE(first) << first.error().message();
         for (std::size_t i = 0; i < run.traces.size(); ++i) {
             if (i == 60) {
