@@ -144,10 +144,11 @@ Expected<BatchSummary> runBatch(const ScenarioParts& parts, const BatchOptions& 
     auto file = ResultsFile::open(folder, options.identity, resultsHeader(parts));
     if (!file) return tl::unexpected(file.error());
     if (const auto fits = checkRows(*file, options, folder); !fits) return tl::unexpected(fits.error());
-    if (options.value)
+    auto summary = BatchRunner(parts, options, *file).runAll();
+    if (summary && summary->complete && options.value)
         if (auto kept = keepValue(*options.value, folder / "scenario.value"); !kept)
             return tl::unexpected(kept.error());
-    return BatchRunner(parts, options, *file).runAll();
+    return summary;
 }
 
 }  // namespace mrose

@@ -20,7 +20,7 @@ struct BatchOptions {
     std::string until;  ///< a condition that ends a run; empty: none
     /// What the rows' commands begin with; " --trial 3 --seed 7" follows: all else that a run depends on is in it.
     std::string command = "mrose run";
-    /// Kept in the folder as `scenario.value` (value_file.h), if given: what its trials are of.
+    /// If given, kept beside the results as `scenario.value` (value_file.h) when all are there: what the trials are of.
     std::shared_ptr<const ScenarioValue> value = nullptr;
     /// What all runs depend on. A folder with results of another identity is refused.
     BatchIdentity identity;

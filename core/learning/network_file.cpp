@@ -3,8 +3,8 @@
 #include <limits>
 
 #include "io/number_text.h"
-#include "io/toml_text.h"
 #include "io/toml_table.h"
+#include "io/toml_text.h"
 
 namespace mrose {
 namespace {

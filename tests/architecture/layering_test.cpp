@@ -51,7 +51,7 @@ const std::map<std::string, std::set<std::string>> librariesOfLayers{
     {"box2d/", {"physics"}},
     {"toml++/", {"io"}},
     {"xxhash.h", {"io", "world"}},
-    {"zstd.h", {"recording"}},
+    {"zstd.h", {"io"}},
     {"CLI/", {"app/cli", "app/gui", "app/shared"}},
     {"spdlog/", {"app/cli", "app/gui"}},
     {"nlohmann/", {"evaluation", "comparison", "app/cli"}},

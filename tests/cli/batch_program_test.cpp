@@ -38,15 +38,16 @@ TEST_F(BatchProgram, WritesARowForEachRunAndSumsUp) {
     EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_EQ(result.err, "");
     for (const std::string& part :
-         {std::string("mean  least  most"), std::string("time, s"), std::string("touches"),
-          std::string("goals.blue"), std::string("10 runs in "), "; results in " + path("out") + "/results.csv\n"})
+         {std::string("mean  least  most"), std::string("time, s"), std::string("touches"), std::string("goals.blue"),
+          std::string("10 runs in "), "; results in " + path("out") + "/results.csv\n"})
         EXPECT_NE(result.out.find(part), std::string::npos) << result.out << part;
     const auto rows = csvRows(read("out/results.csv"));
     ASSERT_EQ(rows.size(), 10u);
     std::set<std::string> hashes;
     for (const auto& row : rows) hashes.insert(row.at("world_hash"));
     EXPECT_EQ(hashes.size(), 10u) << "every run is another one";
-    EXPECT_EQ(listing(), (std::vector<std::string>{"it's a game.toml", "out", "out/batch.txt", "out/results.csv"}));
+    EXPECT_EQ(listing(), (std::vector<std::string>{"it's a game.toml", "out", "out/batch.txt", "out/results.csv",
+                                                   "out/scenario.value"}));
     const Json json =
         told(play("batch", {"--trials", "5", "--seeds", "2..3", "--duration", "1", "-o", path("out"), "--json"}));
     EXPECT_EQ(json["runs"], 10);

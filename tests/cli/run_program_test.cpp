@@ -67,7 +67,7 @@ TEST_F(RunProgram, AnythingOfTheScenarioMayBeOverridden) {
     };
     EXPECT_EQ(hash({"--set", "seed=6"}), hash({"--seed", "6"}));
     EXPECT_EQ(hash({"--set", "seed = 5"}), hash({}));
-    EXPECT_NE(hash({"--set", "robot[\"one's\"].start.x_m=0.1"}), hash({}));
+    EXPECT_NE(hash({"--set", "robot[\"two\"].start.heading_deg=45"}), hash({}));
     // A file is seen from the current folder.
     const std::string network = (sourceFolder() / "nets/pioneer.net").string();
     write("mine.net", *readFile(network));

@@ -6,9 +6,9 @@
 #include <string_view>
 
 #include "fuzz/require.h"
+#include "io/compression.h"
 #include "recording/block_bytes.h"
 #include "recording/branch_scenario.h"
-#include "io/compression.h"
 #include "recording/decision_bytes.h"
 #include "recording/mcap_format.h"
 #include "recording/recording.h"

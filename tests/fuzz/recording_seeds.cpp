@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <string>
 
+#include "io/compression.h"
 #include "io/file.h"
 #include "recording/block_bytes.h"
 #include "recording/branch_scenario.h"
-#include "io/compression.h"
 #include "recording/match.h"
 #include "recording/recording_writer.h"
 #include "world/state_bytes.h"

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "io/bytes.h"
-#include "io/file.h"
 #include "io/compression.h"
+#include "io/file.h"
 #include "recording/mcap_walk.h"
 #include "recording/playback.h"
 #include "recording/recording_fixture.h"

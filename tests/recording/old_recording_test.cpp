@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "io/bytes.h"
-#include "recording/branch_scenario.h"
 #include "io/compression.h"
+#include "recording/branch_scenario.h"
 #include "recording/replay.h"
 #include "scenario/descriptions.h"
 #include "support/places.h"
