@@ -38,12 +38,13 @@ Expected<std::string> recordedFile(const Scenario& scenario, const StraightRun& 
     RecordingWriter::Options options;
     options.overwrite = true;
     options.keyframeInterval = 5;
-    auto writer =
-        RecordingWriter::create(path, scenario, run.states.front(), {"s", {{"s", "seed = 1\n"}}}, "", options);
+    const auto own = std::make_shared<const ScenarioValue>("s", Value::Table{{"seed", 1}});
+    const auto others = std::make_shared<const ScenarioValue>("t", Value::Table{{"seed", 2}});
+    auto writer = RecordingWriter::create(path, scenario, run.states.front(), own, "", options);
     if (!writer) return tl::unexpected(writer.error());
     for (std::size_t i = 0; i < run.traces.size(); ++i) writer->add(run.states[i + 1], run.traces[i]);
     const StraightRun branch = runMatch(scenario, run.states[branchTick], 3);
-    writer->beginBranch(0, branch.states.front(), "b", scenario, {"t", {{"s", "seed = 1\n"}, {"t", "seed = 2\n"}}});
+    writer->beginBranch(0, branch.states.front(), "b", scenario, others);
     for (std::size_t i = 0; i < branch.traces.size(); ++i) writer->add(branch.states[i + 1], branch.traces[i], 1);
     if (const auto closed = writer->close(); !closed) return tl::unexpected(closed.error());
     return readFile(path);
