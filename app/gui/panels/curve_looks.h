@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "comparison/reality.h"
 #include "widgets/theme.h"
 #include "widgets/value_catalogue.h"
 
