@@ -5,7 +5,7 @@
 namespace mrose {
 
 std::string inputName(const NetworkInput& input) {
-    const std::string quantity(quantityNames[static_cast<std::size_t>(input.quantity)]);
+    std::string quantity(quantityNames[static_cast<std::size_t>(input.quantity)]);
     if (input.quantity == NetworkInput::Quantity::robot) return quantity + ' ' + input.robot;
     if (!input.fromCommands()) return quantity;
     return quantity + ' ' + numberText(input.newest) + " to " + numberText(input.oldest) + " s before";

@@ -102,6 +102,11 @@ void addNotes(std::vector<Quantity>& all) {
                     +[](const Subject& s) { return notedPoint(s, &Point::y); }, false, notes<true>, true}});
 }
 
+double odometry(const Subject& subject, double Velocity::*part) {
+    const Observation* const seen = observation(subject);
+    return seen != nullptr ? seen->velocity.*part : unknownNumber;
+}
+
 }  // namespace
 
 void addControlQuantities(std::vector<Quantity>& all) {
@@ -125,9 +130,9 @@ void addControlQuantities(std::vector<Quantity>& all) {
               return measuredSelf(s) ? toSeconds(s.at.now() - observation(s)->selfMeasured) : unknownNumber;
           }},
          {"odometry_v", metresPerSecond, "by odometry", Of::robot,
-          +[](const Subject& s) { return observation(s) != nullptr ? observation(s)->velocity.v : unknownNumber; }},
+          +[](const Subject& s) { return odometry(s, &Velocity::v); }},
          {"odometry_w", radiansPerSecond, "by odometry", Of::robot,
-          +[](const Subject& s) { return observation(s) != nullptr ? observation(s)->velocity.w : unknownNumber; }}});
+          +[](const Subject& s) { return odometry(s, &Velocity::w); }}});
     addSight(all);
     addNotes(all);
 }
