@@ -26,12 +26,6 @@ std::int64_t runsOf(const BatchOptions& options) {
     return runs > mostRuns ? -1 : runs;
 }
 
-/// A batch that is gone on with has it already: of one identity it is the same.
-Expected<void> keepValue(const ScenarioValue& value, const std::filesystem::path& path) {
-    std::error_code ignored;
-    return std::filesystem::exists(path, ignored) ? Expected<void>() : writeFileAtomically(path, valueFileText(value));
-}
-
 /// Runs of one batch, on any thread.
 class BatchRunner {
 public:
@@ -146,7 +140,8 @@ Expected<BatchSummary> runBatch(const ScenarioParts& parts, const BatchOptions& 
     if (const auto fits = checkRows(*file, options, folder); !fits) return tl::unexpected(fits.error());
     auto summary = BatchRunner(parts, options, *file).runAll();
     if (summary && summary->complete && options.value)
-        if (auto kept = keepValue(*options.value, folder / "scenario.value"); !kept)
+        // What is there may be of a batch whose results were removed.
+        if (auto kept = writeFileAtomically(folder / "scenario.value", valueFileText(*options.value)); !kept)
             return tl::unexpected(kept.error());
     return summary;
 }

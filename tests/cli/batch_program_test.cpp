@@ -166,6 +166,20 @@ TEST_F(BatchProgram, SameFilesAreTheSameBatch) {
     EXPECT_EQ(csvRows(read("new/results.csv")).size(), 2u);
 }
 
+TEST_F(BatchProgram, FolderWhoseResultsWereRemovedKeepsTheScenarioOfTheNextBatch) {
+    ASSERT_EQ(play("batch", {"--trials", "1", "--duration", "0.2", "-o", path("again")}).status, 0);
+    const std::string before = read("again/scenario.value");
+    std::filesystem::remove(path("again/results.csv"));
+    write("it's a game.toml", replaced(read("it's a game.toml"), "random_factor = 0.1", "random_factor = 0.2"));
+    for (const char* folder : {"again", "fresh"})
+        EXPECT_EQ(runMrose({"batch", path("it's a game.toml"), "--trials", "1", "--duration", "0.2", "--quiet", "-o",
+                            path(folder)})
+                      .status,
+                  0);
+    EXPECT_NE(read("again/scenario.value"), before);
+    EXPECT_EQ(read("again/scenario.value"), read("fresh/scenario.value"));
+}
+
 TEST_F(BatchProgram, FullDiskIsOneLine) {
     game();
     expectOneLine(play("batch", {"--trials", "3", "--duration", "0.2", "-o", path("out")}, {.fullDisk = true}),
