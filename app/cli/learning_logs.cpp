@@ -1,11 +1,10 @@
 #include "learning_logs.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "common.h"
 #include "identification/drive_fit.h"
-#include "identification/held_out_groups.h"
+#include "identification/held_out_part.h"
 #include "shared/notices.h"
 
 namespace mrose::cli {
@@ -16,12 +15,6 @@ Expected<std::vector<Log>> openAll(const LearningLogsRequest& request, const std
     for (const std::string& source : request.sources) {
         auto log = openLog(source, request.robots, drive);
         if (!log) return tl::unexpected(log.error());
-        if (request.holdOut.holdsAny()) {
-            if (const auto kept = partOf(*log, request.holdOut, LogPart::heldOut); !kept)
-                return tl::unexpected(kept.error());
-            log = partOf(std::move(*log), request.holdOut, LogPart::learned);
-            if (!log) return tl::unexpected(log.error());
-        }
         logs.push_back(std::move(*log));
     }
     return logs;
@@ -51,23 +44,35 @@ Expected<void> checkSameKind(const std::vector<Log>& logs) {
 
 }  // namespace
 
+Expected<std::vector<Log>> LearningLogs::learned() const {
+    if (!holdOut.holdsAny()) return logs;
+    std::vector<Log> parts;
+    for (const Log& log : logs) {
+        auto part = partOf(log, holdOut, LogPart::learned);
+        if (!part) return tl::unexpected(part.error());
+        parts.push_back(std::move(*part));
+    }
+    return parts;
+}
+
 Expected<LearningLogs> openLearningLogs(const LearningLogsRequest& request) {
     auto logs = openAll(request, {});
     if (!logs) return tl::unexpected(logs.error());
     for (const auto& check : {checkDifferent, checkSameKind})
         if (const auto fits = check(*logs); !fits) return tl::unexpected(fits.error());
-    if (logs->front().format != "husky-windows") return LearningLogs{std::move(*logs), {}};
-    const auto fit = fitDrive(steadyMotions(logs->front(), WheelSource::commands), logs->front().source);
+    const auto holdOut = holdOutOf(*logs, request.holdOut, request.holdOutPart, request.holdOutBy);
+    if (!holdOut) return tl::unexpected(holdOut.error());
+    LearningLogs opened{std::move(*logs), {}, *holdOut};
+    if (opened.logs.front().format != "husky-windows") return opened;
+    const auto learned = opened.learned();
+    if (!learned) return tl::unexpected(learned.error());
+    const auto fit = fitDrive(steadyMotions(learned->front(), WheelSource::commands), learned->front().source);
     if (!fit) return tl::unexpected(fit.error());
+    opened.drive = fit->drive;
     logs = openAll(request, fit->drive);
     if (!logs) return tl::unexpected(logs.error());
-    return LearningLogs{std::move(*logs), fit->drive};
-}
-
-HoldOut holdOutShare(double share, int part) {
-    if (share <= 0) return {};
-    const int every = std::max(2, static_cast<int>(std::lround(1 / share)));
-    return {every, (part % every + every - 1) % every};
+    opened.logs = std::move(*logs);
+    return opened;
 }
 
 }  // namespace mrose::cli

@@ -1,4 +1,5 @@
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 
 #include "common.h"
@@ -73,6 +74,7 @@ void printSummary(const TrainedNetwork& summary, const TrainFlags& flags, const 
                                  {"held_out_windows", n.heldOut.windows},
                                  {"held_out_position_percent", n.heldOut.position},
                                  {"held_out_heading_percent", n.heldOut.heading},
+                                 {"kept_from_learning", keptFromLearning(n.heldOut.part)},
                                  {"interrupted", summary.cancelled}}
                       .dump(2)
                       .c_str());
@@ -86,6 +88,9 @@ void printSummary(const TrainedNetwork& summary, const TrainFlags& flags, const 
         "held out, %.1f s open loop, %lld windows: position error %.2f %% of the path, heading error %.2f %% of the "
         "rotation\n",
         n.heldOut.horizon, static_cast<long long>(n.heldOut.windows), n.heldOut.position, n.heldOut.heading);
+    if (n.heldOut.part.holdsAny())
+        std::printf("kept from learning, for mrose evaluate --held-out: %s\n",
+                    keptFromLearning(n.heldOut.part).c_str());
 }
 
 using Identified = MotionNetwork::Identified;
@@ -113,43 +118,78 @@ ResponseTimes responseTimes(const std::vector<Identified>& robots, const TrainFl
     return t;
 }
 
+/// What is learned from, and what is known of the network beforehand.
+struct TrainingData {
+    HoldOut holdOut;
+    std::vector<Log> logs;  ///< without what is held out
+    MotionNetwork blueprint;
+};
+
+Expected<TrainingData> trainingData(const LearningLogs& opened, const TrainFlags& flags) {
+    TrainingData data;
+    data.holdOut = opened.holdOut;
+    auto logs = opened.learned();
+    if (!logs) return tl::unexpected(logs.error());
+    data.logs = std::move(*logs);
+    auto identified = identifyRobots(data.logs);
+    if (!identified) return tl::unexpected(identified.error());
+    const RobotTraits traits = robotTraits(flags.type.empty() ? robotTypeOf(data.logs.front()) : flags.type);
+    data.blueprint = recipeOf(flags.model).blueprint(traits, robotNames(data.logs), responseTimes(*identified, flags));
+    data.blueprint.identified = std::move(*identified);
+    return data;
+}
+
+/// With a guard around blocks of time that are held out: what a pattern reads back and the length of a rollout. How far
+/// the network reads depends on what is identified, and that on what is held out; so the guard grows until it suffices.
+Expected<TrainingData> guardedTrainingData(LearningLogs opened, const TrainFlags& flags,
+                                           const NetworkTrainerOptions& options) {
+    for (;;) {
+        auto data = trainingData(opened, flags);
+        if (!data || !opened.holdOut.byTime()) return data;
+        const int chain = options.loss == LearningLoss::rollout ? options.rolloutLength : 1;
+        const double reach = toSeconds(InputReader(data->blueprint).memory() + chain * data->blueprint.period);
+        if (reach <= opened.holdOut.guard) return data;
+        opened.holdOut.guard = std::ceil(10 * reach) / 10;
+    }
+}
+
 int train(TrainFlags flags, const CommonFlags& common) {
     const auto begin = std::chrono::steady_clock::now();
     std::vector<std::string> read;
     for (const std::string& log : flags.logs) read.push_back(placeOfLog(log));
     if (const auto writable = checkOutput(flags.out, read, common.overwrite); !writable)
         return report(writable.error());
-    const HoldOut holdOut = holdOutShare(flags.holdOut, flags.holdOutPart);
-    const auto opened = openLearningLogs({flags.logs, flags.robots, holdOut});
+    const HoldOutBy holdOutBy = flags.holdOutBy.empty()       ? HoldOutBy::whatSuits
+                                : flags.holdOutBy == "groups" ? HoldOutBy::groups
+                                                              : HoldOutBy::time;
+    const auto opened = openLearningLogs({flags.logs, flags.robots, flags.holdOut, flags.holdOutPart, holdOutBy});
     if (!opened) return report(opened.error());
-    const std::vector<Log>& logs = opened->logs;
-    if (flags.model.empty()) flags.model = modelFor(logs);
+    if (flags.model.empty()) flags.model = modelFor(opened->logs);
+    const NetworkTrainerOptions options = trainerOptions(flags, common);
     watchInterrupts();
 
-    const auto identified = identifyRobots(logs);
-    if (!identified) return report(identified.error(), flags.logs.front());
-    const RobotTraits traits = robotTraits(flags.type.empty() ? robotTypeOf(logs.front()) : flags.type);
-    MotionNetwork blueprint =
-        recipeOf(flags.model).blueprint(traits, robotNames(logs), responseTimes(*identified, flags));
+    auto data = guardedTrainingData(*opened, flags, options);
+    if (!data) return report(data.error(), flags.logs.front());
+    MotionNetwork& blueprint = data->blueprint;
     SampleOptions sampleOptions;
-    sampleOptions.heldOut = holdOut;
+    sampleOptions.heldOut = data->holdOut;
     sampleOptions.folds = flags.folds;
     sampleOptions.phases = flags.phases > 0 ? flags.phases : recipeOf(flags.model).phases;
-    auto samples = motionSamples(logs, blueprint, sampleOptions);
+    auto samples = motionSamples(data->logs, blueprint, sampleOptions);
     if (!samples) return report(samples.error(), flags.logs.front());
-    blueprint.identified = *identified;
     const std::vector<TrackerOffset> trackers = removeTrackerOffsets(*samples);
     for (std::size_t i = 0; i < trackers.size() && i < blueprint.identified.size(); ++i)
         blueprint.identified[i].tracker = trackers[i];
     blueprint.drive = opened->drive;
-    blueprint.heldOut.part = holdOut;
-    blueprint.synthetic = std::any_of(logs.begin(), logs.end(), [](const Log& log) { return log.synthetic; });
+    blueprint.heldOut.part = data->holdOut;
+    blueprint.synthetic =
+        std::any_of(opened->logs.begin(), opened->logs.end(), [](const Log& log) { return log.synthetic; });
     blueprint.training.command = commandLine();
-    for (const Log& log : logs)
+    for (const Log& log : opened->logs)
         for (const LogFile& file : log.files) blueprint.training.logs.push_back({file.path, file.hash});
 
     TrainingDisplay display(common.quiet);
-    const auto summary = trainNetwork(blueprint, *samples, trainerOptions(flags, common), std::ref(display));
+    const auto summary = trainNetwork(blueprint, *samples, options, std::ref(display));
     if (!summary) return report(summary.error(), flags.logs.front());
     if (const auto saved = saveNetwork(summary->network, flags.out); !saved) return report(saved.error());
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;

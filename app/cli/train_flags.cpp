@@ -34,9 +34,14 @@ void addWhat(CLI::App& sub, TrainFlags& flags) {
     sub.add_option("--robots", flags.robots, "Learn from these robots only, by name: 1,2")->delimiter(',');
     sub.add_option("--robot-type", flags.type, "Kind of robot; default: what the log's format tells");
     sub.add_option("--hold-out", flags.holdOut,
-                   "Share of the groups of trajectories that nothing is learned from: mrose evaluate --held-out "
-                   "judges by them alone")
+                   "Share of the logs that nothing is learned from: mrose evaluate --held-out judges by it alone")
         ->check(numberRange(0.001, 0.5));
+    sub.add_option("--hold-out-by", flags.holdOutBy,
+                   "Held out are whole groups of trajectories, or blocks of time of long ones, with a guard before and "
+                   "after them as long as what the model reads back and a rollout; default: groups where each log has "
+                   "enough of them, else time")
+        ->check(CLI::IsMember({"groups", "time"}))
+        ->needs("--hold-out");
     sub.add_option("--hold-out-part", flags.holdOutPart, "Which share that is, for cross-validation: 0, 1, ...")
         ->needs("--hold-out")
         ->check(CLI::Range(0, 1000))

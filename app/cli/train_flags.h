@@ -16,6 +16,7 @@ struct TrainFlags {
     std::string out, model, type, method = "irprop+", loss;
     int hidden = 0, members = 0, epochs = 0, patience = 0, phases = 0, chain = 0, folds = 4, holdOutPart = 0;
     double holdOut = 0;
+    std::string holdOutBy;
     std::optional<double> deadTimeV, deadTimeW, lagV, lagW;
 };
 

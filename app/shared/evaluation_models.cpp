@@ -2,6 +2,7 @@
 
 #include "evaluation/format.h"
 #include "motion/kinematic_baselines.h"
+#include "shared/notices.h"
 #include "version.h"
 
 namespace mrose {
@@ -49,6 +50,7 @@ ReportContext reportContext(const MotionNetwork& network, const std::string& pat
                            std::to_string(network.training.seed) + ", " + std::to_string(network.training.patterns) +
                            " patterns, " + std::to_string(network.training.epochs) + " epochs");
     fact("command", network.training.command);
+    if (network.heldOut.part.holdsAny()) fact("kept from learning", keptFromLearning(network.heldOut.part));
     fact("held out in learning", "P " + fixed(network.heldOut.position, 2) + " %, Hd " +
                                      fixed(network.heldOut.heading, 2) + " % over " +
                                      fixed(network.heldOut.horizon, 1) + " s (each member on its own part)");

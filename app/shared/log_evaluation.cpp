@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "identification/held_out_groups.h"
+#include "identification/held_out_part.h"
 #include "logs/unit_doubts.h"
 #include "shared/evaluation_models.h"
 #include "shared/log_files.h"

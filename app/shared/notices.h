@@ -13,6 +13,9 @@ namespace mrose {
 /// The kind of robot that a log's format tells; "" where it tells none.
 std::string robotKind(const Log& log);
 
+/// What no part of learning has seen, in words: "one in 5 of the groups of trajectories"; "" where it has seen all.
+std::string keptFromLearning(const HoldOut& part);
+
 /// The networks that a scenario's log players move by, each once.
 std::vector<const MotionNetwork*> networksOf(const ScenarioParts& parts);
 

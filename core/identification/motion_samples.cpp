@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "identification/held_out_groups.h"
+#include "identification/held_out_part.h"
 #include "logs/pose_grid.h"
 
 namespace mrose {

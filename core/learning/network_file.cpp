@@ -51,8 +51,11 @@ std::string trainingText(const NetworkTraining& t) {
 
 std::string holdOutText(const HoldOut& h) {
     if (!h.holdsAny()) return {};
-    return "\n[held_out] # what no part of learning has seen\ngroups = { every = " + std::to_string(h.every) +
-           ", offset = " + std::to_string(h.offset) + " } # those whose group % every == offset\n";
+    std::string rule = "every = " + std::to_string(h.every) + ", offset = " + std::to_string(h.offset);
+    if (h.byTime()) rule += ", length_s = " + numberText(h.block) + ", guard_s = " + numberText(h.guard);
+    const std::string which = h.byTime() ? "blocks" : "groups";
+    return "\n[held_out] # what no part of learning has seen: the " + which + " whose number % every == offset\n" +
+           line(which, "{ " + rule + " }");
 }
 
 std::string layersText(const Mlp& mlp) {
@@ -154,12 +157,21 @@ Mlp readNetworkLayers(TomlTable table, const MlpShape& shape) {
     return mlp;
 }
 
-HoldOut readHeldOutGroups(TomlTable table) {
+HoldOut readHoldOut(TomlTable& table) {
     HoldOut h;
-    h.every = static_cast<int>(table.integer("every", 2, 1'000'000));
-    h.offset = static_cast<int>(table.integer("offset", 0, 1'000'000));
-    if (h.offset >= h.every) table.reject("offset", "expected less than every");
-    table.rejectUnknown();
+    if (!table.has("groups") && !table.has("blocks")) return h;
+    table.expectOneOf("groups", "blocks", "groups or blocks");
+    if (table.failed()) return h;
+    const bool byTime = table.has("blocks");
+    TomlTable rule = table.table(byTime ? "blocks" : "groups");
+    h.every = static_cast<int>(rule.integer("every", 2, 1'000'000));
+    h.offset = static_cast<int>(rule.integer("offset", 0, 1'000'000));
+    if (h.offset >= h.every) rule.reject("offset", "expected less than every");
+    if (byTime) {
+        h.block = rule.number("length_s", {1, 1e6});
+        h.guard = rule.number("guard_s", {0, 1e6});
+    }
+    rule.rejectUnknown();
     return h;
 }
 
@@ -177,7 +189,7 @@ Expected<LearnedNetwork> readNetworkFile(TomlTable& root, std::string_view kind,
     network.training = readNetworkTraining(root.table("training"));
     if (root.has("held_out")) {
         TomlTable table = root.table("held_out");
-        network.holdOut = readHeldOutGroups(table.table("groups"));
+        network.holdOut = readHoldOut(table);
         table.rejectUnknown();
     }
     TomlTable section = root.table(kind);

@@ -27,6 +27,7 @@ Expected<LearnedNetwork> readNetworkFile(TomlTable& root, std::string_view kind,
 NetworkTraining readNetworkTraining(TomlTable table);
 /// The matrices and vectors of [layers].
 Mlp readNetworkLayers(TomlTable table, const MlpShape& shape);
-HoldOut readHeldOutGroups(TomlTable table);
+/// `groups` or `blocks` of [held_out], where it has one of them.
+HoldOut readHoldOut(TomlTable& table);
 
 }  // namespace mrose

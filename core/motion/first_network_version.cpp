@@ -42,7 +42,7 @@ void readFirstInputs(TomlTable& root, MotionNetwork& network) {
 
 void readFirstHeldOut(TomlTable table, MotionNetwork::HeldOut& heldOut) {
     readHeldOutError(table, heldOut);
-    if (table.has("groups")) heldOut.part = readHeldOutGroups(table.table("groups"));
+    heldOut.part = readHoldOut(table);
     table.rejectUnknown();
 }
 

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "evaluation/evaluate.h"
-#include "identification/held_out_groups.h"
+#include "identification/held_out_part.h"
 #include "io/file.h"
 #include "logs/log_reader.h"
 #include "motion/learned_model.h"

@@ -65,9 +65,13 @@ TEST(AnyNetworkFile, ReadsBackEveryBitAndTheSectionOfItsKind) {
     EXPECT_EQ(read.inputs, 2u) << "a section sees the inputs that it explains";
 }
 
-TEST(AnyNetworkFile, ReadsBackWithoutMembersAndHeldOutPart) {
+TEST(AnyNetworkFile, ReadsBackWithoutMembersAndAnyHeldOutPart) {
     LearnedNetwork network = nose();
     network.members.clear();
+    network.holdOut = {5, 3, 44, 2.6};
+    const auto blocks = parseNose(networkFileText(network, section));
+    ASSERT_TRUE(blocks) << blocks.error().message();
+    EXPECT_TRUE(*blocks == network);
     network.holdOut = {};
     const auto again = parseNose(networkFileText(network, section));
     ASSERT_TRUE(again) << again.error().message();
@@ -137,6 +141,26 @@ TEST(AnyNetworkFile, HeldOutGroupsMustBeARule) {
     EXPECT_THAT(errorAfter(rule, "{ every = 5, offset = 3, share = 0.2 }"), HasSubstr("held_out.groups.share"));
     EXPECT_THAT(errorAfter(rule, "\"group % 5\""), HasSubstr("held_out.groups"));
     EXPECT_THAT(errorAfter("groups = { every", "group = { every"), HasSubstr("held_out.group"));
+}
+
+TEST(AnyNetworkFile, HeldOutBlocksSayHowLongTheyAreAndTheirGuard) {
+    const std::string rule = "groups = { every = 5, offset = 3 }";
+    const auto errorOf = [&](const std::string& blocks) { return errorAfter(rule, blocks); };
+    EXPECT_EQ(errorOf("blocks = { every = 5, offset = 3, length_s = 44, guard_s = 0.0 }"), "no error");
+    EXPECT_THAT(errorOf("blocks = { every = 5, offset = 3, guard_s = 2.5 }"),
+                HasSubstr("held_out.blocks.length_s: is missing"));
+    EXPECT_THAT(errorOf("blocks = { every = 5, offset = 3, length_s = 44 }"),
+                HasSubstr("held_out.blocks.guard_s: is missing"));
+    EXPECT_THAT(errorOf("blocks = { every = 5, offset = 3, length_s = 0, guard_s = 2.5 }"),
+                HasSubstr("held_out.blocks.length_s: is 0.0; expected"));
+    EXPECT_THAT(errorOf("blocks = { every = 5, offset = 3, length_s = 44, guard_s = -1 }"),
+                HasSubstr("held_out.blocks.guard_s"));
+    EXPECT_THAT(errorOf("blocks = { every = 5, offset = 5, length_s = 44, guard_s = 1 }"),
+                HasSubstr("held_out.blocks.offset: expected less"));
+    EXPECT_THAT(errorOf(rule + "\nblocks = { every = 5, offset = 3, length_s = 44, guard_s = 1 }"),
+                HasSubstr("held_out.blocks: expected either groups or blocks"));
+    EXPECT_THAT(errorAfter("groups = { every = 5, offset = 3 }", "groups = { every = 5, offset = 3, guard_s = 1 }"),
+                HasSubstr("held_out.groups.guard_s: is not a known key"));
 }
 
 TEST(AnyNetworkFile, TruncatedAnywhereIsAnError) {

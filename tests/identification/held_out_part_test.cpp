@@ -1,4 +1,4 @@
-#include "identification/held_out_groups.h"
+#include "identification/held_out_part.h"
 
 #include <cmath>
 #include <set>
@@ -179,7 +179,7 @@ TEST(MotionSamplesOfContinuedWindows, WhatIsLearnedFromReadsNothingOfTheFoldThat
     EXPECT_EQ(whole, 4 * 32 - 32 - 14);
 }
 
-TEST(HeldOutGroups, WhatIsLearnedFromTellsNothingOfThem) {
+TEST(HeldOutGroups, LearnedPartHasNoDataOfTheirTime) {
     const Log log = continuedWindows(12);  // of the groups 0 to 5
     const auto learned = partOf(log, {3, 1}, LogPart::learned);
     ASSERT_TRUE(learned);
@@ -198,6 +198,173 @@ TEST(HeldOutGroups, WhatIsLearnedFromTellsNothingOfThem) {
     const auto heldOut = partOf(log, {3, 1}, LogPart::heldOut);
     ASSERT_TRUE(heldOut);
     EXPECT_EQ(heldOut->robots[0].trajectories[0].commands.front().time, 0) << "commands are known when they are given";
+}
+
+/// One drive of so many seconds: a command each 0.1 s, which tells its own instant, poses every 20 ms.
+Trajectory longDrive(int seconds, int group = 0, Nanoseconds begin = 7000 * ms) {
+    Trajectory trajectory;
+    trajectory.name = "whole";
+    trajectory.group = group;
+    for (int i = 0; i <= 50 * seconds; ++i) {
+        const Nanoseconds t = begin + i * 20 * ms;
+        if (i % 5 == 0) {
+            trajectory.commands.push_back({t, {toSeconds(t), 0}});
+            trajectory.blips.push_back({t, {}});
+            trajectory.measuredVelocity.push_back({t, {}});
+            trajectory.measuredRotation.push_back({t, {}});
+        }
+        trajectory.poses.push_back({t, {0.1 * toSeconds(t), 0, 0}});
+    }
+    return trajectory;
+}
+
+Log logOf(std::vector<Trajectory> trajectories) {
+    Log log;
+    log.source = "drive.csv";
+    log.robots.push_back({"1", std::move(trajectories), {}});
+    return log;
+}
+
+TEST(HeldOutBlocks, AreExactlyTheShareOfALongTrajectory) {
+    for (const int seconds : {100, 137, 220, 600, 900, 3601})
+        for (const int every : {2, 3, 5})
+            for (int offset = 0; offset < every; ++offset) {
+                const auto blocks = heldOutBlocks(longDrive(seconds), {every, offset, 44});
+                ASSERT_FALSE(blocks.empty()) << seconds << ' ' << every;
+                double heldOut = 0;
+                for (const auto& [begin, end] : blocks) {
+                    heldOut += toSeconds(end - begin);
+                    EXPECT_GE(end - begin, 19'999 * ms);
+                    EXPECT_LE(end - begin, 66'001 * ms);
+                    EXPECT_GE(begin, 7000 * ms);
+                    EXPECT_LE(end, (7000 + 1000 * seconds) * ms);
+                }
+                EXPECT_NEAR(heldOut, double(seconds) / every, 1e-6) << seconds;
+            }
+    EXPECT_TRUE(heldOutBlocks(longDrive(99), {5, 0, 44}).empty()) << "blocks would be shorter than 20 s";
+    EXPECT_TRUE(heldOutBlocks(longDrive(600), {5, 0}).empty()) << "by groups";
+}
+
+TEST(HeldOutBlocks, PartsAreAGuardApartAndLackNothingElse) {
+    const HoldOut fifth{5, 1, 44, 3.25};
+    const Trajectory whole = longDrive(600);
+    const Log log = logOf({whole});
+    const auto learned = partOf(log, fifth, LogPart::learned), heldOut = partOf(log, fifth, LogPart::heldOut);
+    ASSERT_TRUE(learned && heldOut);
+    const auto& pieces = learned->robots[0].trajectories;
+    const auto& blocks = heldOut->robots[0].trajectories;
+    ASSERT_EQ(blocks.size(), 3u);  // of 15 blocks of 40 s
+    ASSERT_EQ(pieces.size(), 4u);
+    std::set<Nanoseconds> kept, judged;
+    std::set<int> groups;
+    for (const Trajectory& piece : pieces) {
+        EXPECT_EQ(piece.name, "whole");
+        groups.insert(piece.group);
+        for (const StampedPose& pose : piece.poses) kept.insert(pose.time);
+    }
+    EXPECT_EQ(groups.size(), 4u) << "so that folds can be divided among them";
+    for (const Trajectory& block : blocks)
+        for (const StampedPose& pose : block.poses) judged.insert(pose.time);
+    EXPECT_EQ(judged.size(), 3u * 2000);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Nanoseconds begin = blocks[i].poses.front().time, end = begin + 40'000 * ms;
+        EXPECT_EQ(begin, (7 + 40 + 200 * std::int64_t(i)) * 1000 * ms);
+        EXPECT_LE(pieces[i].poses.back().time, begin - 3250 * ms);
+        EXPECT_GT(pieces[i].poses.back().time, begin - 3250 * ms - 20 * ms);
+        EXPECT_GE(pieces[i + 1].poses.front().time, end + 3250 * ms);
+        EXPECT_LT(pieces[i + 1].poses.front().time, end + 3250 * ms + 20 * ms);
+    }
+    for (const StampedPose& pose : whole.poses) {
+        const bool inGuard = !kept.count(pose.time) && !judged.count(pose.time);
+        const double since = std::fmod(toSeconds(pose.time - 47'000 * ms) + 1000, 200);  // the first block's begin
+        EXPECT_EQ(inGuard, (since > 196.75 + 1e-9) || (since >= 40 && since < 43.25 - 1e-9)) << since;
+    }
+}
+
+TEST(HeldOutBlocks, LearnedPartHasNoDataOfTheirTime) {
+    const HoldOut third{3, 0, 44, 2};
+    Trajectory drive = longDrive(270);  // six blocks of 45 s; held out are 0 to 45 s and 135 to 180 s
+    // Commands every 10 s alone: the one in force when a block ends was issued before.
+    std::erase_if(drive.commands, [](const StampedCommand& c) { return (c.time / ms - 7000) % 10'000 != 0; });
+    const Log log = logOf({drive});
+    const auto learned = partOf(log, third, LogPart::learned), heldOut = partOf(log, third, LogPart::heldOut);
+    ASSERT_TRUE(learned && heldOut);
+    const auto& pieces = learned->robots[0].trajectories;
+    ASSERT_EQ(pieces.size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Nanoseconds end = (7000 + 45'000 + 135'000 * std::int64_t(i)) * ms;
+        EXPECT_EQ(pieces[i].commands.front().time, end);
+        // In force: issued 5 s before it, or then.
+        EXPECT_DOUBLE_EQ(pieces[i].commands.front().command.v, toSeconds(end) - (i == 0 ? 5 : 0));
+        EXPECT_GT(pieces[i].commands[1].time, end);
+        EXPECT_GE(pieces[i].blips.front().time, end);
+        EXPECT_GE(pieces[i].measuredVelocity.front().time, end);
+        EXPECT_GE(pieces[i].measuredRotation.front().time, end);
+    }
+    for (const Trajectory& block : heldOut->robots[0].trajectories)
+        EXPECT_EQ(block.commands.front().time, 7000 * ms) << "commands are known when they are given";
+}
+
+TEST(HeldOutBlocks, NoPatternOrChainReachesIntoThem) {
+    const MotionNetwork network = velocityBlueprint({}, {"1"}, {.deadTimeV = 0.6, .deadTimeW = 0.6});
+    const Nanoseconds memory = InputReader(network).memory(), chain = 2000 * ms;
+    const HoldOut fifth{5, 2, 44, toSeconds(memory + chain)};
+    const Log log = logOf({longDrive(600)});
+    const auto learned = partOf(log, fifth, LogPart::learned);
+    ASSERT_TRUE(learned);
+    const auto samples = motionSamples(std::vector<Log>{*learned}, network, {.heldOut = fifth});
+    ASSERT_TRUE(samples);
+    std::set<int> folds;
+    for (const SampleRun& run : samples->runs) {
+        folds.insert(run.fold);
+        const Nanoseconds first = samples->samples[run.first].start - memory;
+        const Nanoseconds last = samples->samples[run.first + run.count - 1].start + 100 * ms;
+        for (const auto& [begin, end] : heldOutBlocks(longDrive(600), fifth))
+            EXPECT_TRUE(last <= begin || first >= end);
+    }
+    EXPECT_EQ(folds, (std::set{0, 1, 2, 3}));
+}
+
+TEST(HeldOutBlocks, ShortTrajectoriesBesideLongOnesAreHeldOutWhole) {
+    const HoldOut half{2, 1, 44, 1};
+    const Log log = logOf({longDrive(10, 0), longDrive(200, 4), longDrive(10, 1), longDrive(10, 2)});
+    const auto learned = partOf(log, half, LogPart::learned), heldOut = partOf(log, half, LogPart::heldOut);
+    ASSERT_TRUE(learned && heldOut);
+    const auto lengths = [](const Log& part) {
+        std::vector<int> seconds;
+        for (const Trajectory& t : part.robots[0].trajectories)
+            seconds.push_back(int(std::lround(toSeconds(t.poses.back().time - t.poses.front().time))));
+        return seconds;
+    };
+    EXPECT_EQ(lengths(*heldOut), (std::vector{50, 50, 10}));
+    EXPECT_EQ(lengths(*learned), (std::vector{10, 49, 48, 10}));
+}
+
+TEST(HoldOutOf, TakesGroupsWhereThereAreEnoughOtherwiseTime) {
+    const std::vector<Log> windows{shortWindows(11)}, drive{logOf({longDrive(600)})};
+    const std::vector<Log> both{shortWindows(11), logOf({longDrive(600)})};
+    EXPECT_TRUE((*holdOutOf(windows, 0.2, 0, HoldOutBy::whatSuits) == HoldOut{5, 4}));
+    EXPECT_TRUE((*holdOutOf(windows, 0.2, 2, HoldOutBy::groups) == HoldOut{5, 1}));
+    EXPECT_TRUE((*holdOutOf(drive, 0.2, 0, HoldOutBy::whatSuits) == HoldOut{5, 4, 44}));
+    EXPECT_TRUE((*holdOutOf(drive, 0.2, 3, HoldOutBy::time) == HoldOut{5, 2, 44}));
+    EXPECT_TRUE((*holdOutOf(both, 0.2, 0, HoldOutBy::whatSuits) == HoldOut{5, 4, 44}));
+    EXPECT_TRUE((*holdOutOf(drive, 0, 0, HoldOutBy::whatSuits) == HoldOut{}));
+}
+
+TEST(HoldOutOf, SaysWhyALogCannotBeDivided) {
+    const std::vector<Log> drive{logOf({longDrive(600), longDrive(99)})}, brief{logOf({longDrive(99)})};
+    const auto errorOf = [](const std::vector<Log>& logs, HoldOutBy by) {
+        const auto holdOut = holdOutOf(logs, 0.2, 0, by);
+        return holdOut ? "no error" : holdOut.error().message();
+    };
+    EXPECT_EQ(errorOf(drive, HoldOutBy::whatSuits), "no error");
+    EXPECT_EQ(errorOf(drive, HoldOutBy::groups), "drive.csv: has no group of trajectories to hold out");
+    EXPECT_EQ(errorOf(brief, HoldOutBy::time),
+              "drive.csv: is too short to hold out one in 5 of its blocks of time: a trajectory needs 100 s with "
+              "commands and ground truth, its longest has 99 s");
+    EXPECT_EQ(errorOf(brief, HoldOutBy::whatSuits),
+              "drive.csv: has no group of trajectories to hold out, one in 5, and is too short for blocks of time: a "
+              "trajectory needs 100 s with commands and ground truth, its longest has 99 s");
 }
 
 TEST(VelocityBlueprint, IsLearnedOnRolloutsFromTheMeasuredVelocity) {
