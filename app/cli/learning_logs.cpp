@@ -5,6 +5,7 @@
 #include "common.h"
 #include "identification/drive_fit.h"
 #include "identification/held_out_part.h"
+#include "logs/log_reader.h"
 #include "shared/notices.h"
 
 namespace mrose::cli {
@@ -36,7 +37,7 @@ Expected<void> checkSameKind(const std::vector<Log>& logs) {
     for (const Log& log : logs) {
         const std::string kind = robotKind(log), firstKind = robotKind(first);
         const bool otherKind = kind != firstKind && !kind.empty() && !firstKind.empty();
-        const bool otherCommands = (log.format == "husky-windows") != (first.format == "husky-windows");
+        const bool otherCommands = hasWheelCommands(log) != hasWheelCommands(first);
         if (otherKind || otherCommands) return fail(log.source, "is of another kind of robot than " + first.source);
     }
     return {};
@@ -63,7 +64,7 @@ Expected<LearningLogs> openLearningLogs(const LearningLogsRequest& request) {
     const auto holdOut = holdOutOf(*logs, request.holdOut, request.holdOutPart, request.holdOutBy);
     if (!holdOut) return tl::unexpected(holdOut.error());
     LearningLogs opened{std::move(*logs), {}, *holdOut};
-    if (opened.logs.front().format != "husky-windows") return opened;
+    if (!hasWheelCommands(opened.logs.front())) return opened;
     const auto learned = opened.learned();
     if (!learned) return tl::unexpected(learned.error());
     const auto fit = fitDrive(steadyMotions(learned->front(), WheelSource::commands), learned->front().source);

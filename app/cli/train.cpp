@@ -7,17 +7,13 @@
 #include "identification/robot_identification.h"
 #include "io/file.h"
 #include "learning_logs.h"
+#include "robot_traits.h"
 #include "shared/notices.h"
 #include "shared/resources.h"
 #include "train_flags.h"
 
 namespace mrose::cli {
 namespace {
-
-std::string robotTypeOf(const Log& log) {
-    const std::string kind = robotKind(log);
-    return kind.empty() ? "robot" : kind;
-}
 
 /// Every robot's name once, in the order of the logs.
 std::vector<std::string> robotNames(const std::vector<Log>& logs) {
@@ -125,7 +121,7 @@ struct TrainingData {
     MotionNetwork blueprint;
 };
 
-Expected<TrainingData> trainingData(const LearningLogs& opened, const TrainFlags& flags) {
+Expected<TrainingData> trainingData(const LearningLogs& opened, const TrainFlags& flags, const RobotTraits& traits) {
     TrainingData data;
     data.holdOut = opened.holdOut;
     auto logs = opened.learned();
@@ -133,7 +129,6 @@ Expected<TrainingData> trainingData(const LearningLogs& opened, const TrainFlags
     data.logs = std::move(*logs);
     auto identified = identifyRobots(data.logs);
     if (!identified) return tl::unexpected(identified.error());
-    const RobotTraits traits = robotTraits(flags.type.empty() ? robotTypeOf(data.logs.front()) : flags.type);
     data.blueprint = recipeOf(flags.model).blueprint(traits, robotNames(data.logs), responseTimes(*identified, flags));
     data.blueprint.identified = std::move(*identified);
     return data;
@@ -141,10 +136,10 @@ Expected<TrainingData> trainingData(const LearningLogs& opened, const TrainFlags
 
 /// With a guard around blocks of time that are held out: what a pattern reads back and the length of a rollout. How far
 /// the network reads depends on what is identified, and that on what is held out; so the guard grows until it suffices.
-Expected<TrainingData> guardedTrainingData(LearningLogs opened, const TrainFlags& flags,
+Expected<TrainingData> guardedTrainingData(LearningLogs opened, const RobotTraits& traits, const TrainFlags& flags,
                                            const NetworkTrainerOptions& options) {
     for (;;) {
-        auto data = trainingData(opened, flags);
+        auto data = trainingData(opened, flags, traits);
         if (!data || !opened.holdOut.byTime()) return data;
         const int chain = options.loss == LearningLoss::rollout ? options.rolloutLength : 1;
         const double reach = toSeconds(InputReader(data->blueprint).memory() + chain * data->blueprint.period);
@@ -164,11 +159,13 @@ int train(TrainFlags flags, const CommonFlags& common) {
                                                               : HoldOutBy::time;
     const auto opened = openLearningLogs({flags.logs, flags.robots, flags.holdOut, flags.holdOutPart, holdOutBy});
     if (!opened) return report(opened.error());
+    const auto traits = traitsOf(flags.type, opened->logs.front());
+    if (!traits) return report(traits.error());
     if (flags.model.empty()) flags.model = modelFor(opened->logs);
     const NetworkTrainerOptions options = trainerOptions(flags, common);
     watchInterrupts();
 
-    auto data = guardedTrainingData(*opened, flags, options);
+    auto data = guardedTrainingData(*opened, *traits, flags, options);
     if (!data) return report(data.error(), flags.logs.front());
     MotionNetwork& blueprint = data->blueprint;
     SampleOptions sampleOptions;

@@ -82,7 +82,9 @@ Expected<LoadedScenario> scenarioFor(const LogComparisonRequest& request, const 
     const std::string place = placeOfLog(request.log);
     const auto log = openLog(place, {}, std::nullopt);
     if (!log) return tl::unexpected(log.error());
-    const auto made = scenarioOfLog(*log, place, request.robotFile);
+    const auto kinds = robotKinds();
+    if (!kinds) return tl::unexpected(kinds.error());
+    const auto made = scenarioOfLog(*log, place, *kinds, request.robotFile);
     if (!made) return tl::unexpected(made.error());
     return loadScenario(*made, disk, {plugins, false});
 }

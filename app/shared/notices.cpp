@@ -5,6 +5,7 @@
 #include "evaluation/format.h"
 #include "logs/csv_format.h"
 #include "motion/learned_model.h"
+#include "shared/resources.h"
 
 namespace mrose {
 namespace {
@@ -63,9 +64,9 @@ std::vector<const MotionNetwork*> networksOf(const ScenarioParts& parts) {
 }
 
 std::string robotKind(const Log& log) {
-    if (log.format == "mrclam") return "irobot-create";
-    if (log.format == "husky-windows") return "husky";
-    return log.synthetic ? "reference-robot" : "";
+    const auto kinds = robotKinds();
+    const RobotKind* const kind = kinds ? kindOfLog(*kinds, log) : nullptr;
+    return kind != nullptr ? kind->traits.type : "";
 }
 
 std::vector<std::string> noticesOf(const MotionNetwork& network, const Log& log, bool heldOutOnly) {

@@ -10,7 +10,7 @@
 
 namespace mrose {
 
-/// The kind of robot that a log's format tells; "" where it tells none.
+/// The kind of robot that drove in a log, by the robot files that ship; "" where the log does not tell.
 std::string robotKind(const Log& log);
 
 /// What no part of learning has seen, in words: "one in 5 of the groups of trajectories"; "" where it has seen all.

@@ -32,6 +32,8 @@ std::filesystem::path resourceFolder() {
     return program.parent_path().parent_path() / "share" / "mrose";
 }
 
+Expected<RobotKinds> robotKinds() { return readRobotKinds(resourceFolder() / "resources" / "robots"); }
+
 std::string placeOfLog(const std::string& name) {
     std::error_code ignored;
     if (name.empty() || std::filesystem::exists(name, ignored)) return name;

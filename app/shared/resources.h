@@ -4,6 +4,7 @@
 #include <string>
 
 #include "scenario/description_source.h"
+#include "scenario/robot_kind.h"
 
 namespace mrose {
 
@@ -11,6 +12,9 @@ namespace mrose {
 /// share/mrose beside the program's folder, where it is installed, or the source tree that it is in; then the one that
 /// it was built from.
 std::filesystem::path resourceFolder();
+
+/// The kinds of robots that ship. Error: what is wrong with one of their files.
+Expected<RobotKinds> robotKinds();
 
 /// Where a log of that name is: as it is named; otherwise in the folder that MROSE_DATA names, or in mrclam/ or drive/
 /// there; as it is named, too, where it is nowhere.

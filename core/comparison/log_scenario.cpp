@@ -20,11 +20,10 @@ struct Kind {
     std::vector<std::string> known;  ///< robots that the kind's network tells apart
 };
 
-std::optional<Kind> kindOf(const Log& log) {
-    if (log.format == "mrclam") return Kind{"create.toml", "create", "mrclam_arena.toml", {"1", "2", "3", "4", "5"}};
-    if (log.format == "husky-windows") return Kind{"husky.toml", "husky", placeName, {"husky"}};
-    if (log.synthetic) return Kind{"pioneer1.toml", "pioneer", placeName, {"reference"}};
-    return {};
+std::optional<Kind> kindOf(const Log& log, const RobotKinds& kinds) {
+    const RobotKind* const kind = kindOfLog(kinds, log);
+    if (kind == nullptr) return {};
+    return Kind{kind->file, kind->robotName, kind->environment.empty() ? placeName : kind->environment, kind->robots};
 }
 
 /// All that the robots drive in, with room round it, in whole metres.
@@ -76,9 +75,9 @@ std::string nameOf(const Kind& kind, const RobotLog& robot) {
 
 }  // namespace
 
-bool tellsRobotKind(const Log& log) { return kindOf(log).has_value(); }
+bool tellsRobotKind(const Log& log, const RobotKinds& kinds) { return kindOfLog(kinds, log) != nullptr; }
 
-Expected<void> checkPlayable(const Log& log, const std::vector<std::string>& robots) {
+Expected<void> checkPlayable(const Log& log, const RobotKinds& kinds, const std::vector<std::string>& robots) {
     for (const RobotLog& robot : log.robots) {
         if (!robots.empty() && std::find(robots.begin(), robots.end(), robot.robot) == robots.end()) continue;
         Expected<void> playable;
@@ -89,12 +88,13 @@ Expected<void> checkPlayable(const Log& log, const std::vector<std::string>& rob
         }
         if (!playable) return playable;
     }
-    const auto kind = kindOf(log);
+    const auto kind = kindOf(log, kinds);
     return kind && kind->environment != placeName ? Expected<void>() : checkPlace(log);
 }
 
-Expected<ScenarioValue> scenarioOfLog(const Log& log, const std::string& place, const std::string& robotFile) {
-    std::optional<Kind> kind = kindOf(log);
+Expected<ScenarioValue> scenarioOfLog(const Log& log, const std::string& place, const RobotKinds& kinds,
+                                      const std::string& robotFile) {
+    std::optional<Kind> kind = kindOf(log, kinds);
     if (!robotFile.empty())
         kind = Kind{robotFile, "robot", kind ? kind->environment : placeName,
                     kind && kind->robotFile == robotFile ? kind->known : std::vector<std::string>{}};

@@ -56,13 +56,6 @@ MotionNetwork statePart(const RobotTraits& traits, std::vector<std::string> robo
 
 }  // namespace
 
-RobotTraits robotTraits(const std::string& type) {
-    // iRobot Create: wheel speeds in steps of 8.4 mm/s, found by scanning the quantum against MRCLAM data set 6; the
-    // logs' rotation rates are about 5.5 mrad/s too large; any rotation rate but 0 makes its driver send a circle.
-    if (type == "irobot-create") return {type, {0.13, 0.0084}, 0.0055, true};
-    return {type, {}, 0, false};
-}
-
 MotionNetwork historyBlueprint(const RobotTraits& traits, std::vector<std::string> robots, const ResponseTimes& times) {
     MotionNetwork network = blueprint(traits, std::move(robots));
     network.form = MotionNetwork::Form::history;

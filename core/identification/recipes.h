@@ -4,19 +4,9 @@
 #include <vector>
 
 #include "motion/motion_network.h"
+#include "motion/robot_traits.h"
 
 namespace mrose {
-
-/// What is known of a kind of robot beforehand and cannot be told from its logs by learning alone.
-struct RobotTraits {
-    std::string type;                      ///< "irobot-create"
-    MotionNetwork::WheelPhase wheelPhase;  ///< quantum 0: wheel speeds are continuous
-    double turnOffset = 0;                 ///< rad/s, as in MotionNetwork
-    bool turnsOnTinyCommands = false;      ///< a tiny rotation rate is driven as a circle of the largest radius
-};
-
-/// The traits of a known type; of another one, continuous wheel speeds.
-RobotTraits robotTraits(const std::string& type);
 
 /// How a robot answers commands in time, s: what a recipe is laid out for.
 struct ResponseTimes {

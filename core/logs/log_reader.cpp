@@ -66,6 +66,8 @@ bool looksLikeLog(const std::filesystem::path& source) {
     return looksLikeHusky(text) || looksLikeCsvLog(text);
 }
 
+bool hasWheelCommands(const Log& log) { return log.format == "husky-windows"; }
+
 Expected<Log> readLog(const std::filesystem::path& source, const LogOptions& options) {
     std::error_code error;
     if (std::filesystem::is_directory(source, error)) {

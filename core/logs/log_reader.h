@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "io/error.h"
 #include "logs/robot_log.h"
@@ -23,6 +25,12 @@ bool looksLikeLog(const std::filesystem::path& source);
 /// What to say of a folder that is no log but holds some, as folders or as CSV files: "is not a log itself; it holds a
 /// and b: open one of them". "": it holds none.
 std::string logsWithin(const std::filesystem::path& folder);
+
+/// By Log::format.
+constexpr std::array<std::string_view, 3> logFormats{"mrclam", "husky-windows", "csv"};
+
+/// Whether a log's commands are of wheels, which are read by LogOptions::drive.
+bool hasWheelCommands(const Log& log);
 
 /// Opens a log of any known format: an MRCLAM folder, a Husky windows file, a CSV file or a folder of CSV files. Which
 /// one it is is told from its content. Error: nothing known, or the first thing wrong with it.

@@ -166,6 +166,7 @@ Expected<RobotDescription> readRobot(const Value::File& file, DescriptionLibrary
     RobotType& type = robot.type;
     DeadTimes deadTimes;
     type.name = name(root, "name");
+    if (root.has("kind")) robot.kind = readRobotKind(root.table("kind"), file->name.substr(file->name.rfind('/') + 1));
     type.shape = library.shape(root, "shape", file->name);
     type.mass = root.number("mass_kg", {0.001, 1e5});
     type.surface = surfaceOr(root, "surface", type.surface);

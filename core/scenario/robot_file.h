@@ -1,12 +1,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "io/error.h"
 #include "motion/kinematic.h"
 #include "motion/learned_model.h"
 #include "scenario/description_library.h"
+#include "scenario/robot_kind.h"
 #include "scene/robot_type.h"
 
 namespace mrose {
@@ -18,7 +20,8 @@ struct RobotDescription {
     std::string motionRobot;                           ///< which of the network's robots it is; "": the mean of them
     std::shared_ptr<const KinematicModel> kinematics;  ///< nothing where it is learned
 
-    Value::File file;  ///< what it was read from, with all that this names
+    Value::File file;               ///< what it was read from, with all that this names
+    std::optional<RobotKind> kind;  ///< what logs and networks call such robots; nothing where the file does not say
 
     double deadTime = 0;  ///< s, by which it answers: the mean of its speed's and its rotation's
 

@@ -8,6 +8,7 @@
 #include "evaluation/windows.h"
 #include "scenario/scenario_file.h"
 #include "support/places.h"
+#include "support/shipped.h"
 
 namespace mrose {
 namespace {
@@ -29,7 +30,7 @@ LogWorld worldOf(const std::vector<Nanoseconds>& drives, double speed = 0.5) {
         }));
         log.robots[0].trajectories.back().name = std::to_string(i);
     }
-    const auto made = scenarioOfLog(log, "/logs/it");
+    const auto made = scenarioOfLog(log, "/logs/it", shippedKinds());
     EXPECT_TRUE(made) << made.error().message();
     DiskDescriptions disk({sourceFolder(), {}, ""});
     auto scenario = loadScenario(*made, disk, {{}, false});

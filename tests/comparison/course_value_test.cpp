@@ -10,6 +10,7 @@
 #include "scenario/scenario_file.h"
 #include "simulation/step.h"
 #include "support/places.h"
+#include "support/shipped.h"
 #include "world/state_hash.h"
 
 namespace mrose {
@@ -43,7 +44,7 @@ struct LoadedLog {
 };
 
 void load(LoadedLog& loaded, const std::string& robotFile = "") {
-    const auto made = scenarioOfLog(loaded.log, "/logs/it", robotFile);
+    const auto made = scenarioOfLog(loaded.log, "/logs/it", shippedKinds(), robotFile);
     ASSERT_TRUE(made) << made.error().message();
     DiskDescriptions disk({sourceFolder(), {}, ""});
     auto scenario = loadScenario(*made, disk, {{}, false});
@@ -132,7 +133,7 @@ TEST(CourseValue, CourseMayBeginBeforeTheOthersAreThere) {
 TEST(LogScenario, TellsWhatIsMissingForALogOfUnknownRobots) {
     Log log = twoCreates();
     log.format = "csv";
-    const auto made = scenarioOfLog(log, "/logs/it");
+    const auto made = scenarioOfLog(log, "/logs/it", shippedKinds());
     ASSERT_FALSE(made);
     EXPECT_THAT(made.error().message(), HasSubstr("--robot"));
     EXPECT_THAT(made.error().message(), HasSubstr("a scenario whose robots play it"));

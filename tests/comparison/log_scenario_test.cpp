@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "support/shipped.h"
 #include "support/units.h"
 
 namespace mrose {
@@ -28,26 +29,26 @@ std::string refusal(const Expected<void>& checked) { return checked ? "" : check
 
 TEST(LogScenario, PlaceInMillimetresIsRefusedByTheLogsOwnName) {
     const Log log = csvLogOf({driven("a", {-2602, 0, 0}, {2604, 100, 0})});
-    const auto made = scenarioOfLog(log, "/logs/some.csv", "pioneer1.toml");
+    const auto made = scenarioOfLog(log, "/logs/some.csv", shippedKinds(), "pioneer1.toml");
     ASSERT_FALSE(made);
-    for (const auto& error : {made.error().message(), refusal(checkPlayable(log))}) {
+    for (const auto& error : {made.error().message(), refusal(checkPlayable(log, shippedKinds()))}) {
         EXPECT_THAT(error, HasSubstr("some.csv: "));
         EXPECT_THAT(error, HasSubstr("spans 5206 m"));
         EXPECT_THAT(error, HasSubstr("expected in metres"));
     }
     const Log near = csvLogOf({driven("a", {-900, 0, 0}, {900, 100, 0})});
-    EXPECT_TRUE(scenarioOfLog(near, "/logs/some.csv", "pioneer1.toml"));
-    EXPECT_EQ(refusal(checkPlayable(near)), "");
+    EXPECT_TRUE(scenarioOfLog(near, "/logs/some.csv", shippedKinds(), "pioneer1.toml"));
+    EXPECT_EQ(refusal(checkPlayable(near, shippedKinds())), "");
 }
 
 TEST(LogScenario, CommandsAndTruthOfOtherTimesAreRefusedBeforeTheKindIsAsked) {
     Log log = csvLogOf({driven("a", {0, 0, 0}, {1, 0, 0}), driven("b", {0, 1, 0}, {1, 1, 0})});
-    EXPECT_EQ(refusal(checkPlayable(log)), "");
+    EXPECT_EQ(refusal(checkPlayable(log, shippedKinds())), "");
     for (StampedPose& stamped : log.robots[1].trajectories[0].poses) stamped.time += 100'000 * ms;
-    EXPECT_THAT(refusal(checkPlayable(log)), HasSubstr("expected both of the same time"));
-    EXPECT_EQ(refusal(checkPlayable(log, {"a"})), "") << "nobody asks for the other one";
+    EXPECT_THAT(refusal(checkPlayable(log, shippedKinds())), HasSubstr("expected both of the same time"));
+    EXPECT_EQ(refusal(checkPlayable(log, shippedKinds(), {"a"})), "") << "nobody asks for the other one";
     log.robots[1].trajectories.push_back(log.robots[0].trajectories[0]);
-    EXPECT_EQ(refusal(checkPlayable(log)), "") << "another trajectory of it can be compared";
+    EXPECT_EQ(refusal(checkPlayable(log, shippedKinds())), "") << "another trajectory of it can be compared";
 }
 
 }  // namespace

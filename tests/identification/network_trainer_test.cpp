@@ -74,11 +74,11 @@ struct Planted {
 };
 
 const Planted& plantedHistory() {
-    static const Planted planted(historyBlueprint(robotTraits("test"), {"1"}, times));
+    static const Planted planted(historyBlueprint(RobotTraits{"test", {}, 0, false}, {"1"}, times));
     return planted;
 }
 const Planted& plantedPaper() {
-    static const Planted planted(paperBlueprint(robotTraits("test"), {"1"}, times));
+    static const Planted planted(paperBlueprint(RobotTraits{"test", {}, 0, false}, {"1"}, times));
     return planted;
 }
 
@@ -302,7 +302,7 @@ TEST(MotionSamples, TrackerOffsetIsFoundAndRemoved) {
 TEST(MotionSamples, HistoryOfAPatternNeverReachesIntoAnotherFold) {
     const std::vector<Log> logs{drivenLog(KinematicModel(laggedRobot(), 20 * ms), 1, 200, 5)};
     for (const auto blueprint : {&historyBlueprint, &stateBlueprint, &velocityBlueprint, &paperBlueprint}) {
-        const MotionNetwork network = blueprint(robotTraits("test"), {"1"}, times);
+        const MotionNetwork network = blueprint(RobotTraits{"test", {}, 0, false}, {"1"}, times);
         SampleOptions options;
         options.block = 20;
         const auto samples = motionSamples(logs, network, options);
@@ -330,7 +330,7 @@ TEST(MotionSamples, ABlockLosesASecondOrWhatThePatternsReadBack) {
         SampleOptions options;
         options.block = 20;
         options.phases = 1;
-        const auto samples = motionSamples(logs, blueprint(robotTraits("test"), {"1"}, times), options);
+        const auto samples = motionSamples(logs, blueprint(RobotTraits{"test", {}, 0, false}, {"1"}, times), options);
         ASSERT_TRUE(samples);
         const Nanoseconds begin = samples->samples.front().start;  // of the first block
         for (const SampleRun& run : samples->runs) {
@@ -345,7 +345,7 @@ TEST(MotionSamples, ABlockLosesASecondOrWhatThePatternsReadBack) {
 TEST(MotionSamples, NoPatternReadsBackBeyondTheFirstCommand) {
     ResponseTimes late = times;
     late.deadTimeV = late.deadTimeW = 0.8;
-    const MotionNetwork network = velocityBlueprint(robotTraits("test"), {"1"}, late);
+    const MotionNetwork network = velocityBlueprint(RobotTraits{"test", {}, 0, false}, {"1"}, late);
     const Nanoseconds memory = InputReader(network).memory();
     ASSERT_EQ(memory, 2000 * ms);
     for (const double seconds : {8.0, 30.0}) {

@@ -31,6 +31,12 @@ std::shared_ptr<const MotionModel> motionOf(const RobotDescription& description,
     return std::make_shared<const LearnedModel>(description.motion, robot.empty() ? description.motionRobot : robot);
 }
 
+RobotKinds shippedKinds() {
+    auto kinds = readRobotKinds(sourceFolder() / "resources" / "robots");
+    EXPECT_TRUE(kinds) << kinds.error().message();
+    return kinds.value_or(RobotKinds{});
+}
+
 std::shared_ptr<const MotionModel> shippedModel(const std::string& network, const std::string& robot) {
     auto loaded = loadNetwork(sourceFolder() / "nets" / (network + ".net"));
     EXPECT_TRUE(loaded) << loaded.error().message();

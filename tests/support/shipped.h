@@ -8,6 +8,9 @@
 
 namespace mrose {
 
+/// The kinds of robots that ship.
+RobotKinds shippedKinds();
+
 /// What the robot file of that name, which ships, describes: "create" of resources/robots/create.toml.
 RobotDescription shippedRobot(const std::string& name);
 

@@ -87,9 +87,11 @@ Expected<LoadedScenario> scenarioMade(OverlayWorld& overlay, std::shared_ptr<con
     auto read = logAt(overlay.place, {}, progress);
     if (!read) return tl::unexpected(read.error());
     log = std::move(*read);
-    if (auto playable = checkPlayable(*log, request.robots); !playable) return tl::unexpected(playable.error());
-    if (untold != nullptr) *untold = request.robotFile.empty() && !tellsRobotKind(*log);
-    const auto made = scenarioOfLog(*log, overlay.place, request.robotFile);
+    const auto kinds = robotKinds();
+    if (!kinds) return tl::unexpected(kinds.error());
+    if (auto playable = checkPlayable(*log, *kinds, request.robots); !playable) return tl::unexpected(playable.error());
+    if (untold != nullptr) *untold = request.robotFile.empty() && !tellsRobotKind(*log, *kinds);
+    const auto made = scenarioOfLog(*log, overlay.place, *kinds, request.robotFile);
     if (!made) return tl::unexpected(made.error());
     DiskDescriptions disk = openDescriptions();
     auto loaded = withoutLogs(*made, disk, request, overlay.files);

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "io/error.h"
+#include "logs/robot_log.h"
+#include "motion/robot_traits.h"
+
+namespace mrose::cli {
+
+/// Of the kind that the command line names, by its name or by a robot file; "": of the one that the log tells, without
+/// traits where it tells none. Error: no such kind.
+Expected<RobotTraits> traitsOf(const std::string& type, const Log& log);
+
+}  // namespace mrose::cli
