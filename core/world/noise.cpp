@@ -1,5 +1,6 @@
 #include "world/noise.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -19,10 +20,13 @@ Words words(const NoiseKey& key) {
     return {out[0], out[1]};
 }
 
-/// 53 bits, centred in their cells, so that neither 0 nor 1 occurs.
-double openUnit(std::uint64_t word) { return (static_cast<double>(word >> 11) + 0.5) * 0x1p-53; }
-
 }  // namespace
+
+/// 53 bits, centred in their cells. The centre of the last cell would be rounded up to 1.
+double openUnit(std::uint64_t word) {
+    constexpr double last = 1 - 0x1p-53;
+    return std::min((static_cast<double>(word >> 11) + 0.5) * 0x1p-53, last);
+}
 
 std::uint64_t noiseBits(const NoiseKey& key) { return words(key).first; }
 

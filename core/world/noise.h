@@ -16,6 +16,9 @@ struct NoiseKey {
 /// 64 random bits, from Philox 4x64-10 (Salmon et al. 2011).
 std::uint64_t noiseBits(const NoiseKey& key);
 
+/// Random bits as a number in the open interval (0, 1): neither 0 nor 1, whatever they are.
+double openUnit(std::uint64_t word);
+
 /// Uniform in the open interval (0, 1), from the same bits.
 double uniformNoise(const NoiseKey& key);
 

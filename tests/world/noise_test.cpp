@@ -45,5 +45,28 @@ TEST(Noise, UniformDrawsFillTheUnitIntervalEvenly) {
     EXPECT_LT(chiSquared, 43.8);  // 99.9 % of chi squared with 19 degrees of freedom
 }
 
+TEST(Noise, UniformDrawsAreNeitherZeroNorOne) {
+    for (const std::uint64_t word : {std::uint64_t{0}, ~std::uint64_t{0}, ~std::uint64_t{0} << 11}) {
+        EXPECT_GT(openUnit(word), 0);
+        EXPECT_LT(openUnit(word), 1);
+    }
+    // So one of n things is drawn by it, and never one behind them.
+    for (std::size_t n = 1; n < 100'000; n += n < 1000 ? 1 : 997)
+        EXPECT_LT(static_cast<std::size_t>(openUnit(~std::uint64_t{0}) * static_cast<double>(n)), n) << n;
+}
+
+TEST(Noise, AllDrawsButTheLastAreTheCentresOfTheirCells) {
+    const auto centre = [](std::uint64_t cell) { return (static_cast<double>(cell) + 0.5) * 0x1p-53; };
+    constexpr std::uint64_t last = (std::uint64_t{1} << 53) - 1;
+    for (std::uint64_t i = 0; i < 1000; ++i)
+        for (const std::uint64_t cell : {i, last / 1000 * i, last - 1 - i})
+            EXPECT_EQ(openUnit(cell << 11), centre(cell)) << cell;
+    for (std::int64_t i = 0; i < 1000; ++i) {
+        const NoiseKey key{3, i, 1, 2};
+        EXPECT_EQ(uniformNoise(key), centre(noiseBits(key) >> 11));
+        EXPECT_EQ(uniformPair(key).first, uniformNoise(key));
+    }
+}
+
 }  // namespace
 }  // namespace mrose
