@@ -59,6 +59,7 @@ const Count counts[] = {{&LogDefects::outOfOrder, "out_of_order", "stamp", "stam
                         {&LogDefects::poseOutliers, "pose_outliers", "pose outlier", "pose outliers", ", dropped"},
                         {&LogDefects::unpaired, "unpaired", "value", "values", " without a partner, dropped"},
                         {&LogDefects::headingWraps, "heading_wraps", "heading wrap", "heading wraps", ", unwrapped"},
+                        {&LogDefects::cutLines, "cut_lines", "last line", "last lines", " cut off, left out"},
                         {&LogDefects::commandGaps, "command_gaps", "gap", "gaps", " in the commands"},
                         {&LogDefects::poseGaps, "pose_gaps", "gap", "gaps", " in the poses"}};
 
@@ -113,7 +114,7 @@ void printRobot(const RobotLog& robot, const DeadTimes& delays) {
     std::printf("  commands  %zu in %s s (%s Hz), v %s m/s, w %s rad/s\n", f.commands, fixed(f.commandTime, 1).c_str(),
                 fixed(f.commandRate(), 1).c_str(), f.v.text(3).c_str(), f.w.text(3).c_str());
     if (f.poses == 0)
-        std::puts("  poses     none: this log has no ground truth");
+        std::puts("  poses     none: the log has no ground truth of it");
     else
         std::printf("  poses     %zu in %s s (%s Hz), x %s m, y %s m\n", f.poses, fixed(f.poseTime, 1).c_str(),
                     fixed(f.poseRate(), 1).c_str(), f.x.text(2).c_str(), f.y.text(2).c_str());
@@ -135,7 +136,10 @@ int inspect(const std::string& source, const std::vector<std::string>& robots, c
     if (!log) return report(log.error());
     const std::vector<DeadTimes> delays = identifyEachDeadTime(*log);
     if (common.json) {
-        nlohmann::json json{{"source", log->source}, {"format", log->format}, {"synthetic", log->synthetic}};
+        nlohmann::json json{{"source", log->source},
+                            {"format", log->format},
+                            {"synthetic", log->synthetic},
+                            {"incomplete", log->incomplete}};
         for (const LogFile& file : log->files) json["files"].push_back({{"path", file.path}, {"xxh3", file.hash}});
         for (std::size_t i = 0; i < delays.size(); ++i) json["robots"].push_back(robotJson(log->robots[i], delays[i]));
         std::puts(json.dump(2).c_str());
@@ -144,6 +148,7 @@ int inspect(const std::string& source, const std::vector<std::string>& robots, c
     std::printf("%s: %s%s, %zu robot%s, %zu file%s\n", log->source.c_str(), log->format.c_str(),
                 log->synthetic ? " (synthetic)" : "", log->robots.size(), log->robots.size() == 1 ? "" : "s",
                 log->files.size(), log->files.size() == 1 ? "" : "s");
+    for (const std::string& missing : log->incomplete) std::printf("Note: %s\n", missing.c_str());
     for (std::size_t i = 0; i < delays.size(); ++i) printRobot(log->robots[i], delays[i]);
     return success;
 }

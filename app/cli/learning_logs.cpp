@@ -11,11 +11,22 @@
 namespace mrose::cli {
 namespace {
 
+/// Robots without commands or without ground truth teach nothing, where nobody asked for them.
+void leaveOutHalves(Log& log) {
+    if (std::none_of(log.robots.begin(), log.robots.end(), hasBothSides)) return;
+    for (const RobotLog& robot : log.robots)
+        if (!hasBothSides(robot))
+            log.incomplete.push_back("Nothing is learned from robot \"" + robot.robot + "\": the log has no " +
+                                     missingSide(robot) + " of it.");
+    std::erase_if(log.robots, [](const RobotLog& robot) { return !hasBothSides(robot); });
+}
+
 Expected<std::vector<Log>> openAll(const LearningLogsRequest& request, const std::optional<DifferentialDrive>& drive) {
     std::vector<Log> logs;
     for (const std::string& source : request.sources) {
         auto log = openLog(source, request.robots, drive);
         if (!log) return tl::unexpected(log.error());
+        if (request.robots.empty()) leaveOutHalves(*log);
         logs.push_back(std::move(*log));
     }
     return logs;

@@ -49,7 +49,8 @@ int predict(const PredictFlags& flags, const CommonFlags& common) {
     if (!predicted) return report(predicted.error());
     const std::string csv = predictionsCsv(*log, starts->starts, starts->robots, *predicted, options.step);
     if (const auto written = writeFileAtomically(flags.out, csv); !written) return report(written.error());
-    const std::vector<std::string> notices = noticesOf((*motion)->network(), *log);
+    std::vector<std::string> notices = log->incomplete;
+    for (std::string& notice : noticesOf((*motion)->network(), *log)) notices.push_back(std::move(notice));
     if (common.json)
         std::puts(nlohmann::json{{"windows", predicted->size()}, {"predictions", flags.out}, {"notices", notices}}
                       .dump(2)

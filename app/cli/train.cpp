@@ -159,6 +159,9 @@ int train(TrainFlags flags, const CommonFlags& common) {
                                                               : HoldOutBy::time;
     const auto opened = openLearningLogs({flags.logs, flags.robots, flags.holdOut, flags.holdOutPart, holdOutBy});
     if (!opened) return report(opened.error());
+    if (!common.quiet && !common.json)
+        for (const Log& log : opened->logs)
+            for (const std::string& missing : log.incomplete) std::printf("Note: %s\n", missing.c_str());
     const auto traits = traitsOf(flags.type, opened->logs.front());
     if (!traits) return report(traits.error());
     if (flags.model.empty()) flags.model = modelFor(opened->logs);

@@ -4,7 +4,6 @@
 
 #include "comparison/log_scenario.h"
 #include "evaluation/format.h"
-#include "logs/unit_doubts.h"
 #include "shared/log_files.h"
 #include "shared/notices.h"
 #include "shared/resources.h"
@@ -19,7 +18,8 @@ std::vector<std::string> noticesAbout(const LogWorld& world, const Comparison& c
     std::vector<std::string> notices;
     if (world.log().synthetic)
         notices.push_back("The log comes from a simulated robot: nothing here tells of a real one.");
-    for (std::string& doubt : unitDoubts(world.log())) notices.push_back(std::move(doubt));
+    for (const std::vector<std::string>& more : {noticesOf(world.log()), world.leftOut()})
+        notices.insert(notices.end(), more.begin(), more.end());
     const Nanoseconds length = comparison.requests.front().steps * comparison.evaluation.options.windows.step;
     if (asked && length < *asked)
         notices.push_back("The ground truth ends " + secondsText(length) +

@@ -4,7 +4,6 @@
 #include <filesystem>
 
 #include "identification/held_out_part.h"
-#include "logs/unit_doubts.h"
 #include "shared/evaluation_models.h"
 #include "shared/log_files.h"
 #include "shared/notices.h"
@@ -72,7 +71,7 @@ Expected<LogEvaluation> evaluateLog(const LogEvaluationRequest& request, const s
     auto chosen = chosenWindows(request.shown, evaluation->windows.size());
     if (!chosen) return tl::unexpected(chosen.error());
     ReportContext context = reportContext(network, request.network, *log, commandLine);
-    context.notices = unitDoubts(*log);
+    context.notices = noticesOf(*log);
     for (std::string& notice : noticesOf(network, *log, request.heldOut)) context.notices.push_back(std::move(notice));
     context.chosen = std::move(*chosen);
     return LogEvaluation{std::move(*evaluation), std::move(context)};

@@ -4,6 +4,7 @@
 
 #include "evaluation/format.h"
 #include "logs/csv_format.h"
+#include "logs/unit_doubts.h"
 #include "motion/learned_model.h"
 #include "shared/resources.h"
 
@@ -67,6 +68,12 @@ std::string robotKind(const Log& log) {
     const auto kinds = robotKinds();
     const RobotKind* const kind = kinds ? kindOfLog(*kinds, log) : nullptr;
     return kind != nullptr ? kind->traits.type : "";
+}
+
+std::vector<std::string> noticesOf(const Log& log) {
+    std::vector<std::string> notices = log.incomplete;
+    for (std::string& doubt : unitDoubts(log)) notices.push_back(std::move(doubt));
+    return notices;
 }
 
 std::vector<std::string> noticesOf(const MotionNetwork& network, const Log& log, bool heldOutOnly) {

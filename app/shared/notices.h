@@ -16,6 +16,10 @@ std::string robotKind(const Log& log);
 /// What no part of learning has seen, in words: "one in 5 of the groups of trajectories"; "" where it has seen all.
 std::string keptFromLearning(const HoldOut& part);
 
+/// What must be known of a log before its figures are believed, a sentence each: what is missing of it, what looks like
+/// other units.
+std::vector<std::string> noticesOf(const Log& log);
+
 /// The networks that a scenario's log players move by, each once.
 std::vector<const MotionNetwork*> networksOf(const ScenarioParts& parts);
 

@@ -78,8 +78,10 @@ std::string nameOf(const Kind& kind, const RobotLog& robot) {
 bool tellsRobotKind(const Log& log, const RobotKinds& kinds) { return kindOfLog(kinds, log) != nullptr; }
 
 Expected<void> checkPlayable(const Log& log, const RobotKinds& kinds, const std::vector<std::string>& robots) {
+    const bool some = std::any_of(log.robots.begin(), log.robots.end(), hasBothSides);
     for (const RobotLog& robot : log.robots) {
         if (!robots.empty() && std::find(robots.begin(), robots.end(), robot.robot) == robots.end()) continue;
+        if (robots.empty() && some && !hasBothSides(robot)) continue;  // the others are compared
         Expected<void> playable;
         for (const Trajectory& trajectory : robot.trajectories) {
             auto comparable = checkComparable(log, robot, trajectory);

@@ -13,8 +13,8 @@ namespace mrose {
 bool tellsRobotKind(const Log& log, const RobotKinds& kinds);
 
 /// Whether a log can be compared at all, whatever drove: to be known before that is asked for. `robots`: only these;
-/// empty: all. Error: one of them has no trajectory with commands and ground truth of the same time; they are too far
-/// off for metres.
+/// empty: all of which the log has both commands and ground truth. Error: one of them has no trajectory with commands
+/// and ground truth of the same time; they are too far off for metres.
 Expected<void> checkPlayable(const Log& log, const RobotKinds& kinds, const std::vector<std::string>& robots = {});
 
 /// A scenario for a log that is opened without one: a robot for each of the log's, which plays it. The kind that the

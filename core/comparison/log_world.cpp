@@ -93,10 +93,7 @@ Expected<void> LogWorld::findRobots(const Names& chosen) {
                          [&](const LogPlayer& player) { return player.excerpt.robot == name; }))
             return fail({}, "has no robot that plays robot \"" + name + "\" of a log", 0, "--robots");
     }
-    std::vector<bool> removed(parts_.scene.robots.size());
-    if (!chosen.empty())
-        for (const LogPlayer& player : parts_.players) removed[player.robot] = !holds(chosen, player.excerpt.robot);
-    removeRobots(parts_, removed);
+    removeRobots(parts_, removedOf(chosen));
     for (const LogPlayer& player : parts_.players) {
         const std::string& name = parts_.scene.robots[player.robot].name;
         const std::size_t real = indexOf(*log_, player.excerpt.robot);
@@ -110,6 +107,28 @@ Expected<void> LogWorld::findRobots(const Names& chosen) {
         excerpts_.push_back(player.excerpt);
     }
     return {};
+}
+
+/// By body: who is not compared. Where nothing could be, all stay, so that it is said why.
+std::vector<bool> LogWorld::removedOf(const Names& chosen) {
+    std::vector<bool> removed(parts_.scene.robots.size());
+    if (!chosen.empty()) {
+        for (const LogPlayer& player : parts_.players) removed[player.robot] = !holds(chosen, player.excerpt.robot);
+        return removed;
+    }
+    const auto lacks = [&](const LogPlayer& player) {
+        const std::size_t real = indexOf(*log_, player.excerpt.robot);
+        return real < log_->robots.size() && !hasBothSides(log_->robots[real]);
+    };
+    if (std::all_of(parts_.players.begin(), parts_.players.end(), lacks)) return removed;
+    for (const LogPlayer& player : parts_.players) {
+        removed[player.robot] = lacks(player);
+        if (!removed[player.robot]) continue;
+        const RobotLog& real = log_->robots[indexOf(*log_, player.excerpt.robot)];
+        leftOut_.push_back("Robot \"" + real.robot + "\" is not compared: the log has no " + missingSide(real) +
+                           " of it.");
+    }
+    return removed;
 }
 
 /// Where no trajectory is named, a robot's only one, or those of one name of all the robots that have several.

@@ -40,8 +40,9 @@ Expected<void> checkComparable(const Log& log, const RobotLog& robot, const Traj
 class LogWorld {
 public:
     /// `parts` as loaded without ScenarioLoading::playLogs. Of the robots that play the log those stay whose real one
-    /// is named in `robots`; empty: all. A take's clock is 0 where mrose run would begin. Error: no robot plays a log;
-    /// the log lacks one of the robots, or the trajectory, commands or ground truth of one.
+    /// is named in `robots`; empty: all of which the log has both commands and ground truth (leftOut() names the
+    /// others). A take's clock is 0 where mrose run would begin. Error: no robot plays a log; the log lacks one of the
+    /// robots, or the trajectory, commands or ground truth of one.
     static Expected<LogWorld> create(ScenarioParts parts, std::shared_ptr<const Log> log,
                                      const std::vector<std::string>& robots = {});
 
@@ -49,6 +50,9 @@ public:
     const Log& log() const { return *log_; }
     const std::shared_ptr<const Log>& sharedLog() const { return log_; }
     const std::vector<ComparedRobot>& robots() const { return robots_; }
+    /// Who is not compared for want of commands or of ground truth, though nobody asked for certain robots: a sentence
+    /// each.
+    const std::vector<std::string>& leftOut() const { return leftOut_; }
     const std::vector<Take>& takes() const { return takes_; }
     /// A world that all compared robots are in, at the scenario's starts and told nothing: what openAt() leaves out
     /// where a robot has no ground truth can be named in it.
@@ -85,6 +89,7 @@ public:
 private:
     LogWorld(ScenarioParts parts, std::shared_ptr<const Log> log) : parts_(std::move(parts)), log_(std::move(log)) {}
     Expected<void> findRobots(const std::vector<std::string>& chosen);
+    std::vector<bool> removedOf(const std::vector<std::string>& chosen);
     Expected<void> findTakes();
     void gatherAll();
     Expected<Take> takeOf(const std::vector<std::size_t>& trajectories, bool first) const;
@@ -92,6 +97,7 @@ private:
     ScenarioParts parts_;
     std::shared_ptr<const Log> log_;
     std::vector<ComparedRobot> robots_;
+    std::vector<std::string> leftOut_;
     std::vector<LogExcerpt> excerpts_;  ///< by compared robot
     std::vector<Take> takes_;
     std::shared_ptr<const Scenario> everybody_;

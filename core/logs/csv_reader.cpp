@@ -60,9 +60,13 @@ struct CsvCells {
 /// All files of one log while they are read.
 class CsvLog {
 public:
+    /// `several`: files, of which one may be empty.
+    explicit CsvLog(bool several = false) : several_(several) {}
+
     Expected<void> addFile(std::string_view content, const std::string& name);
     Expected<std::vector<RobotLog>> finish(const std::string& source, const LogOptions& options);
     bool synthetic() const { return synthetic_; }
+    const std::vector<std::string>& incomplete() const { return incomplete_; }
 
 private:
     Expected<void> addRow(const CsvRows& rows, const CsvCells& cells);
@@ -72,7 +76,8 @@ private:
     CsvRobot* robot_ = nullptr;  // of the row before
     CsvTrajectory* trajectory_ = nullptr;
     std::size_t rows_ = 0;
-    bool synthetic_ = false;
+    bool several_, synthetic_ = false;
+    std::vector<std::string> incomplete_;
 };
 
 Expected<void> checkHeader(const CsvRows& rows, const std::string& name) {
@@ -110,6 +115,7 @@ CsvCells bindCells(CsvRows& rows) {
 
 Expected<void> CsvLog::addFile(std::string_view content, const std::string& name) {
     auto rows = CsvRows::open(content, name);
+    if (!rows && several_) return incomplete_.push_back(tooShortText(name, 0) + '.'), Expected<void>();
     if (!rows) return tl::unexpected(rows.error());
     if (auto checked = checkHeader(*rows, name); !checked) return checked;
     synthetic_ = synthetic_ || isSynthetic(rows->preamble());
@@ -117,8 +123,11 @@ Expected<void> CsvLog::addFile(std::string_view content, const std::string& name
     const std::size_t before = rows_;
     for (; rows->next(); ++rows_)
         if (auto added = addRow(*rows, cells); !added) return added;
-    if (rows->error()) return tl::unexpected(*rows->error());
-    if (rows_ - before < 2) return fail(name, tooShortCause(rows_ - before));
+    if (rows->error() && !rows->cutOff()) return tl::unexpected(*rows->error());
+    if (rows->cutOff()) incomplete_.push_back(cutLineText(name));
+    if (rows->cutOff() && robot_ != nullptr) ++robot_->defects.cutLines;
+    if (rows_ == before && several_) incomplete_.push_back(tooShortText(name, 0) + '.');
+    if (rows_ - before < fewestRows && !several_) return fail(name, tooShortCause(rows_ - before));
     for (CsvRobot& robot : robots_)
         for (CsvTrajectory& trajectory : robot.trajectories)
             if (auto ended = endFile(trajectory.channels, content, name, robot.defects); !ended) return ended;
@@ -167,6 +176,7 @@ CsvTrajectory& CsvLog::select(std::string_view robot, std::string_view trajector
 }
 
 Expected<std::vector<RobotLog>> CsvLog::finish(const std::string& source, const LogOptions& options) {
+    if (rows_ < fewestRows) return fail(source, tooShortCause(rows_));
     std::vector<RobotLog> logs;
     for (CsvRobot& robot : robots_) {
         RobotLog& log = logs.emplace_back(RobotLog{robot.name, {}, robot.defects});
@@ -198,8 +208,8 @@ std::vector<std::filesystem::path> csvFiles(const std::filesystem::path& source)
 
 Expected<Log> readCsv(const std::filesystem::path& source, const LogOptions& options) {
     Log log{source.string(), "csv", 0, {}, {}, false};
-    CsvLog csv;
     const auto files = csvFiles(source);
+    CsvLog csv(files.size() > 1);
     if (files.empty()) return fail(source.string(), "holds no *.csv");
     for (const std::filesystem::path& file : files) {
         const auto content = readFile(file);
@@ -211,6 +221,7 @@ Expected<Log> readCsv(const std::filesystem::path& source, const LogOptions& opt
     if (!robots) return tl::unexpected(robots.error());
     log.robots = std::move(*robots);
     log.synthetic = csv.synthetic();
+    log.incomplete = csv.incomplete();
     return log;
 }
 
@@ -219,7 +230,7 @@ Expected<Log> parseCsv(std::string_view content, const std::string& name, const 
     if (auto added = csv.addFile(content, name); !added) return tl::unexpected(added.error());
     auto robots = csv.finish(name, options);
     if (!robots) return tl::unexpected(robots.error());
-    return Log{name, "csv", 0, std::move(*robots), {{name, contentHash(content)}}, csv.synthetic()};
+    return Log{name, "csv", 0, std::move(*robots), {{name, contentHash(content)}}, csv.synthetic(), csv.incomplete()};
 }
 
 bool looksLikeCsvLog(std::string_view content) {

@@ -103,13 +103,19 @@ const char* CsvRows::readCell(const char* at, std::size_t column) {
         kinds_[column] == CellKind::number ? parseSample(at, end, cell.number) : parseInstant(at, end, cell.instant);
     if (behind != nullptr) behind = skipBlanks(behind, end);
     if (behind != nullptr && (behind == end || *behind == ',' || *behind == '\n')) return behind;
-    const char* const stop = lineEnd(at, end);
-    if (stop == end && column + 1 < kinds_.size() && std::find(at, stop, ',') == stop)
-        refuseCount(at, column);
-    else
-        refuse(at, std::string(header_[column]),
-               noNumberCause(content_, at, ",\r\n", kinds_[column] == CellKind::instant));
+    refuseCell(at, column);
     return nullptr;
+}
+
+/// What is no number, as it stands or because the text ends within it.
+bool CsvRows::refuseCell(const char* at, std::size_t column) {
+    const char* const end = content_.data() + content_.size();
+    const bool last = column + 1 == kinds_.size();
+    if (std::find_if(at, end, [](char c) { return c == ',' || c == '\n'; }) == end &&
+        (!last || std::string_view(at, end).find_first_not_of("+-.0123456789eE") == std::string_view::npos))
+        return refuseCount(at, column);
+    return refuse(at, std::string(header_[column]),
+                  noNumberCause(content_, at, ",\r\n", kinds_[column] == CellKind::instant));
 }
 
 bool CsvRows::refuse(const char* at, std::string key, std::string cause) {
@@ -118,9 +124,9 @@ bool CsvRows::refuse(const char* at, std::string key, std::string cause) {
 }
 
 bool CsvRows::refuseCount(const char* at, std::size_t count) {
-    const bool last = lineEnd(at, content_.data() + content_.size()) == content_.data() + content_.size();
+    cutOff_ = lineEnd(at, content_.data() + content_.size()) == content_.data() + content_.size();
     return refuse(at, std::string(header_[count]),
-                  (last ? "the last line is cut off: " : "missing: ") + std::to_string(count) + " of " +
+                  (cutOff_ ? "the last line is cut off: " : "missing: ") + std::to_string(count) + " of " +
                       columnCount(kinds_.size()));
 }
 

@@ -42,6 +42,8 @@ public:
     /// finite number where one belongs, a last line that is cut off.
     bool next();
     const std::optional<Error>& error() const { return error_; }
+    /// The error is no more than that the text ends within its last line, without a line break.
+    bool cutOff() const { return cutOff_; }
 
     std::span<const CsvCell> cells() const { return cells_; }
     int line() const;  ///< of the current row; counts from the start of the text
@@ -58,6 +60,7 @@ private:
     const char* readCell(const char* at, std::size_t column);
     bool refuse(const char* at, std::string key, std::string cause);
     bool refuseCount(const char* at, std::size_t column);
+    bool refuseCell(const char* at, std::size_t column);
 
     std::string_view content_;
     const std::string* name_;
@@ -68,6 +71,7 @@ private:
     const char* at_ = nullptr;
     const char* row_ = nullptr;
     std::optional<Error> error_;
+    bool cutOff_ = false;
 };
 
 }  // namespace mrose

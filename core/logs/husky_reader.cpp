@@ -69,7 +69,8 @@ Expected<void> addRow(std::vector<Window>& windows, const CsvRows& rows) {
     return {};
 }
 
-Expected<std::vector<Window>> parseWindows(std::string_view content, const std::string& name) {
+/// `cutOff`: whether the last line is, which is left out.
+Expected<std::vector<Window>> parseWindows(std::string_view content, const std::string& name, bool& cutOff) {
     auto rows = CsvRows::open(content, name);
     if (!rows) return tl::unexpected(rows.error());
     if (!std::equal(rows->header().begin(), rows->header().end(), columnNames.begin(), columnNames.end()))
@@ -80,7 +81,8 @@ Expected<std::vector<Window>> parseWindows(std::string_view content, const std::
     std::vector<Window> windows;
     while (rows->next())
         if (auto added = addRow(windows, *rows); !added) return tl::unexpected(added.error());
-    if (rows->error()) return tl::unexpected(*rows->error());
+    cutOff = rows->cutOff();
+    if (rows->error() && !cutOff) return tl::unexpected(*rows->error());
     return windows;
 }
 
@@ -92,7 +94,7 @@ Expected<void> arrange(Window& item, std::string_view content, const std::string
     sortByTime(item.rows, defects);
     keepLastOfEqualStamps(item.rows, defects);
     const std::string key = "window " + std::to_string(item.number);
-    if (item.rows.size() < 2) return fail(name, tooShortCause(item.rows.size()), line, key);
+    if (item.rows.size() < fewestRows) return fail(name, tooShortCause(item.rows.size()), line, key);
     const Nanoseconds first = item.rows.front().time;
     if (item.rows.back().time - first > longestWindow) return fail(name, "longer than 1000 s", line, key);
     for (Row& row : item.rows) row.time -= first;
@@ -166,10 +168,22 @@ void placeInTime(std::vector<Window>& windows) {
 }  // namespace
 
 Expected<Log> parseHusky(std::string_view content, const std::string& name, const LogOptions& options) {
-    auto windows = parseWindows(content, name);
+    bool cutOff = false;
+    auto windows = parseWindows(content, name, cutOff);
     if (!windows) return tl::unexpected(windows.error());
-    if (windows->empty()) return fail(name, tooShortCause(0));
     RobotLog robot{"husky", {}, {}};
+    std::vector<std::string> incomplete;
+    if (cutOff) {
+        ++robot.defects.cutLines;
+        incomplete.push_back(cutLineText(name));
+        // Of the last window next to nothing may be left.
+        if (!windows->empty() && windows->back().rows.size() < fewestRows) {
+            incomplete.push_back("Window " + std::to_string(windows->back().number) +
+                                 " is left out: a single row of it is there.");
+            windows->pop_back();
+        }
+    }
+    if (windows->empty()) return fail(name, tooShortCause(0));
     for (Window& item : *windows)
         if (auto arranged = arrange(item, content, name, robot.defects); !arranged)
             return tl::unexpected(arranged.error());
@@ -177,7 +191,8 @@ Expected<Log> parseHusky(std::string_view content, const std::string& name, cons
     placeInTime(*windows);
     for (std::size_t i = 0; i < windows->size(); ++i)
         robot.trajectories.push_back(toTrajectory(*windows, i, options, robot.defects));
-    return Log{name, "husky-windows", 0, {std::move(robot)}, {{name, contentHash(content)}}};
+    return Log{name,  "husky-windows",      0, {std::move(robot)}, {{name, contentHash(content)}},
+               false, std::move(incomplete)};
 }
 
 Expected<Log> readHusky(const std::filesystem::path& file, const LogOptions& options) {

@@ -29,21 +29,24 @@ public:
     RowParser(std::string_view content, const std::string& name, const std::array<const char*, columns>& keys)
         : content_(content), name_(name), keys_(keys), end_(content.data() + content.size()) {}
 
-    Expected<std::vector<Sample>> parse() {
+    Expected<std::vector<Sample>> parse(LogDefects& defects) {
         std::vector<Sample> samples;
         samples.reserve(content_.size() / (12 * columns));
         for (const char* at = nextLine(content_.data(), end_); at != end_; at = nextLine(at, end_)) {
             at = parseRow(at, samples.emplace_back());
-            if (at == nullptr) return *error_;
+            if (error_) return *error_;
+            if (at != nullptr) continue;
+            samples.pop_back();
+            ++defects.cutLines;
+            break;
         }
-        if (samples.size() < 2) return fail(name_, tooShortCause(samples.size()));
         const auto checked = checkDirection(samples, name_, [&](std::size_t row) { return lineOf(row); });
         if (!checked) return tl::unexpected(checked.error());
         return samples;
     }
 
 private:
-    /// The end of the row's line; nullptr and error_ where something is wrong.
+    /// The end of the row's line; nullptr where it is cut off, and with error_ where something is wrong.
     const char* parseRow(const char* at, Sample& sample) {
         std::array<double, columns> values;
         for (std::size_t i = 0; i < columns; ++i) {
@@ -51,16 +54,18 @@ private:
             if (behind == nullptr || (behind < end_ && blanks.find(*behind) == blanks.npos)) return reject(at, i);
             at = skipBlanks(behind, end_);
         }
-        if (at == end_) return refuse(at, keys_.back(), "the last line is cut off: it ends without a line break");
+        if (at == end_) return nullptr;
         if (*at != '\n') return refuse(at, {}, "more than " + std::to_string(columns) + " columns");
         store(sample, values.data() + 1);
         return at + 1;
     }
 
     const char* reject(const char* at, std::size_t column) {
-        const std::string have = std::to_string(column) + " of " + std::to_string(columns) + " columns";
-        if (std::find(at, end_, '\n') == end_) return refuse(at, keys_[column], "the last line is cut off: " + have);
-        if (*at == '\n') return refuse(at, keys_[column], "missing: " + have);
+        // What is cut off ends in the middle of a number, or before it.
+        if (std::find_first_of(at, end_, blanks.begin(), blanks.end()) == end_) return nullptr;
+        if (*at == '\n')
+            return refuse(at, keys_[column],
+                          "missing: " + std::to_string(column) + " of " + std::to_string(columns) + " columns");
         return refuse(at, keys_[column], noNumberCause(content_, at, blanks, column == 0));
     }
 
@@ -94,6 +99,10 @@ std::optional<int> robotNumber(std::string_view fileName, std::string_view suffi
     return number;
 }
 
+std::filesystem::path truthFile(const std::filesystem::path& folder, int number) {
+    return folder / ("Robot" + std::to_string(number) + std::string(truthSuffix));
+}
+
 std::map<int, std::filesystem::path> odometryFiles(const std::filesystem::path& folder) {
     std::map<int, std::filesystem::path> files;
     std::error_code ignored;
@@ -116,32 +125,55 @@ int datasetNumber(const std::filesystem::path& folder) {
     return number;
 }
 
-Expected<std::string> loadInto(Log& log, const std::filesystem::path& path) {
-    auto content = readFile(path);
-    if (content) log.files.push_back({path.string(), contentHash(*content)});
-    return content;
+/// The rows of one of a log's files; none, and what is missing without them, where there are too few.
+template <class Sample, std::size_t columns>
+Expected<std::vector<Sample>> readRows(Log& log, const std::filesystem::path& path,
+                                       const std::array<const char*, columns>& keys, const std::string& without,
+                                       LogDefects& defects) {
+    const auto content = readFile(path);
+    if (!content) return tl::unexpected(content.error());
+    log.files.push_back({path.string(), contentHash(*content)});
+    const std::int64_t cutBefore = defects.cutLines;
+    auto rows = RowParser<Sample, columns>(*content, path.string(), keys).parse(defects);
+    if (!rows) return rows;
+    if (defects.cutLines > cutBefore) log.incomplete.push_back(cutLineText(path.string()));
+    if (rows->size() >= fewestRows) return rows;
+    log.incomplete.push_back(tooShortText(path.string(), rows->size()) + ": " + without);
+    return std::vector<Sample>{};
 }
 
 Expected<RobotLog> readRobot(Log& log, int number, const std::filesystem::path& odometry, const LogOptions& options) {
+    const std::string called = "robot " + std::to_string(number);
     RobotLog robot{std::to_string(number), {}, {}};
-    Trajectory& trajectory = robot.trajectories.emplace_back();
-    trajectory.name = "whole";
-    const auto content = loadInto(log, odometry);
-    if (!content) return tl::unexpected(content.error());
-    auto commands = parseMrclamOdometry(*content, odometry.string());
+    Trajectory trajectory{.name = "whole"};
+    auto commands = readRows<StampedCommand>(log, odometry, odometryColumns,
+                                             "nothing says what was sent to " + called + '.', robot.defects);
     if (!commands) return tl::unexpected(commands.error());
     trajectory.commands = std::move(*commands);
     conditionCommands(trajectory.commands, options, robot.defects, &trajectory.blips);
 
-    const auto truth = odometry.parent_path() / ("Robot" + std::to_string(number) + std::string(truthSuffix));
-    if (!std::filesystem::exists(truth)) return robot;
-    const auto truthContent = loadInto(log, truth);
-    if (!truthContent) return tl::unexpected(truthContent.error());
-    auto poses = parseMrclamGroundtruth(*truthContent, truth.string());
-    if (!poses) return tl::unexpected(poses.error());
-    trajectory.poses = std::move(*poses);
-    conditionPoses(trajectory.poses, options, robot.defects);
+    const auto truth = truthFile(odometry.parent_path(), number);
+    if (std::filesystem::exists(truth)) {
+        auto poses =
+            readRows<StampedPose>(log, truth, truthColumns, "nothing says where " + called + " was.", robot.defects);
+        if (!poses) return tl::unexpected(poses.error());
+        trajectory.poses = std::move(*poses);
+        conditionPoses(trajectory.poses, options, robot.defects);
+    }
+    if (!trajectory.commands.empty() || !trajectory.poses.empty()) robot.trajectories.push_back(std::move(trajectory));
     return robot;
+}
+
+/// Where some robots have a file of ground truth, those without it lack it.
+void tellMissingTruth(Log& log, const std::filesystem::path& folder) {
+    std::vector<std::string> missing;
+    for (const RobotLog& robot : log.robots) {
+        const auto truth = truthFile(folder, std::stoi(robot.robot));
+        if (!std::filesystem::exists(truth))
+            missing.push_back(truth.filename().string() + " is missing: nothing says where robot " + robot.robot +
+                              " was.");
+    }
+    if (missing.size() < log.robots.size()) log.incomplete.insert(log.incomplete.end(), missing.begin(), missing.end());
 }
 
 }  // namespace
@@ -157,15 +189,20 @@ Expected<Log> readMrclam(const std::filesystem::path& folder, const LogOptions& 
         if (!robot) return tl::unexpected(robot.error());
         log.robots.push_back(std::move(*robot));
     }
+    tellMissingTruth(log, folder);
+    std::erase_if(log.robots, [](const RobotLog& robot) { return robot.trajectories.empty(); });
+    if (log.robots.empty()) return fail(folder.string(), tooShortCause(0));
     return log;
 }
 
-Expected<std::vector<StampedCommand>> parseMrclamOdometry(std::string_view content, const std::string& name) {
-    return RowParser<StampedCommand, 3>(content, name, odometryColumns).parse();
+Expected<std::vector<StampedCommand>> parseMrclamOdometry(std::string_view content, const std::string& name,
+                                                          LogDefects& defects) {
+    return RowParser<StampedCommand, 3>(content, name, odometryColumns).parse(defects);
 }
 
-Expected<std::vector<StampedPose>> parseMrclamGroundtruth(std::string_view content, const std::string& name) {
-    return RowParser<StampedPose, 4>(content, name, truthColumns).parse();
+Expected<std::vector<StampedPose>> parseMrclamGroundtruth(std::string_view content, const std::string& name,
+                                                          LogDefects& defects) {
+    return RowParser<StampedPose, 4>(content, name, truthColumns).parse(defects);
 }
 
 }  // namespace mrose

@@ -11,6 +11,8 @@ constexpr Nanoseconds millisecond = 1'000'000;
 constexpr Nanoseconds halfWidth = 60 * millisecond;
 constexpr Nanoseconds startWidth = 200 * millisecond, oldest = 600 * millisecond;
 constexpr std::size_t fewest = 4;  // samples of a fit
+/// Of a grid: where poses lie farther apart on average, nothing is known between nearly all of them.
+constexpr std::int64_t mostSteps = 10'000'000, mostStepsPerPose = 1000;
 
 using Poses = std::span<const StampedPose>;
 
@@ -110,6 +112,7 @@ PoseGrid poseGrid(const Trajectory& trajectory, Nanoseconds step, const GridMarg
     if (poses.size() < 2 || trajectory.commands.empty()) return grid;
     const Nanoseconds begin = std::max(trajectory.commands.front().time, poses.front().time) + margins.begin;
     const Nanoseconds end = std::min(trajectory.commands.back().time, poses.back().time) - margins.end;
+    if ((end - begin) / step > mostSteps + mostStepsPerPose * static_cast<std::int64_t>(poses.size())) return grid;
     grid.start = ceilToMultiple(begin, step);
     std::size_t low = 0, high = 0, next = 0;
     for (Nanoseconds time = grid.start; time < end; time += step) {

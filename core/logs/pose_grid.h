@@ -29,7 +29,8 @@ struct GridMargins {
     Nanoseconds begin = 1'500'000'000, end = 1'000'000'000;
 };
 
-/// The grid of a trajectory; with the default margins it is the referee's.
+/// The grid of a trajectory; with the default margins it is the referee's. Empty where poses lie so far apart that next
+/// to none of it would be ok: of a clock in other units it could fill any memory.
 PoseGrid poseGrid(const Trajectory& trajectory, Nanoseconds step = 100'000'000, const GridMargins& margins = {});
 
 /// Truth at one instant, as on a grid; next to the ends of the poses, where a fit would be one-sided, interpolated. At

@@ -28,6 +28,7 @@ struct LogDefects {
     std::int64_t poseOutliers = 0;  ///< single poses far off both neighbours: dropped
     std::int64_t unpaired = 0;      ///< values of v, w, x, y or heading alone that met no partner: dropped
     std::int64_t headingWraps = 0;  ///< jumps by whole turns: unwrapped
+    std::int64_t cutLines = 0;      ///< last lines of files that are cut off: dropped
     std::int64_t commandGaps = 0;   ///< longer than LogOptions::commandGap
     std::int64_t poseGaps = 0;      ///< longer than LogOptions::poseGap
     double longestCommandGap = 0;   ///< s
@@ -56,6 +57,18 @@ struct RobotLog {
     LogDefects defects;
 };
 
+/// What a robot is without in all of its trajectories: "commands", "ground truth"; "" where one of them has both.
+inline const char* missingSide(const RobotLog& robot) {
+    const char* missing = "commands";
+    for (const Trajectory& trajectory : robot.trajectories) {
+        if (trajectory.commands.empty()) continue;
+        if (!trajectory.poses.empty()) return "";
+        missing = "ground truth";
+    }
+    return missing;
+}
+inline bool hasBothSides(const RobotLog& robot) { return *missingSide(robot) == '\0'; }
+
 struct LogFile {
     std::string path;  ///< as given
     std::string hash;  ///< contentHash of its bytes
@@ -69,6 +82,9 @@ struct Log {
     std::vector<RobotLog> robots;
     std::vector<LogFile> files;
     bool synthetic = false;  ///< made by a simulation; no real robot drove (a part of the log is enough)
+    /// What should be there and is not, a sentence each: a file that is empty or missing, the end of one that is cut
+    /// off. The rest is as sound as ever.
+    std::vector<std::string> incomplete = {};
 };
 
 }  // namespace mrose

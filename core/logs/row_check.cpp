@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
+#include <filesystem>
 
 namespace mrose {
 
@@ -42,7 +43,16 @@ std::string backwardsCause(const ClockReset& reset, int latestLine) {
 }
 
 std::string tooShortCause(std::size_t rows) {
-    return "too short: " + std::to_string(rows) + (rows == 1 ? " row" : " rows") + "; expected at least 2";
+    return "too short: " + std::to_string(rows) + (rows == 1 ? " row" : " rows") + "; expected at least " +
+           std::to_string(fewestRows);
+}
+
+std::string cutLineText(const std::string& path) {
+    return "The last line of " + std::filesystem::path(path).filename().string() + " is cut off: it is left out.";
+}
+
+std::string tooShortText(const std::string& path, std::size_t rows) {
+    return std::filesystem::path(path).filename().string() + (rows == 0 ? " has no rows" : " has a single row");
 }
 
 }  // namespace mrose

@@ -35,7 +35,13 @@ tl::unexpected<Error> failAt(const std::string& name, std::string_view text, con
                              std::string cause);
 
 std::string backwardsCause(const ClockReset& reset, int latestLine);
+constexpr std::size_t fewestRows = 2;
 std::string tooShortCause(std::size_t rows);
+
+/// "The last line of a.csv is cut off: it is left out."
+std::string cutLineText(const std::string& path);
+/// "a.csv has no rows", or that it has but one.
+std::string tooShortText(const std::string& path, std::size_t rows);
 
 /// Error where `samples`, in the order of the file, run backwards in time for good. lineOf(row) tells the line of a
 /// sample; it is asked only for the message.

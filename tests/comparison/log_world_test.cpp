@@ -7,6 +7,7 @@
 #include "evaluation/test_models.h"
 #include "logs/pose_grid.h"
 #include "simulation/step.h"
+#include "world/state_hash.h"
 
 namespace mrose {
 namespace {
@@ -105,6 +106,28 @@ TEST(LogWorld, RobotsThatAreNotChosenAreNotInIt) {
     EXPECT_EQ(opened.scenario->scene().robots[0].name, "simulated b");
 }
 
+TEST(LogWorld, RobotsOfWhichCommandsOrTruthAreMissingAreLeftOutAndNamed) {
+    const Log log = twoTakes();
+    for (const bool truth : {false, true}) {
+        Log half = log;
+        for (Trajectory& trajectory : half.robots[0].trajectories)
+            truth ? trajectory.commands.clear() : trajectory.poses.clear();
+        const auto world = LogWorld::create(players(log), std::make_shared<const Log>(half));
+        ASSERT_TRUE(world) << world.error().message();
+        ASSERT_EQ(world->robots().size(), 1u);
+        EXPECT_EQ(world->robots()[0].realName, "b");
+        EXPECT_EQ(world->leftOut(),
+                  std::vector<std::string>{std::string("Robot \"a\" is not compared: the log has no ") +
+                                           (truth ? "commands" : "ground truth") + " of it."});
+        const auto chosen = LogWorld::create(players(log), std::make_shared<const Log>(half), {"b"});
+        ASSERT_TRUE(chosen) << chosen.error().message();
+        EXPECT_TRUE(chosen->leftOut().empty());
+        const LogWorld::Opened opened = world->openAt(0, 0, second, 1), alone = chosen->openAt(0, 0, second, 1);
+        EXPECT_EQ(hashOf(opened.state), hashOf(alone.state));
+    }
+    EXPECT_TRUE(LogWorld::create(players(log), std::make_shared<const Log>(log))->leftOut().empty());
+}
+
 TEST(LogWorld, ErrorsSayWhatToDo) {
     const Log log = twoTakes();
     EXPECT_EQ(errorOf(LogWorld::create({}, std::make_shared<const Log>(log))),
@@ -132,12 +155,12 @@ TEST(LogWorld, ErrorsSayWhatToDo) {
     Log blind = log;
     for (Trajectory& trajectory : blind.robots[1].trajectories) trajectory.poses.clear();
     EXPECT_EQ(
-        errorOf(LogWorld::create(players(log), std::make_shared<const Log>(blind))),
+        errorOf(LogWorld::create(players(log), std::make_shared<const Log>(blind), {"a", "b"})),
         "made-up: has no ground truth of robot \"b\": nothing to compare with; expected its poses (x, y, heading) "
         "beside its commands");
     Log silent = log;
     for (Trajectory& trajectory : silent.robots[1].trajectories) trajectory.commands.clear();
-    EXPECT_EQ(errorOf(LogWorld::create(players(log), std::make_shared<const Log>(silent))),
+    EXPECT_EQ(errorOf(LogWorld::create(players(log), std::make_shared<const Log>(silent), {"a", "b"})),
               "made-up: has no commands of robot \"b\"; expected the commands that it was sent and the poses that it "
               "reached");
     Log unmatched = log;

@@ -41,9 +41,8 @@ void requireSound(const Expected<Log>& log) {
 
 /// One stream of rows, conditioned.
 template <class Rows, class Condition>
-void requireConditioned(Rows rows, Condition condition) {
+void requireConditioned(Rows rows, LogDefects& defects, Condition condition) {
     if (!rows) return requireOneLine(rows.error());
-    LogDefects defects;
     condition(*rows, LogOptions{}, defects);
     requireAscending(*rows);
 }
@@ -54,10 +53,12 @@ void requireConditioned(Rows rows, Condition condition) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace mrose;
     const std::string_view text(reinterpret_cast<const char*>(data), size);
-    requireConditioned(parseMrclamOdometry(text, "odometry"), [](auto& rows, const LogOptions& options, auto& defects) {
+    LogDefects found;
+    const auto conditioned = [](auto& rows, const LogOptions& options, auto& defects) {
         conditionCommands(rows, options, defects);
-    });
-    requireConditioned(parseMrclamGroundtruth(text, "truth"), conditionPoses);
+    };
+    requireConditioned(parseMrclamOdometry(text, "odometry", found), found, conditioned);
+    requireConditioned(parseMrclamGroundtruth(text, "truth", found), found, conditionPoses);
     requireSound(parseHusky(text, "husky"));
     requireSound(parseCsv(text, "csv"));
     return 0;

@@ -23,6 +23,7 @@
 #include "reality/robot_dialog.h"
 #include "scripting/window_script.h"
 #include "shared/resources.h"
+#include "support/mrclam_folder.h"
 #include "support/places.h"
 #include "widgets/field_view.h"
 #include "window/window_memory.h"
@@ -266,6 +267,20 @@ TEST_F(LogOpeningTest, WhatCannotBeComparedIsRefusedBeforeItIsAskedWhatDrove) {
                     for (StampedPose& stamped : trajectory.poses) stamped.pose.x = 3000 * (1 + stamped.pose.x);
                 }),
                 ElementsAre(HasSubstr("positions are expected in metres")));
+}
+
+TEST_F(LogOpeningTest, EmptyTruthOfOneRobotIsSaidAndTheOthersOpen) {
+    const MrclamFolder folder(3);
+    folder.write(2, "Groundtruth", "");
+    ASSERT_NO_FATAL_FAILURE(openLog(folder.path()));
+    EXPECT_EQ(overlay.world()->world().robots().size(), 2u);
+    EXPECT_THAT(errors(), IsEmpty());
+    EXPECT_THAT(notes(), Contains(HasSubstr("Robot2_Groundtruth.dat has no rows: nothing says where robot 2 was.")));
+    EXPECT_THAT(notes(), Contains(HasSubstr("Robot \"2\" is not compared: the log has no ground truth of it.")));
+    // So it is with a scenario of five.
+    EXPECT_THAT(refusal({folder.path(), "mrclam_replay.toml"}), IsEmpty());
+    settleAll();
+    EXPECT_EQ(overlay.world()->world().robots().size(), 2u);
 }
 
 TEST_F(LogOpeningTest, NotesTellOfOtherUnitsAndNameNoFlag) {

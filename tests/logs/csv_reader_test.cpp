@@ -176,12 +176,37 @@ TEST(CsvReader, EachErrorIsOneLineWithFileLineAndKey) {
         "l.csv: robot robot, trajectory whole: neither a command (v_cmd and w_cmd) nor a pose (x, y and heading)");
 }
 
-TEST(CsvReader, ALastLineThatIsCutOffIsAnError) {
-    EXPECT_EQ(messageOf("t,v_cmd,w_cmd\n1,2,3\n2,3,4\n3,0."),
-              "l.csv:4:5: w_cmd: the last line is cut off: 2 of 3 columns");
-    EXPECT_EQ(messageOf("t,v_cmd,w_cmd\n1,2,3\n2,3,4\n3,-"),
-              "l.csv:4:3: v_cmd: the last line is cut off: 1 of 3 columns");
-    EXPECT_EQ(messageOf("t,v_cmd,w_cmd\n1,2,3\n2,3,4\n3,1,4"), "no error");  // whole, only without a line break
+TEST(CsvReader, ALastLineThatIsCutOffIsLeftOutAndCounted) {
+    const std::string sound = "t,v_cmd,w_cmd\n1,2,3\n2,3,4\n";
+    for (const char* cut : {"3", "3,", "3,-", "3,0.", "3,1,-", "3,1,2e"}) {
+        const auto log = parseCsv(sound + cut, "l.csv");
+        ASSERT_TRUE(log) << log.error().message();
+        EXPECT_EQ(only(log).commands.size(), 2u) << cut;
+        EXPECT_EQ(log->robots[0].defects.cutLines, 1) << cut;
+        EXPECT_EQ(log->incomplete, std::vector<std::string>{"The last line of l.csv is cut off: it is left out."});
+    }
+    const auto whole = parseCsv(sound + "3,1,4", "l.csv");  // only without a line break
+    ASSERT_TRUE(whole) << whole.error().message();
+    EXPECT_EQ(only(whole).commands.size(), 3u);
+    EXPECT_TRUE(whole->incomplete.empty());
+    EXPECT_EQ(messageOf(sound + "3,1,fast"), "l.csv:4:5: w_cmd: expected a number within +-1e9, found 'fast'");
+    EXPECT_EQ(messageOf(sound + "3,1,4,5"), "l.csv:4:6: more than the 3 columns of the header");
+    EXPECT_EQ(messageOf("t,v_cmd,w_cmd\n1,2,3\n2,3"), "l.csv: too short: 1 row; expected at least 2");
+}
+
+TEST(CsvReader, EmptyFileOfAFolderLeavesTheOthers) {
+    for (const char* text : {"", "# c\n", "t,x,y,heading\n", "t,x,y,heading\n1,2"}) {
+        const TemporaryFolder folder;
+        folder.write("a.csv", text);
+        folder.write("b.csv", "t,v_cmd,w_cmd\n1,2,3\n2,3,4\n");
+        const auto log = readCsv(folder.path());
+        ASSERT_TRUE(log) << log.error().message();
+        EXPECT_EQ(only(log).commands.size(), 2u);
+        EXPECT_EQ(log->incomplete.back(), "a.csv has no rows.");
+        folder.write("b.csv", "");
+        EXPECT_EQ(readCsv(folder.path()).error().message(),
+                  folder.path().string() + ": too short: 0 rows; expected at least 2");
+    }
 }
 
 TEST(CsvReader, TimeRunningBackwardsForGoodIsAnError) {

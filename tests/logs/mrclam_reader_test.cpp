@@ -28,21 +28,24 @@ constexpr const char* truthText =
     "1248444175.115 \t 1.41278500 \t -3.89107880 \t -3.14 \n";
 
 std::string odometryMessage(const std::string& text) {
-    const auto rows = parseMrclamOdometry(text, "o.dat");
+    LogDefects defects;
+    const auto rows = parseMrclamOdometry(text, "o.dat", defects);
     return rows ? "no error" : rows.error().message();
 }
 
 TEST(MrclamReader, ReadsRowsAsTheyStand) {
-    const auto rows = parseMrclamOdometry(odometryText, "o.dat");
+    LogDefects defects;
+    const auto rows = parseMrclamOdometry(odometryText, "o.dat", defects);
     ASSERT_TRUE(rows) << rows.error().message();
     ASSERT_EQ(rows->size(), 3u);
     EXPECT_EQ((*rows)[0].time, 1'248'444'187'156'000'000);
     EXPECT_EQ((*rows)[0].command, (Command{0.086, -0.398}));
     EXPECT_EQ((*rows)[2].time, 1'248'444'187'197'000'000);
     EXPECT_EQ((*rows)[2].command, (Command{0.067, 0}));
-    const auto poses = parseMrclamGroundtruth(truthText, "g.dat");
+    const auto poses = parseMrclamGroundtruth(truthText, "g.dat", defects);
     ASSERT_TRUE(poses) << poses.error().message();
     EXPECT_EQ((*poses)[1].pose, (Pose{1.412785, -3.8910788, -3.14}));
+    EXPECT_EQ(defects.cutLines, 0);
 }
 
 TEST(MrclamReader, EachWrongRowIsToldByFileLineAndKey) {
@@ -56,16 +59,19 @@ TEST(MrclamReader, EachWrongRowIsToldByFileLineAndKey) {
     EXPECT_EQ(odometryMessage("1 2 3\n2 2 3 4\n3 2 1\n"), "o.dat:2:7: more than 3 columns");
 }
 
-TEST(MrclamReader, ALastLineThatIsCutOffIsAnError) {
-    EXPECT_EQ(odometryMessage("1 2 3\n2 2 3\n3 2"), "o.dat:3:4: w: the last line is cut off: 2 of 3 columns");
-    EXPECT_EQ(odometryMessage("1 2 3\n2 2 3\n3 -"), "o.dat:3:3: v: the last line is cut off: 1 of 3 columns");
-    EXPECT_EQ(odometryMessage("1 2 3\n2 2 3\n3 2 -0.3"),
-              "o.dat:3:9: w: the last line is cut off: it ends without a line break");
-}
-
-TEST(MrclamReader, AFileTooShortIsAnError) {
-    EXPECT_EQ(odometryMessage(""), "o.dat: too short: 0 rows; expected at least 2");
-    EXPECT_EQ(odometryMessage("# only\n1 2 3\n"), "o.dat: too short: 1 row; expected at least 2");
+TEST(MrclamReader, ALastLineThatIsCutOffIsLeftOutAndCounted) {
+    const std::string sound = "1 2 3\n2 2 3\n";
+    // The last number may be the beginning of a longer one.
+    for (const char* cut : {"3", "3 ", "3 -", "3 2", "3 2\t ", "3 2 -", "3 2 -0.3", "3 2 -0.3 "}) {
+        LogDefects defects;
+        const auto rows = parseMrclamOdometry(sound + cut, "o.dat", defects);
+        ASSERT_TRUE(rows) << rows.error().message();
+        EXPECT_EQ(rows->size(), 2u) << cut;
+        EXPECT_EQ(defects.cutLines, 1) << cut;
+    }
+    EXPECT_EQ(odometryMessage(sound + "3 x 3"), "o.dat:3:3: v: expected a number within +-1e9, found 'x'");
+    EXPECT_EQ(odometryMessage(sound + "3 2 3 4"), "o.dat:3:7: more than 3 columns");
+    EXPECT_EQ(odometryMessage(sound + "3 2\n"), "o.dat:3:4: w: missing: 2 of 3 columns") << "a whole line";
 }
 
 TEST(MrclamReader, TimeRunningBackwardsForGoodIsAnError) {
@@ -108,6 +114,87 @@ TEST(MrclamReader, ErrorsInAFolderNameTheFile) {
     EXPECT_EQ(log.error().message(), truth.string() + ":2:6: heading: missing: 3 of 4 columns");
     const TemporaryFolder empty;
     EXPECT_EQ(readMrclam(empty.path()).error().message(), empty.path().string() + ": holds no Robot<N>_Odometry.dat");
+}
+
+/// Robots 1 to 3 with all of their files.
+class MrclamFiles : public testing::Test {
+protected:
+    MrclamFiles() {
+        for (const char* number : {"1", "2", "3"}) {
+            write(number, "Odometry", odometryText);
+            write(number, "Groundtruth", truthText);
+        }
+    }
+    void write(const std::string& number, const std::string& what, const std::string& text) {
+        folder.write("Robot" + number + '_' + what + ".dat", text);
+    }
+    Log read() const {
+        auto log = readMrclam(folder.path());
+        EXPECT_TRUE(log) << log.error().message();
+        return log.value_or(Log{});
+    }
+    const TemporaryFolder folder;
+};
+
+TEST_F(MrclamFiles, SoundOneLacksNothing) { EXPECT_TRUE(read().incomplete.empty()); }
+
+TEST_F(MrclamFiles, EmptyTruthLeavesTheOthers) {
+    for (const char* text : {"", "# Time [s]    x [m]    y [m]    orientation [rad] \n"}) {
+        write("2", "Groundtruth", text);
+        const Log log = read();
+        ASSERT_EQ(log.robots.size(), 3u);
+        for (const std::size_t robot : {0u, 1u, 2u}) {
+            const Trajectory& trajectory = log.robots[robot].trajectories.at(0);
+            EXPECT_EQ(trajectory.commands.size(), 3u);
+            EXPECT_EQ(trajectory.poses.size(), robot == 1 ? 0u : 2u);
+        }
+        EXPECT_EQ(log.incomplete,
+                  std::vector<std::string>{"Robot2_Groundtruth.dat has no rows: nothing says where robot 2 was."});
+        EXPECT_EQ(log.files.size(), 6u);
+    }
+}
+
+TEST_F(MrclamFiles, EmptyOdometryLeavesTheOthers) {
+    write("3", "Odometry", "1248444187.156 0.1 0.2\n");
+    Log log = read();
+    ASSERT_EQ(log.robots.size(), 3u);
+    EXPECT_TRUE(log.robots[2].trajectories.at(0).commands.empty());
+    EXPECT_EQ(log.robots[2].trajectories.at(0).poses.size(), 2u);
+    EXPECT_EQ(log.incomplete,
+              std::vector<std::string>{"Robot3_Odometry.dat has a single row: nothing says what was sent to robot 3."});
+    write("3", "Groundtruth", "");
+    log = read();
+    EXPECT_EQ(log.robots.size(), 2u) << "nothing is left of it";
+    EXPECT_EQ(log.incomplete.size(), 2u);
+}
+
+TEST_F(MrclamFiles, CutLineIsSaidOfItsFileAndCountedOfItsRobot) {
+    write("2", "Groundtruth", truthText + std::string("1248444175.2 \t 1.4"));
+    const Log log = read();
+    EXPECT_EQ(log.robots.at(1).trajectories.at(0).poses.size(), 2u);
+    EXPECT_EQ(log.robots[0].defects.cutLines + log.robots[2].defects.cutLines, 0);
+    EXPECT_EQ(log.robots[1].defects.cutLines, 1);
+    EXPECT_EQ(log.incomplete,
+              std::vector<std::string>{"The last line of Robot2_Groundtruth.dat is cut off: it is left out."});
+}
+
+TEST_F(MrclamFiles, MissingTruthIsSaidWhereOthersHaveIt) {
+    std::filesystem::remove(folder.path() / "Robot1_Groundtruth.dat");
+    EXPECT_EQ(read().incomplete,
+              std::vector<std::string>{"Robot1_Groundtruth.dat is missing: nothing says where robot 1 was."});
+    for (const char* number : {"2", "3"})
+        std::filesystem::remove(folder.path() / ("Robot" + std::string(number) + "_Groundtruth.dat"));
+    EXPECT_TRUE(read().incomplete.empty()) << "a log without ground truth";
+}
+
+TEST_F(MrclamFiles, DamageInTheMiddleAndALogOfNothingAreErrors) {
+    write("2", "Groundtruth", "1 2 3 4\n2 x 3 4\n3 2 3 4\n");
+    const std::string place = folder.path().string();
+    EXPECT_EQ(readMrclam(folder.path()).error().message(),
+              place + "/Robot2_Groundtruth.dat:2:3: x: expected a number within +-1e9, found 'x'");
+    for (const char* number : {"1", "2", "3"})
+        for (const char* what : {"Odometry", "Groundtruth"}) write(number, what, "");
+    EXPECT_EQ(readMrclam(folder.path()).error().message(), place + ": too short: 0 rows; expected at least 2");
 }
 
 /// An independent and slow reading of a column of a published file.

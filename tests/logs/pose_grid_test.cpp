@@ -128,6 +128,19 @@ Trajectory arc(double v, double w, Nanoseconds period) {
     return trajectory;
 }
 
+TEST(PoseGrid, IsEmptyWhereTheLogCannotFillIt) {
+    Trajectory trajectory;
+    const auto last = [&](Nanoseconds time) -> const Trajectory& {
+        trajectory.commands = {{0, {0.1, 0}}, {time, {0.1, 0}}};
+        trajectory.poses = {{0, {}}, {time, {1, 0, 0}}};
+        return trajectory;
+    };
+    constexpr Nanoseconds day = 24 * 3600 * nanosecondsPerSecond, year = 365 * day;
+    EXPECT_EQ(poseGrid(last(day)).size(), 863'975u) << "a pause";
+    EXPECT_EQ(poseGrid(last(year)).size(), 0u);
+    EXPECT_EQ(poseGrid(last(100 * year), 10 * ms).size(), 0u);
+}
+
 TEST(MeasuredStart, FindsPoseAndVelocityOfASteadyRobotAlsoBetweenSamples) {
     const Trajectory trajectory = arc(0.3, 0.5, 15 * ms);
     for (const Nanoseconds time : {1000 * ms, 1007 * ms, 1999 * ms}) {

@@ -8,7 +8,6 @@
 #include "evaluation/format.h"
 #include "io/file.h"
 #include "logs/log_reader.h"
-#include "logs/unit_doubts.h"
 #include "scenario/scenario_file.h"
 #include "shared/notices.h"
 #include "shared/opening.h"
@@ -108,7 +107,8 @@ Expected<LoadedScenario> scenarioMade(OverlayWorld& overlay, std::shared_ptr<con
 void addNotices(OverlayWorld& overlay) {
     if (overlay.world().log().synthetic)
         overlay.notes.push_back("The log comes from a simulated robot: nothing here tells of a real one.");
-    for (std::string& doubt : unitDoubts(overlay.world().log())) overlay.notes.push_back(std::move(doubt));
+    for (const std::vector<std::string>& more : {noticesOf(overlay.world().log()), overlay.world().leftOut()})
+        overlay.notes.insert(overlay.notes.end(), more.begin(), more.end());
     for (const MotionNetwork* network : networksOf(overlay.world().parts()))
         for (std::string& notice : noticesOf(*network, overlay.world()))
             if (std::find(overlay.notes.begin(), overlay.notes.end(), notice) == overlay.notes.end())
@@ -118,15 +118,16 @@ void addNotices(OverlayWorld& overlay) {
 /// A log of which only a part of the robots is known to the scenario is no mistake: those that both have are compared.
 std::vector<std::string> sharedRobots(const OverlayRequest& request, const ScenarioParts& parts, const Log& log) {
     if (!request.robots.empty()) return request.robots;
-    std::vector<std::string> shared;
-    bool all = true;
+    std::vector<std::string> shared, comparable;
     for (const LogPlayer& player : parts.players) {
-        const bool has = std::any_of(log.robots.begin(), log.robots.end(),
-                                     [&](const RobotLog& robot) { return robot.robot == player.excerpt.robot; });
-        all = all && has;
-        if (has) shared.push_back(player.excerpt.robot);
+        const auto real = std::find_if(log.robots.begin(), log.robots.end(),
+                                       [&](const RobotLog& robot) { return robot.robot == player.excerpt.robot; });
+        if (real == log.robots.end()) continue;
+        shared.push_back(real->robot);
+        if (hasBothSides(*real)) comparable.push_back(real->robot);
     }
-    return all ? std::vector<std::string>{} : shared;
+    if (shared.size() == parts.players.size()) return {};
+    return comparable.empty() ? shared : comparable;
 }
 
 }  // namespace
