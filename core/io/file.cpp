@@ -5,12 +5,18 @@
 #include <system_error>
 
 #include <fcntl.h>
+#include <unistd.h>
 #include <xxhash.h>
 
 #include "io/pending_file.h"
 #include "io/system_file.h"
 
 namespace mrose {
+
+std::uint64_t mostBytesRead() {
+    return static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
+           static_cast<std::uint64_t>(::sysconf(_SC_PAGE_SIZE)) / 2;
+}
 
 Expected<std::string> readFile(const std::filesystem::path& path) {
     FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
@@ -20,10 +26,18 @@ Expected<std::string> readFile(const std::filesystem::path& path) {
     const auto type = std::filesystem::status(path, ignored).type();
     if (type == std::filesystem::file_type::character || type == std::filesystem::file_type::block)
         return fail(path.string(), "is a device; expected a file");
+    const auto tooLarge = [&](std::uint64_t size) {
+        return fail(path.string(),
+                    "has " + std::to_string(size >> 20) + " MB or more: more than half of this computer's memory");
+    };
     std::string content;
-    if (const auto size = std::filesystem::file_size(path, ignored); !ignored) content.reserve(size + 1);
+    if (const auto size = std::filesystem::file_size(path, ignored); !ignored) {
+        if (size > mostBytesRead()) return tooLarge(size);
+        content.reserve(size + 1);
+    }
     for (;;) {
         const std::size_t old = content.size();
+        if (old > mostBytesRead()) return tooLarge(old);
         const std::size_t chunk = std::max<std::size_t>(content.capacity() - old, 1 << 16);
         content.resize(old + chunk);
         const ssize_t got = ::read(file.value(), content.data() + old, chunk);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -9,7 +10,10 @@
 
 namespace mrose {
 
-/// The whole content of a regular file. Error: missing, a directory, unreadable.
+/// Half of this computer's memory: what is larger is not read, nor what a file holds compressed unpacked beyond it.
+std::uint64_t mostBytesRead();
+
+/// The whole content of a regular file. Error: missing, a directory, unreadable, larger than mostBytesRead().
 Expected<std::string> readFile(const std::filesystem::path& path);
 
 /// Replaces `path` in one go: the content is written beside it, synced and renamed, so that a full disk, a crash or a

@@ -18,6 +18,8 @@ enum class Kind : std::uint8_t { none, no, yes, integer, real, text, array, tabl
 enum class FileKind : std::uint8_t { told, known };
 
 constexpr int mostDepth = 64;
+/// Of values within a value: each takes a byte of a file and some fifty of memory.
+constexpr std::uint64_t mostValues = std::uint64_t{1} << 25;
 
 using Hash = std::pair<std::uint64_t, std::uint64_t>;  // low and high half
 
@@ -143,7 +145,7 @@ private:
     }
 
     Value readValue(int depth) {
-        if (depth > mostDepth) sound_ = false;
+        if (depth > mostDepth || ++values_ > mostValues) sound_ = false;
         if (!sound()) return {};
         switch (static_cast<Kind>(bytes_.number<std::uint8_t>())) {
             case Kind::none:
@@ -195,6 +197,7 @@ private:
 
     ByteReader bytes_;
     bool sound_ = true;
+    std::uint64_t values_ = 0;
     std::vector<Value::File> files_;
 };
 

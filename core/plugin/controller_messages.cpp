@@ -13,10 +13,10 @@ struct Writer {
         appendNumber(bytes, value);
     }
     void operator()(const std::string& value) { appendText(value, bytes); }
-    bool failed() const { return false; }
-    template <class Element>
-    void count(const std::vector<Element>& elements) {
+    template <class Element, class Fields>
+    void each(const std::vector<Element>& elements, Fields fields) {
         appendNumber(bytes, static_cast<std::uint32_t>(elements.size()));
+        for (const Element& element : elements) fields(element);
     }
 };
 
@@ -40,24 +40,13 @@ struct Reader {
     }
     void operator()(std::string& value) { unsound = !readText(bytes, value) || unsound; }
     bool failed() const { return unsound || bytes.failed(); }
-    /// Every element takes at least a byte.
-    template <class Element>
-    void count(std::vector<Element>& elements) {
-        const auto size = bytes.number<std::uint32_t>();
+    /// Their number is believed as far as there are bytes for them.
+    template <class Element, class Fields>
+    void each(std::vector<Element>& elements, Fields fields) {
         elements.clear();
-        unsound = unsound || size > bytes.rest().size();
-        if (!failed()) elements.resize(size);
+        for (auto left = bytes.number<std::uint32_t>(); left > 0 && !failed(); --left) fields(elements.emplace_back());
     }
 };
-
-template <class Visit, class Vector, class Fields>
-void each(Visit& visit, Vector& elements, Fields fields) {
-    visit.count(elements);
-    for (auto& element : elements) {
-        if (visit.failed()) return;
-        fields(element);
-    }
-}
 
 template <class Visit, class A>
 void visitAttention(Visit& visit, A& attention) {
@@ -83,7 +72,7 @@ void visitVelocity(Visit& visit, V& velocity) {
 
 template <class Visit, class Bodies>
 void visitSeen(Visit& visit, Bodies& bodies) {
-    each(visit, bodies, [&](auto& body) {
+    visit.each(bodies, [&](auto& body) {
         auto& [index, position_B, measured] = body;
         visit(index);
         visit(position_B.x);
@@ -109,13 +98,13 @@ void visitObservation(Visit& visit, O& observation) {
 
 template <class Visit, class Annotations>
 void visitAnnotations(Visit& visit, Annotations& annotations) {
-    each(visit, annotations, [&](auto& annotation) {
+    visit.each(annotations, [&](auto& annotation) {
         auto& [kind, label, value, text, points] = annotation;
         visit(kind);
         visit(label);
         visit(value);
         visit(text);
-        each(visit, points, [&](auto& point) {
+        visit.each(points, [&](auto& point) {
             visit(point.x);
             visit(point.y);
         });
@@ -139,12 +128,12 @@ template <class Visit, class D>
 void visitDecision(Visit& visit, D& decision) {
     auto& [command, earlier, kicks, annotations, breakReason, fault] = decision;
     visitCommand(visit, command);
-    each(visit, earlier, [&](auto& issued) {
+    visit.each(earlier, [&](auto& issued) {
         auto& [time, velocities] = issued;
         visit(time);
         visitVelocity(visit, velocities);
     });
-    each(visit, kicks, [&](auto& kick) {
+    visit.each(kicks, [&](auto& kick) {
         auto& [manipulator, power] = kick;
         visit(manipulator);
         visit(power);

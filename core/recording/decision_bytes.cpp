@@ -12,6 +12,9 @@ enum Flag : std::uint8_t {
     allFlags = 31
 };
 
+/// Each decision of a file takes two bytes and more than a hundred in memory.
+constexpr std::uint64_t mostRobots = 1'000'000;
+
 /// Seven bits a byte, the lowest first; the eighth says that more follow.
 void appendCount(std::string& bytes, std::uint64_t value) {
     for (; value >= 128; value >>= 7) bytes += static_cast<char>(value | 128);
@@ -100,7 +103,7 @@ bool DecisionReader::next(DecisionsOf whose) {
     std::uint64_t robot = 0;
     for (std::uint64_t left = readCount(bytes_); left > 0; --left, ++robot) {
         robot += readCount(bytes_);
-        if (robot > 0xffffffffu) return false;
+        if (robot >= mostRobots) return false;
         if (decisions_.size() == kept) decisions_.emplace_back();
         decisions_[kept].robot = static_cast<std::uint32_t>(robot);
         bool outside = false;

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <charconv>
+#include <set>
 
 #include "io/file.h"
 #include "recording/block_bytes.h"
 #include "recording/branch_scenario.h"
 #include "recording/mcap_reader.h"
 #include "recording/recording_format.h"
+#include "world/state_bytes.h"
 
 namespace mrose {
 namespace {
@@ -43,21 +45,65 @@ bool readControllers(const mcap::Strings& strings, std::vector<RecordingHeader::
     return true;
 }
 
+/// Scenarios have ticks of 0.1 s at the most.
+constexpr Nanoseconds longestTick = nanosecondsPerSecond;
+
+/// Why controllers that ask for so much have not been those of a state; "" where they may.
+std::string wrongNeeds(const std::vector<RecordingHeader::ControllerNeeds>& controllers, const WorldState& state) {
+    if (controllers.size() != state.robots.size())
+        return "tells of " + std::to_string(controllers.size()) + " robots; its first state has " +
+               std::to_string(state.robots.size());
+    const std::string held = "; its first state holds " + std::to_string(state.memory.size()) + " for all";
+    std::uint64_t memory = 0;
+    for (std::size_t i = 0; i < controllers.size(); ++i) {
+        const std::uint64_t size = controllers[i].memorySize;
+        if (size > state.memory.size())
+            return "asks for " + std::to_string(size) + " bytes of memory for robot " + std::to_string(i + 1) + held;
+        memory += paddedMemory(size);
+    }
+    return memory == state.memory.size() ? "" : "asks for " + std::to_string(memory) + " bytes of memory" + held;
+}
+
+/// How much memory descriptions take, roughly; what they share with others is counted once.
+class Weight {
+public:
+    std::size_t of(const ScenarioValue& scenario) { return of(scenario.content()); }
+
+private:
+    std::size_t of(const Value& value) {
+        std::size_t size = sizeof value;
+        if (const Value::Array* const array = value.asArray(); array && known_.insert(array).second)
+            for (const Value& element : *array) size += of(element);
+        if (const Value::Table* const table = value.asTable(); table && known_.insert(table).second)
+            for (const auto& [key, element] : *table) size += sizeof key + key.size() + of(element);
+        if (const DescriptionFile* const file = value.asFile(); file && known_.insert(file).second)
+            size += sizeof *file + of(file->content);
+        if (const std::string* const text = value.asText()) size += text->size();
+        return size;
+    }
+
+    std::set<const void*> known_;
+};
+
 class RecordingReader {
 public:
-    RecordingReader(const mcap::Content& content, std::string name) : content_(content), name_(std::move(name)) {}
+    RecordingReader(const mcap::Content& content, std::string name, std::uint64_t most)
+        : content_(content), name_(std::move(name)), most_(most) {}
 
     Expected<Recording> read() {
         recording_.damage = content_.damage;
         recording_.endless = content_.endless;
         if (const auto header = readHeader(); !header) return tl::unexpected(header.error());
-        for (const mcap::Attachment& attachment : content_.attachments)
-            if (!readAttachment(attachment)) {
-                recording_.damage.push_back("from tick " + std::to_string(lastTick()) +
-                                            " on it cannot be used: what lies at byte " +
-                                            std::to_string(attachment.offset) + " does not go on there");
-                break;
-            }
+        for (const mcap::Attachment& attachment : content_.attachments) {
+            const bool sound = readAttachment(attachment);
+            if (sound && unpacked_ <= most_) continue;
+            recording_.damage.push_back(
+                "from tick " + std::to_string(lastTick()) + " on it cannot be used: " +
+                (sound ? "unpacked it takes more than " + std::to_string(most_ >> 20) + " MB"
+                       : "what lies at byte " + std::to_string(attachment.offset) + " does not go on there"));
+            break;
+        }
+        if (!wrongNeeds_.empty()) return fail(name_, wrongNeeds_, 0, format::controllers);
         if (recording_.branches.empty()) return withoutBeginning();
         readShown();
         return std::move(recording_);
@@ -90,8 +136,8 @@ private:
         header.commandLine = valueOf(*run, format::commandLineKey);
         if (!parseInteger(valueOf(*run, format::seedKey), header.seed))
             return fail(name_, "expected an integer", 0, format::seedKey);
-        if (!parseInteger(valueOf(*run, format::tickLengthKey), header.tickLength) || header.tickLength <= 0)
-            return fail(name_, "expected a positive integer", 0, format::tickLengthKey);
+        if (!parseInteger(valueOf(*run, format::tickLengthKey), header.tickLength) || !soundTick(header.tickLength))
+            return fail(name_, "expected an integer of 1 to " + std::to_string(longestTick), 0, format::tickLengthKey);
         const mcap::Strings* const controllers = metadataOf(content_, format::controllers);
         if (controllers == nullptr) return withoutBeginning();
         if (!readControllers(*controllers, header.controllers))
@@ -116,8 +162,11 @@ private:
             texts_.emplace(name, attachment.data);
         } else if (attachment.name.starts_with(format::scenarioPrefix)) {
             scenario_ = parseBranchScenario(attachment.data, recording_.header.value.get(), texts_);
-            if (scenario_ && recording_.branches.empty()) recording_.header.value = scenario_->value;
-            return scenario_ && scenario_->branch == recording_.branches.size();
+            if (!scenario_ || scenario_->branch != recording_.branches.size() ||
+                !soundTick(scenario_->layout.tickLength))
+                return false;
+            unpacked_ += weight_.of(*scenario_->value);
+            if (recording_.branches.empty()) recording_.header.value = scenario_->value;
         } else if (attachment.name.starts_with(format::branchPrefix)) {
             return addBranch(parseBranch(attachment.data));
         } else if (attachment.name.starts_with(format::blockPrefix)) {
@@ -126,15 +175,25 @@ private:
         return true;
     }
 
+    static bool soundTick(Nanoseconds length) { return length > 0 && length <= longestTick; }
+    /// Whether a branch's clock goes so far.
+    static bool soundTime(const Recording::Layout& layout, std::int64_t tick) {
+        return tick <= latestTime / layout.tickLength;
+    }
+
     bool addBranch(std::optional<BranchStart> start) {
         std::vector<Branch>& branches = recording_.branches;
         if (!start || start->branch != branches.size()) return false;
         if (branches.empty() ? start->parent != 0 : start->parent >= branches.size()) return false;
         if (branches.empty() && !texts_.empty()) readTexts();
-        const std::int64_t tick = start->block.first;
         const std::uint32_t parent = start->parent;
+        if (!addLayout(parent, start->block)) return false;
+        const std::int64_t tick = start->block.first;
+        unpacked_ += start->block.size() + start->name.size();
         branches.push_back({parent, tick, std::move(start->name), Timeline(std::move(start->block))});
-        addScenario(parent);
+        if (branches.size() > 1)
+            branches.back().value = scenario_ ? std::move(scenario_->value) : branches[parent].value;
+        scenario_.reset();
         return true;
     }
 
@@ -148,38 +207,45 @@ private:
             recording_.header.unknown = value.error();
     }
 
-    /// Of the latest branch: its own, or that of its parent.
-    void addScenario(std::uint32_t parent) {
-        if (recording_.layouts.empty()) {
-            recording_.layouts.push_back({recording_.header.tickLength, recording_.header.controllers});
-        } else if (scenario_) {
-            recording_.branches.back().value = std::move(scenario_->value);
-            recording_.layouts.push_back(std::move(scenario_->layout));
-        } else {
-            recording_.branches.back().value = recording_.branches[parent].value;
-            recording_.layouts.push_back(Recording::Layout(recording_.layouts[parent]));
-        }
-        scenario_.reset();
+    /// Of the scenario of the branch that begins with `block`: its own, or that of its parent. Whether it fits.
+    bool addLayout(std::uint32_t parent, const TimelineBlock& block) {
+        const bool first = recording_.layouts.empty();
+        Recording::Layout layout = first
+                                       ? Recording::Layout{recording_.header.tickLength, recording_.header.controllers}
+                                   : scenario_ ? std::move(scenario_->layout)
+                                               : recording_.layouts[parent];
+        const Expected<WorldState> state = parseState(block.keyframe, name_);
+        if (!state) return false;
+        const std::string wrong = wrongNeeds(layout.controllers, *state);
+        if (first) wrongNeeds_ = wrong;
+        if (!wrong.empty() || !soundTime(layout, block.first)) return false;
+        recording_.layouts.push_back(std::move(layout));
+        return true;
     }
 
     bool addBlock(std::optional<ReadBlock> read) {
-        return read && read->branch < recording_.branches.size() &&
-               recording_.branches[read->branch].timeline.append(std::move(read->block));
+        if (!read || read->branch >= recording_.branches.size()) return false;
+        if (!soundTime(recording_.layouts[read->branch], read->block.last())) return false;
+        unpacked_ += read->block.size();
+        return recording_.branches[read->branch].timeline.append(std::move(read->block));
     }
 
     const mcap::Content& content_;
     std::string name_;
+    std::uint64_t most_, unpacked_ = 0;  ///< bytes
     Recording recording_;
     KeptTexts texts_;                         ///< of an old recording
     std::optional<BranchScenario> scenario_;  ///< of the branch that comes next
+    std::string wrongNeeds_;                  ///< of the header's controllers
+    Weight weight_;
 };
 
 }  // namespace
 
-Expected<Recording> parseRecording(std::string_view bytes, const std::string& name) {
+Expected<Recording> parseRecording(std::string_view bytes, const std::string& name, std::uint64_t most) {
     const Expected<mcap::Content> content = mcap::parse(bytes, name);
     if (!content) return tl::unexpected(content.error());
-    return RecordingReader(*content, name).read();
+    return RecordingReader(*content, name, most).read();
 }
 
 Expected<Recording> openRecording(const std::filesystem::path& path) {

@@ -10,6 +10,7 @@
 
 #include "control/controller.h"
 #include "io/error.h"
+#include "io/file.h"
 #include "recording/history.h"
 #include "recording/origin.h"
 #include "scenario/scenario_file.h"
@@ -74,11 +75,13 @@ struct Recording {
     }
 };
 
-/// Opens a recording. One that was cut off, or is damaged in its middle, opens up to there and says so. Error: it
-/// cannot be read, is no recording of mrose, or not even its beginning is whole.
+/// Opens a recording. One that was cut off, or is damaged in its middle, or unpacked takes more than mostBytesRead(),
+/// opens up to there and says so. Error: it cannot be read, is no recording of mrose, or not even its beginning is
+/// whole: its controllers ask for other memory than its first state has, too.
 Expected<Recording> openRecording(const std::filesystem::path& path);
-/// The same of a file's bytes; `name` is said in errors.
-Expected<Recording> parseRecording(std::string_view bytes, const std::string& name);
+/// The same of a file's bytes; `name` is said in errors. `most`: bytes that it may take unpacked.
+Expected<Recording> parseRecording(std::string_view bytes, const std::string& name,
+                                   std::uint64_t most = mostBytesRead());
 
 /// The scenario of a branch, from its value in the recording. Without a loader of plug-ins no controller is at hand,
 /// and their stand-ins keep the states' layout. Error: as of loadScenario().

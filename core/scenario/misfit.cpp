@@ -1,27 +1,41 @@
 #include "scenario/misfit.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "world/state_fields.h"
 
 namespace mrose {
 namespace {
 
+/// Places, speeds, impulses: nothing comes so far, and the contact solver's single precision has room for them.
+constexpr double farthest = 1e9;
+/// Commands may ask for more than a robot does.
+constexpr double largest = std::numeric_limits<double>::max();
+
 template <class T>
-bool finite(const T& value) {
+bool within(double bound, const T& value) {
     bool all = true;
     visitNumbers(value, [&](const auto& number) {
         if constexpr (std::is_floating_point_v<std::remove_cvref_t<decltype(number)>>)
-            all = all && std::isfinite(number);
+            all = all && std::abs(number) <= bound;
     });
     return all;
 }
 
 template <class T>
-bool allFinite(const std::vector<T>& values) {
-    for (const T& value : values)
-        if (!finite(value)) return false;
-    return true;
+bool allWithin(double bound, const std::vector<T>& values) {
+    return std::all_of(values.begin(), values.end(), [&](const T& value) { return within(bound, value); });
+}
+
+bool soundNumbers(const WorldState& state) {
+    for (const RobotState& r : state.robots)
+        if (!within(farthest, r.pose) || !within(farthest, r.velocity_B) || !within(farthest, r.segment) ||
+            !within(farthest, r.sensing) || !within(largest, r.commandBefore))
+            return false;
+    return allWithin(farthest, state.objects) && allWithin(farthest, state.contacts) &&
+           allWithin(farthest, state.kicks) && allWithin(farthest, state.past) && allWithin(largest, state.commands);
 }
 
 std::string wrongSize(const char* what, std::size_t found, std::size_t expected) {
@@ -41,12 +55,25 @@ std::string wrongSizes(const Scenario& scenario, const WorldState& state) {
     return {};
 }
 
+bool soundInstant(Nanoseconds time) { return time >= -latestTime && time <= latestTime; }
+
+/// Whether they can be counted with, and nobody's motion has yet to begin.
+bool soundInstants(const WorldState& state) {
+    const auto soundRobot = [&](const RobotState& r) {
+        return std::all_of(r.ready.begin(), r.ready.end(), soundInstant) && soundInstant(r.sensing.selfMeasured) &&
+               r.segment.startTick <= state.tick && soundInstant(r.segment.startTick);
+    };
+    return std::all_of(state.robots.begin(), state.robots.end(), soundRobot) &&
+           std::all_of(state.kicks.begin(), state.kicks.end(),
+                       [](const PendingKick& kick) { return soundInstant(kick.due); });
+}
+
 bool soundCommands(const Scenario& scenario, const WorldState& state, std::size_t robot) {
     const std::span<const StampedCommand> slots = scenario.commandSlots(state, robot);
     const std::size_t count = state.robots[robot].commandCount;
     if (count > slots.size()) return false;
-    for (std::size_t i = 1; i < count; ++i)
-        if (slots[i].time < slots[i - 1].time) return false;
+    for (std::size_t i = 0; i < count; ++i)
+        if (!soundInstant(slots[i].time) || (i > 0 && slots[i].time < slots[i - 1].time)) return false;
     return true;
 }
 
@@ -65,9 +92,8 @@ std::string misfit(const Scenario& scenario, const WorldState& state) {
     const auto there = [&](std::uint32_t body) { return body < bodies || body == noBody; };
     for (const ContactImpulse& contact : state.contacts)
         if (!there(contact.bodyA) || !there(contact.bodyB)) return "a contact of a body that is not there";
-    if (!allFinite(state.robots) || !allFinite(state.objects) || !allFinite(state.contacts) ||
-        !allFinite(state.kicks) || !allFinite(state.commands) || !allFinite(state.past))
-        return "a number that is not finite";
+    if (!soundInstants(state)) return "an instant beyond all runs, or a motion that has yet to begin";
+    if (!soundNumbers(state)) return "a number that is not finite, or beyond all that occurs";
     return {};
 }
 

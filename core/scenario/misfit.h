@@ -6,8 +6,8 @@
 
 namespace mrose {
 
-/// What is wrong with a state as one of a scenario: sizes, indices, numbers that are not finite. Empty: nothing, and it
-/// can be stepped.
+/// What is wrong with a state as one of a scenario: sizes, indices, instants beyond all runs, numbers that are not
+/// finite or larger than any that occur. Empty: nothing, and it can be stepped.
 std::string misfit(const Scenario& scenario, const WorldState& state);
 
 }  // namespace mrose

@@ -15,15 +15,13 @@ namespace {
 
 constexpr std::int64_t mostOfAnything = std::int64_t{1} << 32, mostTicks = std::int64_t{1} << 48;
 
-std::size_t padded(std::size_t bytes) { return (bytes + 15) / 16 * 16; }
-
 /// What keeps the arrays from being as the robots' entries say; "" for nothing.
 std::string wrongLayout(const SavedState& saved) {
     const WorldState& state = saved.state;
     std::uint64_t commands = 0, memory = 0;
     for (const SavedState::Robot& robot : saved.robots) {
         commands += robot.commands;
-        memory += padded(robot.memory);
+        memory += paddedMemory(robot.memory);
     }
     const std::size_t bodies = saved.robots.size() + saved.objects.size();
     if (state.robots.size() != saved.robots.size() || state.objects.size() != saved.objects.size() ||
@@ -33,7 +31,7 @@ std::string wrongLayout(const SavedState& saved) {
     for (std::size_t i = 0; i < saved.robots.size(); ++i)
         if (state.robots[i].commandCount > saved.robots[i].commands || state.robots[i].nextControl < state.tick)
             return "is broken in robot \"" + saved.robots[i].name + '"';
-    if (state.tick < 0 || state.tick > mostTicks) return "is of no tick";
+    if (state.tick < 0 || state.tick > mostTicks || state.tick > latestTime / saved.tickLength) return "is of no tick";
     return {};
 }
 
@@ -192,7 +190,7 @@ WorldState restored(const SavedState& saved, const Scenario& scenario, std::uint
         if (kept.period != scenario.scene().modelOf(i).period())
             robot.nextControl = robot.segment.startTick = state.tick;
         commands += kept.commands;
-        memory += padded(kept.memory);
+        memory += paddedMemory(kept.memory);
     }
     layOutPast(saved, scenario, state);
     moveToStarts(scenario.scene(), state);

@@ -26,8 +26,6 @@ std::int64_t longestLag(const Scene& scene) {
     return scene.ticksOf(longest);
 }
 
-std::size_t roundUp(std::size_t bytes) { return (bytes + 15) / 16 * 16; }
-
 }  // namespace
 
 Scenario::Scenario(ScenarioParts parts)
@@ -47,12 +45,14 @@ void Scenario::layOut() {
         const auto periods = static_cast<std::size_t>(model.memory() / model.period()) + 2;
         Slots slots;
         slots.commands = commandSlots_;
-        slots.commandCount =
-            std::min(periods * controller(i).commandsPerPeriod(model.period()), CommandHistory::capacity);
+        // Nobody has more than the capacity, in however few periods.
+        const std::size_t inPeriod =
+            std::min(controller(i).commandsPerPeriod(model.period()), CommandHistory::capacity);
+        slots.commandCount = std::min(periods * inPeriod, CommandHistory::capacity);
         slots.memory = memorySize_;
         slots.memorySize = controller(i).memorySize();
         commandSlots_ += slots.commandCount;
-        memorySize_ += roundUp(slots.memorySize);
+        memorySize_ += paddedMemory(slots.memorySize);
         slots_.push_back(slots);
         periods_.push_back({model.period() / scene.tickLength, toSeconds(model.period())});
     }

@@ -15,4 +15,7 @@ constexpr Nanoseconds nanosecondsPerSecond = 1'000'000'000;
 inline Nanoseconds fromSeconds(double seconds) { return std::llround(seconds * 1e9); }
 constexpr double toSeconds(Nanoseconds duration) { return static_cast<double>(duration) * 1e-9; }
 
+/// Instants that a file gives lie within +- this: differences of them do not overflow.
+constexpr Nanoseconds latestTime = Nanoseconds{1} << 61;
+
 }  // namespace mrose

@@ -73,6 +73,9 @@ struct PendingKick {
     double power = 0;  ///< 0 ... 1
 };
 
+/// How much of WorldState::memory a controller's memory takes: each begins at a multiple of 16 bytes.
+constexpr std::size_t paddedMemory(std::size_t bytes) { return (bytes + 15) / 16 * 16; }
+
 /// Everything that advances in time. A tick is a function of it and of the scenario, which is constant: whoever keeps
 /// a copy can go back to it, to the last bit.
 struct WorldState {

@@ -14,6 +14,7 @@
 #include "recording/recording_writer.h"
 #include "support/full_disk.h"
 #include "support/places.h"
+#include "support/recording_metadata.h"
 #include "support/run_program.h"
 #include "widgets/field_view.h"
 #include "world/state_hash.h"
@@ -124,6 +125,23 @@ TEST_F(BadInput, HalfWrittenRecordingIsShownUpToItsDamage) {
     EXPECT_EQ(window.shown()->last, last);
     seek(last);
     EXPECT_EQ(window.shown()->hash, hashAt(*scenarioOf(path("game.toml")), last));
+}
+
+/// Sizes that a file says are not believed.
+TEST_F(BadInput, RecordingOfImpossibleControllersIsRefused) {
+    const std::string recording = path("game.mcap");
+    ASSERT_EQ(runMrose({"run", path("game.toml"), "--record", recording, "--quiet", "--duration", "1"}).status, 0);
+    const std::string whole = readFile(recording).value_or("");
+    mcap::Strings needs = metadataOf(whole, "mrose.controllers");
+    const std::string memory = needs["0"].substr(0, needs["0"].find(' '));
+    for (const char* huge : {"9000000000000000000 1", "18446744073709551615 1", "4294967296 18446744073709551615"}) {
+        needs["0"] = huge;
+        EXPECT_THAT(refusal(write("huge.mcap", withMetadata(whole, "mrose.controllers", needs))),
+                    HasSubstr("bytes of memory for robot 1; its first state holds"));
+    }
+    needs["0"] = memory + " 18446744073709551615";
+    EXPECT_THAT(refusal(write("huge.mcap", withMetadata(whole, "mrose.controllers", needs))),
+                HasSubstr("places for commands; the scenario has"));
 }
 
 TEST_F(BadInput, NetworkNeedsARobot) {

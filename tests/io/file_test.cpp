@@ -62,6 +62,17 @@ TEST(File, WhatHasNoSizeIsReadToItsEnd) {
     EXPECT_NE(status->find("Threads:"), std::string::npos);
 }
 
+/// Holes take no room on the disk.
+TEST(File, WhatTheMemoryCannotHoldIsNotRead) {
+    const TemporaryFolder folder;
+    const auto file = folder.write("huge", "x");
+    std::filesystem::resize_file(file, std::uintmax_t{1} << 42);
+    const auto read = readFile(file);
+    ASSERT_FALSE(read);
+    EXPECT_EQ(read.error().message(),
+              file.string() + ": has 4194304 MB or more: more than half of this computer's memory");
+}
+
 TEST(File, PlacesThatCannotBeWrittenAreRefusedByCheckAndWrite) {
     const TemporaryFolder folder;
     folder.write("plain", "text");

@@ -118,5 +118,18 @@ TEST(ControllerMessages, ChangedOnesAreReadOrRefused) {
     EXPECT_FALSE(readDecision(reader, read));
 }
 
+/// A number of elements is believed as far as there are bytes for them.
+TEST(ControllerMessages, NumbersAloneTakeNoMemory) {
+    constexpr std::uint32_t many = 1 << 20;
+    std::string bytes;
+    appendNumber(bytes, false);  // no command, nothing earlier, no kicks
+    for (const std::uint32_t size : {0u, 0u, many}) appendNumber(bytes, size);
+    bytes.append(many, '\xff');  // no annotation
+    ByteReader reader(bytes);
+    Decision read;
+    EXPECT_FALSE(readDecision(reader, read));
+    EXPECT_LT(read.annotations.capacity(), 10u);
+}
+
 }  // namespace
 }  // namespace mrose

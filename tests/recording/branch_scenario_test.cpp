@@ -180,6 +180,11 @@ TEST_F(BranchScenarios, WhatIsNoScenarioIsDamage) {
          {std::string(), std::string("no frame"), good.substr(0, good.size() / 2),
           branchScenarioBytes({2, layout, otherValue}, value.get()),
           branchScenarioBytes({1, {0, {}}, otherValue}, value.get()),
+          branchScenarioBytes({1, {std::int64_t{1} << 40, {3, {16, 2}}}, otherValue}, value.get()),
+          branchScenarioBytes({1, {10'000'000, {4, {16, 2}}}, otherValue}, value.get()),
+          branchScenarioBytes({1, {10'000'000, {{16, 2}, {~std::uint64_t{0}, 2}, {16, 2}}}, otherValue}, value.get()),
+          branchScenarioBytes({1, {10'000'000, {{16, 2}, {9'000'000'000'000'000'000, 2}, {16, 2}}}, otherValue},
+                              value.get()),
           branchScenarioBytes({1, layout, asMore}, &more),  // tells a file by its hash that the run has not
           compressed(longer), compressed("\3" + decompressed(good)->substr(1))}) {
         const auto recording = parseRecording(withScenario(whole, bad), "f");

@@ -9,6 +9,8 @@
 #include "recording/mcap_walk.h"
 #include "recording/playback.h"
 #include "recording/recording_fixture.h"
+#include "support/recording_metadata.h"
+#include "world/command_history.h"
 #include "world/noise.h"
 #include "world/state_bytes.h"
 #include "world/state_difference.h"
@@ -133,6 +135,70 @@ TEST_F(RecordingFile, MissingTicksEndIt) {
     ASSERT_TRUE(recording);
     EXPECT_EQ(recording->branches[0].timeline.last(), 101);
     EXPECT_NE(recording->damage.back().find("from tick 101 on it cannot be used"), std::string::npos);
+}
+
+/// What controllers ask for lays out the states: it is checked against the first of them, whatever CRC holds.
+TEST_F(RecordingFile, ControllersAskForNoMoreThanTheirStateHolds) {
+    const std::string whole = *readFile(record());
+    const mcap::Strings needs = metadataOf(whole, "mrose.controllers");
+    ASSERT_EQ(needs.size(), 8u);
+    const auto opened = [&](const mcap::Strings& strings) {
+        return parseRecording(withMetadata(whole, "mrose.controllers", strings), "run.mcap");
+    };
+    ASSERT_TRUE(opened(needs)) << opened(needs).error().message();
+    EXPECT_EQ(opened(needs)->branches[0].timeline.last(), ticks);
+    const auto refusal = [&](const std::string& key, const std::string& value) {
+        mcap::Strings wrong = needs;
+        wrong[key] = value;
+        const auto recording = opened(wrong);
+        return recording ? "" : recording.error().message();
+    };
+    for (const char* huge : {"9000000000000000000", "18446744073709551615", "129"})
+        EXPECT_EQ(refusal("3", std::string(huge) + " 2"), "run.mcap: mrose.controllers: asks for " + std::string(huge) +
+                                                              " bytes of memory for robot 4; its first state holds "
+                                                              "128 for all");
+    EXPECT_EQ(refusal("3", "32 2"),
+              "run.mcap: mrose.controllers: asks for 144 bytes of memory; its first state holds 128 for all");
+    EXPECT_EQ(refusal("8", "0 1"), "run.mcap: mrose.controllers: tells of 9 robots; its first state has 8");
+    EXPECT_NE(refusal("3", "18446744073709551616 2").find("expected two integers"), std::string::npos);
+}
+
+TEST_F(RecordingFile, TicksBeyondAllRunsAreRefused) {
+    const std::string whole = *readFile(record());
+    mcap::Strings run = metadataOf(whole, "mrose.run");
+    for (const char* length : {"0", "-5", "1000000001", "9000000000000000000"}) {
+        run["tick_length_ns"] = length;
+        const auto recording = parseRecording(withMetadata(whole, "mrose.run", run), "run.mcap");
+        ASSERT_FALSE(recording) << length;
+        EXPECT_EQ(recording.error().message(), "run.mcap: tick_length_ns: expected an integer of 1 to 1000000000");
+    }
+}
+
+TEST_F(RecordingFile, OpensAsFarAsTheMemoryGoes) {
+    const std::string whole = *readFile(record());
+    const auto recording = parseRecording(whole, "run.mcap");
+    const std::uint64_t size =
+        recording->branches[0].timeline.size() + recording->branches[1].timeline.size() + std::string("pushed").size();
+    EXPECT_TRUE(parseRecording(whole, "run.mcap", size)->damage.empty());
+    std::int64_t last = ticks;
+    for (const std::uint64_t most : {size - 1, size / 2, size / 4}) {
+        const auto part = parseRecording(whole, "run.mcap", most);
+        ASSERT_TRUE(part) << part.error().message();
+        EXPECT_LE(part->branches[0].timeline.last(), last);
+        last = part->branches[0].timeline.last();
+        EXPECT_NE(part->damage.at(0).find("it cannot be used: unpacked it takes more than"), std::string::npos);
+    }
+    EXPECT_LT(last, ticks);
+}
+
+TEST_F(RecordingFile, ControllersHaveNoMoreCommandsThanAHistoryHolds) {
+    MatchOptions options;
+    for (const std::uint64_t most : {std::uint64_t{CommandHistory::capacity}, ~std::uint64_t{0} / 2 + 1}) {
+        options.controller = std::make_shared<const RecordedController>(RecordingHeader::ControllerNeeds{16, most});
+        const Scenario greedy(matchParts(options));
+        const WorldState state = greedy.initialState();
+        EXPECT_EQ(greedy.commandSlots(state, 0).size(), CommandHistory::capacity) << most;
+    }
 }
 
 TEST_F(RecordingFile, OtherFilesAreNamed) {

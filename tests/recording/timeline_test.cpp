@@ -278,5 +278,13 @@ TEST(DecisionBytes, ComeBackToTheBit) {
         EXPECT_FALSE(DecisionReader(std::string_view(bytes).substr(0, size)).next(DecisionsOf::all)) << size;
 }
 
+TEST(Decisions, OfMoreRobotsThanThereEverAreAreRefused) {
+    const std::string_view last("\1\xbf\x84\x3d\0", 5), beyond("\1\xc0\x84\x3d\0", 5);  // of robot 999 999 and the next
+    DecisionReader reader(last);
+    EXPECT_TRUE(reader.next(DecisionsOf::all));
+    EXPECT_EQ(reader.decisions().at(0).robot, 999'999u);
+    EXPECT_FALSE(DecisionReader(beyond).next(DecisionsOf::all));
+}
+
 }  // namespace
 }  // namespace mrose

@@ -1,6 +1,9 @@
 // Scenarios that begin in a state saved from a run.
 #include "scenario/saved_state.h"
 
+#include <limits>
+#include <utility>
+
 #include <gtest/gtest.h>
 
 #include "io/file.h"
@@ -200,10 +203,24 @@ TEST_F(SavedStates, MistakesAreNamed) {
               "x.state:7:9: state: holds other bodies, commands or memory than are told beside it");
     EXPECT_NE(refused("tick_ns = 20000000", "tick_ns = 20000000\nx = 1").find("x: is not a known key"),
               std::string::npos);
+    for (RobotState& robot : state.robots) robot.nextControl = std::int64_t{1} << 40;
+    const std::int64_t tick = std::exchange(state.tick, std::int64_t{1} << 40);
+    EXPECT_EQ(refused("", ""), "x.state:7:9: state: is of no tick");
+    state.tick = tick;
     state.robots[1].pose.x = std::nan("");
-    EXPECT_EQ(refused("", ""),
-              "s.toml:4:17: initial_state: does not fit the scenario: it has a number that is not finite");
+    EXPECT_EQ(
+        refused("", ""),
+        "s.toml:4:17: initial_state: does not fit the scenario: it has a number that is not finite, or beyond all "
+        "that occurs");
+    state.robots[1].pose.x = -2e9;
+    EXPECT_NE(refused("", "").find("a number that is not finite, or beyond all that occurs"), std::string::npos);
     state.robots[1].pose.x = 0;
+    state.robots[1].segment.startTick = tick + 1;
+    EXPECT_NE(refused("", "").find("an instant beyond all runs, or a motion that has yet to begin"), std::string::npos);
+    state.robots[1].segment.startTick = tick;
+    state.robots[2].ready[0] = std::numeric_limits<Nanoseconds>::min();
+    EXPECT_NE(refused("", "").find("an instant beyond all runs"), std::string::npos);
+    state.robots[2].ready[0] = 0;
     state.robots[2].commandCount = 1000;
     EXPECT_EQ(refused("", ""), "x.state:7:9: state: is broken in robot \"three\"");
 }

@@ -96,7 +96,7 @@ std::optional<TrialRow> rowOf(const std::vector<std::string>& cells, const std::
     row.request.file = found(words[2], path);
     for (std::size_t i = 3; i + 1 < words.size(); ++i)
         if (words[i] == "--log") row.request.log = found(words[i + 1], path);
-    for (const std::size_t column : shown) row.cells.push_back(column < cells.size() ? shortened(cells[column]) : "");
+    for (const std::size_t column : shown) row.cells.push_back(shortened(cells[column]));
     return row;
 }
 
@@ -118,7 +118,7 @@ Expected<TrialTable> readTrials(const std::string& path) {
     if (!text) return tl::unexpected(text.error());
     if (!text->starts_with(firstColumns)) return fail(path, "is no results.csv of mrose batch", 1);
     TrialTable table;
-    std::size_t command = 0;
+    std::size_t command = 0, columns = 0;
     std::vector<std::size_t> shown;
     int line = 0;
     for (std::size_t begin = 0; begin < text->size();) {
@@ -126,12 +126,14 @@ Expected<TrialTable> readTrials(const std::string& path) {
         std::vector<std::string> cells = resultsCells(std::string_view(*text).substr(begin, end - begin));
         begin = end + 1;
         if (++line == 1) {
+            columns = cells.size();
             while (command < cells.size() && cells[command] != "command") ++command;
             shown = shownColumns(cells);
             for (const std::size_t column : shown) table.columns.push_back(cells[column]);
             continue;
         }
-        auto row = rowOf(cells, shown, command, path);
+        // A table is as wide as its first line: no row is filled up to that.
+        auto row = cells.size() == columns ? rowOf(cells, shown, command, path) : std::nullopt;
         if (!row) return fail(path, "is no row of a batch; expected trial, seed and the command that runs it", line);
         table.rows.push_back(std::move(*row));
     }
