@@ -71,9 +71,10 @@ void DescriptionWatch::watchPlaces() {
 
 void DescriptionWatch::check() {
     if (looking_.busy()) return settled_.start();
-    looking_.post([this, known = contents_](const JobQueue::GoesOn& goesOn) -> JobQueue::Answer {
+    const auto job = [this, known = contents_](const JobQueue::GoesOn& goesOn) -> JobQueue::Answer {
         return [this, now = contentsNow(known, goesOn)] { take(now); };
-    });
+    };
+    looking_.post(job, [this](const Error& error) { emit failed(error); });
 }
 
 /// Of those files that may have another content, and of those that are missed, or were.

@@ -38,7 +38,8 @@ signals:
     void changed(const std::vector<std::string>& files);
     /// They have not been there, or of `places` have been empty, for longer than who saves takes to replace a file.
     void gone(const std::vector<std::string>& files);
-    void back();  ///< all of them, with whatever content
+    void back();                      ///< all of them, with whatever content
+    void failed(const Error& error);  ///< looking at them
 
 private:
     /// What a file with another content differs in, but for one that is written twice within a clock's tick.

@@ -90,6 +90,7 @@ WindowFiles::WindowFiles(MainWindow& window, MessageBar& messages)
     connect(&watch_, &DescriptionWatch::gone, this,
             [this, namesOf](const std::vector<std::string>& files) { sayGone(namesOf(files), files.size()); });
     connect(&watch_, &DescriptionWatch::back, this, [this] { messages_.remove(goneTopic); });
+    connect(&watch_, &DescriptionWatch::failed, this, [this](const Error& error) { sayError(error, goneTopic); });
 }
 
 void WindowFiles::open(const QString& path, OpenRequest how, std::optional<double> at) {

@@ -7,6 +7,7 @@
 
 #include "reality/overlay.h"
 #include "widgets/field_view.h"
+#include "widgets/message_bar.h"
 #include "window/main_window.h"
 #include "window/window_memory.h"
 
@@ -14,6 +15,7 @@ namespace mrose::gui {
 namespace {
 
 constexpr std::int64_t mostPoints = 2000;  // of a model's course: more than there are pixels
+constexpr const char* errorPlotTopic = "error plot";
 
 bool has(const std::vector<ValueKey>& keys, const ValueKey& key) {
     return std::find(keys.begin(), keys.end(), key) != keys.end();
@@ -115,8 +117,8 @@ void ErrorPlot::lookAtCourse() {
     computing_.drop();
     showDock();
     const Overlay& overlay = window_.overlay();
-    computing_.post([this, world = overlay.world(),
-                     request = overlay.requests()[*overlay.shownCourse()]](const JobQueue::GoesOn& goesOn) {
+    const auto job = [this, world = overlay.world(),
+                      request = overlay.requests()[*overlay.shownCourse()]](const JobQueue::GoesOn& goesOn) {
         ComparisonOptions options;
         options.seed = world->seed;
         options.progress = [&](std::span<const ComparedCourse>, double) { return goesOn(); };
@@ -127,6 +129,9 @@ void ErrorPlot::lookAtCourse() {
             course_ = course;
             plot();
         });
+    };
+    computing_.post(job, [this](const Error& error) {
+        window_.messages().add({MessageBar::Kind::error, QString::fromStdString(error.message()), errorPlotTopic});
     });
 }
 

@@ -68,14 +68,15 @@ void Overlay::post(const Opening& wanted) {
         QTimer::singleShot(openPatience, this, [this, place = wanted.request.log, number = openings_] {
             if (number == openings_ && opener_.busy()) tellOpening(place);
         });
-    opener_.post([this, wanted, restarts = restarts_](const JobQueue::GoesOn& goesOn) -> JobQueue::Answer {
+    const auto job = [this, wanted, restarts = restarts_](const JobQueue::GoesOn& goesOn) -> JobQueue::Answer {
         OpenProgress progress;
         progress.goesOn = goesOn;
         Opening opening = wanted;
         auto opened = std::make_shared<Expected<OpenedLog>>(
             openLogAsRun(wanted.request, wanted.asked, restarts, progress, opening.untold));
         return [this, opened, opening] { takeOpened(std::move(*opened), opening); };
-    });
+    };
+    opener_.post(job, [this, wanted](const Error& error) { takeOpened(tl::unexpected(error), wanted); });
 }
 
 void Overlay::tellOpening(const std::string& place) {
@@ -125,16 +126,20 @@ void Overlay::follow(const OpenRun& run) {
     request.seed = run.source.seed;
     request.pluginLimit = run.source.pluginLimit;
     if (run.recorded()) request.kept = run.course->value;
-    opener_.post([this, request, followed = run.course](const JobQueue::GoesOn& goesOn) -> JobQueue::Answer {
+    const auto alone = [this](const Error& error) {
+        const QString why = QString::fromStdString(error.message());
+        window_.messages().add({MessageBar::Kind::note, tr("The run is shown alone: %1").arg(why), overlayTopic});
+    };
+    const auto job = [this, request, followed = run.course, alone](const JobQueue::GoesOn& goesOn) -> JobQueue::Answer {
         OpenProgress progress;
         progress.goesOn = goesOn;
         auto world = std::make_shared<Expected<OverlayWorldPointer>>(openOverlayWorld(request, progress));
-        return [this, world, followed] {
+        return [this, world, followed, alone] {
             if (*world) return takeFollowed(std::move(**world), followed);
-            const QString why = QString::fromStdString(world->error().message());
-            window_.messages().add({MessageBar::Kind::note, tr("The run is shown alone: %1").arg(why), overlayTopic});
+            alone(world->error());
         };
-    });
+    };
+    opener_.post(job, alone);
 }
 
 /// What is on its way to be shown comes first.
@@ -146,11 +151,12 @@ void Overlay::reload(const QString& why) {
 void Overlay::readAgain() {
     if (!reload_ || !world_ || !shownCourse_) return;
     reading_ = std::exchange(reload_, std::nullopt);
-    opener_.post([this, world = world_, plan = plan_, shown = requests_[*shownCourse_], restarts = restarts_,
-                  why = *reading_](const JobQueue::GoesOn& goesOn) -> JobQueue::Answer {
+    const auto job = [this, world = world_, plan = plan_, shown = requests_[*shownCourse_], restarts = restarts_,
+                      why = *reading_](const JobQueue::GoesOn& goesOn) -> JobQueue::Answer {
         auto again = std::make_shared<Expected<OpenedLog>>(reopen(*world, plan, shown, restarts, goesOn));
         return [this, again, why] { takeReopened(std::move(*again), why); };
-    });
+    };
+    opener_.post(job, [this, why = *reading_](const Error& error) { takeReopened(tl::unexpected(error), why); });
 }
 
 void Overlay::takeReopened(Expected<OpenedLog> again, const QString& why) {
@@ -292,15 +298,16 @@ void Overlay::compareAll() {
     share_ = 0;
     error_.clear();
     emit changed();
-    computing_.post([this, world = world_, requests = requests_,
-                     bounds = divergenceOptions()](const JobQueue::GoesOn& goesOn) -> JobQueue::Answer {
+    const auto job = [this, world = world_, requests = requests_,
+                      bounds = divergenceOptions()](const JobQueue::GoesOn& goesOn) -> JobQueue::Answer {
         const auto tell = [&](std::vector<OverlayRow> rows, double share) {
             computing_.tell([this, rows = std::move(rows), share] { takeRows(rows, share); });
             return goesOn();
         };
         auto compared = std::make_shared<Expected<Comparison>>(compareCourses(*world, requests, bounds, tell));
         return [this, compared] { takeComparison(std::move(*compared)); };
-    });
+    };
+    computing_.post(job, [this](const Error& error) { takeComparison(tl::unexpected(error)); });
     compareModels();
 }
 
@@ -340,10 +347,13 @@ bool Overlay::show(std::size_t course, std::optional<std::size_t> robot, const T
     if (!world_ || course >= requests_.size()) return false;
     if (!window_.files().mayLeave([this, course, robot, then] { show(course, robot, then); })) return false;
     setAside();
-    opener_.post([this, world = world_, course, request = requests_[course], robot, then,
-                  toldOn = isToldOn(plan_, restarts_)](const JobQueue::GoesOn&) -> JobQueue::Answer {
+    const auto job = [this, world = world_, course, request = requests_[course], robot, then,
+                      toldOn = isToldOn(plan_, restarts_)](const JobQueue::GoesOn&) -> JobQueue::Answer {
         auto run = std::make_shared<Expected<OpenRun>>(openCourse(*world, request, toldOn));
         return [this, run, course, robot, then] { takeCourse(std::move(*run), course, robot, then); };
+    };
+    opener_.post(job, [this, course, robot, then](const Error& error) {
+        takeCourse(tl::unexpected(error), course, robot, then);
     });
     return true;
 }

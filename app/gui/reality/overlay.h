@@ -179,6 +179,7 @@ private:
     void lookAtCourse();
     void forgetCourse();
     void findCause();
+    void takeDiagnosis(Expected<Diagnosis> found);
     void layReality();
     void tellDivergences();
     bool show(std::size_t course, std::optional<std::size_t> robot, const Then& then);

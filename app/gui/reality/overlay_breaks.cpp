@@ -167,7 +167,7 @@ void Overlay::lookInCourses() {
                                           : tr("No break in the rest of this course, nor in those after it");
     if (search.places.empty()) return window_.say(none);
     const QString what = tr("Looking for a break in the other courses");
-    searching_.post([this, world = world_, search, none, what](const JobQueue::GoesOn& goesOn) -> JobQueue::Answer {
+    const auto job = [this, world = world_, search, none, what](const JobQueue::GoesOn& goesOn) -> JobQueue::Answer {
         const auto progress = [&](double share) {
             searching_.tell([this, what, share] { emit searching(what, share); });
             return goesOn();
@@ -182,6 +182,10 @@ void Overlay::lookInCourses() {
             then.look = wish;
             show(*found->course, {}, then);
         };
+    };
+    searching_.post(job, [this, what](const Error& error) {
+        emit searching(what, 1);
+        sayError(error);
     });
 }
 

@@ -13,15 +13,17 @@ namespace mrose::gui {
 void Overlay::lookAtCourse() {
     forgetCourse();
     if (!shownCourse_) return;
-    for (std::size_t model = 1; model < models_.size(); ++model)
-        driving_.post([this, world = world_, drives = models_[model],
-                       request = requests_[*shownCourse_]](const JobQueue::GoesOn& goesOn) {
+    for (std::size_t model = 1; model < models_.size(); ++model) {
+        const auto job = [this, world = world_, drives = models_[model],
+                          request = requests_[*shownCourse_]](const JobQueue::GoesOn& goesOn) {
             auto driven = std::make_shared<Reality::ModelCourse>(modelCourse(*world, drives, request, goesOn));
             return JobQueue::Answer([this, driven] {
                 modelCourses_.push_back(std::move(*driven));
                 layReality();
             });
-        });
+        };
+        driving_.post(job, [this](const Error& error) { sayError(error); });
+    }
     layReality();
     tellDivergences();
     findCause();
@@ -105,7 +107,7 @@ void Overlay::findCause() {
     if (row == nullptr || !row->divergence) return;
     finding_ = Finding{row->course, row->robot, 0, {}, {}};
     const CauseQuestion question{requests_[row->course], *row, divergenceOptions(), models_};
-    diagnosing_.post([this, world = world_, question](const JobQueue::GoesOn& goesOn) -> JobQueue::Answer {
+    const auto job = [this, world = world_, question](const JobQueue::GoesOn& goesOn) -> JobQueue::Answer {
         const auto progress = [&](double share) {
             diagnosing_.tell([this, share] {
                 finding_->share = share;
@@ -114,15 +116,18 @@ void Overlay::findCause() {
             return goesOn();
         };
         auto found = std::make_shared<Expected<Diagnosis>>(whyItLeaves(*world, question, progress));
-        return [this, found] {
-            finding_->share = 1;
-            if (*found)
-                finding_->diagnosis = std::move(**found);
-            else
-                finding_->error = QString::fromStdString(found->error().message());
-            emit changed();
-        };
-    });
+        return [this, found] { takeDiagnosis(std::move(*found)); };
+    };
+    diagnosing_.post(job, [this](const Error& error) { takeDiagnosis(tl::unexpected(error)); });
+}
+
+void Overlay::takeDiagnosis(Expected<Diagnosis> found) {
+    finding_->share = 1;
+    if (found)
+        finding_->diagnosis = std::move(*found);
+    else
+        finding_->error = QString::fromStdString(found.error().message());
+    emit changed();
 }
 
 void Overlay::showCause(std::optional<std::size_t> trial) {

@@ -18,8 +18,8 @@ void Overlay::compareModel(std::size_t model) {
     judged.figures = {};
     judged.judged = 0;
     const double horizon = plan_.cut == OverlayPlan::Cut::windows ? plan_.length : OverlayPlan{}.length;
-    computing_.post([this, world = world_, judged, requests = requests_,
-                     horizon = fromSeconds(horizon)](const JobQueue::GoesOn& goesOn) -> JobQueue::Answer {
+    const auto job = [this, world = world_, judged, requests = requests_,
+                      horizon = fromSeconds(horizon)](const JobQueue::GoesOn& goesOn) -> JobQueue::Answer {
         const Progress progress = [&](double share) {
             computing_.tell([this, name = judged.name, share] {
                 if (OverlayModel* const known = modelNamed(name)) known->judged = std::min(share, 0.999);
@@ -29,6 +29,9 @@ void Overlay::compareModel(std::size_t model) {
         };
         const OverlayModel::Figures figures = judge(*world, judged, requests, horizon, progress);
         return [this, name = judged.name, figures] { takeFigures(name, figures); };
+    };
+    computing_.post(job, [this, name = judged.name](const Error& error) {
+        takeFigures(name, {tl::unexpected(error), tl::unexpected(error)});
     });
 }
 
@@ -56,10 +59,11 @@ void Overlay::addModel(const std::string& named) {
 }
 
 void Overlay::loadModel(const WantedModel& wanted) {
-    computing_.post([this, world = world_, wanted](const JobQueue::GoesOn&) -> JobQueue::Answer {
+    const auto job = [this, world = world_, wanted](const JobQueue::GoesOn&) -> JobQueue::Answer {
         auto model = std::make_shared<Expected<OverlayModel>>(overlayModel(*world, wanted.named));
         return [this, model, wanted] { takeModel(wanted, std::move(*model)); };
-    });
+    };
+    computing_.post(job, [this, wanted](const Error& error) { takeModel(wanted, tl::unexpected(error)); });
 }
 
 void Overlay::takeModel(const WantedModel& wanted, Expected<OverlayModel> model) {

@@ -3,6 +3,8 @@
 #include <QEventLoop>
 #include <utility>
 
+#include "io/caught.h"
+
 namespace mrose::gui {
 namespace {
 
@@ -32,10 +34,11 @@ Expected<void> BackgroundWork::start(const QString& what, Job job, Done done) {
     atWork_ = true;
     // A thread of Qt's: jobs may wait for other programs.
     thread_.reset(QThread::create([this, job = std::move(job)] {
-        outcome_ = job([this](double share) {
+        const auto progress = [this](double share) {
             share_ = share;
             return !cancelled_ && !quit_;
-        });
+        };
+        outcome_ = caught([&] { return job(progress); });
         atWork_ = false;
         atWork_.notify_all();
         QMetaObject::invokeMethod(this, &BackgroundWork::finish, Qt::QueuedConnection);

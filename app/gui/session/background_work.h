@@ -30,7 +30,8 @@ public:
     explicit BackgroundWork(QObject* parent = nullptr);
     ~BackgroundWork() override;
 
-    /// `done` is called in the window's thread. Error: something else is under way.
+    /// `done` is called in the window's thread; what the job throws is its outcome's error. Error: something else is
+    /// under way.
     Expected<void> start(const QString& what, Job job, Done done);
     bool cancel();  ///< false: nothing is under way
     bool busy() const { return running_; }
@@ -64,8 +65,14 @@ std::optional<Answer> askWindow(QObject& window, std::function<Answer()> questio
                                 const std::function<bool()>& goesOn) {
     auto promise = std::make_shared<std::promise<Answer>>();
     auto answer = promise->get_future();
-    QMetaObject::invokeMethod(
-        &window, [promise, question = std::move(question)] { promise->set_value(question()); }, Qt::QueuedConnection);
+    const auto ask = [promise, question = std::move(question)] {
+        try {
+            promise->set_value(question());
+        } catch (...) {
+            promise->set_exception(std::current_exception());  // the work's, which waits for it
+        }
+    };
+    QMetaObject::invokeMethod(&window, ask, Qt::QueuedConnection);
     return awaited(std::move(answer), goesOn);
 }
 

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "io/caught.h"
+
 namespace mrose::gui {
 
 JobQueue::JobQueue(QObject* parent) : QObject(parent), worker_([this] { work(); }) {}
@@ -17,10 +19,10 @@ JobQueue::~JobQueue() {
     worker_.join();
 }
 
-void JobQueue::post(Job job) {
+void JobQueue::post(Job job, Failed failed) {
     {
         const std::lock_guard lock(mutex_);
-        jobs_.push_back(std::move(job));
+        jobs_.push_back({std::move(job), std::move(failed)});
     }
     wake_.notify_all();
 }
@@ -28,7 +30,7 @@ void JobQueue::post(Job job) {
 void JobQueue::tell(Answer answer) {
     {
         const std::lock_guard lock(mutex_);
-        answers_.push_back({running_, std::move(answer)});
+        answers_.push_back({running_, std::move(answer), failed_});
     }
     QMetaObject::invokeMethod(this, &JobQueue::deliver, Qt::QueuedConnection);
 }
@@ -59,16 +61,21 @@ void JobQueue::work() {
     while (true) {
         wake_.wait(lock, [this] { return quit_ || !jobs_.empty(); });
         if (quit_) return;
-        const Job job = std::move(jobs_.front());
+        const Job job = std::move(jobs_.front().job);
+        failed_ = std::move(jobs_.front().failed);
         jobs_.pop_front();
         working_ = true;
         running_ = dropped_;
         lock.unlock();
-        Answer answer = job([this] {
+        const GoesOn goesOn = [this] {
             const std::lock_guard held(mutex_);
             return running_ == dropped_;
-        });
-        if (answer) tell(std::move(answer));
+        };
+        auto answer = caught([&] { return job(goesOn); });
+        if (!answer)
+            tell([failed = failed_, error = answer.error()] { failed(error); });
+        else if (*answer)
+            tell(std::move(*answer));
         lock.lock();
         working_ = false;
         done_.notify_all();
@@ -83,7 +90,8 @@ void JobQueue::deliver() {
         answers_.pop_front();
         const bool wanted = told.since == dropped_;
         lock.unlock();
-        if (wanted) told.answer();
+        if (!wanted) continue;
+        if (const auto done = caught(told.answer); !done) told.failed(done.error());
     }
 }
 

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include "io/caught.h"
 #include "session/play_end.h"
 
 namespace mrose::gui {
@@ -51,7 +52,7 @@ void Session::request(std::function<void()> what, Kind kind) {
 void Session::carryOut(const Request& request) {
     cancelsBefore_ = request.cancels;
     openedBefore_ = request.opened;
-    request.carryOut();
+    if (const auto done = caught(request.carryOut); !done) giveUp(done.error());
     if (request.kind == Kind::quick) return;
     const std::lock_guard lock(mutex_);
     --lasting_;
@@ -176,9 +177,8 @@ void Session::doLongWork(const QString& what, std::function<QString(TimeTravel&,
         [this, what, job = std::move(job), finishes] {
             if (!run_) return;
             emit working(what, 0);
-            const QString said = job(*run_, progressOf(what, finishes));
+            message_ = job(*run_, progressOf(what, finishes));
             emit working(what, 1);
-            message_ = said;
             anchor();
         },
         Kind::lasting);
@@ -308,7 +308,10 @@ void Session::serveLooks() {
         const std::lock_guard lock(mutex_);
         looks.swap(looks_);
     }
-    for (const Look& look : looks) look(run_ && !quit_ ? &*run_ : nullptr, runNumber_);
+    for (const Look& look : looks) {
+        const auto done = caught([&] { look(run_ && !quit_ ? &*run_ : nullptr, runNumber_); });
+        if (!done) tellFailure(done.error());
+    }
 }
 
 bool Session::busy() {
@@ -346,14 +349,11 @@ void Session::work() {
         busy_ = true;
         const std::deque<Request> requests = std::exchange(requests_, {});
         lock.unlock();
-        bool changed = !requests.empty();
         for (const Request& request : requests) carryOut(request);
-        if (playing_) changed = playTicks() || changed;
-        if (learning_ && run_) changed = learn() || changed;
-        judging_ = run_ && (changed || judging_);
-        if (judging_ && !playing_ && !learning_) changed = learnBreaks() || changed;
-        if (recorder_ && (changed || recording_)) followRecording();
-        if (changed && run_) publish();
+        auto changed = caught([&] { return turn(!requests.empty()); });
+        if (!changed) giveUp(changed.error());
+        if (run_ && changed.value_or(true))
+            if (const auto shown = caught([this] { publish(); }); !shown) giveUp(shown.error());
         nextFrame = std::max(Clock::now(), nextFrame + framePeriod);
         lock.lock();
     }
@@ -361,8 +361,31 @@ void Session::work() {
     serveLooks();
     if (!recorder_) return;
     // Nobody listens to signals any more.
-    if (const auto done = recorder_->finish(*run_); !done) qWarning("%s", done.error().message().c_str());
+    const auto done = caught([this] { return recorder_->finish(*run_); });
+    if (!done) qWarning("%s", done.error().message().c_str());
 }
+
+/// What is due besides what was asked for; whether there is something new to show.
+bool Session::turn(bool changed) {
+    if (playing_) changed = playTicks() || changed;
+    if (learning_ && run_) changed = learn() || changed;
+    judging_ = run_ && (changed || judging_);
+    if (judging_ && !playing_ && !learning_) changed = learnBreaks() || changed;
+    if (recorder_ && (changed || recording_)) followRecording();
+    return changed;
+}
+
+/// What cannot be gone on with is not tried again.
+void Session::giveUp(const Error& error) {
+    stop(QString());
+    learning_ = judging_ = recording_ = false;
+    counting_.reset();
+    goal_.reset();
+    emit working({}, 1);
+    tellFailure(error);
+}
+
+void Session::tellFailure(const Error& error) { emit failed(QString::fromStdString(error.message())); }
 
 bool Session::superseded() {
     const std::lock_guard lock(mutex_);

@@ -102,6 +102,8 @@ public:
     std::uint64_t runNumber() const { return runNumber_; }
     /// Whether something is under way that was asked for, or a tick.
     bool busy();
+    /// What somebody's work threw, in whatever thread, is failed().
+    void tellFailure(const Error& error);
 
     /// Blocks until all requests so far have been carried out and shown; for scripts and tests.
     void settle();
@@ -111,6 +113,8 @@ signals:
     void working(const QString& what, double share);  ///< share 1: it has ended
     /// The file that is written now; empty: none. `error`: why one was not begun, or ended before it was asked to.
     void recordingChanged(const QString& path, const QString& error);
+    /// Something that was under way has come to nothing; the session goes on without it.
+    void failed(const QString& error);
 
 private:
     enum class Kind { quick, lasting, seek };
@@ -122,6 +126,8 @@ private:
     void request(std::function<void()> what, Kind kind = Kind::quick);
     void carryOut(const Request& request);
     void work();
+    bool turn(bool changed);
+    void giveUp(const Error& error);
     bool playTicks();
     bool learn();
     void followRecording();

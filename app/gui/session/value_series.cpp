@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "io/caught.h"
 #include "session/awaited.h"
 
 namespace mrose::gui {
@@ -164,8 +165,11 @@ void ValueSeries::work() {
             continue;
         }
         lock.unlock();
-        go(*task);
+        const auto done = caught([&] { go(*task); });
+        if (!done) session_.tellFailure(done.error());
+        const bool goesOn = done || caught([&] { giveUp(*task, task->last); });
         lock.lock();
+        if (!goesOn) values_.clear();
     }
 }
 

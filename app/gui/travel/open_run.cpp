@@ -1,10 +1,8 @@
 #include "travel/open_run.h"
 
 #include <filesystem>
-#include <new>
 
-#include <unistd.h>
-
+#include "io/caught.h"
 #include "io/file.h"
 #include "io/file_lock.h"
 #include "recording/playback.h"
@@ -159,17 +157,7 @@ std::vector<std::string> damageText(const std::string& file, const Recording& re
             "; it is shown as far as it goes: " + lengthText(recording) + ". Reload (F5) reads on"};
 }
 
-Expected<void> checkSize(const std::string& file) {
-    std::error_code ignored;
-    const std::uintmax_t size = std::filesystem::file_size(file, ignored);
-    const auto memory =
-        static_cast<std::uintmax_t>(::sysconf(_SC_PHYS_PAGES)) * static_cast<std::uintmax_t>(::sysconf(_SC_PAGE_SIZE));
-    if (ignored || size <= memory / 2) return {};
-    return fail(file, "has " + std::to_string(size >> 20) + " MB, more than half of this computer's memory");
-}
-
 Expected<OpenRun> openRecorded(const OpenRequest& request, const OpenProgress& progress) {
-    if (const auto size = checkSize(request.file); !size) return tl::unexpected(size.error());
     auto recording = openRecording(request.file);
     if (!recording) return tl::unexpected(recording.error());
     OpenRun run;
@@ -219,11 +207,9 @@ Expected<OpenRun> openAny(const OpenRequest& request, const OpenProgress& progre
 }  // namespace
 
 Expected<OpenRun> openRun(const OpenRequest& request, const OpenProgress& progress) {
-    try {
-        return openAny(request, progress);
-    } catch (const std::bad_alloc&) {
-        return fail(request.file, "needs more memory than this computer has");
-    }
+    auto run = caught([&] { return openAny(request, progress); });
+    if (!run && run.error().file.empty()) run.error().file = request.file;
+    return run;
 }
 
 }  // namespace mrose::gui

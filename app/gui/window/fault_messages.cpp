@@ -12,7 +12,7 @@ namespace mrose::gui {
 namespace {
 
 constexpr int lookEvery = 500, patience = 1000;  // ms
-constexpr const char *faultTopic = "fault", *hangTopic = "hang";
+constexpr const char *faultTopic = "fault", *hangTopic = "hang", *failureTopic = "failure";
 
 /// The names of those in a course, each once.
 QString pluginsOf(const Course& course) {
@@ -40,6 +40,9 @@ FaultMessages::FaultMessages(MainWindow& window, MessageBar& messages)
         sinceShown_.start();
         messages_.remove(hangTopic);
         showFaults();
+    });
+    connect(&window.session(), &Session::failed, this, [this](const QString& error) {
+        messages_.add({MessageBar::Kind::error, error, failureTopic});
     });
     look_.setInterval(lookEvery);
     connect(&look_, &QTimer::timeout, this, &FaultMessages::lookForHang);

@@ -14,7 +14,8 @@ namespace mrose::gui {
 
 class MainWindow;
 
-/// Says which robot's controller or model has failed, and which plug-in keeps the run waiting.
+/// Says which robot's controller or model has failed, which plug-in keeps the run waiting, and what the session had to
+/// give up.
 class FaultMessages final : public QObject {
     Q_OBJECT
 

@@ -1,0 +1,121 @@
+// What work in another thread throws is an error message of that work, and everything goes on.
+#include <QApplication>
+#include <stdexcept>
+
+#include <gmock/gmock.h>
+
+#include "gui/window_fixture.h"
+#include "session/background_work.h"
+#include "session/job_queue.h"
+#include "widgets/message_bar.h"
+
+namespace mrose::gui {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+[[noreturn]] void throwLength() { throw std::length_error("vector::_M_default_append"); }
+
+class JobQueueTest : public testing::Test {
+protected:
+    void post(const JobQueue::Job& job) {
+        queue.post(job, [this](const Error& error) { said.push_back(error.message()); });
+    }
+    void postAnswer(const std::string& answer) {
+        post([this, answer](const JobQueue::GoesOn&) { return [this, answer] { said.push_back(answer); }; });
+    }
+    JobQueue queue;
+    std::vector<std::string> said;
+};
+
+TEST_F(JobQueueTest, JobThatThrowsHasFailedAndTheNextOneIsDone) {
+    post([](const JobQueue::GoesOn&) -> JobQueue::Answer { throwLength(); });
+    postAnswer("the next one");
+    queue.settle();
+    EXPECT_THAT(said, ElementsAre("failed: vector::_M_default_append", "the next one"));
+}
+
+TEST_F(JobQueueTest, AnswersThatThrowHaveFailedToo) {
+    post([this](const JobQueue::GoesOn&) -> JobQueue::Answer {
+        queue.tell([] { throwLength(); });
+        return [] { throw 7; };
+    });
+    postAnswer("the next one");
+    queue.settle();
+    EXPECT_THAT(said, ElementsAre("failed: vector::_M_default_append", "failed for an unknown reason", "the next one"));
+}
+
+TEST_F(JobQueueTest, WhoIsNotWantedAnyMoreSaysNothing) {
+    std::promise<void> begun, go;
+    post([&](const JobQueue::GoesOn&) -> JobQueue::Answer {
+        begun.set_value();
+        go.get_future().wait();
+        throwLength();
+    });
+    begun.get_future().wait();
+    queue.drop();
+    go.set_value();
+    queue.settle();
+    EXPECT_THAT(said, IsEmpty());
+}
+
+class ThrownTest : public WindowTest {
+protected:
+    std::vector<std::string> errors() const {
+        std::vector<std::string> texts;
+        for (const MessageBar::Message& message : window.messages().messages())
+            if (message.kind == MessageBar::Kind::error) texts.push_back(message.text.toStdString());
+        return texts;
+    }
+    /// How background work that does this ends.
+    std::string outcomeOf(const BackgroundWork::Job& job) {
+        std::string said;
+        const auto done = [&](const BackgroundWork::Outcome& outcome) {
+            said = outcome ? "no error" : outcome.error().message();
+        };
+        EXPECT_TRUE(window.background().start("work", job, done));
+        window.background().settle();
+        return said;
+    }
+    void expectGoesOn() {
+        window.session().seek(20, false);
+        settle();
+        EXPECT_EQ(window.shown()->tick(), 20);
+    }
+};
+
+TEST_F(ThrownTest, InBackgroundWorkItIsTheOutcome) {
+    EXPECT_EQ(outcomeOf([](const BackgroundWork::Progress&) -> BackgroundWork::Outcome { throwLength(); }),
+              "failed: vector::_M_default_append");
+    EXPECT_EQ(outcomeOf([](const BackgroundWork::Progress&) -> BackgroundWork::Outcome { return true; }), "no error");
+}
+
+TEST_F(ThrownTest, WhatTheWindowThrowsWhenAskedIsOfWhoAsked) {
+    EXPECT_EQ(outcomeOf([this](const BackgroundWork::Progress&) -> BackgroundWork::Outcome {
+                  const auto answer = askWindow<bool>(
+                      window, []() -> bool { throwLength(); }, [] { return true; });
+                  return answer.value_or(false);
+              }),
+              "failed: vector::_M_default_append");
+}
+
+TEST_F(ThrownTest, InTheSessionItIsSaidAndTheSessionGoesOn) {
+    window.session().play();
+    window.session().doLongWork("work", [](TimeTravel&, const Session::Progress&) -> QString { throwLength(); });
+    settle();
+    QApplication::processEvents();
+    EXPECT_THAT(errors(), ElementsAre("failed: vector::_M_default_append"));
+    EXPECT_FALSE(window.shown()->playing);
+    EXPECT_FALSE(window.messages().has("work"));
+    expectGoesOn();
+    window.messages().clear();
+    window.session().look([](TimeTravel*, std::uint64_t) { throw std::bad_alloc(); });
+    expectGoesOn();
+    QApplication::processEvents();
+    EXPECT_THAT(errors(), ElementsAre(HasSubstr("more memory than this computer has")));
+}
+
+}  // namespace
+}  // namespace mrose::gui
