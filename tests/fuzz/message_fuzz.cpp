@@ -1,0 +1,45 @@
+// Whatever a plug-in's process answers, it becomes a decision, or an observation, that comes back from its own bytes;
+// or it is refused, and has taken no more memory than a small multiple of its size.
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "fuzz/require.h"
+#include "plugin/controller_messages.h"
+
+namespace mrose {
+namespace {
+
+void requireDecision(std::string_view bytes) {
+    ByteReader reader(bytes);
+    Decision decision;
+    const bool sound = readDecision(reader, decision);
+    require(decision.annotations.capacity() + decision.earlier.capacity() + decision.kicks.capacity() <=
+            bytes.size() + 8);
+    if (!sound) return;
+    std::string again;
+    appendDecision(decision, again);
+    require(again == bytes.substr(0, bytes.size() - reader.rest().size()));
+}
+
+void requireObservation(std::string_view bytes) {
+    ByteReader reader(bytes);
+    Observation observation;
+    const bool sound = readObservation(reader, observation);
+    require(observation.robots.capacity() + observation.objects.capacity() <= bytes.size() + 8);
+    if (!sound) return;
+    std::string again;
+    appendObservation(observation, again);
+    require(again == bytes.substr(0, bytes.size() - reader.rest().size()));
+}
+
+}  // namespace
+}  // namespace mrose
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+    mrose::requireDecision(bytes);
+    mrose::requireObservation(bytes);
+    return 0;
+}
