@@ -54,10 +54,10 @@ TEST(LogScenario, CommandsAndTruthOfOtherTimesAreRefusedBeforeTheKindIsAsked) {
 TEST(LogScenario, RobotsWithoutCommandsOrTruthAreLeftToThoseThatHaveBoth) {
     Log log = csvLogOf({driven("a", {0, 0, 0}, {1, 0, 0}), driven("b", {0, 1, 0}, {1, 1, 0})});
     log.robots[1].trajectories[0].poses.clear();
-    EXPECT_EQ(refusal(checkPlayable(log)), "");
-    EXPECT_THAT(refusal(checkPlayable(log, {"b"})), HasSubstr("has no ground truth of robot \"b\"")) << "asked for";
+    EXPECT_EQ(refusal(checkPlayable(log, shippedKinds())), "");
+    EXPECT_THAT(refusal(checkPlayable(log, shippedKinds(), {"b"})), HasSubstr("has no ground truth of robot \"b\"")) << "asked for";
     log.robots[0].trajectories[0].commands.clear();
-    EXPECT_THAT(refusal(checkPlayable(log)), HasSubstr("has no commands of robot \"a\""));
+    EXPECT_THAT(refusal(checkPlayable(log, shippedKinds())), HasSubstr("has no commands of robot \"a\""));
 }
 
 }  // namespace

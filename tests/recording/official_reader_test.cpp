@@ -86,8 +86,8 @@ TEST_F(OfficialReader, FindsAllThatTheSummaryTells) {
     const Json& index = found["index"];
     EXPECT_EQ(index["attachments"].size(), attachments);
     EXPECT_EQ(found["stream"]["attachments"], attachments);
-    EXPECT_EQ(index["attachments"][0][0], "description/shapes/ball \"x\".toml");
-    EXPECT_EQ(index["attachments"][0][1], 2);
+    EXPECT_EQ(index["attachments"][0][0], "mrose/scenario/0");
+    EXPECT_EQ(index["attachments"][0][1], value->bytes().size());
     const std::size_t messages = walkMessages(file).size();
     EXPECT_EQ(index["statistics"], (std::vector<std::size_t>{messages, 4, 10, attachments, 2, chunks}));
     EXPECT_EQ(index["library"], "mrose " + thisOrigin().version);
