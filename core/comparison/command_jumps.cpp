@@ -22,7 +22,7 @@ double effectOf(const CommandJump& jump, const DivergenceBound::At& bound) {
 
 }  // namespace
 
-Nanoseconds commandsShowFor(const MotionModel& model) { return std::min(model.memory(), longestShown); }
+Nanoseconds commandsShowFor(const MotionModel& model) { return std::min(model.lookBack(), longestShown); }
 
 std::vector<CommandJump> commandJumpsNear(const Trajectory& trajectory, const MotionModel& model,
                                           const ComparedCourse& course, Nanoseconds divergence,

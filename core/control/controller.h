@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "control/observation.h"
+#include "world/memory.h"
 
 namespace mrose {
 
@@ -46,14 +47,6 @@ struct Decision {
     bool sameOrders(const Decision& other) const;
 };
 
-/// Something in a controller's memory, as a person reads it.
-struct MemoryEntry {
-    std::string name;  ///< of its own within the memory
-    double value = 0;
-    const char* unit = "";  ///< "m", "rad", "s" ...; of what is counted or has a text nothing
-    std::string text = {};  ///< instead of the value, where there is one
-};
-
 /// Which bodies a controller reads of its observations. It gets none of the others: nobody looks for nobody.
 struct Attention {
     bool robots = true;
@@ -82,18 +75,5 @@ public:
     /// Called once per control period; `decision` is empty.
     virtual void decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const = 0;
 };
-
-/// A controller's memory as its own type: trivially copyable, without padding worth hashing.
-template <class Memory>
-Memory& as(std::span<std::byte> memory) {
-    static_assert(std::is_trivially_copyable_v<Memory>);
-    return *reinterpret_cast<Memory*>(memory.data());
-}
-
-template <class Memory>
-const Memory& as(std::span<const std::byte> memory) {
-    static_assert(std::is_trivially_copyable_v<Memory>);
-    return *reinterpret_cast<const Memory*>(memory.data());
-}
 
 }  // namespace mrose

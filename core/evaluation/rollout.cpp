@@ -18,7 +18,7 @@ struct Runner {
     std::size_t next = 0;  ///< the first command not yet issued
     Pose pose;
     Velocity velocity;
-    std::optional<Velocity> unperturbed;
+    std::vector<std::byte> memory;  ///< the model's
 };
 
 void issueUntil(Runner& runner, Nanoseconds time) {
@@ -42,9 +42,11 @@ Beginning beginningOf(const Trajectory& trajectory, Nanoseconds time, Nanosecond
 }
 
 /// The history as it is at `time`.
-Runner prepare(const RolloutStart& start, Nanoseconds time, Nanoseconds lead) {
+Runner prepare(const MotionModel& model, const RolloutStart& start, Nanoseconds time, Nanoseconds lead) {
     Runner runner;
     runner.start = &start;
+    runner.memory.resize(model.memorySize());
+    model.start(runner.memory);
     const Beginning beginning = beginningOf(*start.trajectory, time, lead);
     if (beginning.before) runner.history.issue(beginning.before->time, beginning.before->command);
     runner.next = beginning.first;
@@ -60,13 +62,12 @@ void advance(const MotionModel& model, std::span<Runner> runners, Nanoseconds el
     for (std::size_t i = 0; i < runners.size(); ++i) {
         const Nanoseconds now = runners[i].start->time + elapsed;
         issueUntil(runners[i], now);
-        inputs[i] = {&runners[i].history, now, runners[i].velocity, runners[i].unperturbed};
+        inputs[i] = {&runners[i].history, now, runners[i].velocity, runners[i].memory};
     }
     model.predict(inputs, steps);
     for (std::size_t i = 0; i < runners.size(); ++i) {
         runners[i].pose = runners[i].pose * steps[i].increment;
         runners[i].velocity = steps[i].velocity;
-        runners[i].unperturbed = steps[i].unperturbed;
     }
 }
 
@@ -76,7 +77,7 @@ void rollOutBatch(const MotionModel& model, std::span<const RolloutStart> starts
     std::vector<Runner> runners;
     runners.reserve(order.size());
     for (const std::size_t i : order) {
-        runners.push_back(prepare(starts[i], starts[i].time, options.lead));
+        runners.push_back(prepare(model, starts[i], starts[i].time, options.lead));
         runners.back().pose = starts[i].pose;
         runners.back().velocity = *starts[i].velocity;
         poses[i].reserve(static_cast<std::size_t>(std::max(0, starts[i].steps)));
@@ -115,7 +116,7 @@ void fillVelocities(const MotionModel& model, std::span<RolloutStart> starts, co
     for (RolloutStart& start : starts) {
         if (start.velocity) continue;
         unknown.push_back(&start);
-        runners.push_back(prepare(start, start.time + begin, options.lead));
+        runners.push_back(prepare(model, start, start.time + begin, options.lead));
     }
     if (runners.empty()) return;
     std::vector<MotionInput> inputs;

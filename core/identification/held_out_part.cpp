@@ -95,6 +95,13 @@ std::vector<Trajectory> partOfRobot(std::vector<Trajectory> trajectories, const 
     return kept;
 }
 
+bool hasBlocks(const Log& log, const HoldOut& holdOut) {
+    for (const RobotLog& robot : log.robots)
+        for (const Trajectory& trajectory : robot.trajectories)
+            if (!heldOutBlocks(trajectory, holdOut).empty()) return true;
+    return false;
+}
+
 bool hasBothParts(const Log& log, const HoldOut& holdOut) {
     bool heldOut = false, learned = false;
     for (const RobotLog& robot : log.robots)
@@ -171,7 +178,8 @@ Expected<HoldOut> holdOutOf(std::span<const Log> logs, double share, int part, H
             for (const LogPart wanted : {LogPart::heldOut, LogPart::learned})
                 if (const auto kept = partOf(log, groups, wanted); !kept) return tl::unexpected(kept.error());
     for (const Log& log : logs)
-        if (!hasBothParts(log, time)) return tl::unexpected(tooShort(log, time, by));
+        if (!hasBothParts(log, time) || (by == HoldOutBy::time && !hasBlocks(log, time)))
+            return tl::unexpected(tooShort(log, time, by));
     return time;
 }
 

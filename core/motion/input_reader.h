@@ -20,7 +20,7 @@ public:
     std::size_t width() const { return inputs_.size(); }
 
     /// How far before a period's start it reads commands.
-    Nanoseconds memory() const { return fromSeconds(std::max(commands_.oldest(), wheels_.oldest())); }
+    Nanoseconds lookBack() const { return fromSeconds(std::max(commands_.oldest(), wheels_.oldest())); }
 
     /// Index of a robot by its name, -1 for one that the network was not learned from.
     int robotIndex(const std::string& name) const;

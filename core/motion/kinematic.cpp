@@ -101,7 +101,7 @@ Nanoseconds nextSwitch(const CommandView& commands, Nanoseconds now, Nanoseconds
 
 }  // namespace
 
-Nanoseconds KinematicModel::memory() const {
+Nanoseconds KinematicModel::lookBack() const {
     return fromSeconds(std::max(parameters_.v.deadTime, parameters_.w.deadTime));
 }
 
@@ -111,7 +111,7 @@ MotionStep KinematicModel::step(const MotionInput& input) const {
     assert(delayV >= 0 && delayW >= 0);
     const CommandView& commands = input.commands;
     const Nanoseconds end = input.start + period_;
-    MotionStep result{{}, input.velocity, {}};
+    MotionStep result{{}, input.velocity};
     for (Nanoseconds now = input.start; now < end;) {
         const double commandV = commands.at(std::min(now - delayV, input.start)).v;
         const double commandW = commands.at(std::min(now - delayW, input.start)).w;
@@ -128,7 +128,6 @@ MotionStep KinematicModel::step(const MotionInput& input) const {
         }
         now = next;
     }
-    result.unperturbed = result.velocity;
     return result;
 }
 

@@ -28,7 +28,7 @@ public:
         : parameters_(parameters), period_(period) {}
 
     Nanoseconds period() const override { return period_; }
-    Nanoseconds memory() const override;
+    Nanoseconds lookBack() const override;
     DeadTimes deadTimes() const override {
         return {fromSeconds(parameters_.v.deadTime), fromSeconds(parameters_.w.deadTime)};
     }

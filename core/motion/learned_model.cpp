@@ -30,16 +30,19 @@ MotionStep LearnedMotion::toStep(const MotionInput& input, int robot, const floa
     std::array<double, MotionNetwork::maxOutputs> y;
     for (std::size_t i = 0; i < network_.outputs.size(); ++i)
         y[i] = network_.outputs[i].mean + network_.outputs[i].scale * static_cast<double>(outputs[i]);
-    MotionStep step{{y[0], y[1], y[2]}, {y[3], y[4]}, {y[3], y[4]}};
+    MotionStep step{{y[0], y[1], y[2]}, {y[3], y[4]}};
+    Velocity unperturbed = step.velocity;
     if (network_.form == MotionNetwork::Form::history) {
-        const Velocity expected = input.unperturbed.value_or(Velocity{y[3], y[4]});
+        const bool begun = !input.memory.empty() && as<Memory>(input.memory).begun != 0;
+        const Velocity expected = begun ? as<Memory>(input.memory).unperturbed : step.velocity;
         const double v = input.velocity.v - expected.v, w = input.velocity.w - expected.w;
         step.increment.x += v * decayV_.displacement;
         step.increment.heading += w * decayW_.displacement;
-        step.unperturbed = {y[5], y[6]};
+        unperturbed = {y[5], y[6]};
         step.velocity = {y[5] + v * decayV_.velocity, y[6] + w * decayW_.velocity};
     }
     if (robot >= 0) step.increment.y += trackers_[static_cast<std::size_t>(robot)].sideways(step.increment);
+    if (!input.memory.empty()) as<Memory>(input.memory) = {unperturbed, 1};
     return step;
 }
 
@@ -71,6 +74,12 @@ LearnedModel::LearnedModel(std::shared_ptr<const LearnedMotion> motion, const st
         ++count;
     }
     if (count > 0) deadTimes_ = {fromSeconds(v / count), fromSeconds(w / count)};
+}
+
+std::vector<MemoryEntry> LearnedModel::explain(std::span<const std::byte> memory) const {
+    const auto& kept = as<LearnedMotion::Memory>(memory);
+    if (kept.begun == 0) return {};
+    return {{"unperturbed_v", kept.unperturbed.v, "m/s"}, {"unperturbed_w", kept.unperturbed.w, "rad/s"}};
 }
 
 void LearnedModel::predict(std::span<const MotionInput> inputs, std::span<MotionStep> steps) const {

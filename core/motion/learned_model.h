@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -17,6 +18,15 @@ public:
 
     const MotionNetwork& network() const { return network_; }
     const InputReader& inputs() const { return inputs_; }
+
+    /// What is remembered of a robot.
+    struct Memory {
+        /// The velocity at the period's end that the commands alone lead to: what differs from it has been pushed, and
+        /// recovers.
+        Velocity unperturbed;
+        std::uint64_t begun = 0;  ///< 0 before the first period: `unperturbed` is told from the commands
+        std::uint64_t unused = 0;
+    };
 
     /// Steps for robots that may differ: robots[i] is the index by InputReader::robotIndex.
     void predict(std::span<const MotionInput> inputs, std::span<const int> robots, std::span<MotionStep> steps) const;
@@ -45,8 +55,10 @@ public:
     const MotionNetwork& network() const { return motion_->network(); }
     int robot() const { return robot_; }  ///< by InputReader::robotIndex
     Nanoseconds period() const override { return network().period; }
-    Nanoseconds memory() const override { return motion_->inputs().memory(); }
+    Nanoseconds lookBack() const override { return motion_->inputs().lookBack(); }
     DeadTimes deadTimes() const override { return deadTimes_; }
+    std::size_t memorySize() const override { return sizeof(LearnedMotion::Memory); }
+    std::vector<MemoryEntry> explain(std::span<const std::byte> memory) const override;
     void predict(std::span<const MotionInput> inputs, std::span<MotionStep> steps) const override;
 
 private:

@@ -1,10 +1,13 @@
 #pragma once
 
-#include <optional>
+#include <cstddef>
 #include <span>
+#include <vector>
 
 #include "geometry/pose.h"
 #include "world/command_history.h"
+#include "world/memory.h"
+#include "world/noise.h"
 
 namespace mrose {
 
@@ -13,22 +16,21 @@ struct MotionInput {
     CommandView commands;
     Nanoseconds start = 0;  ///< of the predicted period; no command issued after it is read
     Velocity velocity;      ///< at `start`
-    /// The MotionStep::unperturbed of the period before: what differs from it has been pushed, and recovers. Unknown at
-    /// a first period: the model then tells it from the commands.
-    std::optional<Velocity> unperturbed = std::nullopt;
+    /// What the model remembers of the robot: memorySize() bytes, read and written. Empty: it begins here, and nothing
+    /// is kept.
+    std::span<std::byte> memory = {};
+    NoiseKey noise = {};  ///< for what it draws; its channel is NoiseChannel::motion
 };
 
 /// What it predicts.
 struct MotionStep {
     Pose increment;     ///< pose at the period's end in the robot's frame at its start
     Velocity velocity;  ///< at the period's end
-    /// The velocity at the period's end that the commands alone lead to, for models that tell it from `velocity`; equal
-    /// to it for the others. Part of a robot's state, like its velocity.
-    Velocity unperturbed;
 };
 
-/// Where one robot will be a control period later: Delta: (v, w, commands) -> (dx, dy, dphi, v', w'). Models are const
-/// and remember nothing; dead time is theirs, applied to the issue times in the command history.
+/// Where one robot will be a control period later: Delta: (v, w, commands) -> (dx, dy, dphi, v', w'). Models are const;
+/// what one remembers of a robot lies in the world's state. Dead time is theirs, applied to the issue times in the
+/// command history.
 class MotionModel {
 public:
     virtual ~MotionModel() = default;
@@ -36,7 +38,14 @@ public:
     virtual Nanoseconds period() const = 0;
 
     /// How far before a period's start it reads commands: what a history must keep.
-    virtual Nanoseconds memory() const = 0;
+    virtual Nanoseconds lookBack() const = 0;
+
+    /// Bytes that it remembers of each robot, constant; multiples of 8 lie aligned for anything.
+    virtual std::size_t memorySize() const { return 0; }
+    /// Fills the memory at a run's start. All zero before.
+    virtual void start(std::span<std::byte> /*memory*/) const {}
+    /// What such a memory says.
+    virtual std::vector<MemoryEntry> explain(std::span<const std::byte> /*memory*/) const { return {}; }
 
     /// From a command's issue to its effect, as it was identified: what a debugger shows. Nothing computes with it.
     struct DeadTimes {

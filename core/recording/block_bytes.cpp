@@ -10,7 +10,8 @@
 namespace mrose {
 namespace {
 
-constexpr std::uint32_t version = 1;
+/// 1: the hashes were those of the states' first version.
+constexpr std::uint32_t version = 2;
 
 bool soundKeyframe(const TimelineBlock& block) {
     const Expected<WorldState> state = parseState(block.keyframe, {});
@@ -46,7 +47,8 @@ std::optional<ReadBlock> parseBlock(std::string_view bytes) {
     const std::optional<std::string> content = decompressed(bytes);
     if (!content) return std::nullopt;
     ByteReader reader(*content);
-    if (reader.number<std::uint32_t>() != version) return std::nullopt;
+    const auto found = reader.number<std::uint32_t>();
+    if (found < 1 || found > version) return std::nullopt;
     ReadBlock read;
     read.branch = reader.number<std::uint32_t>();
     TimelineBlock& block = read.block;
@@ -59,6 +61,7 @@ std::optional<ReadBlock> parseBlock(std::string_view bytes) {
     for (StateHash& hash : block.hashes) hash.world = reader.number<std::uint64_t>();
     for (StateHash& hash : block.hashes) hash.minds = reader.number<std::uint64_t>();
     block.decisions = readLong(reader);
+    if (found == 1) block.firstVersion = block.hashes.size();
     if (!reader.done() || (!block.keyframe.empty() && !soundKeyframe(block)) || !soundDecisions(block))
         return std::nullopt;
     return read;
@@ -79,7 +82,7 @@ std::optional<BranchStart> parseBranch(std::string_view bytes) {
     const std::optional<std::string> content = decompressed(bytes);
     if (!content) return std::nullopt;
     ByteReader reader(*content);
-    if (reader.number<std::uint32_t>() != version) return std::nullopt;
+    if (const auto found = reader.number<std::uint32_t>(); found < 1 || found > version) return std::nullopt;
     BranchStart start;
     start.branch = reader.number<std::uint32_t>();
     start.parent = reader.number<std::uint32_t>();

@@ -27,14 +27,18 @@ std::string commandText(const Scenario& scenario, const WorldState& state, std::
     return "command " + std::to_string(index + 1);
 }
 
-std::string memoryText(const Scenario& scenario, const WorldState& state, std::size_t index) {
-    for (std::size_t i = 0; i < state.robots.size(); ++i) {
-        const std::span<const std::byte> memory = scenario.memoryOf(state, i);
-        const auto first = static_cast<std::size_t>(memory.data() - state.memory.data());
+/// "controller memory of robot 2, byte 3", where there is one whose memory it is; `blockOf` gives a robot's in `all`.
+template <class BlockOf>
+std::string memoryText(const Scenario& scenario, const std::vector<std::byte>& all, std::size_t index,
+                       const char* whose, BlockOf blockOf) {
+    for (std::size_t i = 0; i < scenario.scene().robots.size(); ++i) {
+        const std::span<const std::byte> memory = blockOf(i);
+        const auto first = static_cast<std::size_t>(memory.data() - all.data());
         if (index >= first && index < first + memory.size())
-            return "controller memory of " + robotText(scenario, i) + ", byte " + std::to_string(index - first);
+            return std::string(whose) + " memory of " + robotText(scenario, i) + ", byte " +
+                   std::to_string(index - first);
     }
-    return "controllers' memory, byte " + std::to_string(index);
+    return std::string(whose) + " memory, byte " + std::to_string(index);
 }
 
 std::string placeText(const Scenario& scenario, const WorldState& state, const StateDifference& difference) {
@@ -53,8 +57,15 @@ std::string placeText(const Scenario& scenario, const WorldState& state, const S
             return named("goal", difference.index, scenario.scene().environment.goals[difference.index].name);
         case Part::command:
             return commandText(scenario, state, difference.index);
+        case Part::motion:
+            return memoryText(scenario, state.motion, difference.index, "motion model",
+                              [&](std::size_t robot) { return scenario.motionMemory(state, robot); });
         case Part::memory:
-            return memoryText(scenario, state, difference.index);
+            return memoryText(scenario, state.memory, difference.index, "controller",
+                              [&](std::size_t robot) { return scenario.memoryOf(state, robot); });
+        case Part::sensing:
+            return memoryText(scenario, state.sensing, difference.index, "sensor",
+                              [&](std::size_t robot) { return scenario.sensorMemory(state, robot); });
         case Part::past:
             return "past pose of " + bodyText(scenario, difference.index % scenario.scene().bodyCount());
     }

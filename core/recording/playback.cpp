@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "recording/decision_bytes.h"
-#include "world/state_bytes.h"
+#include "scenario/first_version.h"
 
 namespace mrose {
 namespace {
@@ -18,17 +18,17 @@ tl::unexpected<Error> damaged(std::int64_t tick) {
     return fail({}, "the decisions of tick " + std::to_string(tick) + " are damaged");
 }
 
-void checkHashes(ReachedState& reached, const StateHash& expected) {
-    const StateHash found = hashOf(reached.state);
-    reached.worldSame = found.world == expected.world;
-    reached.mindsSame = found.minds == expected.minds;
+void checkHashes(const Scenario& scenario, const TimelineBlock& block, ReachedState& reached) {
+    const SameHashes same = block.compare(scenario, reached.state);
+    reached.worldSame = same.world;
+    reached.mindsSame = same.minds;
 }
 
 }  // namespace
 
-Expected<ReachedState> Playback::reachBy(bool asking, const TimelineBlock& block, const StateHash* expected,
-                                         std::int64_t tick) {
-    Expected<WorldState> state = parseState(block.keyframe, "keyframe of tick " + std::to_string(block.first));
+Expected<ReachedState> Playback::reachBy(bool asking, const TimelineBlock& block, std::int64_t tick) {
+    Expected<WorldState> state =
+        parseStateOf(scenario_, block.keyframe, "keyframe of tick " + std::to_string(block.first));
     if (!state) return tl::unexpected(state.error());
     if (const std::string wrong = misfit(scenario_, *state); !wrong.empty() || state->tick != block.first)
         return fail({}, "the state kept of tick " + std::to_string(block.first) + " is none of this scenario: it has " +
@@ -40,19 +40,18 @@ Expected<ReachedState> Playback::reachBy(bool asking, const TimelineBlock& block
     }
     ReachedState reached{std::move(*state)};
     reached.read = block.decisions.size() - reader.rest();
-    if (expected != nullptr && tick > block.first) checkHashes(reached, *expected);
+    if (tick > block.first) checkHashes(scenario_, block, reached);
     return reached;
 }
 
 Expected<ReachedState> Playback::reach(const Timeline& timeline, std::int64_t tick) {
     if (tick < timeline.first() || tick > timeline.last()) return notKept(timeline, tick);
     const TimelineBlock& block = timeline.blockOf(tick);
-    const StateHash* const expected = tick > timeline.first() ? &timeline.hashAt(tick) : nullptr;
     if (askControllers_) {
-        Expected<ReachedState> reached = reachBy(true, block, expected, tick);
+        Expected<ReachedState> reached = reachBy(true, block, tick);
         if (!reached || (reached->worldSame && reached->mindsSame)) return reached;
     }
-    Expected<ReachedState> reached = reachBy(false, block, expected, tick);
+    Expected<ReachedState> reached = reachBy(false, block, tick);
     // Where not even the recorded decisions give the same, it is not the controllers' fault.
     if (reached && reached->worldSame) askControllers_ = false;
     return reached;
@@ -64,14 +63,13 @@ Expected<void> Playback::advance(const Timeline& timeline, ReachedState& from, S
     const TimelineBlock& block = timeline.blockOf(tick);
     if (block.first == tick) from.read = 0;
     const std::string_view decisions = block.decisions;
-    const StateHash& expected = timeline.hashAt(tick + 1);
     for (const bool asking : {true, false}) {
         if (asking && !askControllers_) continue;
         DecisionReader reader(decisions.substr(std::min(from.read, decisions.size())));
         if (!reader.next(asking ? DecisionsOf::outside : DecisionsOf::all)) return damaged(tick);
         ReachedState next{from.state, from.worldSame, from.mindsSame, decisions.size() - reader.rest()};
         step(scenario_, next.state, buffers_, {reader.decisions(), asking}, &trace);
-        checkHashes(next, expected);
+        checkHashes(scenario_, block, next);
         const bool same = next.worldSame && next.mindsSame;
         if (!asking && next.worldSame) askControllers_ = false;
         if (same || !asking) {

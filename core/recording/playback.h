@@ -31,8 +31,7 @@ public:
     Expected<void> advance(const Timeline& timeline, ReachedState& from, StepTrace& trace);
 
 private:
-    Expected<ReachedState> reachBy(bool asking, const TimelineBlock& block, const StateHash* expected,
-                                   std::int64_t tick);
+    Expected<ReachedState> reachBy(bool asking, const TimelineBlock& block, std::int64_t tick);
 
     const Scenario& scenario_;
     StepBuffers buffers_;

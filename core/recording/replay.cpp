@@ -6,7 +6,7 @@
 #include "recording/decision_bytes.h"
 #include "recording/difference_text.h"
 #include "recording/playback.h"
-#include "world/state_bytes.h"
+#include "scenario/first_version.h"
 
 namespace mrose {
 namespace {
@@ -31,7 +31,7 @@ public:
         : scenario_(scenario), options_(options), blocks_(timeline.blocks()) {}
 
     Expected<void> start() {
-        Expected<WorldState> state = parseState(blocks_.front().keyframe, "the beginning of a branch");
+        Expected<WorldState> state = parseStateOf(scenario_, blocks_.front().keyframe, "the beginning of a branch");
         if (!state) return tl::unexpected(state.error());
         if (const std::string wrong = misfit(scenario_, *state); !wrong.empty())
             return fail({}, "it was recorded of another scenario: its beginning has " + wrong);
@@ -42,11 +42,11 @@ public:
     /// Whether all ticks of a block came out the same.
     bool run(const TimelineBlock& block) {
         DecisionReader decisions(block.decisions);
-        for (const StateHash& recorded : block.hashes) {
+        while (state_.tick < block.last()) {
             advance(decisions);
-            const StateHash now = hashOf(state_);
-            if (now.world == recorded.world && (!options_.decide || now.minds == recorded.minds)) continue;
-            describe(block, decisions, now.world == recorded.world);
+            const SameHashes same = block.compare(scenario_, state_);
+            if (same.world && (!options_.decide || same.minds)) continue;
+            describe(block, decisions, same.world);
             return false;
         }
         return true;
@@ -70,7 +70,7 @@ private:
             return;
         }
         while (state_.tick < next->first) advance(rest);
-        const Expected<WorldState> recorded = parseState(next->keyframe, {});
+        const Expected<WorldState> recorded = parseStateOf(scenario_, next->keyframe, {});
         if (next->first > difference_.tick)
             difference_.what += "at tick " + std::to_string(next->first) + ", where the next state was kept, ";
         const auto found =

@@ -7,7 +7,7 @@
 #include "io/pending_file.h"
 #include "recording/playback.h"
 #include "recording/recording_writer.h"
-#include "world/state_bytes.h"
+#include "scenario/first_version.h"
 
 namespace mrose {
 namespace {
@@ -40,7 +40,7 @@ private:
     Expected<void> begin(const std::filesystem::path& path, std::uint32_t branch) {
         const Branch& own = branches_[branch];
         const Scenario& scenario = *scenarios_[branch];
-        auto state = parseState(own.timeline.blocks().front().keyframe, "the beginning of a branch");
+        auto state = parseStateOf(scenario, own.timeline.blocks().front().keyframe, "the beginning of a branch");
         if (!state) return tl::unexpected(state.error());
         if (const std::string wrong = misfit(scenario, *state); !wrong.empty())
             return fail(

@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "recording/decision_bytes.h"
+#include "scenario/first_version.h"
 #include "world/state_bytes.h"
 
 namespace mrose {
@@ -48,11 +49,18 @@ void Timeline::add(const WorldState& after, const StepTrace& trace, const StateH
     size_ += blocks_.back().size();
 }
 
+SameHashes TimelineBlock::compare(const Scenario& scenario, const WorldState& state) const {
+    const auto index = static_cast<std::size_t>(state.tick - 1 - first);
+    const StateHash found = index < firstVersion ? firstVersionHash(scenario, state) : hashOf(state);
+    return {found.world == hashes[index].world, found.minds == hashes[index].minds};
+}
+
 bool Timeline::append(TimelineBlock block) {
     if (block.first != last()) return false;
     size_ += block.size();
     if (block.keyframe.empty()) {
         TimelineBlock& open = blocks_.back();
+        if (open.firstVersion == open.hashes.size()) open.firstVersion += block.firstVersion;
         open.hashes.insert(open.hashes.end(), block.hashes.begin(), block.hashes.end());
         open.decisions += block.decisions;
     } else {

@@ -5,11 +5,17 @@
 #include <string>
 #include <vector>
 
+#include "scenario/scenario.h"
 #include "simulation/step.h"
 #include "world/state_hash.h"
 #include "world/world_state.h"
 
 namespace mrose {
+
+/// Whether a state is the one that was, by its hashes.
+struct SameHashes {
+    bool world = true, minds = true;
+};
 
 /// Some ticks in a row: what was decided in each, the hashes of the state after it, and the state that they begin with,
 /// if it is kept. Its size is about 130 bytes a control period and robot, and that of the state.
@@ -18,9 +24,13 @@ struct TimelineBlock {
     std::string keyframe;           ///< that state as bytes (state_bytes.h); may be empty
     std::vector<StateHash> hashes;  ///< of the states at first + 1, first + 2 ...
     std::string decisions;          ///< of the ticks that lead there (decision_bytes.h)
+    /// So many of the hashes, the first ones, are those of the states' first version: a recording of then goes on.
+    std::size_t firstVersion = 0;
 
     std::int64_t last() const { return first + static_cast<std::int64_t>(hashes.size()); }
     void add(const StateHash& after, const StepTrace& trace);
+    /// Compares a state of the scenario, first < state.tick <= last().
+    SameHashes compare(const Scenario& scenario, const WorldState& state) const;
     std::size_t size() const { return keyframe.size() + hashes.size() * sizeof(StateHash) + decisions.size(); }
 };
 

@@ -66,11 +66,13 @@ private:
         const auto ready = r.ready;
         r = old_.robots[origin];
         r.ready = ready;
-        if (!sameMotion(from_.scene().modelOf(origin), to_.scene().modelOf(robot))) r.segment.hasUnperturbed = false;
+        if (sameMotion(from_.scene().modelOf(origin), to_.scene().modelOf(robot)))
+            std::ranges::copy(from_.motionMemory(old_, origin), to_.motionMemory(next_, robot).begin());
         if (!sameClock() || from_.periodOf(origin).ticks != to_.periodOf(robot).ticks)
             r.nextControl = r.segment.startTick = next_.tick;
         carryCommands(robot, origin);
         carryManipulators(robot, origin);
+        std::ranges::copy(from_.sensorMemory(old_, origin), to_.sensorMemory(next_, robot).begin());
         const Controller &before = from_.controller(origin), &after = to_.controller(robot);
         const std::span<const std::byte> memory = from_.memoryOf(old_, origin);
         if (typeid(before) == typeid(after) && memory.size() == to_.memoryOf(next_, robot).size())

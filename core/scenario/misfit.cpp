@@ -32,7 +32,7 @@ bool allWithin(double bound, const std::vector<T>& values) {
 bool soundNumbers(const WorldState& state) {
     for (const RobotState& r : state.robots)
         if (!within(farthest, r.pose) || !within(farthest, r.velocity_B) || !within(farthest, r.segment) ||
-            !within(farthest, r.sensing) || !within(largest, r.commandBefore))
+            !within(largest, r.commandBefore))
             return false;
     return allWithin(farthest, state.objects) && allWithin(farthest, state.contacts) &&
            allWithin(farthest, state.kicks) && allWithin(farthest, state.past) && allWithin(largest, state.commands);
@@ -49,7 +49,9 @@ std::string wrongSizes(const Scenario& scenario, const WorldState& state) {
                               wrongSize("objects", state.objects.size(), own.objects.size()),
                               wrongSize("goals", state.goals.size(), own.goals.size()),
                               wrongSize("places for commands", state.commands.size(), own.commands.size()),
+                              wrongSize("bytes of motion models' memory", state.motion.size(), own.motion.size()),
                               wrongSize("bytes of controllers' memory", state.memory.size(), own.memory.size()),
+                              wrongSize("bytes of sensors' memory", state.sensing.size(), own.sensing.size()),
                               wrongSize("past poses", state.past.size(), own.past.size())})
         if (!wrong.empty()) return wrong;
     return {};
@@ -58,11 +60,13 @@ std::string wrongSizes(const Scenario& scenario, const WorldState& state) {
 bool soundInstant(Nanoseconds time) { return time >= -latestTime && time <= latestTime; }
 
 /// Whether they can be counted with, and nobody's motion has yet to begin.
-bool soundInstants(const WorldState& state) {
+bool soundInstants(const Scenario& scenario, const WorldState& state) {
     const auto soundRobot = [&](const RobotState& r) {
-        return std::all_of(r.ready.begin(), r.ready.end(), soundInstant) && soundInstant(r.sensing.selfMeasured) &&
-               r.segment.startTick <= state.tick && soundInstant(r.segment.startTick);
+        return std::all_of(r.ready.begin(), r.ready.end(), soundInstant) && r.segment.startTick <= state.tick &&
+               soundInstant(r.segment.startTick);
     };
+    for (std::size_t i = 0; i < state.robots.size(); ++i)
+        if (!soundInstant(as<SensorMemory>(scenario.sensorMemory(state, i)).selfMeasured)) return false;
     return std::all_of(state.robots.begin(), state.robots.end(), soundRobot) &&
            std::all_of(state.kicks.begin(), state.kicks.end(),
                        [](const PendingKick& kick) { return soundInstant(kick.due); });
@@ -92,7 +96,7 @@ std::string misfit(const Scenario& scenario, const WorldState& state) {
     const auto there = [&](std::uint32_t body) { return body < bodies || body == noBody; };
     for (const ContactImpulse& contact : state.contacts)
         if (!there(contact.bodyA) || !there(contact.bodyB)) return "a contact of a body that is not there";
-    if (!soundInstants(state)) return "an instant beyond all runs, or a motion that has yet to begin";
+    if (!soundInstants(scenario, state)) return "an instant beyond all runs, or a motion that has yet to begin";
     if (!soundNumbers(state)) return "a number that is not finite, or beyond all that occurs";
     return {};
 }

@@ -7,6 +7,7 @@
 #include "io/toml_text.h"
 #include "scenario/carry_over.h"
 #include "scenario/value_file.h"
+#include "world/first_state_version.h"
 #include "world/plain_seconds.h"
 #include "world/state_bytes.h"
 
@@ -18,15 +19,17 @@ constexpr std::int64_t mostOfAnything = std::int64_t{1} << 32, mostTicks = std::
 /// What keeps the arrays from being as the robots' entries say; "" for nothing.
 std::string wrongLayout(const SavedState& saved) {
     const WorldState& state = saved.state;
-    std::uint64_t commands = 0, memory = 0;
+    std::uint64_t commands = 0, motion = 0, memory = 0, sensing = 0;
     for (const SavedState::Robot& robot : saved.robots) {
         commands += robot.commands;
+        motion += paddedMemory(robot.motion);
         memory += paddedMemory(robot.memory);
+        sensing += paddedMemory(robot.sensing);
     }
     const std::size_t bodies = saved.robots.size() + saved.objects.size();
     if (state.robots.size() != saved.robots.size() || state.objects.size() != saved.objects.size() ||
-        state.commands.size() != commands || state.memory.size() != memory ||
-        (bodies == 0 ? !state.past.empty() : state.past.size() % bodies != 0))
+        state.commands.size() != commands || state.motion.size() != motion || state.memory.size() != memory ||
+        state.sensing.size() != sensing || (bodies == 0 ? !state.past.empty() : state.past.size() % bodies != 0))
         return "holds other bodies, commands or memory than are told beside it";
     for (std::size_t i = 0; i < saved.robots.size(); ++i)
         if (state.robots[i].commandCount > saved.robots[i].commands || state.robots[i].nextControl < state.tick)
@@ -86,7 +89,8 @@ SavedState savedState(const Scenario& scenario, const WorldState& state) {
     SavedState saved{scenario.parts().name, scene.tickLength, {}, {}, state};
     for (std::size_t i = 0; i < scene.robots.size(); ++i)
         saved.robots.push_back({scene.robots[i].name, scene.modelOf(i).period(), scenario.commandSlots(state, i).size(),
-                                scenario.memoryOf(state, i).size()});
+                                scenario.motionMemory(state, i).size(), scenario.memoryOf(state, i).size(),
+                                scenario.sensorMemory(state, i).size()});
     for (const SceneObject& object : scene.objects) saved.objects.push_back(object.name);
     return saved;
 }
@@ -97,7 +101,7 @@ std::string savedStateText(const SavedState& saved, const ScenarioValue* whole) 
     };
     std::string text =
         "# The state of a run of \"" + saved.scenario + "\" at " + plainSeconds(saved.state.tick * saved.tickLength) +
-        " s, for a scenario's `initial_state`.\nformat = \"mrose state\"\nversion = 1\nscenario = " +
+        " s, for a scenario's `initial_state`.\nformat = \"mrose state\"\nversion = 2\nscenario = " +
         tomlString(saved.scenario) + '\n' + number("tick", static_cast<std::uint64_t>(saved.state.tick)) +
         number("tick_ns", static_cast<std::uint64_t>(saved.tickLength)) + "state = \"\"\"\n" +
         base64(stateBytes(saved.state)) + "\"\"\"\n";
@@ -105,7 +109,7 @@ std::string savedStateText(const SavedState& saved, const ScenarioValue* whole) 
     for (const SavedState::Robot& robot : saved.robots)
         text += "\n[[robot]]\nname = " + tomlString(robot.name) + '\n' +
                 number("period_ns", static_cast<std::uint64_t>(robot.period)) + number("commands", robot.commands) +
-                number("memory", robot.memory);
+                number("motion", robot.motion) + number("memory", robot.memory) + number("sensing", robot.sensing);
     for (const std::string& object : saved.objects) text += "\n[[object]]\nname = " + tomlString(object) + '\n';
     return text;
 }
@@ -118,7 +122,7 @@ Expected<SavedState> parseSavedState(std::string_view text, const std::string& f
 Expected<SavedState> readSavedState(const Value& content, const std::string& file) {
     TomlTable root = TomlTable::of(content, file);
     root.choice("format", {"mrose state"});
-    root.integer("version", 1, 1);
+    const bool first = root.integer("version", 1, 2) == 1;
     SavedState saved;
     saved.scenario = root.string("scenario");
     const std::int64_t tick = root.integer("tick", 0, mostTicks);
@@ -129,8 +133,14 @@ Expected<SavedState> readSavedState(const Value& content, const std::string& fil
         const std::string name = table.string("name");
         const Nanoseconds period = table.integer("period_ns", 1, mostOfAnything * 10);
         const auto commands = static_cast<std::uint64_t>(table.integer("commands", 0, mostOfAnything));
-        saved.robots.push_back(
-            {name, period, commands, static_cast<std::uint64_t>(table.integer("memory", 0, mostOfAnything))});
+        const auto bytes = [&](const char* key) {
+            return static_cast<std::uint64_t>(table.integer(key, 0, mostOfAnything));
+        };
+        const std::uint64_t memory = bytes("memory");
+        if (first)
+            saved.robots.push_back({name, period, commands, firstVersionMotion, memory, firstVersionSensing});
+        else
+            saved.robots.push_back({name, period, commands, bytes("motion"), memory, bytes("sensing")});
         table.rejectUnknown();
     }
     for (TomlTable& table : root.tablesOrNone("object")) {
@@ -178,19 +188,26 @@ WorldState restored(const SavedState& saved, const Scenario& scenario, std::uint
     WorldState state = saved.state, fresh = scenario.freshState(seed);
     state.seed = seed;
     state.commands = std::move(fresh.commands);
+    state.motion = std::move(fresh.motion);
     state.memory = std::move(fresh.memory);
-    std::size_t commands = 0, memory = 0;
+    state.sensing = std::move(fresh.sensing);
+    std::size_t commands = 0, motion = 0, memory = 0, sensing = 0;
+    const auto keep = [](std::span<const std::byte> all, std::size_t& first, std::uint64_t size,
+                         std::span<std::byte> own) {
+        if (own.size() == size) std::copy_n(all.data() + first, size, own.begin());
+        first += paddedMemory(size);
+    };
     for (std::size_t i = 0; i < saved.robots.size(); ++i) {
         const SavedState::Robot& kept = saved.robots[i];
         RobotState& robot = state.robots[i];
         const std::span<const StampedCommand> old(saved.state.commands.data() + commands, robot.commandCount);
         robot.commandCount = keepNewest(old, scenario.commandSlots(state, i), robot.commandBefore);
-        if (const std::span<std::byte> own = scenario.memoryOf(state, i); own.size() == kept.memory)
-            std::copy_n(saved.state.memory.data() + memory, own.size(), own.begin());
+        keep(saved.state.motion, motion, kept.motion, scenario.motionMemory(state, i));
+        keep(saved.state.memory, memory, kept.memory, scenario.memoryOf(state, i));
+        keep(saved.state.sensing, sensing, kept.sensing, scenario.sensorMemory(state, i));
         if (kept.period != scenario.scene().modelOf(i).period())
             robot.nextControl = robot.segment.startTick = state.tick;
         commands += kept.commands;
-        memory += paddedMemory(kept.memory);
     }
     layOutPast(saved, scenario, state);
     moveToStarts(scenario.scene(), state);

@@ -18,8 +18,8 @@ struct SavedState {
     struct Robot {
         std::string name;
         Nanoseconds period = 0;
-        std::uint64_t commands = 0;  ///< places for them
-        std::uint64_t memory = 0;    ///< bytes of its controller
+        std::uint64_t commands = 0;                         ///< places for them
+        std::uint64_t motion = 0, memory = 0, sensing = 0;  ///< bytes of its motion model, controller, sensors
         bool operator==(const Robot&) const = default;
     };
     std::vector<Robot> robots;
@@ -38,8 +38,8 @@ Expected<SavedState> parseSavedState(std::string_view text, const std::string& f
 std::string unfit(const SavedState& saved, const Scene& scene);
 
 /// The state in a scenario that is fit for it: at its own tick, as it was to the last bit. Bodies whose starts in the
-/// scene are elsewhere are moved there. A controller whose memory has another size starts anew, and a robot whose
-/// control period is another decides at once.
+/// scene are elsewhere are moved there. What remembers in another size (a
+/// controller, a motion model, sensors) starts anew, and a robot whose control period is another decides at once.
 WorldState restored(const SavedState& saved, const Scenario& scenario, std::uint64_t seed);
 
 }  // namespace mrose

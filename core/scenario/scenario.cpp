@@ -42,7 +42,7 @@ void Scenario::layOut() {
     for (std::size_t i = 0; i < scene.robots.size(); ++i) {
         const MotionModel& model = scene.modelOf(i);
         assert(model.period() % scene.tickLength == 0);
-        const auto periods = static_cast<std::size_t>(model.memory() / model.period()) + 2;
+        const auto periods = static_cast<std::size_t>(model.lookBack() / model.period()) + 2;
         Slots slots;
         slots.commands = commandSlots_;
         // Nobody has more than the capacity, in however few periods.
@@ -51,8 +51,14 @@ void Scenario::layOut() {
         slots.commandCount = std::min(periods * inPeriod, CommandHistory::capacity);
         slots.memory = memorySize_;
         slots.memorySize = controller(i).memorySize();
+        slots.motion = motionSize_;
+        slots.motionSize = model.memorySize();
+        slots.sensing = sensingSize_;
+        slots.sensingSize = sizeof(SensorMemory);
         commandSlots_ += slots.commandCount;
+        motionSize_ += paddedMemory(slots.motionSize);
         memorySize_ += paddedMemory(slots.memorySize);
+        sensingSize_ += paddedMemory(slots.sensingSize);
         slots_.push_back(slots);
         periods_.push_back({model.period() / scene.tickLength, toSeconds(model.period())});
     }
@@ -100,11 +106,22 @@ WorldState Scenario::freshState(std::uint64_t seed) const {
     }
     state.goals.assign(scene.environment.goals.size(), 0);
     state.commands.resize(commandSlots_);
+    state.motion.resize(motionSize_);
     state.memory.resize(memorySize_);
-    for (std::size_t i = 0; i < scene.robots.size(); ++i) controller(i).start(memoryOf(state, i));
+    state.sensing.resize(sensingSize_);
+    for (std::size_t i = 0; i < scene.robots.size(); ++i) {
+        scene.modelOf(i).start(motionMemory(state, i));
+        controller(i).start(memoryOf(state, i));
+    }
     for (std::int64_t k = 0; k < pastDepth_; ++k)
         for (std::size_t body = 0; body < scene.bodyCount(); ++body) state.past.push_back(poseOf(state, body));
     return state;
+}
+
+void Scenario::forgetMotion(WorldState& state, std::size_t robot) const {
+    const std::span<std::byte> memory = motionMemory(state, robot);
+    std::ranges::fill(memory, std::byte{0});
+    scene().modelOf(robot).start(memory);
 }
 
 const Pose& Scenario::poseBefore(const WorldState& state, std::size_t body, std::int64_t lag) const {

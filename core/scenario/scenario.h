@@ -81,7 +81,23 @@ public:
     std::span<const std::byte> memoryOf(const WorldState& state, std::size_t robot) const {
         return std::span(state.memory).subspan(slots_[robot].memory, slots_[robot].memorySize);
     }
-    /// The same of such memory by itself.
+    /// Likewise its motion model's in WorldState::motion.
+    std::span<std::byte> motionMemory(WorldState& state, std::size_t robot) const {
+        return std::span(state.motion).subspan(slots_[robot].motion, slots_[robot].motionSize);
+    }
+    std::span<const std::byte> motionMemory(const WorldState& state, std::size_t robot) const {
+        return std::span(state.motion).subspan(slots_[robot].motion, slots_[robot].motionSize);
+    }
+    /// Its motion model begins anew.
+    void forgetMotion(WorldState& state, std::size_t robot) const;
+    /// Likewise what all sensors of a robot remember in WorldState::sensing.
+    std::span<std::byte> sensorMemory(WorldState& state, std::size_t robot) const {
+        return std::span(state.sensing).subspan(slots_[robot].sensing, slots_[robot].sensingSize);
+    }
+    std::span<const std::byte> sensorMemory(const WorldState& state, std::size_t robot) const {
+        return std::span(state.sensing).subspan(slots_[robot].sensing, slots_[robot].sensingSize);
+    }
+    /// The same of a controller's memory by itself.
     std::span<const std::byte> memoryOf(const std::vector<std::byte>& memory, std::size_t robot) const {
         return std::span(memory).subspan(slots_[robot].memory, slots_[robot].memorySize);
     }
@@ -115,7 +131,8 @@ public:
 
 private:
     struct Slots {
-        std::size_t commands = 0, commandCount = 0, memory = 0, memorySize = 0;
+        std::size_t commands = 0, commandCount = 0;
+        std::size_t motion = 0, motionSize = 0, memory = 0, memorySize = 0, sensing = 0, sensingSize = 0;
     };
     void layOut();
     void prepareContacts();
@@ -127,7 +144,7 @@ private:
     std::vector<std::uint32_t> contactTypeOf_;
     std::vector<Slots> slots_;
     std::vector<Period> periods_;
-    std::size_t commandSlots_ = 0, memorySize_ = 0;
+    std::size_t commandSlots_ = 0, motionSize_ = 0, memorySize_ = 0, sensingSize_ = 0;
     std::int64_t pastDepth_ = 0;
 };
 

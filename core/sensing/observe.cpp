@@ -26,7 +26,7 @@ void observe(const Scenario& scenario, const WorldState& state, std::size_t robo
     out.manipulators = static_cast<std::uint32_t>(scenario.scene().typeOf(robot).manipulators.size());
     out.time = observer.timeBefore(0);
     out.noise = noiseBits(observer.key(NoiseChannel::controller));
-    out.localised = memory.localised;
+    out.localised = memory.localised != 0;
     out.self = memory.self;
     out.selfMeasured = memory.selfMeasured;
     out.velocity = odometry(observer);

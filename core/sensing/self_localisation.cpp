@@ -68,7 +68,7 @@ void localise(const Observer& observer, SensorMemory& memory) {
     if (chance.second < sensor.jump) displace(sensor.jumpDistance, sensor.jumpDistance, jump);
     memory.self = measured;
     memory.selfMeasured = observer.timeBefore(lag);
-    memory.localised = true;
+    memory.localised = 1;
 }
 
 }  // namespace mrose

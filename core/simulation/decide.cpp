@@ -74,7 +74,8 @@ void decide(const Scenario& scenario, WorldState& state, StepBuffers::Content& b
         buffers.due.push_back(i);
         const Decision* decision = overriding(overrides, i);
         if (decision == nullptr && overrides.askControllers) {
-            observe(scenario, state, i, robot.sensing, buffers.sensing, buffers.observation);
+            observe(scenario, state, i, as<SensorMemory>(scenario.sensorMemory(state, i)), buffers.sensing,
+                    buffers.observation);
             buffers.decision.clear();
             scenario.controller(i).decide(buffers.observation, scenario.memoryOf(state, i), buffers.decision);
             decision = &buffers.decision;

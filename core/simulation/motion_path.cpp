@@ -107,8 +107,6 @@ MotionSegment beginSegment(const Pose& pose, const Twist& velocity_B, const Moti
     segment.endRate = RightJacobian(segment.logarithm, terms)
                           .solve({period * predicted.velocity.v, 0, period * predicted.velocity.w});
     segment.endVelocity = predicted.velocity;
-    segment.unperturbed = predicted.unperturbed;
-    segment.hasUnperturbed = true;
     return segment;
 }
 

@@ -19,7 +19,7 @@ void addMotionNoise(const MotionNoise& noise, const NoiseKey& key, MotionStep& s
 
 bool finite(const MotionStep& step) {
     return std::isfinite(step.increment.x + step.increment.y + step.increment.heading) &&
-           std::isfinite(step.velocity.v + step.velocity.w + step.unperturbed.v + step.unperturbed.w);
+           std::isfinite(step.velocity.v + step.velocity.w);
 }
 
 }  // namespace
@@ -41,7 +41,8 @@ void predictMotion(const Scenario& scenario, WorldState& state, StepBuffers::Con
         input.commands = scenario.commandsOf(state, i);
         input.start = scene.timeOf(state.tick);
         input.velocity = {robot.velocity_B.x, robot.velocity_B.rotation};
-        if (robot.segment.hasUnperturbed) input.unperturbed = robot.segment.unperturbed;
+        input.memory = scenario.motionMemory(state, i);
+        input.noise = {state.seed, state.tick, i, channelOf(NoiseChannel::motion)};
     }
     for (std::size_t begin = 0, end = 0; begin < due.size(); begin = end) {
         while (end < due.size() && modelOf(due[end]) == modelOf(due[begin])) ++end;
@@ -52,14 +53,14 @@ void predictMotion(const Scenario& scenario, WorldState& state, StepBuffers::Con
         const std::uint32_t i = due[k];
         RobotState& robot = state.robots[i];
         MotionStep& predicted = buffers.predictions[k];
-        addMotionNoise(scene.typeOf(i).motionNoise, {state.seed, state.tick, i, channelOf(NoiseChannel::motion)},
-                       predicted);
+        addMotionNoise(scene.typeOf(i).motionNoise, buffers.inputs[k].noise, predicted);
         if (finite(predicted)) {
             robot.segment =
                 beginSegment(robot.pose, robot.velocity_B, predicted, state.tick, scenario.periodOf(i).seconds);
         } else {
             robot.segment = restAt(robot.pose, state.tick);
             predicted = {};
+            scenario.forgetMotion(state, i);
             if (trace != nullptr) trace->faults.push_back({i, "its motion model predicted no finite motion"});
         }
         if (trace != nullptr) trace->robots[i].predicted = predicted;

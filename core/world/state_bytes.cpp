@@ -3,12 +3,13 @@
 #include <array>
 
 #include "io/bytes.h"
+#include "world/first_state_version.h"
 #include "world/state_fields.h"
 
 namespace mrose {
 namespace {
 
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t version = 2;
 
 template <class T>
 constexpr std::size_t storedSize() {
@@ -18,19 +19,22 @@ constexpr std::size_t storedSize() {
         return packedSize<T>();
 }
 
-/// All arrays of a state, in the order in which they are stored.
+/// All arrays of a state, in the order in which they are stored; the first version had no memory of motion models and
+/// sensors by itself.
 template <class State, class Visit>
-void eachArray(State& state, Visit&& visit) {
+void eachArray(State& state, std::uint32_t of, Visit&& visit) {
     visit(state.robots);
     visit(state.objects);
     visit(state.contacts);
     visit(state.kicks);
     visit(state.goals);
     visit(state.commands);
+    if (of > 1) visit(state.motion);
     visit(state.memory);
+    if (of > 1) visit(state.sensing);
     visit(state.past);
 }
-constexpr std::size_t arrayCount = 8;
+constexpr std::size_t arrayCount = 10;
 
 template <class Vector>
 using ElementOf = typename std::remove_cvref_t<Vector>::value_type;
@@ -43,19 +47,28 @@ void appendRobots(const std::vector<RobotState>& robots, std::string& bytes) {
 }
 
 /// Whether all flags were 0 or 1.
-bool readRobots(std::string_view bytes, std::vector<RobotState>& robots) {
+bool readRobots(std::string_view bytes, WorldState& state, std::uint32_t of) {
     const char* from = bytes.data();
     bool sound = true;
-    for (RobotState& robot : robots)
-        visitNumbers(robot, [&](auto& number) {
-            if constexpr (std::is_same_v<std::remove_reference_t<decltype(number)>, bool>) {
-                sound = sound && (*from == 0 || *from == 1);
-                number = *from == 1;
-            } else {
-                std::memcpy(&number, from, sizeof number);
-            }
-            from += sizeof number;
-        });
+    const auto read = [&](auto& number) {
+        if constexpr (std::is_same_v<std::remove_reference_t<decltype(number)>, bool>) {
+            sound = sound && (*from == 0 || *from == 1);
+            number = *from == 1;
+        } else {
+            std::memcpy(&number, from, sizeof number);
+        }
+        from += sizeof number;
+    };
+    for (RobotState& robot : state.robots) {
+        if (of > 1) {
+            visitNumbers(robot, read);
+            continue;
+        }
+        FirstVersionMemory memory;
+        visitFirstVersionWorld(robot, memory, read);
+        visitFirstVersionSensing(memory, read);
+        appendMemory(memory, state);
+    }
     return sound;
 }
 
@@ -63,10 +76,10 @@ bool readRobots(std::string_view bytes, std::vector<RobotState>& robots) {
 
 void appendStateBytes(const WorldState& state, std::string& bytes) {
     appendNumber(bytes, version);
-    eachArray(state, [&](const auto& array) { appendNumber(bytes, std::uint64_t{array.size()}); });
+    eachArray(state, version, [&](const auto& array) { appendNumber(bytes, std::uint64_t{array.size()}); });
     appendNumber(bytes, state.tick);
     appendNumber(bytes, state.seed);
-    eachArray(state, [&](const auto& array) {
+    eachArray(state, version, [&](const auto& array) {
         using Element = ElementOf<decltype(array)>;
         if constexpr (std::is_same_v<Element, RobotState>)
             appendRobots(array, bytes);
@@ -81,14 +94,18 @@ std::string stateBytes(const WorldState& state) {
     return bytes;
 }
 
+std::uint32_t stateVersion(std::string_view bytes) { return ByteReader(bytes).number<std::uint32_t>(); }
+
 Expected<WorldState> parseState(std::string_view bytes, const std::string& name) {
     ByteReader reader(bytes);
-    if (const auto found = reader.number<std::uint32_t>(); found != version)
-        return fail(name,
-                    "holds a state of version " + std::to_string(found) + "; expected " + std::to_string(version));
+    const auto found = reader.number<std::uint32_t>();
+    if (found < 1 || found > version)
+        return fail(name, "holds a state of version " + std::to_string(found) + "; expected at most " +
+                              std::to_string(version));
     std::array<std::uint64_t, arrayCount> sizes{};
-    for (std::uint64_t& size : sizes) size = reader.number<std::uint64_t>();
+    std::size_t k = 0;
     WorldState state;
+    eachArray(state, found, [&](const auto&) { sizes[k++] = reader.number<std::uint64_t>(); });
     state.tick = reader.number<std::int64_t>();
     state.seed = reader.number<std::uint64_t>();
 
@@ -96,9 +113,11 @@ Expected<WorldState> parseState(std::string_view bytes, const std::string& name)
     if (reader.failed()) return fail(name, misfit);
     std::uint64_t rest = reader.rest().size();
     bool fits = true;
-    std::size_t k = 0;
-    eachArray(state, [&](const auto& array) {
-        constexpr std::size_t each = storedSize<ElementOf<decltype(array)>>();
+    k = 0;
+    eachArray(state, found, [&](const auto& array) {
+        using Element = ElementOf<decltype(array)>;
+        const std::size_t each =
+            std::is_same_v<Element, RobotState> && found == 1 ? firstVersionSize : storedSize<Element>();
         const std::uint64_t size = sizes[k++];
         fits = fits && size <= rest / each;
         if (fits) rest -= size * each;
@@ -107,14 +126,16 @@ Expected<WorldState> parseState(std::string_view bytes, const std::string& name)
 
     bool sound = true;
     k = 0;
-    eachArray(state, [&](auto& array) {
+    eachArray(state, found, [&](auto& array) {
         using Element = ElementOf<decltype(array)>;
         array.resize(sizes[k++]);
+        if constexpr (std::is_same_v<Element, RobotState>) {
+            const std::size_t each = found == 1 ? firstVersionSize : storedSize<Element>();
+            sound = readRobots(reader.take(array.size() * each), state, found);
+            return;
+        }
         const std::string_view part = reader.take(array.size() * storedSize<Element>());
-        if constexpr (std::is_same_v<Element, RobotState>)
-            sound = readRobots(part, array);
-        else if (!part.empty())
-            std::memcpy(array.data(), part.data(), part.size());
+        if (!part.empty()) std::memcpy(array.data(), part.data(), part.size());
     });
     if (!sound) return fail(name, "holds a state with a flag that is neither 0 nor 1");
     return state;

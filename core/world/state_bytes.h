@@ -13,9 +13,12 @@ namespace mrose {
 void appendStateBytes(const WorldState& state, std::string& bytes);
 std::string stateBytes(const WorldState& state);
 
-/// The state that bytes hold. Whether it is one of a given scenario is not asked here. `name` is said in errors. Error:
-/// another version, sizes that do not add up to the bytes' number (told before anything is allocated), a flag that is
-/// neither 0 nor 1.
+/// The version that bytes of a state say they are of, now 2; 0 where they say none.
+std::uint32_t stateVersion(std::string_view bytes);
+
+/// The state that bytes hold. Whether it is one of a given scenario is not asked here. `name` is said in errors. Bytes
+/// of version 1 (first_state_version.h) are read on. Error: another version, sizes that do not add up to the bytes'
+/// number (told before anything is allocated), a flag that is neither 0 nor 1.
 Expected<WorldState> parseState(std::string_view bytes, const std::string& name);
 
 }  // namespace mrose

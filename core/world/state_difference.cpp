@@ -32,7 +32,7 @@ std::string textOf(const Number& value) {
 }
 
 /// The names on the way to the first number in which two values differ, and both as text.
-template <class F = void, class T>
+template <class T>
 bool differs(const T& a, const T& b, const std::string& path, StateDifference& out) {
     if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>) {
         using Bytes = std::array<std::byte, sizeof(T)>;
@@ -46,9 +46,8 @@ bool differs(const T& a, const T& b, const std::string& path, StateDifference& o
             if (differs(a[i], b[i], path + ' ' + std::to_string(i + 1), out)) return true;
         return false;
     } else {
-        using Told = std::conditional_t<std::is_void_v<F>, Fields<T>, F>;
         bool found = false;
-        Told::each([&](const char* name, auto member) {
+        Fields<T>::each([&](const char* name, auto member) {
             found = found || differs(a.*member, b.*member, path.empty() ? name : path + '.' + name, out);
         });
         return found;
@@ -61,19 +60,19 @@ public:
     void field(const char* name, const T& a, const T& b) {
         if (!found_ && differs(a, b, name, difference_)) found_ = true;
     }
-    template <class F = void, class T>
+    template <class T>
     void elements(Part part, const char* name, const std::vector<T>& a, const std::vector<T>& b) {
         const std::size_t common = std::min(a.size(), b.size());
         for (std::size_t i = 0; i < common && !found_; ++i)
-            if (StateDifference d{part, i}; differs<F>(a[i], b[i], "", d)) found(d);
+            if (StateDifference d{part, i}; differs(a[i], b[i], "", d)) found(d);
         if (!found_ && a.size() != b.size()) found({Part::state, 0, name, textOf(a.size()), textOf(b.size())});
     }
-    void bytes(const std::vector<std::byte>& a, const std::vector<std::byte>& b) {
+    void bytes(Part part, const char* name, const std::vector<std::byte>& a, const std::vector<std::byte>& b) {
         if (found_) return;
-        if (a.size() != b.size()) return found({Part::state, 0, "bytes of memory", textOf(a.size()), textOf(b.size())});
+        if (a.size() != b.size()) return found({Part::state, 0, name, textOf(a.size()), textOf(b.size())});
         const auto [inA, inB] = std::mismatch(a.begin(), a.end(), b.begin());
         if (inA != a.end())
-            found({Part::memory, static_cast<std::size_t>(inA - a.begin()), "", textOf(static_cast<int>(*inA)),
+            found({part, static_cast<std::size_t>(inA - a.begin()), "", textOf(static_cast<int>(*inA)),
                    textOf(static_cast<int>(*inB))});
     }
     std::optional<StateDifference> result() const { return found_ ? std::optional(difference_) : std::nullopt; }
@@ -94,31 +93,42 @@ std::optional<StateDifference> firstDifference(const WorldState& a, const WorldS
     Comparison compare;
     compare.field("tick", a.tick, b.tick);
     compare.field("seed", a.seed, b.seed);
-    if (scope == StateScope::all)
-        compare.elements(Part::robot, "robots", a.robots, b.robots);
-    else
-        compare.elements<RobotWorldFields>(Part::robot, "robots", a.robots, b.robots);
+    compare.elements(Part::robot, "robots", a.robots, b.robots);
     compare.elements(Part::object, "objects", a.objects, b.objects);
     compare.elements(Part::contact, "contacts", a.contacts, b.contacts);
     compare.elements(Part::kick, "kicks", a.kicks, b.kicks);
     compare.elements(Part::goal, "goals", a.goals, b.goals);
     compare.elements(Part::command, "commands", a.commands, b.commands);
+    compare.bytes(Part::motion, "bytes of motion models", a.motion, b.motion);
     if (scope == StateScope::world) return compare.result();
-    compare.bytes(a.memory, b.memory);
+    compare.bytes(Part::memory, "bytes of controllers", a.memory, b.memory);
+    compare.bytes(Part::sensing, "bytes of sensors", a.sensing, b.sensing);
     compare.elements(Part::past, "past poses", a.past, b.past);
     return compare.result();
 }
 
+bool StateDifference::ofBytes() const { return part == Part::motion || part == Part::memory || part == Part::sensing; }
+
 bool StateDifference::ofMinds() const {
-    return part == Part::memory || part == Part::past || (part == Part::robot && field.starts_with("sensing")) ||
-           (part == Part::state && (field == "bytes of memory" || field == "past poses"));
+    return part == Part::memory || part == Part::sensing || part == Part::past ||
+           (part == Part::state &&
+            (field == "bytes of controllers" || field == "bytes of sensors" || field == "past poses"));
 }
 
 std::string StateDifference::message() const {
-    static constexpr std::array names{
-        "", "robot ", "object ", "contact ", "kick ", "goal ", "command ", "controllers' memory, byte ", "past pose "};
+    static constexpr std::array names{"",
+                                      "robot ",
+                                      "object ",
+                                      "contact ",
+                                      "kick ",
+                                      "goal ",
+                                      "command ",
+                                      "motion models' memory, byte ",
+                                      "controllers' memory, byte ",
+                                      "sensors' memory, byte ",
+                                      "past pose "};
     std::string where = names[static_cast<std::size_t>(part)];
-    if (part != Part::state) where += std::to_string(index + (part == Part::memory ? 0 : 1));
+    if (part != Part::state) where += std::to_string(index + (ofBytes() ? 0 : 1));
     if (part != Part::state && !field.empty()) where += ' ';
     return where + field + ": " + first + " against " + second;
 }

@@ -18,8 +18,8 @@ namespace mrose {
 template <class T>
 struct Fields;
 
-/// What a robot's sensors and its controller know of the world is kept apart from where it is and moves.
-struct RobotWorldFields {
+template <>
+struct Fields<RobotState> {
     template <class Visit>
     static constexpr void each(Visit&& visit) {
         visit("pose", &RobotState::pose);
@@ -30,21 +30,6 @@ struct RobotWorldFields {
         visit("commandCount", &RobotState::commandCount);
         visit("commandBefore", &RobotState::commandBefore);
         visit("ready", &RobotState::ready);
-    }
-};
-struct RobotMindFields {
-    template <class Visit>
-    static constexpr void each(Visit&& visit) {
-        visit("sensing", &RobotState::sensing);
-    }
-};
-
-template <>
-struct Fields<RobotState> {
-    template <class Visit>
-    static constexpr void each(Visit&& visit) {
-        RobotWorldFields::each(visit);
-        RobotMindFields::each(visit);
     }
 };
 
@@ -116,20 +101,6 @@ struct Fields<MotionSegment> {
         visit("startRate", &MotionSegment::startRate);
         visit("endRate", &MotionSegment::endRate);
         visit("endVelocity", &MotionSegment::endVelocity);
-        visit("unperturbed", &MotionSegment::unperturbed);
-        visit("hasUnperturbed", &MotionSegment::hasUnperturbed);
-    }
-};
-
-template <>
-struct Fields<SensorMemory> {
-    template <class Visit>
-    static constexpr void each(Visit&& visit) {
-        visit("bias", &SensorMemory::bias);
-        visit("self", &SensorMemory::self);
-        visit("selfMeasured", &SensorMemory::selfMeasured);
-        visit("localised", &SensorMemory::localised);
-        visit("bearingBias", &SensorMemory::bearingBias);
     }
 };
 
@@ -177,7 +148,7 @@ template <class Owner, class Member>
 Member memberOf(Member Owner::*);
 
 /// Bytes of all numbers of a T, without padding.
-template <class T, class F = Fields<T>>
+template <class T>
 constexpr std::size_t packedSize() {
     if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>) {
         return sizeof(T);
@@ -185,13 +156,13 @@ constexpr std::size_t packedSize() {
         return std::tuple_size_v<T> * packedSize<typename T::value_type>();
     } else {
         std::size_t size = 0;
-        F::each([&](const char*, auto member) { size += packedSize<decltype(memberOf(member))>(); });
+        Fields<T>::each([&](const char*, auto member) { size += packedSize<decltype(memberOf(member))>(); });
         return size;
     }
 }
 
 /// Calls leaf(number) for every number of `value`; a T may be const.
-template <class F = void, class T, class Leaf>
+template <class T, class Leaf>
 void visitNumbers(T& value, Leaf&& leaf) {
     using Value = std::remove_const_t<T>;
     if constexpr (std::is_arithmetic_v<Value> || std::is_enum_v<Value>) {
@@ -199,15 +170,14 @@ void visitNumbers(T& value, Leaf&& leaf) {
     } else if constexpr (IsArray<Value>::value) {
         for (auto& element : value) visitNumbers(element, leaf);
     } else {
-        using Told = std::conditional_t<std::is_void_v<F>, Fields<Value>, F>;
-        Told::each([&](const char*, auto member) { visitNumbers(value.*member, leaf); });
+        Fields<Value>::each([&](const char*, auto member) { visitNumbers(value.*member, leaf); });
     }
 }
 
 /// Writes all numbers of `value` one after the other; returns where they end.
-template <class F = void, class T>
+template <class T>
 char* pack(const T& value, char* out) {
-    visitNumbers<F>(value, [&](const auto& number) {
+    visitNumbers(value, [&](const auto& number) {
         std::memcpy(out, &number, sizeof number);
         out += sizeof number;
     });
@@ -219,10 +189,8 @@ template <class T>
 constexpr bool packed = std::is_trivially_copyable_v<T>&& packedSize<T>() == sizeof(T);
 
 static_assert(packed<ObjectState> && packed<ContactImpulse> && packed<PendingKick> && packed<StampedCommand> &&
-              packed<Pose> && packed<std::int32_t>);
-// These have padding: 7 bytes after the bools at their ends, 3 after `pushed`.
-static_assert(packedSize<MotionSegment>() + 7 == sizeof(MotionSegment));
-static_assert(packedSize<SensorMemory>() + 7 == sizeof(SensorMemory));
-static_assert(packedSize<RobotState>() + 7 + 3 + 7 == sizeof(RobotState));
+              packed<Pose> && packed<std::int32_t> && packed<MotionSegment>);
+// This one has padding: 3 bytes after `pushed`.
+static_assert(packedSize<RobotState>() + 3 == sizeof(RobotState));
 
 }  // namespace mrose

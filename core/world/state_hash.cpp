@@ -20,15 +20,14 @@ std::uint64_t hashOfAll(const std::vector<T>& values) {
 }
 
 /// Of the robots' fields, some robots at a time; each time begins with the hash so far.
-template <class F>
 std::uint64_t hashOfRobots(const std::vector<RobotState>& robots) {
     constexpr std::size_t atOnce = 16;
-    std::array<char, sizeof(std::uint64_t) + atOnce * packedSize<RobotState, F>()> buffer;
+    std::array<char, sizeof(std::uint64_t) + atOnce * packedSize<RobotState>()> buffer;
     std::uint64_t hash = 0;
     for (std::size_t first = 0; first < robots.size(); first += atOnce) {
         std::memcpy(buffer.data(), &hash, sizeof hash);
         char* end = buffer.data() + sizeof hash;
-        for (std::size_t i = first; i < std::min(first + atOnce, robots.size()); ++i) end = pack<F>(robots[i], end);
+        for (std::size_t i = first; i < std::min(first + atOnce, robots.size()); ++i) end = pack(robots[i], end);
         hash = XXH3_64bits(buffer.data(), static_cast<std::size_t>(end - buffer.data()));
     }
     return hash;
@@ -51,15 +50,16 @@ StateHash hashOf(const WorldState& state) {
                                    state.kicks.size(),
                                    state.goals.size(),
                                    state.commands.size(),
-                                   hashOfRobots<RobotWorldFields>(state.robots),
+                                   state.motion.size(),
+                                   hashOfRobots(state.robots),
                                    hashOfAll(state.objects),
                                    hashOfAll(state.contacts),
                                    hashOfAll(state.kicks),
                                    hashOfAll(state.goals),
-                                   hashOfAll(state.commands)};
-    const std::uint64_t minds[] = {state.robots.size(),     state.memory.size(),
-                                   state.past.size(),       hashOfRobots<RobotMindFields>(state.robots),
-                                   hashOfAll(state.memory), hashOfAll(state.past)};
+                                   hashOfAll(state.commands),
+                                   hashOfAll(state.motion)};
+    const std::uint64_t minds[] = {state.memory.size(),     state.sensing.size(),     state.past.size(),
+                                   hashOfAll(state.memory), hashOfAll(state.sensing), hashOfAll(state.past)};
     return {combined(world), combined(minds)};
 }
 

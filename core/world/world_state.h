@@ -8,6 +8,7 @@
 
 #include "geometry/point.h"
 #include "world/command_history.h"
+#include "world/memory.h"
 
 namespace mrose {
 
@@ -15,29 +16,19 @@ namespace mrose {
 /// predicted pose and the velocities at both ends.
 struct MotionSegment {
     std::int64_t startTick = 0;
-    Pose start;                   ///< in the world; moved along with a pushed robot when it has recovered
-    Point direction{1, 0};        ///< cosine and sine of its heading
-    Pose increment;               ///< what the model predicted: start * increment is the pose at the period's end
-    Twist logarithm;              ///< of the increment: p(1)
-    Twist startRate, endRate;     ///< p'(0) and p'(1), per period
-    Velocity endVelocity;         ///< predicted
-    Velocity unperturbed;         ///< MotionStep::unperturbed of the period
-    bool hasUnperturbed = false;  ///< false before the first period
-};
-
-/// What a robot's sensors remember (sensing/).
-struct SensorMemory {
-    Pose bias;                     ///< of self-localisation, at present
-    Pose self;                     ///< measured last
-    Nanoseconds selfMeasured = 0;  ///< when
-    bool localised = false;        ///< false until the first measurement
-    double bearingBias = 0;        ///< of the bearing to other bodies, in standard deviations
+    Pose start;                ///< in the world; moved along with a pushed robot when it has recovered
+    Point direction{1, 0};     ///< cosine and sine of its heading
+    Pose increment;            ///< what the model predicted: start * increment is the pose at the period's end
+    Twist logarithm;           ///< of the increment: p(1)
+    Twist startRate, endRate;  ///< p'(0) and p'(1), per period
+    Velocity endVelocity;      ///< predicted
 };
 
 constexpr std::size_t maxManipulators = 4;
 
-/// One robot, or a person or machine that moves like one. Its commands and its controller's memory lie in the world
-/// state's own arrays: each robot has as much of them as it needs, and none owns heap memory.
+/// One robot, or a person or machine that moves like one. Its commands and what its controller, its sensors and its
+/// motion model remember lie in the world state's own arrays: each robot has as much of them as it needs, and none owns
+/// heap memory.
 struct RobotState {
     Pose pose;
     Twist velocity_B;              ///< m/s, m/s, rad/s: the one that really occurs, of the reference point
@@ -45,8 +36,7 @@ struct RobotState {
     MotionSegment segment;
     bool pushed = false;  ///< contact changed its velocity, and its wheels have not restored it yet
     std::uint32_t commandCount = 0;
-    Command commandBefore;  ///< in force before the oldest command kept
-    SensorMemory sensing;
+    Command commandBefore;                             ///< in force before the oldest command kept
     std::array<Nanoseconds, maxManipulators> ready{};  ///< when each manipulator can act again
 };
 
@@ -73,9 +63,6 @@ struct PendingKick {
     double power = 0;  ///< 0 ... 1
 };
 
-/// How much of WorldState::memory a controller's memory takes: each begins at a multiple of 16 bytes.
-constexpr std::size_t paddedMemory(std::size_t bytes) { return (bytes + 15) / 16 * 16; }
-
 /// Everything that advances in time. A tick is a function of it and of the scenario, which is constant: whoever keeps
 /// a copy can go back to it, to the last bit.
 struct WorldState {
@@ -87,7 +74,9 @@ struct WorldState {
     std::vector<PendingKick> kicks;        ///< in the order in which they were commanded
     std::vector<std::int32_t> goals;       ///< balls so far in each of the environment's goals
     std::vector<StampedCommand> commands;  ///< of all robots; Scenario::layout says whose are where
+    std::vector<std::byte> motion;         ///< memory of all motion models, likewise
     std::vector<std::byte> memory;         ///< of all controllers, likewise
+    std::vector<std::byte> sensing;        ///< memory of all sensors, likewise
     std::vector<Pose> past;                ///< of all bodies in the last ticks, for sensors that are late; likewise
 };
 

@@ -76,7 +76,7 @@ TEST(Pure, MemoryHoldsNothingButWhatIsTold) {
         second = first;
         Observation observation;
         SensingBuffers sensing;
-        observe(scenario, state, i, state.robots[i].sensing, sensing, observation);
+        observe(scenario, state, i, as<SensorMemory>(scenario.sensorMemory(state, i)), sensing, observation);
         Decision decision, again;
         scenario.controller(i).decide(observation, first, decision);
         // What lies on the stack must not matter.

@@ -102,7 +102,7 @@ TEST_F(HeldOutProgram, BlocksOfTimeAreHeldOutOfOneLongTrajectory) {
     ASSERT_TRUE(network) << network.error().message();
     const HoldOut part = network->heldOut.part;
     EXPECT_TRUE(part.every == 5 && part.offset == 4 && part.block == 44);
-    const double reach = toSeconds(InputReader(*network).memory()) + 2;  // 20 periods
+    const double reach = toSeconds(InputReader(*network).lookBack()) + 2;  // 20 periods
     EXPECT_GE(part.guard, reach);
     EXPECT_LT(part.guard, reach + 0.5);
 

@@ -50,7 +50,7 @@ TEST(Metrics, AGainThatIsTwentyPercentTooHighGivesItsClosedForm) {
 class Turning final : public MotionModel {
 public:
     Nanoseconds period() const override { return 50'000'000; }
-    Nanoseconds memory() const override { return 0; }
+    Nanoseconds lookBack() const override { return 0; }
     void predict(std::span<const MotionInput>, std::span<MotionStep> steps) const override {
         for (MotionStep& step : steps) step = {{0, 0, 0.05 * 0.5}, {0, 0.5}};
     }

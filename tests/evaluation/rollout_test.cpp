@@ -107,7 +107,7 @@ TEST(Rollout, RefusesAPeriodThatDoesNotDivideTheStep) {
 class LaggedModel final : public MotionModel {
 public:
     Nanoseconds period() const override { return 100'000'000; }
-    Nanoseconds memory() const override { return 0; }
+    Nanoseconds lookBack() const override { return 0; }
     void predict(std::span<const MotionInput> inputs, std::span<MotionStep> steps) const override {
         for (std::size_t i = 0; i < inputs.size(); ++i) {
             const double v =

@@ -122,17 +122,18 @@ TEST(ShippedNetworks, CreateForgetsAWrongStartVelocityWithinASecond) {
     CommandHistory history;
     history.issue(0, {0.067, 0.1});
     constexpr Nanoseconds period = 100'000'000;
+    std::vector<std::byte> memory(model.memorySize());
     MotionStep settled;
-    for (int k = 0; k < 30; ++k)
-        settled = model.predictOne({&history, k * period, settled.velocity, settled.unperturbed});
+    for (int k = 0; k < 30; ++k) settled = model.predictOne({&history, k * period, settled.velocity, memory});
     for (const auto& [dv, dw] : {std::pair{0.05, 0.3}, {-0.05, -0.3}, {0.05, -0.3}, {-0.05, 0.3}}) {
         MotionStep wrong = settled, right = settled;
+        std::vector<std::byte> wrongMemory = memory, rightMemory = memory;
         wrong.velocity.v += dv;
         wrong.velocity.w += dw;
         Pose a, b;
         for (int k = 30; k < 40; ++k) {
-            right = model.predictOne({&history, k * period, right.velocity, right.unperturbed});
-            wrong = model.predictOne({&history, k * period, wrong.velocity, wrong.unperturbed});
+            right = model.predictOne({&history, k * period, right.velocity, rightMemory});
+            wrong = model.predictOne({&history, k * period, wrong.velocity, wrongMemory});
             a = a * right.increment;
             b = b * wrong.increment;
         }

@@ -15,7 +15,7 @@ public:
     explicit HeldCommandModel(Nanoseconds period = 100'000'000, double gain = 1) : period_(period), gain_(gain) {}
 
     Nanoseconds period() const override { return period_; }
-    Nanoseconds memory() const override { return 0; }
+    Nanoseconds lookBack() const override { return 0; }
     void predict(std::span<const MotionInput> inputs, std::span<MotionStep> steps) const override {
         for (std::size_t i = 0; i < inputs.size(); ++i) steps[i] = step(inputs[i]);
     }

@@ -38,7 +38,7 @@ WorldState runAlone(const Scenario& scenario, std::int64_t ticks, std::uint32_t 
             // It sees and thinks as ever, and is told something else.
             const WorldState after = stepped(scenario, state);
             std::ranges::copy(scenario.memoryOf(after, robot), scenario.memoryOf(state, robot).begin());
-            state.robots[robot].sensing = after.robots[robot].sensing;
+            std::ranges::copy(scenario.sensorMemory(after, robot), scenario.sensorMemory(state, robot).begin());
             change(told.emplace_back(RobotDecision{robot, {}}).decision);
         }
         step(scenario, state, buffers, {told});

@@ -148,7 +148,7 @@ Log continuedWindows(int windows) {
 TEST(MotionSamplesOfContinuedWindows, WhatIsLearnedFromReadsNothingOfTheFoldThatIsHeldOut) {
     const Log log = continuedWindows(16);
     const MotionNetwork network = velocityBlueprint({}, {"1"}, {});
-    const Nanoseconds memory = InputReader(network).memory();
+    const Nanoseconds memory = InputReader(network).lookBack();
     const auto samples = motionSamples(std::vector<Log>{log}, network, {.phases = 2, .folds = 4});
     ASSERT_TRUE(samples);
     int cut = 0, whole = 0;
@@ -307,7 +307,7 @@ TEST(HeldOutBlocks, LearnedPartHasNoDataOfTheirTime) {
 
 TEST(HeldOutBlocks, NoPatternOrChainReachesIntoThem) {
     const MotionNetwork network = velocityBlueprint({}, {"1"}, {.deadTimeV = 0.6, .deadTimeW = 0.6});
-    const Nanoseconds memory = InputReader(network).memory(), chain = 2000 * ms;
+    const Nanoseconds memory = InputReader(network).lookBack(), chain = 2000 * ms;
     const HoldOut fifth{5, 2, 44, toSeconds(memory + chain)};
     const Log log = logOf({longDrive(600)});
     const auto learned = partOf(log, fifth, LogPart::learned);

@@ -137,15 +137,15 @@ TEST_P(RolloutBatchOfBothForms, DrivesLikeTheModelThatIsUsed) {
     std::size_t issued = 0;
     Velocity velocity = p.samples.samples[first].before;
     // The history form starts as its commands say; without that it would recover from the difference first.
-    std::optional<Velocity> unperturbed = velocity;
+    LearnedMotion::Memory memory{velocity, 1};
     const Trajectory& trajectory = p.logs[0].robots[0].trajectories[1];
     for (std::size_t k = 0; k < 30; ++k) {
         const Nanoseconds start = p.samples.samples[first + k].start;
         for (; trajectory.commands[issued].time <= start; ++issued)
             history.issue(trajectory.commands[issued].time, trajectory.commands[issued].command);
-        const MotionStep step = model.predictOne({&history, start, velocity, unperturbed});
+        const MotionStep step =
+            model.predictOne({&history, start, velocity, std::as_writable_bytes(std::span(&memory, 1))});
         velocity = step.velocity;
-        unperturbed = step.unperturbed;
         EXPECT_NEAR(step.increment.x, increments[k].x, 1e-5);
         EXPECT_NEAR(step.increment.heading, increments[k].heading, 1e-5);
     }
@@ -258,13 +258,15 @@ TEST(TrainNetwork, RecoversFromAWrongStartVelocityWithTheLagOfItsFile) {
     history.issue(0, {0.3, 0.2});
     for (const auto& [dv, dw] : {std::pair{0.05, 0.3}, {-0.05, -0.3}}) {
         MotionStep right, wrong;
-        right.unperturbed = wrong.unperturbed = right.velocity = {0.27, 0.19};
+        right.velocity = {0.27, 0.19};
+        LearnedMotion::Memory rightMemory{right.velocity, 1}, wrongMemory = rightMemory;
+        const auto bytes = [](LearnedMotion::Memory& memory) { return std::as_writable_bytes(std::span(&memory, 1)); };
         wrong.velocity = {0.27 + dv, 0.19 + dw};
         double ahead = 0, turned = 0;
         for (int k = 0; k < 10; ++k) {
             const Nanoseconds start = 2'000 * ms + k * 100 * ms;
-            right = model.predictOne({&history, start, right.velocity, right.unperturbed});
-            wrong = model.predictOne({&history, start, wrong.velocity, wrong.unperturbed});
+            right = model.predictOne({&history, start, right.velocity, bytes(rightMemory)});
+            wrong = model.predictOne({&history, start, wrong.velocity, bytes(wrongMemory)});
             ahead += wrong.increment.x - right.increment.x;
             turned += wrong.increment.heading - right.increment.heading;
         }
@@ -307,7 +309,7 @@ TEST(MotionSamples, HistoryOfAPatternNeverReachesIntoAnotherFold) {
         options.block = 20;
         const auto samples = motionSamples(logs, network, options);
         ASSERT_TRUE(samples);
-        const Nanoseconds memory = InputReader(network).memory();
+        const Nanoseconds memory = InputReader(network).lookBack();
         int folds = 0;
         for (const SampleRun& a : samples->runs) {
             folds |= 1 << a.fold;
@@ -346,7 +348,7 @@ TEST(MotionSamples, NoPatternReadsBackBeyondTheFirstCommand) {
     ResponseTimes late = times;
     late.deadTimeV = late.deadTimeW = 0.8;
     const MotionNetwork network = velocityBlueprint(RobotTraits{"test", {}, 0, false}, {"1"}, late);
-    const Nanoseconds memory = InputReader(network).memory();
+    const Nanoseconds memory = InputReader(network).lookBack();
     ASSERT_EQ(memory, 2000 * ms);
     for (const double seconds : {8.0, 30.0}) {
         const std::vector<Log> logs{drivenLog(KinematicModel(laggedRobot(), 20 * ms), 1, seconds, 5)};

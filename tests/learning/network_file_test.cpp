@@ -158,7 +158,7 @@ TEST(AnyNetworkFile, HeldOutBlocksSayHowLongTheyAreAndTheirGuard) {
     EXPECT_THAT(errorOf("blocks = { every = 5, offset = 5, length_s = 44, guard_s = 1 }"),
                 HasSubstr("held_out.blocks.offset: expected less"));
     EXPECT_THAT(errorOf(rule + "\nblocks = { every = 5, offset = 3, length_s = 44, guard_s = 1 }"),
-                HasSubstr("held_out.blocks: expected either groups or blocks"));
+                HasSubstr("held_out.groups: expected either groups or blocks"));
     EXPECT_THAT(errorAfter("groups = { every = 5, offset = 3 }", "groups = { every = 5, offset = 3, guard_s = 1 }"),
                 HasSubstr("held_out.groups.guard_s: is not a known key"));
 }

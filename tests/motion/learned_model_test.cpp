@@ -39,10 +39,11 @@ MotionStep reference(const MotionNetwork& n, const MotionInput& input, int robot
         }
         y.push_back(n.outputs[std::size_t(k)].mean + n.outputs[std::size_t(k)].scale * sum);
     }
-    MotionStep step{{y[0], y[1], y[2]}, {y[3], y[4]}, {}};
+    MotionStep step{{y[0], y[1], y[2]}, {y[3], y[4]}};
     if (n.form == MotionNetwork::Form::history) {
         const double left[] = {std::exp(-0.1 / n.recovery.v), std::exp(-0.1 / n.recovery.w)};
-        const Velocity expected = input.unperturbed.value_or(Velocity{y[3], y[4]});
+        const Velocity expected =
+            input.memory.empty() ? Velocity{y[3], y[4]} : as<LearnedMotion::Memory>(input.memory).unperturbed;
         const double dv = input.velocity.v - expected.v, dw = input.velocity.w - expected.w;
         step.increment.x += dv * n.recovery.v * (1 - left[0]);
         step.increment.heading += dw * n.recovery.w * (1 - left[1]);
@@ -63,8 +64,9 @@ TEST_P(LearnedModelOfBothForms, PredictsWhatItsFileDefines) {
         const LearnedModel model(motion, name);
         const CommandHistory history = someHistory(3);
         MotionInput input{&history, 400 * ms, {0.21, -0.4}};
-        if (index == 0) input.unperturbed = Velocity{0.2, -0.1};
-        const MotionStep step = model.predictOne(input), expected = reference(network, input, index);
+        LearnedMotion::Memory memory{{0.2, -0.1}, 1};
+        if (index == 0) input.memory = std::as_writable_bytes(std::span(&memory, 1));
+        const MotionStep expected = reference(network, input, index), step = model.predictOne(input);
         EXPECT_NEAR(step.increment.x, expected.increment.x, 1e-7);
         EXPECT_NEAR(step.increment.y, expected.increment.y, 1e-7);
         EXPECT_NEAR(step.increment.heading, expected.increment.heading, 1e-7);

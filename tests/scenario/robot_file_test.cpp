@@ -172,7 +172,8 @@ TEST(RobotFile, EveryOtherMistakeNamesItsPlace) {
         {"present = false", "presence = false",
          "r.toml:51:12: perception.robots.presence: is not a known key; did you mean present?"},
         {"mass_kg", "colour = \"#102030\"\nmass_kg",
-         "r.toml:5:10: colour: is not a known key; expected one of control_period_s, format, kinematics, manipulator, "
+         "r.toml:5:10: colour: is not a known key; expected one of control_period_s, format, kind, kinematics, "
+         "manipulator, "
          "mass_kg, motion, motion_noise, name, perception, shape, surface, version"},
     };
     for (const auto& [from, to, message] : cases) EXPECT_EQ(refusal("r.toml", from, to), message);

@@ -110,7 +110,7 @@ Counts expectAllPairs(const Scenario& scenario, WorldState state, SensingBuffers
     const std::size_t robots = state.robots.size();
     for (std::uint32_t i = 0; i < robots; ++i) {
         SCOPED_TRACE(i);
-        SensorMemory& memory = state.robots[i].sensing;
+        SensorMemory& memory = as<SensorMemory>(scenario.sensorMemory(state, i));
         observe(scenario, state, i, memory, buffers, now);
         const Perception& perception = scenario.scene().typeOf(i).perception;
         const auto expected = [&](const Sensor& sensor) {

@@ -63,7 +63,7 @@ TEST(Attention, StateDoesNotDependOnIt) {
         step(heedless, other, buffers);
         ASSERT_EQ(hashOf(one), hashOf(other)) << i;
     }
-    EXPECT_NE(one.robots[0].sensing.bearingBias, 0);
+    EXPECT_NE(as<SensorMemory>(attentive.sensorMemory(one, 0)).bearingBias, 0);
 }
 
 /// Who takes over in a branch perceives as if it had been there from the start.

@@ -52,7 +52,7 @@ inline std::shared_ptr<const Controller> still() { return std::make_shared<const
 /// What a robot perceives now, alone.
 inline void perceive(const Scenario& scenario, WorldState& state, std::size_t robot, Observation& out) {
     SensingBuffers buffers;
-    observe(scenario, state, robot, state.robots[robot].sensing, buffers, out);
+    observe(scenario, state, robot, as<SensorMemory>(scenario.sensorMemory(state, robot)), buffers, out);
 }
 
 /// Asks the sensors of standing robots, control period by control period.

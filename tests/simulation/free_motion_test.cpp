@@ -101,7 +101,7 @@ class Reader final : public MotionModel {
 public:
     explicit Reader(std::vector<StampedCommand> script) : script_(std::move(script)) {}
     Nanoseconds period() const override { return 100 * ms; }
-    Nanoseconds memory() const override { return 450 * ms; }
+    Nanoseconds lookBack() const override { return 450 * ms; }
     void predict(std::span<const MotionInput> inputs, std::span<MotionStep> steps) const override {
         for (std::size_t i = 0; i < inputs.size(); ++i) {
             compare(inputs[i]);
@@ -120,7 +120,7 @@ private:
     void compare(const MotionInput& input) const {
         for (const StampedCommand& c : script_)
             for (const Nanoseconds at : {c.time - 1, c.time, c.time + 1}) {
-                if (at > input.start || at < input.start - memory()) continue;
+                if (at > input.start || at < input.start - lookBack()) continue;
                 ++compared;
                 if (!identical(input.commands.at(at), expectedAt(at))) ++wrong;
             }
@@ -181,9 +181,9 @@ TEST(FreeMotion, MotionNoiseHasTheStatedSpread) {
 class Broken final : public MotionModel {
 public:
     Nanoseconds period() const override { return 100 * ms; }
-    Nanoseconds memory() const override { return 0; }
+    Nanoseconds lookBack() const override { return 0; }
     void predict(std::span<const MotionInput> /*inputs*/, std::span<MotionStep> steps) const override {
-        for (MotionStep& step : steps) step = {{std::nan(""), 0, 0}, {}, {}};
+        for (MotionStep& step : steps) step = {{std::nan(""), 0, 0}, {}};
     }
 };
 

@@ -18,7 +18,7 @@ Twist differenced(const MotionSegment& segment, double share) {
     return {step.x * perSecond, step.y * perSecond, step.rotation * perSecond};
 }
 
-const MotionStep turning{{0.07, 0.011, 0.35}, {0.9, 4.2}, {0.9, 4.2}};
+const MotionStep turning{{0.07, 0.011, 0.35}, {0.9, 4.2}};
 
 TEST(MotionPath, EndsAtThePredictionAndItsVelocity) {
     const Pose start{3, -2, 1.2};
@@ -37,7 +37,7 @@ TEST(MotionPath, EndsAtThePredictionAndItsVelocity) {
 
 TEST(MotionPath, VelocityIsThePathsOwnAndHasNoSteps) {
     for (const double rotation : {0.35, 1e-3, 9e-4, 0.0, -0.8}) {
-        const MotionStep step{{0.07, 0.011, rotation}, {0.9, 4.2}, {}};
+        const MotionStep step{{0.07, 0.011, rotation}, {0.9, 4.2}};
         const MotionSegment segment = beginSegment({3, -2, 1.2}, {0.4, 0, 2.5}, step, 0, period);
         for (const double share : {0.001, 0.2, 0.5, 0.8, 0.999}) {
             const Twist told = at(segment, share, period).velocity_B, seen = differenced(segment, share);
@@ -56,7 +56,7 @@ TEST(MotionPath, VelocityIsThePathsOwnAndHasNoSteps) {
 
 TEST(MotionPath, SteadyMotionFollowsItsArc) {
     const Twist arc{0.05, 0, 0.2};
-    const MotionStep step{exp(arc), {0.5, 2}, {}};
+    const MotionStep step{exp(arc), {0.5, 2}};
     const MotionSegment segment = beginSegment({}, {0.5, 0, 2}, step, 0, period);
     for (const double share : {0.25, 0.5, 0.9}) {
         const Pose expected = exp({share * arc.x, 0, share * arc.rotation}), got = at(segment, share, period).pose;

@@ -44,7 +44,9 @@ Foreseen foreseen(const Scenario& scenario, const WorldState& state, const World
     MotionInput input{scenario.commandsOf(after, robot),
                       scenario.scene().timeOf(state.tick),
                       {r.velocity_B.x, r.velocity_B.rotation}};
-    if (r.segment.hasUnperturbed) input.unperturbed = r.segment.unperturbed;
+    const std::span<const std::byte> kept = scenario.motionMemory(state, robot);
+    std::vector<std::byte> memory(kept.begin(), kept.end());
+    input.memory = memory;
     return {r.pose * scenario.scene().modelOf(robot).predictOne(input).increment, hasNeighbour(scenario, state, robot)};
 }
 

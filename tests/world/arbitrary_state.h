@@ -26,17 +26,17 @@ inline WorldState arbitraryState(std::uint64_t seed, std::size_t robots = 3) {
         unsigned char bits[sizeof robot];
         for (unsigned char& byte : bits) byte = static_cast<unsigned char>(random());
         std::memcpy(static_cast<void*>(&robot), bits, sizeof robot);
-        const bool flags[] = {(random() & 1) != 0, (random() & 1) != 0, (random() & 1) != 0};
-        std::memcpy(&robot.segment.hasUnperturbed, &flags[0], 1);
-        std::memcpy(&robot.sensing.localised, &flags[1], 1);
-        std::memcpy(&robot.pushed, &flags[2], 1);
+        const bool flag = (random() & 1) != 0;
+        std::memcpy(&robot.pushed, &flag, 1);
     }
     fillAll(state.objects, 2);
     fillAll(state.contacts, 5);
     fillAll(state.kicks, 2);
     fillAll(state.goals, 2);
     fillAll(state.commands, 7);
+    fillAll(state.motion, 48);
     fillAll(state.memory, 33);
+    fillAll(state.sensing, 19);
     fillAll(state.past, 10);
     state.objects[0].pose.x = 0.0;
     state.objects[0].pose.y = -0.0;

@@ -40,7 +40,7 @@ TEST(StateBytes, OtherLengthsAreErrors) {
 
 TEST(StateBytes, SizesThatNoMemoryHoldsAreErrorsBeforeAllocation) {
     const std::string bytes = stateBytes(arbitraryState(7));
-    for (std::size_t array = 0; array < 8; ++array)
+    for (std::size_t array = 0; array < 10; ++array)
         for (std::uint64_t size : {~std::uint64_t{0}, std::uint64_t{1} << 61, std::uint64_t{0}, std::uint64_t{7}}) {
             // One more by 2^61 takes as many bytes, in 64 bits.
             if (size == 7)
@@ -56,12 +56,12 @@ TEST(StateBytes, SizesThatNoMemoryHoldsAreErrorsBeforeAllocation) {
 TEST(StateBytes, OtherVersionsAndFlagsAreErrors) {
     std::string bytes = stateBytes(arbitraryState(8));
     bytes[0] = 7;
-    EXPECT_EQ(parseState(bytes, "a.mcap").error().message(), "a.mcap: holds a state of version 7; expected 1");
+    EXPECT_EQ(parseState(bytes, "a.mcap").error().message(), "a.mcap: holds a state of version 7; expected at most 2");
 
     WorldState state = arbitraryState(9, 1);
-    state.robots[0].segment.hasUnperturbed = false;
+    state.robots[0].pushed = false;
     const std::string without = stateBytes(state);
-    state.robots[0].segment.hasUnperturbed = true;
+    state.robots[0].pushed = true;
     std::string with = stateBytes(state);
     const auto flag = std::mismatch(with.begin(), with.end(), without.begin()).first;
     *flag = 2;

@@ -32,9 +32,9 @@ TEST(StateDifference, NamesRobotAndField) {
     b.robots[0].ready[3] = 6;
     EXPECT_EQ(differenceOf(a, b), "robot 1 ready 4: 5 against 6");
     b = a;
-    a.robots[0].segment.hasUnperturbed = true;
-    b.robots[0].segment.hasUnperturbed = false;
-    EXPECT_EQ(differenceOf(a, b), "robot 1 segment.hasUnperturbed: true against false");
+    a.robots[0].pushed = true;
+    b.robots[0].pushed = false;
+    EXPECT_EQ(differenceOf(a, b), "robot 1 pushed: true against false");
 }
 
 TEST(StateDifference, NamesEveryOtherPart) {
@@ -65,7 +65,7 @@ TEST(StateDifference, NamesEveryOtherPart) {
     EXPECT_EQ(differenceOf(a, b), "contacts: 5 against 4");
     b = a;
     b.memory.push_back({});
-    EXPECT_EQ(differenceOf(a, b), "bytes of memory: 33 against 34");
+    EXPECT_EQ(differenceOf(a, b), "bytes of controllers: 33 against 34");
 }
 
 TEST(StateDifference, WorldLeavesMindsOut) {
@@ -74,9 +74,12 @@ TEST(StateDifference, WorldLeavesMindsOut) {
     b.memory[0] ^= std::byte{1};
     EXPECT_TRUE(firstDifference(a, b)->ofMinds());
     b.past[0].x = 7;
-    b.robots[0].sensing.bias.x = 7;
+    b.sensing[3] ^= std::byte{1};
     EXPECT_TRUE(firstDifference(a, b)->ofMinds());
     EXPECT_EQ(differenceOf(a, b, StateScope::world), "");
+    b.motion[5] ^= std::byte{1};
+    EXPECT_EQ(firstDifference(a, b, StateScope::world)->index, 5u);
+    EXPECT_FALSE(firstDifference(a, b, StateScope::world)->ofMinds());
     b.robots[2].pose.y = 7;
     EXPECT_EQ(firstDifference(a, b, StateScope::world)->index, 2u);
     EXPECT_FALSE(firstDifference(a, b, StateScope::world)->ofMinds());

@@ -5,9 +5,9 @@
 
 #include "learning/parallel_for.h"
 #include "recording/decision_bytes.h"
+#include "scenario/first_version.h"
 #include "scenario/misfit.h"
 #include "simulation/step.h"
-#include "world/state_bytes.h"
 
 namespace mrose::gui {
 
@@ -60,7 +60,7 @@ Expected<std::vector<Verdicts>> BlockJudge::Worker::judge(const BlockTicks& tick
     const Scenario& world = *ticks.course->scenario;
     const TimelineBlock& block = *ticks.block;
     const std::vector<Condition*> conditions = compiled(world, texts, real);
-    Expected<WorldState> state = parseState(block.keyframe, "keyframe of tick " + std::to_string(block.first));
+    Expected<WorldState> state = parseStateOf(world, block.keyframe, "keyframe of tick " + std::to_string(block.first));
     if (!state) return tl::unexpected(state.error());
     if (!misfit(world, *state).empty() || state->tick != block.first)
         return fail({}, "the state kept of tick " + std::to_string(block.first) + " is none of this scenario");

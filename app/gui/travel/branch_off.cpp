@@ -53,7 +53,8 @@ Expected<void> TimeTravel::branchOff(const Edit& edit) {
         const Scenario& scenario = *course->scenario;
         std::ranges::copy(scenario.memoryOf(after->state(), *edit.afterDeciding),
                           scenario.memoryOf(state, *edit.afterDeciding).begin());
-        state.robots[*edit.afterDeciding].sensing = after->state().robots[*edit.afterDeciding].sensing;
+        std::ranges::copy(scenario.sensorMemory(after->state(), *edit.afterDeciding),
+                          scenario.sensorMemory(state, *edit.afterDeciding).begin());
         thoughts.push_back({*edit.afterDeciding, after->insights()[*edit.afterDeciding]});
     }
     if (edit.change) edit.change(*course->scenario, state);
