@@ -48,16 +48,16 @@ void drawBeliefs(const FieldCanvas& canvas, const FieldFrame& frame, const Field
         if (!insight.observed || (!few && focus.selected != robot)) continue;
         const Observation& seen = insight.observation;
         const QColor colour = robotColour(frame.scene(), robot);
-        if (seen.localised) {
+        if (seen.localised()) {
             const Shape& shape = frame.scene().shapeOf(robot);
             if (focus.selected == robot)
-                canvas.outline(shape, seen.self, roundPen(withAlpha(setOff(colour), 110), 2.6));
-            canvas.outline(shape, seen.self, roundPen(colour, 1.4, Qt::DashLine));
-            canvas.casedLine(canvas.at(position(frame.poseOf(robot))), canvas.at(position(seen.self)),
+                canvas.outline(shape, seen.self(), roundPen(withAlpha(setOff(colour), 110), 2.6));
+            canvas.outline(shape, seen.self(), roundPen(colour, 1.4, Qt::DashLine));
+            canvas.casedLine(canvas.at(position(frame.poseOf(robot))), canvas.at(position(seen.self())),
                              roundPen(colour, 0.8, Qt::DashLine));
         }
         if (focus.selected != robot) continue;
-        const Placement at(seen.self);
+        const Placement at(seen.self());
         const auto cross = [&](const SeenBody& body) {
             const QPointF p = canvas.at(at.place(body.position_B));
             for (const QPen& pen : {roundPen(setOff(colour), 3.6), roundPen(colour, 2)}) {
@@ -66,8 +66,8 @@ void drawBeliefs(const FieldCanvas& canvas, const FieldFrame& frame, const Field
                 canvas.painter.drawLine(p - QPointF(4, -4), p + QPointF(4, -4));
             }
         };
-        for (const SeenBody& body : seen.robots) cross(body);
-        for (const SeenBody& body : seen.objects) cross(body);
+        for (const SeenBody& body : seen.robots()) cross(body);
+        for (const SeenBody& body : seen.objects()) cross(body);
     }
 }
 

@@ -95,7 +95,7 @@ InspectorRow seenRow(const RowWriter& write, std::uint32_t other) {
 }
 
 bool inSight(const RowWriter& write, std::size_t robot) {
-    const std::vector<SeenBody>& seen = write.frame.insights[write.body].observation.robots;
+    const std::span<const SeenBody> seen = write.frame.insights[write.body].observation.robots();
     return std::any_of(seen.begin(), seen.end(), [&](const SeenBody& body) { return body.index == robot; });
 }
 

@@ -35,7 +35,7 @@ std::optional<Command> BackOff::update(const Observation& observation, const Mot
                                        const Options& options) {
     const Command told = motion.commandAt(observation.time - fromSeconds(options.deadTime));
     const double effort = speedOf(told.v, told.w);
-    const bool moves = speedOf(observation.velocity.v, observation.velocity.w) >= hardly * effort;
+    const bool moves = speedOf(observation.velocity().v, observation.velocity().w) >= hardly * effort;
     const double since = toSeconds(motion.sinceLast());
     hardlyMoving = moves || effort < leastEffort ? std::max(0.0, hardlyMoving - 2 * since) : hardlyMoving + since;
     if (hardlyMoving >= patience) begin(observation, told, options);

@@ -57,9 +57,9 @@ void BallBelief::update(const Observation& observation, const MotionMemory& moti
     time = observation.time;
     roll(since);
     variance += unrest * since;
-    const bool sighted = !observation.objects.empty() && observation.objects.front().index == 0;
-    if (sighted && (known == 0 || observation.objects.front().measured > seen)) {
-        const SeenBody& ball = observation.objects.front();
+    const bool sighted = !observation.objects().empty() && observation.objects().front().index == 0;
+    if (sighted && (known == 0 || observation.objects().front().measured > seen)) {
+        const SeenBody& ball = observation.objects().front();
         const Placement then(self.at(ball.measured, motion));
         takeIn(then.place(ball.position_B), ball.measured, length(ball.position_B));
     } else if (known != 0) {

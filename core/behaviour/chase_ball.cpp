@@ -83,7 +83,7 @@ Command ChaseBall::search(const Observation& observation, Memory& memory) const 
         memory.turn = Placement(memory.self.pose).placeBack(memory.ball.position).y < 0 ? -1 : 1;
     }
     if (memory.phase == searching) return {0, memory.turn * searchShare * options_.rotation};
-    return evading({options_.speed, 0}, evade(observation.robots, memory.motion, options_.deadTime), limits());
+    return evading({options_.speed, 0}, evade(observation.robots(), memory.motion, options_.deadTime), limits());
 }
 
 ChaseBall::Situation ChaseBall::situation(const Memory& memory) const {
@@ -125,15 +125,15 @@ Command ChaseBall::chase(const Observation& observation, Memory& memory, Decisio
     const Command intended = driveTowards(Placement(now.robot).placeBack(memory.aim), limits());
     if (memory.phase != goingBehind) return intended;
     const double reach = std::min(1.2, distance(position(now.robot), now.ball));
-    return evading(intended, evade(observation.robots, memory.motion, options_.deadTime, reach), limits());
+    return evading(intended, evade(observation.robots(), memory.motion, options_.deadTime, reach), limits());
 }
 
 /// Where a sighting of now has the ball right before the front, and the target lies ahead.
 bool ChaseBall::shouldKick(const Observation& observation, const Memory& memory) const {
-    const bool sighted = !observation.objects.empty() && observation.objects.front().index == 0;
+    const bool sighted = !observation.objects().empty() && observation.objects().front().index == 0;
     if (!options_.kicks || observation.manipulators == 0 || observation.time < memory.nextKick || !sighted)
         return false;
-    const SeenBody& seen = observation.objects.front();
+    const SeenBody& seen = observation.objects().front();
     const Point ball_B = Placement(memory.motion.motionSince(seen.measured)).placeBack(seen.position_B);
     const Point target_B = Placement(memory.self.pose).placeBack(options_.target);
     return ball_B.x > 0 && ball_B.x < options_.front + options_.ballRadius + kickReach &&
@@ -163,7 +163,7 @@ Command ChaseBall::sweep(const Memory& memory) const {
 bool ChaseBall::mustWait(const Situation& now, const Observation& observation, const Memory& memory) const {
     if (now.way.cornered && !options_.guide) return true;
     if (now.way.out == Point{} || distance(position(now.robot), now.ball) < crowd) return false;
-    return std::any_of(observation.robots.begin(), observation.robots.end(), [&](const SeenBody& seen) {
+    return std::ranges::any_of(observation.robots(), [&](const SeenBody& seen) {
         const Placement then(memory.self.at(seen.measured, memory.motion));
         return distance(then.place(seen.position_B), now.ball) < crowd;
     });
@@ -183,7 +183,7 @@ Command ChaseBall::wait(const Situation& now, const Observation& observation, Me
         const Command forward = driveTowards(-1 * aim_B, limits());
         return {-forward.v, forward.w};
     }
-    return evading(driveTowards(aim_B, limits()), evade(observation.robots, memory.motion, options_.deadTime),
+    return evading(driveTowards(aim_B, limits()), evade(observation.robots(), memory.motion, options_.deadTime),
                    limits());
 }
 

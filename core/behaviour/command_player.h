@@ -16,7 +16,7 @@ public:
 
     std::size_t memorySize() const override;
     std::size_t commandsPerPeriod(Nanoseconds period) const override;
-    Attention attention() const override { return {.robots = false, .objects = false}; }
+    Attention attention() const override { return Attention::ofItself(); }
     std::vector<MemoryEntry> explain(std::span<const std::byte> memory) const override;
     void decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const override;
 

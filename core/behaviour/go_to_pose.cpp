@@ -75,9 +75,9 @@ void GoToPose::updatePhase(Memory& memory, const Pose& ahead) const {
 /// Who and what is seen, as circles as large as the robot itself.
 FloorPlan GoToPose::bodiesSeen(const Observation& observation, const Memory& memory) const {
     std::vector<ConvexPiece> pieces;
-    for (const auto* const bodies : {&observation.robots, &observation.objects})
-        for (const SeenBody& seen : *bodies) {
-            if (bodies == &observation.objects && options_.ball && seen.index == 0) continue;
+    for (const bool objects : {false, true})
+        for (const SeenBody& seen : objects ? observation.objects() : observation.robots()) {
+            if (objects && options_.ball && seen.index == 0) continue;
             const Placement then(memory.self.at(seen.measured, memory.motion));
             pieces.push_back(ConvexPiece::circle(then.place(seen.position_B), options_.radius));
         }
@@ -124,7 +124,7 @@ Command GoToPose::drive(const Observation& observation, Memory& memory) const {
     const Pose ahead = memory.self.pose * memory.motion.motionDuring(options_.deadTime);
     updatePhase(memory, ahead);
     if (memory.phase == Going::resting) {
-        const bool standing = std::abs(observation.velocity.v) < 0.05 && std::abs(observation.velocity.w) < 0.1;
+        const bool standing = std::abs(observation.velocity().v) < 0.05 && std::abs(observation.velocity().w) < 0.1;
         const auto count = static_cast<std::int64_t>(options_.targets.size());
         if (standing && (options_.loop || memory.target + 1 < count)) {
             memory.target = (memory.target + 1) % count;

@@ -7,7 +7,7 @@ namespace mrose {
 void MotionMemory::observe(const Observation& observation) {
     count = std::min(count + 1, capacity);
     std::move_backward(instants.begin(), instants.end() - 1, instants.end());
-    instants[0] = {observation.time, observation.velocity, count > 1 ? instants[1].command : Command{}};
+    instants[0] = {observation.time, observation.velocity(), count > 1 ? instants[1].command : Command{}};
 }
 
 Command MotionMemory::commandAt(Nanoseconds time) const {

@@ -45,9 +45,9 @@ void OwnBelief::correct(const Pose& measuredNow) {
 
 void OwnBelief::update(const Observation& observation, const MotionMemory& motion) {
     if (known != 0) advance(motion);
-    if (!observation.localised || (known != 0 && observation.selfMeasured <= measured)) return;
-    const Pose measuredNow = observation.self * motion.motionSince(observation.selfMeasured);
-    measured = observation.selfMeasured;
+    if (!observation.localised() || (known != 0 && observation.selfMeasured() <= measured)) return;
+    const Pose measuredNow = observation.self() * motion.motionSince(observation.selfMeasured());
+    measured = observation.selfMeasured();
     if (known != 0) return correct(measuredNow);
     pose = measuredNow;
     positionVariance = square(positionDeviation);

@@ -59,7 +59,7 @@ double clearHeading(double wanted, double far, const std::function<double(double
     return best;
 }
 
-Evasion evade(const std::vector<SeenBody>& bodies, const MotionMemory& motion, double deadTime, double reach) {
+Evasion evade(std::span<const SeenBody> bodies, const MotionMemory& motion, double deadTime, double reach) {
     Evasion evasion;
     double nearest = reach;
     for (const SeenBody& body : bodies) {

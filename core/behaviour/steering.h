@@ -35,7 +35,7 @@ struct Evasion {
 };
 /// For bodies within `reach` metres before the robot as it will be in `deadTime` seconds. Who meets head on keeps to
 /// the right.
-Evasion evade(const std::vector<SeenBody>& bodies, const MotionMemory& motion, double deadTime, double reach = 1.5);
+Evasion evade(std::span<const SeenBody> bodies, const MotionMemory& motion, double deadTime, double reach = 1.5);
 
 /// A command with the evasion in it.
 Command evading(const Command& intended, const Evasion& evasion, const DriveLimits& limits);

@@ -63,8 +63,8 @@ Command Wander::stroll(const Observation& observation, Memory& memory) const {
     }
     const double share = std::min(1.0, toSeconds(memory.motion.sinceLast()) / smoothing);
     memory.turning += share * (memory.curve - memory.turning);
-    Evasion evasion = evade(observation.robots, memory.motion, options_.deadTime);
-    const Evasion objects = evade(observation.objects, memory.motion, options_.deadTime);
+    Evasion evasion = evade(observation.robots(), memory.motion, options_.deadTime);
+    const Evasion objects = evade(observation.objects(), memory.motion, options_.deadTime);
     if (objects.share < evasion.share || evasion.turn == 0) evasion = objects;
     return evading(alongWalls({options_.speed, memory.turning}, memory), evasion, {options_.speed, options_.rotation});
 }

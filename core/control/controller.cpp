@@ -16,6 +16,7 @@ void Decision::clear() {
     command.reset();
     earlier.clear();
     kicks.clear();
+    messages.clear();
     annotations.clear();
     breakReason.clear();
     fault.clear();
@@ -24,7 +25,8 @@ void Decision::clear() {
 bool Decision::sameOrders(const Decision& other) const {
     const bool sameCommand =
         command.has_value() == other.command.has_value() && (!command || identical(*command, *other.command));
-    return sameCommand && allIdentical(earlier, other.earlier) && allIdentical(kicks, other.kicks);
+    return sameCommand && allIdentical(earlier, other.earlier) && allIdentical(kicks, other.kicks) &&
+           allIdentical(messages, other.messages);
 }
 
 }  // namespace mrose

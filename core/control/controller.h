@@ -1,10 +1,15 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "control/observation.h"
@@ -21,6 +26,29 @@ inline bool identical(const Kick& a, const Kick& b) {
     return a.manipulator == b.manipulator && identical(a.power, b.power);
 }
 
+constexpr std::uint32_t everybody = 0xffffffff;
+
+/// What one robot tells another, or all others.
+struct RadioMessage {
+    static constexpr std::size_t most = 64;  ///< B
+
+    std::uint32_t to = everybody;  ///< the robot
+    std::uint32_t kind = 0;        ///< the sender's own: what the bytes are
+    std::uint32_t size = 0;        ///< of the bytes, at most `most`
+    std::array<std::byte, most> bytes{};
+    bool operator==(const RadioMessage&) const = default;
+
+    /// With a value's bytes.
+    template <class T>
+    static RadioMessage of(const T& value, std::uint32_t kind = 0, std::uint32_t to = everybody) {
+        static_assert(std::is_trivially_copyable_v<T> && sizeof(T) <= most);
+        RadioMessage message{to, kind, sizeof(T)};
+        std::memcpy(message.bytes.data(), &value, sizeof(T));
+        return message;
+    }
+};
+inline bool identical(const RadioMessage& a, const RadioMessage& b) { return a == b; }
+
 /// Something that a controller wants the inspector or the field view to show. Never part of the state.
 struct Annotation {
     enum class Kind { value, text, point, line };
@@ -33,9 +61,10 @@ struct Annotation {
 
 /// What a controller decided at one instant.
 struct Decision {
-    std::optional<Command> command;       ///< issued now; nothing: the one in force stays
+    std::optional<Command> command;       ///< issued now; nullopt: the one in force stays
     std::vector<StampedCommand> earlier;  ///< issued since the last instant, in order of time: by players of logs
     std::vector<Kick> kicks;
+    std::vector<RadioMessage> messages;  ///< received at the others' next control instants
     std::vector<Annotation> annotations;
     std::string breakReason;  ///< not empty: the debugger stops after this tick
     std::string fault;        ///< not empty: the controller failed, and the robot is told to stand
@@ -47,10 +76,17 @@ struct Decision {
     bool sameOrders(const Decision& other) const;
 };
 
-/// Which bodies a controller reads of its observations. It gets none of the others: nobody looks for nobody.
+/// Which readings a controller reads of its observations. The others are left out, and what they cost is saved.
 struct Attention {
-    bool robots = true;
-    bool objects = true;
+    bool all = true;
+    std::vector<std::string> names = {};  ///< those it reads, where not all
+
+    static Attention only(std::vector<std::string> names) { return {false, std::move(names)}; }
+    /// Its own pose and speed alone.
+    static Attention ofItself() { return only({selfReading, odometryReading}); }
+    bool reads(std::string_view name) const {
+        return all || std::find(names.begin(), names.end(), name) != names.end();
+    }
     bool operator==(const Attention&) const = default;
 };
 
@@ -66,7 +102,7 @@ public:
     virtual void start(std::span<std::byte> /*memory*/) const {}
     /// How many commands it may issue in one control period of such a length.
     virtual std::size_t commandsPerPeriod(Nanoseconds /*period*/) const { return 1; }
-    /// Constant. Own pose and speed it is told in any case.
+    /// Constant.
     virtual Attention attention() const { return {}; }
 
     /// What a memory of this controller says; nothing for those that tell nobody.

@@ -1,34 +1,94 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
+#include <span>
+#include <string_view>
 #include <vector>
 
+#include "control/reading.h"
 #include "geometry/point.h"
 #include "world/command.h"
 
 namespace mrose {
 
-/// Another body as a robot's sensors report it.
-struct SeenBody {
-    std::uint32_t index = 0;   ///< of the robot or the object
-    Point position_B;          ///< in the observer's own frame at `measured`, m
-    Nanoseconds measured = 0;  ///< when it was there
-    bool operator==(const SeenBody&) const = default;
-};
+// The readings of the sensors that every robot has.
+constexpr const char* selfReading = "self";          ///< one Pose in the world's frame, as measured last
+constexpr const char* odometryReading = "odometry";  ///< one Velocity, own, now
+constexpr const char* robotsReading = "robots";      ///< SeenBody, those in sight, in the order of their indices
+constexpr const char* objectsReading = "objects";    ///< likewise; the ball is index 0, where there is one
 
-/// What a controller gets to see. It never sees the world's state.
-struct Observation {
+constexpr const char* messagesReading = "messages";  ///< ReceivedMessage, those that arrived since the last instant
+
+/// What a controller gets to see: the readings that have arrived. It never sees the world's state.
+class Observation {
+public:
     std::uint32_t robot = 0;         ///< whose it is
     std::uint32_t manipulators = 0;  ///< how many it has
     Nanoseconds time = 0;            ///< now
     std::uint64_t noise = 0;         ///< 64 random bits of this instant, for who rolls dice
-    bool localised = false;          ///< false until the first measurement of the own pose
-    Pose self;                       ///< own pose in the world's frame, as measured last
-    Nanoseconds selfMeasured = 0;
-    Velocity velocity;              ///< own, by odometry, now
-    std::vector<SeenBody> robots;   ///< those in sight, in the order of their indices
-    std::vector<SeenBody> objects;  ///< the ball is index 0, where there is one
-    bool operator==(const Observation&) const = default;
+
+    /// In the order of the robot's sensors.
+    std::span<const Reading> readings() const { return std::span(readings_).first(used_); }
+    /// nullptr: there is none of that name.
+    const Reading* find(std::string_view name) const {
+        for (const Reading& reading : readings())
+            if (reading.name == name) return &reading;
+        return nullptr;
+    }
+    /// The records of a reading; empty where there is none of that name and type.
+    template <class T>
+    std::span<const T> records(std::string_view name) const {
+        const Reading* const reading = find(name);
+        if (reading == nullptr || !isOf(*reading, recordType<T>())) return {};
+        return {reinterpret_cast<const T*>(data_.data() + reading->first), reading->count};
+    }
+    const std::byte* recordsOf(const Reading& reading) const { return data_.data() + reading.first; }
+
+    // The same of the sensors that every robot has.
+    bool localised() const {
+        return find(selfReading) != nullptr;
+    }                                                        ///< false until the first measurement of the own pose
+    Pose self() const { return onlyOf<Pose>(selfReading); }  ///< own pose in the world's frame, as measured last
+    Nanoseconds selfMeasured() const {
+        const Reading* const reading = find(selfReading);
+        return reading != nullptr ? reading->measured : 0;
+    }
+    Velocity velocity() const { return onlyOf<Velocity>(odometryReading); }  ///< own, by odometry, now
+    std::span<const SeenBody> robots() const { return records<SeenBody>(robotsReading); }
+    std::span<const ReceivedMessage> messages() const { return records<ReceivedMessage>(messagesReading); }
+    std::span<const SeenBody> objects() const { return records<SeenBody>(objectsReading); }
+
+    void clearReadings() { used_ = 0, data_.clear(); }
+    /// A reading more, at the end; the place of its records. Valid until the next one.
+    std::byte* add(std::string_view name, const RecordType& type, Nanoseconds measured, std::size_t count);
+    template <class T>
+    void add(std::string_view name, Nanoseconds measured, std::span<const T> records) {
+        static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= 8);
+        std::byte* const place = add(name, recordType<T>(), measured, records.size());
+        if (!records.empty()) std::memcpy(place, records.data(), records.size_bytes());
+    }
+    template <class T>
+    void add(std::string_view name, Nanoseconds measured, const T& record) {
+        add(name, measured, std::span<const T>(&record, 1));
+    }
+
+    /// Number by number: what pads records does not count.
+    bool operator==(const Observation& other) const;
+
+private:
+    static bool isOf(const Reading& reading, const RecordType& type) {
+        return reading.type == &type || *reading.type == type;
+    }
+    template <class T>
+    T onlyOf(std::string_view name) const {
+        const std::span<const T> all = records<T>(name);
+        return all.empty() ? T{} : all.front();
+    }
+
+    std::vector<Reading> readings_;  ///< the first `used_` of them; the others keep their memory
+    std::size_t used_ = 0;
+    std::vector<std::byte> data_;  ///< records of all, each reading's at a multiple of 8
 };
 
 }  // namespace mrose

@@ -45,6 +45,7 @@ public:
     }
 
     std::string_view rest() const { return rest_; }
+    void fail() { failed_ = true; }  ///< what was read makes no sense
     bool failed() const { return failed_; }
     /// All of it was read, and no more.
     bool done() const { return !failed_ && rest_.empty(); }

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cstring>
 
-#include "plugin/controller_messages.h"
+#include "messages/decision_bytes.h"
+#include "messages/observation_bytes.h"
+#include "messages/text_bytes.h"
 #include "plugin/load_plugin.h"
+#include "plugin/plugin_message.h"
 #include "plugin/plugin_process.h"
 #include "world/command_history.h"
 

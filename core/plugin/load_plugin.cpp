@@ -59,11 +59,16 @@ std::string misfit(const PluginDescriptor& theirs) {
         const char* name;
         std::uint32_t PluginLayout::*size;
     } parts[] = {{"Observation", &PluginLayout::observation},
+                 {"Reading", &PluginLayout::reading},
+                 {"RecordType", &PluginLayout::recordType},
+                 {"RecordField", &PluginLayout::recordField},
                  {"SeenBody", &PluginLayout::seenBody},
                  {"Decision", &PluginLayout::decision},
                  {"Annotation", &PluginLayout::annotation},
                  {"Kick", &PluginLayout::kick},
-                 {"StampedCommand", &PluginLayout::stampedCommand}};
+                 {"StampedCommand", &PluginLayout::stampedCommand},
+                 {"RadioMessage", &PluginLayout::radioMessage},
+                 {"ReceivedMessage", &PluginLayout::receivedMessage}};
     for (const auto& [name, size] : parts)
         if (theirs.layout.*size != ours.*size) return sizeCause(name, theirs.layout.*size, ours.*size);
     return "";

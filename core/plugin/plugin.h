@@ -27,12 +27,14 @@ protected:
 
 /// Grows with every change of what plug-ins and programs share: these declarations, control/controller.h and what it
 /// includes.
-constexpr std::uint32_t pluginInterface = 2;
+constexpr std::uint32_t pluginInterface = 3;
 
 /// Sizes of what goes from the one to the other.
 struct PluginLayout {
-    std::uint32_t observation = sizeof(Observation), seenBody = sizeof(SeenBody), decision = sizeof(Decision),
-                  annotation = sizeof(Annotation), kick = sizeof(Kick), stampedCommand = sizeof(StampedCommand);
+    std::uint32_t observation = sizeof(Observation), reading = sizeof(Reading), recordType = sizeof(RecordType),
+                  recordField = sizeof(RecordField), seenBody = sizeof(SeenBody), decision = sizeof(Decision),
+                  annotation = sizeof(Annotation), kick = sizeof(Kick), stampedCommand = sizeof(StampedCommand),
+                  radioMessage = sizeof(RadioMessage), receivedMessage = sizeof(ReceivedMessage);
 };
 
 #if defined(_LIBCPP_ABI_VERSION)

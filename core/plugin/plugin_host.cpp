@@ -8,9 +8,12 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "plugin/controller_messages.h"
+#include "messages/decision_bytes.h"
+#include "messages/observation_bytes.h"
+#include "messages/text_bytes.h"
 #include "plugin/load_plugin.h"
 #include "plugin/message_channel.h"
+#include "plugin/plugin_message.h"
 
 namespace mrose {
 namespace {
@@ -57,7 +60,7 @@ private:
     }
 
     std::string decide(ByteReader& reader) {
-        if (!readObservation(reader, observation_) || reader.rest().size() != memory_.size()) return "";
+        if (!readObservation(reader, types_, observation_) || reader.rest().size() != memory_.size()) return "";
         memory_ = reader.rest();
         decision_.clear();
         controller_->decide(observation_, memory(), decision_);
@@ -70,6 +73,7 @@ private:
 
     std::shared_ptr<const PluginController> controller_;
     std::string memory_;
+    RecordTypes types_;
     Observation observation_;
     Decision decision_;
 };

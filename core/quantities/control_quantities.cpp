@@ -21,14 +21,14 @@ const Observation* observation(const Subject& s) {
 
 std::optional<Pose> measuredSelf(const Subject& s) {
     const Observation* const all = observation(s);
-    return all != nullptr && all->localised ? std::optional(all->self) : std::nullopt;
+    return all != nullptr && all->localised() ? std::optional(all->self()) : std::nullopt;
 }
 
 const SeenBody* seen(const Subject& s) {
     const Observation* const all = observation(s);
     if (all == nullptr) return nullptr;
     const auto robots = static_cast<std::uint32_t>(s.at.state->robots.size());
-    const std::vector<SeenBody>& bodies = s.other < robots ? all->robots : all->objects;
+    const std::span<const SeenBody> bodies = s.other < robots ? all->robots() : all->objects();
     const std::uint32_t index = s.other < robots ? s.other : s.other - robots;
     const auto found =
         std::find_if(bodies.begin(), bodies.end(), [&](const SeenBody& body) { return body.index == index; });
@@ -104,7 +104,7 @@ void addNotes(std::vector<Quantity>& all) {
 
 double odometry(const Subject& subject, double Velocity::*part) {
     const Observation* const seen = observation(subject);
-    return seen != nullptr ? seen->velocity.*part : unknownNumber;
+    return seen != nullptr ? seen->velocity().*part : unknownNumber;
 }
 
 }  // namespace
@@ -127,7 +127,7 @@ void addControlQuantities(std::vector<Quantity>& all) {
           +[](const Subject& s) { return wrapAngle(partOr(measuredSelf(s), &Pose::heading) - poseOf(s).heading); }},
          {"measured_age", seconds, "since it measured itself", Of::robot,
           +[](const Subject& s) {
-              return measuredSelf(s) ? toSeconds(s.at.now() - observation(s)->selfMeasured) : unknownNumber;
+              return measuredSelf(s) ? toSeconds(s.at.now() - observation(s)->selfMeasured()) : unknownNumber;
           }},
          {"odometry_v", metresPerSecond, "by odometry", Of::robot,
           +[](const Subject& s) { return odometry(s, &Velocity::v); }},

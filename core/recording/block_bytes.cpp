@@ -4,7 +4,7 @@
 
 #include "io/bytes.h"
 #include "io/compression.h"
-#include "recording/decision_bytes.h"
+#include "recording/tick_decisions.h"
 #include "world/state_bytes.h"
 
 namespace mrose {

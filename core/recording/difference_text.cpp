@@ -53,6 +53,8 @@ std::string placeText(const Scenario& scenario, const WorldState& state, const S
             return named("contact", difference.index, "");
         case Part::kick:
             return named("kick", difference.index, "");
+        case Part::message:
+            return named("message", difference.index, "");
         case Part::goal:
             return named("goal", difference.index, scenario.scene().environment.goals[difference.index].name);
         case Part::command:

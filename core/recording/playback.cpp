@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "recording/decision_bytes.h"
+#include "recording/tick_decisions.h"
 #include "scenario/first_version.h"
 
 namespace mrose {

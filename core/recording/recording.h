@@ -48,7 +48,7 @@ public:
     explicit RecordedController(const RecordingHeader::ControllerNeeds& needs) : needs_(needs) {}
     std::size_t memorySize() const override { return needs_.memorySize; }
     std::size_t commandsPerPeriod(Nanoseconds) const override { return needs_.commandsPerPeriod; }
-    Attention attention() const override { return {.robots = false, .objects = false}; }
+    Attention attention() const override { return Attention::ofItself(); }
     void decide(const Observation&, std::span<std::byte>, Decision&) const override {}
 
 private:

@@ -3,9 +3,9 @@
 #include <cassert>
 
 #include "io/number_text.h"
-#include "recording/decision_bytes.h"
 #include "recording/difference_text.h"
 #include "recording/playback.h"
+#include "recording/tick_decisions.h"
 #include "scenario/first_version.h"
 
 namespace mrose {

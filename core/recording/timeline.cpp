@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "recording/decision_bytes.h"
+#include "recording/tick_decisions.h"
 #include "scenario/first_version.h"
 #include "world/state_bytes.h"
 

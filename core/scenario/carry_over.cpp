@@ -34,6 +34,7 @@ public:
                 next_.objects[i] = old_.objects[*origin - old_.robots.size()];
         carryContacts();
         carryKicks();
+        carryMessages();
         carryGoals();
         carryPast();
         return std::move(next_);
@@ -121,6 +122,16 @@ private:
             kick.robot = static_cast<std::uint32_t>(robot);
             kick.manipulator = static_cast<std::uint32_t>(*manipulator);
             next_.kicks.push_back(kick);
+        }
+    }
+
+    void carryMessages() {
+        for (SentMessage message : old_.messages) {
+            if (!target_[message.from] || (message.to != noBody && !target_[message.to])) continue;
+            message.from = static_cast<std::uint32_t>(*target_[message.from]);
+            if (message.to != noBody) message.to = static_cast<std::uint32_t>(*target_[message.to]);
+            message.tick += next_.tick - old_.tick;
+            next_.messages.push_back(message);
         }
     }
 

@@ -25,7 +25,7 @@ constexpr double leastHorn = 0.03;  // m, before the front
 /// Stands in for a plug-in that is not to be loaded: it decides nothing.
 class AbsentController final : public Controller {
 public:
-    Attention attention() const override { return {.robots = false, .objects = false}; }
+    Attention attention() const override { return Attention::ofItself(); }
     void decide(const Observation&, std::span<std::byte>, Decision&) const override {}
 };
 

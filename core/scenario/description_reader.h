@@ -8,6 +8,7 @@
 #include "io/toml_table.h"
 #include "scene/environment.h"
 #include "world/time.h"
+#include "world/toml_values.h"
 
 namespace mrose {
 
@@ -22,25 +23,12 @@ TomlTable openDescription(const Value& content, const std::string& file, Descrip
 /// The kind that a file says it is. Error: it says none.
 Expected<DescriptionKind> descriptionKind(const Value& content, const std::string& file);
 
-// Values, with their units in the keys: lengths and positions `_m`, angles `_deg`, which become radians here.
+// Values beyond those of world/toml_values.h.
 
-constexpr double metresFar = 1000;     ///< the farthest coordinate of an environment
 constexpr double shapeReach = 20;      ///< the farthest coordinate of a shape
 constexpr double leastLength = 0.001;  ///< m: shorter edges, smaller circles and thinner polygons are mistakes
 constexpr std::size_t mostCorners = 100;
 
-double radians(double degrees);
-double angle(TomlTable& table, std::string_view key, NumberRange degrees);
-double angleOr(TomlTable& table, std::string_view key, double fallback, NumberRange degrees);
-Nanoseconds duration(TomlTable& table, std::string_view key, NumberRange seconds);
-Nanoseconds durationOr(TomlTable& table, std::string_view key, Nanoseconds fallback, NumberRange seconds);
-Point point(TomlTable& table, std::string_view key, double far);
-Point pointOr(TomlTable& table, std::string_view key, const Point& fallback, double far);
-/// { x_m, y_m, heading_deg }, or heading_rad, which is exact; the heading may be missing.
-Pose pose(TomlTable table);
-/// A name of a body, a file's part ...: not empty, at most 64 bytes, printable.
-std::string name(TomlTable& table, std::string_view key);
-std::string nameOr(TomlTable& table, std::string_view key, const std::string& fallback);
 /// "#rrggbb"
 Colour colourOr(TomlTable& table, std::string_view key, const Colour& fallback);
 /// { friction, restitution }

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "motion/learned_model.h"
+#include "sensing/body_sight.h"
+#include "sensing/self_localisation.h"
 #include "world/first_state_version.h"
 #include "world/state_bytes.h"
 
@@ -33,12 +35,12 @@ FirstVersionMemory firstVersionMemory(const Scenario& scenario, const WorldState
         then.unperturbed = r.segment.endVelocity;
         then.hasUnperturbed = true;
     }
-    const auto& sensing = as<SensorMemory>(scenario.sensorMemory(state, robot));
-    then.bias = sensing.bias;
-    then.self = sensing.self;
-    then.selfMeasured = sensing.selfMeasured;
-    then.localised = sensing.localised != 0;
-    then.bearingBias = sensing.bearingBias;
+    const auto& self = as<SelfLocaliser::Memory>(scenario.sensorMemory(state, robot, 0));
+    then.bias = self.bias;
+    then.self = self.self;
+    then.selfMeasured = self.measured;
+    then.localised = self.localised != 0;
+    then.bearingBias = as<BodySensor::Memory>(scenario.sensorMemory(state, robot, 1)).bearingBias;
     return then;
 }
 

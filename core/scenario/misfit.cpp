@@ -60,16 +60,21 @@ std::string wrongSizes(const Scenario& scenario, const WorldState& state) {
 bool soundInstant(Nanoseconds time) { return time >= -latestTime && time <= latestTime; }
 
 /// Whether they can be counted with, and nobody's motion has yet to begin.
-bool soundInstants(const Scenario& scenario, const WorldState& state) {
+bool soundInstants(const WorldState& state) {
     const auto soundRobot = [&](const RobotState& r) {
         return std::all_of(r.ready.begin(), r.ready.end(), soundInstant) && r.segment.startTick <= state.tick &&
                soundInstant(r.segment.startTick);
     };
-    for (std::size_t i = 0; i < state.robots.size(); ++i)
-        if (!soundInstant(as<SensorMemory>(scenario.sensorMemory(state, i)).selfMeasured)) return false;
     return std::all_of(state.robots.begin(), state.robots.end(), soundRobot) &&
            std::all_of(state.kicks.begin(), state.kicks.end(),
                        [](const PendingKick& kick) { return soundInstant(kick.due); });
+}
+
+bool soundSensors(const Scenario& scenario, const WorldState& state, std::size_t robot) {
+    const auto sensors = scenario.sensors(robot);
+    for (std::size_t k = 0; k < sensors.size(); ++k)
+        if (!sensors[k]->sound(scenario.sensorMemory(state, robot, k))) return false;
+    return true;
 }
 
 bool soundCommands(const Scenario& scenario, const WorldState& state, std::size_t robot) {
@@ -89,14 +94,21 @@ std::string misfit(const Scenario& scenario, const WorldState& state) {
     for (std::size_t i = 0; i < state.robots.size(); ++i)
         if (!soundCommands(scenario, state, i))
             return "robot " + std::to_string(i + 1) + " with a broken history of commands";
+    for (std::size_t i = 0; i < state.robots.size(); ++i)
+        if (!soundSensors(scenario, state, i))
+            return "robot " + std::to_string(i + 1) + " with sensors whose memory is broken";
     for (const PendingKick& kick : state.kicks)
         if (kick.robot >= state.robots.size() ||
             kick.manipulator >= scenario.scene().typeOf(kick.robot).manipulators.size())
             return "a kick by a manipulator that is not there";
+    for (const SentMessage& message : state.messages)
+        if (message.from >= state.robots.size() || (message.to != noBody && message.to >= state.robots.size()) ||
+            message.size > message.bytes.size() || message.tick > state.tick)
+            return "a message of a robot that is not there";
     const auto there = [&](std::uint32_t body) { return body < bodies || body == noBody; };
     for (const ContactImpulse& contact : state.contacts)
         if (!there(contact.bodyA) || !there(contact.bodyB)) return "a contact of a body that is not there";
-    if (!soundInstants(scenario, state)) return "an instant beyond all runs, or a motion that has yet to begin";
+    if (!soundInstants(state)) return "an instant beyond all runs, or a motion that has yet to begin";
     if (!soundNumbers(state)) return "a number that is not finite, or beyond all that occurs";
     return {};
 }

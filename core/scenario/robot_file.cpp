@@ -6,7 +6,7 @@
 #include "io/number_text.h"
 #include "scenario/delayed_network.h"
 #include "scenario/description_reader.h"
-#include "scenario/perception_reader.h"
+#include "sensing/sensor_kinds.h"
 #include "world/plain_seconds.h"
 
 namespace mrose {

@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "scenario/saved_state.h"
+#include "sensing/sensor_kinds.h"
 
 namespace mrose {
 namespace {
@@ -18,14 +19,6 @@ double searchMargin(const Scene& scene) {
     return reach + usual * toSeconds(scene.tickLength) + 0.05;
 }
 
-std::int64_t longestLag(const Scene& scene) {
-    Nanoseconds longest = 0;
-    for (const RobotType& type : scene.robotTypes)
-        longest = std::max(
-            {longest, type.perception.self.latency, type.perception.objects.latency, type.perception.robots.latency});
-    return scene.ticksOf(longest);
-}
-
 }  // namespace
 
 Scenario::Scenario(ScenarioParts parts)
@@ -33,12 +26,26 @@ Scenario::Scenario(ScenarioParts parts)
       obstacles_(parts_.scene.environment, searchMargin(parts_.scene)),
       obstacleShape_(obstacles_.pieces()) {
     assert(parts_.controllers.size() == parts_.scene.robots.size());
+    layOutSensors();
     layOut();
     prepareContacts();
 }
 
+void Scenario::layOutSensors() {
+    for (const RobotType& type : scene().robotTypes) {
+        Sensors& sensors = sensors_.emplace_back();
+        sensors.all = standardSensors(type.perception);
+        sensors.all.insert(sensors.all.end(), type.sensors.begin(), type.sensors.end());
+        for (const auto& sensor : sensors.all) {
+            sensors.memories.emplace_back(sensors.memorySize, sensor->memorySize());
+            sensors.memorySize += paddedMemory(sensor->memorySize());
+        }
+    }
+}
+
 void Scenario::layOut() {
     const Scene& scene = parts_.scene;
+    std::int64_t depth = 0;
     for (std::size_t i = 0; i < scene.robots.size(); ++i) {
         const MotionModel& model = scene.modelOf(i);
         assert(model.period() % scene.tickLength == 0);
@@ -54,15 +61,30 @@ void Scenario::layOut() {
         slots.motion = motionSize_;
         slots.motionSize = model.memorySize();
         slots.sensing = sensingSize_;
-        slots.sensingSize = sizeof(SensorMemory);
+        slots.sensingSize = sensors_[scene.robots[i].type].memorySize;
+        slots.wanted = wanted_.size();
+        const Attention attention = controller(i).attention();
+        slots.readsMessages = attention.reads(messagesReading);
+        for (const auto& sensor : sensors(i)) {
+            std::uint32_t wanted = 0, bit = 1;
+            for (const ReadingKind& kind : sensor->gives()) {
+                if (attention.reads(kind.name)) wanted |= bit;
+                bit <<= 1;
+            }
+            wanted_.push_back(wanted);
+            // What is measured between two control instants is up to a period older when it is told.
+            const std::int64_t between = sensor->period() > 0 ? model.period() / scene.tickLength - 1 : 0;
+            depth = std::max(depth, scene.ticksOf(sensor->latency()) + between);
+        }
         commandSlots_ += slots.commandCount;
         motionSize_ += paddedMemory(slots.motionSize);
         memorySize_ += paddedMemory(slots.memorySize);
         sensingSize_ += paddedMemory(slots.sensingSize);
         slots_.push_back(slots);
+        longestPeriod_ = std::max(longestPeriod_, model.period() / scene.tickLength);
         periods_.push_back({model.period() / scene.tickLength, toSeconds(model.period())});
     }
-    pastDepth_ = longestLag(scene);
+    past_ = PastPoses(depth, scene.bodyCount());
 }
 
 void Scenario::prepareContacts() {
@@ -112,8 +134,9 @@ WorldState Scenario::freshState(std::uint64_t seed) const {
     for (std::size_t i = 0; i < scene.robots.size(); ++i) {
         scene.modelOf(i).start(motionMemory(state, i));
         controller(i).start(memoryOf(state, i));
+        for (std::size_t k = 0; k < sensors(i).size(); ++k) sensors(i)[k]->start(sensorMemory(state, i, k));
     }
-    for (std::int64_t k = 0; k < pastDepth_; ++k)
+    for (std::int64_t k = 0; k < pastDepth(); ++k)
         for (std::size_t body = 0; body < scene.bodyCount(); ++body) state.past.push_back(poseOf(state, body));
     return state;
 }
@@ -122,19 +145,6 @@ void Scenario::forgetMotion(WorldState& state, std::size_t robot) const {
     const std::span<std::byte> memory = motionMemory(state, robot);
     std::ranges::fill(memory, std::byte{0});
     scene().modelOf(robot).start(memory);
-}
-
-const Pose& Scenario::poseBefore(const WorldState& state, std::size_t body, std::int64_t lag) const {
-    return lag == 0 ? poseOf(state, body) : posesBefore(state, lag)[body];
-}
-
-std::span<const Pose> Scenario::posesBefore(const WorldState& state, std::int64_t lag) const {
-    assert(lag > 0 && lag <= pastDepth_);
-    // Slot k of the ring holds the poses of the newest tick that is k modulo the depth; ticks before 0 stand for the
-    // start.
-    const std::int64_t slot = ((state.tick - lag) % pastDepth_ + pastDepth_) % pastDepth_;
-    const std::size_t bodies = parts_.scene.bodyCount();
-    return std::span(state.past).subspan(static_cast<std::size_t>(slot) * bodies, bodies);
 }
 
 }  // namespace mrose

@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "control/controller.h"
@@ -12,6 +13,8 @@
 #include "scenario/log_player.h"
 #include "scene/obstacle_index.h"
 #include "scene/scene.h"
+#include "sensing/sensor.h"
+#include "world/past_poses.h"
 #include "world/world_state.h"
 
 namespace mrose {
@@ -90,7 +93,25 @@ public:
     }
     /// Its motion model begins anew.
     void forgetMotion(WorldState& state, std::size_t robot) const;
-    /// Likewise what all sensors of a robot remember in WorldState::sensing.
+    /// A robot's sensors: those that every robot has, then its type's own.
+    std::span<const std::shared_ptr<const Sensor>> sensors(std::size_t robot) const {
+        return sensors_[scene().robots[robot].type].all;
+    }
+    /// Which of the readings of a sensor its controller reads: bit k for Sensor::gives()[k].
+    std::uint32_t wanted(std::size_t robot, std::size_t sensor) const { return wanted_[slots_[robot].wanted + sensor]; }
+    bool readsMessages(std::size_t robot) const { return slots_[robot].readsMessages; }
+    /// What one of them remembers in WorldState::sensing.
+    template <class State>
+    auto sensorMemory(State& state, std::size_t robot, std::size_t sensor) const {
+        return partOf(sensorMemory(state, robot), robot, sensor);
+    }
+    /// The same of what all of them remember.
+    template <class Byte>
+    std::span<Byte> partOf(std::span<Byte> all, std::size_t robot, std::size_t sensor) const {
+        const auto [first, size] = sensors_[scene().robots[robot].type].memories[sensor];
+        return all.subspan(first, size);
+    }
+    /// What all of them remember.
     std::span<std::byte> sensorMemory(WorldState& state, std::size_t robot) const {
         return std::span(state.sensing).subspan(slots_[robot].sensing, slots_[robot].sensingSize);
     }
@@ -101,15 +122,12 @@ public:
     std::span<const std::byte> memoryOf(const std::vector<std::byte>& memory, std::size_t robot) const {
         return std::span(memory).subspan(slots_[robot].memory, slots_[robot].memorySize);
     }
-    /// How many ticks of poses WorldState::past holds; 0 where no sensor is late.
-    std::int64_t pastDepth() const { return pastDepth_; }
-    /// Where a body was `lag` ticks ago, 0 <= lag <= pastDepth; before the start it stood where it started.
-    const Pose& poseBefore(const WorldState& state, std::size_t body, std::int64_t lag) const;
-    /// Of all bodies, 0 < lag <= pastDepth.
-    std::span<const Pose> posesBefore(const WorldState& state, std::int64_t lag) const;
-    static const Pose& poseOf(const WorldState& state, std::size_t body) {
-        return body < state.robots.size() ? state.robots[body].pose : state.objects[body - state.robots.size()].pose;
+    const PastPoses& past() const { return past_; }
+    std::int64_t pastDepth() const { return past_.depth(); }
+    const Pose& poseBefore(const WorldState& state, std::size_t body, std::int64_t lag) const {
+        return past_.poseBefore(state, body, lag);
     }
+    static const Pose& poseOf(const WorldState& state, std::size_t body) { return mrose::poseOf(state, body); }
 
     /// A robot's control period.
     struct Period {
@@ -117,6 +135,7 @@ public:
         double seconds = 0;
     };
     const Period& periodOf(std::size_t robot) const { return periods_[robot]; }
+    std::int64_t longestPeriod() const { return longestPeriod_; }  ///< ticks
 
     // What contact needs of a body, told once.
     struct ContactBodyType {
@@ -133,7 +152,16 @@ private:
     struct Slots {
         std::size_t commands = 0, commandCount = 0;
         std::size_t motion = 0, motionSize = 0, memory = 0, memorySize = 0, sensing = 0, sensingSize = 0;
+        std::size_t wanted = 0;
+        bool readsMessages = false;
     };
+    /// Of a type of robots.
+    struct Sensors {
+        std::vector<std::shared_ptr<const Sensor>> all;
+        std::vector<std::pair<std::size_t, std::size_t>> memories;  ///< of each, first byte and size
+        std::size_t memorySize = 0;
+    };
+    void layOutSensors();
     void layOut();
     void prepareContacts();
 
@@ -144,8 +172,11 @@ private:
     std::vector<std::uint32_t> contactTypeOf_;
     std::vector<Slots> slots_;
     std::vector<Period> periods_;
+    std::vector<Sensors> sensors_;       ///< of each type
+    std::vector<std::uint32_t> wanted_;  ///< of each robot's sensors
     std::size_t commandSlots_ = 0, motionSize_ = 0, memorySize_ = 0, sensingSize_ = 0;
-    std::int64_t pastDepth_ = 0;
+    std::int64_t longestPeriod_ = 0;
+    PastPoses past_;
 };
 
 }  // namespace mrose

@@ -35,16 +35,6 @@ struct BodySight {
     bool operator==(const BodySight&) const = default;
 };
 
-/// What a robot's sensors remember.
-struct SensorMemory {
-    Pose bias;                     ///< of self-localisation, at present
-    Pose self;                     ///< measured last
-    Nanoseconds selfMeasured = 0;  ///< when
-    std::uint64_t localised = 0;   ///< 0 until the first measurement
-    double bearingBias = 0;        ///< of the bearing to other bodies, in standard deviations
-    std::uint64_t unused = 0;
-};
-
 struct Perception {
     SelfLocalisation self;
     BodySight objects;  ///< the ball and other objects

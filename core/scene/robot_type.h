@@ -12,6 +12,8 @@
 
 namespace mrose {
 
+class Sensor;
+
 /// What a model's prediction leaves out, as standard deviations per period: the odometry model of Thrun, Burgard, Fox
 /// (2005), 5.4, without its third rotation.
 struct MotionNoise {
@@ -43,9 +45,10 @@ struct RobotType {
     double mass = 10;  ///< kg, spread evenly over the shape
     Surface surface;
     MotionNoise motionNoise;
-    std::vector<Manipulator> manipulators;  ///< at most maxManipulators
-    Perception perception;
-    bool person = false;  ///< drawn and counted as one
+    std::vector<Manipulator> manipulators;               ///< at most maxManipulators
+    Perception perception;                               ///< by the sensors that every robot has
+    std::vector<std::shared_ptr<const Sensor>> sensors;  ///< further ones (sensing/)
+    bool person = false;                                 ///< drawn and counted as one
 };
 
 }  // namespace mrose

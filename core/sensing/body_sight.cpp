@@ -8,7 +8,10 @@
 #include <utility>
 
 #include "motion/portable_math.h"
+#include "sensing/drift.h"
 #include "sensing/line_of_sight.h"
+#include "sensing/sensor_keys.h"
+#include "sensing/sensor_view.h"
 
 namespace mrose {
 namespace {
@@ -21,14 +24,14 @@ struct Kind {
 
 constexpr double wholeTurn = 2 * std::numbers::pi;
 
-/// The part of the plane that a sensor covers.
-struct View {
+/// The part of the plane that a camera covers.
+struct Field {
     Placement frame;
     double range, farthest;  ///< m, m2; 0 without end
     bool allRound;
     double edge;  ///< cosine of half the field of view
 
-    View(const Placement& eye, const BodySight& sight)
+    Field(const Placement& eye, const BodySight& sight)
         : frame(eye),
           range(sight.range),
           farthest(range * range),
@@ -78,48 +81,48 @@ double coreOf(const Shape& shape) {
 
 /// Looks where it is not dark, outwards from the eye; what is met darkens what is behind it.
 template <class Look>
-void lookRound(const Observer& observer, const View& view, bool occlusion, const BodyMap& map, Look look) {
-    Horizon& horizon = observer.buffers.horizon;
-    horizon.open(view.frame, view.edge_B(), view.allRound,
-                 view.range > 0 ? view.range : std::numeric_limits<double>::infinity());
+void lookRound(const SensorView& view, const Field& field, bool occlusion, const BodyMap& map, Look look) {
+    Horizon& horizon = view.buffers.horizon;
+    horizon.open(field.frame, field.edge_B(), field.allRound,
+                 field.range > 0 ? field.range : std::numeric_limits<double>::infinity());
     const auto visit = [&](const Point& least, const Point& most, std::span<const PointGrid::Entry> entries) {
         if (horizon.dark(least, most)) return false;
         for (const PointGrid::Entry& entry : entries) {
-            if (entry.number == observer.robot) continue;
+            if (entry.number == view.robot) continue;
             if (!horizon.dark(entry.point)) look(entry);
             if (!occlusion) continue;
-            const Shape& shape = observer.scenario.scene().shapeOf(entry.number);
+            const Shape& shape = view.scene.shapeOf(entry.number);
             horizon.shade(entry.point, coreOf(shape), map.grid.slack());
         }
         return true;
     };
-    map.grid.spread(view.frame.origin, observer.buffers.spreading, visit);
+    map.grid.spread(field.frame.origin, view.buffers.spreading, visit);
 }
 
 // So few are looked at one by one; with more of them in reach it pays to mind what is dark.
 constexpr std::size_t fewBodies = 64;
 
 /// Those within range and field of view, exactly; some that are hidden may be left out.
-void collect(const Observer& observer, const BodySight& sight, const BodyMap& map, const Kind& kind,
+void collect(const SensorView& view, const BodySight& sight, const BodyMap& map, const Kind& kind,
              std::vector<SeenBody>& seen) {
-    const View view(Placement(observer.poseBefore(observer.robot, map.lag)), sight);
-    const Nanoseconds measured = observer.timeBefore(map.lag);
+    const Field field(Placement(view.past.poseBefore(view.state, view.robot, map.lag)), sight);
+    const Nanoseconds measured = view.scene.timeOf(view.state.tick - map.lag);
     const auto look = [&](const PointGrid::Entry& entry) {
-        if (entry.number - kind.first >= kind.count || entry.number == observer.robot) return;
-        const std::optional<Point> position_B = view.at(entry.point);
+        if (entry.number - kind.first >= kind.count || entry.number == view.robot) return;
+        const std::optional<Point> position_B = field.at(entry.point);
         if (position_B) seen.push_back({static_cast<std::uint32_t>(entry.number - kind.first), *position_B, measured});
     };
-    const bool limited = view.range > 0, darkens = sight.occlusion || !view.allRound;
+    const bool limited = field.range > 0, darkens = sight.occlusion || !field.allRound;
     if (kind.count <= fewBodies || !(limited || darkens)) {
         for (std::size_t body = kind.first; body < kind.first + kind.count; ++body)
             look({map.positions[body], static_cast<std::uint32_t>(body)});
         return;
     }
-    const auto [least, most] = view.box();
+    const auto [least, most] = field.box();
     std::size_t near = 0;
     map.grid.visitBox(least, most, [&](std::span<const PointGrid::Entry> entries) { near += entries.size(); });
     if (darkens && (!limited || near > fewBodies))
-        lookRound(observer, view, sight.occlusion, map, look);
+        lookRound(view, field, sight.occlusion, map, look);
     else
         map.grid.visitBox(least, most, [&](std::span<const PointGrid::Entry> entries) {
             for (const PointGrid::Entry& entry : entries) look(entry);
@@ -128,10 +131,10 @@ void collect(const Observer& observer, const BodySight& sight, const BodyMap& ma
 }
 
 /// Each body has draws of its own, so that no other one changes what is seen of it.
-void addNoise(const Observer& observer, const BodySight& sight, NoiseChannel channel, double bearingBias,
+void addNoise(const SensorView& view, const BodySight& sight, NoiseChannel channel, double bearingBias,
               SeenBody& body) {
     const bool noisy = sight.bearingNoise != 0 || sight.rangeNoise != 0 || sight.rangeNoiseSlope != 0;
-    const NoisePair draw = noisy ? normalPair(observer.key(channel, 2 * body.index)) : NoisePair{};
+    const NoisePair draw = noisy ? normalPair(view.key(channel, 2 * body.index)) : NoisePair{};
     const double share = sight.rangeNoise + sight.rangeNoiseSlope * length(body.position_B);
     const double bearing = sight.bearingBias * bearingBias + sight.bearingNoise * draw.first;
     const double range = std::max(0.0, 1 + share * draw.second), turns = bearing / wholeTurn;
@@ -139,31 +142,69 @@ void addNoise(const Observer& observer, const BodySight& sight, NoiseChannel cha
     body.position_B = {c * body.position_B.x - s * body.position_B.y, s * body.position_B.x + c * body.position_B.y};
 }
 
-void see(const Observer& observer, const BodySight& sight, const Kind& kind, double bearingBias,
+void see(const SensorView& view, const BodySight& sight, const Kind& kind, double bearingBias,
          std::vector<SeenBody>& seen) {
     if (!sight.present || kind.count == 0) return;
-    const BodyMap& map = observer.bodiesBefore(observer.lagOf(sight.latency));
-    collect(observer, sight, map, kind, seen);
+    const BodyMap& map = view.bodiesBefore(view.lagOf(sight.latency));
+    collect(view, sight, map, kind, seen);
     if (sight.dropOut > 0)
         std::erase_if(seen, [&](const SeenBody& body) {
-            return uniformNoise(observer.key(kind.channel, 2 * body.index + 1)) < sight.dropOut;
+            return uniformNoise(view.key(kind.channel, 2 * body.index + 1)) < sight.dropOut;
         });
-    if (sight.occlusion) removeHidden(observer, map, kind.first, seen);
+    if (sight.occlusion) removeHidden(view, map, kind.first, seen);
     if (sight.bearingNoise == 0 && sight.rangeNoise == 0 && sight.rangeNoiseSlope == 0 && sight.bearingBias == 0)
         return;
-    for (SeenBody& body : seen) addNoise(observer, sight, kind.channel, bearingBias, body);
+    for (SeenBody& body : seen) addNoise(view, sight, kind.channel, bearingBias, body);
 }
 
 }  // namespace
 
-void seeRobots(const Observer& observer, double bearingBias, std::vector<SeenBody>& seen) {
-    see(observer, observer.perception().robots, {0, observer.state.robots.size(), NoiseChannel::sightOfRobots},
-        bearingBias, seen);
+std::vector<ReadingKind> BodySensor::gives() const {
+    return {{robotsReading, &recordType<SeenBody>()}, {objectsReading, &recordType<SeenBody>()}};
 }
 
-void seeObjects(const Observer& observer, double bearingBias, std::vector<SeenBody>& seen) {
-    see(observer, observer.perception().objects,
-        {observer.state.robots.size(), observer.state.objects.size(), NoiseChannel::sightOfObjects}, bearingBias, seen);
+bool BodySensor::sound(std::span<const std::byte> memory) const {
+    return std::abs(as<Memory>(memory).bearingBias) <= 1e9;
+}
+
+std::vector<MemoryEntry> BodySensor::explain(std::span<const std::byte> memory) const {
+    if (robots_.bearingBias == 0 && objects_.bearingBias == 0) return {};
+    const double bias = as<Memory>(memory).bearingBias;
+    return {{"robots_bearing_bias", robots_.bearingBias * bias, "rad"},
+            {"objects_bearing_bias", objects_.bearingBias * bias, "rad"}};
+}
+
+void BodySensor::sense(const SensorView& view, std::span<std::byte> memory, Observation& out) const {
+    double& bias = as<Memory>(memory).bearingBias;
+    if (objects_.bearingBias != 0 || robots_.bearingBias != 0)
+        bias =
+            Drift(bias != 0, view.sinceLast, biasTime_)(bias, 1, normalNoise(view.key(NoiseChannel::bearingBias, 0)));
+    const std::size_t robots = view.state.robots.size(), objects = view.state.objects.size();
+    const auto give = [&](std::size_t reading, const BodySight& sight, const char* name, const Kind& kind) {
+        if (!view.wants(reading)) return;
+        std::vector<SeenBody>& seen = view.buffers.seen;
+        seen.clear();
+        see(view, sight, kind, bias, seen);
+        out.add(name, view.timeBefore(view.lagOf(sight.latency)), std::span<const SeenBody>(seen));
+    };
+    give(0, robots_, robotsReading, {0, robots, NoiseChannel::sightOfRobots});
+    give(1, objects_, objectsReading, {robots, objects, NoiseChannel::sightOfObjects});
+}
+
+BodySight readBodySight(TomlTable table) {
+    BodySight sight;
+    sight.present = table.booleanOr("present", sight.present);
+    sight.bearingNoise = angleOr(table, "bearing_noise_deg", 0, degreesOff);
+    sight.rangeNoise = table.numberOr("range_noise", sight.rangeNoise, {0, 10});
+    sight.rangeNoiseSlope = table.numberOr("range_noise_per_m", sight.rangeNoiseSlope, {0, 10});
+    sight.bearingBias = angleOr(table, "bearing_bias_deg", 0, degreesOff);
+    sight.fieldOfView = angleOr(table, "field_of_view_deg", sight.fieldOfView, {1, 360});
+    sight.range = table.numberOr("range_m", sight.range, {0, 10000});
+    sight.latency = durationOr(table, "latency_s", sight.latency, latencies);
+    sight.dropOut = table.numberOr("drop_out", sight.dropOut, probability);
+    sight.occlusion = table.booleanOr("occlusion", sight.occlusion);
+    table.rejectUnknown();
+    return sight;
 }
 
 }  // namespace mrose

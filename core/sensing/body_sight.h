@@ -1,17 +1,38 @@
 #pragma once
 
-#include <vector>
-
-#include "control/observation.h"
-#include "sensing/observer.h"
+#include "io/toml_table.h"
+#include "scene/perception.h"
+#include "sensing/sensor.h"
 
 namespace mrose {
 
-/// The other robots that the observer sees now, as they were at its sensor's latency ago, in its own frame of then.
-/// `bearingBias` is SensorMemory's.
-void seeRobots(const Observer& observer, double bearingBias, std::vector<SeenBody>& seen);
+/// What a camera sees of other bodies: the readings "robots" and "objects", SeenBody in the order of their indices, as
+/// they were at its latency ago, in the robot's own frame of then.
+class BodySensor final : public Sensor {
+public:
+    /// `biasTime`: s, the correlation time of the bias that both kinds of bodies are seen with.
+    BodySensor(const BodySight& robots, const BodySight& objects, double biasTime)
+        : robots_(robots), objects_(objects), biasTime_(biasTime) {}
 
-/// Likewise the objects.
-void seeObjects(const Observer& observer, double bearingBias, std::vector<SeenBody>& seen);
+    struct Memory {
+        double bearingBias = 0;  ///< in standard deviations
+        std::uint64_t unused = 0;
+    };
+
+    std::string name() const override { return "sight"; }
+    std::vector<ReadingKind> gives() const override;
+    Nanoseconds latency() const override { return std::max(robots_.latency, objects_.latency); }
+    std::size_t memorySize() const override { return sizeof(Memory); }
+    bool sound(std::span<const std::byte> memory) const override;
+    std::vector<MemoryEntry> explain(std::span<const std::byte> memory) const override;
+    void sense(const SensorView& view, std::span<std::byte> memory, Observation& out) const override;
+
+private:
+    BodySight robots_, objects_;
+    double biasTime_;
+};
+
+/// Its keys, [perception.robots] and [perception.objects] of a robot file.
+BodySight readBodySight(TomlTable table);
 
 }  // namespace mrose

@@ -15,15 +15,15 @@ double widestReach(const Scene& scene) {
 
 /// A line from an eye to what it looks at.
 struct SightLine {
-    const Observer& observer;
+    const SensorView& view;
     const BodyMap& map;
     Point eye, target, line;
     double squaredLength, length;
 
-    SightLine(const Observer& looking, const BodyMap& bodies, std::size_t body)
-        : observer(looking),
+    SightLine(const SensorView& looking, const BodyMap& bodies, std::size_t body)
+        : view(looking),
           map(bodies),
-          eye(map.positions[observer.robot]),
+          eye(map.positions[view.robot]),
           target(map.positions[body]),
           line(target - eye),
           squaredLength(dot(line, line)),
@@ -34,12 +34,12 @@ struct SightLine {
         return across * across <= reach * reach * squaredLength;
     }
     bool hits(std::size_t body) const {
-        const Shape& shape = observer.scenario.scene().shapeOf(body);
+        const Shape& shape = view.scene.shapeOf(body);
         const Point offset = map.positions[body] - eye;
         const double nearest = mrose::length(offset) - shape.reach;
         if (nearest >= length || !passesNear(offset, shape.reach)) return false;
         if (nearest > 0 && dot(offset, line) <= 0) return false;  // behind
-        const Placement frame(observer.poseBefore(body, map.lag));
+        const Placement frame(view.past.poseBefore(view.state, body, map.lag));
         const Point from = frame.placeBack(eye), to = frame.placeBack(target);
         return std::any_of(shape.pieces.begin(), shape.pieces.end(),
                            [&](const ConvexPiece& piece) { return crosses(piece, from, to); });
@@ -48,7 +48,7 @@ struct SightLine {
 
 bool hiddenByBody(const SightLine& sight, std::size_t body, double widest) {
     return sight.map.grid.anyAlong(sight.eye, sight.target, widest, [&](const PointGrid::Entry& entry) {
-        return entry.number != sight.observer.robot && entry.number != body &&
+        return entry.number != sight.view.robot && entry.number != body &&
                sight.passesNear(entry.point - sight.eye, widest) && sight.hits(entry.number);
     });
 }
@@ -82,13 +82,13 @@ bool crosses(const ConvexPiece& piece, const Point& from, const Point& to) {
     return true;
 }
 
-void removeHidden(const Observer& observer, const BodyMap& map, std::size_t first, std::vector<SeenBody>& seen) {
+void removeHidden(const SensorView& view, const BodyMap& map, std::size_t first, std::vector<SeenBody>& seen) {
     if (seen.empty()) return;
-    const double widest = widestReach(observer.scenario.scene());
+    const double widest = widestReach(view.scene);
     std::erase_if(seen, [&](const SeenBody& s) {
-        const SightLine sight(observer, map, first + s.index);
+        const SightLine sight(view, map, first + s.index);
         return hiddenByBody(sight, first + s.index, widest) ||
-               hiddenByObstacle(observer.scenario.obstacles(), sight.eye, sight.target);
+               hiddenByObstacle(view.obstacles, sight.eye, sight.target);
     });
 }
 

@@ -1,74 +1,93 @@
 #include "sensing/self_localisation.h"
 
-#include <cmath>
-
-#include "motion/portable_math.h"
+#include "sensing/drift.h"
+#include "sensing/sensor_keys.h"
+#include "sensing/sensor_view.h"
 
 namespace mrose {
 namespace {
 
 constexpr NoiseChannel channel = NoiseChannel::selfLocalisation;
 
-/// The counters of a period's draws.
+/// The counters of a measurement's draws.
 enum Part : std::uint32_t { positionNoise, headings, positionBias, chances, jump };
 
-/// What is left of a bias after a period, and what the period adds, in standard deviations.
-struct Drift {
-    double kept = 0, added = 1;
-
-    double operator()(double bias, double deviation, double draw) const {
-        return kept * bias + added * deviation * draw;
-    }
-};
-
-/// A bias of exactly zero has not begun: no draw leads there.
-Drift driftOf(const Observer& observer, bool begun) {
-    if (!begun) return {};
-    const double kept = decay(observer.scenario.periodOf(observer.robot).seconds / observer.perception().self.biasTime);
-    return {kept, std::sqrt(1 - kept * kept)};
+/// { x_m, y_m, heading_deg }, standard deviations.
+Pose deviation(TomlTable table) {
+    const Pose pose{table.numberOr("x_m", 0, metresOff), table.numberOr("y_m", 0, metresOff),
+                    angleOr(table, "heading_deg", 0, degreesOff)};
+    table.rejectUnknown();
+    return pose;
 }
 
 }  // namespace
 
-void driftBiases(const Observer& observer, SensorMemory& memory) {
-    const Perception& perception = observer.perception();
-    const Pose& deviation = perception.self.bias;
-    if (deviation != Pose{}) {
-        const Drift drift = driftOf(observer, memory.bias != Pose{});
-        const NoisePair position = normalPair(observer.key(channel, positionBias));
-        const double heading = deviation.heading == 0 ? 0 : normalPair(observer.key(channel, headings)).second;
-        memory.bias = {drift(memory.bias.x, deviation.x, position.first),
-                       drift(memory.bias.y, deviation.y, position.second),
-                       drift(memory.bias.heading, deviation.heading, heading)};
-    }
-    if (perception.objects.bearingBias != 0 || perception.robots.bearingBias != 0)
-        memory.bearingBias = driftOf(observer, memory.bearingBias != 0)(
-            memory.bearingBias, 1, normalNoise(observer.key(NoiseChannel::bearingBias)));
+bool SelfLocaliser::sound(std::span<const std::byte> memory) const {
+    const auto& m = as<Memory>(memory);
+    constexpr double farthest = 1e9;
+    for (const double number : {m.bias.x, m.bias.y, m.bias.heading, m.self.x, m.self.y, m.self.heading})
+        if (!(std::abs(number) <= farthest)) return false;
+    return m.measured >= -latestTime && m.measured <= latestTime;
 }
 
-void localise(const Observer& observer, SensorMemory& memory) {
-    const SelfLocalisation& sensor = observer.perception().self;
+std::vector<MemoryEntry> SelfLocaliser::explain(std::span<const std::byte> memory) const {
+    const auto& m = as<Memory>(memory);
+    if (options_.bias == Pose{}) return {};
+    return {{"bias_x", m.bias.x, "m"}, {"bias_y", m.bias.y, "m"}, {"bias_heading", m.bias.heading, "rad"}};
+}
+
+void SelfLocaliser::driftBias(const SensorView& view, Memory& memory) const {
+    const Pose& spread = options_.bias;
+    if (spread == Pose{}) return;
+    const Drift drift(memory.bias != Pose{}, view.sinceLast, options_.biasTime);
+    const NoisePair draw = normalPair(view.key(channel, positionBias));
+    const double heading = spread.heading == 0 ? 0 : normalPair(view.key(channel, headings)).second;
+    memory.bias = {drift(memory.bias.x, spread.x, draw.first), drift(memory.bias.y, spread.y, draw.second),
+                   drift(memory.bias.heading, spread.heading, heading)};
+}
+
+void SelfLocaliser::measure(const SensorView& view, Memory& memory) const {
     const NoisePair chance =
-        sensor.dropOut > 0 || sensor.jump > 0 ? uniformPair(observer.key(channel, chances)) : NoisePair{1, 1};
-    if (chance.first < sensor.dropOut) return;
-    const std::int64_t lag = observer.lagOf(sensor.latency);
-    Pose measured = observer.poseBefore(observer.robot, lag);
+        options_.dropOut > 0 || options_.jump > 0 ? uniformPair(view.key(channel, chances)) : NoisePair{1, 1};
+    if (chance.first < options_.dropOut) return;
+    const std::int64_t lag = view.lagOf(options_.latency);
+    Pose measured = view.poseBefore(view.robot, lag);
     measured.x += memory.bias.x;
     measured.y += memory.bias.y;
     measured.heading += memory.bias.heading;
     const auto displace = [&](double deviationX, double deviationY, Part part) {
         if (deviationX == 0 && deviationY == 0) return;
-        const NoisePair draw = normalPair(observer.key(channel, part));
+        const NoisePair draw = normalPair(view.key(channel, part));
         measured.x += deviationX * draw.first;
         measured.y += deviationY * draw.second;
     };
-    displace(sensor.noise.x, sensor.noise.y, positionNoise);
-    if (sensor.noise.heading != 0)
-        measured.heading += sensor.noise.heading * normalPair(observer.key(channel, headings)).first;
-    if (chance.second < sensor.jump) displace(sensor.jumpDistance, sensor.jumpDistance, jump);
+    displace(options_.noise.x, options_.noise.y, positionNoise);
+    if (options_.noise.heading != 0)
+        measured.heading += options_.noise.heading * normalPair(view.key(channel, headings)).first;
+    if (chance.second < options_.jump) displace(options_.jumpDistance, options_.jumpDistance, jump);
     memory.self = measured;
-    memory.selfMeasured = observer.timeBefore(lag);
+    memory.measured = view.timeBefore(lag);
     memory.localised = 1;
+}
+
+void SelfLocaliser::sense(const SensorView& view, std::span<std::byte> memory, Observation& out) const {
+    auto& own = as<Memory>(memory);
+    driftBias(view, own);
+    measure(view, own);
+    if (view.wants(0) && own.localised != 0) out.add(selfReading, own.measured, own.self);
+}
+
+SelfLocalisation readSelfLocalisation(TomlTable table) {
+    SelfLocalisation self;
+    self.noise = deviation(table.tableOrEmpty("noise"));
+    self.bias = deviation(table.tableOrEmpty("bias"));
+    self.biasTime = table.numberOr("bias_time_s", self.biasTime, {0.001, 1e6});
+    self.latency = durationOr(table, "latency_s", self.latency, latencies);
+    self.dropOut = table.numberOr("drop_out", self.dropOut, probability);
+    self.jump = table.numberOr("jump", self.jump, probability);
+    self.jumpDistance = table.numberOr("jump_distance_m", self.jumpDistance, metresOff);
+    table.rejectUnknown();
+    return self;
 }
 
 }  // namespace mrose

@@ -9,14 +9,14 @@ namespace {
 // Up to here a single cell is quicker than a grid.
 constexpr std::size_t bodiesOfOneCell = 24;
 
-void fill(BodyMap& map, const Scenario& scenario, const WorldState& state, std::int64_t lag) {
+void fill(BodyMap& map, const PastPoses& past, const WorldState& state, std::int64_t lag) {
     map.lag = lag;
     map.positions.clear();
     if (lag == 0) {
         for (const RobotState& robot : state.robots) map.positions.push_back(position(robot.pose));
         for (const ObjectState& object : state.objects) map.positions.push_back(position(object.pose));
     } else {
-        for (const Pose& pose : scenario.posesBefore(state, lag)) map.positions.push_back(position(pose));
+        for (const Pose& pose : past.posesBefore(state, lag)) map.positions.push_back(position(pose));
     }
     const bool few = map.positions.size() <= bodiesOfOneCell;
     map.grid.fill(map.positions, few ? std::numeric_limits<double>::infinity() : 0, 1);
@@ -24,12 +24,12 @@ void fill(BodyMap& map, const Scenario& scenario, const WorldState& state, std::
 
 }  // namespace
 
-const BodyMap& SensingBuffers::bodiesBefore(const Scenario& scenario, const WorldState& state, std::int64_t lag) {
+const BodyMap& SensingBuffers::bodiesBefore(const PastPoses& past, const WorldState& state, std::int64_t lag) {
     const auto end = maps_.begin() + static_cast<std::ptrdiff_t>(used_);
     const auto found = std::find_if(maps_.begin(), end, [&](const BodyMap& map) { return map.lag == lag; });
     if (found != end) return *found;
     if (used_ == maps_.size()) maps_.emplace_back();
-    fill(maps_[used_], scenario, state, lag);
+    fill(maps_[used_], past, state, lag);
     return maps_[used_++];
 }
 

@@ -4,9 +4,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "scenario/scenario.h"
+#include "control/observation.h"
 #include "scene/point_grid.h"
 #include "sensing/horizon.h"
+#include "world/past_poses.h"
 
 namespace mrose {
 
@@ -23,11 +24,13 @@ class SensingBuffers {
 public:
     void forget() { used_ = 0; }
     /// The same for all who perceive at this tick. Valid until asked for another lag.
-    const BodyMap& bodiesBefore(const Scenario& scenario, const WorldState& state, std::int64_t lag);
+    const BodyMap& bodiesBefore(const PastPoses& past, const WorldState& state, std::int64_t lag);
 
     // Of one robot's look round.
     Horizon horizon;
     PointGrid::Spreading spreading;
+    std::vector<SeenBody> seen;
+    std::vector<ReceivedMessage> received;
 
 private:
     std::vector<BodyMap> maps_;  ///< the first `used_` of them are of this state

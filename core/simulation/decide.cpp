@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sensing/observe.h"
+#include "simulation/observe.h"
 #include "simulation/step_stages.h"
 
 namespace mrose {
@@ -27,6 +27,8 @@ const char* objection(const Decision& decision, Nanoseconds now, std::size_t man
         if (!(kick.power >= 0 && kick.power <= 1)) return "its controller gave a kick whose power is not in 0 ... 1";
         if (kick.manipulator >= manipulators) return "its controller kicked with a manipulator that it does not have";
     }
+    for (const RadioMessage& message : decision.messages)
+        if (message.size > RadioMessage::most) return "its controller sent a message that is too large";
     return nullptr;
 }
 
@@ -53,6 +55,9 @@ void obey(const Scenario& scenario, WorldState& state, std::size_t robot, const 
     for (const Kick& kick : decision.kicks)
         state.kicks.push_back({now + manipulators[kick.manipulator].deadTime, static_cast<std::uint32_t>(robot),
                                kick.manipulator, kick.power});
+    for (const RadioMessage& message : decision.messages)
+        state.messages.push_back(
+            {state.tick, static_cast<std::uint32_t>(robot), message.to, message.kind, message.size, message.bytes});
 }
 
 const Decision* overriding(const Overrides& overrides, std::uint32_t robot) {
@@ -65,6 +70,7 @@ const Decision* overriding(const Overrides& overrides, std::uint32_t robot) {
 
 void decide(const Scenario& scenario, WorldState& state, StepBuffers::Content& buffers, const Overrides& overrides,
             StepTrace* trace) {
+    std::erase_if(state.messages, [&](const SentMessage& m) { return m.tick < state.tick - scenario.longestPeriod(); });
     buffers.due.clear();
     buffers.sensing.forget();
     for (std::uint32_t i = 0; i < state.robots.size(); ++i) {
@@ -74,8 +80,7 @@ void decide(const Scenario& scenario, WorldState& state, StepBuffers::Content& b
         buffers.due.push_back(i);
         const Decision* decision = overriding(overrides, i);
         if (decision == nullptr && overrides.askControllers) {
-            observe(scenario, state, i, as<SensorMemory>(scenario.sensorMemory(state, i)), buffers.sensing,
-                    buffers.observation);
+            observe(scenario, state, i, scenario.sensorMemory(state, i), buffers.sensing, buffers.observation);
             buffers.decision.clear();
             scenario.controller(i).decide(buffers.observation, scenario.memoryOf(state, i), buffers.decision);
             decision = &buffers.decision;
@@ -91,11 +96,9 @@ void decide(const Scenario& scenario, WorldState& state, StepBuffers::Content& b
 }
 
 void rememberPoses(const Scenario& scenario, WorldState& state) {
-    const std::int64_t depth = scenario.pastDepth();
-    if (depth == 0) return;
-    const std::size_t bodies = scenario.scene().bodyCount();
-    Pose* slot = state.past.data() + static_cast<std::size_t>(state.tick % depth) * bodies;
-    for (std::size_t body = 0; body < bodies; ++body) slot[body] = Scenario::poseOf(state, body);
+    if (scenario.pastDepth() == 0) return;
+    const std::span<Pose> now = scenario.past().posesOfNow(state);
+    for (std::size_t body = 0; body < now.size(); ++body) now[body] = poseOf(state, body);
 }
 
 }  // namespace mrose

@@ -17,6 +17,7 @@ enum class NoiseChannel : std::uint32_t {
     controller,
     trial,
     bearingBias,
+    sensor,  ///< the part: which sensor of the robot, and which draw
 };
 
 constexpr std::uint32_t channelOf(NoiseChannel kind, std::uint32_t part = 0) {

@@ -19,14 +19,15 @@ constexpr std::size_t storedSize() {
         return packedSize<T>();
 }
 
-/// All arrays of a state, in the order in which they are stored; the first version had no memory of motion models and
-/// sensors by itself.
+/// All arrays of a state, in the order in which they are stored; the first version had no messages, and no memory of
+/// motion models and sensors by itself.
 template <class State, class Visit>
 void eachArray(State& state, std::uint32_t of, Visit&& visit) {
     visit(state.robots);
     visit(state.objects);
     visit(state.contacts);
     visit(state.kicks);
+    if (of > 1) visit(state.messages);
     visit(state.goals);
     visit(state.commands);
     if (of > 1) visit(state.motion);
@@ -34,7 +35,7 @@ void eachArray(State& state, std::uint32_t of, Visit&& visit) {
     if (of > 1) visit(state.sensing);
     visit(state.past);
 }
-constexpr std::size_t arrayCount = 10;
+constexpr std::size_t arrayCount = 11;
 
 template <class Vector>
 using ElementOf = typename std::remove_cvref_t<Vector>::value_type;

@@ -97,6 +97,7 @@ std::optional<StateDifference> firstDifference(const WorldState& a, const WorldS
     compare.elements(Part::object, "objects", a.objects, b.objects);
     compare.elements(Part::contact, "contacts", a.contacts, b.contacts);
     compare.elements(Part::kick, "kicks", a.kicks, b.kicks);
+    compare.elements(Part::message, "messages", a.messages, b.messages);
     compare.elements(Part::goal, "goals", a.goals, b.goals);
     compare.elements(Part::command, "commands", a.commands, b.commands);
     compare.bytes(Part::motion, "bytes of motion models", a.motion, b.motion);
@@ -121,6 +122,7 @@ std::string StateDifference::message() const {
                                       "object ",
                                       "contact ",
                                       "kick ",
+                                      "message ",
                                       "goal ",
                                       "command ",
                                       "motion models' memory, byte ",

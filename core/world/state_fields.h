@@ -139,6 +139,19 @@ struct Fields<PendingKick> {
     }
 };
 
+template <>
+struct Fields<SentMessage> {
+    template <class Visit>
+    static constexpr void each(Visit&& visit) {
+        visit("tick", &SentMessage::tick);
+        visit("from", &SentMessage::from);
+        visit("to", &SentMessage::to);
+        visit("kind", &SentMessage::kind);
+        visit("size", &SentMessage::size);
+        visit("bytes", &SentMessage::bytes);
+    }
+};
+
 template <class T>
 struct IsArray : std::false_type {};
 template <class T, std::size_t n>
@@ -188,8 +201,8 @@ char* pack(const T& value, char* out) {
 template <class T>
 constexpr bool packed = std::is_trivially_copyable_v<T>&& packedSize<T>() == sizeof(T);
 
-static_assert(packed<ObjectState> && packed<ContactImpulse> && packed<PendingKick> && packed<StampedCommand> &&
-              packed<Pose> && packed<std::int32_t> && packed<MotionSegment>);
+static_assert(packed<ObjectState> && packed<ContactImpulse> && packed<PendingKick> && packed<SentMessage> &&
+              packed<StampedCommand> && packed<Pose> && packed<std::int32_t> && packed<MotionSegment>);
 // This one has padding: 3 bytes after `pushed`.
 static_assert(packedSize<RobotState>() + 3 == sizeof(RobotState));
 

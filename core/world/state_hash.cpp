@@ -48,6 +48,7 @@ StateHash hashOf(const WorldState& state) {
                                    state.objects.size(),
                                    state.contacts.size(),
                                    state.kicks.size(),
+                                   state.messages.size(),
                                    state.goals.size(),
                                    state.commands.size(),
                                    state.motion.size(),
@@ -55,6 +56,7 @@ StateHash hashOf(const WorldState& state) {
                                    hashOfAll(state.objects),
                                    hashOfAll(state.contacts),
                                    hashOfAll(state.kicks),
+                                   hashOfAll(state.messages),
                                    hashOfAll(state.goals),
                                    hashOfAll(state.commands),
                                    hashOfAll(state.motion)};

@@ -63,6 +63,14 @@ struct PendingKick {
     double power = 0;  ///< 0 ... 1
 };
 
+/// What one robot told another, or all (noBody), and who is yet to receive it.
+struct SentMessage {
+    std::int64_t tick = 0;  ///< when
+    std::uint32_t from = 0, to = noBody;
+    std::uint32_t kind = 0, size = 0;
+    std::array<std::byte, 64> bytes{};
+};
+
 /// Everything that advances in time. A tick is a function of it and of the scenario, which is constant: whoever keeps
 /// a copy can go back to it, to the last bit.
 struct WorldState {
@@ -72,6 +80,7 @@ struct WorldState {
     std::vector<ObjectState> objects;      ///< the ball first, where there is one
     std::vector<ContactImpulse> contacts;  ///< of the last tick, in the order of their keys
     std::vector<PendingKick> kicks;        ///< in the order in which they were commanded
+    std::vector<SentMessage> messages;     ///< of the last control periods, in the order in which they were sent
     std::vector<std::int32_t> goals;       ///< balls so far in each of the environment's goals
     std::vector<StampedCommand> commands;  ///< of all robots; Scenario::layout says whose are where
     std::vector<std::byte> motion;         ///< memory of all motion models, likewise

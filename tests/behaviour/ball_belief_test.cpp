@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "behaviour/small_field.h"
+#include "support/observation_parts.h"
 
 namespace mrose {
 namespace {
@@ -15,7 +16,7 @@ public:
     explicit Watcher(const Pose& pose) : pose_(pose) {}
 
     const BallBelief& see(std::optional<Point> ball, const Point& error = {}) {
-        Observation observation;
+        ObservationParts observation;
         observation.time = observation.selfMeasured = instant_++ * 100'000'000LL;
         observation.localised = true;
         observation.self = pose_;
@@ -55,7 +56,7 @@ TEST(BallBelief, PlacesLateSightingsByThePoseOfThen) {
     OwnBelief self{};
     BallBelief belief{};
     for (int i = 0; i < 15; ++i) {
-        Observation observation;
+        ObservationParts observation;
         observation.time = observation.selfMeasured = i * 100'000'000LL;
         observation.localised = true;
         observation.self = {0, 0, 0.1 * i * w};

@@ -4,6 +4,7 @@
 
 #include "behaviour/progress.h"
 #include "behaviour/small_field.h"
+#include "support/observation_parts.h"
 
 namespace mrose {
 namespace {
@@ -183,7 +184,7 @@ public:
     explicit Aiming(double speed) : controller_({.target = {1000, 0}, .speed = speed, .rotation = speed}) {}
 
     Point at(const Point& ball) {
-        Observation observation;
+        ObservationParts observation;
         observation.time = observation.selfMeasured = instant_++ * 100'000'000LL;
         observation.localised = true;
         observation.objects = {{0, ball, observation.time}};

@@ -6,6 +6,7 @@
 #include "logs/log_reader.h"
 #include "motion/learned_model.h"
 #include "simulation/small_world.h"
+#include "support/observation_parts.h"
 #include "support/places.h"
 #include "support/test_data.h"
 #include "support/units.h"
@@ -16,7 +17,7 @@ namespace {
 
 std::vector<StampedCommand> decided(const CommandPlayer& player, std::span<std::byte> memory, Nanoseconds now) {
     Decision decision;
-    Observation observation;
+    ObservationParts observation;
     observation.time = now;
     player.decide(observation, memory, decision);
     EXPECT_FALSE(decision.command);

@@ -10,6 +10,7 @@
 #include "behaviour/go_to_pose.h"
 #include "behaviour/small_field.h"
 #include "behaviour/wander.h"
+#include "support/observation_parts.h"
 
 namespace mrose {
 namespace {
@@ -66,7 +67,7 @@ TEST(MemoryEntries, EveryBuiltInControllerExplainsItsEmptyMemory) {
         ASSERT_LE(controller->memorySize(), sizeof memory);
         EXPECT_FALSE(byName(controller->explain({memory, controller->memorySize()})).empty());
     }
-    Observation observation;
+    ObservationParts observation;
     Decision decision;
     alignas(8) std::byte memory[8]{};
     player.decide(observation, memory, decision);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "behaviour/small_field.h"
+#include "support/observation_parts.h"
 #include "support/units.h"
 
 namespace mrose {
@@ -15,7 +16,7 @@ void expectNear(const Pose& a, const Pose& b, double tolerance) {
 }
 
 void observeAt(MotionMemory& memory, Nanoseconds time, const Velocity& velocity) {
-    Observation observation;
+    ObservationParts observation;
     observation.time = time;
     observation.velocity = velocity;
     memory.observe(observation);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "behaviour/small_field.h"
+#include "support/observation_parts.h"
 
 namespace mrose {
 namespace {
@@ -46,7 +47,7 @@ Errors errorsWith(const Perception& perception) {
         ++count;
         errors.believed += off;
         errors.worst = std::max(errors.worst, off);
-        errors.measured += distance(position(trace.robots[0].observation.self), position(truth));
+        errors.measured += distance(position(trace.robots[0].observation.self()), position(truth));
     }
     errors.believed /= count;
     errors.measured /= count;
@@ -76,7 +77,7 @@ TEST(OwnBelief, RefusesJumpsOfSingleMeasurements) {
 TEST(OwnBelief, BelievesWhatItMeasuresAgainAndAgain) {
     MotionMemory motion{};
     OwnBelief self{};
-    Observation observation;
+    ObservationParts observation;
     observation.localised = true;
     for (int i = 0; i < 20; ++i) {
         observation.time = observation.selfMeasured = i * 100'000'000LL;
@@ -91,7 +92,7 @@ TEST(OwnBelief, BelievesWhatItMeasuresAgainAndAgain) {
 TEST(OwnBelief, KnowsNothingBeforeTheFirstMeasurement) {
     MotionMemory motion{};
     OwnBelief self{};
-    Observation observation;
+    ObservationParts observation;
     observation.velocity = {1, 1};
     for (int i = 0; i < 5; ++i) {
         observation.time = i * 100'000'000LL;

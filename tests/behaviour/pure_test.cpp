@@ -8,7 +8,7 @@
 #include "behaviour/go_to_pose.h"
 #include "behaviour/small_field.h"
 #include "behaviour/wander.h"
-#include "sensing/observe.h"
+#include "simulation/observe.h"
 #include "world/state_bytes.h"
 
 namespace mrose {
@@ -76,7 +76,7 @@ TEST(Pure, MemoryHoldsNothingButWhatIsTold) {
         second = first;
         Observation observation;
         SensingBuffers sensing;
-        observe(scenario, state, i, as<SensorMemory>(scenario.sensorMemory(state, i)), sensing, observation);
+        observe(scenario, state, i, scenario.sensorMemory(state, i), sensing, observation);
         Decision decision, again;
         scenario.controller(i).decide(observation, first, decision);
         // What lies on the stack must not matter.

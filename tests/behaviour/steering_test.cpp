@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "behaviour/small_field.h"
+#include "support/observation_parts.h"
 
 namespace mrose {
 namespace {
@@ -72,18 +73,18 @@ SeenBody bodyAt(double x, double y) { return {0, {x, y}, 0}; }
 
 TEST(Steering, GivesWayToTheNearestBodyAhead) {
     const MotionMemory still{};
-    EXPECT_EQ(evade({bodyAt(-0.5, 0), bodyAt(0.6, 0.8), bodyAt(1.8, 0)}, still, 0.3).turn, 0);
-    EXPECT_LT(evade({bodyAt(0.9, 0.2), bodyAt(1.2, -0.2)}, still, 0.3).turn, 0);
-    EXPECT_GT(evade({bodyAt(1.2, 0.2), bodyAt(0.9, -0.2)}, still, 0.3).turn, 0);
-    EXPECT_LT(evade({bodyAt(0.9, 0)}, still, 0.3).turn, 0);
-    EXPECT_LT(evade({bodyAt(0.6, 0)}, still, 0.3).share, 0.5);
-    EXPECT_EQ(evade({bodyAt(0.6, 0)}, still, 0.3, 0.5).share, 1);
+    EXPECT_EQ(evade(std::vector<SeenBody>{bodyAt(-0.5, 0), bodyAt(0.6, 0.8), bodyAt(1.8, 0)}, still, 0.3).turn, 0);
+    EXPECT_LT(evade(std::vector<SeenBody>{bodyAt(0.9, 0.2), bodyAt(1.2, -0.2)}, still, 0.3).turn, 0);
+    EXPECT_GT(evade(std::vector<SeenBody>{bodyAt(1.2, 0.2), bodyAt(0.9, -0.2)}, still, 0.3).turn, 0);
+    EXPECT_LT(evade(std::vector<SeenBody>{bodyAt(0.9, 0)}, still, 0.3).turn, 0);
+    EXPECT_LT(evade(std::vector<SeenBody>{bodyAt(0.6, 0)}, still, 0.3).share, 0.5);
+    EXPECT_EQ(evade(std::vector<SeenBody>{bodyAt(0.6, 0)}, still, 0.3, 0.5).share, 1);
 }
 
 TEST(Steering, TurnsAsFarAsItTakesToPass) {
     for (const double y : {-0.5, -0.3, 0.0, 0.4}) {
         const Point body{1.1, y};
-        const double turn = evade({bodyAt(body.x, body.y)}, MotionMemory{}, 0).turn;
+        const double turn = evade(std::vector<SeenBody>{bodyAt(body.x, body.y)}, MotionMemory{}, 0).turn;
         const Point after = Placement({0, 0, turn}).rotateBack(body);
         EXPECT_NEAR(std::abs(after.y), 0.65, 1e-12);
         EXPECT_GT(after.x, 0);
@@ -91,7 +92,7 @@ TEST(Steering, TurnsAsFarAsItTakesToPass) {
 }
 
 TEST(Steering, TurnsFartherIfItIntendsTo) {
-    const Evasion evasion = evade({bodyAt(1.1, 0.3)}, MotionMemory{}, 0);
+    const Evasion evasion = evade(std::vector<SeenBody>{bodyAt(1.1, 0.3)}, MotionMemory{}, 0);
     ASSERT_LT(evasion.turn, 0);
     const DriveLimits quick{0.4, 10};
     EXPECT_EQ(evading({0.4, -5}, evasion, quick).w, -5);
@@ -106,15 +107,15 @@ TEST(Steering, TurnsFartherIfItIntendsTo) {
 TEST(Steering, TakesItsOwnMotionSinceTheSightingIntoAccount) {
     MotionMemory motion{};
     for (int i = 0; i < 4; ++i) {
-        Observation observation;
+        ObservationParts observation;
         observation.time = i * 100'000'000LL;
         observation.velocity = {0.5, 0};
         motion.observe(observation);
         motion.issue({0.5, 0});
     }
     const SeenBody seen{0, {1.4, 0.1}, 100'000'000};
-    EXPECT_NEAR(evade({seen}, motion, 0.3).turn, evade({bodyAt(1.4 - 0.5 * (0.2 + 0.3), 0.1)}, MotionMemory{}, 0).turn,
-                1e-12);
+    EXPECT_NEAR(evade(std::vector<SeenBody>{seen}, motion, 0.3).turn,
+                evade(std::vector<SeenBody>{bodyAt(1.4 - 0.5 * (0.2 + 0.3), 0.1)}, MotionMemory{}, 0).turn, 1e-12);
 }
 
 TEST(Steering, ClearHeadingIsTheNearestFreeOneOnTheRightFirst) {

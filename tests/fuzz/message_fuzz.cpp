@@ -6,7 +6,8 @@
 #include <string_view>
 
 #include "fuzz/require.h"
-#include "plugin/controller_messages.h"
+#include "messages/decision_bytes.h"
+#include "messages/observation_bytes.h"
 
 namespace mrose {
 namespace {
@@ -15,7 +16,8 @@ void requireDecision(std::string_view bytes) {
     ByteReader reader(bytes);
     Decision decision;
     const bool sound = readDecision(reader, decision);
-    require(decision.annotations.capacity() + decision.earlier.capacity() + decision.kicks.capacity() <=
+    require(decision.annotations.capacity() + decision.earlier.capacity() + decision.kicks.capacity() +
+                decision.messages.capacity() <=
             bytes.size() + 8);
     if (!sound) return;
     std::string again;
@@ -25,9 +27,12 @@ void requireDecision(std::string_view bytes) {
 
 void requireObservation(std::string_view bytes) {
     ByteReader reader(bytes);
+    RecordTypes types;
     Observation observation;
-    const bool sound = readObservation(reader, observation);
-    require(observation.robots.capacity() + observation.objects.capacity() <= bytes.size() + 8);
+    const bool sound = readObservation(reader, types, observation);
+    std::size_t records = 0;
+    for (const Reading& reading : observation.readings()) records += reading.count;
+    require(records + observation.readings().size() <= bytes.size() + 8);
     if (!sound) return;
     std::string again;
     appendObservation(observation, again);

@@ -14,10 +14,10 @@
 #include "io/compression.h"
 #include "recording/block_bytes.h"
 #include "recording/branch_scenario.h"
-#include "recording/decision_bytes.h"
 #include "recording/mcap_format.h"
 #include "recording/playback.h"
 #include "recording/recording.h"
+#include "recording/tick_decisions.h"
 #include "scenario/saved_state.h"
 #include "world/state_bytes.h"
 

@@ -7,6 +7,7 @@
 
 #include "plugin/load_plugin.h"
 #include "plugin/test_plugins.h"
+#include "support/observation_parts.h"
 #include "world/state_difference.h"
 
 namespace mrose {
@@ -163,7 +164,7 @@ TEST_F(Isolation, LongObservationsGoThrough) {
     const auto controller = isolated("well_behaved", "");
     std::vector<std::byte> memory(controller->memorySize());
     controller->start(memory);
-    Observation observation;
+    ObservationParts observation;
     observation.robots.resize(100'000, {1, {0.5, 0}, 0});
     Decision decision;
     controller->decide(observation, memory, decision);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "plugin/test_plugins.h"
+#include "support/observation_parts.h"
 #include "support/temporary_folder.h"
 #include "world/command_history.h"
 
@@ -35,10 +36,10 @@ TEST(PluginLoading, ControllerDecidesAndRemembers) {
     const Controller& controller = **loaded;
     EXPECT_EQ((*loaded)->path(), testPlugin("well_behaved"));
     EXPECT_EQ(controller.commandsPerPeriod(100'000'000), 2u);
-    EXPECT_EQ(controller.attention(), (Attention{.robots = true, .objects = false}));
+    EXPECT_EQ(controller.attention(), Attention::only({"self", "odometry", "robots"}));
     std::vector<std::byte> memory(controller.memorySize());
     controller.start(memory);
-    Observation observation;
+    ObservationParts observation;
     observation.velocity.w = 0.25;
     observation.manipulators = 1;
     for (int i = 1; i <= 5; ++i) {

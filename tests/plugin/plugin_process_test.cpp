@@ -13,9 +13,13 @@
 
 #include "io/bytes.h"
 #include "io/file.h"
-#include "plugin/controller_messages.h"
+#include "messages/decision_bytes.h"
+#include "messages/observation_bytes.h"
+#include "messages/text_bytes.h"
 #include "plugin/load_plugin.h"
+#include "plugin/plugin_message.h"
 #include "plugin/test_plugins.h"
+#include "support/observation_parts.h"
 #include "support/places.h"
 #include "support/run_program.h"
 #include "support/temporary_folder.h"
@@ -124,7 +128,7 @@ TEST(PluginProcesses, OtherMemoryThanBeforeIsAFault) {
     const auto controller = apart("misbehaving", how("exit"));
     EXPECT_NE(Asked(*controller).decide(*controller).fault.find("ended with status 0"), std::string::npos);
     ::setenv("MROSE_TEST_MORE_MEMORY", "1", 1);
-    Observation another;  // at the same one it fails as before
+    ObservationParts another;  // at the same one it fails as before
     another.robots = {{0, {1, 0}, 0}};
     EXPECT_EQ(Asked(*controller).decide(*controller, another).fault,
               "its plug-in " + testPlugin("misbehaving") + " has another memory than before");
@@ -145,7 +149,7 @@ TEST(PluginProcesses, ManyThreadsMayAsk) {
     for (std::size_t t = 0; t < wrong.size(); ++t)
         threads.emplace_back([&, t] {
             Asked asked(*controller);
-            Observation observation;
+            ObservationParts observation;
             observation.robots = {{0, {static_cast<double>(t), 0}, 0}};
             for (int i = 1; i <= 500; ++i) {
                 const Decision& decision = asked.decide(*controller, observation);

@@ -81,7 +81,7 @@ void Rover::decide(const Observation& observation, std::span<std::byte> memory, 
     if (asked_ != nullptr) ++*asked_;
     const NoisePair u = uniformPair({5, own.decisions, observation.robot, 0});
     double turn = 0.5 * own.lastTurn + 3 * (2 * u.second - 1);
-    for (const SeenBody& seen : observation.objects)
+    for (const SeenBody& seen : observation.objects())
         if (seen.index == 0 && length(seen.position_B) < 2.5 && own.decisions % 8 != 0)
             turn = 3 * std::clamp(seen.position_B.y, -1.0, 1.0);
     own.lastTurn = turn;

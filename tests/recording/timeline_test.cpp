@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "recording/decision_bytes.h"
 #include "recording/history.h"
 #include "recording/match.h"
 #include "recording/playback.h"
+#include "recording/tick_decisions.h"
 #include "world/state_difference.h"
 
 namespace mrose {

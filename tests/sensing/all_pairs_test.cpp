@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "motion/portable_math.h"
+#include "sensing/body_sight.h"
 #include "sensing/line_of_sight.h"
 #include "sensing/perceiving.h"
 
@@ -33,7 +34,7 @@ private:
     std::int64_t count_ = 0;
 };
 
-struct Sensor {
+struct Eye {
     const BodySight& sight;
     std::size_t first, count;
     NoiseChannel channel;
@@ -55,7 +56,7 @@ bool isHidden(const Scenario& scenario, const WorldState& state, std::int64_t la
 }
 
 std::vector<SeenBody> allPairs(const Scenario& scenario, const WorldState& state, std::uint32_t robot,
-                               const Sensor& sensor, double bias) {
+                               const Eye& sensor, double bias) {
     const BodySight& sight = sensor.sight;
     const std::int64_t lag = scenario.scene().ticksOf(sight.latency);
     const Placement frame(scenario.poseBefore(state, robot, lag));
@@ -96,7 +97,7 @@ struct Counts {
     int seen = 0, robots = 0;
 };
 
-void expectSame(const std::vector<SeenBody>& seen, const std::vector<SeenBody>& expected, Counts& counts) {
+void expectSame(std::span<const SeenBody> seen, const std::vector<SeenBody>& expected, Counts& counts) {
     EXPECT_TRUE(std::equal(seen.begin(), seen.end(), expected.begin(), expected.end(), sameBits))
         << seen.size() << " are seen, and not " << expected.size();
     counts.seen += static_cast<int>(expected.size());
@@ -110,14 +111,12 @@ Counts expectAllPairs(const Scenario& scenario, WorldState state, SensingBuffers
     const std::size_t robots = state.robots.size();
     for (std::uint32_t i = 0; i < robots; ++i) {
         SCOPED_TRACE(i);
-        SensorMemory& memory = as<SensorMemory>(scenario.sensorMemory(state, i));
-        observe(scenario, state, i, memory, buffers, now);
+        observe(scenario, state, i, scenario.sensorMemory(state, i), buffers, now);
+        const double bias = as<BodySensor::Memory>(scenario.sensorMemory(state, i, 1)).bearingBias;
         const Perception& perception = scenario.scene().typeOf(i).perception;
-        const auto expected = [&](const Sensor& sensor) {
-            return allPairs(scenario, state, i, sensor, memory.bearingBias);
-        };
-        expectSame(now.robots, expected({perception.robots, 0, robots, NoiseChannel::sightOfRobots}), counts);
-        expectSame(now.objects,
+        const auto expected = [&](const Eye& sensor) { return allPairs(scenario, state, i, sensor, bias); };
+        expectSame(now.robots(), expected({perception.robots, 0, robots, NoiseChannel::sightOfRobots}), counts);
+        expectSame(now.objects(),
                    expected({perception.objects, robots, state.objects.size(), NoiseChannel::sightOfObjects}), counts);
         ++counts.robots;
     }

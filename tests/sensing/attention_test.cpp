@@ -2,6 +2,7 @@
 #include <bit>
 
 #include "behaviour/command_player.h"
+#include "sensing/body_sight.h"
 #include "sensing/perceiving.h"
 #include "world/state_hash.h"
 
@@ -13,7 +14,7 @@ public:
     explicit Heedless(const Attention& attention) : attention_(attention) {}
     Attention attention() const override { return attention_; }
     void decide(const Observation& observation, std::span<std::byte>, Decision& decision) const override {
-        decision.command = Command{0.2, observation.self.heading > 0 ? -0.5 : 0.5};
+        decision.command = Command{0.2, observation.self().heading > 0 ? -0.5 : 0.5};
     }
 
 private:
@@ -39,23 +40,33 @@ Scenario heeding(const Attention& attention) { return twoRobotsAndABall(std::mak
 TEST(Attention, WhatIsNotReadIsNotSeen) {
     for (const bool robots : {false, true})
         for (const bool objects : {false, true}) {
-            const Scenario scenario = heeding({robots, objects}), all = heeding({});
+            Attention attention = Attention::ofItself();
+            if (robots) attention.names.emplace_back(robotsReading);
+            if (objects) attention.names.emplace_back(objectsReading);
+            const Scenario scenario = heeding(attention), all = heeding({});
             Watch watch(scenario, 3), attentive(all, 3);
             bool sawRobots = false, sawObjects = false;
             for (int i = 0; i < 20; ++i) {
-                Observation expected = attentive.next();
-                sawRobots = sawRobots || !expected.robots.empty();
-                sawObjects = sawObjects || !expected.objects.empty();
-                if (!robots) expected.robots.clear();
-                if (!objects) expected.objects.clear();
-                EXPECT_EQ(watch.next(), expected) << i;
+                const Observation& expected = attentive.next();
+                const Observation& seen = watch.next();
+                sawRobots = sawRobots || !expected.robots().empty();
+                sawObjects = sawObjects || !expected.objects().empty();
+                for (const Reading& reading : expected.readings())
+                    EXPECT_EQ(seen.find(reading.name) != nullptr, attention.reads(reading.name));
+                EXPECT_EQ(seen.self(), expected.self());
+                if (robots) {
+                    EXPECT_TRUE(std::ranges::equal(seen.robots(), expected.robots())) << i;
+                }
+                if (objects) {
+                    EXPECT_TRUE(std::ranges::equal(seen.objects(), expected.objects())) << i;
+                }
             }
             EXPECT_TRUE(sawRobots && sawObjects);
         }
 }
 
 TEST(Attention, StateDoesNotDependOnIt) {
-    const Scenario attentive = heeding({}), heedless = heeding({.robots = false, .objects = false});
+    const Scenario attentive = heeding({}), heedless = heeding(Attention::ofItself());
     WorldState one = attentive.initialState(5), other = heedless.initialState(5);
     StepBuffers buffers;
     for (int i = 0; i < 300; ++i) {
@@ -63,12 +74,12 @@ TEST(Attention, StateDoesNotDependOnIt) {
         step(heedless, other, buffers);
         ASSERT_EQ(hashOf(one), hashOf(other)) << i;
     }
-    EXPECT_NE(as<SensorMemory>(attentive.sensorMemory(one, 0)).bearingBias, 0);
+    EXPECT_NE(as<BodySensor::Memory>(attentive.sensorMemory(one, 0, 1)).bearingBias, 0);
 }
 
 /// Who takes over in a branch perceives as if it had been there from the start.
 TEST(Attention, ControllerThatLooksMayTakeOverAtAnyTime) {
-    const Scenario attentive = heeding({}), heedless = heeding({.robots = false, .objects = false});
+    const Scenario attentive = heeding({}), heedless = heeding(Attention::ofItself());
     StepBuffers buffers;
     WorldState all = attentive.initialState(6), branch = heedless.initialState(6);
     for (int i = 0; i < 100; ++i) {
@@ -83,14 +94,14 @@ TEST(Attention, ControllerThatLooksMayTakeOverAtAnyTime) {
         for (std::size_t robot = 0; robot < 2; ++robot) {
             if (!expected.robots[robot].observed) continue;
             EXPECT_EQ(trace.robots[robot].observation, expected.robots[robot].observation) << i;
-            seen += static_cast<int>(expected.robots[robot].observation.objects.size());
+            seen += static_cast<int>(expected.robots[robot].observation.objects().size());
         }
     }
     EXPECT_GT(seen, 0);
 }
 
 TEST(Attention, PlayersOfCommandsReadNothingOfOthers) {
-    EXPECT_EQ(CommandPlayer({}).attention(), (Attention{.robots = false, .objects = false}));
+    EXPECT_EQ(CommandPlayer({}).attention(), Attention::ofItself());
 }
 
 }  // namespace

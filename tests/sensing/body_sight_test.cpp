@@ -17,7 +17,7 @@ Scenario ballsAround(const BodySight& sight, const std::vector<std::pair<double,
     return world.scenario();
 }
 
-std::vector<std::uint32_t> indices(const std::vector<SeenBody>& bodies) {
+std::vector<std::uint32_t> indices(std::span<const SeenBody> bodies) {
     std::vector<std::uint32_t> result;
     for (const SeenBody& body : bodies) result.push_back(body.index);
     return result;
@@ -30,7 +30,7 @@ TEST(BodySight, RangeNoiseGrowsWithRangeAndBearingNoiseDoesNot) {
         Watch watch(scenario, 21);
         StandardNormals ranges, bearings, rangeAndBearing, bothBearings;
         for (int i = 0; i < 20000; ++i) {
-            const std::vector<SeenBody>& seen = watch.next().objects;
+            const std::span<const SeenBody> seen = watch.next().objects();
             ASSERT_EQ(seen.size(), 2u);
             const auto bearingOf = [](const Point& p) { return std::atan2(p.y, p.x); };
             const double zr = (length(seen[0].position_B) / range - 1) / (0.03 + 0.02 * range);
@@ -63,7 +63,7 @@ TEST(BodySight, BearingBiasDriftsAndIsCommonToAllBodies) {
     double last = 0;
     for (int i = 0; i < 20000; ++i) {
         const Observation& now = watch.next();
-        const Point ball = now.objects[0].position_B, robot = now.robots[0].position_B;
+        const Point ball = now.objects()[0].position_B, robot = now.robots()[0].position_B;
         const double bias = std::atan2(-ball.x, ball.y) / 0.04;
         EXPECT_NEAR(std::atan2(robot.y, robot.x) / 0.02, bias, 1e-9);
         EXPECT_NEAR(length(ball), 2, 1e-12);
@@ -78,15 +78,15 @@ TEST(BodySight, FieldOfViewEndsAtItsEdge) {
         const double edge = view / 2, little = 1e-9;
         const Scenario scenario = ballsAround(
             {.fieldOfView = view}, {{3, edge - little}, {3, edge + little}, {3, -edge + little}, {3, -edge - little}});
-        EXPECT_EQ(indices(Watch(scenario, 1).next().objects), (std::vector<std::uint32_t>{0, 2})) << view;
+        EXPECT_EQ(indices(Watch(scenario, 1).next().objects()), (std::vector<std::uint32_t>{0, 2})) << view;
     }
     const Scenario allRound = ballsAround({}, {{3, pi}, {3, 0}, {3, -2}});
-    EXPECT_EQ(Watch(allRound, 1).next().objects.size(), 3u);
+    EXPECT_EQ(Watch(allRound, 1).next().objects().size(), 3u);
 }
 
 TEST(BodySight, RangeEndsAtItsEdge) {
     const Scenario scenario = ballsAround({.range = 2}, {{2 - 1e-9, 1}, {2 + 1e-9, 1}, {1e6, 1}});
-    EXPECT_EQ(indices(Watch(scenario, 1).next().objects), std::vector<std::uint32_t>{0});
+    EXPECT_EQ(indices(Watch(scenario, 1).next().objects()), std::vector<std::uint32_t>{0});
 }
 
 TEST(BodySight, DropsOutByItsRateBodyByBody) {
@@ -96,7 +96,7 @@ TEST(BodySight, DropsOutByItsRateBodyByBody) {
     const int n = 20000;
     for (int i = 0; i < n; ++i) {
         bool seen[2] = {};
-        for (const SeenBody& body : watch.next().objects) seen[body.index] = true;
+        for (const SeenBody& body : watch.next().objects()) seen[body.index] = true;
         first += seen[0] ? 0 : 1;
         second += seen[1] ? 0 : 1;
         both += seen[0] || seen[1] ? 0 : 1;
@@ -130,19 +130,19 @@ TEST(BodySight, SeesWhatWasThereInTheObserversFrameOfThen) {
             const WorldState& then = past[static_cast<std::size_t>(tick - lag)];
             return position(relative(then.robots[0].pose, Scenario::poseOf(then, body)));
         };
-        ASSERT_EQ(now.robots.size(), 1u);
-        ASSERT_EQ(now.objects.size(), 1u);
-        EXPECT_LT(distance(now.robots[0].position_B, inFrame(3, 1)), 1e-12) << tick;
-        EXPECT_LT(distance(now.objects[0].position_B, inFrame(8, 2)), 1e-12) << tick;
-        EXPECT_EQ(now.robots[0].measured, (tick - 3) * 20 * ms);
-        EXPECT_EQ(now.objects[0].measured, (tick - 8) * 20 * ms);
-        EXPECT_GT(distance(now.objects[0].position_B, inFrame(7, 2)), 1e-4);
+        ASSERT_EQ(now.robots().size(), 1u);
+        ASSERT_EQ(now.objects().size(), 1u);
+        EXPECT_LT(distance(now.robots()[0].position_B, inFrame(3, 1)), 1e-12) << tick;
+        EXPECT_LT(distance(now.objects()[0].position_B, inFrame(8, 2)), 1e-12) << tick;
+        EXPECT_EQ(now.robots()[0].measured, (tick - 3) * 20 * ms);
+        EXPECT_EQ(now.objects()[0].measured, (tick - 8) * 20 * ms);
+        EXPECT_GT(distance(now.objects()[0].position_B, inFrame(7, 2)), 1e-4);
     }
 }
 
 TEST(BodySight, BlindRobotSeesNothing) {
     const Scenario scenario = ballsAround({.present = false}, {{2, 0}});
-    EXPECT_TRUE(Watch(scenario, 1).next().objects.empty());
+    EXPECT_TRUE(Watch(scenario, 1).next().objects().empty());
 }
 
 }  // namespace

@@ -113,8 +113,8 @@ TEST(LineOfSight, HidesWhatSamplesAlongTheLineMeetInACrowd) {
         Watch watch(scenario, 1, robot);
         const Observation& now = watch.next();
         std::set<std::size_t> seen;
-        for (const SeenBody& body : now.robots) seen.insert(body.index);
-        for (const SeenBody& body : now.objects) seen.insert(robots + body.index);
+        for (const SeenBody& body : now.robots()) seen.insert(body.index);
+        for (const SeenBody& body : now.objects()) seen.insert(robots + body.index);
         for (std::size_t body = 0; body < scenario.scene().bodyCount(); ++body) {
             if (body == robot) continue;
             const bool sampled = hiddenBySamples(scenario, watch.state(), robot, body);
@@ -140,11 +140,11 @@ TEST(LineOfSight, HidesByWhereBodiesWereThen) {
     Observation now;
     state.robots[1].pose.y = 1;  // it has just moved out of the way
     perceive(scenario, state, 0, now);
-    EXPECT_TRUE(now.objects.empty());
+    EXPECT_TRUE(now.objects().empty());
     run(scenario, state, 5);
     state.robots[1].pose.y = 0;  // and back
     perceive(scenario, state, 0, now);
-    EXPECT_EQ(now.objects.size(), 1u);
+    EXPECT_EQ(now.objects().size(), 1u);
 }
 
 TEST(LineOfSight, WithoutOcclusionItSeesThroughEverything) {
@@ -153,7 +153,7 @@ TEST(LineOfSight, WithoutOcclusionItSeesThroughEverything) {
                                   .robot(discRobot(), {3, 2, 0}, still(), ideal())
                                   .object(ballType(), {6, 2, 0})
                                   .scenario();
-    EXPECT_EQ(Watch(scenario, 1).next().objects.size(), 1u);
+    EXPECT_EQ(Watch(scenario, 1).next().objects().size(), 1u);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sensing/observe.h"
+#include "simulation/observe.h"
 #include "simulation/small_world.h"
 
 namespace mrose {
@@ -52,7 +52,7 @@ inline std::shared_ptr<const Controller> still() { return std::make_shared<const
 /// What a robot perceives now, alone.
 inline void perceive(const Scenario& scenario, WorldState& state, std::size_t robot, Observation& out) {
     SensingBuffers buffers;
-    observe(scenario, state, robot, as<SensorMemory>(scenario.sensorMemory(state, robot)), buffers, out);
+    observe(scenario, state, robot, scenario.sensorMemory(state, robot), buffers, out);
 }
 
 /// Asks the sensors of standing robots, control period by control period.

@@ -24,7 +24,7 @@ TEST(SelfLocalisation, WhiteNoiseHasTheStatedDeviations) {
     StandardNormals x, y, heading, xy, xHeading, successive;
     double last = 0;
     for (int i = 0; i < 20000; ++i) {
-        const Pose self = watch.next().self;
+        const Pose self = watch.next().self();
         const double zx = (self.x - startPose.x) / deviation.x, zy = (self.y - startPose.y) / deviation.y;
         const double zh = (self.heading - startPose.heading) / deviation.heading;
         x.add(zx);
@@ -52,10 +52,10 @@ TEST(SelfLocalisation, BiasIsAutoregressiveWithItsCorrelationTime) {
     Watch watch(scenario, 12);
     const double kept = std::exp(-period / 1.5), added = std::sqrt(1 - kept * kept);
     StandardNormals x, y, heading, successive;
-    Pose last = watch.next().self;
+    Pose last = watch.next().self();
     double lastInnovation = 0;
     for (int i = 0; i < 100000; ++i) {
-        const Pose now = watch.next().self;
+        const Pose now = watch.next().self();
         const auto innovation = [&](double before, double after, double truth, double deviation) {
             return ((after - truth) - kept * (before - truth)) / (added * deviation);
         };
@@ -79,9 +79,9 @@ TEST(SelfLocalisation, BiasIsStationaryFromTheFirstMeasurementOn) {
     StandardNormals first, third;
     for (std::uint64_t seed = 0; seed < 5000; ++seed) {
         Watch watch(scenario, seed);
-        first.add((watch.next().self.x - startPose.x) / self.bias.x);
+        first.add((watch.next().self().x - startPose.x) / self.bias.x);
         watch.next();
-        third.add((watch.next().self.heading - startPose.heading) / self.bias.heading);
+        third.add((watch.next().self().heading - startPose.heading) / self.bias.heading);
     }
     first.expectStandard("first");
     third.expectStandard("third");
@@ -91,7 +91,7 @@ TEST(SelfLocalisation, NoiseAndBiasAreIndependent) {
     const Scenario scenario = scenarioOf({.noise = {0.03, 0.03, 0.03}, .bias = {0.04, 0.04, 0.04}});
     StandardNormals x, y, heading;
     for (std::uint64_t seed = 0; seed < 5000; ++seed) {
-        const Pose self = Watch(scenario, seed).next().self;
+        const Pose self = Watch(scenario, seed).next().self();
         x.add((self.x - startPose.x) / 0.05);
         y.add((self.y - startPose.y) / 0.05);
         heading.add((self.heading - startPose.heading) / 0.05);
@@ -120,10 +120,10 @@ TEST(SelfLocalisation, MeasurementIsOldByTheLatencyToTheTick) {
         if (!trace.robots[0].observed) continue;
         ++observed;
         const Observation& seen = trace.robots[0].observation;
-        EXPECT_EQ(seen.self, truth[tick - 6]) << tick;
-        EXPECT_EQ(seen.selfMeasured, (tick - 6) * 20 * ms);
+        EXPECT_EQ(seen.self(), truth[tick - 6]) << tick;
+        EXPECT_EQ(seen.selfMeasured(), (tick - 6) * 20 * ms);
         EXPECT_EQ(seen.time, tick * 20 * ms);
-        EXPECT_TRUE(tick <= 10 || seen.self != truth[tick - 5]);
+        EXPECT_TRUE(tick <= 10 || seen.self() != truth[tick - 5]);
     }
     EXPECT_EQ(observed, 12);
 }
@@ -136,12 +136,12 @@ TEST(SelfLocalisation, AfterADropOutTheLastMeasurementStaysWithItsTime) {
     const int n = 10000;
     for (int i = 0; i < n; ++i) {
         const Observation now = watch.next();
-        const bool fresh = now.localised && now.selfMeasured == now.time;
+        const bool fresh = now.localised() && now.selfMeasured() == now.time;
         dropped += fresh ? 0 : 1;
-        beforeFirst += now.localised ? 0 : 1;
-        if (!fresh && now.localised) {
-            EXPECT_EQ(now.self, last.self);
-            EXPECT_EQ(now.selfMeasured, last.selfMeasured);
+        beforeFirst += now.localised() ? 0 : 1;
+        if (!fresh && now.localised()) {
+            EXPECT_EQ(now.self(), last.self());
+            EXPECT_EQ(now.selfMeasured(), last.selfMeasured());
         }
         last = now;
     }
@@ -154,8 +154,8 @@ TEST(SelfLocalisation, WithoutAnyMeasurementItDoesNotKnowWhereItIs) {
     Watch watch(scenario, 14);
     for (int i = 0; i < 100; ++i) {
         const Observation& now = watch.next();
-        EXPECT_FALSE(now.localised);
-        EXPECT_EQ(now.self, Pose{});
+        EXPECT_FALSE(now.localised());
+        EXPECT_EQ(now.self(), Pose{});
     }
 }
 
@@ -166,12 +166,12 @@ TEST(SelfLocalisation, JumpsAreRareAndFar) {
     int measured = 0;
     for (int i = 0; i < 80000; ++i) {
         const Observation& now = watch.next();
-        if (!now.localised || now.selfMeasured != now.time) continue;
+        if (!now.localised() || now.selfMeasured() != now.time) continue;
         ++measured;
-        if (now.self == startPose) continue;
-        EXPECT_EQ(now.self.heading, startPose.heading);
-        x.add((now.self.x - startPose.x) / 0.5);
-        y.add((now.self.y - startPose.y) / 0.5);
+        if (now.self() == startPose) continue;
+        EXPECT_EQ(now.self().heading, startPose.heading);
+        x.add((now.self().x - startPose.x) / 0.5);
+        y.add((now.self().y - startPose.y) / 0.5);
     }
     expectRate(x.count, measured, 0.02);
     x.expectStandard("x");

@@ -26,7 +26,7 @@ public:
         decision.command = Command{u.first, 6 * u.second - 3};
         if (count % 3 == 0) decision.kicks.push_back({0, u.first});
         // What it believes enters what it does.
-        if (observation.localised && observation.self.x < 2) decision.command->w += 0.1;
+        if (observation.localised() && observation.self().x < 2) decision.command->w += 0.1;
     }
 };
 

@@ -18,8 +18,9 @@ std::size_t heldBy(const std::vector<T>& values) {
 
 /// All memory that the value holds, B.
 std::size_t heldBy(const WorldState& s) {
-    return sizeof s + heldBy(s.robots) + heldBy(s.objects) + heldBy(s.contacts) + heldBy(s.kicks) + heldBy(s.goals) +
-           heldBy(s.commands) + heldBy(s.motion) + heldBy(s.memory) + heldBy(s.sensing) + heldBy(s.past);
+    return sizeof s + heldBy(s.robots) + heldBy(s.objects) + heldBy(s.contacts) + heldBy(s.kicks) + heldBy(s.messages) +
+           heldBy(s.goals) + heldBy(s.commands) + heldBy(s.motion) + heldBy(s.memory) + heldBy(s.sensing) +
+           heldBy(s.past);
 }
 
 /// Eight robots and a ball in a field in which they keep touching.

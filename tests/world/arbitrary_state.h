@@ -34,6 +34,7 @@ inline WorldState arbitraryState(std::uint64_t seed, std::size_t robots = 3) {
     fillAll(state.kicks, 2);
     fillAll(state.goals, 2);
     fillAll(state.commands, 7);
+    fillAll(state.messages, 2);
     fillAll(state.motion, 48);
     fillAll(state.memory, 33);
     fillAll(state.sensing, 19);

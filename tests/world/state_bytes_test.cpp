@@ -40,7 +40,7 @@ TEST(StateBytes, OtherLengthsAreErrors) {
 
 TEST(StateBytes, SizesThatNoMemoryHoldsAreErrorsBeforeAllocation) {
     const std::string bytes = stateBytes(arbitraryState(7));
-    for (std::size_t array = 0; array < 10; ++array)
+    for (std::size_t array = 0; array < 11; ++array)
         for (std::uint64_t size : {~std::uint64_t{0}, std::uint64_t{1} << 61, std::uint64_t{0}, std::uint64_t{7}}) {
             // One more by 2^61 takes as many bytes, in 64 bits.
             if (size == 7)

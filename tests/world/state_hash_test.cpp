@@ -63,6 +63,7 @@ TEST(StateHash, EveryByteOfEverythingElseCounts) {
     for (PendingKick& kick : state.kicks) expectWorld(state, kick);
     for (std::int32_t& goal : state.goals) expectWorld(state, goal);
     for (StampedCommand& command : state.commands) expectWorld(state, command);
+    for (SentMessage& message : state.messages) expectWorld(state, message);
     for (std::byte& byte : state.motion) expectWorld(state, byte);
     for (std::byte& byte : state.memory) expectMinds(state, byte);
     for (std::byte& byte : state.sensing) expectMinds(state, byte);

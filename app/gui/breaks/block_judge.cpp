@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "learning/parallel_for.h"
-#include "recording/decision_bytes.h"
+#include "recording/tick_decisions.h"
 #include "scenario/first_version.h"
 #include "scenario/misfit.h"
 #include "simulation/step.h"

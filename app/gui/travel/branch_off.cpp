@@ -1,7 +1,7 @@
 // How branches of a run begin, what they take over from before, and how edits are taken back.
 #include <algorithm>
 
-#include "recording/decision_bytes.h"
+#include "recording/tick_decisions.h"
 #include "travel/time_travel.h"
 
 namespace mrose::gui {

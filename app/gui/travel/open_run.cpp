@@ -89,7 +89,7 @@ Expected<OpenRun> openScenario(const OpenRequest& request, const OpenProgress& p
 /// A plug-in that cannot be loaded stops nobody from looking at what it once did.
 class AbsentPlugin final : public Controller {
 public:
-    Attention attention() const override { return {.robots = false, .objects = false}; }
+    Attention attention() const override { return Attention::ofItself(); }
     void decide(const Observation&, std::span<std::byte>, Decision&) const override {}
 };
 

@@ -23,14 +23,16 @@ public:
     std::size_t memorySize() const override { return sizeof(Memory); }
 
     // It reads no robots: nobody has to look for them.
-    mrose::Attention attention() const override { return {.robots = false, .objects = true}; }
+    mrose::Attention attention() const override {
+        return mrose::Attention::only({mrose::selfReading, mrose::objectsReading});
+    }
 
     void decide(const mrose::Observation& observation, std::span<std::byte> memory,
                 mrose::Decision& decision) const override {
         Memory& known = mrose::as<Memory>(memory);
-        const mrose::Placement self(observation.self);
-        if (!observation.objects.empty()) {
-            known.ball = self.place(observation.objects.front().position_B);
+        const mrose::Placement self(observation.self());
+        if (!observation.objects().empty()) {
+            known.ball = self.place(observation.objects().front().position_B);
             ++known.seen;
         }
         if (known.seen == 0) {

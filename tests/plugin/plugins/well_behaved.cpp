@@ -22,16 +22,16 @@ public:
     std::size_t commandsPerPeriod(mrose::Nanoseconds period) const override {
         return static_cast<std::size_t>(period / 50'000'000);
     }
-    mrose::Attention attention() const override { return {.robots = true, .objects = false}; }
+    mrose::Attention attention() const override { return mrose::Attention::only({"self", "odometry", "robots"}); }
 
     void decide(const mrose::Observation& observation, std::span<std::byte> memory,
                 mrose::Decision& decision) const override {
         Memory& known = mrose::as<Memory>(memory);
         ++known.count;
-        known.turned = mrose::wrapAngle(known.turned + observation.velocity.w);
-        const mrose::Pose ahead = observation.self * mrose::exp({1, 0, 0.1});
+        known.turned = mrose::wrapAngle(known.turned + observation.velocity().w);
+        const mrose::Pose ahead = observation.self() * mrose::exp({1, 0, 0.1});
         double nearest = 10;
-        for (const mrose::SeenBody& body : observation.robots)
+        for (const mrose::SeenBody& body : observation.robots())
             nearest = std::min(nearest, mrose::length(body.position_B));
         decision.clear();
         decision.earlier.push_back({observation.time - 1, {speed_ / 2, 0}});

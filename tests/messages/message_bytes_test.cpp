@@ -1,15 +1,38 @@
-#include "plugin/controller_messages.h"
-
 #include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
 
+#include "messages/decision_bytes.h"
+#include "messages/observation_bytes.h"
+#include "messages/text_bytes.h"
+#include "support/observation_parts.h"
+
 namespace mrose {
 namespace {
 
+/// A record that nobody but the test knows.
+struct Beam {
+    float range = 0;
+    std::uint8_t echoes = 0;
+    std::array<std::int32_t, 3> levels{};
+};
+}  // namespace
+
+template <>
+const RecordType& recordType<Beam>() {
+    static const RecordType type{
+        "beam",
+        sizeof(Beam),
+        {field<float>("range", "m", offsetof(Beam, range)), field<std::uint8_t>("echoes", "", offsetof(Beam, echoes)),
+         field<std::int32_t>("levels", "V", offsetof(Beam, levels), 3)}};
+    return type;
+}
+
+namespace {
+
 Observation fullObservation() {
-    Observation o;
+    ObservationParts o;
     o.robot = 7;
     o.manipulators = 3;
     o.time = 123'456'789;
@@ -20,7 +43,12 @@ Observation fullObservation() {
     o.velocity = {0.3, -0.0};
     o.robots = {{1, {0.1, 0.2}, 5}, {2, {-0.1, std::numeric_limits<double>::denorm_min()}, 6}};
     o.objects = {{0, {9, 8}, 7}};
-    return o;
+    Observation whole = o;
+    const std::array<Beam, 2> beams{Beam{1.5f, 2, {1, -2, 3}}, Beam{0, 255, {4, 5, 6}}};
+    whole.add("scan", 99, std::span<const Beam>(beams));
+    whole.add("messages", 100, ReceivedMessage{5, 1, 2, 3, {std::byte{7}}});
+    whole.add("scan", 101, std::span<const Beam>());
+    return whole;
 }
 
 Decision fullDecision() {
@@ -28,6 +56,7 @@ Decision fullDecision() {
     d.command = Command{0.25, -0.0};
     d.earlier = {{1, {0.1, 0.2}}, {2, {0.3, 0.4}}};
     d.kicks = {{3, 0.5}};
+    d.messages = {RadioMessage::of(1.5, 4, 2), {everybody, 0, 0, {}}};
     d.annotations = {{Annotation::Kind::text, "label", 1.5, "some text", {}},
                      {Annotation::Kind::line, "", 0, "", {{1, 2}, {3, 4}}}};
     d.breakReason = "here";
@@ -46,20 +75,24 @@ std::string bytesOf(const Decision& decision) {
     return bytes;
 }
 
-TEST(ControllerMessages, ObservationComesBackToTheBit) {
+TEST(MessageBytes, ObservationComesBackToTheBit) {
     const std::string bytes = bytesOf(fullObservation());
     ByteReader reader(bytes);
+    RecordTypes types;
     Observation read;
-    read.robots.resize(9);
-    ASSERT_TRUE(readObservation(reader, read));
+    read.add("old", 1, Pose{});
+    ASSERT_TRUE(readObservation(reader, types, read));
     EXPECT_TRUE(reader.done());
     const Observation o = fullObservation();
     EXPECT_EQ(read, o);
-    EXPECT_TRUE(std::signbit(read.velocity.w));
+    EXPECT_TRUE(std::signbit(read.velocity().w));
+    const auto beams = read.records<Beam>("scan");
+    ASSERT_EQ(beams.size(), 2u);
+    EXPECT_EQ(beams[1].levels[2], 6);
     EXPECT_EQ(bytesOf(read), bytes);
 }
 
-TEST(ControllerMessages, DecisionComesBackToTheBit) {
+TEST(MessageBytes, DecisionComesBackToTheBit) {
     const std::string bytes = bytesOf(fullDecision());
     ByteReader reader(bytes);
     Decision read;
@@ -83,12 +116,13 @@ TEST(ControllerMessages, DecisionComesBackToTheBit) {
     EXPECT_TRUE(read.sameOrders(empty) && read.annotations.empty() && read.breakReason.empty() && read.fault.empty());
 }
 
-TEST(ControllerMessages, CutOffOnesAreRefused) {
+TEST(MessageBytes, CutOffOnesAreRefused) {
     const std::string observation = bytesOf(fullObservation()), decision = bytesOf(fullDecision());
     for (std::size_t size = 0; size < observation.size(); ++size) {
         ByteReader reader(std::string_view(observation).substr(0, size));
+        RecordTypes types;
         Observation read;
-        EXPECT_FALSE(readObservation(reader, read)) << size;
+        EXPECT_FALSE(readObservation(reader, types, read)) << size;
     }
     for (std::size_t size = 0; size < decision.size(); ++size) {
         ByteReader reader(std::string_view(decision).substr(0, size));
@@ -98,7 +132,7 @@ TEST(ControllerMessages, CutOffOnesAreRefused) {
 }
 
 /// Every byte that is changed gives a value or a refusal, and no more memory than there are bytes.
-TEST(ControllerMessages, ChangedOnesAreReadOrRefused) {
+TEST(MessageBytes, ChangedOnesAreReadOrRefused) {
     const std::string sound = bytesOf(fullDecision());
     int refused = 0;
     for (std::size_t at = 0; at < sound.size(); ++at)
@@ -112,18 +146,51 @@ TEST(ControllerMessages, ChangedOnesAreReadOrRefused) {
         }
     EXPECT_GT(refused, 20);
     std::string flag = bytesOf(Decision{});
-    flag[0] = 2;
+    flag[0] = 64;
     ByteReader reader(flag);
     Decision read;
     EXPECT_FALSE(readDecision(reader, read));
 }
 
+/// What a type tells is no reason to take memory that its bytes do not fill.
+TEST(MessageBytes, TypesThatDoNotFitTheirFieldsAreRefused) {
+    const auto reads = [](const RecordType& type, std::uint64_t count, const std::string& rest) {
+        std::string bytes = bytesOf(Observation());
+        bytes.pop_back();  // no readings
+        appendCount(bytes, 1);
+        appendText("a", bytes);
+        appendText(type.name, bytes);
+        appendCount(bytes, type.size);
+        appendCount(bytes, type.fields.size());
+        for (const RecordField& f : type.fields) {
+            appendText(f.name, bytes);
+            appendText(f.unit, bytes);
+            appendNumber(bytes, static_cast<std::uint8_t>(f.kind));
+            appendCount(bytes, f.offset);
+            appendCount(bytes, f.count);
+        }
+        appendNumber(bytes, std::int64_t{0});
+        appendCount(bytes, count);
+        bytes += rest;
+        ByteReader reader(bytes);
+        RecordTypes types;
+        Observation read;
+        return readObservation(reader, types, read);
+    };
+    const RecordField number{"x", "", NumberKind::float64, 0, 1};
+    EXPECT_TRUE(reads({"t", 8, {number}}, 1, std::string(8, 'x')));
+    EXPECT_FALSE(reads({"t", 8, {number}}, 2, std::string(8, 'x')));
+    EXPECT_FALSE(reads({"t", 4, {number}}, 1, std::string(8, 'x')));
+    EXPECT_FALSE(reads({"t", 1 << 20, {number}}, 1, std::string(8, 'x')));
+    EXPECT_FALSE(reads({"t", 8, {{"x", "", NumberKind::float64, 1, 1}}}, 1, std::string(8, 'x')));
+    EXPECT_FALSE(reads({"t", 8, {}}, 1, ""));
+}
+
 /// A number of elements is believed as far as there are bytes for them.
-TEST(ControllerMessages, NumbersAloneTakeNoMemory) {
+TEST(MessageBytes, NumbersAloneTakeNoMemory) {
     constexpr std::uint32_t many = 1 << 20;
-    std::string bytes;
-    appendNumber(bytes, false);  // no command, nothing earlier, no kicks
-    for (const std::uint32_t size : {0u, 0u, many}) appendNumber(bytes, size);
+    std::string bytes(1, '\0');  // no orders
+    appendCount(bytes, many);
     bytes.append(many, '\xff');  // no annotation
     ByteReader reader(bytes);
     Decision read;

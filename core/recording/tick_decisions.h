@@ -29,8 +29,6 @@ public:
     std::size_t rest() const { return bytes_.rest().size(); }  ///< bytes not yet read
 
 private:
-    bool readDecision(RobotDecision& decision, bool& outside);
-
     ByteReader bytes_;
     std::vector<RobotDecision> decisions_;
 };

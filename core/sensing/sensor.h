@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "control/observation.h"
+#include "world/memory.h"
+
+namespace mrose {
+
+struct SensorView;
+
+/// A reading that a sensor gives: the name by which controllers ask for it, and what its records are.
+struct ReadingKind {
+    std::string name;
+    const RecordType* type = nullptr;
+};
+
+/// One sensor of a robot: const itself; what it remembers of a robot lies in the world's state, and what it draws is
+/// told by keys, so that going back is exact. One object serves many robots. A new one is a file pair in this folder
+/// (README.md).
+class Sensor {
+public:
+    virtual ~Sensor() = default;
+
+    /// Its own among its robot's, constant: "self".
+    virtual std::string name() const = 0;
+    /// What it gives, constant: at most 32.
+    virtual std::vector<ReadingKind> gives() const = 0;
+    /// From measurement to measurement; they are at whole multiples of it. 0: one at each control instant of its robot.
+    virtual Nanoseconds period() const { return 0; }
+    /// How long ago a reading was measured when it arrives, the longest if they differ.
+    virtual Nanoseconds latency() const { return 0; }
+
+    /// Bytes of memory, constant; multiples of 8 lie aligned for anything.
+    virtual std::size_t memorySize() const { return 0; }
+    /// Fills the memory at a run's start. All zero before.
+    virtual void start(std::span<std::byte> /*memory*/) const {}
+    /// Whether a memory from a file can be worked with.
+    virtual bool sound(std::span<const std::byte> /*memory*/) const { return true; }
+    /// What a memory says.
+    virtual std::vector<MemoryEntry> explain(std::span<const std::byte> /*memory*/) const { return {}; }
+
+    /// One measurement: what arrives now is added to `out`, as far as `view` wants it. The memory must go on alike
+    /// whether anything is wanted or not.
+    virtual void sense(const SensorView& view, std::span<std::byte> memory, Observation& out) const = 0;
+};
+
+using SensorPointer = std::shared_ptr<const Sensor>;
+
+}  // namespace mrose

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "io/toml_table.h"
+#include "scene/perception.h"
+#include "sensing/sensor.h"
+
+namespace mrose {
+
+/// The part [perception] of a robot file: the sensors that every robot has.
+Perception readPerception(TomlTable table);
+std::vector<SensorPointer> standardSensors(const Perception& perception);
+
+/// A kind of sensor that a robot file may ask for: `[[sensor]]` with `kind` and `name`, and the keys that `read` reads.
+struct SensorKind {
+    std::string_view name;
+    SensorPointer (*read)(TomlTable& table, const std::string& name);
+};
+std::span<const SensorKind> sensorKinds();
+
+/// The sensors that the tables [[sensor]] of a robot file ask for.
+std::vector<SensorPointer> readSensors(std::vector<TomlTable> tables,
+                                       std::span<const SensorKind> kinds = sensorKinds());
+
+}  // namespace mrose

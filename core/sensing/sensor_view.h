@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+
+#include "scene/obstacle_index.h"
+#include "scene/scene.h"
+#include "sensing/sensing_buffers.h"
+#include "world/noise.h"
+#include "world/noise_channel.h"
+#include "world/past_poses.h"
+
+namespace mrose {
+
+/// What a sensor has before it at one measurement: the world as it is and was, whose sensor it is, its draws. Lags are
+/// in ticks before the measurement arrives.
+struct SensorView {
+    const Scene& scene;
+    const ObstacleIndex& obstacles;
+    const PastPoses& past;
+    const WorldState& state;
+    std::uint32_t robot;
+    SensingBuffers& buffers;
+    std::uint32_t sensor = 0;     ///< its place among the robot's
+    std::uint32_t wanted = ~0u;   ///< readings that the controller reads: bit k for Sensor::gives()[k]
+    double sinceLast = 0;         ///< s since the measurement before
+    std::int64_t arrivedAgo = 0;  ///< ticks
+
+    bool wants(std::size_t reading) const { return (wanted >> reading & 1) != 0; }
+    /// For the `draw`-th draw of this measurement.
+    NoiseKey key(std::uint32_t draw) const { return key(NoiseChannel::sensor, sensor << 16 | draw); }
+    NoiseKey key(NoiseChannel kind, std::uint32_t part) const {
+        return {state.seed, state.tick - arrivedAgo, robot, channelOf(kind, part)};
+    }
+    const RobotType& type() const { return scene.typeOf(robot); }
+    std::int64_t lagOf(Nanoseconds latency) const { return scene.ticksOf(latency); }
+    Nanoseconds timeBefore(std::int64_t lag) const { return scene.timeOf(state.tick - arrivedAgo - lag); }
+    const Pose& poseBefore(std::size_t body, std::int64_t lag) const {
+        return past.poseBefore(state, body, arrivedAgo + lag);
+    }
+    const BodyMap& bodiesBefore(std::int64_t lag) const { return buffers.bodiesBefore(past, state, arrivedAgo + lag); }
+};
+
+}  // namespace mrose

@@ -1,0 +1,64 @@
+#include "simulation/observe.h"
+
+#include "sensing/sensor_view.h"
+
+namespace mrose {
+namespace {
+
+/// Lets a sensor with a clock of its own measure whatever arrives within the control period that ends now.
+void senseByItsClock(const Sensor& sensor, SensorView view, std::int64_t periodTicks, std::span<std::byte> memory,
+                     Observation& out) {
+    const Nanoseconds period = sensor.period();
+    const std::int64_t lag = view.lagOf(sensor.latency());
+    const auto tickOf = [&](std::int64_t count) { return view.scene.ticksOf(count * period); };
+    // Measurements before the start are told as if all had stood still until then.
+    const std::int64_t now = view.state.tick - lag, before = now - periodTicks;
+    view.sinceLast = toSeconds(period);
+    std::int64_t count = view.scene.timeOf(before) / period;
+    while (tickOf(count) > before) --count;
+    while (tickOf(count) <= before) ++count;
+    for (; tickOf(count) <= now; ++count) {
+        view.arrivedAgo = now - tickOf(count);
+        sensor.sense(view, memory, out);
+    }
+}
+
+/// What was sent to the robot since its last control instant; what is sent now arrives at the next one.
+void receive(const SensorView& view, std::int64_t periodTicks, Observation& out) {
+    for (const SentMessage& m : view.state.messages) {
+        const bool own = m.from == view.robot, others = m.to != everybody && m.to != view.robot;
+        if (own || others || m.tick >= view.state.tick || m.tick < view.state.tick - periodTicks) continue;
+        view.buffers.received.push_back({view.scene.timeOf(m.tick), m.from, m.kind, m.size, m.bytes});
+    }
+    if (view.buffers.received.empty()) return;
+    out.add(messagesReading, view.timeBefore(0), std::span<const ReceivedMessage>(view.buffers.received));
+    view.buffers.received.clear();
+}
+
+}  // namespace
+
+void observe(const Scenario& scenario, const WorldState& state, std::size_t robot, std::span<std::byte> memory,
+             SensingBuffers& buffers, Observation& out) {
+    const Scene& scene = scenario.scene();
+    SensorView view{scene, scenario.obstacles(), scenario.past(), state, static_cast<std::uint32_t>(robot), buffers, 0};
+    out.robot = view.robot;
+    out.manipulators = static_cast<std::uint32_t>(scene.typeOf(robot).manipulators.size());
+    out.time = view.timeBefore(0);
+    out.noise = noiseBits(view.key(NoiseChannel::controller, 0));
+    out.clearReadings();
+    const auto sensors = scenario.sensors(robot);
+    for (std::uint32_t k = 0; k < sensors.size(); ++k) {
+        const Sensor& sensor = *sensors[k];
+        view.sensor = k;
+        view.wanted = scenario.wanted(robot, k);
+        view.sinceLast = scenario.periodOf(robot).seconds;
+        const std::span<std::byte> own = scenario.partOf(memory, robot, k);
+        if (sensor.period() == 0)
+            sensor.sense(view, own, out);
+        else
+            senseByItsClock(sensor, view, scenario.periodOf(robot).ticks, own, out);
+    }
+    if (!state.messages.empty() && scenario.readsMessages(robot)) receive(view, scenario.periodOf(robot).ticks, out);
+}
+
+}  // namespace mrose
