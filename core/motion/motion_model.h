@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -26,6 +27,13 @@ struct MotionInput {
 struct MotionStep {
     Pose increment;     ///< pose at the period's end in the robot's frame at its start
     Velocity velocity;  ///< at the period's end
+};
+
+/// How unsure a model is of a prediction: standard deviations of what it predicts.
+struct MotionSpread {
+    Pose increment;
+    Velocity velocity;
+    bool operator==(const MotionSpread&) const = default;
 };
 
 /// Where one robot will be a control period later: Delta: (v, w, commands) -> (dx, dy, dphi, v', w'). Models are const;
@@ -57,6 +65,13 @@ public:
     /// steps[i] from inputs[i]; the spans have equal sizes. The result for a robot does not depend on the others in the
     /// batch, to the last bit. Inputs must be finite.
     virtual void predict(std::span<const MotionInput> inputs, std::span<MotionStep> steps) const = 0;
+
+    /// The same steps, with how unsure the model is of each: zero of models that do not know.
+    virtual void predictWithSpread(std::span<const MotionInput> inputs, std::span<MotionStep> steps,
+                                   std::span<MotionSpread> spreads) const {
+        predict(inputs, steps);
+        std::fill(spreads.begin(), spreads.end(), MotionSpread{});
+    }
 
     MotionStep predictOne(const MotionInput& input) const {
         MotionStep step;
