@@ -230,7 +230,7 @@ std::uint32_t ScenarioReader::objectTypeIndex(ObjectType type) {
     if (type.shape) type.name = type.shape->name;
     const auto same = [&](const ObjectType& other) {
         return other.shape == type.shape && other.mass == type.mass && other.surface == type.surface &&
-               other.rolls == type.rolls && other.inertia == type.inertia;
+               other.rolls == type.rolls && other.inertia == type.inertia && other.motion == type.motion;
     };
     const auto found = std::find_if(scene_.objectTypes.begin(), scene_.objectTypes.end(), same);
     const auto index = static_cast<std::uint32_t>(found - scene_.objectTypes.begin());

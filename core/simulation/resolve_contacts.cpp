@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "simulation/floor_motion.h"
+#include "scene/floor_motion.h"
 #include "simulation/step_stages.h"
 #include "world/noise.h"
 #include "world/noise_channel.h"
@@ -27,8 +27,6 @@ Recovery freeMotion(const Scenario& scenario, const WorldState& state, std::size
     return recover({robot.pose, robot.velocity_B}, onWay, fromStart(robot.segment, share, period),
                    toSeconds(scene.tickLength), scene.environment.floor.traction * gravity, turnLever);
 }
-
-bool atRest(const ObjectState& object) { return object.velocity_W == Twist{} && object.roll_W == Point{}; }
 
 std::uint32_t rootOf(std::vector<std::uint32_t>& cluster, std::uint32_t body) {
     while (cluster[body] != body) body = cluster[body] = cluster[cluster[body]];
@@ -141,24 +139,23 @@ void moveRobot(RobotState& r, const ContactOutcome& outcome) {
     r.pushed = true;
 }
 
-double floorFrictionFactor(const Scenario& scenario, const WorldState& state, std::size_t body) {
-    const double factor = scenario.scene().randomFactor;
-    if (factor == 0) return 1;
-    const auto channel = channelOf(NoiseChannel::floorFriction);
-    const double u = uniformNoise({state.seed, state.tick, static_cast<std::uint32_t>(body), channel});
-    return 1 + factor * (2 * u - 1);
+ObjectInput objectInput(const Scenario& scenario, const WorldState& state, std::size_t object, const ObjectState& from,
+                        double duration) {
+    const Scene& scene = scenario.scene();
+    const auto body = static_cast<std::uint32_t>(state.robots.size() + object);
+    const NoiseKey noise{state.seed, state.tick, body, channelOf(NoiseChannel::floorFriction)};
+    return {from, scene.typeOfObject(object), scene.environment.floor, scene.randomFactor, duration, noise};
 }
 
 /// Contact acts on what an object does in the tick's middle: the floor has worked on it for half of the tick, and does
 /// for the other half.
 ObjectState touchedObject(const Scenario& scenario, const WorldState& state, std::size_t object,
                           const ObjectState& before, const ContactOutcome& outcome) {
-    const ObjectType& type = scenario.scene().typeOfObject(object);
-    const FloorSurface& floor = scenario.scene().environment.floor;
-    const double factor = floorFrictionFactor(scenario, state, state.robots.size() + object);
+    const ObjectModel& model = *scenario.scene().typeOfObject(object).motion;
     const double half = toSeconds(scenario.scene().tickLength) / 2;
-    const Point roll = slowedByFloor(before, type, floor, factor, half).roll_W;
-    return slowedByFloor({outcome.pose, outcome.velocity_W, roll}, type, floor, factor, half);
+    const Point roll = heldInPlace(model, objectInput(scenario, state, object, before, half)).roll_W;
+    const ObjectState touched{outcome.pose, outcome.velocity_W, roll};
+    return heldInPlace(model, objectInput(scenario, state, object, touched, half));
 }
 
 void commit(const Scenario& scenario, WorldState& state, StepBuffers::Content& buffers, StepTrace* trace) {
@@ -206,10 +203,8 @@ void planFreeMotion(const Scenario& scenario, const WorldState& state, StepBuffe
         const ObjectState& object = state.objects[i];
         const ObjectType& type = scene.typeOfObject(i);
         const std::size_t body = state.robots.size() + i;
-        buffers.objects.push_back(atRest(object) ? object
-                                                 : afterFloorMotion(object, type, scene.environment.floor,
-                                                                    floorFrictionFactor(scenario, state, body),
-                                                                    toSeconds(scene.tickLength)));
+        buffers.objects.push_back(
+            type.motion->after(objectInput(scenario, state, i, object, toSeconds(scene.tickLength))));
         buffers.swept[body] = SweptBody::of(*type.shape, object.pose, buffers.objects[i].pose);
     }
 }
