@@ -158,4 +158,8 @@ void LearnedModel::predictWithSpread(std::span<const MotionInput> inputs, std::s
         spreads[i] = spreadOf(std::span(members).subspan(i * count, count), steps[i]);
 }
 
+const LearnedModel* learnedModel(const MotionModel& model) {
+    return dynamic_cast<const LearnedModel*>(&model.underlying());
+}
+
 }  // namespace mrose

@@ -84,4 +84,7 @@ private:
     DeadTimes deadTimes_;
 };
 
+/// The learned model that a robot is moved by, whatever is added to it; null where it is of another kind.
+const LearnedModel* learnedModel(const MotionModel& model);
+
 }  // namespace mrose

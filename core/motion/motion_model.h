@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,7 +21,8 @@ struct MotionInput {
     /// What the model remembers of the robot: memorySize() bytes, read and written. Empty: it begins here, and nothing
     /// is kept.
     std::span<std::byte> memory = {};
-    NoiseKey noise = {};  ///< for what it draws; its channel is NoiseChannel::motion
+    /// For what it draws, of NoiseChannel::motion. None: nothing is random, and the mean is wanted.
+    std::optional<NoiseKey> noise = std::nullopt;
 };
 
 /// What it predicts.
@@ -61,6 +63,9 @@ public:
         bool operator==(const DeadTimes&) const = default;
     };
     virtual DeadTimes deadTimes() const { return {}; }
+
+    /// The model that this one only adds something to; otherwise itself.
+    virtual const MotionModel& underlying() const { return *this; }
 
     /// steps[i] from inputs[i]; the spans have equal sizes. The result for a robot does not depend on the others in the
     /// batch, to the last bit. Inputs must be finite.
