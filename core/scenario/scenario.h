@@ -81,15 +81,17 @@ public:
     std::span<const std::byte> memoryOf(const WorldState& state, std::size_t robot) const {
         return std::span(state.memory).subspan(slots_[robot].memory, slots_[robot].memorySize);
     }
-    /// Likewise its motion model's in WorldState::motion.
-    std::span<std::byte> motionMemory(WorldState& state, std::size_t robot) const {
-        return std::span(state.motion).subspan(slots_[robot].motion, slots_[robot].motionSize);
+    /// Likewise what the motion model of a body, robot or object, remembers of it in WorldState::motion.
+    std::span<std::byte> motionMemory(WorldState& state, std::size_t body) const {
+        return std::span(state.motion).subspan(slots_[body].motion, slots_[body].motionSize);
     }
-    std::span<const std::byte> motionMemory(const WorldState& state, std::size_t robot) const {
-        return std::span(state.motion).subspan(slots_[robot].motion, slots_[robot].motionSize);
+    std::span<const std::byte> motionMemory(const WorldState& state, std::size_t body) const {
+        return std::span(state.motion).subspan(slots_[body].motion, slots_[body].motionSize);
     }
+    /// Whether any object's motion model remembers something.
+    bool objectsRemember() const { return objectsRemember_; }
     /// Its motion model begins anew.
-    void forgetMotion(WorldState& state, std::size_t robot) const;
+    void forgetMotion(WorldState& state, std::size_t body) const;
     /// Likewise what all sensors of a robot remember in WorldState::sensing.
     std::span<std::byte> sensorMemory(WorldState& state, std::size_t robot) const {
         return std::span(state.sensing).subspan(slots_[robot].sensing, slots_[robot].sensingSize);
@@ -135,6 +137,7 @@ private:
         std::size_t motion = 0, motionSize = 0, memory = 0, memorySize = 0, sensing = 0, sensingSize = 0;
     };
     void layOut();
+    void startMotion(WorldState& state, std::size_t body) const;
     void prepareContacts();
 
     ScenarioParts parts_;
@@ -142,10 +145,11 @@ private:
     CollisionShape obstacleShape_;
     std::vector<ContactBodyType> contactTypes_;
     std::vector<std::uint32_t> contactTypeOf_;
-    std::vector<Slots> slots_;
+    std::vector<Slots> slots_;  ///< by body; objects have motion alone
     std::vector<Period> periods_;
     std::size_t commandSlots_ = 0, motionSize_ = 0, memorySize_ = 0, sensingSize_ = 0;
     std::int64_t pastDepth_ = 0;
+    bool objectsRemember_ = false;
 };
 
 }  // namespace mrose

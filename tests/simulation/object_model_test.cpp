@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include "scenario/carry_over.h"
+#include "scenario/saved_state.h"
 #include "simulation/small_world.h"
 #include "world/noise_channel.h"
+#include "world/state_bytes.h"
 
 namespace mrose {
 namespace {
@@ -68,6 +71,83 @@ TEST(ObjectModel, ActsBeforeAndAfterAContact) {
         const double came = before.objects[1 - i].velocity_W.x + 0.01 * gust(1 - i);
         EXPECT_NEAR(state.objects[i].velocity_W.x, came + 0.01 * gust(i), 1e-3);
     }
+}
+
+/// Remembers for how long it has moved the body, and starts with a second.
+class Odometer final : public ObjectModel {
+public:
+    struct Memory {
+        double moved = 0, starts = 0;  // s
+    };
+    std::size_t memorySize() const override { return sizeof(Memory); }
+    void start(std::span<std::byte> memory) const override { as<Memory>(memory) = {1, 1}; }
+    std::vector<MemoryEntry> explain(std::span<const std::byte> memory) const override {
+        return {{"moved", as<Memory>(memory).moved, "s"}};
+    }
+    ObjectState after(const ObjectInput& input) const override {
+        as<Memory>(input.memory).moved += input.duration;
+        return FloorMotion().after(input);
+    }
+};
+
+/// A ball between two pucks in a narrow field, which are told apart by what they remember.
+Scenario rememberingWorld(double ballAt = 1) {
+    ObjectType ball = ballType(), other = puck();
+    ball.motion = other.motion = std::make_shared<const Odometer>();
+    ball.surface.restitution = 1;
+    Environment field = walledField(3, 1);
+    field.goals.push_back({"east", {{2.5, 0}, {3, 0}, {3, 1}, {2.5, 1}}});
+    SmallWorld world(field);
+    world.object(ball, {ballAt, 0.5, 0}, {1.5, 0.4, 0}).object(puck(), {2, 0.6, 0}).object(other, {0.4, 0.5, 0});
+    return world.scenario();
+}
+
+double moved(const Scenario& scenario, const WorldState& state, std::size_t body) {
+    return scenario.scene().typeOfObject(body).motion->explain(scenario.motionMemory(state, body))[0].value;
+}
+
+TEST(ObjectModel, RemembersOnceWhateverTouchesItsBodies) {
+    const Scenario scenario = rememberingWorld();
+    WorldState state = scenario.initialState();
+    EXPECT_TRUE(scenario.motionMemory(state, 1).empty()) << "that of the air table remembers nothing";
+    StepBuffers buffers;
+    StepTrace trace;
+    int touched = 0;
+    for (int tick = 1; tick <= 35; ++tick) {
+        step(scenario, state, buffers, {}, &trace);
+        touched += trace.touchedObjects[0];
+        // A tick in two halves is as long as a whole one.
+        ASSERT_NEAR(moved(scenario, state, 0), 1 + 0.02 * tick, 1e-12) << tick;
+        ASSERT_NEAR(moved(scenario, state, 2), 1 + 0.02 * tick, 1e-12) << tick;
+    }
+    EXPECT_GT(touched, 0);
+}
+
+TEST(ObjectModel, BeginsAnewWhereTheBallIsPutBack) {
+    const Scenario scenario = rememberingWorld(2.2);
+    WorldState state = scenario.initialState();
+    StepBuffers buffers;
+    StepTrace trace;
+    do step(scenario, state, buffers, {}, &trace);
+    while (trace.goals.empty() && state.tick < 100);
+    ASSERT_FALSE(trace.goals.empty());
+    EXPECT_EQ(moved(scenario, state, 0), 1);
+    EXPECT_GT(moved(scenario, state, 2), 1);
+}
+
+TEST(ObjectModel, MemoryIsRewoundCarriedOverAndSaved) {
+    const Scenario scenario = rememberingWorld(), again = rememberingWorld();
+    WorldState state = scenario.initialState();
+    run(scenario, state, 20);
+    const WorldState kept = state;
+    run(scenario, state, 30);
+    WorldState rewound = kept;
+    run(scenario, rewound, 30);
+    EXPECT_EQ(stateBytes(rewound), stateBytes(state));
+    EXPECT_EQ(stateBytes(carriedOver(scenario, state, again)), stateBytes(state));
+    const auto read = parseSavedState(savedStateText(savedState(scenario, state)), "s.state");
+    ASSERT_TRUE(read) << read.error().message();
+    EXPECT_EQ(restored(*read, again, state.seed).motion, state.motion);
 }
 
 }  // namespace
