@@ -58,7 +58,7 @@ std::string keptFromLearning(const HoldOut& part) {
 std::vector<const MotionNetwork*> networksOf(const ScenarioParts& parts) {
     std::vector<const MotionNetwork*> networks;
     for (const LogPlayer& player : parts.players)
-        if (const auto* learned = dynamic_cast<const LearnedModel*>(&parts.scene.modelOf(player.robot)))
+        if (const auto* learned = learnedModel(parts.scene.modelOf(player.robot)))
             if (std::find(networks.begin(), networks.end(), &learned->network()) == networks.end())
                 networks.push_back(&learned->network());
     return networks;

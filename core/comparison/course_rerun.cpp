@@ -50,8 +50,6 @@ const MotionModel& CourseRerun::model() const {
     return world_.parts().scene.modelOf(world_.robots()[course_.robot].body);
 }
 
-const RobotType& CourseRerun::type() const { return world_.parts().scene.typeOf(world_.robots()[course_.robot].body); }
-
 CourseRerun::Poses CourseRerun::run(int from, std::uint64_t seed, const Change& change) const {
     LogWorld::OpenedParts opened =
         world_.partsAt(request_.take, request_.start + from * step_, (steps_ - from) * step_);
@@ -136,20 +134,20 @@ CourseRerun::Poses CourseRerun::movedBy(const std::shared_ptr<const MotionModel>
         RolloutStart start = *opened.starts[course_.robot];
         fillVelocities(*model, {&start, 1});
         scene.robots[body].velocity = *start.velocity;
+        const MotionNoise noise = noiseOf(scene.modelOf(body));
         scene.robots[body].model = static_cast<std::uint32_t>(scene.models.size());
-        scene.models.push_back(model);
+        scene.models.push_back(withNoise(model, noise));
     });
 }
 
 CourseRerun::Poses CourseRerun::noisy(const MotionNoise& noise, std::uint64_t seed) const {
     return run(0, seed, [&](LogWorld::OpenedParts& opened, std::size_t body) {
         Scene& scene = opened.parts.scene;
-        RobotType type = scene.typeOf(body);
-        type.motionNoise = noise;
         addMeasuredNoise(noise, {seed, -1, static_cast<std::uint32_t>(body), channelOf(NoiseChannel::motion)},
                          scene.modelOf(body).period(), scene.robots[body].velocity);
-        scene.robots[body].type = static_cast<std::uint32_t>(scene.robotTypes.size());
-        scene.robotTypes.push_back(std::move(type));
+        auto model = withNoise(scene.models[scene.robots[body].model], noise);
+        scene.robots[body].model = static_cast<std::uint32_t>(scene.models.size());
+        scene.models.push_back(std::move(model));
     });
 }
 

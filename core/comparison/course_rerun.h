@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "comparison/compare.h"
-#include "scene/robot_type.h"
+#include "motion/noisy_model.h"
 
 namespace mrose {
 
@@ -37,7 +37,6 @@ public:
 
     const Trajectory& trajectory() const { return world_.trajectory(request_.take, course_.robot); }
     const MotionModel& model() const;
-    const RobotType& type() const;
     Nanoseconds tick() const { return world_.parts().scene.tickLength; }
     Nanoseconds step() const { return step_; }
     int steps() const { return steps_; }

@@ -224,7 +224,7 @@ private:
 
     std::optional<MotionNoise> motionNoise() const {
         if (options_.noise) return options_.noise;
-        const MotionNoise& own = rerun_.type().motionNoise;
+        const MotionNoise own = noiseOf(rerun_.model());
         return own.none() ? std::nullopt : std::optional(own);
     }
 
@@ -259,7 +259,7 @@ private:
     /// The same of a robot whose file has no noise: its network's errors are likely up to heldOutBound().
     bool tryHeldOut() {
         if (!options_.bound.bySteps.empty()) return true;  // it is beyond that already
-        const auto* learned = dynamic_cast<const LearnedModel*>(&rerun_.model());
+        const auto* learned = learnedModel(rerun_.model());
         if (learned == nullptr || learned->network().heldOut.windows == 0) return true;
         const DivergenceBound likely = heldOutBound(learned->network().heldOut, rerun_.course(), rerun_.step());
         const double times = rmsInBounds(truth_, base_, likely);

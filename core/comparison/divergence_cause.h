@@ -10,7 +10,7 @@
 #include "comparison/other_models.h"
 #include "comparison/parting.h"
 #include "io/progress.h"
-#include "scene/robot_type.h"
+#include "motion/noisy_model.h"
 
 namespace mrose {
 

@@ -8,7 +8,7 @@
 namespace mrose {
 
 const MotionNetwork* networkOf(const LogWorld& world, std::size_t robot) {
-    const auto* learned = dynamic_cast<const LearnedModel*>(&world.parts().scene.modelOf(world.robots()[robot].body));
+    const auto* learned = learnedModel(world.parts().scene.modelOf(world.robots()[robot].body));
     return learned == nullptr ? nullptr : &learned->network();
 }
 

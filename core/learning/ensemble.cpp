@@ -80,6 +80,30 @@ Mlp memberOf(const Mlp& ensemble, std::span<const EnsembleMember> members, std::
     return own;
 }
 
+Mlp withMemberOutputs(const Mlp& ensemble, std::span<const EnsembleMember> members) {
+    assert(isMeanOf(ensemble, members));
+    const Layout at(ensemble.shape);
+    const std::size_t own = members.front().outputBiases.size();
+    Mlp all = ensemble;
+    all.shape.outputs += static_cast<int>(members.size() * own);
+    std::vector<float>& p = all.parameters;
+    p.resize(at.outBiases);
+    std::size_t first = 0;
+    for (const EnsembleMember& member : members) {
+        const std::size_t end = first + static_cast<std::size_t>(member.hidden);
+        for (std::size_t k = 0; k < own; ++k)
+            for (std::size_t j = 0; j < at.hidden; ++j) {
+                const bool ofMember = j >= first && j < end;
+                p.push_back(ofMember ? p[at.outWeights + k * at.hidden + j] * float(members.size()) : 0);
+            }
+        first = end;
+    }
+    p.insert(p.end(), ensemble.parameters.begin() + std::ptrdiff_t(at.outBiases), ensemble.parameters.end());
+    for (const EnsembleMember& member : members)
+        p.insert(p.end(), member.outputBiases.begin(), member.outputBiases.end());
+    return all;
+}
+
 bool isMeanOf(const Mlp& ensemble, std::span<const EnsembleMember> members) {
     if (members.empty()) return false;
     const std::size_t outputs = members.front().outputBiases.size();

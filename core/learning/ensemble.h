@@ -31,4 +31,9 @@ Mlp memberOf(const Mlp& ensemble, std::span<const EnsembleMember> members, std::
 /// of theirs.
 bool isMeanOf(const Mlp& ensemble, std::span<const EnsembleMember> members);
 
+/// The ensemble with the outputs of its members behind its own, first all of the first member: one network of the same
+/// hidden layer. The ensemble's own outputs stay what they were to the bit; a member's are to the bit those of
+/// memberOf() evaluated by itself where its block begins at a multiple of 4 units, otherwise within rounding.
+Mlp withMemberOutputs(const Mlp& ensemble, std::span<const EnsembleMember> members);
+
 }  // namespace mrose

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 
 #include "motion/portable_math.h"
 
@@ -14,6 +15,26 @@ LearnedMotion::Decay LearnedMotion::decayOf(double timeConstant, double period) 
     return {left, timeConstant * (1 - left)};
 }
 
+namespace {
+
+/// Standard deviations of the members about the mean, their arithmetic mean but for rounding.
+MotionSpread spreadOf(std::span<const MotionStep> members, const MotionStep& mean) {
+    MotionSpread sum;
+    const auto add = [](double& to, double member, double ofMean) { to += (member - ofMean) * (member - ofMean); };
+    for (const MotionStep& member : members) {
+        add(sum.increment.x, member.increment.x, mean.increment.x);
+        add(sum.increment.y, member.increment.y, mean.increment.y);
+        add(sum.increment.heading, member.increment.heading, mean.increment.heading);
+        add(sum.velocity.v, member.velocity.v, mean.velocity.v);
+        add(sum.velocity.w, member.velocity.w, mean.velocity.w);
+    }
+    const auto deviation = [&](double squares) { return std::sqrt(squares / double(members.size() - 1)); };
+    return {{deviation(sum.increment.x), deviation(sum.increment.y), deviation(sum.increment.heading)},
+            {deviation(sum.velocity.v), deviation(sum.velocity.w)}};
+}
+
+}  // namespace
+
 LearnedMotion::LearnedMotion(MotionNetwork network)
     : network_(std::move(network)),
       inputs_(network_),
@@ -21,6 +42,7 @@ LearnedMotion::LearnedMotion(MotionNetwork network)
       decayV_(decayOf(network_.recovery.v, toSeconds(network_.period))),
       decayW_(decayOf(network_.recovery.w, toSeconds(network_.period))),
       trackers_(network_.robots.size()) {
+    if (!network_.members.empty()) withMembers_.emplace(withMemberOutputs(network_.mlp, network_.members));
     for (const MotionNetwork::Identified& identified : network_.identified)
         if (const int robot = inputs_.robotIndex(identified.robot); robot >= 0)
             trackers_[static_cast<std::size_t>(robot)] = identified.tracker;
@@ -28,22 +50,24 @@ LearnedMotion::LearnedMotion(MotionNetwork network)
 
 MotionStep LearnedMotion::toStep(const MotionInput& input, int robot, const float* outputs) const {
     std::array<double, MotionNetwork::maxOutputs> y;
-    for (std::size_t i = 0; i < network_.outputs.size(); ++i)
-        y[i] = network_.outputs[i].mean + network_.outputs[i].scale * static_cast<double>(outputs[i]);
+    for (std::size_t i = 0; i < network_.outputs.size(); ++i) y[i] = value(outputs, i);
     MotionStep step{{y[0], y[1], y[2]}, {y[3], y[4]}};
-    Velocity unperturbed = step.velocity;
     if (network_.form == MotionNetwork::Form::history) {
         const bool begun = !input.memory.empty() && as<Memory>(input.memory).begun != 0;
         const Velocity expected = begun ? as<Memory>(input.memory).unperturbed : step.velocity;
         const double v = input.velocity.v - expected.v, w = input.velocity.w - expected.w;
         step.increment.x += v * decayV_.displacement;
         step.increment.heading += w * decayW_.displacement;
-        unperturbed = {y[5], y[6]};
         step.velocity = {y[5] + v * decayV_.velocity, y[6] + w * decayW_.velocity};
     }
     if (robot >= 0) step.increment.y += trackers_[static_cast<std::size_t>(robot)].sideways(step.increment);
-    if (!input.memory.empty()) as<Memory>(input.memory) = {unperturbed, 1};
     return step;
+}
+
+void LearnedMotion::remember(const MotionInput& input, const float* outputs) const {
+    if (input.memory.empty()) return;
+    const std::size_t end = network_.form == MotionNetwork::Form::history ? 5 : 3;
+    as<Memory>(input.memory) = {{value(outputs, end), value(outputs, end + 1)}, 1};
 }
 
 void LearnedMotion::predict(std::span<const MotionInput> inputs, std::span<const int> robots,
@@ -57,8 +81,39 @@ void LearnedMotion::predict(std::span<const MotionInput> inputs, std::span<const
         const std::size_t count = std::min(chunk, inputs.size() - begin);
         for (std::size_t i = 0; i < count; ++i) inputs_.read(inputs[begin + i], robots[begin + i], &rows[i * width]);
         inference_.batch(rows.data(), results.data(), count);
-        for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t i = 0; i < count; ++i) {
             steps[begin + i] = toStep(inputs[begin + i], robots[begin + i], &results[i * outputs]);
+            remember(inputs[begin + i], &results[i * outputs]);
+        }
+    }
+}
+
+void LearnedMotion::predictMembers(std::span<const MotionInput> inputs, std::span<const int> robots,
+                                   std::span<MotionStep> steps, std::span<MotionStep> members) const {
+    assert(withMembers_ && inputs.size() == steps.size() && inputs.size() == robots.size());
+    assert(members.size() == inputs.size() * memberCount());
+    constexpr std::size_t chunk = 32;
+    const std::size_t width = inputs_.width(), outputs = network_.outputs.size();
+    const std::size_t own = network_.members.front().outputBiases.size(), all = outputs + memberCount() * own;
+    std::array<float, chunk * MotionNetwork::maxInputs> rows;
+    std::vector<float> results(std::min(chunk, inputs.size()) * all);
+    for (std::size_t begin = 0; begin < inputs.size(); begin += chunk) {
+        const std::size_t count = std::min(chunk, inputs.size() - begin);
+        for (std::size_t i = 0; i < count; ++i) inputs_.read(inputs[begin + i], robots[begin + i], &rows[i * width]);
+        withMembers_->batch(rows.data(), results.data(), count);
+        for (std::size_t i = 0; i < count; ++i) {
+            const MotionInput& input = inputs[begin + i];
+            const int robot = robots[begin + i];
+            const float* const mean = &results[i * all];
+            steps[begin + i] = toStep(input, robot, mean);
+            std::array<float, MotionNetwork::maxOutputs> member;
+            std::copy_n(mean, outputs, member.begin());
+            for (std::size_t m = 0; m < memberCount(); ++m) {
+                std::copy_n(mean + outputs + m * own, own, member.begin());
+                members[(begin + i) * memberCount() + m] = toStep(input, robot, member.data());
+            }
+            remember(input, mean);
+        }
     }
 }
 
@@ -90,6 +145,21 @@ void LearnedModel::predict(std::span<const MotionInput> inputs, std::span<Motion
         const std::size_t count = std::min(chunk, inputs.size() - begin);
         motion_->predict(inputs.subspan(begin, count), std::span(robots).first(count), steps.subspan(begin, count));
     }
+}
+
+void LearnedModel::predictWithSpread(std::span<const MotionInput> inputs, std::span<MotionStep> steps,
+                                     std::span<MotionSpread> spreads) const {
+    const std::size_t count = motion_->memberCount();
+    if (count < 2) return MotionModel::predictWithSpread(inputs, steps, spreads);
+    const std::vector<int> robots(inputs.size(), robot_);
+    std::vector<MotionStep> members(inputs.size() * count);
+    motion_->predictMembers(inputs, robots, steps, members);
+    for (std::size_t i = 0; i < inputs.size(); ++i)
+        spreads[i] = spreadOf(std::span(members).subspan(i * count, count), steps[i]);
+}
+
+const LearnedModel* learnedModel(const MotionModel& model) {
+    return dynamic_cast<const LearnedModel*>(&model.underlying());
 }
 
 }  // namespace mrose

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "learning/mlp_inference.h"
@@ -31,12 +32,25 @@ public:
     /// Steps for robots that may differ: robots[i] is the index by InputReader::robotIndex.
     void predict(std::span<const MotionInput> inputs, std::span<const int> robots, std::span<MotionStep> steps) const;
 
+    /// How many networks it is the mean of; 0 where these are not known.
+    std::size_t memberCount() const { return network_.members.size(); }
+
+    /// The same steps, and what each member predicts by itself: members[i * memberCount() + m] from inputs[i]. Outputs
+    /// that were fitted to all members together, the velocities of the history form, are the same in all of them.
+    void predictMembers(std::span<const MotionInput> inputs, std::span<const int> robots, std::span<MotionStep> steps,
+                        std::span<MotionStep> members) const;
+
 private:
+    double value(const float* outputs, std::size_t index) const {
+        return network_.outputs[index].mean + network_.outputs[index].scale * static_cast<double>(outputs[index]);
+    }
     MotionStep toStep(const MotionInput& input, int robot, const float* outputs) const;
+    void remember(const MotionInput& input, const float* outputs) const;
 
     MotionNetwork network_;
     InputReader inputs_;
     MlpInference inference_;
+    std::optional<MlpInference> withMembers_;  ///< where they are known
     struct Decay {
         double velocity = 0;      ///< what is left of a velocity disturbance after the period
         double displacement = 0;  ///< s: what it moved the robot per unit of velocity
@@ -60,11 +74,17 @@ public:
     std::size_t memorySize() const override { return sizeof(LearnedMotion::Memory); }
     std::vector<MemoryEntry> explain(std::span<const std::byte> memory) const override;
     void predict(std::span<const MotionInput> inputs, std::span<MotionStep> steps) const override;
+    /// Of the members about their mean (of a sample: divided by their number less one).
+    void predictWithSpread(std::span<const MotionInput> inputs, std::span<MotionStep> steps,
+                           std::span<MotionSpread> spreads) const override;
 
 private:
     std::shared_ptr<const LearnedMotion> motion_;
     int robot_;
     DeadTimes deadTimes_;
 };
+
+/// The learned model that a robot is moved by, whatever is added to it; null where it is of another kind.
+const LearnedModel* learnedModel(const MotionModel& model);
 
 }  // namespace mrose

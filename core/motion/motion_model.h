@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,13 +21,21 @@ struct MotionInput {
     /// What the model remembers of the robot: memorySize() bytes, read and written. Empty: it begins here, and nothing
     /// is kept.
     std::span<std::byte> memory = {};
-    NoiseKey noise = {};  ///< for what it draws; its channel is NoiseChannel::motion
+    /// For what it draws, of NoiseChannel::motion. None: nothing is random, and the mean is wanted.
+    std::optional<NoiseKey> noise = std::nullopt;
 };
 
 /// What it predicts.
 struct MotionStep {
     Pose increment;     ///< pose at the period's end in the robot's frame at its start
     Velocity velocity;  ///< at the period's end
+};
+
+/// How unsure a model is of a prediction: standard deviations of what it predicts.
+struct MotionSpread {
+    Pose increment;
+    Velocity velocity;
+    bool operator==(const MotionSpread&) const = default;
 };
 
 /// Where one robot will be a control period later: Delta: (v, w, commands) -> (dx, dy, dphi, v', w'). Models are const;
@@ -54,9 +64,19 @@ public:
     };
     virtual DeadTimes deadTimes() const { return {}; }
 
+    /// The model that this one only adds something to; otherwise itself.
+    virtual const MotionModel& underlying() const { return *this; }
+
     /// steps[i] from inputs[i]; the spans have equal sizes. The result for a robot does not depend on the others in the
     /// batch, to the last bit. Inputs must be finite.
     virtual void predict(std::span<const MotionInput> inputs, std::span<MotionStep> steps) const = 0;
+
+    /// The same steps, with how unsure the model is of each: zero of models that do not know.
+    virtual void predictWithSpread(std::span<const MotionInput> inputs, std::span<MotionStep> steps,
+                                   std::span<MotionSpread> spreads) const {
+        predict(inputs, steps);
+        std::fill(spreads.begin(), spreads.end(), MotionSpread{});
+    }
 
     MotionStep predictOne(const MotionInput& input) const {
         MotionStep step;

@@ -4,8 +4,8 @@
 
 namespace mrose {
 
-/// Whether two models predict the same of everything, as far as their parameters tell: descriptions that are loaded
-/// again make new models, also where nothing has changed.
-bool sameMotion(const MotionModel& a, const MotionModel& b);
+/// Whether two models predict the same of everything, as far as their parameters tell and whatever noise is added:
+/// descriptions that are loaded again make new models, also where nothing has changed.
+bool sameMotion(const MotionModel& one, const MotionModel& other);
 
 }  // namespace mrose

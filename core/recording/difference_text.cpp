@@ -27,15 +27,16 @@ std::string commandText(const Scenario& scenario, const WorldState& state, std::
     return "command " + std::to_string(index + 1);
 }
 
-/// "controller memory of robot 2, byte 3", where there is one whose memory it is; `blockOf` gives a robot's in `all`.
+/// "controller memory of robot 2, byte 3", where there is one of these bodies whose memory it is; `blockOf` gives a
+/// body's in `all`.
 template <class BlockOf>
 std::string memoryText(const Scenario& scenario, const std::vector<std::byte>& all, std::size_t index,
-                       const char* whose, BlockOf blockOf) {
-    for (std::size_t i = 0; i < scenario.scene().robots.size(); ++i) {
+                       const char* whose, BlockOf blockOf, std::size_t bodies) {
+    for (std::size_t i = 0; i < bodies; ++i) {
         const std::span<const std::byte> memory = blockOf(i);
         const auto first = static_cast<std::size_t>(memory.data() - all.data());
         if (index >= first && index < first + memory.size())
-            return std::string(whose) + " memory of " + robotText(scenario, i) + ", byte " +
+            return std::string(whose) + " memory of " + bodyText(scenario, i) + ", byte " +
                    std::to_string(index - first);
     }
     return std::string(whose) + " memory, byte " + std::to_string(index);
@@ -60,14 +61,17 @@ std::string placeText(const Scenario& scenario, const WorldState& state, const S
         case Part::command:
             return commandText(scenario, state, difference.index);
         case Part::motion:
-            return memoryText(scenario, state.motion, difference.index, "motion model",
-                              [&](std::size_t robot) { return scenario.motionMemory(state, robot); });
+            return memoryText(
+                scenario, state.motion, difference.index, "motion model",
+                [&](std::size_t body) { return scenario.motionMemory(state, body); }, scenario.scene().bodyCount());
         case Part::memory:
-            return memoryText(scenario, state.memory, difference.index, "controller",
-                              [&](std::size_t robot) { return scenario.memoryOf(state, robot); });
+            return memoryText(
+                scenario, state.memory, difference.index, "controller",
+                [&](std::size_t robot) { return scenario.memoryOf(state, robot); }, state.robots.size());
         case Part::sensing:
-            return memoryText(scenario, state.sensing, difference.index, "sensor",
-                              [&](std::size_t robot) { return scenario.sensorMemory(state, robot); });
+            return memoryText(
+                scenario, state.sensing, difference.index, "sensor",
+                [&](std::size_t robot) { return scenario.sensorMemory(state, robot); }, state.robots.size());
         case Part::past:
             return "past pose of " + bodyText(scenario, difference.index % scenario.scene().bodyCount());
     }

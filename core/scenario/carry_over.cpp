@@ -30,8 +30,7 @@ public:
                 next_.robots[i].segment.startTick = next_.robots[i].nextControl = next_.tick;
         }
         for (std::size_t i = 0; i < next_.objects.size(); ++i)
-            if (const auto origin = origin_[next_.robots.size() + i])
-                next_.objects[i] = old_.objects[*origin - old_.robots.size()];
+            if (const auto origin = origin_[next_.robots.size() + i]) carryObject(i, *origin - old_.robots.size());
         carryContacts();
         carryKicks();
         carryMessages();
@@ -78,6 +77,15 @@ private:
         const std::span<const std::byte> memory = from_.memoryOf(old_, origin);
         if (typeid(before) == typeid(after) && memory.size() == to_.memoryOf(next_, robot).size())
             std::copy(memory.begin(), memory.end(), to_.memoryOf(next_, robot).begin());
+    }
+
+    void carryObject(std::size_t object, std::size_t origin) {
+        next_.objects[object] = old_.objects[origin];
+        const ObjectModel &before = *from_.scene().typeOfObject(origin).motion,
+                          &after = *to_.scene().typeOfObject(object).motion;
+        const std::span<const std::byte> memory = from_.motionMemory(old_, old_.robots.size() + origin);
+        const std::span<std::byte> own = to_.motionMemory(next_, next_.robots.size() + object);
+        if (typeid(before) == typeid(after) && memory.size() == own.size()) std::ranges::copy(memory, own.begin());
     }
 
     void carryCommands(std::size_t robot, std::size_t origin) {

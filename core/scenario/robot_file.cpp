@@ -172,7 +172,7 @@ Expected<RobotDescription> readRobot(const Value::File& file, DescriptionLibrary
     type.surface = surfaceOr(root, "surface", type.surface);
     if (!root.failed()) readMotion(root, robot, *file, library, deadTimes);
     robot.deadTime = (deadTimes.v + deadTimes.w) / 2;
-    type.motionNoise = readMotionNoise(root.tableOrEmpty("motion_noise"));
+    robot.motionNoise = readMotionNoise(root.tableOrEmpty("motion_noise"));
     readManipulators(root, type, deadTimes);
     type.perception = readPerception(root.tableOrEmpty("perception"));
     root.rejectUnknown();

@@ -7,6 +7,7 @@
 #include "io/error.h"
 #include "motion/kinematic.h"
 #include "motion/learned_model.h"
+#include "motion/noisy_model.h"
 #include "scenario/description_library.h"
 #include "scenario/robot_kind.h"
 #include "scene/robot_type.h"
@@ -19,6 +20,7 @@ struct RobotDescription {
     std::shared_ptr<const LearnedMotion> motion;       ///< learned; nothing where it moves by kinematics
     std::string motionRobot;                           ///< which of the network's robots it is; "": the mean of them
     std::shared_ptr<const KinematicModel> kinematics;  ///< nothing where it is learned
+    MotionNoise motionNoise;                           ///< on either
 
     Value::File file;               ///< what it was read from, with all that this names
     std::optional<RobotKind> kind;  ///< what logs and networks call such robots; nothing where the file does not say

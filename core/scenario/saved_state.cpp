@@ -26,6 +26,7 @@ std::string wrongLayout(const SavedState& saved) {
         memory += paddedMemory(robot.memory);
         sensing += paddedMemory(robot.sensing);
     }
+    for (const SavedState::Object& object : saved.objects) motion += paddedMemory(object.motion);
     const std::size_t bodies = saved.robots.size() + saved.objects.size();
     if (state.robots.size() != saved.robots.size() || state.objects.size() != saved.objects.size() ||
         state.commands.size() != commands || state.motion.size() != motion || state.memory.size() != memory ||
@@ -91,7 +92,8 @@ SavedState savedState(const Scenario& scenario, const WorldState& state) {
         saved.robots.push_back({scene.robots[i].name, scene.modelOf(i).period(), scenario.commandSlots(state, i).size(),
                                 scenario.motionMemory(state, i).size(), scenario.memoryOf(state, i).size(),
                                 scenario.sensorMemory(state, i).size()});
-    for (const SceneObject& object : scene.objects) saved.objects.push_back(object.name);
+    for (std::size_t i = 0; i < scene.objects.size(); ++i)
+        saved.objects.push_back({scene.objects[i].name, scenario.motionMemory(state, scene.robots.size() + i).size()});
     return saved;
 }
 
@@ -110,7 +112,9 @@ std::string savedStateText(const SavedState& saved, const ScenarioValue* whole) 
         text += "\n[[robot]]\nname = " + tomlString(robot.name) + '\n' +
                 number("period_ns", static_cast<std::uint64_t>(robot.period)) + number("commands", robot.commands) +
                 number("motion", robot.motion) + number("memory", robot.memory) + number("sensing", robot.sensing);
-    for (const std::string& object : saved.objects) text += "\n[[object]]\nname = " + tomlString(object) + '\n';
+    for (const SavedState::Object& object : saved.objects)
+        text += "\n[[object]]\nname = " + tomlString(object.name) + '\n' +
+                (object.motion != 0 ? number("motion", object.motion) : "");
     return text;
 }
 
@@ -144,7 +148,8 @@ Expected<SavedState> readSavedState(const Value& content, const std::string& fil
         table.rejectUnknown();
     }
     for (TomlTable& table : root.tablesOrNone("object")) {
-        saved.objects.push_back(table.string("name"));
+        const std::string name = table.string("name");
+        saved.objects.push_back({name, static_cast<std::uint64_t>(table.integerOr("motion", 0, 0, mostOfAnything))});
         table.rejectUnknown();
     }
     root.rejectUnknown();
@@ -163,17 +168,15 @@ Expected<SavedState> readSavedState(const Value& content, const std::string& fil
 
 std::string unfit(const SavedState& saved, const Scene& scene) {
     const std::string of = "is a state of \"" + saved.scenario + "\" with ";
-    const auto others = [&](const char* what, const auto& names, const auto& own) -> std::string {
-        if (names.size() != own.size())
-            return of + std::to_string(names.size()) + ' ' + what + "s; the scenario has " + std::to_string(own.size());
-        for (std::size_t i = 0; i < names.size(); ++i)
-            if (names[i] != own[i].name)
-                return of + "the " + what + " \"" + names[i] + "\" where the scenario has \"" + own[i].name + '"';
+    const auto others = [&](const char* what, const auto& kept, const auto& own) -> std::string {
+        if (kept.size() != own.size())
+            return of + std::to_string(kept.size()) + ' ' + what + "s; the scenario has " + std::to_string(own.size());
+        for (std::size_t i = 0; i < kept.size(); ++i)
+            if (kept[i].name != own[i].name)
+                return of + "the " + what + " \"" + kept[i].name + "\" where the scenario has \"" + own[i].name + '"';
         return "";
     };
-    std::vector<std::string> robots;
-    for (const SavedState::Robot& robot : saved.robots) robots.push_back(robot.name);
-    if (std::string wrong = others("robot", robots, scene.robots); !wrong.empty()) return wrong;
+    if (std::string wrong = others("robot", saved.robots, scene.robots); !wrong.empty()) return wrong;
     if (std::string wrong = others("object", saved.objects, scene.objects); !wrong.empty()) return wrong;
     if (saved.tickLength != scene.tickLength)
         return of + "ticks of " + plainSeconds(saved.tickLength) + " s; the scenario's are " +
@@ -209,6 +212,9 @@ WorldState restored(const SavedState& saved, const Scenario& scenario, std::uint
             robot.nextControl = robot.segment.startTick = state.tick;
         commands += kept.commands;
     }
+    for (std::size_t i = 0; i < saved.objects.size(); ++i)
+        keep(saved.state.motion, motion, saved.objects[i].motion,
+             scenario.motionMemory(state, saved.robots.size() + i));
     layOutPast(saved, scenario, state);
     moveToStarts(scenario.scene(), state);
     return state;

@@ -23,7 +23,12 @@ struct SavedState {
         bool operator==(const Robot&) const = default;
     };
     std::vector<Robot> robots;
-    std::vector<std::string> objects;  ///< names
+    struct Object {
+        std::string name;
+        std::uint64_t motion = 0;  ///< bytes of its motion model
+        bool operator==(const Object&) const = default;
+    };
+    std::vector<Object> objects;
     WorldState state;
 };
 SavedState savedState(const Scenario& scenario, const WorldState& state);

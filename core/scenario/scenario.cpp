@@ -84,6 +84,14 @@ void Scenario::layOut() {
         longestPeriod_ = std::max(longestPeriod_, model.period() / scene.tickLength);
         periods_.push_back({model.period() / scene.tickLength, toSeconds(model.period())});
     }
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        Slots slots;
+        slots.motion = motionSize_;
+        slots.motionSize = scene.typeOfObject(i).motion->memorySize();
+        motionSize_ += paddedMemory(slots.motionSize);
+        objectsRemember_ = objectsRemember_ || slots.motionSize > 0;
+        slots_.push_back(slots);
+    }
     past_ = PastPoses(depth, scene.bodyCount());
 }
 
@@ -131,8 +139,8 @@ WorldState Scenario::freshState(std::uint64_t seed) const {
     state.motion.resize(motionSize_);
     state.memory.resize(memorySize_);
     state.sensing.resize(sensingSize_);
+    for (std::size_t body = 0; body < scene.bodyCount(); ++body) startMotion(state, body);
     for (std::size_t i = 0; i < scene.robots.size(); ++i) {
-        scene.modelOf(i).start(motionMemory(state, i));
         controller(i).start(memoryOf(state, i));
         for (std::size_t k = 0; k < sensors(i).size(); ++k) sensors(i)[k]->start(sensorMemory(state, i, k));
     }
@@ -141,10 +149,18 @@ WorldState Scenario::freshState(std::uint64_t seed) const {
     return state;
 }
 
-void Scenario::forgetMotion(WorldState& state, std::size_t robot) const {
-    const std::span<std::byte> memory = motionMemory(state, robot);
-    std::ranges::fill(memory, std::byte{0});
-    scene().modelOf(robot).start(memory);
+void Scenario::startMotion(WorldState& state, std::size_t body) const {
+    const std::size_t robots = scene().robots.size();
+    const std::span<std::byte> memory = motionMemory(state, body);
+    if (body < robots)
+        scene().modelOf(body).start(memory);
+    else
+        scene().typeOfObject(body - robots).motion->start(memory);
+}
+
+void Scenario::forgetMotion(WorldState& state, std::size_t body) const {
+    std::ranges::fill(motionMemory(state, body), std::byte{0});
+    startMotion(state, body);
 }
 
 }  // namespace mrose

@@ -84,15 +84,17 @@ public:
     std::span<const std::byte> memoryOf(const WorldState& state, std::size_t robot) const {
         return std::span(state.memory).subspan(slots_[robot].memory, slots_[robot].memorySize);
     }
-    /// Likewise its motion model's in WorldState::motion.
-    std::span<std::byte> motionMemory(WorldState& state, std::size_t robot) const {
-        return std::span(state.motion).subspan(slots_[robot].motion, slots_[robot].motionSize);
+    /// Likewise what the motion model of a body, robot or object, remembers of it in WorldState::motion.
+    std::span<std::byte> motionMemory(WorldState& state, std::size_t body) const {
+        return std::span(state.motion).subspan(slots_[body].motion, slots_[body].motionSize);
     }
-    std::span<const std::byte> motionMemory(const WorldState& state, std::size_t robot) const {
-        return std::span(state.motion).subspan(slots_[robot].motion, slots_[robot].motionSize);
+    std::span<const std::byte> motionMemory(const WorldState& state, std::size_t body) const {
+        return std::span(state.motion).subspan(slots_[body].motion, slots_[body].motionSize);
     }
+    /// Whether any object's motion model remembers something.
+    bool objectsRemember() const { return objectsRemember_; }
     /// Its motion model begins anew.
-    void forgetMotion(WorldState& state, std::size_t robot) const;
+    void forgetMotion(WorldState& state, std::size_t body) const;
     /// A robot's sensors: those that every robot has, then its type's own.
     std::span<const std::shared_ptr<const Sensor>> sensors(std::size_t robot) const {
         return sensors_[scene().robots[robot].type].all;
@@ -163,6 +165,7 @@ private:
     };
     void layOutSensors();
     void layOut();
+    void startMotion(WorldState& state, std::size_t body) const;
     void prepareContacts();
 
     ScenarioParts parts_;
@@ -170,13 +173,14 @@ private:
     CollisionShape obstacleShape_;
     std::vector<ContactBodyType> contactTypes_;
     std::vector<std::uint32_t> contactTypeOf_;
-    std::vector<Slots> slots_;
+    std::vector<Slots> slots_;  ///< by body; objects have motion alone
     std::vector<Period> periods_;
     std::vector<Sensors> sensors_;       ///< of each type
     std::vector<std::uint32_t> wanted_;  ///< of each robot's sensors
     std::size_t commandSlots_ = 0, motionSize_ = 0, memorySize_ = 0, sensingSize_ = 0;
     std::int64_t longestPeriod_ = 0;
     PastPoses past_;
+    bool objectsRemember_ = false;
 };
 
 }  // namespace mrose

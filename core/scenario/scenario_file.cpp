@@ -60,7 +60,7 @@ private:
     std::map<Value::File, RobotDescription> descriptions_;
     std::map<std::pair<const RobotDescription*, const MotionNetwork*>, RobotDescription> moved_;  ///< by own networks
     std::map<std::pair<const RobotDescription*, bool>, std::uint32_t> types_;
-    std::map<std::pair<const void*, std::string>, std::uint32_t> models_;
+    std::map<std::tuple<const void*, std::string, MotionNoise>, std::uint32_t> models_;
 };
 
 void ScenarioReader::readRun() {
@@ -148,12 +148,12 @@ std::string ScenarioReader::motionRobot(TomlTable& table, const RobotDescription
 
 std::uint32_t ScenarioReader::modelIndex(const RobotDescription& robot, const std::string& motionRobot) {
     const void* const motion = robot.motion ? static_cast<const void*>(robot.motion.get()) : robot.kinematics.get();
-    const auto [model, added] =
-        models_.emplace(std::pair(motion, motionRobot), static_cast<std::uint32_t>(scene_.models.size()));
-    if (added && robot.motion)
-        scene_.models.push_back(std::make_shared<const LearnedModel>(robot.motion, motionRobot));
-    else if (added)
-        scene_.models.push_back(robot.kinematics);
+    const auto [model, added] = models_.emplace(std::tuple(motion, motionRobot, robot.motionNoise),
+                                                static_cast<std::uint32_t>(scene_.models.size()));
+    if (!added) return model->second;
+    std::shared_ptr<const MotionModel> own = robot.kinematics;
+    if (robot.motion) own = std::make_shared<const LearnedModel>(robot.motion, motionRobot);
+    scene_.models.push_back(withNoise(std::move(own), robot.motionNoise));
     return model->second;
 }
 
@@ -230,7 +230,7 @@ std::uint32_t ScenarioReader::objectTypeIndex(ObjectType type) {
     if (type.shape) type.name = type.shape->name;
     const auto same = [&](const ObjectType& other) {
         return other.shape == type.shape && other.mass == type.mass && other.surface == type.surface &&
-               other.rolls == type.rolls && other.inertia == type.inertia;
+               other.rolls == type.rolls && other.inertia == type.inertia && other.motion == type.motion;
     };
     const auto found = std::find_if(scene_.objectTypes.begin(), scene_.objectTypes.end(), same);
     const auto index = static_cast<std::uint32_t>(found - scene_.objectTypes.begin());

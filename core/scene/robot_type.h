@@ -14,17 +14,6 @@ namespace mrose {
 
 class Sensor;
 
-/// What a model's prediction leaves out, as standard deviations per period: the odometry model of Thrun, Burgard, Fox
-/// (2005), 5.4, without its third rotation.
-struct MotionNoise {
-    double distancePerDistance = 0;  ///< m/m
-    double rotationPerRotation = 0;  ///< rad/rad
-    double rotationPerDistance = 0;  ///< rad/m
-    bool operator==(const MotionNoise&) const = default;
-
-    bool none() const { return *this == MotionNoise{}; }
-};
-
 /// A kicker: a ball whose edge lies within its reach leaves it with the given speed along its direction.
 struct Manipulator {
     std::string name;
@@ -44,7 +33,6 @@ struct RobotType {
     std::shared_ptr<const Shape> shape;
     double mass = 10;  ///< kg, spread evenly over the shape
     Surface surface;
-    MotionNoise motionNoise;
     std::vector<Manipulator> manipulators;               ///< at most maxManipulators
     Perception perception;                               ///< by the sensors that every robot has
     std::vector<std::shared_ptr<const Sensor>> sensors;  ///< further ones (sensing/)

@@ -8,6 +8,7 @@
 
 #include "motion/motion_model.h"
 #include "scene/environment.h"
+#include "scene/floor_motion.h"
 #include "scene/robot_type.h"
 
 namespace mrose {
@@ -20,6 +21,7 @@ struct ObjectType {
     Surface surface{0.2, 0.6};
     bool rolls = true;           ///< a ball; otherwise it slides, like a box
     double inertia = 2.0 / 3.0;  ///< of a ball, over m r2: hollow 2/3, solid 2/5
+    std::shared_ptr<const ObjectModel> motion = floorMotion();
 };
 
 /// One robot of a scene: constants and where it starts.

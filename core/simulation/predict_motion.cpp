@@ -8,15 +8,6 @@
 namespace mrose {
 namespace {
 
-void addMotionNoise(const MotionNoise& noise, const NoiseKey& key, MotionStep& step) {
-    if (noise.none()) return;
-    const double distance = length({step.increment.x, step.increment.y});
-    const NoisePair draw = normalPair(key);
-    step.increment.x += noise.distancePerDistance * distance * draw.first;
-    step.increment.heading += draw.second * length({noise.rotationPerRotation * step.increment.heading,
-                                                    noise.rotationPerDistance * distance});
-}
-
 bool finite(const MotionStep& step) {
     return std::isfinite(step.increment.x + step.increment.y + step.increment.heading) &&
            std::isfinite(step.velocity.v + step.velocity.w);
@@ -42,7 +33,7 @@ void predictMotion(const Scenario& scenario, WorldState& state, StepBuffers::Con
         input.start = scene.timeOf(state.tick);
         input.velocity = {robot.velocity_B.x, robot.velocity_B.rotation};
         input.memory = scenario.motionMemory(state, i);
-        input.noise = {state.seed, state.tick, i, channelOf(NoiseChannel::motion)};
+        input.noise = NoiseKey{state.seed, state.tick, i, channelOf(NoiseChannel::motion)};
     }
     for (std::size_t begin = 0, end = 0; begin < due.size(); begin = end) {
         while (end < due.size() && modelOf(due[end]) == modelOf(due[begin])) ++end;
@@ -53,7 +44,6 @@ void predictMotion(const Scenario& scenario, WorldState& state, StepBuffers::Con
         const std::uint32_t i = due[k];
         RobotState& robot = state.robots[i];
         MotionStep& predicted = buffers.predictions[k];
-        addMotionNoise(scene.typeOf(i).motionNoise, buffers.inputs[k].noise, predicted);
         if (finite(predicted)) {
             robot.segment =
                 beginSegment(robot.pose, robot.velocity_B, predicted, state.tick, scenario.periodOf(i).seconds);

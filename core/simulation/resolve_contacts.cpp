@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "simulation/floor_motion.h"
+#include "scene/floor_motion.h"
 #include "simulation/step_stages.h"
 #include "world/noise.h"
 #include "world/noise_channel.h"
@@ -27,8 +27,6 @@ Recovery freeMotion(const Scenario& scenario, const WorldState& state, std::size
     return recover({robot.pose, robot.velocity_B}, onWay, fromStart(robot.segment, share, period),
                    toSeconds(scene.tickLength), scene.environment.floor.traction * gravity, turnLever);
 }
-
-bool atRest(const ObjectState& object) { return object.velocity_W == Twist{} && object.roll_W == Point{}; }
 
 std::uint32_t rootOf(std::vector<std::uint32_t>& cluster, std::uint32_t body) {
     while (cluster[body] != body) body = cluster[body] = cluster[cluster[body]];
@@ -141,24 +139,27 @@ void moveRobot(RobotState& r, const ContactOutcome& outcome) {
     r.pushed = true;
 }
 
-double floorFrictionFactor(const Scenario& scenario, const WorldState& state, std::size_t body) {
-    const double factor = scenario.scene().randomFactor;
-    if (factor == 0) return 1;
-    const auto channel = channelOf(NoiseChannel::floorFriction);
-    const double u = uniformNoise({state.seed, state.tick, static_cast<std::uint32_t>(body), channel});
-    return 1 + factor * (2 * u - 1);
+ObjectInput objectInput(const Scenario& scenario, WorldState& state, std::size_t object, const ObjectState& from,
+                        double duration) {
+    const Scene& scene = scenario.scene();
+    const std::size_t body = state.robots.size() + object;
+    const NoiseKey noise{state.seed, state.tick, static_cast<std::uint32_t>(body),
+                         channelOf(NoiseChannel::floorFriction)};
+    return {from,  scene.typeOfObject(object),        scene.environment.floor, scene.randomFactor, duration,
+            noise, scenario.motionMemory(state, body)};
 }
 
 /// Contact acts on what an object does in the tick's middle: the floor has worked on it for half of the tick, and does
-/// for the other half.
-ObjectState touchedObject(const Scenario& scenario, const WorldState& state, std::size_t object,
-                          const ObjectState& before, const ContactOutcome& outcome) {
-    const ObjectType& type = scenario.scene().typeOfObject(object);
-    const FloorSurface& floor = scenario.scene().environment.floor;
-    const double factor = floorFrictionFactor(scenario, state, state.robots.size() + object);
+/// for the other half. `memory`: of all motion models, when the tick began.
+ObjectState touchedObject(const Scenario& scenario, WorldState& state, std::size_t object, const ObjectState& before,
+                          const ContactOutcome& outcome, const std::vector<std::byte>& memory) {
+    const ObjectModel& model = *scenario.scene().typeOfObject(object).motion;
     const double half = toSeconds(scenario.scene().tickLength) / 2;
-    const Point roll = slowedByFloor(before, type, floor, factor, half).roll_W;
-    return slowedByFloor({outcome.pose, outcome.velocity_W, roll}, type, floor, factor, half);
+    if (const std::span own = scenario.motionMemory(state, state.robots.size() + object); !own.empty())
+        std::copy_n(memory.begin() + (own.data() - state.motion.data()), own.size(), own.begin());
+    const Point roll = heldInPlace(model, objectInput(scenario, state, object, before, half)).roll_W;
+    const ObjectState touched{outcome.pose, outcome.velocity_W, roll};
+    return heldInPlace(model, objectInput(scenario, state, object, touched, half));
 }
 
 void commit(const Scenario& scenario, WorldState& state, StepBuffers::Content& buffers, StepTrace* trace) {
@@ -183,7 +184,8 @@ void commit(const Scenario& scenario, WorldState& state, StepBuffers::Content& b
             if (trace != nullptr) trace->robots[body].touched = true;
         } else {
             const ObjectState& before = buffers.objects[body - robots];
-            state.objects[body - robots] = touchedObject(scenario, state, body - robots, before, outcome);
+            state.objects[body - robots] =
+                touchedObject(scenario, state, body - robots, before, outcome, buffers.motion);
             if (trace != nullptr) trace->touchedObjects[body - robots] = true;
         }
     }
@@ -191,7 +193,7 @@ void commit(const Scenario& scenario, WorldState& state, StepBuffers::Content& b
 
 }  // namespace
 
-void planFreeMotion(const Scenario& scenario, const WorldState& state, StepBuffers::Content& buffers) {
+void planFreeMotion(const Scenario& scenario, WorldState& state, StepBuffers::Content& buffers) {
     const Scene& scene = scenario.scene();
     buffers.paths.resize(state.robots.size());
     buffers.swept.resize(state.robots.size() + state.objects.size());
@@ -202,14 +204,13 @@ void planFreeMotion(const Scenario& scenario, const WorldState& state, StepBuffe
         buffers.swept[i] = SweptBody::of(shape, pose, buffers.paths[i].point.pose);
     }
     buffers.objects.clear();
+    if (scenario.objectsRemember()) buffers.motion = state.motion;
     for (std::size_t i = 0; i < state.objects.size(); ++i) {
         const ObjectState& object = state.objects[i];
         const ObjectType& type = scene.typeOfObject(i);
         const std::size_t body = state.robots.size() + i;
-        buffers.objects.push_back(atRest(object) ? object
-                                                 : afterFloorMotion(object, type, scene.environment.floor,
-                                                                    floorFrictionFactor(scenario, state, body),
-                                                                    toSeconds(scene.tickLength)));
+        buffers.objects.push_back(
+            type.motion->after(objectInput(scenario, state, i, object, toSeconds(scene.tickLength))));
         buffers.swept[body] = SweptBody::of(*type.shape, object.pose, buffers.objects[i].pose);
     }
 }
@@ -234,7 +235,9 @@ void countGoals(const Scenario& scenario, WorldState& state, const StepBuffers::
             if (!arrived || !scene.typeOfObject(i).rolls) continue;
             ++state.goals[g];
             if (trace != nullptr) trace->goals.push_back(g);
-            if (scenario.parts().kickOff) state.objects[i] = {scenario.kickOffPose(i), {}, {}};
+            if (!scenario.parts().kickOff) continue;
+            state.objects[i] = {scenario.kickOffPose(i), {}, {}};
+            scenario.forgetMotion(state, state.robots.size() + i);
         }
 }
 

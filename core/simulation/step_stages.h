@@ -16,6 +16,7 @@ struct StepBuffers::Content {
     std::vector<MotionStep> predictions;
     std::vector<Recovery> paths;       ///< of the robots at the tick's end, without touch
     std::vector<ObjectState> objects;  ///< likewise
+    std::vector<std::byte> motion;     ///< WorldState::motion at the tick's start, where objects remember
     std::vector<SweptBody> swept;
     TouchSearch search;
     std::vector<std::uint32_t> cluster, touching;
@@ -33,7 +34,7 @@ void decide(const Scenario& scenario, WorldState& state, StepBuffers::Content& b
 void rememberPoses(const Scenario& scenario, WorldState& state);
 void predictMotion(const Scenario& scenario, WorldState& state, StepBuffers::Content& buffers, StepTrace* trace);
 void kick(const Scenario& scenario, WorldState& state, StepTrace* trace);
-void planFreeMotion(const Scenario& scenario, const WorldState& state, StepBuffers::Content& buffers);
+void planFreeMotion(const Scenario& scenario, WorldState& state, StepBuffers::Content& buffers);
 void resolveContacts(const Scenario& scenario, WorldState& state, StepBuffers::Content& buffers, StepTrace* trace);
 void countGoals(const Scenario& scenario, WorldState& state, const StepBuffers::Content& buffers, StepTrace* trace);
 

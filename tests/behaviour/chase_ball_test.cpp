@@ -23,7 +23,7 @@ SmallWorld chase(const RobotType& type, std::int64_t which, const ChaseBall::Opt
     const Pose start = somewhere(81, which, 9, 5);
     Pose ball{draw(81, which, 7, 0.6, 4), draw(81, which, 8, 0.6, 4.4), 0};
     if (distance(position(start), position(ball)) < 0.6) ball.y += ball.y > 2.5 ? -1 : 1;
-    world.robot(type, start, std::make_shared<const ChaseBall>(options), lateDrive(), which % 5);
+    world.robot(type, start, std::make_shared<const ChaseBall>(options), noisyDrive(), which % 5);
     world.object(ballType(), ball);
     return world;
 }
@@ -70,11 +70,11 @@ TEST(ChaseBall, NeverGetsStuckForEver) {
 double secondsToFree(const RobotType& type, const ChaseBall::Options& options, const Point& ball, std::int64_t which) {
     const Pose start{ball.x + (ball.x < 4.5 ? 1 : -1) * draw(91, which, 0, 0.5, 1.5),
                      ball.y + (ball.y < 2.5 ? 1 : -1) * draw(91, which, 1, 0.5, 1.5), draw(91, which, 2, -3.1, 3.1)};
-    const Scenario scenario =
-        SmallWorld(walledField(9, 5))
-            .robot(type, start, std::make_shared<const ChaseBall>(options), lateDrive(), which % 5)
-            .object(ballType(), {ball.x, ball.y, 0})
-            .scenario();
+    const Scenario scenario = SmallWorld(walledField(9, 5))
+                                  .robot(type, start, std::make_shared<const ChaseBall>(options),
+                                         options.guide ? noisyDrive() : lateDrive(), which % 5)
+                                  .object(ballType(), {ball.x, ball.y, 0})
+                                  .scenario();
     WorldState state = scenario.initialState(static_cast<std::uint64_t>(which));
     StepBuffers buffers;
     std::int64_t came = -1;
@@ -135,7 +135,7 @@ TEST(ChaseBall, WithoutAGuideItWaitsAsideOfACorner) {
 TEST(ChaseBall, FindsABallThatLiesBehindIt) {
     const Scenario scenario =
         SmallWorld(walledField(9, 5))
-            .robot(guideRobot(cameras()), {5, 2.5, 0}, std::make_shared<const ChaseBall>(toTheEast), lateDrive())
+            .robot(guideRobot(cameras()), {5, 2.5, 0}, std::make_shared<const ChaseBall>(toTheEast), noisyDrive())
             .object(ballType(), {2, 2, 0})
             .scenario();
     EXPECT_GE(play(scenario, 4, 60).arrived, 0);

@@ -20,24 +20,23 @@ bool rests(const WorldState& state, double within = 1e-3) {
     return std::abs(velocity.x) < within && std::abs(velocity.rotation) < 2 * within;
 }
 
-Scenario alone(const RobotType& type, const Pose& start, const GoToPose::Options& options, std::int64_t phase = 0) {
+Scenario alone(const RobotType& type, const Pose& start, const GoToPose::Options& options, std::int64_t phase = 0,
+               std::shared_ptr<const MotionModel> drive = noisyDrive()) {
     return SmallWorld(walledField(9, 5))
-        .robot(type, start, std::make_shared<const GoToPose>(options), lateDrive(), phase)
+        .robot(type, start, std::make_shared<const GoToPose>(options), std::move(drive), phase)
         .scenario();
 }
 
-RobotType exactRobot() {
-    RobotType type = guideRobot({});
-    type.motionNoise = {};
-    return type;
+/// One that knows where it is and has no noise.
+Scenario exact(const Pose& start, const GoToPose::Options& options, std::int64_t phase = 0) {
+    return alone(guideRobot({}), start, options, phase, lateDrive());
 }
 
 TEST(GoToPose, ArrivesWithinItsTolerancesFromEverywhereAndStays) {
     for (const bool backwards : {false, true})
         for (std::int64_t i = 0; i < 100; ++i) {
             const Pose goal = somewhere(71, 1000 + i, 9, 5);
-            const Scenario scenario =
-                alone(exactRobot(), somewhere(71, i, 9, 5), {.targets = {goal}, .backwards = backwards}, i % 5);
+            const Scenario scenario = exact(somewhere(71, i, 9, 5), {.targets = {goal}, .backwards = backwards}, i % 5);
             WorldState state = scenario.initialState();
             run(scenario, state, 40 * ticksPerSecond);
             EXPECT_LT(off(state, goal), 0.05) << i;
@@ -70,7 +69,7 @@ TEST(GoToPose, ArrivesByNoisyCamerasAsFarAsTheyTell) {
 TEST(GoToPose, VisitsItsTargetsInOrderAndAgainIfItLoops) {
     const std::vector<Pose> targets{{2, 2, 0}, {4, 3, 1.5}, {6, 2, 3}};
     for (const bool loop : {false, true}) {
-        const Scenario scenario = alone(exactRobot(), {1, 1, 0}, {.targets = targets, .loop = loop});
+        const Scenario scenario = exact({1, 1, 0}, {.targets = targets, .loop = loop});
         WorldState state = scenario.initialState();
         StepBuffers buffers;
         std::vector<std::size_t> visited;
@@ -91,7 +90,7 @@ TEST(GoToPose, GoesTailFirstWhereItMay) {
     const Pose start{5, 2.5, 0}, goal{4, 2.5, 0};
     double seconds[2] = {};
     for (const bool backwards : {false, true}) {
-        const Scenario scenario = alone(exactRobot(), start, {.targets = {goal}, .backwards = backwards});
+        const Scenario scenario = exact(start, {.targets = {goal}, .backwards = backwards});
         WorldState state = scenario.initialState();
         while ((off(state, goal) > 0.05 || !rests(state) || turned(state, goal) > 0.1) &&
                state.tick < 60 * ticksPerSecond) {
@@ -109,9 +108,9 @@ TEST(GoToPose, PassesARobotThatComesItsWay) {
     RobotType type = guideRobot({});
     const Scenario scenario =
         SmallWorld(walledField(9, 5))
-            .robot(type, west, std::make_shared<const GoToPose>(GoToPose::Options{.targets = {east}}), lateDrive())
+            .robot(type, west, std::make_shared<const GoToPose>(GoToPose::Options{.targets = {east}}), noisyDrive())
             .robot(type, east * back, std::make_shared<const GoToPose>(GoToPose::Options{.targets = {west * back}}),
-                   lateDrive(), 2)
+                   noisyDrive(), 2)
             .scenario();
     WorldState state = scenario.initialState();
     StepBuffers buffers;
@@ -135,7 +134,7 @@ TEST(GoToPose, StandsUntilItKnowsWhereItIs) {
 
 TEST(GoToPose, ShowsGoalDistanceAndState) {
     const Pose goal{4, 2, 0};
-    const Scenario scenario = alone(exactRobot(), {2, 2, 0}, {.targets = {goal}});
+    const Scenario scenario = exact({2, 2, 0}, {.targets = {goal}});
     WorldState state = scenario.initialState();
     StepBuffers buffers;
     StepTrace trace;
@@ -166,7 +165,7 @@ TEST(GoToPose, KeepsOffWallsThatItKnows) {
             if (knows) options.walls = floorPlanOf(rooms);
             const Scenario scenario = SmallWorld(rooms)
                                           .robot(guideRobot(cameras()), {1, 2.5, 0.6 * static_cast<double>(seed)},
-                                                 std::make_shared<const GoToPose>(options), lateDrive())
+                                                 std::make_shared<const GoToPose>(options), noisyDrive())
                                           .scenario();
             WorldState state = scenario.initialState(seed);
             StepBuffers buffers;
@@ -190,7 +189,7 @@ TEST(GoToPose, GoesRoundABoxButNotRoundTheBall) {
     for (const bool ball : {false, true}) {
         const Scenario scenario =
             SmallWorld(walledField(9, 5))
-                .robot(exactRobot(), {1, 2.5, 0},
+                .robot(guideRobot({}), {1, 2.5, 0},
                        std::make_shared<const GoToPose>(GoToPose::Options{.targets = {{8, 2.5, 0}}, .ball = ball}),
                        lateDrive())
                 .object(boxType(0.3, 500), {4.5, 2.5, 0})

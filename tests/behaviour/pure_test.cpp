@@ -32,7 +32,7 @@ Scenario everybody() {
     const auto controllers = builtIn();
     for (std::size_t i = 0; i < controllers.size(); ++i)
         world.robot(type, {0.7 + 1.1 * static_cast<double>(i), i % 2 == 0 ? 1.0 : 3.0, 1.0 * static_cast<double>(i)},
-                    controllers[i], lateDrive(), static_cast<std::int64_t>(i));
+                    controllers[i], noisyDrive(), static_cast<std::int64_t>(i));
     world.object(ballType(), {3, 2, 0}, {0.4, 0.1, 0});
     return world.scenario();
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "behaviour/floor_plan.h"
+#include "motion/noisy_model.h"
 #include "simulation/small_world.h"
 #include "world/noise.h"
 #include "world/noise_channel.h"
@@ -16,6 +17,9 @@ inline std::shared_ptr<const MotionModel> lateDrive() {
     parameters.w = {.deadTime = 0.3, .lag = 0.1, .limit = 2, .acceleration = 5};
     return std::make_shared<const KinematicModel>(parameters);
 }
+
+/// The same with noise.
+inline std::shared_ptr<const MotionModel> noisyDrive() { return withNoise(lateDrive(), {0.03, 0.03, 0.02}); }
 
 /// Cameras that know the own pose to a decimetre, drifting, and see the half-plane's middle: all late, with drop-outs.
 inline Perception cameras() {
@@ -62,7 +66,6 @@ inline RobotType guideRobot(const Perception& perception) {
                                          {0.1, -0.19}}),
                                    part({{0.15, 0.15}, {0.24, 0.17}, {0.24, 0.19}, {0.1, 0.19}}),
                                    part({{0.1, -0.19}, {0.24, -0.19}, {0.24, -0.17}, {0.15, -0.15}})}));
-    type.motionNoise = {0.03, 0.03, 0.02};
     type.perception = perception;
     return type;
 }

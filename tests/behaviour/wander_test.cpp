@@ -16,7 +16,7 @@ TEST(Wander, NeverStandsStillForLong) {
             SmallWorld world(walledField(4, 4));
             for (int i = 0; i < robots; ++i)
                 world.robot(guideRobot(cameras()), {0.8 + 1.1 * (i % 3), 0.8 + 1.2 * (i / 3), 1.3 * i},
-                            std::make_shared<const Wander>(Wander::Options{}), lateDrive(), i % 5);
+                            std::make_shared<const Wander>(Wander::Options{}), noisyDrive(), i % 5);
             const Scenario scenario = world.scenario();
             WorldState state = scenario.initialState(seed);
             StepBuffers buffers;
@@ -42,7 +42,7 @@ TEST(Wander, GoesDifferentWaysBySeedAndSeesTheWholePlace) {
     for (std::uint64_t seed = 0; seed < 5; ++seed) {
         const Scenario scenario =
             SmallWorld(walledField(4, 4))
-                .robot(guideRobot({}), {2, 2, 0}, std::make_shared<const Wander>(Wander::Options{}), lateDrive())
+                .robot(guideRobot({}), {2, 2, 0}, std::make_shared<const Wander>(Wander::Options{}), noisyDrive())
                 .scenario();
         WorldState state = scenario.initialState(seed);
         StepBuffers buffers;
@@ -67,7 +67,7 @@ TEST(Wander, TurnsAwayFromWallsThatItKnows) {
             if (knows) options.walls = floorPlanOf(field);
             const Scenario scenario = SmallWorld(field)
                                           .robot(guideRobot(cameras()), {2.5, 1.5, 0.7 * static_cast<double>(seed)},
-                                                 std::make_shared<const Wander>(options), lateDrive())
+                                                 std::make_shared<const Wander>(options), noisyDrive())
                                           .scenario();
             WorldState state = scenario.initialState(seed);
             StepBuffers buffers;
@@ -90,7 +90,7 @@ TEST(Wander, TurnsAwayFromWallsThatItKnows) {
 TEST(Wander, TurnsSmoothly) {
     const Scenario scenario =
         SmallWorld()
-            .robot(guideRobot({}), {}, std::make_shared<const Wander>(Wander::Options{}), lateDrive())
+            .robot(guideRobot({}), {}, std::make_shared<const Wander>(Wander::Options{}), noisyDrive())
             .scenario();
     WorldState state = scenario.initialState();
     StepBuffers buffers;
@@ -111,7 +111,7 @@ TEST(Wander, TurnsSmoothly) {
 TEST(Wander, TurnsAwayFromABodyAhead) {
     const Scenario scenario =
         SmallWorld()
-            .robot(guideRobot({}), {}, std::make_shared<const Wander>(Wander::Options{}), lateDrive())
+            .robot(guideRobot({}), {}, std::make_shared<const Wander>(Wander::Options{}), noisyDrive())
             .object(boxType(0.4, 500), {2, 0.1, 0})
             .scenario();
     for (std::uint64_t seed = 0; seed < 10; ++seed) {

@@ -151,7 +151,7 @@ TEST(LogScenario, TellsWhatIsMissingForALogOfUnknownRobots) {
 TEST(LogScenario, CreatesOfTheNetworkAreKnownByTheirNumbers) {
     LoadedLog loaded{twoCreates(), {}, {}};
     ASSERT_NO_FATAL_FAILURE(load(loaded));
-    const auto& model = dynamic_cast<const LearnedModel&>(loaded.world->parts().scene.modelOf(1));
+    const LearnedModel& model = *learnedModel(loaded.world->parts().scene.modelOf(1));
     EXPECT_EQ(model.network().robots[static_cast<std::size_t>(model.robot())], "2");
 }
 

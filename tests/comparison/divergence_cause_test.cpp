@@ -117,7 +117,7 @@ TEST(CourseRerun, IsTheCourseItselfWhereNothingIsChanged) {
     EXPECT_EQ(rerun.untouched(), same) << "there is nothing to touch";
     EXPECT_EQ(rerun.movedBy(compared.planted->parts.scene.models[0]), same);
     EXPECT_NE(rerun.later(rerun.tick()), same);
-    EXPECT_NE(rerun.noisy(rerun.type().motionNoise, 2), same);
+    EXPECT_NE(rerun.noisy(noiseOf(rerun.model()), 2), same);
 }
 
 TEST(CourseRerun, LaterCommandsAreTheSameDriveLater) {
@@ -128,7 +128,7 @@ TEST(CourseRerun, LaterCommandsAreTheSameDriveLater) {
     PlantedLog planted = plantedLog(Planted::push, 0);
     planted.log.robots[0].trajectories = {trajectory};
     planted.request = {0, 4 * second, 50};
-    planted.parts.scene.robotTypes[0].motionNoise = {};
+    planted.parts.scene.models[0] = withNoise(planted.parts.scene.models[0], {});
     const PlantedCourse compared(std::move(planted));
     const auto same = compared.rerun(50).later(0), later = compared.rerun(50).later(200 * ms);
     for (std::size_t k = 2; k < 50; ++k) {
@@ -149,7 +149,7 @@ TEST(CourseRerun, HoldingTheCommandBeforeIsTheSameDriveLater) {
         PlantedLog planted = plantedLog(Planted::push, 0);
         planted.log.robots[0].trajectories = {log};
         planted.request = {0, 4 * second, 50};
-        planted.parts.scene.robotTypes[0].motionNoise = {};
+        planted.parts.scene.models[0] = withNoise(planted.parts.scene.models[0], {});
         return PlantedCourse(std::move(planted));
     };
     const PlantedCourse compared = plantedWith(trajectory), latest = plantedWith(late);

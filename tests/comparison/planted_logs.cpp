@@ -66,8 +66,7 @@ ScenarioParts emptyWorld(std::shared_ptr<const MotionModel> model, const MotionN
     parts.name = "planted";
     parts.scene.tickLength = tick;
     parts.scene.robotTypes.push_back(discRobot(0.17, 4.5));
-    parts.scene.robotTypes[0].motionNoise = noise;
-    parts.scene.models = {std::move(model)};
+    parts.scene.models = {withNoise(std::move(model), noise)};
     parts.scene.robots.push_back({"simulated", 0, 0, 0, {1, 2, 0.5}});
     parts.controllers.push_back(std::make_shared<CommandPlayer>(std::vector<StampedCommand>()));
     return parts;

@@ -71,6 +71,37 @@ TEST(Ensemble, AMemberHasOnlyTheOutputsThatAreMeans) {
     for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(memberOf(mean, known, i), memberOf(before, known, i));
 }
 
+/// Outputs of the ensemble, then of its members.
+std::vector<float> allOutputs(const Mlp& ensemble, const std::vector<Mlp>& members, const std::vector<float>& x) {
+    return outputsOf(withMemberOutputs(ensemble, membersOf(members)), x);
+}
+
+TEST(Ensemble, OutputsOfMembersComeBesideTheMeanWhichStaysToTheBit) {
+    for (const std::size_t count : {1u, 2u, 3u, 5u, 8u}) {
+        const std::vector<Mlp> members = networks(count);
+        const Mlp mean = mergedMean(members);
+        for (unsigned seed = 10; seed < 30; ++seed) {
+            const std::vector<float> x = test::normalNumbers(3, seed), all = allOutputs(mean, members, x);
+            ASSERT_EQ(all.size(), 2 + 2 * count);
+            EXPECT_EQ(std::vector<float>(all.begin(), all.begin() + 2), outputsOf(mean, x));
+            for (std::size_t i = 0; i < count; ++i) {
+                const std::vector<float> own = outputsOf(members[i], x);
+                for (std::size_t k = 0; k < 2; ++k) EXPECT_NEAR(all[2 + 2 * i + k], own[k], 1e-5) << count;
+            }
+        }
+    }
+}
+
+/// So that no member's sum begins elsewhere.
+TEST(Ensemble, OutputsOfMembersOfWholeFoursAreTheirsToTheBit) {
+    std::vector<Mlp> members;
+    for (const int hidden : {4, 24, 8, 12})
+        members.push_back(test::normalNetwork({3, hidden, 2}, static_cast<unsigned>(hidden)));
+    const std::vector<float> x = test::normalNumbers(3, 9), all = allOutputs(mergedMean(members), members, x);
+    for (std::size_t i = 0; i < 4; ++i)
+        EXPECT_EQ(std::vector<float>(&all[2 + 2 * i], &all[4 + 2 * i]), outputsOf(members[i], x)) << i;
+}
+
 TEST(Ensemble, ThatIsNotMadeOfItsMembersIsToldApart) {
     const std::vector<Mlp> members = networks(2);
     const Mlp mean = mergedMean(members);

@@ -1,10 +1,12 @@
 #include "motion/learned_model.h"
 
+#include <array>
 #include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "learning/ensemble.h"
 #include "motion/network_fixture.h"
 #include "support/units.h"
 
@@ -88,6 +90,165 @@ TEST_P(LearnedModelOfBothForms, GivesTheSameBitsAloneAndInAnyBatch) {
         const MotionStep alone = model.predictOne(inputs[i]);
         EXPECT_EQ(alone.increment, batch[i].increment) << i;
         EXPECT_EQ(alone.velocity, batch[i].velocity) << i;
+    }
+}
+
+/// Of some members, whose layers differ; the velocities of the history form belong to all of them together.
+MotionNetwork ensembleOf(std::size_t count, MotionNetwork::Form form) {
+    MotionNetwork network = arbitraryNetwork(form);
+    const std::size_t own = form == MotionNetwork::Form::history ? 3 : 5;
+    const int inputs = network.mlp.shape.inputs;
+    std::vector<Mlp> members;
+    for (std::size_t m = 0; m < count; ++m) {
+        Mlp& member = members.emplace_back(Mlp{{inputs, 8, int(own)}, {}});
+        for (std::size_t i = 0; i < member.shape.parameterCount(); ++i)
+            member.parameters.push_back(
+                static_cast<float>(0.3 * normalNoise({6, std::int64_t(i), std::uint32_t(m), 0})));
+    }
+    network.mlp = mergedMean(members);
+    network.members = membersOf(members);
+    std::vector<float>& p = network.mlp.parameters;
+    const std::vector<float> biases(p.end() - std::ptrdiff_t(own), p.end());
+    p.resize(p.size() - own);
+    const std::size_t others = network.outputs.size() - own, hidden = std::size_t(network.mlp.shape.hidden);
+    for (std::size_t i = 0; i < others * hidden; ++i)
+        p.push_back(static_cast<float>(0.3 * normalNoise({7, std::int64_t(i), 0, 0})));
+    p.insert(p.end(), biases.begin(), biases.end());
+    p.resize(p.size() + others, 0.1f);
+    network.mlp.shape.outputs = int(network.outputs.size());
+    return network;
+}
+
+/// One member of it as a network of its own.
+MotionNetwork memberAlone(const MotionNetwork& ensemble, std::size_t member) {
+    MotionNetwork alone = ensemble;
+    const Mlp own = memberOf(ensemble.mlp, ensemble.members, member);
+    alone.members.clear();
+    if (ensemble.form == MotionNetwork::Form::state) {
+        alone.mlp = own;
+        return alone;
+    }
+    const std::size_t hidden = std::size_t(ensemble.mlp.shape.hidden);
+    // Its outputs in the place of the first ones of the ensemble.
+    std::size_t first = 0;
+    for (std::size_t m = 0; m < member; ++m) first += std::size_t(ensemble.members[m].hidden);
+    const std::size_t ownHidden = std::size_t(own.shape.hidden);
+    const std::size_t inputs = std::size_t(own.shape.inputs);
+    float* const weights = alone.mlp.parameters.data() + hidden * (inputs + 1);
+    float* const biases = weights + hidden * ensemble.outputs.size();
+    const float* const from = own.parameters.data() + ownHidden * (inputs + 1);
+    for (std::size_t k = 0; k < 3; ++k) {
+        for (std::size_t j = 0; j < hidden; ++j)
+            weights[k * hidden + j] = j >= first && j < first + ownHidden ? from[k * ownHidden + j - first] : 0;
+        biases[k] = from[3 * ownHidden + k];
+    }
+    return alone;
+}
+
+/// Inputs of robots with different histories.
+struct SeveralInputs {
+    explicit SeveralInputs(int count) {
+        for (int i = 0; i < count; ++i) histories.push_back(someHistory(i));
+        for (int i = 0; i < count; ++i)
+            inputs.push_back({&histories[std::size_t(i)], (300 + i) * ms, {0.01 * i, -0.02 * i}});
+    }
+    std::vector<CommandHistory> histories;
+    std::vector<MotionInput> inputs;
+};
+
+TEST_P(LearnedModelOfBothForms, MembersPredictAsTheyWouldAlone) {
+    const MotionNetwork network = ensembleOf(4, GetParam());
+    const LearnedMotion motion(network);
+    ASSERT_EQ(motion.memberCount(), 4u);
+    const SeveralInputs several(40);
+    const std::size_t count = several.inputs.size();
+    const std::vector<int> robots(count, 1);
+    std::vector<MotionStep> mean(count), steps(count), members(4 * count), alone(count);
+    motion.predict(several.inputs, robots, mean);
+    motion.predictMembers(several.inputs, robots, steps, members);
+    for (std::size_t i = 0; i < count; ++i) {
+        EXPECT_EQ(steps[i].increment, mean[i].increment) << "another mean";
+        EXPECT_EQ(steps[i].velocity, mean[i].velocity) << "another mean";
+    }
+    for (std::size_t m = 0; m < 4; ++m) {
+        LearnedMotion(memberAlone(network, m)).predict(several.inputs, robots, alone);
+        for (std::size_t i = 0; i < count; ++i) {
+            EXPECT_EQ(members[4 * i + m].increment, alone[i].increment) << m;
+            EXPECT_EQ(members[4 * i + m].velocity, alone[i].velocity) << m;
+        }
+    }
+}
+
+TEST_P(LearnedModelOfBothForms, MembersReadWhatTheirMeanRemembers) {
+    const MotionNetwork network = ensembleOf(2, GetParam());
+    const LearnedMotion motion(network);
+    const SeveralInputs several(1);
+    const std::array<int, 1> robots{1};
+    LearnedMotion::Memory ofMean{{0.3, -0.2}, 1}, ofAll = ofMean;
+    MotionInput input = several.inputs[0];
+    std::array<MotionStep, 1> mean, step, alone;
+    std::array<MotionStep, 2> members;
+    input.memory = std::as_writable_bytes(std::span(&ofMean, 1));
+    motion.predict({&input, 1}, robots, mean);
+    input.memory = std::as_writable_bytes(std::span(&ofAll, 1));
+    motion.predictMembers({&input, 1}, robots, step, members);
+    EXPECT_EQ(step[0].increment, mean[0].increment);
+    EXPECT_EQ(ofAll.unperturbed, ofMean.unperturbed) << "it remembers its own prediction, not the members'";
+    for (std::size_t m = 0; m < 2; ++m) {
+        LearnedMotion::Memory own{{0.3, -0.2}, 1};
+        input.memory = std::as_writable_bytes(std::span(&own, 1));
+        LearnedMotion(memberAlone(network, m)).predict({&input, 1}, robots, alone);
+        EXPECT_EQ(members[m].increment, alone[0].increment) << m;
+        EXPECT_EQ(members[m].velocity, alone[0].velocity) << m;
+    }
+}
+
+TEST_P(LearnedModelOfBothForms, IsAsUnsureAsItsMembersDiffer) {
+    const MotionNetwork network = ensembleOf(3, GetParam());
+    const auto motion = std::make_shared<const LearnedMotion>(network);
+    const LearnedModel model(motion, "b");
+    const SeveralInputs several(40);
+    const std::size_t count = several.inputs.size();
+    std::vector<MotionStep> mean(count), steps(count), alone(count);
+    std::vector<MotionSpread> spreads(count);
+    model.predict(several.inputs, mean);
+    model.predictWithSpread(several.inputs, steps, spreads);
+    std::vector<std::vector<MotionStep>> members;
+    for (std::size_t m = 0; m < 3; ++m) {
+        LearnedModel(std::make_shared<const LearnedMotion>(memberAlone(network, m)), "b")
+            .predict(several.inputs, alone);
+        members.push_back(alone);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        EXPECT_EQ(steps[i].increment, mean[i].increment);
+        const auto deviation = [&](const auto& value) {
+            double sum = 0, squares = 0;
+            for (const auto& member : members) sum += value(member[i]);
+            for (const auto& member : members) squares += std::pow(value(member[i]) - sum / 3, 2);
+            return std::sqrt(squares / 2);
+        };
+        const double x = deviation([](const MotionStep& s) { return s.increment.x; });
+        EXPECT_GT(x, 1e-4) << "members that agree tell nothing";
+        EXPECT_NEAR(spreads[i].increment.x, x, 1e-7);
+        EXPECT_NEAR(spreads[i].increment.y, deviation([](const MotionStep& s) { return s.increment.y; }), 1e-7);
+        EXPECT_NEAR(spreads[i].increment.heading, deviation([](const MotionStep& s) { return s.increment.heading; }),
+                    1e-7);
+        EXPECT_NEAR(spreads[i].velocity.v, deviation([](const MotionStep& s) { return s.velocity.v; }), 1e-7);
+        EXPECT_NEAR(spreads[i].velocity.w, deviation([](const MotionStep& s) { return s.velocity.w; }), 1e-7);
+    }
+}
+
+TEST_P(LearnedModelOfBothForms, WhoseMembersAreNotKnownTellsNoSpread) {
+    const auto motion = std::make_shared<const LearnedMotion>(arbitraryNetwork(GetParam()));
+    EXPECT_EQ(motion->memberCount(), 0u);
+    const LearnedModel model(motion, "b");
+    const SeveralInputs several(3);
+    std::vector<MotionStep> steps(3);
+    std::vector<MotionSpread> spreads(3, {{1, 1, 1}, {1, 1}});
+    model.predictWithSpread(several.inputs, steps, spreads);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(steps[i].increment, model.predictOne(several.inputs[i]).increment);
+        EXPECT_EQ(spreads[i], MotionSpread{});
     }
 }
 

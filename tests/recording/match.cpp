@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "motion/kinematic.h"
+#include "motion/noisy_model.h"
 #include "world/noise.h"
 
 namespace mrose {
@@ -58,7 +59,6 @@ RobotType robotType(const char* name, ShapePart part, bool lively) {
     type.manipulators[0].position = {0.22, 0};
     type.manipulators[0].deadTime = 60'000'000;
     if (!lively) return type;
-    type.motionNoise = {0.02, 0.02, 0.02};
     type.perception.self = {{0.03, 0.03, 0.02}, {0.05, 0.05, 0.03}, 1.5, 100'000'000, 0.05, 0.001, 0.5};
     type.perception.objects.bearingNoise = type.perception.objects.bearingBias = 0.02;
     type.perception.objects.latency = 60'000'000;
@@ -70,7 +70,8 @@ std::shared_ptr<const MotionModel> motionModel(bool lively) {
     KinematicParameters parameters;
     parameters.v = {lively ? 0.13 : 0, lively ? 0.1 : 0, 1, 0, 2, 0};
     parameters.w = {lively ? 0.09 : 0, lively ? 0.05 : 0, 1, 0, 5, 0};
-    return std::make_shared<const KinematicModel>(parameters);
+    return withNoise(std::make_shared<const KinematicModel>(parameters),
+                     lively ? MotionNoise{0.02, 0.02, 0.02} : MotionNoise{});
 }
 
 }  // namespace

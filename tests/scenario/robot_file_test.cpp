@@ -35,7 +35,7 @@ TEST(RobotFile, GivesWhatTheFileHoldsInRadians) {
     EXPECT_EQ(type.shape->name, "disc");
     EXPECT_EQ(type.mass, 12.5);
     EXPECT_EQ(type.surface, (Surface{0.7, 0.2}));
-    EXPECT_EQ(type.motionNoise, (MotionNoise{0.01, 0.02, 9 * degree}));
+    EXPECT_EQ(robot->motionNoise, (MotionNoise{0.01, 0.02, 9 * degree}));
     ASSERT_EQ(type.manipulators.size(), 2u);
     EXPECT_EQ(type.manipulators[0],
               (Manipulator{"kicker", {0.2, 0.05}, 30 * degree, 2.5, 0.04, 0.18, 1'500'000'000, 200'000'000}))

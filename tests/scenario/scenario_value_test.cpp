@@ -15,7 +15,7 @@ namespace mrose {
 namespace {
 
 const LearnedModel* learnedModel(const LoadedScenario& loaded, std::size_t robot) {
-    return dynamic_cast<const LearnedModel*>(&loaded.parts.scene.modelOf(robot));
+    return learnedModel(loaded.parts.scene.modelOf(robot));
 }
 
 /// The value with a network as one robot's motion.

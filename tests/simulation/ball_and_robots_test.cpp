@@ -89,13 +89,11 @@ struct Carried {
 };
 Carried carried(const Command& then, const std::shared_ptr<const MotionModel>& model) {
     const RobotDescription robot = shippedRobot("pioneer1");
-    RobotType type = robot.type;
-    type.motionNoise = {};
     SmallWorld world;
     world.robot(
-        type, {0, 0, 0},
+        robot.type, {0, 0, 0},
         std::make_shared<const Told>(std::vector<StampedCommand>{{0, {0.4, 0}}, {2 * nanosecondsPerSecond, then}}),
-        model);
+        withNoise(model, {}));
     world.object(shippedBallType(), {0.29, 0, 0});
     const Scenario scenario = world.scenario();
     WorldState state = scenario.initialState();

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "behaviour/command_player.h"
+#include "motion/noisy_model.h"
 #include "simulation/predictions.h"
 #include "simulation/shipped_crowd.h"
 #include "simulation/small_world.h"
@@ -158,13 +159,11 @@ TEST(FreeMotion, RobotStandsUntilItsFirstControlInstantAndKeepsItsOwnPhase) {
 }
 
 TEST(FreeMotion, MotionNoiseHasTheStatedSpread) {
-    RobotType noisy = squareRobot();
-    noisy.motionNoise = {0.1, 0.2, 0.3};
     SmallWorld world;
     const int robots = 2000;
-    const auto model = ideal();
+    const auto noisy = withNoise(ideal(), {0.1, 0.2, 0.3});
     for (int i = 0; i < robots; ++i)
-        world.robot(noisy, {0, 3.0 * i, 0}, std::make_shared<const Told>(Command{1, 1}), model);
+        world.robot(squareRobot(), {0, 3.0 * i, 0}, std::make_shared<const Told>(Command{1, 1}), noisy);
     const Scenario scenario = world.scenario();
     WorldState state = scenario.initialState();
     run(scenario, state, 5);

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "simulation/floor_motion.h"
+#include "scene/floor_motion.h"
 #include "simulation/small_world.h"
 
 namespace mrose {

@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include "motion/learned_model.h"
+#include "motion/noisy_model.h"
 #include "simulation/small_world.h"
 #include "support/places.h"
 #include "support/units.h"
@@ -55,15 +56,16 @@ Scenario crowd(std::size_t robots = 9) {
     const std::vector<std::shared_ptr<const MotionModel>> models{
         ideal(), paperFormModel(), std::make_shared<const KinematicModel>(lagged, 200 * ms),
         std::make_shared<const LearnedModel>(learned, "2"), std::make_shared<const KinematicModel>(lagged, 40 * ms)};
+    const MotionNoise noise{0.05, 0.05, 0.05};
     for (std::size_t i = 0; i < robots; ++i) {
         RobotType type = i % 3 == 0 ? squareRobot(0.4) : discRobot(0.2);
         if (i % 3 == 2) type.shape = horseshoe();
-        type.motionNoise = {0.05, 0.05, 0.05};
         type.manipulators = {{"kicker", {0.2, 0}}};
         type.perception.self = {{0.05, 0.05, 0.02}, {0.1, 0.1, 0.05}, 1.5, 90 * ms, 0.1, 0.01, 0.5};
         const double column = static_cast<double>(i % 3), row = static_cast<double>(i / 3);
         world.robot(type, {0.7 + 1.2 * column, 0.7 + 1.2 * row, 1.0 * static_cast<double>(i)},
-                    std::make_shared<const Counting>(), models[i % models.size()], static_cast<std::int64_t>(i) % 5);
+                    std::make_shared<const Counting>(), withNoise(models[i % models.size()], noise),
+                    static_cast<std::int64_t>(i) % 5);
     }
     world.object(ballType(), {1.3, 1.3, 0}, {0.5, 0.3, 1}).object(boxType(), {2.5, 1.3, 0.4});
     return world.scenario();
@@ -160,10 +162,10 @@ TEST(Rewind, OtherRobotsNoiseDoesNotDependOnHowManyThereAre) {
     // Far apart nobody feels the others: a robot's course is the same with and without them.
     const auto lonely = [](std::size_t robots) {
         SmallWorld world;
-        RobotType type = squareRobot();
-        type.motionNoise = {0.05, 0.05, 0.05};
+        const auto noisy = withNoise(ideal(), {0.05, 0.05, 0.05});
         for (std::size_t i = 0; i < robots; ++i)
-            world.robot(type, {100.0 * static_cast<double>(i), 0, 0}, std::make_shared<const Counting>(), ideal());
+            world.robot(squareRobot(), {100.0 * static_cast<double>(i), 0, 0}, std::make_shared<const Counting>(),
+                        noisy);
         const Scenario scenario = world.scenario();
         WorldState state = scenario.initialState();
         run(scenario, state, 300);

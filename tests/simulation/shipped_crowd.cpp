@@ -52,12 +52,10 @@ Scenario shippedCrowd(bool noise) {
     const auto controllers = controllersThatShip();
     const auto wild = std::make_shared<const RandomCommands>(-0.1, 0.4, 1.5);
     for (std::size_t i = 0; i < kinds.size(); ++i) {
-        RobotType type = kinds[i].type;
-        if (!noise) type.motionNoise = {};
         const Pose start{0.75 + 1.1 * static_cast<double>(i % 5), 0.7 + 1.25 * static_cast<double>(i / 5),
                          1.3 * static_cast<double>(i)};
-        world.robot(type, start, noise ? controllers[i % controllers.size()] : wild, kinds[i].model,
-                    static_cast<std::int64_t>(i % 5));
+        world.robot(kinds[i].type, start, noise ? controllers[i % controllers.size()] : wild,
+                    noise ? kinds[i].model : withNoise(kinds[i].model, {}), static_cast<std::int64_t>(i % 5));
     }
     ObjectType ball = ballType(), box = boxType();
     ball.shape = shippedShape("ball");

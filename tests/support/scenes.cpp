@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "motion/learned_model.h"
+#include "motion/noisy_model.h"
 #include "world/noise.h"
 
 namespace mrose {
@@ -149,10 +150,9 @@ Scenario fieldScenario(const FieldOptions& options) {
     Scene& scene = parts.scene;
     scene.environment = walledField(width, height);
     RobotType type = squareRobot();
-    if (options.motionNoise) type.motionNoise = {0.02, 0.02, 0.02};
     if (options.perception) type.perception = *options.perception;
     scene.robotTypes = {type};
-    scene.models = {options.model};
+    scene.models = {withNoise(options.model, options.motionNoise ? MotionNoise{0.02, 0.02, 0.02} : MotionNoise{})};
     scene.objectTypes = {ballType()};
     scene.objects = {{"ball", 0, {width / 2, height / 2, 0}, {}}};
     const auto columns = static_cast<std::uint32_t>(std::ceil(std::sqrt(2.0 * options.robots)));

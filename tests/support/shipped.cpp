@@ -27,8 +27,11 @@ RobotDescription shippedRobot(const std::string& name) {
 }
 
 std::shared_ptr<const MotionModel> motionOf(const RobotDescription& description, const std::string& robot) {
-    if (!description.motion) return description.kinematics;
-    return std::make_shared<const LearnedModel>(description.motion, robot.empty() ? description.motionRobot : robot);
+    std::shared_ptr<const MotionModel> model = description.kinematics;
+    if (description.motion)
+        model =
+            std::make_shared<const LearnedModel>(description.motion, robot.empty() ? description.motionRobot : robot);
+    return withNoise(std::move(model), description.motionNoise);
 }
 
 RobotKinds shippedKinds() {

@@ -21,8 +21,10 @@ Expected<std::shared_ptr<const LogWorld>> worldMovedBy(const OverlayWorld& overl
         if (!model) continue;
         if (model->period() % scene.tickLength != 0)
             return fail(moves.name, "has a control period that is no whole number of the scenario's ticks");
-        scene.robots[own.robots()[robot].body].model = static_cast<std::uint32_t>(scene.models.size());
-        scene.models.push_back(model);
+        const std::size_t body = own.robots()[robot].body;
+        auto noisy = withNoise(model, noiseOf(scene.modelOf(body)));
+        scene.robots[body].model = static_cast<std::uint32_t>(scene.models.size());
+        scene.models.push_back(std::move(noisy));
     }
     auto world = LogWorld::create(std::move(parts), own.sharedLog());
     if (!world) return tl::unexpected(world.error());
@@ -44,7 +46,7 @@ std::string ownName(const OverlayWorld& overlay) {
 
 std::string noteOn(const OtherModel& moves, const LogWorld& world) {
     for (const auto& model : moves.byRobot)
-        if (const auto* learned = dynamic_cast<const LearnedModel*>(model.get()))
+        if (const LearnedModel* const learned = model ? learnedModel(*model) : nullptr)
             return otherKindNotice(learned->network(), world);
     return {};
 }

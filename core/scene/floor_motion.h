@@ -1,7 +1,8 @@
 #pragma once
 
-#include "scene/scene.h"
-#include "world/world_state.h"
+#include <memory>
+
+#include "scene/object_model.h"
 
 namespace mrose {
 
@@ -13,8 +14,13 @@ constexpr double gravity = 9.81;  // m/s2
 ObjectState afterFloorMotion(const ObjectState& state, const ObjectType& type, const FloorSurface& floor,
                              double frictionFactor, double duration);
 
-/// The same where it stays meanwhile: how the floor has changed its velocities.
-ObjectState slowedByFloor(const ObjectState& state, const ObjectType& type, const FloorSurface& floor,
-                          double frictionFactor, double duration);
+/// Objects that roll or slide by the friction of the floor, with a random factor on it each tick: the paper's.
+class FloorMotion final : public ObjectModel {
+public:
+    ObjectState after(const ObjectInput& input) const override;
+};
+
+/// One for all.
+std::shared_ptr<const ObjectModel> floorMotion();
 
 }  // namespace mrose

@@ -1,7 +1,9 @@
-#include "simulation/floor_motion.h"
+#include "scene/floor_motion.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "scene/scene.h"
 
 namespace mrose {
 namespace {
@@ -45,6 +47,8 @@ ObjectState slideOn(const ObjectState& state, const Shape& shape, double deceler
     return after;
 }
 
+bool atRest(const ObjectState& object) { return object.velocity_W == Twist{} && object.roll_W == Point{}; }
+
 }  // namespace
 
 ObjectState afterFloorMotion(const ObjectState& state, const ObjectType& type, const FloorSurface& floor,
@@ -81,16 +85,15 @@ ObjectState afterFloorMotion(const ObjectState& state, const ObjectType& type, c
     return after;
 }
 
-ObjectState slowedByFloor(const ObjectState& state, const ObjectType& type, const FloorSurface& floor,
-                          double frictionFactor, double duration) {
-    ObjectState after = afterFloorMotion(state, type, floor, frictionFactor, duration);
-    // The velocity of its reference point is as its centre of mass moves, and as it lies.
-    const Point turned =
-        Placement(after.pose).rotate(type.shape->centroid) - Placement(state.pose).rotate(type.shape->centroid);
-    after.velocity_W.x -= after.velocity_W.rotation * turned.y;
-    after.velocity_W.y += after.velocity_W.rotation * turned.x;
-    after.pose = state.pose;
-    return after;
+ObjectState FloorMotion::after(const ObjectInput& input) const {
+    if (atRest(input.state)) return input.state;
+    const double factor = input.randomFactor == 0 ? 1 : 1 + input.randomFactor * (2 * uniformNoise(input.noise) - 1);
+    return afterFloorMotion(input.state, input.type, input.floor, factor, input.duration);
+}
+
+std::shared_ptr<const ObjectModel> floorMotion() {
+    static const std::shared_ptr<const ObjectModel> model = std::make_shared<const FloorMotion>();
+    return model;
 }
 
 }  // namespace mrose

@@ -1,4 +1,4 @@
-#include "simulation/floor_motion.h"
+#include "scene/floor_motion.h"
 
 #include <cmath>
 

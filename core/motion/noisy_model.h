@@ -1,0 +1,56 @@
+#pragma once
+
+#include <compare>
+#include <memory>
+
+#include "motion/motion_model.h"
+
+namespace mrose {
+
+/// What a model's prediction leaves out, as standard deviations per period: the odometry model of Thrun, Burgard, Fox
+/// (2005), 5.4, without its third rotation.
+struct MotionNoise {
+    double distancePerDistance = 0;  ///< m/m
+    double rotationPerRotation = 0;  ///< rad/rad
+    double rotationPerDistance = 0;  ///< rad/m
+    auto operator<=>(const MotionNoise&) const = default;
+
+    bool none() const { return *this == MotionNoise{}; }
+};
+
+/// A model with such noise on its increments. What it remembers is the other's memory.
+class NoisyModel final : public MotionModel {
+public:
+    NoisyModel(std::shared_ptr<const MotionModel> model, const MotionNoise& noise)
+        : model_(std::move(model)), noise_(noise) {}
+
+    const std::shared_ptr<const MotionModel>& withoutNoise() const { return model_; }
+    const MotionNoise& noise() const { return noise_; }
+
+    Nanoseconds period() const override { return model_->period(); }
+    Nanoseconds lookBack() const override { return model_->lookBack(); }
+    DeadTimes deadTimes() const override { return model_->deadTimes(); }
+    std::size_t memorySize() const override { return model_->memorySize(); }
+    void start(std::span<std::byte> memory) const override { model_->start(memory); }
+    std::vector<MemoryEntry> explain(std::span<const std::byte> memory) const override {
+        return model_->explain(memory);
+    }
+    const MotionModel& underlying() const override { return model_->underlying(); }
+    void predict(std::span<const MotionInput> inputs, std::span<MotionStep> steps) const override;
+    /// How unsure the other is; its own noise is not counted.
+    void predictWithSpread(std::span<const MotionInput> inputs, std::span<MotionStep> steps,
+                           std::span<MotionSpread> spreads) const override;
+
+private:
+    void addTo(std::span<const MotionInput> inputs, std::span<MotionStep> steps) const;
+
+    std::shared_ptr<const MotionModel> model_;
+    MotionNoise noise_;
+};
+
+/// The model with this noise in the place of any that it has; without noise the model alone.
+std::shared_ptr<const MotionModel> withNoise(std::shared_ptr<const MotionModel> model, const MotionNoise& noise);
+
+MotionNoise noiseOf(const MotionModel& model);
+
+}  // namespace mrose
