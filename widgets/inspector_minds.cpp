@@ -5,6 +5,7 @@
 #include <span>
 
 #include "quantities/note_label.h"
+#include "quantities/part.h"
 #include "widgets/inspector_rows.h"
 #include "widgets/timeline_bar.h"
 
@@ -94,6 +95,19 @@ InspectorRow seenRow(const RowWriter& write, std::uint32_t other) {
     return row;
 }
 
+/// What its motion model and its sensors remember: a row for each of them that says something.
+void addOtherParts(const RowWriter& write, InspectorRow& section) {
+    const std::vector<std::string> names = partNames(*write.at.scenario, write.body);
+    for (std::uint32_t part = 1; part < names.size(); ++part) {
+        const std::vector<MemoryEntry> entries = partEntries(write.at, write.body, part);
+        if (entries.empty()) continue;
+        InspectorRow row =
+            RowWriter::text(QString::fromStdString(names[part]), QObject::tr("%1 values").arg(entries.size()));
+        for (const MemoryEntry& entry : entries) row.children.push_back(entryRow(write, entry, part));
+        section.children.push_back(std::move(row));
+    }
+}
+
 bool inSight(const RowWriter& write, std::size_t robot) {
     const std::span<const SeenBody> seen = write.frame.insights[write.body].observation.robots();
     return std::any_of(seen.begin(), seen.end(), [&](const SeenBody& body) { return body.index == robot; });
@@ -138,7 +152,10 @@ InspectorRow memoryRows(const RowWriter& write, const RowIsOpen& isOpen) {
         memory.empty() ? QObject::tr("none") : QObject::tr("%1 bytes, %2 changed").arg(memory.size()).arg(changed);
     section.tip = QObject::tr("what its controller keeps, and how many bytes of it the last decision changed");
     section.quiet = memory.empty();
-    if (memory.empty()) return section;
+    if (memory.empty()) {
+        addOtherParts(write, section);
+        return section;
+    }
     const Controller& controller = write.at.scenario->controller(write.body);
     const bool open = isOpen(section.id);
     const std::vector<MemoryEntry> entries = controller.explain(memory);
@@ -152,6 +169,7 @@ InspectorRow memoryRows(const RowWriter& write, const RowIsOpen& isOpen) {
     bytes.children = isOpen(section.id + '/' + bytes.id) ? hexRows(memory, before)
                                                          : std::vector{RowWriter::text(QString(), QString())};
     section.children.push_back(std::move(bytes));
+    addOtherParts(write, section);
     return section;
 }
 

@@ -9,6 +9,7 @@
 #include <dlfcn.h>
 
 #include "io/toml_table.h"
+#include "plugin/network_mapping.h"
 #include "plugin/plugin.h"
 #include "world/command_history.h"
 
@@ -19,14 +20,29 @@ constexpr std::size_t mostMemory = 1 << 20;
 
 class TableOptions final : public PluginOptions {
 public:
-    explicit TableOptions(TomlTable& table) : table_(table) {}
+    TableOptions(TomlTable& table, const std::string& path, std::vector<std::unique_ptr<const LearnedMapping>>& kept)
+        : table_(table), mappings_(table.tableOrEmpty(mappingsKey)), path_(path), kept_(kept) {}
     double number(const char* key, double fallback) override { return table_.numberOr(key, fallback); }
     bool flag(const char* key, bool fallback) override { return table_.booleanOr(key, fallback); }
     std::string text(const char* key, const char* fallback) override { return table_.stringOr(key, fallback); }
+    const LearnedMapping* mapping(const char* key) override {
+        if (!mappings_.has(key)) return nullptr;
+        auto mapping = parseMapping(mappings_.string(key), path_);
+        if (mapping) return kept_.emplace_back(std::make_unique<const NetworkMapping>(std::move(*mapping))).get();
+        mappings_.reject(key, "is no network of a task: " + mapping.error().cause);
+        return nullptr;
+    }
     void reject(const char* key, const char* cause) override { table_.reject(key, cause); }
+    void rejectUnknown() {
+        mappings_.rejectUnknown();
+        table_.rejectUnknown();
+    }
 
 private:
     TomlTable& table_;
+    TomlTable mappings_;
+    const std::string& path_;
+    std::vector<std::unique_ptr<const LearnedMapping>>& kept_;
 };
 
 /// Runs what a plug-in has; gives what it threw, and "" where it did not.
@@ -94,6 +110,7 @@ bool allFinite(const Decision& decision) {
 struct PluginController::Library {
     void* handle = nullptr;
     const PluginDescriptor* descriptor = nullptr;
+    std::vector<std::unique_ptr<const LearnedMapping>> mappings;  ///< that the controller calls
     Controller* controller = nullptr;
 
     Library() = default;
@@ -119,9 +136,9 @@ Expected<void> PluginController::open(const std::string& options) {
     if (library_->descriptor == nullptr) return fail(path_, "is no plug-in: it has no mrosePlugin (MROSE_PLUGIN)");
     if (const std::string cause = misfit(*library_->descriptor); !cause.empty()) return fail(path_, cause);
     TomlTable table(options, path_);
-    TableOptions reader(table);
+    TableOptions reader(table, path_, library_->mappings);
     std::string thrown = thrownBy([&] { library_->controller = library_->descriptor->create(reader); });
-    if (thrown.empty() || table.failed()) table.rejectUnknown();
+    if (thrown.empty() || table.failed()) reader.rejectUnknown();
     if (table.failed()) return fail(path_, table.error().cause, 0, table.error().key);
     if (!thrown.empty()) return fail(path_, "its construction " + thrown);
     std::size_t size = 0;

@@ -41,6 +41,9 @@ private:
     Attention attention_;                 ///< likewise
 };
 
+/// Where the options of a plug-in hold its mappings: a table of the texts of network files.
+constexpr const char* mappingsKey = "mappings";
+
 /// Loads the plug-in at `path` and makes one controller of it, with the TOML text `options`. Error: file `path` and
 /// what is wrong: there is none, it is no plug-in, it was built for another interface or standard library, or its
 /// controller's construction threw. Where it is an option, the error's key is the option's name.

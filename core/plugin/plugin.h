@@ -8,16 +8,20 @@
 #include <type_traits>
 
 #include "control/controller.h"
+#include "control/learned_mapping.h"
 
 namespace mrose {
 
-/// What a scenario says about a plug-in's controller, in its table `options`. A key of another type than asked for, and
-/// one that is never asked for, refuse the plug-in with file, line and column.
+/// What a scenario says about a plug-in's controller, in its tables `options` and `mappings`. A key of another type
+/// than asked for, and one that is never asked for, refuse the plug-in with file, line and column.
 class PluginOptions {
 public:
     virtual double number(const char* key, double fallback) = 0;
     virtual bool flag(const char* key, bool fallback) = 0;
     virtual std::string text(const char* key, const char* fallback) = 0;
+    /// The learned mapping that the scenario's table `mappings` names by `key`; nullptr: it names none. It lives as
+    /// long as the controller does.
+    virtual const LearnedMapping* mapping(const char* key) = 0;
     /// Refuses the plug-in because of the value of `key`.
     virtual void reject(const char* key, const char* cause) = 0;
 

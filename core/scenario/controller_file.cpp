@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 
 #include "behaviour/chase_ball.h"
 #include "behaviour/command_player.h"
 #include "behaviour/go_to_pose.h"
 #include "behaviour/wander.h"
+#include "io/toml_text.h"
+#include "plugin/load_plugin.h"
 #include "scenario/ball_contact.h"
 #include "scenario/description_reader.h"
 #include "scenario/log_excerpt.h"
@@ -143,17 +146,36 @@ ControllerSetting wander(const Context& context) {
     return {std::make_shared<Wander>(options)};
 }
 
+/// The network files that a plug-in's table `mappings` names, as part of its options.
+std::string mappingsText(const Context& context) {
+    TomlTable& table = context.table;
+    const Value* const named = table.has(mappingsKey) ? table.value(mappingsKey) : nullptr;
+    TomlTable mappings = table.tableOrEmpty(mappingsKey);
+    if (named == nullptr || named->asTable() == nullptr) return {};
+    Value::Table texts;
+    for (const auto& [key, value] : *named->asTable())
+        if (const auto file =
+                context.library.file(mappings, key, context.from, "nets", DescriptionLibrary::Holds::text))
+            texts.emplace(key, *file->content.asText());
+    return tomlText(Value::Table{{mappingsKey, std::move(texts)}});
+}
+
 ControllerSetting plugin(const Context& context) {
     TomlTable& table = context.table;
     const std::string library = table.string("library");
     TomlTable options = table.tableOrEmpty("options");
+    if (options.has(mappingsKey)) options.reject(mappingsKey, "stands beside the options, not among them");
+    const std::string mappings = mappingsText(context);
     if (table.failed()) return {};
     if (!context.loading.plugins) return {std::make_shared<AbsentController>()};
-    auto loaded = context.loading.plugins(context.library.shown(joinedName(context.from, library)), options.text());
+    auto loaded =
+        context.loading.plugins(context.library.shown(joinedName(context.from, library)), options.text() + mappings);
     if (loaded) return {std::move(*loaded)};
     const Error& error = loaded.error();
     if (error.key.empty())
         table.reject("library", error.message());
+    else if (error.key.starts_with(std::string(mappingsKey) + '.'))
+        table.tableOrEmpty(mappingsKey).reject(error.key.substr(std::strlen(mappingsKey) + 1), error.cause);
     else
         options.reject(error.key, error.cause);
     return {};

@@ -20,6 +20,14 @@ namespace {
 struct Kind {
     std::size_t first, count;
     NoiseChannel channel;
+    std::uint32_t of;  ///< tells kinds of bodies apart where sensors share a channel
+
+    /// For a draw of the two that belong to a body. Each body has draws of its own, so that no other one changes what
+    /// is seen of it.
+    NoiseKey key(const SensorView& view, std::uint32_t body, std::uint32_t draw) const {
+        return channel == NoiseChannel::sensor ? view.key(4 * body + of + draw + 2)
+                                               : view.key(channel, 2 * body + draw);
+    }
 };
 
 constexpr double wholeTurn = 2 * std::numbers::pi;
@@ -130,11 +138,9 @@ void collect(const SensorView& view, const BodySight& sight, const BodyMap& map,
     std::sort(seen.begin(), seen.end(), [](const SeenBody& a, const SeenBody& b) { return a.index < b.index; });
 }
 
-/// Each body has draws of its own, so that no other one changes what is seen of it.
-void addNoise(const SensorView& view, const BodySight& sight, NoiseChannel channel, double bearingBias,
-              SeenBody& body) {
+void addNoise(const SensorView& view, const BodySight& sight, const Kind& kind, double bearingBias, SeenBody& body) {
     const bool noisy = sight.bearingNoise != 0 || sight.rangeNoise != 0 || sight.rangeNoiseSlope != 0;
-    const NoisePair draw = noisy ? normalPair(view.key(channel, 2 * body.index)) : NoisePair{};
+    const NoisePair draw = noisy ? normalPair(kind.key(view, body.index, 0)) : NoisePair{};
     const double share = sight.rangeNoise + sight.rangeNoiseSlope * length(body.position_B);
     const double bearing = sight.bearingBias * bearingBias + sight.bearingNoise * draw.first;
     const double range = std::max(0.0, 1 + share * draw.second), turns = bearing / wholeTurn;
@@ -148,19 +154,27 @@ void see(const SensorView& view, const BodySight& sight, const Kind& kind, doubl
     const BodyMap& map = view.bodiesBefore(view.lagOf(sight.latency));
     collect(view, sight, map, kind, seen);
     if (sight.dropOut > 0)
-        std::erase_if(seen, [&](const SeenBody& body) {
-            return uniformNoise(view.key(kind.channel, 2 * body.index + 1)) < sight.dropOut;
-        });
+        std::erase_if(
+            seen, [&](const SeenBody& body) { return uniformNoise(kind.key(view, body.index, 1)) < sight.dropOut; });
     if (sight.occlusion) removeHidden(view, map, kind.first, seen);
     if (sight.bearingNoise == 0 && sight.rangeNoise == 0 && sight.rangeNoiseSlope == 0 && sight.bearingBias == 0)
         return;
-    for (SeenBody& body : seen) addNoise(view, sight, kind.channel, bearingBias, body);
+    for (SeenBody& body : seen) addNoise(view, sight, kind, bearingBias, body);
 }
 
 }  // namespace
 
+BodySensor::BodySensor(const BodySight& robots, const BodySight& objects, double biasTime,
+                       std::optional<SensorTraits> traits)
+    : robots_(robots),
+      objects_(objects),
+      biasTime_(biasTime),
+      traits_(std::move(traits)),
+      robotsName_(traits_ ? traits_->name + '.' + robotsReading : robotsReading),
+      objectsName_(traits_ ? traits_->name + '.' + objectsReading : objectsReading) {}
+
 std::vector<ReadingKind> BodySensor::gives() const {
-    return {{robotsReading, &recordType<SeenBody>()}, {objectsReading, &recordType<SeenBody>()}};
+    return {{robotsName_, &recordType<SeenBody>()}, {objectsName_, &recordType<SeenBody>()}};
 }
 
 bool BodySensor::sound(std::span<const std::byte> memory) const {
@@ -177,21 +191,22 @@ std::vector<MemoryEntry> BodySensor::explain(std::span<const std::byte> memory) 
 void BodySensor::sense(const SensorView& view, std::span<std::byte> memory, Observation& out) const {
     double& bias = as<Memory>(memory).bearingBias;
     if (objects_.bearingBias != 0 || robots_.bearingBias != 0)
-        bias =
-            Drift(bias != 0, view.sinceLast, biasTime_)(bias, 1, normalNoise(view.key(NoiseChannel::bearingBias, 0)));
+        bias = Drift(bias != 0, view.sinceLast, biasTime_)(
+            bias, 1, normalNoise(traits_ ? view.key(1) : view.key(NoiseChannel::bearingBias, 0)));
     const std::size_t robots = view.state.robots.size(), objects = view.state.objects.size();
-    const auto give = [&](std::size_t reading, const BodySight& sight, const char* name, const Kind& kind) {
+    const auto give = [&](std::size_t reading, const BodySight& sight, const std::string& name, Kind kind) {
         if (!view.wants(reading)) return;
+        if (traits_) kind.channel = NoiseChannel::sensor;
         std::vector<SeenBody>& seen = view.buffers.seen;
         seen.clear();
         see(view, sight, kind, bias, seen);
         out.add(name, view.timeBefore(view.lagOf(sight.latency)), std::span<const SeenBody>(seen));
     };
-    give(0, robots_, robotsReading, {0, robots, NoiseChannel::sightOfRobots});
-    give(1, objects_, objectsReading, {robots, objects, NoiseChannel::sightOfObjects});
+    give(0, robots_, robotsName_, {0, robots, NoiseChannel::sightOfRobots, 0});
+    give(1, objects_, objectsName_, {robots, objects, NoiseChannel::sightOfObjects, 2});
 }
 
-BodySight readBodySight(TomlTable table) {
+BodySight readBodySight(TomlTable& table) {
     BodySight sight;
     sight.present = table.booleanOr("present", sight.present);
     sight.bearingNoise = angleOr(table, "bearing_noise_deg", 0, degreesOff);
@@ -203,7 +218,6 @@ BodySight readBodySight(TomlTable table) {
     sight.latency = durationOr(table, "latency_s", sight.latency, latencies);
     sight.dropOut = table.numberOr("drop_out", sight.dropOut, probability);
     sight.occlusion = table.booleanOr("occlusion", sight.occlusion);
-    table.rejectUnknown();
     return sight;
 }
 

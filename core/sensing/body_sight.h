@@ -1,25 +1,29 @@
 #pragma once
 
+#include <optional>
+
 #include "io/toml_table.h"
 #include "scene/perception.h"
 #include "sensing/sensor.h"
 
 namespace mrose {
 
-/// What a camera sees of other bodies: the readings "robots" and "objects", SeenBody in the order of their indices, as
-/// they were at its latency ago, in the robot's own frame of then.
+/// What a camera sees of other bodies: SeenBody in the order of their indices, as they were at its latency ago, in the
+/// robot's own frame of then. The one that every robot has gives the readings "robots" and "objects", a further one
+/// NAME.robots and NAME.objects.
 class BodySensor final : public Sensor {
 public:
     /// `biasTime`: s, the correlation time of the bias that both kinds of bodies are seen with.
-    BodySensor(const BodySight& robots, const BodySight& objects, double biasTime)
-        : robots_(robots), objects_(objects), biasTime_(biasTime) {}
+    BodySensor(const BodySight& robots, const BodySight& objects, double biasTime,
+               std::optional<SensorTraits> traits = std::nullopt);
 
     struct Memory {
         double bearingBias = 0;  ///< in standard deviations
         std::uint64_t unused = 0;
     };
 
-    std::string name() const override { return "sight"; }
+    std::string name() const override { return traits_ ? traits_->name : "sight"; }
+    Nanoseconds period() const override { return traits_ ? traits_->period : 0; }
     std::vector<ReadingKind> gives() const override;
     Nanoseconds latency() const override { return std::max(robots_.latency, objects_.latency); }
     std::size_t memorySize() const override { return sizeof(Memory); }
@@ -30,9 +34,11 @@ public:
 private:
     BodySight robots_, objects_;
     double biasTime_;
+    std::optional<SensorTraits> traits_;
+    std::string robotsName_, objectsName_;
 };
 
-/// Its keys, [perception.robots] and [perception.objects] of a robot file.
-BodySight readBodySight(TomlTable table);
+/// Its keys, [perception.robots] and [perception.objects] of a robot file; whoever reads them rejects unknown ones.
+BodySight readBodySight(TomlTable& table);
 
 }  // namespace mrose

@@ -9,11 +9,11 @@ void Odometry::sense(const SensorView& view, std::span<std::byte> /*memory*/, Ob
     const Twist& velocity_B = view.state.robots[view.robot].velocity_B;
     Velocity measured{velocity_B.x, velocity_B.rotation};
     if (velocityNoise_ != 0 || rotationNoise_ != 0) {
-        const NoisePair draw = normalPair(view.key(NoiseChannel::velocity, 0));
+        const NoisePair draw = normalPair(traits_ ? view.key(0) : view.key(NoiseChannel::velocity, 0));
         measured.v += velocityNoise_ * draw.first;
         measured.w += rotationNoise_ * draw.second;
     }
-    out.add(odometryReading, view.timeBefore(0), measured);
+    out.add(name(), view.timeBefore(0), measured);
 }
 
 }  // namespace mrose

@@ -1,22 +1,28 @@
 #pragma once
 
+#include <optional>
+#include <utility>
+
 #include "sensing/sensor.h"
 
 namespace mrose {
 
-/// How fast its robot moves: the reading "odometry", one Velocity.
+/// How fast its robot moves: one Velocity. The one that every robot has gives the reading "odometry", a further one its
+/// name.
 class Odometry final : public Sensor {
 public:
     /// Standard deviations: m/s, rad/s.
-    Odometry(double velocityNoise, double rotationNoise)
-        : velocityNoise_(velocityNoise), rotationNoise_(rotationNoise) {}
+    Odometry(double velocityNoise, double rotationNoise, std::optional<SensorTraits> traits = std::nullopt)
+        : velocityNoise_(velocityNoise), rotationNoise_(rotationNoise), traits_(std::move(traits)) {}
 
-    std::string name() const override { return "odometry"; }
-    std::vector<ReadingKind> gives() const override { return {{odometryReading, &recordType<Velocity>()}}; }
+    std::string name() const override { return traits_ ? traits_->name : odometryReading; }
+    std::vector<ReadingKind> gives() const override { return {{name(), &recordType<Velocity>()}}; }
+    Nanoseconds period() const override { return traits_ ? traits_->period : 0; }
     void sense(const SensorView& view, std::span<std::byte> memory, Observation& out) const override;
 
 private:
     double velocityNoise_, rotationNoise_;
+    std::optional<SensorTraits> traits_;
 };
 
 }  // namespace mrose

@@ -7,8 +7,6 @@
 namespace mrose {
 namespace {
 
-constexpr NoiseChannel channel = NoiseChannel::selfLocalisation;
-
 /// The counters of a measurement's draws.
 enum Part : std::uint32_t { positionNoise, headings, positionBias, chances, jump };
 
@@ -36,19 +34,23 @@ std::vector<MemoryEntry> SelfLocaliser::explain(std::span<const std::byte> memor
     return {{"bias_x", m.bias.x, "m"}, {"bias_y", m.bias.y, "m"}, {"bias_heading", m.bias.heading, "rad"}};
 }
 
+NoiseKey SelfLocaliser::keyOf(const SensorView& view, std::uint32_t part) const {
+    return traits_ ? view.key(part) : view.key(NoiseChannel::selfLocalisation, part);
+}
+
 void SelfLocaliser::driftBias(const SensorView& view, Memory& memory) const {
     const Pose& spread = options_.bias;
     if (spread == Pose{}) return;
     const Drift drift(memory.bias != Pose{}, view.sinceLast, options_.biasTime);
-    const NoisePair draw = normalPair(view.key(channel, positionBias));
-    const double heading = spread.heading == 0 ? 0 : normalPair(view.key(channel, headings)).second;
+    const NoisePair draw = normalPair(keyOf(view, positionBias));
+    const double heading = spread.heading == 0 ? 0 : normalPair(keyOf(view, headings)).second;
     memory.bias = {drift(memory.bias.x, spread.x, draw.first), drift(memory.bias.y, spread.y, draw.second),
                    drift(memory.bias.heading, spread.heading, heading)};
 }
 
 void SelfLocaliser::measure(const SensorView& view, Memory& memory) const {
     const NoisePair chance =
-        options_.dropOut > 0 || options_.jump > 0 ? uniformPair(view.key(channel, chances)) : NoisePair{1, 1};
+        options_.dropOut > 0 || options_.jump > 0 ? uniformPair(keyOf(view, chances)) : NoisePair{1, 1};
     if (chance.first < options_.dropOut) return;
     const std::int64_t lag = view.lagOf(options_.latency);
     Pose measured = view.poseBefore(view.robot, lag);
@@ -57,13 +59,13 @@ void SelfLocaliser::measure(const SensorView& view, Memory& memory) const {
     measured.heading += memory.bias.heading;
     const auto displace = [&](double deviationX, double deviationY, Part part) {
         if (deviationX == 0 && deviationY == 0) return;
-        const NoisePair draw = normalPair(view.key(channel, part));
+        const NoisePair draw = normalPair(keyOf(view, part));
         measured.x += deviationX * draw.first;
         measured.y += deviationY * draw.second;
     };
     displace(options_.noise.x, options_.noise.y, positionNoise);
     if (options_.noise.heading != 0)
-        measured.heading += options_.noise.heading * normalPair(view.key(channel, headings)).first;
+        measured.heading += options_.noise.heading * normalPair(keyOf(view, headings)).first;
     if (chance.second < options_.jump) displace(options_.jumpDistance, options_.jumpDistance, jump);
     memory.self = measured;
     memory.measured = view.timeBefore(lag);
@@ -74,10 +76,10 @@ void SelfLocaliser::sense(const SensorView& view, std::span<std::byte> memory, O
     auto& own = as<Memory>(memory);
     driftBias(view, own);
     measure(view, own);
-    if (view.wants(0) && own.localised != 0) out.add(selfReading, own.measured, own.self);
+    if (view.wants(0) && own.localised != 0) out.add(name(), own.measured, own.self);
 }
 
-SelfLocalisation readSelfLocalisation(TomlTable table) {
+SelfLocalisation readSelfLocalisation(TomlTable& table) {
     SelfLocalisation self;
     self.noise = deviation(table.tableOrEmpty("noise"));
     self.bias = deviation(table.tableOrEmpty("bias"));
@@ -86,7 +88,6 @@ SelfLocalisation readSelfLocalisation(TomlTable table) {
     self.dropOut = table.numberOr("drop_out", self.dropOut, probability);
     self.jump = table.numberOr("jump", self.jump, probability);
     self.jumpDistance = table.numberOr("jump_distance_m", self.jumpDistance, metresOff);
-    table.rejectUnknown();
     return self;
 }
 

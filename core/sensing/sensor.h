@@ -19,6 +19,12 @@ struct ReadingKind {
     const RecordType* type = nullptr;
 };
 
+/// What a robot file says of any sensor beyond those that every robot has.
+struct SensorTraits {
+    std::string name;
+    Nanoseconds period = 0;
+};
+
 /// One sensor of a robot: const itself; what it remembers of a robot lies in the world's state, and what it draws is
 /// told by keys, so that going back is exact. One object serves many robots. A new one is a file pair in this folder
 /// (README.md).

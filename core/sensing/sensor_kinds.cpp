@@ -12,9 +12,15 @@ namespace mrose {
 
 Perception readPerception(TomlTable table) {
     Perception perception;
-    perception.self = readSelfLocalisation(table.tableOrEmpty("self"));
-    perception.objects = readBodySight(table.tableOrEmpty("objects"));
-    perception.robots = readBodySight(table.tableOrEmpty("robots"));
+    const auto read = [&](const char* key, auto reader) {
+        TomlTable part = table.tableOrEmpty(key);
+        auto options = reader(part);
+        part.rejectUnknown();
+        return options;
+    };
+    perception.self = read("self", readSelfLocalisation);
+    perception.objects = read("objects", readBodySight);
+    perception.robots = read("robots", readBodySight);
     perception.velocityNoise = table.numberOr("velocity_noise_mps", 0, metresOff);
     perception.rotationNoise = angleOr(table, "rotation_noise_degps", 0, degreesOff);
     table.rejectUnknown();
@@ -25,6 +31,53 @@ std::vector<SensorPointer> standardSensors(const Perception& perception) {
     return {std::make_shared<const SelfLocaliser>(perception.self),
             std::make_shared<const BodySensor>(perception.robots, perception.objects, perception.self.biasTime),
             std::make_shared<const Odometry>(perception.velocityNoise, perception.rotationNoise)};
+}
+
+namespace {
+
+SensorPointer readCamera(TomlTable& table, const SensorTraits& traits) {
+    const double biasTime = table.numberOr("bias_time_s", SelfLocalisation().biasTime, {0.001, 1e6});
+    const BodySight sight = readBodySight(table);
+    return std::make_shared<const BodySensor>(sight, sight, biasTime, traits);
+}
+
+SensorPointer readLocaliser(TomlTable& table, const SensorTraits& traits) {
+    return std::make_shared<const SelfLocaliser>(readSelfLocalisation(table), traits);
+}
+
+SensorPointer readOdometry(TomlTable& table, const SensorTraits& traits) {
+    const double velocityNoise = table.numberOr("velocity_noise_mps", 0, metresOff);
+    return std::make_shared<const Odometry>(velocityNoise, angleOr(table, "rotation_noise_degps", 0, degreesOff),
+                                            traits);
+}
+
+constexpr SensorKind kinds[] = {{"camera", readCamera}, {"localisation", readLocaliser}, {"odometry", readOdometry}};
+
+/// What every robot's sensors are called, and what a controller and a motion model have of their own.
+constexpr std::string_view takenNames[] = {selfReading,     odometryReading, robotsReading, objectsReading,
+                                           messagesReading, "sight",         "controller",  "motion"};
+
+}  // namespace
+
+std::span<const SensorKind> sensorKinds() { return kinds; }
+
+std::vector<SensorPointer> readSensors(std::vector<TomlTable> tables, std::span<const SensorKind> of) {
+    std::vector<std::string_view> words;
+    for (const SensorKind& kind : of) words.push_back(kind.name);
+    std::set<std::string, std::less<>> names(std::begin(takenNames), std::end(takenNames));
+    std::vector<SensorPointer> sensors;
+    for (TomlTable& table : tables) {
+        const std::size_t kind = table.choice("kind", words);
+        SensorTraits traits{name(table, "name"), durationOr(table, "period_s", 0, {0.001, 10})};
+        const bool plain =
+            std::ranges::all_of(traits.name, [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
+        if (!plain) table.reject("name", "expected letters, digits and _");
+        if (!names.insert(traits.name).second) table.reject("name", "is taken: \"" + traits.name + '"');
+        if (table.failed()) continue;
+        sensors.push_back(of[kind].read(table, traits));
+        table.rejectUnknown();
+    }
+    return sensors;
 }
 
 }  // namespace mrose

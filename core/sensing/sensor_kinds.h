@@ -13,10 +13,11 @@ namespace mrose {
 Perception readPerception(TomlTable table);
 std::vector<SensorPointer> standardSensors(const Perception& perception);
 
-/// A kind of sensor that a robot file may ask for: `[[sensor]]` with `kind` and `name`, and the keys that `read` reads.
+/// A kind of sensor that a robot file may ask for: [[sensor]] with `kind`, `name`, `period_s` (none: at each control
+/// instant), and the keys that `read` reads.
 struct SensorKind {
     std::string_view name;
-    SensorPointer (*read)(TomlTable& table, const std::string& name);
+    SensorPointer (*read)(TomlTable& table, const SensorTraits& traits);
 };
 std::span<const SensorKind> sensorKinds();
 

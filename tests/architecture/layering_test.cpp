@@ -27,7 +27,7 @@ const std::map<std::string, std::set<std::string>> allowedLayers{
     {"scene", {"geometry", "world", "motion"}},
     {"control", {"geometry", "world"}},
     {"messages", {"io", "geometry", "world", "control"}},
-    {"plugin", {"io", "geometry", "world", "control", "messages"}},
+    {"plugin", {"io", "geometry", "world", "learning", "control", "messages"}},
     {"drawing", {"io", "geometry", "evaluation", "scene"}},
     {"behaviour", {"geometry", "world", "control"}},
     {"sensing", {"io", "geometry", "world", "motion", "scene", "control"}},

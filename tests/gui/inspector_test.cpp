@@ -168,15 +168,15 @@ TEST_F(InspectorTest, NumbersAreNotCutWhereThereIsLittleRoom) {
 TEST_F(InspectorTest, SetsWhatIsSeenAgainstTheTruth) {
     seek(400);
     std::size_t robot = 0;
-    while (robot < 8 && frame().insights[robot].observation.robots.empty()) ++robot;
+    while (robot < 8 && frame().insights[robot].observation.robots().empty()) ++robot;
     ASSERT_LT(robot, 8u) << "nobody sees anybody";
     select(robot);
     const RobotInsight& insight = frame().insights[robot];
-    ASSERT_TRUE(insight.observed && insight.observation.localised);
-    const Pose& self = insight.observation.self;
+    ASSERT_TRUE(insight.observed && insight.observation.localised());
+    const Pose& self = insight.observation.self();
     const Pose& pose = frame().state.robots[robot].pose;
     EXPECT_EQ(value({"Sees", "Itself"}), text(std::hypot(self.x - pose.x, self.y - pose.y), 3, "m off"));
-    const auto inSight = insight.observation.robots;
+    const auto inSight = insight.observation.robots();
     int seen = 0;
     for (std::uint32_t other = 0; other < 8; ++other) {
         if (other == robot) continue;

@@ -112,9 +112,9 @@ TEST_F(PlotTest, NumbersAreThoseOfStepAtEveryTick) {
                 if (note.label == "distance (m)") noted = note.value;
         }
         if (const StepTrace::Robot& told = trace.robots[2]; told.decided) {
-            inSight = told.observation.localised && !told.observation.objects.empty();
-            self = told.observation.self;
-            if (inSight) seen = told.observation.objects.front().position_B;
+            inSight = told.observation.localised() && !told.observation.objects().empty();
+            self = told.observation.self();
+            if (inSight) seen = told.observation.objects().front().position_B;
         }
     }
     EXPECT_EQ(errors, 0);

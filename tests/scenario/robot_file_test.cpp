@@ -174,7 +174,7 @@ TEST(RobotFile, EveryOtherMistakeNamesItsPlace) {
         {"mass_kg", "colour = \"#102030\"\nmass_kg",
          "r.toml:5:10: colour: is not a known key; expected one of control_period_s, format, kind, kinematics, "
          "manipulator, "
-         "mass_kg, motion, motion_noise, name, perception, shape, surface, version"},
+         "mass_kg, motion, motion_noise, name, perception, sensor, shape, surface, version"},
     };
     for (const auto& [from, to, message] : cases) EXPECT_EQ(refusal("r.toml", from, to), message);
     std::string many;

@@ -42,8 +42,8 @@ FieldFrame everything() {
     frame.predictedStep = nanosecondsPerSecond;
     frame.insights[0].decision.annotations = {{Annotation::Kind::point, "aim", 0, "", {{3, 2}}}};
     frame.lastTick.contacts = {{0, 1, 0, {0, 3}, {1, 0}, 0.02}};
-    frame.insights[1].observed = frame.insights[1].observation.localised = true;
-    frame.insights[1].observation.self = {-2.5, 2.5, 0};
+    frame.insights[1].observed = true;
+    frame.insights[1].observation.add(selfReading, 0, Pose{-2.5, 2.5, 0});
     frame.ghosts = {{"then", frame.scenario, {{2, 0, 0}, {-3.5, 2.5, 0}, {4.5, 3.5, 0}}, {}}};
     return frame;
 }

@@ -1,4 +1,6 @@
 // Does all that a plug-in may: reads options, remembers, annotates, kicks, breaks, uses what the headers declare.
+#include <array>
+
 #include "control/controller.h"
 #include "plugin/plugin.h"
 
@@ -9,7 +11,8 @@ public:
     explicit WellBehaved(mrose::PluginOptions& options)
         : speed_(options.number("speed_mps", 0.5)),
           kicks_(options.flag("kicks", false)),
-          label_(options.text("label", "count")) {
+          label_(options.text("label", "count")),
+          gain_(options.mapping("gain")) {
         if (speed_ < 0) options.reject("speed_mps", "expected at least 0");
     }
 
@@ -34,9 +37,13 @@ public:
         for (const mrose::SeenBody& body : observation.robots())
             nearest = std::min(nearest, mrose::length(body.position_B));
         decision.clear();
+        double speed = speed_;
+        if (gain_ != nullptr) gain_->evaluate(std::array{known.turned, speed_}, std::span(&speed, 1));
+        decision.messages.push_back(mrose::RadioMessage::of(known.turned));
+        for (const mrose::ReceivedMessage& message : observation.messages()) known.count += message.from;
         decision.earlier.push_back({observation.time - 1, {speed_ / 2, 0}});
         const double dice = 0x1p-70 * static_cast<double>(observation.noise);
-        decision.command = mrose::Command{speed_, known.turned + 0.01 * nearest + dice};
+        decision.command = mrose::Command{speed, known.turned + 0.01 * nearest + dice};
         if (kicks_ && observation.manipulators > 0 && known.count % 3 == 0) decision.kicks.push_back({0, 0.5});
         decision.annotations.push_back(
             {mrose::Annotation::Kind::value, label_, static_cast<double>(known.count), "", {}});
@@ -48,6 +55,7 @@ private:
     double speed_;
     bool kicks_;
     std::string label_;
+    const mrose::LearnedMapping* gain_;
 };
 
 }  // namespace

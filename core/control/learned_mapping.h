@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+namespace mrose {
+
+/// A quantity that a learned mapping reads or gives.
+struct MappingVariable {
+    const char* name = "";
+    const char* unit = "";  ///< "m/s"; "1" of what has none
+};
+
+/// Something learned that a controller calls: numbers to numbers, in the units that it names. Const, and the same bits
+/// wherever and however often it is called.
+class LearnedMapping {
+public:
+    virtual ~LearnedMapping() = default;
+    virtual std::size_t inputs() const = 0;
+    virtual std::size_t outputs() const = 0;
+    virtual MappingVariable input(std::size_t index) const = 0;
+    virtual MappingVariable output(std::size_t index) const = 0;
+    /// `from` has inputs() numbers, `to` outputs().
+    virtual void evaluate(std::span<const double> from, std::span<double> to) const = 0;
+};
+
+}  // namespace mrose
