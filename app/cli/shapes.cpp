@@ -33,7 +33,7 @@ Checked check(const Environment& environment, const DrawingOptions& options) {
 }
 
 Checked check(const RobotDescription& robot, const DrawingOptions& options) {
-    const std::string motion = robot.motion ? "learned motion" : "kinematic motion";
+    const std::string motion = motionKind(robot);
     return {{},
             "robot",
             robot.type.name,

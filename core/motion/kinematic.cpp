@@ -105,6 +105,11 @@ Nanoseconds KinematicModel::lookBack() const {
     return fromSeconds(std::max(parameters_.v.deadTime, parameters_.w.deadTime));
 }
 
+bool KinematicModel::sameAs(const MotionModel& other) const {
+    const auto* kinematic = dynamic_cast<const KinematicModel*>(&other);
+    return kinematic != nullptr && kinematic->parameters_ == parameters_ && kinematic->period_ == period_;
+}
+
 MotionStep KinematicModel::step(const MotionInput& input) const {
     const auto& [v, w, lateralPerRotation] = parameters_;
     const Nanoseconds delayV = fromSeconds(v.deadTime), delayW = fromSeconds(w.deadTime);

@@ -29,6 +29,7 @@ public:
 
     Nanoseconds period() const override { return period_; }
     Nanoseconds lookBack() const override;
+    bool sameAs(const MotionModel& other) const override;
     DeadTimes deadTimes() const override {
         return {fromSeconds(parameters_.v.deadTime), fromSeconds(parameters_.w.deadTime)};
     }

@@ -131,6 +131,11 @@ LearnedModel::LearnedModel(std::shared_ptr<const LearnedMotion> motion, const st
     if (count > 0) deadTimes_ = {fromSeconds(v / count), fromSeconds(w / count)};
 }
 
+bool LearnedModel::sameAs(const MotionModel& other) const {
+    const auto* learned = dynamic_cast<const LearnedModel*>(&other);
+    return learned != nullptr && learned->robot_ == robot_ && learned->network() == network();
+}
+
 std::vector<MemoryEntry> LearnedModel::explain(std::span<const std::byte> memory) const {
     const auto& kept = as<LearnedMotion::Memory>(memory);
     if (kept.begun == 0) return {};

@@ -71,6 +71,7 @@ public:
     Nanoseconds period() const override { return network().period; }
     Nanoseconds lookBack() const override { return motion_->inputs().lookBack(); }
     DeadTimes deadTimes() const override { return deadTimes_; }
+    bool sameAs(const MotionModel& other) const override;
     std::size_t memorySize() const override { return sizeof(LearnedMotion::Memory); }
     std::vector<MemoryEntry> explain(std::span<const std::byte> memory) const override;
     void predict(std::span<const MotionInput> inputs, std::span<MotionStep> steps) const override;

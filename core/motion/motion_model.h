@@ -67,6 +67,9 @@ public:
     /// The model that this one only adds something to; otherwise itself.
     virtual const MotionModel& underlying() const { return *this; }
 
+    /// Whether it predicts the same of everything as one that was made otherwise, as far as their parameters tell.
+    virtual bool sameAs(const MotionModel& other) const { return this == &other; }
+
     /// steps[i] from inputs[i]; the spans have equal sizes. The result for a robot does not depend on the others in the
     /// batch, to the last bit. Inputs must be finite.
     virtual void predict(std::span<const MotionInput> inputs, std::span<MotionStep> steps) const = 0;

@@ -4,9 +4,11 @@
 #include <cmath>
 
 #include "io/number_text.h"
+#include "motion/kinematic.h"
 #include "scenario/delayed_network.h"
 #include "scenario/description_reader.h"
 #include "sensing/sensor_kinds.h"
+#include "synthetic/reference_model.h"
 #include "world/plain_seconds.h"
 
 namespace mrose {
@@ -53,9 +55,8 @@ std::string robotNames(const MotionNetwork& network) {
     return names.empty() ? "none" : names;
 }
 
-void readLearned(TomlTable& root, RobotDescription& robot, const DescriptionFile& file, DescriptionLibrary& library,
-                 DeadTimes& deadTimes) {
-    TomlTable table = root.table("motion");
+void readLearned(TomlTable& root, TomlTable& table, RobotDescription& robot, const DescriptionFile& file,
+                 DescriptionLibrary& library, DeadTimes& deadTimes) {
     const MotionNetwork* network = library.network(table, "network", file.name);
     robot.motionRobot = nameOr(table, "robot", "");
     const auto wanted = readDeadTimes(table);
@@ -109,16 +110,31 @@ void readKinematics(TomlTable& root, RobotDescription& robot, DeadTimes& deadTim
     table.rejectUnknown();
     deadTimes = {parameters.v.deadTime, parameters.w.deadTime};
     const Nanoseconds period = duration(root, "control_period_s", {0.001, 10});
-    if (!root.failed()) robot.kinematics = std::make_shared<const KinematicModel>(parameters, period);
+    if (!root.failed()) robot.model = std::make_shared<const KinematicModel>(parameters, period);
+}
+
+void readReference(TomlTable& root, TomlTable& table, RobotDescription& robot, DeadTimes& deadTimes) {
+    table.rejectUnknown();
+    const double longest = toSeconds(ReferenceModel::longestPeriod), step = toSeconds(ReferenceRobot::step);
+    const Nanoseconds period = durationOr(root, "control_period_s", 100'000'000, {step, longest});
+    if (period % ReferenceRobot::step != 0)
+        root.reject("control_period_s", "expected a multiple of the reference robot's step of " +
+                                            plainSeconds(ReferenceRobot::step) + " s");
+    robot.model = std::make_shared<const ReferenceModel>(period);
+    const MotionModel::DeadTimes own = robot.model->deadTimes();
+    deadTimes = {toSeconds(own.v), toSeconds(own.w)};
 }
 
 void readMotion(TomlTable& root, RobotDescription& robot, const DescriptionFile& file, DescriptionLibrary& library,
                 DeadTimes& deadTimes) {
-    root.expectOneOf("kinematics", "motion", "[motion] with a network or [kinematics]");
-    if (root.has("motion"))
-        readLearned(root, robot, file, library, deadTimes);
-    else if (root.has("kinematics"))
-        readKinematics(root, robot, deadTimes);
+    root.expectOneOf("kinematics", "motion", "[motion] or [kinematics]");
+    if (root.has("kinematics")) return readKinematics(root, robot, deadTimes);
+    if (!root.has("motion")) return;
+    TomlTable table = root.table("motion");
+    if (table.has("model") && table.choice("model", {"network", "reference"}) == 1)
+        readReference(root, table, robot, deadTimes);
+    else
+        readLearned(root, table, robot, file, library, deadTimes);
 }
 
 MotionNoise readMotionNoise(TomlTable table) {
@@ -182,12 +198,18 @@ Expected<RobotDescription> readRobot(const Value::File& file, DescriptionLibrary
     return robot;
 }
 
+std::string motionKind(const RobotDescription& robot) {
+    if (robot.motion) return "learned motion";
+    const bool reference = dynamic_cast<const ReferenceModel*>(robot.model.get()) != nullptr;
+    return reference ? "motion of the reference robot, synthetic" : "kinematic motion";
+}
+
 Expected<RobotDescription> movedBy(const MotionNetwork& network, RobotDescription robot, DescriptionLibrary& library) {
     if (network.period != robot.controlPeriod())
         return fail("", "was learned for a control period of " + plainSeconds(network.period) + " s; the robot's is " +
                             plainSeconds(robot.controlPeriod()) + " s");
     robot.motion = library.motion(network, 0, 0);
-    robot.kinematics = nullptr;
+    robot.model = nullptr;
     if (robot.motion->inputs().robotIndex(robot.motionRobot) < 0) robot.motionRobot.clear();
     const DeadTimes own = identifiedDeadTimes(network, robot.motionRobot).value_or(DeadTimes{});
     robot.deadTime = (own.v + own.w) / 2;

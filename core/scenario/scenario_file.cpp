@@ -147,11 +147,11 @@ std::string ScenarioReader::motionRobot(TomlTable& table, const RobotDescription
 }
 
 std::uint32_t ScenarioReader::modelIndex(const RobotDescription& robot, const std::string& motionRobot) {
-    const void* const motion = robot.motion ? static_cast<const void*>(robot.motion.get()) : robot.kinematics.get();
+    const void* const motion = robot.motion ? static_cast<const void*>(robot.motion.get()) : robot.model.get();
     const auto [model, added] = models_.emplace(std::tuple(motion, motionRobot, robot.motionNoise),
                                                 static_cast<std::uint32_t>(scene_.models.size()));
     if (!added) return model->second;
-    std::shared_ptr<const MotionModel> own = robot.kinematics;
+    std::shared_ptr<const MotionModel> own = robot.model;
     if (robot.motion) own = std::make_shared<const LearnedModel>(robot.motion, motionRobot);
     scene_.models.push_back(withNoise(std::move(own), robot.motionNoise));
     return model->second;

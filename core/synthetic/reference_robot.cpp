@@ -27,13 +27,14 @@ double inSteps(double value, double quantum) { return std::round(value / quantum
 }  // namespace
 
 double ReferenceRobot::normal(std::int64_t draw, std::uint32_t channel) const {
-    return normalNoise({seed_, draw, 0, channel});
+    return seed_ ? normalNoise({*seed_, draw, 0, channel}) : 0;
 }
 
 ReferenceRobotState ReferenceRobot::start(const Pose& pose) const {
     ReferenceRobotState state;
     state.pose = pose;
-    state.nextSample = fromSeconds(parameters_.samplingPeriod * uniformNoise({seed_, 0, 0, samplePhase}));
+    const double phase = seed_ ? uniformNoise({*seed_, 0, 0, samplePhase}) : 0.5;
+    state.nextSample = fromSeconds(parameters_.samplingPeriod * phase);
     state.wheels[0].grip = parameters_.wheelNoise * normal(-1, leftGrip);
     state.wheels[1].grip = parameters_.wheelNoise * normal(-1, rightGrip);
     state.commonGrip = parameters_.commonNoise * normal(-1, bothGrip);
@@ -43,10 +44,14 @@ ReferenceRobotState ReferenceRobot::start(const Pose& pose) const {
 }
 
 ReferenceRobotState ReferenceRobot::issue(ReferenceRobotState state, const Command& command) const {
+    return issue(state, command, state.time);
+}
+
+ReferenceRobotState ReferenceRobot::issue(ReferenceRobotState state, const Command& command, Nanoseconds time) const {
     const double delay = parameters_.deadTime + parameters_.deadTimeJitter * normal(state.issued++, linkJitter);
     if (state.linkSize == ReferenceRobotState::linkCapacity) return state;
     const Nanoseconds before = state.linkSize > 0 ? state.link[state.linkSize - 1].time : 0;
-    state.link[state.linkSize++] = {std::max(before, state.time + fromSeconds(std::max(delay, 0.0))), command};
+    state.link[state.linkSize++] = {std::max(before, time + fromSeconds(std::max(delay, 0.0))), command};
     return state;
 }
 
@@ -151,6 +156,19 @@ void ReferenceRobot::move(ReferenceRobotState& state, double seconds) const {
     state.velocity.w = turned * (1 - p.scrub - state.extraScrub - p.scrubAtSpeed * std::abs(rolled)) + push;
     const double sideways = -p.sideSlip * rolled * turned;
     state.pose = state.pose * exp(Twist{state.velocity.v * seconds, sideways * seconds, state.velocity.w * seconds});
+}
+
+ReferenceRobotState ReferenceRobot::pushed(ReferenceRobotState state, const Velocity& velocity) const {
+    const ReferenceRobotParameters& p = parameters_;
+    const double kept = 1 - p.scrub - state.extraScrub - p.scrubAtSpeed * std::abs(velocity.v);
+    const double v = velocity.v - state.velocity.v, w = (velocity.w - state.velocity.w) / std::max(kept, 0.5);
+    for (std::size_t i = 0; i < 2; ++i) {
+        ReferenceRobotState::Wheel& wheel = state.wheels[i];
+        const double side = i == 0 ? -0.5 : 0.5;
+        wheel.speed += (v + side * p.track * w) / (p.wheelScale[i] * (1 + wheel.grip + state.commonGrip));
+    }
+    state.velocity = velocity;
+    return state;
 }
 
 }  // namespace mrose

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "geometry/pose.h"
 #include "world/command.h"
@@ -47,6 +48,8 @@ struct ReferenceRobotParameters {
     // motion.
     double gripTime = 2.0;                            ///< s
     double wheelNoise = 0.0053, commonNoise = 0.007;  ///< standard deviations
+
+    bool operator==(const ReferenceRobotParameters&) const = default;
 };
 
 /// What advances in time, as one value.
@@ -85,14 +88,16 @@ struct ReferenceRobotState {
 
 /// Two driven wheels with motor lag, speed loops on quantised encoders, limited speed and acceleration, friction,
 /// unequal radii, scrubbing tyres, side slip and a caster, behind a link with dead time and jitter: another class of
-/// model than any that is learned or identified here. Only the generator of synthetic logs uses it.
+/// model than any that is learned or identified here. It makes synthetic logs, and moves robots of the world whose
+/// files name it (ReferenceModel).
 ///
 /// All randomness is a function of the seed and of what it is drawn for: the same seed gives the same bits.
 class ReferenceRobot {
 public:
     static constexpr Nanoseconds step = 2'000'000;
 
-    explicit ReferenceRobot(std::uint64_t seed, const ReferenceRobotParameters& parameters = {})
+    /// Without a seed nothing is random: all noise is 0, and the controller in the middle of its period.
+    explicit ReferenceRobot(std::optional<std::uint64_t> seed, const ReferenceRobotParameters& parameters = {})
         : seed_(seed), parameters_(parameters) {}
 
     const ReferenceRobotParameters& parameters() const { return parameters_; }
@@ -100,11 +105,15 @@ public:
     /// Standing at `pose`, switched on at a random moment of its controller's period.
     ReferenceRobotState start(const Pose& pose) const;
 
-    /// Sends a command at the state's time. A full link drops it, as a real one does.
+    /// Sends a command at the state's time, or at another one near it. A full link drops it, as a real one does.
     ReferenceRobotState issue(ReferenceRobotState state, const Command& command) const;
+    ReferenceRobotState issue(ReferenceRobotState state, const Command& command, Nanoseconds time) const;
 
     /// The state one `step` later.
     ReferenceRobotState next(ReferenceRobotState state) const;
+
+    /// Something has changed the body's velocity to this one, and the wheels roll with it.
+    ReferenceRobotState pushed(ReferenceRobotState state, const Velocity& velocity) const;
 
 private:
     double normal(std::int64_t draw, std::uint32_t channel) const;
@@ -114,7 +123,7 @@ private:
     void turnWheels(ReferenceRobotState& state, double seconds) const;
     void move(ReferenceRobotState& state, double seconds) const;
 
-    std::uint64_t seed_;
+    std::optional<std::uint64_t> seed_;
     ReferenceRobotParameters parameters_;
 };
 

@@ -7,6 +7,7 @@
 #include "motion/network_fixture.h"
 #include "scenario/descriptions.h"
 #include "support/units.h"
+#include "synthetic/reference_model.h"
 
 namespace mrose {
 namespace {
@@ -41,12 +42,13 @@ TEST(RobotFile, GivesWhatTheFileHoldsInRadians) {
               (Manipulator{"kicker", {0.2, 0.05}, 30 * degree, 2.5, 0.04, 0.18, 1'500'000'000, 200'000'000}))
         << "without a dead time of its own it has the one of the speed";
     EXPECT_EQ(type.manipulators[1].deadTime, 400'000'000);
-    ASSERT_TRUE(robot->kinematics);
+    const auto* kinematic = dynamic_cast<const KinematicModel*>(robot->model.get());
+    ASSERT_TRUE(kinematic);
     EXPECT_FALSE(robot->motion);
     EXPECT_EQ(robot->controlPeriod(), 100'000'000);
     const KinematicParameters expected{
         {0.2, 0.1, 0.9, 0.01, 0.5, 0.4}, {0.3, 0, 1, 1.8 * degree, 90 * degree, 180 * degree}, 0.02};
-    EXPECT_EQ(robot->kinematics->parameters(), expected);
+    EXPECT_EQ(kinematic->parameters(), expected);
 }
 
 TEST(RobotFile, GivesPerceptionWhole) {
@@ -126,6 +128,40 @@ TEST(RobotFile, DeadTimeBelongsToTheNetworkUnlessOverridden) {
               "learned.toml:8:15: motion.dead_time_s: is not a known key; did you mean dead_time?");
 }
 
+/// The robot whose [motion] is this, in a file that begins with `root`.
+Expected<RobotDescription> movedByReference(const std::string& motion, const std::string& root = "") {
+    auto texts = changedWorld("learned.toml", "network = \"n.net\"\n", motion);
+    texts["learned.toml"].insert(texts["learned.toml"].find("[motion]"), root);
+    return load(texts, "learned.toml");
+}
+
+TEST(RobotFile, MayNameTheReferenceRobotAsItsMotion) {
+    const auto robot = movedByReference("model = \"reference\"\n");
+    ASSERT_TRUE(robot) << robot.error().message();
+    EXPECT_FALSE(robot->motion);
+    EXPECT_TRUE(robot->model->sameAs(ReferenceModel(100'000'000)));
+    EXPECT_EQ(robot->deadTime, 0.315) << "of the link, and half a period of its controller";
+    EXPECT_EQ(movedByReference("model = \"reference\"\n", "control_period_s = 0.04\n")->controlPeriod(), 40'000'000);
+    const auto named = movedByReference("model = \"network\"\nnetwork = \"n.net\"\n");
+    ASSERT_TRUE(named) << named.error().message();
+    EXPECT_TRUE(named->motion);
+}
+
+TEST(RobotFile, WhatTheReferenceRobotIsNotNamesItsPlace) {
+    const auto refused = [](const std::string& motion, const std::string& root = "") {
+        const auto robot = movedByReference(motion, root);
+        return robot ? "" : robot.error().message();
+    };
+    EXPECT_EQ(refused("model = \"referenz\"\n"),
+              "learned.toml:7:9: motion.model: is \"referenz\"; expected one of \"network\", \"reference\"");
+    EXPECT_EQ(refused("model = \"reference\"\nnetwork = \"n.net\"\n"),
+              "learned.toml:8:11: motion.network: is not a known key; expected one of model");
+    EXPECT_EQ(refused("model = \"reference\"\n", "control_period_s = 0.3\n"),
+              "learned.toml:6:20: control_period_s: is 0.3; expected 0.002 to 0.2");
+    EXPECT_EQ(refused("model = \"reference\"\n", "control_period_s = 0.0975\n"),
+              "learned.toml:6:20: control_period_s: expected a multiple of the reference robot's step of 0.002 s");
+}
+
 TEST(RobotFile, NetworkMustBeThereAndFit) {
     EXPECT_EQ(motionRefusal("", "control_period_s = 0.05\n"),
               "learned.toml:6:20: control_period_s: is 0.05; the network was learned for 0.1");
@@ -151,7 +187,7 @@ TEST(RobotFile, EveryOtherMistakeNamesItsPlace) {
         {"control_period_s = 0.1", "control_period_s = 0",
          "r.toml:6:20: control_period_s: is 0.0; expected 0.001 to 10.0"},
         {"[kinematics]", "[motion]\nnetwork = \"n.net\"\n[kinematics]",
-         "r.toml:10:1: kinematics: expected either [motion] with a network or [kinematics]"},
+         "r.toml:10:1: kinematics: expected either [motion] or [kinematics]"},
         {"[kinematics]", "[kinematix]", "r.toml:8:1: kinematix: is not a known key; did you mean kinematics?"},
         {"lag_s = 0.1,", "lag_s = -0.1,", "r.toml:9:34: kinematics.v.lag_s: is -0.1; expected 0.0 to 10.0"},
         {"limit_mps = 0.5", "limit_degps = 5",

@@ -12,6 +12,7 @@
 #include "support/places.h"
 #include "support/test_data.h"
 #include "support/units.h"
+#include "synthetic/reference_model.h"
 #include "world/state_hash.h"
 
 namespace mrose {
@@ -104,14 +105,23 @@ TEST(ShippedFiles, BallFitsBetweenThePioneersHorns) {
 
 TEST(ShippedFiles, RobotsWeighAndDriveAsTheyShould) {
     const auto nomad = loaded<RobotDescription>("resources/robots/nomad200.toml");
-    ASSERT_TRUE(nomad.kinematics);
-    EXPECT_EQ(nomad.kinematics->parameters().v.limit, 0.508);
-    EXPECT_NEAR(nomad.kinematics->parameters().w.limit, pi / 4, 1e-12);
+    const auto kinematics = [](const RobotDescription& robot) {
+        return dynamic_cast<const KinematicModel&>(*robot.model).parameters();
+    };
+    ASSERT_TRUE(nomad.model);
+    EXPECT_EQ(kinematics(nomad).v.limit, 0.508);
+    EXPECT_NEAR(kinematics(nomad).w.limit, pi / 4, 1e-12);
     const auto b21 = loaded<RobotDescription>("resources/robots/b21.toml");
-    ASSERT_TRUE(b21.kinematics);
+    ASSERT_TRUE(b21.model);
     EXPECT_EQ(b21.type.mass, 122);
-    EXPECT_NEAR(b21.kinematics->parameters().w.limit, 0.8, 1e-3);
+    EXPECT_NEAR(kinematics(b21).w.limit, 0.8, 1e-3);
+    const auto synthetic = loaded<RobotDescription>("resources/robots/reference.toml");
+    EXPECT_TRUE(dynamic_cast<const ReferenceModel*>(synthetic.model.get()));
+    EXPECT_NE(synthetic.type.name.find("synthetic"), std::string::npos);
+    EXPECT_NE(motionKind(synthetic).find("synthetic"), std::string::npos);
+    EXPECT_EQ(synthetic.deadTime, 0.315);
     const auto pioneer = loaded<RobotDescription>("resources/robots/pioneer1.toml");
+    EXPECT_EQ(synthetic.type.perception, pioneer.type.perception);
     ASSERT_TRUE(pioneer.motion);
     EXPECT_EQ(pioneer.type.mass, 7.5);
     EXPECT_TRUE(pioneer.motion->network().synthetic);

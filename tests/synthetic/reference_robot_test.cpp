@@ -102,6 +102,38 @@ TEST(ReferenceRobot, TheDeadTimeOfTheLinkJittersAsSaid) {
     EXPECT_NEAR(deviation, p.deadTimeJitter, 0.1 * p.deadTimeJitter);
 }
 
+/// It goes on from the velocity that something has given it, and back to what it is told.
+TEST(ReferenceRobot, GoesOnFromAPush) {
+    const ReferenceRobot robot(4);
+    const std::vector<Sent> sent{{0, {0.3, 0.4}}};
+    const ReferenceRobotState drives = run(robot, robot.start({}), sent, 3);
+    EXPECT_NEAR(drives.velocity.v, 0.3, 0.02);
+    for (const Velocity& velocity : {Velocity{0, 0}, Velocity{-0.2, 0.4}, Velocity{0.3, -1}}) {
+        ReferenceRobotState pushed = robot.pushed(drives, velocity);
+        EXPECT_EQ(pushed.velocity, velocity);
+        pushed = robot.next(pushed);
+        EXPECT_NEAR(pushed.velocity.v, velocity.v, 0.03);
+        EXPECT_NEAR(pushed.velocity.w, velocity.w, 0.1);
+        pushed = run(robot, pushed, {}, 5);
+        EXPECT_NEAR(pushed.velocity.v, 0.3, 0.02);
+        EXPECT_NEAR(pushed.velocity.w, 0.4, 0.05);
+    }
+}
+
+TEST(ReferenceRobot, WithoutASeedNothingIsRandom) {
+    ReferenceRobotParameters exact;
+    exact.wheelNoise = exact.commonNoise = exact.scrubNoise = exact.deadTimeJitter = exact.samplingJitter = 0;
+    const ReferenceRobot robot(std::nullopt);
+    ReferenceRobotState state = robot.start({});
+    EXPECT_EQ(state.nextSample, fromSeconds(ReferenceRobotParameters{}.samplingPeriod / 2));
+    EXPECT_EQ(state.casterAngle, 0);
+    const std::vector<Sent> sent{{0.5, {0.4, 0.3}}, {2, {-0.2, -1}}};
+    ReferenceRobotState seeded = ReferenceRobot(9, exact).start({});
+    seeded.nextSample = state.nextSample;
+    seeded.casterAngle = 0;
+    EXPECT_EQ(run(robot, state, sent, 4).pose, run(ReferenceRobot(9, exact), seeded, sent, 4).pose);
+}
+
 TEST(ReferenceRobot, CommandsArriveInTheirOrder) {
     const ReferenceRobot robot(11);
     ReferenceRobotState state = robot.start({});

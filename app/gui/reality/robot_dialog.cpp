@@ -51,8 +51,7 @@ QPixmap pictureOf(const Shape& shape, double reach, double pixelRatio) {
 QString kindText(const RobotKind& kind) {
     return QObject::tr("%1\n%2 \u00d7 %3 m, %4, dead time %5 s")
         .arg(QString::fromStdString(kind.name), fixedText(kind.length, 2), fixedText(kind.width, 2),
-             kind.learned ? QObject::tr("learned motion") : QObject::tr("kinematic motion"),
-             fixedText(kind.deadTime, 2));
+             QString::fromStdString(kind.motion), fixedText(kind.deadTime, 2));
 }
 
 }  // namespace
@@ -69,7 +68,7 @@ Expected<RobotKind> robotKindOf(const std::string& file) {
                      robot->type.shape,
                      outline.most.x - outline.least.x,
                      outline.most.y - outline.least.y,
-                     robot->motion != nullptr,
+                     motionKind(*robot),
                      robot->deadTime};
 }
 

@@ -19,7 +19,7 @@ struct RobotKind {
     std::string name;
     std::shared_ptr<const Shape> shape;
     double length = 0, width = 0;  ///< m, of its outline
-    bool learned = false;          ///< how it moves; otherwise by kinematics
+    std::string motion;            ///< how it moves, for people
     double deadTime = 0;           ///< s
 };
 
