@@ -26,13 +26,13 @@ inline bool identical(const Kick& a, const Kick& b) {
     return a.manipulator == b.manipulator && identical(a.power, b.power);
 }
 
-constexpr std::uint32_t everybody = 0xffffffff;
+constexpr std::uint32_t broadcast = 0xffffffff;
 
 /// What one robot tells another, or all others.
 struct RadioMessage {
     static constexpr std::size_t most = 64;  ///< B
 
-    std::uint32_t to = everybody;  ///< the robot
+    std::uint32_t to = broadcast;  ///< the robot
     std::uint32_t kind = 0;        ///< the sender's own: what the bytes are
     std::uint32_t size = 0;        ///< of the bytes, at most `most`
     std::array<std::byte, most> bytes{};
@@ -40,7 +40,7 @@ struct RadioMessage {
 
     /// With a value's bytes.
     template <class T>
-    static RadioMessage of(const T& value, std::uint32_t kind = 0, std::uint32_t to = everybody) {
+    static RadioMessage of(const T& value, std::uint32_t kind = 0, std::uint32_t to = broadcast) {
         static_assert(std::is_trivially_copyable_v<T> && sizeof(T) <= most);
         RadioMessage message{to, kind, sizeof(T)};
         std::memcpy(message.bytes.data(), &value, sizeof(T));

@@ -26,7 +26,7 @@ void senseByItsClock(const Sensor& sensor, SensorView view, std::int64_t periodT
 /// What was sent to the robot since its last control instant; what is sent now arrives at the next one.
 void receive(const SensorView& view, std::int64_t periodTicks, Observation& out) {
     for (const SentMessage& m : view.state.messages) {
-        const bool own = m.from == view.robot, others = m.to != everybody && m.to != view.robot;
+        const bool own = m.from == view.robot, others = m.to != broadcast && m.to != view.robot;
         if (own || others || m.tick >= view.state.tick || m.tick < view.state.tick - periodTicks) continue;
         view.buffers.received.push_back({view.scene.timeOf(m.tick), m.from, m.kind, m.size, m.bytes});
     }

@@ -56,7 +56,7 @@ Decision fullDecision() {
     d.command = Command{0.25, -0.0};
     d.earlier = {{1, {0.1, 0.2}}, {2, {0.3, 0.4}}};
     d.kicks = {{3, 0.5}};
-    d.messages = {RadioMessage::of(1.5, 4, 2), {everybody, 0, 0, {}}};
+    d.messages = {RadioMessage::of(1.5, 4, 2), {broadcast, 0, 0, {}}};
     d.annotations = {{Annotation::Kind::text, "label", 1.5, "some text", {}},
                      {Annotation::Kind::line, "", 0, "", {{1, 2}, {3, 4}}}};
     d.breakReason = "here";

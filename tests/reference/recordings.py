@@ -95,7 +95,7 @@ def decisions_1(block):
         yield tick, decided
 
 
-READERS = {1: decisions_1}  # by the version that a block begins with; a new one is added here
+READERS = {1: decisions_1, 2: decisions_1}  # by the version that a block begins with; a new one is added here
 
 
 def decisions(path):

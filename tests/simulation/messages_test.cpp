@@ -48,7 +48,7 @@ Scenario three(std::uint32_t firstTells, bool thirdListens = true) {
     return SmallWorld()
         .robot(discRobot(0.2), {0, 0, 0}, teller(firstTells), every(100'000'000))
         .robot(discRobot(0.2), {2, 0, 0}, teller(2), every(60'000'000), 1)
-        .robot(discRobot(0.2), {4, 0, 0}, teller(everybody, thirdListens), every(200'000'000), 3)
+        .robot(discRobot(0.2), {4, 0, 0}, teller(broadcast, thirdListens), every(200'000'000), 3)
         .scenario();
 }
 
@@ -58,7 +58,7 @@ Teller::Memory memoryOf(const Scenario& scenario, const WorldState& state, std::
 
 /// Each message reaches whom it is for once, at the first control instant after it was sent, whatever the periods.
 TEST(Messages, EachArrivesOnceAtTheNextInstant) {
-    const Scenario scenario = three(everybody);
+    const Scenario scenario = three(broadcast);
     WorldState state = scenario.initialState();
     run(scenario, state, 1000);
     const Teller::Memory first = memoryOf(scenario, state, 0), second = memoryOf(scenario, state, 1),
@@ -85,7 +85,7 @@ TEST(Messages, ToOneReachOneAndWhoDoesNotListenHearsNothing) {
 }
 
 TEST(Messages, AreRewoundWithAllElse) {
-    const Scenario scenario = three(everybody);
+    const Scenario scenario = three(broadcast);
     WorldState state = scenario.initialState();
     StepBuffers buffers, others;
     for (int k = 0; k < 200; ++k) {
