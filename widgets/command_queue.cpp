@@ -59,7 +59,7 @@ CommandQueue::CommandQueue(QWidget* parent) : QWidget(parent) {
     setFocusPolicy(Qt::TabFocus);
 }
 
-/// A robot that goes on as before is told so at every control instant: those instants are seen travelling too.
+/// A robot that goes on as before gets that command at every control instant: those instants are seen travelling too.
 void CommandQueue::setContent(Content content) {
     content_ = std::move(content);
     std::vector<Nanoseconds> times;
@@ -144,7 +144,7 @@ void CommandQueue::paintEvent(QPaintEvent* /*event*/) {
     painter.drawRect(rect().adjusted(0, 0, -1, -1));
 }
 
-/// The values as a step curve over the time until they take effect, and each told instant as a thin line.
+/// The values as a step curve over the time until they take effect, and each instant of issue as a thin line.
 void CommandQueue::paintLane(QPainter& painter, bool rotation) const {
     const QRectF box = laneBox(rotation);
     const double now = pixelOf(0), active = partOf(commandsOnTheWay(content_).active, rotation);

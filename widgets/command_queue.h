@@ -32,7 +32,7 @@ public:
     void setContent(Content content);
     void setTheme(const Theme& theme);
 
-    /// What was told at one instant, newly or to go on as before.
+    /// What was commanded at one instant, newly or to go on as before.
     struct Instant {
         Nanoseconds issued = 0;
         Command command;
@@ -42,7 +42,7 @@ public:
     const std::vector<Instant>& instants() const { return instants_; }
     /// Where what takes effect in so long lies, from the left.
     double pixelOf(Nanoseconds until) const;
-    /// The instant that is on its way at a place; nothing: none there.
+    /// The instant that is on its way at a place; nullopt: none there.
     std::optional<std::size_t> instantAt(const QPointF& place) const;
     QString textOf(const Instant& instant) const;
 
@@ -50,7 +50,7 @@ public:
     QSize minimumSizeHint() const override { return {160, 118}; }
 
 signals:
-    /// Asked for by a double click or Enter: the command told at this instant.
+    /// Asked for by a double click or Enter: the command issued at this instant.
     void commandActivated(qint64 issued);
 
 protected:

@@ -47,7 +47,7 @@ void ring(const FieldCanvas& canvas, const FieldFrame& frame, std::size_t body, 
     }
 }
 
-/// A thin ring, and a line to where the body is in the other course.
+/// A thin ring, and a line to where the body is in the other branch.
 void drawElsewhere(const FieldCanvas& canvas, const FieldFrame& frame, std::size_t body, const Point& there) {
     const Pose& pose = frame.poseOf(body);
     const double radius = canvas.pixels(frame.scene().shapeOf(body).reach) + elsewhereGap;

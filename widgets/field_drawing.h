@@ -17,7 +17,7 @@ struct FieldFocus {
     std::optional<Pose> moved;                     ///< where the selected body is being dragged to
     bool turnable = false;                         ///< the selected robot has a knob to be turned by
     std::vector<std::size_t> lit;                  ///< bodies that an answer is about: all others are quiet; or none
-    /// Where each body is in another course that is looked at beside this one; nothing: at the same place.
+    /// Where each body is in another branch that is looked at beside this one; nullopt: at the same place.
     std::vector<std::optional<Point>> elsewhere;
     QRectF covered;  ///< pixels over which something else lies: nothing to be read is drawn there
 
@@ -44,7 +44,7 @@ struct FieldLabel {
     bool first = false;          ///< chooses its place before others
     bool last = false;           ///< chooses it after others
     bool quiet = false;          ///< drawn faintly
-    bool note = false;  ///< what a robot thinks, not what is there: slanted, with the sign of a note for a chip
+    bool note = false;  ///< what a robot believes, not what is there: slanted, with the sign of a note for a chip
 };
 
 /// More visible bodies than these are drawn in the plain and fast way.
@@ -76,7 +76,7 @@ void drawFocus(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFo
 /// Outlines, and lines from simulated robots to real ones that are elsewhere.
 void drawRealRobots(const FieldCanvas& canvas, const FieldFrame& frame, bool headings);
 void drawModelRobots(const FieldCanvas& canvas, const FieldFrame& frame, bool headings);
-/// How far those in focus are off, and who is there in reality alone.
+/// How far those in focus are off, and which robots are there in reality only.
 void addRealNames(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus,
                   std::vector<FieldLabel>& labels);
 void drawBeliefs(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus);
@@ -91,7 +91,7 @@ void addNames(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFoc
 /// Off one another and, where that can be, off bodies; never in `kept`, which are others' places.
 void drawLabels(const FieldCanvas& canvas, const FieldFrame& frame, std::vector<FieldLabel> labels, LabelPlacer& placer,
                 const std::vector<QRectF>& kept = {});
-/// One where it is told.
+/// Another, where it is described.
 void drawPlate(const FieldCanvas& canvas, const QRectF& box, const FieldLabel& label);
 QSizeF plateSize(const FieldCanvas& canvas, const FieldLabel& label);
 QFont plateFont(const QPainter& painter, bool note = false);

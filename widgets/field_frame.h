@@ -16,7 +16,7 @@ struct Ghost {
     std::string name;
     std::shared_ptr<const Scenario> scenario;  ///< of that branch: may have other bodies
     std::vector<Pose> bodies;                  ///< robots first, then objects
-    Trails trails;                             ///< since the branches parted; may be empty
+    Trails trails;                             ///< since the branches separated; may be empty
 };
 
 /// All that is known of the shown tick: what view, inspector and plots draw. A value; `scenario` is constant.

@@ -10,7 +10,7 @@
 namespace mrose {
 namespace {
 
-/// How far ahead the real course is shown.
+/// How far ahead the real trajectory is shown.
 constexpr Nanoseconds ahead = 2 * nanosecondsPerSecond;
 constexpr double wayWidth = 5, wayHollow = 2.6;  // pixels
 /// Robots nearer than this (pixels; m) to their simulated ones have no line to them.
@@ -79,8 +79,8 @@ QPainterPath silhouette(const FieldCanvas& canvas, const Shape& shape, const Pos
     return whole;
 }
 
-/// Of a model between the instants that it tells of: it is to be seen going on, as the others are.
-std::optional<Pose> modelPose(const Reality::ModelCourse& model, std::size_t robot, Nanoseconds now) {
+/// Of a model between the instants that it has: it is to be seen going on, as the others are.
+std::optional<Pose> modelPose(const Reality::ModelRollout& model, std::size_t robot, Nanoseconds now) {
     std::optional<Pose> pose = model.poseAt(robot, now);
     const std::optional<Pose> next = model.poseAt(robot, now + model.step);
     if (!pose || !next) return pose;
@@ -159,7 +159,7 @@ void drawModelWays(const FieldCanvas& canvas, const FieldFrame& frame) {
     const Nanoseconds now = frame.now(), span = trailSpan(frame);
     canvas.painter.setBrush(Qt::NoBrush);
     for (std::size_t m = 0; m < frame.reality->models.size(); ++m) {
-        const Reality::ModelCourse& model = frame.reality->models[m];
+        const Reality::ModelRollout& model = frame.reality->models[m];
         for (const std::vector<Pose>& poses : model.poses) {
             WayLine way;
             const auto to = std::min(static_cast<std::size_t>(now / model.step + 1), poses.size());

@@ -10,7 +10,7 @@ namespace {
 constexpr double farthest = 4;  // m: what has no limit fades towards there
 constexpr double rayTurn = std::numbers::pi / 180;
 
-/// How wide and far one looks for others; nothing: it does not, or everywhere.
+/// How wide and far one looks for others; null: it does not, or everywhere.
 const BodySight* sightOf(const Perception& perception) {
     for (const BodySight* sight : {&perception.objects, &perception.robots})
         if (sight->present && (sight->range > 0 || sight->fieldOfView < 2 * std::numbers::pi - 1e-6)) return sight;

@@ -203,7 +203,7 @@ void FieldView::setView(const ViewTransform& view) {
     ViewTransform like = view_;
     like.showLike(view);
     if (like == view_) return;
-    view_ = toldView_ = like;
+    view_ = reportedView_ = like;
     fitted_ = false;
     followSelected();
     update();
@@ -264,8 +264,8 @@ void FieldView::paintEvent(QPaintEvent* /*event*/) {
     if (likeLabels_) labels_.followOther(*likeLabels_);
     field.frame(*frame_, focus_, labels_);
     field.corners(*frame_, focus_.covered);
-    if (!labels_.standsLike(toldLabels_)) emit labelsMoved(toldLabels_ = labels_);
-    if (!(toldView_ == view_)) emit viewChanged(toldView_ = view_);
+    if (!labels_.standsLike(reportedLabels_)) emit labelsMoved(reportedLabels_ = labels_);
+    if (!(reportedView_ == view_)) emit viewChanged(reportedView_ = view_);
     if (drag_ == Drag::measure) field.measure(view_.toMetres(pressedAt_), view_.toMetres(draggedTo_));
 }
 

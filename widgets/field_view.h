@@ -16,8 +16,8 @@ namespace mrose {
 ///
 /// Wheel: zoom at the cursor. Left drag: of a body while editing is allowed, moves it; elsewhere, moves the view; with
 /// Shift, measures. Drag of the selected robot's knob, or right drag of a body: turns it. With Ctrl both go by round
-/// numbers; Escape takes them back. Click: selects. Double click on a body: follows it. Resting on something: tells of
-/// it.
+/// numbers; Escape takes them back. Click: selects. Double click on a body: follows it. Resting on something: shows
+/// what it is.
 class FieldView final : public QWidget {
     Q_OBJECT
 
@@ -60,7 +60,7 @@ public:
     /// Shows some bodies, near enough to see what they do, and all others quietly, until another one is selected, all
     /// of the place is shown or the run goes on.
     void lightUp(const std::vector<std::size_t>& bodies);
-    /// Of each body where it is in another course; nothing: at the same place.
+    /// Of each body where it is in another branch; nullopt: at the same place.
     void setElsewhere(std::vector<std::optional<Point>> elsewhere);
     /// Labels stand where those of another view do, where they can.
     void followLabels(const LabelPlacer& labels);
@@ -69,7 +69,7 @@ public:
     /// Moves the selected body by metres and radians, if that is allowed. While the Alt key is held the moves add up,
     /// and are asked for when it is released.
     void nudge(const Pose& by);
-    /// What is told of a place in pixels; empty: there is nothing.
+    /// What the tool tip says of a place in pixels; empty: there is nothing.
     QString readoutAt(const QPointF& pixels) const;
     /// The same picture for a file of another size.
     void paint(QPainter& painter, const QSizeF& size) const;
@@ -120,18 +120,18 @@ private:
     ViewTransform view_;
     FieldFocus focus_;
     mutable LabelPlacer labels_;  ///< where they stood in the last picture
-    LabelPlacer toldLabels_;
+    LabelPlacer reportedLabels_;
     std::optional<LabelPlacer> likeLabels_;  ///< those of another view
     bool editable_ = false, following_ = false, fitted_ = true, nudging_ = false, pressedOnBody_ = false,
          pressedOnKnob_ = false;
-    std::optional<FieldArea> part_;  ///< that is fitted; nothing: all of the place
+    std::optional<FieldArea> part_;  ///< that is fitted; nullopt: all of the place
     QString emptyText_;
     Drag drag_ = Drag::none;
     Qt::MouseButton button_ = Qt::NoButton;
     QPointF pressedAt_, draggedTo_;
 
     QPixmap place_;  ///< what does not change from tick to tick, for placeView_
-    ViewTransform placeView_, toldView_;
+    ViewTransform placeView_, reportedView_;
     const Scenario* placeOf_ = nullptr;
 };
 

@@ -33,7 +33,7 @@ public:
     void setPlotted(std::map<ValueKey, QColor> plotted);
 
     const std::optional<std::size_t>& body() const { return body_; }
-    /// What the current row can plot; nothing: there is none, or it is no number.
+    /// What the current row can plot; nullopt: there is none, or it is no number.
     std::optional<ValueKey> currentValue() const;
     CommandQueue& queue() const { return *queue_; }
 

@@ -102,7 +102,7 @@ InspectorRow lostRow(const std::optional<RealRobot>& robot) {
     return row;
 }
 
-/// How far the robot, or a motion model in its place, is from the real one. Nothing: no real robot drove what this one
+/// How far the robot, or a motion model in its place, is from the real one. nullopt: no real robot drove what this one
 /// repeats.
 std::optional<InspectorRow> realityRows(const RowWriter& write) {
     const FieldFrame& frame = write.frame;
@@ -110,7 +110,7 @@ std::optional<InspectorRow> realityRows(const RowWriter& write) {
     InspectorRow section = write.section("Reality");
     if (const auto robot = realRobotOf(frame, write.body); !robot || !robot->known())
         section.children.insert(section.children.begin(), lostRow(robot));
-    for (const Reality::ModelCourse& model : frame.reality->models) {
+    for (const Reality::ModelRollout& model : frame.reality->models) {
         const auto error = [&](const char* quantity) {
             return write.item(quantityNamed(quantity, Quantity::Of::items), {model.name, ""});
         };

@@ -8,9 +8,9 @@
 
 namespace mrose {
 
-/// Finds places for the labels of a moving picture: never on one another, inside the picture, off bodies where that
-/// can be, and beside the same side of what they name as in the picture before, so that they do not jump about.
-/// Who is asked for first chooses first.
+/// Finds places for the labels of a moving picture: never on one another, inside the picture, off bodies where that can
+/// be, and beside the same side of what they name as in the picture before, so that they do not jump about. Labels that
+/// are asked for first choose first.
 class LabelPlacer {
 public:
     struct Wanted {
@@ -32,7 +32,7 @@ public:
     void begin(const QRectF& frame);
     void avoid(const QRectF& body) { bodies_.push_back(body); }
     void keepFree(const QRectF& box) { taken_.push_back(box); }  ///< no label stands there
-    /// Nothing: there is no room.
+    /// nullopt: there is no room.
     std::optional<Placed> place(const Wanted& wanted);
 
 private:

@@ -11,7 +11,7 @@ class QVBoxLayout;
 
 namespace mrose {
 
-/// What there is to say, a line each, above the field: it takes no focus and stops nobody. The text can be selected;
+/// What there is to say, a line each, above the field: it takes no focus and blocks nothing. The text can be selected;
 /// each line can be dismissed. Of more notes than two only the newest is seen, until its line is opened.
 class MessageBar final : public QWidget {
     Q_OBJECT
@@ -27,7 +27,7 @@ public:
         QString text;
         QString topic = {};  ///< takes the place of the earlier one of this topic; empty: of the one that says the same
         std::vector<Button> buttons = {};
-        double share = -1;  ///< of progress: how much is done; negative: nobody knows
+        double share = -1;  ///< of progress: how much is done; negative: unknown
     };
 
     explicit MessageBar(QWidget* parent = nullptr);

@@ -10,7 +10,7 @@
 
 namespace mrose {
 
-/// Some number over the ticks. Who draws it asks for as much as is seen.
+/// Some number over the ticks. Drawing asks for as much as is seen.
 struct PlotCurve {
     QString id;        ///< its own
     QString name;      ///< "red 1  speed"
@@ -18,7 +18,7 @@ struct PlotCurve {
     QString label;     ///< what tells it from those beside it, for lists; empty: its name
     QString quantity;  ///< what all curves of its axis may be of, for the axis's title; empty: nothing is said
     QColor colour;
-    bool ghost = false;  ///< of another course: thin and pale, beside the curve of the same name
+    bool ghost = false;  ///< of another branch: thin and pale, beside the curve of the same name
     Qt::PenStyle style = Qt::SolidLine;
     int decimals = 3;
     bool fromZero = false;   ///< it is never below, and an axis of such curves begins there

@@ -31,7 +31,7 @@ public:
     explicit PlotView(QWidget* parent = nullptr);
     ~PlotView() override;
 
-    /// `ghostName` is that of the other course, for the read-out.
+    /// `ghostName` is that of the other branch, for the read-out.
     void setCurves(std::vector<PlotCurve> curves, const QString& ghostName = {});
     const std::vector<PlotCurve>& curves() const { return curves_; }
     /// Levels that are not to be exceeded, and the instant at which they were: a thin upright line.
@@ -64,7 +64,7 @@ public:
     std::int64_t tickAt(double pixel) const;
     QStringList titles() const;                         ///< of the axes, from above: "speed (m/s)"
     std::pair<double, double> rangeOf(int axis) const;  ///< least and greatest number that is seen
-    /// Where a number of a curve is drawn; nothing: there is no such curve.
+    /// Where a number of a curve is drawn; nullopt: there is no such curve.
     std::optional<QPointF> placeOf(const QString& curve, double tick, double number) const;
     /// The curves and their axes without cursor and mouse, for a picture of this size; of a view that is not shown.
     void paint(QPainter& painter, const QSize& size);

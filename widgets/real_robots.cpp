@@ -85,7 +85,7 @@ QString modelReadout(const FieldFrame& frame, std::size_t body) {
     const auto real = realRobotOf(frame, body);
     if (!real) return {};
     QStringList lines;
-    for (const Reality::ModelCourse& model : frame.reality->models)
+    for (const Reality::ModelRollout& model : frame.reality->models)
         if (const auto error = frame.reality->modelError(model, real->index, frame.now()))
             lines += QObject::tr("%1: %2 away").arg(QString::fromStdString(model.name), errorText(*error));
     return lines.join('\n');
@@ -96,7 +96,7 @@ FieldArea areaOf(const Reality& reality) {
     FieldArea area{{1, 1}, {-1, -1}};
     for (const Reality::Robot& robot : reality.robots)
         for (const StampedPose& stamped : robot.posesBetween(0, span)) area.include(position(stamped.pose));
-    for (const Reality::ModelCourse& model : reality.models)
+    for (const Reality::ModelRollout& model : reality.models)
         for (const std::vector<Pose>& poses : model.poses)
             for (std::size_t i = 0; i < poses.size() && static_cast<Nanoseconds>(i) * model.step <= span; ++i)
                 area.include(position(poses[i]));

@@ -13,21 +13,21 @@ namespace mrose {
 /// A real robot at a frame's time.
 struct RealRobot {
     std::size_t index = 0;               ///< in Reality::robots
-    std::optional<std::size_t> body;     ///< its simulated one; nothing: that is not in the world
+    std::optional<std::size_t> body;     ///< its simulated one; nullopt: that is not in the world
     std::optional<std::size_t> place;    ///< of that one: Scene::placeOf()
     const Shape* shape = nullptr;        ///< of its simulated one, or of the world's first robot; never null
     Pose pose;                           ///< now, or where it was measured last
-    std::optional<Nanoseconds> lostFor;  ///< for how long nobody has known where it is; nothing: it is known
-    std::optional<PoseError> apart;      ///< of its simulated one; nothing: one of the two is not there
+    std::optional<Nanoseconds> lostFor;  ///< for how long it has not been known where it is; nullopt: it is known
+    std::optional<PoseError> apart;      ///< of its simulated one; nullopt: one of the two is not there
 
     bool known() const { return !lostFor; }
 };
 
 /// Those that have been seen so far, in the order of Reality::robots; empty where no reality is known.
 std::vector<RealRobot> realRobots(const FieldFrame& frame);
-/// The one that drove what a body repeats; nothing: none.
+/// The one that drove what a body repeats; nullopt: none.
 std::optional<RealRobot> realRobotOf(const FieldFrame& frame, std::size_t body);
-/// The body that stands for a real robot; nothing: it is not in the world.
+/// The body that stands for a real robot; nullopt: it is not in the world.
 std::optional<std::size_t> bodyOf(const FieldFrame& frame, const Reality::Robot& robot);
 
 /// The colour of a real robot, by RealRobot::place; grey without.

@@ -369,12 +369,12 @@ std::int64_t TimelineBar::tickOf(const QPointF& pixel) const {
         const double x = pixelOf(tick), off = std::abs(pixel.y() - lane);
         const bool onCount = off <= halfLane && pixel.x() >= x && pixel.x() <= x + width;
         const double away = onCount ? 0 : std::abs(pixel.x() - x);
-        if (away > told || away + aside * off >= least) return;
+        if (away > tipReach || away + aside * off >= least) return;
         least = away + aside * off;
         found = tick;
     };
     for (const TimelineSign& sign : signs())
-        consider(sign.first, laneOf(sign.kind), sign.count > 1 ? sign.width - told : 0);
+        consider(sign.first, laneOf(sign.kind), sign.count > 1 ? sign.width - tipReach : 0);
     for (const Content::Noted& noted : content_.noted) consider(noted.mark.tick, laneOf(noted.mark.kind), 0);
     for (const std::int64_t branch : content_.branches) consider(branch, trackTop + trackHeight / 2, 0);
     if (content_.departed > content_.first) consider(content_.departed, trackTop + trackHeight / 2, 0);

@@ -20,8 +20,8 @@
 namespace mrose {
 
 /// A branch's ticks from left to right, what happened in them, and now. Press: asks for that tick, or for the mark
-/// beside it; drag: for each. Wheel: zooms at the cursor, with Shift along the time. Resting: tells what happened
-/// there.
+/// beside it; drag: for each. Wheel: zooms at the cursor, with Shift along the time. Resting the mouse: shows what
+/// happened there.
 class TimelineBar final : public QWidget {
     Q_OBJECT
 
@@ -37,10 +37,10 @@ public:
             TimelineMark mark;
             QString text;
             QString name = {};   ///< beside the mark, where there is room
-            bool faint = false;  ///< of somebody who is not asked about
+            bool faint = false;  ///< of a robot that is not asked about
         };
         std::vector<Noted> noted;
-        /// From one tick to another: there nobody knows what really happened.
+        /// From one tick to another: there is no ground truth.
         std::vector<std::pair<std::int64_t, std::int64_t>> unknown;
         std::vector<std::int64_t> branches;            ///< ticks at which others departed from it
         std::shared_ptr<const Scenario> scenario;      ///< for names; may be null
@@ -59,7 +59,7 @@ public:
     void pan(double pixels);
     double zoomed() const { return zoom_; }  ///< 1: all is shown
 
-    /// The next mark after now, or the one before: of all kinds, or without contacts. Nothing: there is none.
+    /// The next mark after now, or the one before: of all kinds, or without contacts. nullopt: there is none.
     std::optional<std::int64_t> nextMark(bool contacts) const;
     std::optional<std::int64_t> previousMark(bool contacts) const;
     /// What happened near a pixel, in rich text.
@@ -83,12 +83,12 @@ protected:
     bool event(QEvent* event) override;
 
 private:
-    /// Pixels: marks so near to the cursor are told of, and a click goes to the nearest of them.
-    static constexpr double told = 4;
+    /// Pixels: marks so near to the cursor are described, and a click goes to the nearest of them.
+    static constexpr double tipReach = 4;
 
     std::int64_t tickOf(const QPointF& pixel) const;
     std::vector<TimelineSign> signs() const;
-    std::array<std::pair<double, double>, markKinds> toldBetween(double pixel) const;
+    std::array<std::pair<double, double>, markKinds> tipRanges(double pixel) const;
     void showToolTip(double pixel);
     double length() const;  ///< pixels, of all ticks
     double room() const;    ///< pixels, of what is seen of them

@@ -36,12 +36,14 @@ QString TimelineBar::nameOf(const TimelineMark& mark) const {
     }
 }
 
-/// From where to where the marks of a kind are told of at a pixel: within a few of it, and all that one sign holds.
-std::array<std::pair<double, double>, markKinds> TimelineBar::toldBetween(double pixel) const {
+/// From where to where the marks of a kind are described at a pixel: within a few of it, and all that one sign holds.
+std::array<std::pair<double, double>, markKinds> TimelineBar::tipRanges(double pixel) const {
     std::array<std::pair<double, double>, markKinds> ranges;
-    ranges.fill({pixel - told, pixel + told});
+    ranges.fill({pixel - tipReach, pixel + tipReach});
     for (const TimelineSign& sign : signs()) {
-        if (pixel < sign.x - told || pixel > sign.x + std::max(told, sign.count > 1 ? sign.width - told : 0)) continue;
+        if (pixel < sign.x - tipReach ||
+            pixel > sign.x + std::max(tipReach, sign.count > 1 ? sign.width - tipReach : 0))
+            continue;
         auto& [from, to] = ranges[static_cast<std::size_t>(sign.kind)];
         from = std::min(from, sign.x);
         to = std::max(to, pixelOf(sign.last));
@@ -55,7 +57,7 @@ QString TimelineBar::textAt(double pixel) const {
     QString text = tr("%1, tick %2").arg(clockText(tick * content_.tickLength)).arg(tick);
     std::array<int, markKinds> counts{};
     std::array<QStringList, markKinds> names;
-    const auto ranges = toldBetween(pixel);
+    const auto ranges = tipRanges(pixel);
     const auto least = std::min_element(ranges.begin(), ranges.end())->first;
     double most = pixel;
     for (const auto& range : ranges) most = std::max(most, range.second);
@@ -80,7 +82,7 @@ QString TimelineBar::textAt(double pixel) const {
         if (names[i].size() == mostLines) text += QString::fromUtf8(" \u2026");
     }
     for (const Content::Noted& noted : content_.noted)
-        if (std::abs(pixelOf(noted.mark.tick) - pixel) <= told + 2)
+        if (std::abs(pixelOf(noted.mark.tick) - pixel) <= tipReach + 2)
             text += QString("<br><span style=\"color:%1\">%2</span> %3: %4")
                         .arg(colourOf(noted.mark.kind, theme_).name(), markLetter(noted.mark.kind),
                              markName(noted.mark.kind), noted.text.toHtmlEscaped());
@@ -90,7 +92,7 @@ QString TimelineBar::textAt(double pixel) const {
             break;
         }
     for (const std::int64_t branch : content_.branches)
-        if (std::abs(pixelOf(branch) - pixel) <= told) text += "<br>" + tr("a branch departs");
+        if (std::abs(pixelOf(branch) - pixel) <= tipReach) text += "<br>" + tr("a branch departs");
     return text;
 }
 

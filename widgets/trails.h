@@ -9,8 +9,8 @@
 
 namespace mrose {
 
-/// Where all bodies were in some ticks in a row, body by body. Filled from the front, each place once; who reads has
-/// been told how far it is filled, so that one may write on meanwhile.
+/// Where all bodies were in some ticks in a row, body by body. Filled from the front, each place once; readers know how
+/// far it is filled, so that writing may go on meanwhile.
 class TrailBlock {
 public:
     static constexpr std::uint32_t capacity = 64;  ///< ticks
@@ -35,7 +35,7 @@ struct Trails {
     struct Piece {
         std::shared_ptr<const TrailBlock> block;
         std::uint32_t from = 0, to = 0;  ///< ticks of the block, `to` not among them
-        bool begins = false;  ///< nobody went from the piece before to this one: something was changed between
+        bool begins = false;  ///< no motion leads from the piece before to this one: something was changed between
     };
     std::vector<Piece> pieces;
 

@@ -38,7 +38,7 @@ QString fixedText(double value, int decimals);
 /// Whether it is one of those errors, which are never below zero.
 bool isError(const ValueKey& key);
 
-/// Whether a number is told by what really happened.
+/// Whether a number depends on the real log.
 bool readsReality(const ValueKey& key);
 
 }  // namespace mrose

@@ -23,16 +23,16 @@ struct CompareFlags {
 void printComparison(const Comparison& comparison, const ComparedDivergences& divergences,
                      const std::vector<std::string>& notices) {
     const Nanoseconds step = comparison.evaluation.options.windows.step;
-    const CourseRequest& first = comparison.requests.front();
+    const RolloutRequest& first = comparison.requests.front();
     const bool one = comparison.requests.size() == 1;
     std::printf("%s beside %s, seed %llu: %s of %s s, %sfrom %s s on\n\n", comparison.scenario.c_str(),
                 comparison.evaluation.source.c_str(), static_cast<unsigned long long>(comparison.seed),
-                one ? "a course" : (std::to_string(comparison.requests.size()) + " courses").c_str(),
+                one ? "a rollout" : (std::to_string(comparison.requests.size()) + " rollouts").c_str(),
                 secondsText(first.steps * step, 0).c_str(), one ? "" : "the first ",
                 secondsText(first.start, 0).c_str());
-    TextTable table({"", "courses", "windows", "P %", "Hd %", "final cm", "final deg", "touches"});
+    TextTable table({"", "rollouts", "windows", "P %", "Hd %", "final cm", "final deg", "touches"});
     const auto add = [&](const std::string& name, const ComparedSummary& s) {
-        table.add({name, std::to_string(s.courses()), std::to_string(s.of(CourseUse::counted)), fixed(s.counted.p, 2),
+        table.add({name, std::to_string(s.rollouts()), std::to_string(s.of(RolloutUse::counted)), fixed(s.counted.p, 2),
                    fixed(s.counted.hd, 2), fixed(100 * s.positionFinal.median, 2),
                    fixed(degrees * s.headingFinal.median, 2), std::to_string(s.touches)});
     };
@@ -40,9 +40,9 @@ void printComparison(const Comparison& comparison, const ComparedDivergences& di
     if (comparison.robots.size() > 1) add("all", comparison.all);
     std::fputs(table.text().c_str(), stdout);
     std::puts(
-        "\nwindows: courses with ground truth throughout in which the robot moves; P: time-mean position error over "
+        "\nwindows: rollouts with ground truth throughout in which the robot moves; P: time-mean position error over "
         "path,\nHd: time-mean heading error over rotation, summed over these windows. final: median errors at the end "
-        "of the\ncourses. touches: how often the simulated robot began to touch something.");
+        "of the\nrollouts. touches: how often the simulated robot began to touch something.");
     printDivergences(comparison, divergences);
     std::vector<std::string> notes = notices;
     for (std::string& remark : remarksOn(comparison)) notes.push_back(std::move(remark));
@@ -92,7 +92,7 @@ Subcommand addCompare(CLI::App& app, CommonFlags& common) {
         "  mrose compare mrclam_replay.toml --log MRCLAM_Dataset7 --robots 1,2 --windows windows.csv\n"
         "  mrose compare --log MRCLAM_Dataset7 --windows all --duration 5\n"
         "  mrose compare mrclam_replay.toml --log MRCLAM_Dataset6 --start 120 --duration 60 --model mine.net\n"
-        "Each course begins with the poses and velocities of the real robots and the commands before; from there on "
+        "Each rollout begins with the poses and velocities of the real robots and the commands before; from there on "
         "the simulation gets their commands alone. It collides with what is in the world; mrose predict knows no "
         "contacts.");
     addSeed(*sub, common);
@@ -104,7 +104,7 @@ Subcommand addCompare(CLI::App& app, CommonFlags& common) {
         "for the log: its robots alone, Creates of MRCLAM in the arena of these logs");
     sub->add_option("--robot", flags->what.robotFile,
                     "Without a scenario: robot file, or the name of one that ships, of what drove, where the log does "
-                    "not tell (CSV)")
+                    "not say it (CSV)")
         ->excludes(scenario);
     sub->get_option("--seed")->default_str("the scenario's");
     sub->add_option("--log", flags->what.log, "The log to play and to compare with")->required();
@@ -123,7 +123,7 @@ Subcommand addCompare(CLI::App& app, CommonFlags& common) {
         sub->add_option("--every", flags->what.every, "Start again from the real robots every so many s")
             ->check(numberRange(0.1, 1e7));
     sub->add_option("--windows", flags->what.windows,
-                    "CSV file that says which windows, as for mrose predict: a course for each; all: of the length "
+                    "CSV file that says which windows, as for mrose predict: a rollout for each; all: of the length "
                     "--duration, as mrose evaluate cuts the log")
         ->excludes(start)
         ->excludes(every);

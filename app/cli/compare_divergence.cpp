@@ -9,19 +9,19 @@
 namespace mrose::cli {
 namespace {
 
-/// "create 1 in course 3, from 20.0 s": whose and which.
-std::string whichOf(const Comparison& comparison, const CourseDivergence& diverging) {
-    const ComparedCourse& course = comparison.courses[diverging.course];
-    const std::string& robot = comparison.robots[course.robot].name;
+/// "create 1 in rollout 3, from 20.0 s": whose and which.
+std::string whichOf(const Comparison& comparison, const RolloutDivergence& diverging) {
+    const ComparedRollout& rollout = comparison.rollouts[diverging.rollout];
+    const std::string& robot = comparison.robots[rollout.robot].name;
     if (comparison.requests.size() == 1) return robot;
-    const CourseRequest& request = comparison.requests[course.request];
-    const std::string& take = comparison.takes[request.take];
-    return robot + ", course " + std::to_string(course.request + 1) + " (from " + secondsText(request.start) + " s" +
-           (take.empty() ? "" : " of " + take) + ")";
+    const RolloutRequest& request = comparison.requests[rollout.request];
+    const std::string& session = comparison.sessions[request.session];
+    return robot + ", rollout " + std::to_string(rollout.request + 1) + " (from " + secondsText(request.start) + " s" +
+           (session.empty() ? "" : " of " + session) + ")";
 }
 
 void printCause(const Diagnosis& diagnosis) {
-    if (const std::string parting = partingText(diagnosis); !parting.empty()) std::printf("  %s\n", parting.c_str());
+    if (const std::string onset = onsetText(diagnosis); !onset.empty()) std::printf("  %s\n", onset.c_str());
     std::printf("  likely cause: %s\n", causeText(diagnosis).c_str());
     TextTable table({"    tried", "explains"});
     for (const CauseTrial& trial : usefulTrials(diagnosis)) table.add({"    " + trial.what, explainedText(trial)});
@@ -31,9 +31,9 @@ void printCause(const Diagnosis& diagnosis) {
 }
 
 void printSummary(const Comparison& comparison, const ComparedDivergences& divergences) {
-    TextTable table({"", "courses", "diverge", "median s"});
+    TextTable table({"", "rollouts", "diverge", "median s"});
     const auto add = [&](const std::string& name, const ComparedDivergences::Summary& s) {
-        table.add({name, std::to_string(s.courses), std::to_string(s.diverging), fixed(s.medianTime, 1)});
+        table.add({name, std::to_string(s.rollouts), std::to_string(s.diverging), fixed(s.medianTime, 1)});
     };
     for (std::size_t i = 0; i < comparison.robots.size(); ++i) add(comparison.robots[i].name, divergences.robots[i]);
     if (comparison.robots.size() > 1) add("all", divergences.all);
@@ -45,7 +45,7 @@ void printSummary(const Comparison& comparison, const ComparedDivergences& diver
 void addDivergenceFlags(CLI::App& sub, DivergenceRequest& flags) {
     sub.add_option(
            "--bound-position", flags.position,
-           "A robot farther off than this, in m, has left the real course (0.1 beside --bound-heading); without "
+           "A robot farther off than this, in m, has left the real trajectory (0.1 beside --bound-heading); without "
            "both, one that is off by three times what its network's held-out errors make of the path and "
            "rotation so far, or by 0.1 m or 10 degrees where it has none")
         ->check(numberRange(1e-4, 1e4));
@@ -81,8 +81,8 @@ Expected<ComparedDivergences> findDivergences(const LogWorld& world, const Compa
 
 void printDivergences(const Comparison& comparison, const ComparedDivergences& divergences) {
     std::printf("\n%s\n", boundText(divergences).c_str());
-    if (divergences.courses.empty()) {
-        std::puts("No robot leaves the real course.");
+    if (divergences.rollouts.empty()) {
+        std::puts("No robot leaves the real trajectory.");
         return;
     }
     if (comparison.requests.size() > 1) {
@@ -91,9 +91,9 @@ void printDivergences(const Comparison& comparison, const ComparedDivergences& d
     }
     const bool many = comparison.requests.size() > 1;
     if (const std::string counts = causeCounts(divergences); many && !counts.empty())
-        std::printf("\nLikely causes: %s. The courses with the largest mean errors:\n", counts.c_str());
+        std::printf("\nLikely causes: %s. The rollouts with the largest mean errors:\n", counts.c_str());
     for (const std::size_t index : worstOf(comparison, divergences, shownDivergences)) {
-        const CourseDivergence& diverging = divergences.courses[index];
+        const RolloutDivergence& diverging = divergences.rollouts[index];
         if (!diverging.diagnosis && many) continue;
         std::printf("\n%s: %s\n", whichOf(comparison, diverging).c_str(), divergenceText(diverging.divergence).c_str());
         if (diverging.diagnosis) printCause(*diverging.diagnosis);

@@ -5,10 +5,10 @@
 
 namespace mrose::cli {
 
-/// Flags about where simulated robots leave the real course, and why.
+/// Flags about where simulated robots leave the real trajectory, and why.
 void addDivergenceFlags(CLI::App& sub, DivergenceRequest& flags);
 
-/// Where the courses of a comparison diverge and why, with progress. Error: as of divergencesOf(), or interrupted.
+/// Where the rollouts of a comparison diverge and why, with progress. Error: as of divergencesOf(), or interrupted.
 Expected<ComparedDivergences> findDivergences(const LogWorld& world, const Comparison& comparison,
                                               const DivergenceRequest& flags, bool quiet);
 

@@ -21,7 +21,7 @@ std::string robotList(const Evaluation& evaluation) {
     return text;
 }
 
-/// Steady motion and the rest apart, where a log tells them apart.
+/// Steady motion and the rest apart, where a log distinguishes them.
 void printStates(const Evaluation& evaluation) {
     TextTable table({"", "windows", "P %", "Hd %", "final / path %", "by steps %"});
     bool any = false;

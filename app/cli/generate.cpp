@@ -12,7 +12,7 @@ namespace mrose::cli {
 namespace {
 
 struct GenerateFlags {
-    std::string out, set, course;
+    std::string out, set, pattern;
     std::optional<double> duration;
     std::optional<int> trajectories, repeats;
 };
@@ -24,16 +24,16 @@ struct GeneratedFile {
     Log log;
 };
 
-bool shapedByItself(Course course) { return course == Course::jink || course == Course::ellipse; }
+bool shapedByItself(DrivePattern pattern) { return pattern == DrivePattern::jink || pattern == DrivePattern::ellipse; }
 
 std::vector<SyntheticPart> partsOf(const GenerateFlags& flags) {
     std::vector<SyntheticPart> parts;
     for (const SyntheticSet& set : syntheticSets())
         if (set.name == flags.set) parts = set.parts;
-    for (int i = 0; i < courseCount; ++i)
-        if (name(Course(i)) == flags.course) parts = {{Course(i)}};
+    for (int i = 0; i < patternCount; ++i)
+        if (name(DrivePattern(i)) == flags.pattern) parts = {{DrivePattern(i)}};
     for (SyntheticPart& part : parts) {
-        if (!shapedByItself(part.course)) part.duration = flags.duration.value_or(part.duration);
+        if (!shapedByItself(part.pattern)) part.duration = flags.duration.value_or(part.duration);
         part.trajectories = flags.trajectories.value_or(part.trajectories);
         part.repeats = flags.repeats.value_or(part.repeats);
     }
@@ -41,7 +41,7 @@ std::vector<SyntheticPart> partsOf(const GenerateFlags& flags) {
 }
 
 double secondsOf(const SyntheticPart& part) {
-    const double each = part.duration < 0 ? courseDuration(part.course) : part.duration;
+    const double each = part.duration < 0 ? patternDuration(part.pattern) : part.duration;
     return each * part.trajectories * part.repeats;
 }
 
@@ -54,7 +54,7 @@ Expected<MadeFolder> prepare(const std::filesystem::path& folder, const std::vec
     auto made = MadeFolder::make(folder);
     if (!made) return made;
     for (const SyntheticPart& part : parts) {
-        const auto path = folder / (std::string(name(part.course)) + ".csv");
+        const auto path = folder / (std::string(name(part.pattern)) + ".csv");
         if (const auto writable = checkWritable(path, overwrite); !writable) return tl::unexpected(writable.error());
     }
     return made;
@@ -78,7 +78,7 @@ std::vector<GeneratedFile> drive(const std::vector<SyntheticPart>& parts, const 
         if (!log) break;
         before += secondsOf(part);
         files.push_back(
-            {std::filesystem::path(flags.out) / (std::string(name(part.course)) + ".csv"), std::move(*log)});
+            {std::filesystem::path(flags.out) / (std::string(name(part.pattern)) + ".csv"), std::move(*log)});
     }
     return files;
 }
@@ -93,7 +93,7 @@ void print(const std::vector<GeneratedFile>& files, const std::vector<SyntheticP
             std::printf("%s: synthetic, %zu trajector%s, %.0f s\n", path.c_str(), count, count == 1 ? "y" : "ies",
                         secondsOf(parts[i]));
         json["files"].push_back({{"file", path},
-                                 {"course", name(parts[i].course)},
+                                 {"course", name(parts[i].pattern)},
                                  {"trajectories", count},
                                  {"repeats", parts[i].repeats},
                                  {"seconds", secondsOf(parts[i])}});
@@ -102,7 +102,7 @@ void print(const std::vector<GeneratedFile>& files, const std::vector<SyntheticP
 }
 
 int generate(const GenerateFlags& flags, const CommonFlags& common) {
-    if (flags.set.empty() == flags.course.empty())
+    if (flags.set.empty() == flags.pattern.empty())
         return report({"", 0, 0, "--set, --course", "exactly one of them says what to drive"});
     const std::vector<SyntheticPart> parts = partsOf(flags);
     const auto folder = prepare(flags.out, parts, common.overwrite);
@@ -122,9 +122,9 @@ std::vector<std::string> setNames() {
     return names;
 }
 
-std::vector<std::string> courseNames() {
+std::vector<std::string> patternNames() {
     std::vector<std::string> names;
-    for (int i = 0; i < courseCount; ++i) names.emplace_back(name(Course(i)));
+    for (int i = 0; i < patternCount; ++i) names.emplace_back(name(DrivePattern(i)));
     return names;
 }
 
@@ -139,22 +139,22 @@ std::string setsText() {
 
 Subcommand addGenerate(CLI::App& app, CommonFlags& common) {
     auto flags = std::make_shared<GenerateFlags>();
-    CLI::App* sub = addSubcommand(app, common, "generate",
-                                  "Write synthetic logs, driven by the reference robot (no real robot drove them)",
-                                  "  mrose generate --set training -o training\n"
-                                  "  mrose generate --set held-out --seed 2 -o held-out\n"
-                                  "  mrose generate --course ellipse --repeats 10 -o ellipse\n"
-                                  "Sets:\n" +
-                                      setsText() +
-                                      "The files are CSV logs, one for each course, and say that they are synthetic. "
-                                      "The folder is made if need be.");
+    CLI::App* sub = addSubcommand(
+        app, common, "generate", "Write synthetic logs, driven by the reference robot (no real robot drove them)",
+        "  mrose generate --set training -o training\n"
+        "  mrose generate --set held-out --seed 2 -o held-out\n"
+        "  mrose generate --course ellipse --repeats 10 -o ellipse\n"
+        "Sets:\n" +
+            setsText() +
+            "The files are CSV logs, one for each drive pattern, and say that they are synthetic. "
+            "The folder is made if need be.");
     addSeed(*sub, common);
     addOverwrite(*sub, common);
     sub->add_option("-o,--output", flags->out, "The folder to write to")->required()->check(someName());
     sub->add_option("--set", flags->set, "What to drive: " + CLI::detail::join(setNames(), ", "))
         ->check(CLI::IsMember(setNames()));
-    sub->add_option("--course", flags->course, "One course only: " + CLI::detail::join(courseNames(), ", "))
-        ->check(CLI::IsMember(courseNames()));
+    sub->add_option("--course", flags->pattern, "One drive pattern only: " + CLI::detail::join(patternNames(), ", "))
+        ->check(CLI::IsMember(patternNames()));
     sub->add_option("--trajectories", flags->trajectories, "Different trajectories in each file")
         ->check(CLI::Range(1, 100'000));
     sub->add_option("--duration", flags->duration,

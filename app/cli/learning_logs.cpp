@@ -11,7 +11,7 @@
 namespace mrose::cli {
 namespace {
 
-/// Robots without commands or without ground truth teach nothing, where nobody asked for them.
+/// Robots without commands or without ground truth teach nothing, unless they were asked for.
 void leaveOutHalves(Log& log) {
     if (std::none_of(log.robots.begin(), log.robots.end(), hasBothSides)) return;
     for (const RobotLog& robot : log.robots)

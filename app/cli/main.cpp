@@ -25,7 +25,7 @@ int runProgram(int argc, char** argv) {
     app.set_version_flag("--version", versionText());
     app.require_subcommand(0, 1);  // none is refused below: an unknown one is then named
     app.failure_message([](const CLI::App*, const CLI::Error& error) {
-        return std::string("mrose: ") + error.what() + " (mrose --help, or mrose SUBCOMMAND --help, tells more)\n";
+        return std::string("mrose: ") + error.what() + " (mrose --help, or mrose SUBCOMMAND --help, has more)\n";
     });
     CommonFlags flags;
     const Subcommand subcommands[] = {addInspect(app, flags), addTrain(app, flags),    addEvaluate(app, flags),

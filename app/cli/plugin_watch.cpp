@@ -28,7 +28,7 @@ constexpr std::int64_t noTick = -1;
 /// What a thread is doing with a plug-in. Signal handlers read it, so that it holds nothing but lock-free numbers.
 struct Activity {
     std::atomic<bool> taken{false};                ///< by a thread
-    std::atomic<const std::string*> who{nullptr};  ///< nothing: no plug-in runs
+    std::atomic<const std::string*> who{nullptr};  ///< null: no plug-in runs
     std::atomic<std::int64_t> tick{noTick};
     std::atomic<std::uint64_t> count{0};  ///< changes with every begin
     std::atomic<bool> ofBatch{false};     ///< the next two count
@@ -96,7 +96,7 @@ void say(const std::string& who, const Activity& activity, std::string_view what
 
 thread_local Activity* current = nullptr;  ///< of this thread, for handlers: it is there before any plug-in runs
 
-/// A thread's activity, and a stack on which it can tell that its own has overflown.
+/// A thread's activity, and a stack on which it can report that its own has overflown.
 class ThreadWatch {
 public:
     ThreadWatch() {
@@ -133,7 +133,7 @@ public:
     Activity& activity() const { return *activity_; }
 
 private:
-    Activity spare_;  ///< of threads beyond mostThreads: crashes are told, and no more
+    Activity spare_;  ///< of threads beyond mostThreads: crashes are reported, and no more
     Activity* activity_ = &spare_;
     std::vector<char> stack_;
 };
@@ -161,7 +161,7 @@ bool sayIfInPlugin(std::string_view what, std::string_view more) {
 }
 
 sem_t crashes;  ///< how many threads wait in a signal handler for the end
-/// Told before that: sanitizers see what an atomic orders, and not what sem_clockwait does.
+/// Announced before that: sanitizers see what an atomic orders, and not what sem_clockwait does.
 std::atomic<bool> crashed{false};
 
 struct FatalSignal {

@@ -17,7 +17,7 @@ void startPluginWatch(double limit);
 /// while the one that the plug-in holds up, or crashed in, stays where it is.
 void beforePluginEndsProgram(std::function<void()> action);
 
-/// What this thread does with plug-ins from now on is of that run of a batch, and is told so.
+/// What this thread does with plug-ins from now on belongs to that run of a batch, which messages name.
 void sayPluginsRun(const RunKey& key);
 
 /// Watches what is done with the plug-in called `who` while it lives.

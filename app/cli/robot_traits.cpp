@@ -5,7 +5,7 @@
 namespace mrose::cli {
 namespace {
 
-/// What a robot file tells, as it is given or among those that ship; nothing where there is none.
+/// What a robot file says, as it is given or among those that ship; nullopt where there is none.
 Expected<std::optional<RobotKind>> kindOfFile(const std::string& name) {
     DiskDescriptions source = openDescriptions();
     for (const std::string& place : {name, joinedName(std::string(shippedPrefix) + "resources/robots/", name)}) {

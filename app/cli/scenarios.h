@@ -40,7 +40,7 @@ void addRunFlags(CLI::App& sub, RunFlags& flags);
 /// trial `trial` (0: as it is written).
 Expected<OpenScenario> openScenario(const RunFlags& flags, std::uint32_t trial);
 
-/// A condition of the command line; nothing where none was given.
+/// A condition of the command line; nullopt where none was given.
 Expected<std::optional<Condition>> openCondition(const std::string& text, const Scenario& scenario);
 
 /// What happened, for people and for programs.

@@ -34,7 +34,7 @@ void addWhat(CLI::App& sub, TrainFlags& flags) {
     sub.add_option("--robots", flags.robots, "Learn from these robots only, by name: 1,2")->delimiter(',');
     sub.add_option("--type,--robot-type", flags.type,
                    "Kind of robot, whose traits learning must know: its name, as irobot-create, or a robot file with "
-                   "[kind]; default: what the log tells");
+                   "[kind]; default: what the log says");
     sub.add_option("--hold-out", flags.holdOut,
                    "Share of the logs that nothing is learned from: mrose evaluate --held-out judges by it alone")
         ->check(numberRange(0.001, 0.5));

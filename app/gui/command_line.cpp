@@ -70,7 +70,7 @@ CLI::Validator someLayer() {
 }
 
 void addFlags(CLI::App& app, CommandLine& line, std::string& run, std::string& size) {
-    CLI::Option* file = app.add_option("FILE", line.file, "Scenario or recording to open; nothing: the soccer scenario")
+    CLI::Option* file = app.add_option("FILE", line.file, "Scenario or recording to open; default: the soccer scenario")
                             ->check(someName());
     CLI::Option* runs =
         app.add_option("--run", run, "Open a scenario, run it for --ticks or --duration, and end")->check(someName());
@@ -78,7 +78,7 @@ void addFlags(CLI::App& app, CommandLine& line, std::string& run, std::string& s
     app.add_flag("--offscreen,--headless", line.offscreen, "Use no display");
     CLI::Option* ticks =
         app.add_option("--ticks", line.ticks, "Run for so many ticks")->check(CLI::Range(0L, 1'000'000'000L));
-    app.add_option("--duration", line.duration, "Run for so many seconds; nothing: as the scenario says")
+    app.add_option("--duration", line.duration, "Run for so many seconds; default: as the scenario says")
         ->check(numberRange(0.0, 1e6))
         ->excludes(ticks);
     app.add_option("--at", line.at, "Open at this time, s; with a log: --start")->check(numberRange(0.0, 1e6));
@@ -92,7 +92,7 @@ void addFlags(CLI::App& app, CommandLine& line, std::string& run, std::string& s
         app.add_option("--start", line.start, "Where in the log to begin, s after its robots are there")
             ->check(numberRange(0.0, 1e7));
     app.add_option("--every", line.every,
-                   "Start again from the real robots every so many s; nothing: 10, or windows as of `mrose evaluate` "
+                   "Start again from the real robots every so many s; default: 10, or windows as of `mrose evaluate` "
                    "where the log's trajectories are shorter")
         ->check(numberRange(0.1, 1e7));
     app.add_flag("--windows", line.windows, "Start where `mrose evaluate` does")->excludes(start);
@@ -101,7 +101,7 @@ void addFlags(CLI::App& app, CommandLine& line, std::string& run, std::string& s
                    "Lay another motion model over as well: a network's file, or a kinematic one")
         ->check(someName());
     app.add_option("--robot", line.robotFile,
-                   "Robot file of the log's robots, where the log cannot tell and no scenario is given");
+                   "Robot file of the log's robots, where the log does not say it and no scenario is given");
     app.add_option("--plugin-limit", line.pluginLimit, "How long a plug-in may take for a decision, in s")
         ->check(numberRange(0.01, 1e6))
         ->capture_default_str();
@@ -148,7 +148,7 @@ ParsedCommandLine parseCommandLine(int argc, char** argv) {
     app.footer(examples);
     app.set_version_flag("--version", versionText());
     app.failure_message([](const CLI::App*, const CLI::Error& error) {
-        return std::string("mrose-gui: ") + error.what() + " (mrose-gui --help tells more)\n";
+        return std::string("mrose-gui: ") + error.what() + " (mrose-gui --help has more)\n";
     });
     ParsedCommandLine parsed;
     CommandLine& line = parsed.line;

@@ -29,12 +29,12 @@ struct CommandLine {
     std::vector<std::string> layers;
     std::vector<std::string> breaks;  ///< texts of breakpoints
     bool dark = false;
-    bool remember = false;                    ///< of the layout, where nobody is to work with the window
+    bool remember = false;                    ///< of the layout, where the window runs unattended
     std::optional<std::pair<int, int>> size;  ///< pixels
     std::string script, screenshot, record, film;
     bool overwrite = false, printHash = false, printKeys = false;
 
-    /// Somebody is to work with the window.
+    /// A user works with the window, not a script alone.
     bool interactive() const { return !run && !offscreen && script.empty() && screenshot.empty() && film.empty(); }
 };
 

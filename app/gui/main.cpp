@@ -58,7 +58,7 @@ std::optional<OverlayRequest> overlayOf(const CommandLine& line) {
                           line.pluginLimit};
 }
 
-/// Nothing: the one that suits the log.
+/// nullopt: the one that suits the log.
 std::optional<OverlayPlan> planOf(const CommandLine& line) {
     if (!line.windows && !line.duration && !line.every && !line.start) return {};
     OverlayPlan plan;
@@ -99,7 +99,7 @@ Expected<std::vector<Breakpoint>> breakpointsOf(MainWindow& window, const Comman
     std::vector<Breakpoint> breakpoints;
     const Shown& shown = *window.shown();
     for (const std::string& text : line.breaks) {
-        if (auto fits = checkBreakText(text, *shown.course, shown.frame->reality); !fits)
+        if (auto fits = checkBreakText(text, *shown.setup, shown.frame->reality); !fits)
             return fail("--break " + text, wrongWith(fits.error()));
         breakpoints.emplace_back().text = text;
     }
@@ -156,7 +156,7 @@ int finish(MainWindow& window, const CommandLine& line, bool held) {
     return held ? 0 : 1;
 }
 
-/// What is done when the run is there, with somebody to work with it.
+/// What is done when the run is there and a user works with it.
 void begin(MainWindow& window, const CommandLine& line) {
     look(window, line);
     if (const auto breakpoints = breakpointsOf(window, line); !breakpoints)
@@ -205,7 +205,7 @@ std::string firstError(const MainWindow& window) {
     return {};
 }
 
-/// With nobody: to the end that the command line or the script gives.
+/// Unattended: to the end that the command line or the script gives.
 int runAlone(MainWindow& window, const CommandLine& line) {
     window.actions().setUnattended(true);
     if (const auto opened = openNow(window, line); !opened) return report(opened.error());
@@ -213,10 +213,10 @@ int runAlone(MainWindow& window, const CommandLine& line) {
     settle(window);
     if (!line.models.empty())
         if (const std::string wrong = firstError(window); !wrong.empty()) return report({"", 0, 0, "", wrong});
-    if (line.run && !line.log.empty() && window.shown()->course->scenario->parts().players.empty())
+    if (line.run && !line.log.empty() && window.shown()->setup->scenario->parts().players.empty())
         return report(Error{"--log " + line.log, 0, 0, "", "is not read: " + line.file + " plays no log"});
     look(window, line);
-    // Nobody is there to go on: nothing stops but what is asked for.
+    // Unattended: only what was asked for stops the run.
     const auto breakpoints = breakpointsOf(window, line);
     if (!breakpoints) return report(breakpoints.error());
     window.session().setBreakpoints(*breakpoints);

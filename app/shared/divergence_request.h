@@ -8,7 +8,7 @@
 
 namespace mrose {
 
-/// Where simulated robots leave the real course, and why: what the flags of `mrose compare` say of it.
+/// Where simulated robots leave the real trajectory, and why: what the flags of `mrose compare` say of it.
 struct DivergenceRequest {
     std::optional<double> position, heading;  ///< m, degrees; neither: what the networks' held-out errors make likely
     double held = 0.3;                        ///< s

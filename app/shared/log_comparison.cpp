@@ -12,12 +12,12 @@
 namespace mrose {
 namespace {
 
-/// What must be known before the figures are believed. `asked`: how long a course was to be.
+/// What must be known before the figures are believed. `asked`: how long a rollout was to be.
 std::vector<std::string> noticesAbout(const LogWorld& world, const Comparison& comparison,
                                       std::optional<Nanoseconds> asked) {
     std::vector<std::string> notices;
     if (world.log().synthetic)
-        notices.push_back("The log comes from a simulated robot: nothing here tells of a real one.");
+        notices.push_back("The log comes from a simulated robot: nothing here says how true it is of a real one.");
     for (const std::vector<std::string>& more : {noticesOf(world.log()), world.leftOut()})
         notices.insert(notices.end(), more.begin(), more.end());
     const Nanoseconds length = comparison.requests.front().steps * comparison.evaluation.options.windows.step;
@@ -33,19 +33,19 @@ std::vector<std::string> noticesAbout(const LogWorld& world, const Comparison& c
 
 constexpr Nanoseconds windowLength = 10 * nanosecondsPerSecond;
 
-/// Of a log whose trajectories are short, where nothing says which courses are meant: the same as in the window.
-/// Nothing: one course, as long as the scenario says.
-std::optional<std::vector<CourseRequest>> suitedWindows(const LogComparisonRequest& request, const LogWorld& world) {
-    const bool told =
+/// Of a log whose trajectories are short, where nothing says which rollouts are meant: the same as in the window.
+/// nullopt: one rollout, as long as the scenario says.
+std::optional<std::vector<RolloutRequest>> suitedWindows(const LogComparisonRequest& request, const LogWorld& world) {
+    const bool given =
         !request.scenario.empty() || !request.windows.empty() || request.start > 0 || request.duration || request.every;
-    const auto length = told ? std::nullopt : windowsThatSuit(world, windowLength);
+    const auto length = given ? std::nullopt : windowsThatSuit(world, windowLength);
     if (!length) return {};
-    auto courses = coursesOfAllWindows(world, *length);
-    if (!courses) return {};
-    return std::move(*courses);
+    auto rollouts = rolloutsOfAllWindows(world, *length);
+    if (!rollouts) return {};
+    return std::move(*rollouts);
 }
 
-Expected<std::vector<CourseRequest>> coursesAsked(const LogComparisonRequest& request, const LogWorld& world) {
+Expected<std::vector<RolloutRequest>> rolloutsAsked(const LogComparisonRequest& request, const LogWorld& world) {
     if (request.windows.empty()) {
         StretchOptions options;
         options.start = fromSeconds(request.start);
@@ -53,18 +53,18 @@ Expected<std::vector<CourseRequest>> coursesAsked(const LogComparisonRequest& re
         if (request.every) options.every = fromSeconds(*request.every);
         if (!request.duration && !request.every)
             options.duration = std::max(options.step, world.parts().duration / options.step * options.step);
-        return coursesOf(world, options);
+        return rolloutsOf(world, options);
     }
     const Nanoseconds length = request.duration ? fromSeconds(*request.duration) : windowLength,
                       step = WindowOptions{}.step;
     if (length % step != 0)
         return fail({}, secondsText(length) + " s is no whole number of steps of " + secondsText(step) + " s", 0,
                     "--duration");
-    if (request.windows == allWindows) return coursesOfAllWindows(world, length);
+    if (request.windows == allWindows) return rolloutsOfAllWindows(world, length);
     auto windows = readWindows(request.windows);
     if (!windows) return tl::unexpected(windows.error());
-    return requestedCourses(world, std::move(*windows), request.robots, static_cast<int>(length / step),
-                            request.windows);
+    return requestedRollouts(world, std::move(*windows), request.robots, static_cast<int>(length / step),
+                             request.windows);
 }
 
 /// An error that names no file is of this one.
@@ -103,13 +103,13 @@ Expected<LogComparison> compareLog(const LogComparisonRequest& request, const Lo
     const auto log = std::make_shared<const Log>(std::move(*opened));
     ComparisonOptions options;
     options.seed = request.seed.value_or(loaded->parts.seed);
-    if (goesOn) options.progress = [&](std::span<const ComparedCourse>, double share) { return goesOn(share); };
+    if (goesOn) options.progress = [&](std::span<const ComparedRollout>, double share) { return goesOn(share); };
     auto world = LogWorld::create(std::move(loaded->parts), log, request.robots);
     if (!world) return errorOf(world.error(), source.shown(loaded->value.name()));
     auto suited = suitedWindows(request, *world);
     const bool cut = suited.has_value();
     const auto requests =
-        cut ? Expected<std::vector<CourseRequest>>(std::move(*suited)) : coursesAsked(request, *world);
+        cut ? Expected<std::vector<RolloutRequest>>(std::move(*suited)) : rolloutsAsked(request, *world);
     if (!requests) return tl::unexpected(requests.error());
     auto comparison = compare(*world, *requests, options);
     if (!comparison) return errorOf(comparison.error(), source.shown(loaded->value.name()));

@@ -10,7 +10,7 @@
 
 namespace mrose {
 
-/// The kind of robot that drove in a log, by the robot files that ship; "" where the log does not tell.
+/// The kind of robot that drove in a log, by the robot files that ship; "" where the log does not say it.
 std::string robotKind(const Log& log);
 
 /// What no part of learning has seen, in words: "one in 5 of the groups of trajectories"; "" where it has seen all.
@@ -27,8 +27,8 @@ std::vector<const MotionNetwork*> networksOf(const ScenarioParts& parts);
 /// another kind of robot, robots that it was not learned from, a log that it was learned from. `heldOutOnly`: the log
 /// is but the part that was kept from learning.
 std::vector<std::string> noticesOf(const MotionNetwork& network, const Log& log, bool heldOutOnly = false);
-/// The same of the robots of a log that are compared. Where the log tells no kind of robot, theirs is what they move
-/// by.
+/// The same of the robots of a log that are compared. Where the log names no kind of robot, theirs is that of their
+/// motion.
 std::vector<std::string> noticesOf(const MotionNetwork& network, const LogWorld& world);
 /// Of these, the one that it is of another kind of robot; empty: it is not.
 std::string otherKindNotice(const MotionNetwork& network, const LogWorld& world);

@@ -20,8 +20,8 @@ Expected<RobotKinds> robotKinds();
 /// there; as it is named, too, where it is nowhere.
 std::string placeOfLog(const std::string& name);
 
-/// That there is a robot file of that name, as given or among those that ship, where it is told by --robot: what is
-/// made from it would be blamed otherwise.
+/// That there is a robot file of that name, as given or among those that ship, where --robot names it: errors would
+/// name what is made from it otherwise.
 Expected<void> checkRobotFile(const std::string& name);
 
 /// Description files on disk. `log`, unless it is empty, is read instead of the logs that scenarios name.

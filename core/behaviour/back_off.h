@@ -7,12 +7,12 @@
 
 namespace mrose {
 
-/// Notices that the robot hardly moves though it is told to, and then drives it the other way for about a second and
-/// turns it at random. Part of a controller's memory; all zero nothing was noticed.
+/// Notices that the robot hardly moves though it is commanded to, and then drives it the other way for about a second
+/// and turns it at random. Part of a controller's memory; all zero nothing was noticed.
 struct BackOff {
     struct Options {
         double speed, rotation;  ///< limits, m/s and rad/s
-        double deadTime;         ///< s: what the robot does now it was told then
+        double deadTime;         ///< s: what the robot does now was commanded so long ago
         double turn;             ///< rad: about how far it turns afterwards
     };
 
@@ -22,11 +22,11 @@ struct BackOff {
     std::int64_t times;         ///< how often it has backed off
     std::int64_t inSuccession;  ///< and how often again soon after: farther each time
 
-    /// What to do now to get off, or nothing. `motion` has observed already.
+    /// The command that gets it off, or nullopt. `motion` has observed already.
     std::optional<Command> update(const Observation& observation, const MotionMemory& motion, const Options& options);
 
 private:
-    void begin(const Observation& observation, const Command& told, const Options& options);
+    void begin(const Observation& observation, const Command& commanded, const Options& options);
 };
 static_assert(sizeof(BackOff) == 7 * 8, "without padding");
 

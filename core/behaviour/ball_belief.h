@@ -19,7 +19,7 @@ struct BallBelief {
 
     /// `motion` and `self` have been updated already.
     void update(const Observation& observation, const MotionMemory& motion, const OwnBelief& self);
-    Point in(double seconds) const;  ///< where it will be if nobody touches it
+    Point in(double seconds) const;  ///< where it will be if nothing touches it
 
 private:
     void takeIn(const Point& place, Nanoseconds measured, double range);

@@ -46,7 +46,7 @@ std::vector<FloorPlan::Wall> FloorPlan::wallsNear(const Point& place, double wit
     return walls;
 }
 
-/// Distance to a convex piece is convex along the way: its slope here tells how far it is free at least.
+/// Distance to a convex piece is convex along the way: its slope here gives how far it is free at least.
 double FloorPlan::freeWay(const Point& place, const Point& direction, double radius, double most) const {
     double way = 0;
     while (way < most) {

@@ -6,7 +6,7 @@
 
 namespace mrose {
 
-/// What stands still around a robot, as far as it was told: convex pieces in the world's frame. Robots, balls and boxes
+/// What stands still around a robot, as far as it knows: convex pieces in the world's frame. Robots, balls and boxes
 /// are not in it.
 class FloorPlan {
 public:

@@ -51,7 +51,7 @@ const Pose& GoToPose::target(const Memory& memory) const {
     return options_.targets[static_cast<std::size_t>(memory.target)];
 }
 
-/// By where the robot will be when what it is told now takes effect.
+/// By where the robot will be when its command of now takes effect.
 void GoToPose::updatePhase(Memory& memory, const Pose& ahead) const {
     const Point line = position(target(memory)) - position(ahead);
     const double off = length(line), turn = std::abs(wrapAngle(target(memory).heading - ahead.heading));

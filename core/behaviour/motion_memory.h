@@ -8,12 +8,12 @@
 
 namespace mrose {
 
-/// What a robot remembers of how it moved and what it was told: part of a controller's memory. All zero it is empty.
+/// What a robot remembers of its motion and its commands: part of a controller's memory. All zero it is empty.
 struct MotionMemory {
     struct Instant {
         Nanoseconds time;
         Velocity velocity;  ///< by odometry
-        Command command;    ///< told then
+        Command command;    ///< issued then
     };
     static constexpr std::int64_t capacity = 12;
 
@@ -29,8 +29,8 @@ struct MotionMemory {
     Command commandAt(Nanoseconds time) const;  ///< the oldest known for times before
     /// How the robot moved since `time`, by odometry, in its own frame at `time`.
     Pose motionSince(Nanoseconds time) const;
-    /// How it will move until what it is told now takes effect, `deadTime` seconds from now, if it does what it was
-    /// told; in its own frame of now.
+    /// How it will move until what it is commanded now takes effect, `deadTime` seconds from now, if it does what it
+    /// was commanded; in its own frame of now.
     Pose motionDuring(double deadTime) const;
 };
 static_assert(sizeof(MotionMemory) == 12 * 40 + 8, "without padding");

@@ -7,7 +7,7 @@ namespace {
 
 // Measurements' deviations: those of a camera, larger for its bias, which successive measurements share.
 constexpr double positionDeviation = 0.1, headingDeviation = 0.05;  // m, rad
-// What odometry does not tell: of each metre and radian, and, by pushes, of each root of a second.
+// What odometry does not measure: of each metre and radian, and, by pushes, of each root of a second.
 constexpr double slip = 0.05, drift = 0.01, headingDrift = 0.005;
 constexpr double farOff = 4;  // standard deviations
 constexpr std::int64_t mostRefused = 3;

@@ -24,17 +24,17 @@ Command driveTowards(const Point& target_B, const DriveLimits& limits);
 /// metre. `backwards`: tail first.
 Command driveToPose(const Pose& from, const Pose& goal, const DriveLimits& limits, bool backwards);
 
-/// The heading (rad) nearest to `wanted`, to the right first, whose way is free for `far` metres, as `freeWay` tells of
-/// any heading; where there is none within 135 degrees, the one whose way is free the longest.
+/// The heading (rad) nearest to `wanted`, to the right first, whose way is free for `far` metres, as `freeWay` gives
+/// for any heading; where there is none within 135 degrees, the one whose way is free the longest.
 double clearHeading(double wanted, double far, const std::function<double(double)>& freeWay);
 
 /// How to give way to the nearest body that is seen ahead.
 struct Evasion {
-    double turn = 0;   ///< rad, to the left: what it takes to pass it at some distance; 0: nobody is in the way
+    double turn = 0;   ///< rad, to the left: what it takes to pass it at some distance; 0: nothing is in the way
     double share = 1;  ///< of the intended speed
 };
-/// For bodies within `reach` metres before the robot as it will be in `deadTime` seconds. Who meets head on keeps to
-/// the right.
+/// For bodies within `reach` metres before the robot as it will be in `deadTime` seconds. Robots that meet head on keep
+/// to the right.
 Evasion evade(std::span<const SeenBody> bodies, const MotionMemory& motion, double deadTime, double reach = 1.5);
 
 /// A command with the evasion in it.

@@ -24,7 +24,7 @@ struct Wander::Memory {
     OwnBelief self;
     BackOff backOff;
     Nanoseconds change;     ///< when it takes another curve
-    double curve, turning;  ///< rad/s: wanted, and told
+    double curve, turning;  ///< rad/s: wanted, and commanded
     double side;            ///< 1 or -1, where it turns before a wall; 0: there is none ahead
 };
 

@@ -25,10 +25,10 @@ double effectOf(const CommandJump& jump, const DivergenceBound::At& bound) {
 Nanoseconds commandsShowFor(const MotionModel& model) { return std::min(model.lookBack(), longestShown); }
 
 std::vector<CommandJump> commandJumpsNear(const Trajectory& trajectory, const MotionModel& model,
-                                          const ComparedCourse& course, Nanoseconds divergence,
+                                          const ComparedRollout& rollout, Nanoseconds divergence,
                                           const DivergenceBound::At& bound) {
     const std::vector<StampedCommand>& commands = trajectory.commands;
-    const Nanoseconds since = course.real.start - commandsShowFor(model), end = course.real.start + divergence;
+    const Nanoseconds since = rollout.real.start - commandsShowFor(model), end = rollout.real.start + divergence;
     std::vector<CommandJump> jumps;
     auto at = std::upper_bound(commands.begin(), commands.end(), StampedCommand{since, {}}, earlier<StampedCommand>);
     if (at == commands.begin() && at != commands.end()) ++at;

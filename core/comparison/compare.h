@@ -8,27 +8,27 @@
 #include <string>
 #include <vector>
 
-#include "comparison/course_requests.h"
 #include "comparison/log_world.h"
+#include "comparison/rollout_requests.h"
 #include "evaluation/evaluate.h"
 
 namespace mrose {
 
-/// What becomes of a course in the figures.
-enum class CourseUse {
+/// What becomes of a rollout in the figures.
+enum class RolloutUse {
     counted,  ///< a window as the referee has them: its errors are in P and Hd
     still,    ///< the robot hardly moves: too little to divide an error by
     gap,      ///< the ground truth has a gap in it: errors are known at the other instants only
     absent    ///< no ground truth at the start: the robot is not in the world
 };
-constexpr int courseUses = 4;
-const char* name(CourseUse use);
+constexpr int rolloutUses = 4;
+const char* name(RolloutUse use);
 
-/// One robot in one course, real and simulated on the same clock.
-struct ComparedCourse {
-    std::size_t request = 0;  ///< which course: in Comparison::requests
+/// One robot in one rollout, real and simulated on the same clock.
+struct ComparedRollout {
+    std::size_t request = 0;  ///< which rollout: in Comparison::requests
     std::size_t robot = 0;    ///< in Comparison::robots
-    CourseUse use = CourseUse::counted;
+    RolloutUse use = RolloutUse::counted;
     /// Truth at the steps() + 1 instants, not a number where it is not known; what was measured at the start.
     Window real;
     std::vector<std::size_t> jumps = {};                ///< steps, 1 ..., whose truth knows of a jump, ascending
@@ -38,24 +38,24 @@ struct ComparedCourse {
     std::optional<Nanoseconds> touched = std::nullopt;  ///< since the start, when contact first took it off its way
 };
 
-/// The courses of one robot, or of all.
+/// The rollouts of one robot, or of all.
 struct ComparedSummary {
-    Summary counted;                             ///< P, Hd and errors of the courses that count
-    std::array<std::size_t, courseUses> uses{};  ///< courses by CourseUse
-    Distribution positionFinal, headingFinal;    ///< m, rad: of all courses whose end is known
+    Summary counted;                              ///< P, Hd and errors of the rollouts that count
+    std::array<std::size_t, rolloutUses> uses{};  ///< rollouts by RolloutUse
+    Distribution positionFinal, headingFinal;     ///< m, rad: of all rollouts whose end is known
     std::int64_t touches = 0;
-    std::size_t touched = 0;  ///< courses in which contact took the robot off its way
+    std::size_t touched = 0;  ///< rollouts in which contact took the robot off its way
 
-    std::size_t of(CourseUse use) const { return uses[static_cast<std::size_t>(use)]; }
-    std::size_t courses() const { return uses[0] + uses[1] + uses[2] + uses[3]; }
+    std::size_t of(RolloutUse use) const { return uses[static_cast<std::size_t>(use)]; }
+    std::size_t rollouts() const { return uses[0] + uses[1] + uses[2] + uses[3]; }
 };
 
 struct ComparisonOptions {
     std::uint64_t seed = 1;
-    WindowOptions windows{};  ///< `step` and what is too little motion; courses have their own lengths
-    /// Told in the caller's thread, part by part, what has become of the courses, and which share of them is done.
-    /// False: it is to end. Empty: nobody asks.
-    std::function<bool(std::span<const ComparedCourse> part, double share)> progress = {};
+    WindowOptions windows{};  ///< `step` and what is too little motion; rollouts have their own lengths
+    /// Called in the caller's thread, part by part, with the rollouts that are done and the share of them. False: it is
+    /// to end. Empty: progress is not reported.
+    std::function<bool(std::span<const ComparedRollout> part, double share)> progress = {};
 };
 
 /// A simulated world beside the log that it repeats. It holds no reference to either.
@@ -63,26 +63,26 @@ struct Comparison {
     std::string scenario;
     std::uint64_t seed = 0;
     std::vector<ComparedRobot> robots;
-    std::vector<std::string> takes;  ///< their names
-    std::vector<CourseRequest> requests;
-    std::vector<ComparedCourse> courses;     ///< by request, then by robot
+    std::vector<std::string> sessions;  ///< their names
+    std::vector<RolloutRequest> requests;
+    std::vector<ComparedRollout> rollouts;   ///< by request, then by robot
     std::vector<ComparedSummary> summaries;  ///< by robot
     ComparedSummary all;
-    Evaluation evaluation;             ///< the courses that count, as of a model called "simulation"
-    std::vector<std::size_t> counted;  ///< evaluation.windows[i] is of courses[counted[i]]
+    Evaluation evaluation;             ///< the rollouts that count, as of a model called "simulation"
+    std::vector<std::size_t> counted;  ///< evaluation.windows[i] is of rollouts[counted[i]]
     std::int64_t touches = 0;          ///< pairs of bodies that began to touch, those that are not compared too
     std::int64_t faults = 0;           ///< of controllers and models
     std::string firstFault;
 };
 
-/// Drives every course in a world of its own and compares. The result is the same for any number of threads. Error:
-/// the scenario's ticks do not divide the step; no course has any ground truth at its start; `progress` ended it.
-Expected<Comparison> compare(const LogWorld& world, std::span<const CourseRequest> requests,
+/// Drives every rollout in a world of its own and compares. The result is the same for any number of threads. Error:
+/// the scenario's ticks do not divide the step; no rollout has any ground truth at its start; `progress` ended it.
+Expected<Comparison> compare(const LogWorld& world, std::span<const RolloutRequest> requests,
                              const ComparisonOptions& options = {});
 
 /// m, the mean position error over the instants that are known; below zero where none is.
-double knownMean(const ComparedCourse& course);
-/// Indices of the courses that were simulated, by descending knownMean().
+double knownMean(const ComparedRollout& rollout);
+/// Indices of the rollouts that were simulated, by descending knownMean().
 std::vector<std::size_t> worstFirst(const Comparison& comparison);
 
 }  // namespace mrose

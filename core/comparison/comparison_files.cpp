@@ -12,23 +12,24 @@ namespace {
 
 std::string known(double value, int decimals) { return std::isfinite(value) ? fixed(value, decimals) : ""; }
 
-bool hasTakes(const Comparison& comparison) { return comparison.takes.size() > 1; }
+bool hasSessions(const Comparison& comparison) { return comparison.sessions.size() > 1; }
 
-/// What begins a row about a course.
-std::string keyOf(const Comparison& comparison, const ComparedCourse& course) {
-    return windowKey(comparison.evaluation.dataset, comparison.robots[course.robot].realName, course.real.start);
+/// What begins a row about a rollout.
+std::string keyOf(const Comparison& comparison, const ComparedRollout& rollout) {
+    return windowKey(comparison.evaluation.dataset, comparison.robots[rollout.robot].realName, rollout.real.start);
 }
 
-std::string takeCell(const Comparison& comparison, const ComparedCourse& course) {
-    return hasTakes(comparison) ? "," + csvCell(comparison.takes[comparison.requests[course.request].take]) : "";
+std::string sessionCell(const Comparison& comparison, const ComparedRollout& rollout) {
+    return hasSessions(comparison) ? "," + csvCell(comparison.sessions[comparison.requests[rollout.request].session])
+                                   : "";
 }
 
 nlohmann::ordered_json json(const ComparedSummary& summary) {
-    return {{"courses", summary.courses()},
-            {"windows", summary.of(CourseUse::counted)},
-            {"still", summary.of(CourseUse::still)},
-            {"gaps", summary.of(CourseUse::gap)},
-            {"absent", summary.of(CourseUse::absent)},
+    return {{"courses", summary.rollouts()},
+            {"windows", summary.of(RolloutUse::counted)},
+            {"still", summary.of(RolloutUse::still)},
+            {"gaps", summary.of(RolloutUse::gap)},
+            {"absent", summary.of(RolloutUse::absent)},
             {"touches", summary.touches},
             {"courses_touched", summary.touched},
             {"position_final_m", mrose::json(summary.positionFinal)},
@@ -41,20 +42,20 @@ nlohmann::ordered_json json(double value) {
 }
 
 nlohmann::ordered_json json(const ComparedDivergences::Summary& summary) {
-    return {{"courses", summary.courses}, {"diverging", summary.diverging}, {"median_s", json(summary.medianTime)}};
+    return {{"courses", summary.rollouts}, {"diverging", summary.diverging}, {"median_s", json(summary.medianTime)}};
 }
 
 nlohmann::ordered_json json(const CauseTrial& trial) {
     return {{"kind", name(trial.kind)}, {"what", trial.what}, {"explained", trial.explained}};
 }
 
-nlohmann::ordered_json json(const Comparison& comparison, const CourseDivergence& diverging) {
-    const ComparedCourse& course = comparison.courses[diverging.course];
+nlohmann::ordered_json json(const Comparison& comparison, const RolloutDivergence& diverging) {
+    const ComparedRollout& rollout = comparison.rollouts[diverging.rollout];
     const Divergence& divergence = diverging.divergence;
-    nlohmann::ordered_json result{{"course", course.request + 1},
-                                  {"name", comparison.robots[course.robot].name},
-                                  {"robot", comparison.robots[course.robot].realName},
-                                  {"start_s", toSeconds(comparison.requests[course.request].start)},
+    nlohmann::ordered_json result{{"course", rollout.request + 1},
+                                  {"name", comparison.robots[rollout.robot].name},
+                                  {"robot", comparison.robots[rollout.robot].realName},
+                                  {"start_s", toSeconds(comparison.requests[rollout.request].start)},
                                   {"time_s", toSeconds(divergence.time)},
                                   {"within_until_s", toSeconds(divergence.within)},
                                   {"position_m", divergence.position},
@@ -67,11 +68,10 @@ nlohmann::ordered_json json(const Comparison& comparison, const CourseDivergence
     const Diagnosis& diagnosis = *diverging.diagnosis;
     result["cause"] = diagnosis.likely ? json(diagnosis.trials[*diagnosis.likely]) : nlohmann::ordered_json();
     result["tried"] = nlohmann::ordered_json::array();
-    if (diagnosis.parting)
-        result["parting"] = {
-            {"from_s", toSeconds(diagnosis.parting->from)}, {"to_s", toSeconds(diagnosis.parting->to)},
-            {"ahead_m", diagnosis.parting->ahead},          {"left_m", diagnosis.parting->left},
-            {"turn_rad", diagnosis.parting->turn},          {"explained", diagnosis.parting->explained}};
+    if (diagnosis.onset)
+        result["parting"] = {{"from_s", toSeconds(diagnosis.onset->from)}, {"to_s", toSeconds(diagnosis.onset->to)},
+                             {"ahead_m", diagnosis.onset->ahead},          {"left_m", diagnosis.onset->left},
+                             {"turn_rad", diagnosis.onset->turn},          {"explained", diagnosis.onset->explained}};
     for (const CauseTrial& trial : diagnosis.trials) result["tried"].push_back(json(trial));
     return result;
 }
@@ -92,13 +92,13 @@ nlohmann::ordered_json json(const Comparison& comparison, const ComparedDivergen
         result["robots"].push_back(std::move(robot));
     }
     result["courses"] = nlohmann::ordered_json::array();
-    for (const CourseDivergence& diverging : divergences.courses)
+    for (const RolloutDivergence& diverging : divergences.rollouts)
         result["courses"].push_back(json(comparison, diverging));
     return result;
 }
 
 /// Empty where it does not diverge, or where the cause was not looked for.
-std::string divergenceCells(const CourseDivergence* diverging) {
+std::string divergenceCells(const RolloutDivergence* diverging) {
     if (diverging == nullptr) return ",,";
     const auto& diagnosis = diverging->diagnosis;
     const std::string cause = !diagnosis          ? ""
@@ -135,40 +135,40 @@ std::string errorsCsv(const Comparison& comparison) {
     const Nanoseconds step = comparison.evaluation.options.windows.step;
     std::string text =
         "dataset,robot,t_start,t,x,y,heading,real_x,real_y,real_heading,position_error_m,heading_error_rad,simulated";
-    text += hasTakes(comparison) ? ",trajectory\n" : "\n";
-    for (const ComparedCourse& course : comparison.courses) {
-        const std::string key = keyOf(comparison, course);
+    text += hasSessions(comparison) ? ",trajectory\n" : "\n";
+    for (const ComparedRollout& rollout : comparison.rollouts) {
+        const std::string key = keyOf(comparison, rollout);
         const std::string end =
-            "," + csvCell(comparison.robots[course.robot].name) + takeCell(comparison, course) + "\n";
-        for (std::size_t k = 0; k < course.simulated.size(); ++k) {
-            const Pose &simulated = course.simulated[k], &real = course.real.truth[k + 1];
+            "," + csvCell(comparison.robots[rollout.robot].name) + sessionCell(comparison, rollout) + "\n";
+        for (std::size_t k = 0; k < rollout.simulated.size(); ++k) {
+            const Pose &simulated = rollout.simulated[k], &real = rollout.real.truth[k + 1];
             text += cat(key, ",", secondsText(static_cast<Nanoseconds>(k + 1) * step), ",", fixed(simulated.x, 7), ",",
                         fixed(simulated.y, 7), ",", fixed(simulated.heading, 7), ",", known(real.x, 7), ",",
-                        known(real.y, 7), ",", known(real.heading, 7), ",", known(course.errors.position[k], 7), ",",
-                        known(course.errors.heading[k], 7), end);
+                        known(real.y, 7), ",", known(real.heading, 7), ",", known(rollout.errors.position[k], 7), ",",
+                        known(rollout.errors.heading[k], 7), end);
         }
     }
     return text;
 }
 
-std::string coursesCsv(const Comparison& comparison, const ComparedDivergences* divergences) {
+std::string rolloutsCsv(const Comparison& comparison, const ComparedDivergences* divergences) {
     const Nanoseconds step = comparison.evaluation.options.windows.step;
     std::string text =
         "course,dataset,robot,t_start,start_s,duration_s,use,path_m,rotation_rad,position_mean_m,position_final_m,"
         "heading_mean_rad,heading_final_rad,touches,touched_s,simulated";
-    text += hasTakes(comparison) ? ",trajectory" : "";
+    text += hasSessions(comparison) ? ",trajectory" : "";
     text += divergences != nullptr ? ",diverged_s,cause\n" : "\n";
-    for (std::size_t i = 0; i < comparison.courses.size(); ++i) {
-        const ComparedCourse& course = comparison.courses[i];
-        const CourseRequest& request = comparison.requests[course.request];
-        const WindowErrors& errors = course.errors;
-        const auto cell = [&](double value) { return course.simulated.empty() ? "" : known(value, 7); };
-        text += cat(std::to_string(course.request + 1), ",", keyOf(comparison, course), ",", secondsText(request.start),
-                    ",", secondsText(request.steps * step), ",", name(course.use), ",", known(course.real.path, 4), ",",
-                    known(course.real.rotation, 4), ",", cell(errors.positionMean), ",", cell(errors.positionFinal),
-                    ",", cell(errors.headingMean), ",", cell(errors.headingFinal), ",", std::to_string(course.touches),
-                    ",", course.touched ? secondsText(*course.touched) : "", ",",
-                    csvCell(comparison.robots[course.robot].name), takeCell(comparison, course));
+    for (std::size_t i = 0; i < comparison.rollouts.size(); ++i) {
+        const ComparedRollout& rollout = comparison.rollouts[i];
+        const RolloutRequest& request = comparison.requests[rollout.request];
+        const WindowErrors& errors = rollout.errors;
+        const auto cell = [&](double value) { return rollout.simulated.empty() ? "" : known(value, 7); };
+        text += cat(std::to_string(rollout.request + 1), ",", keyOf(comparison, rollout), ",",
+                    secondsText(request.start), ",", secondsText(request.steps * step), ",", name(rollout.use), ",",
+                    known(rollout.real.path, 4), ",", known(rollout.real.rotation, 4), ",", cell(errors.positionMean),
+                    ",", cell(errors.positionFinal), ",", cell(errors.headingMean), ",", cell(errors.headingFinal), ",",
+                    std::to_string(rollout.touches), ",", rollout.touched ? secondsText(*rollout.touched) : "", ",",
+                    csvCell(comparison.robots[rollout.robot].name), sessionCell(comparison, rollout));
         if (divergences != nullptr) text += divergenceCells(divergences->of(i));
         text += '\n';
     }

@@ -20,9 +20,9 @@ bool isBeyond(const WindowErrors& errors, std::size_t k, const DivergenceBound::
 
 }  // namespace
 
-std::optional<Divergence> firstDivergence(const ComparedCourse& course, Nanoseconds step,
+std::optional<Divergence> firstDivergence(const ComparedRollout& rollout, Nanoseconds step,
                                           const DivergenceBound& bound) {
-    const WindowErrors& errors = course.errors;
+    const WindowErrors& errors = rollout.errors;
     const auto timeOf = [&](std::size_t k) { return static_cast<Nanoseconds>(k + 1) * step; };
     std::optional<std::size_t> first;
     Nanoseconds within = 0;
@@ -49,20 +49,20 @@ std::optional<Divergence> firstDivergence(const ComparedCourse& course, Nanoseco
     return std::nullopt;
 }
 
-DivergenceBound heldOutBound(const MotionNetwork::HeldOut& heldOut, const ComparedCourse& course, Nanoseconds step,
+DivergenceBound heldOutBound(const MotionNetwork::HeldOut& heldOut, const ComparedRollout& rollout, Nanoseconds step,
                              const DivergenceBound::At& least) {
     const double p = heldOut.position / 100, hd = heldOut.heading / 100;
     const std::size_t stride = static_cast<std::size_t>(std::max<Nanoseconds>(1, travelStep / step));
-    const std::vector<Pose>& truth = course.real.truth;
+    const std::vector<Pose>& truth = rollout.real.truth;
     DivergenceBound bound;
     double path = 0, rotation = 0;
     const auto travel = [](const Pose& a, const Pose& b) {
         const double distance = std::hypot(b.x - a.x, b.y - a.y);
         return std::isfinite(distance) ? std::pair{distance, std::abs(b.heading - a.heading)} : std::pair{0.0, 0.0};
     };
-    auto jump = course.jumps.begin();
+    auto jump = rollout.jumps.begin();
     for (std::size_t k = 1, from = 0; k < truth.size(); ++k) {
-        if (jump != course.jumps.end() && *jump == k) {  // nobody drove that
+        if (jump != rollout.jumps.end() && *jump == k) {  // the robot did not drive that
             const auto [distance, turn] = travel(truth[from], truth[k - 1]);
             path += distance;
             rotation += turn;

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "comparison/command_jumps.h"
-#include "comparison/course_rerun.h"
 #include "comparison/log_defects_near.h"
+#include "comparison/rollout_rerun.h"
 #include "evaluation/format.h"
 #include "logs/pose_grid.h"
 #include "motion/learned_model.h"
@@ -16,7 +16,7 @@ namespace {
 
 /// After a divergence has been held: what was wrong shows more clearly then.
 constexpr Nanoseconds moment = 1'000'000'000;
-/// A course that diverges at once tells little by then.
+/// A rollout that diverges at once says little by then.
 constexpr Nanoseconds leastEvidence = 2'500'000'000;
 
 // What follows is in shares of the error that is explained, but for the numbers of ticks and runs.
@@ -26,7 +26,7 @@ constexpr double beyondNoise = 0.85;  // so much is no accident, even where nois
 constexpr int noiseRuns = 40;
 /// Commands that change in steps closer than this are one change: the best of them stands for all.
 constexpr Nanoseconds oneTurn = 150'000'000;
-constexpr Nanoseconds partingSpans[] = {500'000'000, 1'000'000'000, 2'000'000'000};
+constexpr Nanoseconds onsetSpans[] = {500'000'000, 1'000'000'000, 2'000'000'000};
 /// Of noisy runs; high, because a divergence is looked at where the error is large.
 constexpr double likelyShare = 0.975;
 
@@ -61,18 +61,18 @@ std::string inMilliseconds(Nanoseconds time) { return fixed(1000 * toSeconds(tim
 
 class Trials {
 public:
-    Trials(const CourseRerun& rerun, const DiagnosisOptions& options, Diagnosis& diagnosis)
+    Trials(const RolloutRerun& rerun, const DiagnosisOptions& options, Diagnosis& diagnosis)
         : rerun_(rerun), options_(options), diagnosis_(diagnosis) {
-        const ComparedCourse& course = rerun.course();
+        const ComparedRollout& rollout = rerun.rollout();
         const auto steps = static_cast<std::size_t>(rerun.steps());
-        truth_ = std::span(course.real.truth).subspan(1, steps);
-        base_ = std::span(course.simulated).first(steps);
+        truth_ = std::span(rollout.real.truth).subspan(1, steps);
+        base_ = std::span(rollout.simulated).first(steps);
         baseRms_ = rmsInBounds(truth_, base_, options.bound);
     }
 
     /// False: cancelled.
     bool all(std::size_t robot, const DefectsNear& defects, const std::vector<CommandJump>& jumps) {
-        const bool touched = rerun_.course().touched && *rerun_.course().touched <= diagnosis_.divergence.time;
+        const bool touched = rerun_.rollout().touched && *rerun_.rollout().touched <= diagnosis_.divergence.time;
         const std::optional<MotionNoise> noise = motionNoise();
         works_ = static_cast<double>(defects.blips.size() + defects.gaps.size() + jumps.size() +
                                      options_.models.size() + (noise ? noiseRuns : 0) + (touched ? 1 : 0)) +
@@ -85,20 +85,20 @@ public:
         if (touched && !add(CauseKind::contact, "without contact", rerun_.untouched())) return false;
         for (const CommandJump& jump : jumps)
             if (!tryJump(jump)) return false;
-        if (!findParting()) return false;
+        if (!findOnset()) return false;
         return tryVelocity() && tryDeadTimes(1) && tryDeadTimes(-1) && tryModels(robot) &&
                (noise ? tryNoise(*noise) : tryHeldOut());
     }
 
 private:
-    std::string sinceStart(Nanoseconds time) const { return fixed(toSeconds(time - rerun_.course().real.start), 2); }
+    std::string sinceStart(Nanoseconds time) const { return fixed(toSeconds(time - rerun_.rollout().real.start), 2); }
 
     double explainedBy(const std::vector<Pose>& simulated) const {
         if (!(baseRms_ > 0) || std::isinf(baseRms_)) return 0;
         return std::clamp(1 - rmsInBounds(truth_, simulated, options_.bound) / baseRms_, 0.0, 1.0);
     }
 
-    /// False: nobody wants the rest.
+    /// False: the rest is not wanted.
     bool goesOn() {
         done_ = std::min(done_ + 1, works_);
         return !options_.progress || options_.progress(done_ / works_);
@@ -165,20 +165,20 @@ private:
     }
 
     /// The shortest time in which it moved otherwise, beyond which a longer one explains little more.
-    bool findParting() {
-        for (const Nanoseconds span : partingSpans) {
-            auto parting = partingOf(rerun_.course(), rerun_.step(), diagnosis_.divergence, options_.bound.held, span);
-            if (!parting) break;
+    bool findOnset() {
+        for (const Nanoseconds span : onsetSpans) {
+            auto onset =
+                errorOnsetOf(rerun_.rollout(), rerun_.step(), diagnosis_.divergence, options_.bound.held, span);
+            if (!onset) break;
             const auto stepOf = [&](Nanoseconds time) { return static_cast<int>(time / rerun_.step()); };
-            parting->explained = explainedBy(rerun_.carried(stepOf(parting->from), stepOf(parting->to)));
-            if (!diagnosis_.parting || parting->explained > diagnosis_.parting->explained + alike)
-                diagnosis_.parting = parting;
+            onset->explained = explainedBy(rerun_.carried(stepOf(onset->from), stepOf(onset->to)));
+            if (!diagnosis_.onset || onset->explained > diagnosis_.onset->explained + alike) diagnosis_.onset = onset;
         }
         return goesOn();
     }
 
     bool tryVelocity() {
-        const auto velocity = velocityAt(rerun_.trajectory().poses, rerun_.course().real.start);
+        const auto velocity = velocityAt(rerun_.trajectory().poses, rerun_.rollout().real.start);
         if (!velocity) return goesOn();
         return add(CauseKind::startVelocity,
                    "velocity at the start " + fixed(velocity->v, 3) + " m/s, " + fixed(velocity->w, 2) +
@@ -261,7 +261,7 @@ private:
         if (!options_.bound.bySteps.empty()) return true;  // it is beyond that already
         const auto* learned = learnedModel(rerun_.model());
         if (learned == nullptr || learned->network().heldOut.windows == 0) return true;
-        const DivergenceBound likely = heldOutBound(learned->network().heldOut, rerun_.course(), rerun_.step());
+        const DivergenceBound likely = heldOutBound(learned->network().heldOut, rerun_.rollout(), rerun_.step());
         const double times = rmsInBounds(truth_, base_, likely);
         diagnosis_.trials.push_back({CauseKind::noise,
                                      "no more than the network's held-out error",
@@ -271,7 +271,7 @@ private:
         return goesOn();
     }
 
-    const CourseRerun& rerun_;
+    const RolloutRerun& rerun_;
     const DiagnosisOptions& options_;
     Diagnosis& diagnosis_;
     std::optional<Nanoseconds> lastJump_;  ///< of the commands that were tried
@@ -316,11 +316,11 @@ const char* name(CauseKind kind) {
     return "noise";
 }
 
-Expected<Diagnosis> diagnose(const LogWorld& world, const CourseRequest& request, const ComparedCourse& course,
+Expected<Diagnosis> diagnose(const LogWorld& world, const RolloutRequest& request, const ComparedRollout& rollout,
                              const Divergence& divergence, const DiagnosisOptions& options) {
     const Nanoseconds tick = world.parts().scene.tickLength;
     for (const OtherModel& other : options.models)
-        if (const auto& model = other.byRobot[course.robot]; model && model->period() % tick != 0)
+        if (const auto& model = other.byRobot[rollout.robot]; model && model->period() % tick != 0)
             return fail(other.name, "has a period of " + secondsText(model->period()) +
                                         " s; expected a whole number of the scenario's ticks of " + secondsText(tick) +
                                         " s");
@@ -330,15 +330,15 @@ Expected<Diagnosis> diagnose(const LogWorld& world, const CourseRequest& request
     Diagnosis diagnosis;
     diagnosis.divergence = divergence;
     int steps = stepsTo(std::max(divergence.time + options.bound.held + moment, leastEvidence));
-    const Trajectory& log = world.trajectory(request.take, course.robot);
-    const MotionModel& model = world.parts().scene.modelOf(world.robots()[course.robot].body);
-    const DefectsNear defects = defectsNear(log, model, course, options.step, divergence.time);
-    const std::vector<CommandJump> jumps = commandJumpsNear(log, model, course, divergence.time, divergence.bound);
+    const Trajectory& log = world.trajectory(request.session, rollout.robot);
+    const MotionModel& model = world.parts().scene.modelOf(world.robots()[rollout.robot].body);
+    const DefectsNear defects = defectsNear(log, model, rollout, options.step, divergence.time);
+    const std::vector<CommandJump> jumps = commandJumpsNear(log, model, rollout, divergence.time, divergence.bound);
     for (const DefectsNear::Gap& gap : defects.gaps) steps = std::max(steps, stepsTo(gap.to * options.step + moment));
     diagnosis.until = steps * options.step;
-    const CourseRerun rerun(world, request, course, options.step, steps, options.seed);
+    const RolloutRerun rerun(world, request, rollout, options.step, steps, options.seed);
     Trials trials(rerun, options, diagnosis);
-    diagnosis.cancelled = !trials.all(course.robot, defects, jumps);
+    diagnosis.cancelled = !trials.all(rollout.robot, defects, jumps);
     std::stable_sort(diagnosis.trials.begin(), diagnosis.trials.end(),
                      [](const CauseTrial& a, const CauseTrial& b) { return a.explained > b.explained; });
     if (!diagnosis.cancelled) diagnosis.likely = likelyOf(diagnosis.trials);

@@ -7,14 +7,14 @@
 #include <vector>
 
 #include "comparison/divergence.h"
+#include "comparison/error_onset.h"
 #include "comparison/other_models.h"
-#include "comparison/parting.h"
 #include "io/progress.h"
 #include "motion/noisy_model.h"
 
 namespace mrose {
 
-/// What may make a simulated robot leave the real course; the earlier ones are the more specific.
+/// What may make a simulated robot leave the real trajectory; the earlier ones are the more specific.
 enum class CauseKind {
     logDefect,      ///< a blip or a gap in the log
     contact,        ///< the simulated robot touched something that the real one did not
@@ -35,21 +35,21 @@ struct CauseTrial {
     std::vector<Pose> simulated;  ///< of the re-run, after each step up to `until`; empty where there is none
 };
 
-/// Why a simulated robot left the real course, as far as re-runs tell.
+/// Why a simulated robot left the real trajectory, as far as re-runs show.
 struct Diagnosis {
     Divergence divergence;
-    std::optional<Parting> parting;     ///< when most of it arose; nothing: not known
+    std::optional<ErrorOnset> onset;    ///< when most of it arose; nullopt: not known
     Nanoseconds until = 0;              ///< since the start: the re-runs and their errors end there
     std::vector<CauseTrial> trials;     ///< the best first
-    std::optional<std::size_t> likely;  ///< in `trials`; nothing: none of these
+    std::optional<std::size_t> likely;  ///< in `trials`; nullopt: none of these
     bool cancelled = false;             ///< the trials are those that were done up to then
 };
 
 struct DiagnosisOptions {
-    DivergenceBound bound{};  ///< beyond which the course diverges; errors are measured in it
+    DivergenceBound bound{};  ///< beyond which the rollout diverges; errors are measured in it
     std::vector<OtherModel> models{};
-    /// Of the robots' motion, per period; nothing: what their files say, or else the held-out errors of
-    /// their networks (unless these are the bound).
+    /// Of the robots' motion, per period; nullopt: what their files say, or else the held-out errors of their networks
+    /// (unless these are the bound).
     std::optional<MotionNoise> noise{};
     std::uint64_t seed = 1;          ///< that of the comparison
     Nanoseconds step = 100'000'000;  ///< likewise
@@ -57,10 +57,10 @@ struct DiagnosisOptions {
     Progress progress{};
 };
 
-/// Re-runs a course of `world` up to a little after its divergence, with one thing changed at a time for the robot that
-/// diverges. `course` is what compare() made of `request`, `divergence` what firstDivergence() says of it. The result
-/// is the same for any number of threads. Error: the period of another model is no whole number of ticks.
-Expected<Diagnosis> diagnose(const LogWorld& world, const CourseRequest& request, const ComparedCourse& course,
+/// Re-runs a rollout of `world` up to a little after its divergence, with one thing changed at a time for the robot
+/// that diverges. `rollout` is what compare() made of `request`, `divergence` what firstDivergence() says of it. The
+/// result is the same for any number of threads. Error: the period of another model is no whole number of ticks.
+Expected<Diagnosis> diagnose(const LogWorld& world, const RolloutRequest& request, const ComparedRollout& rollout,
                              const Divergence& divergence, const DiagnosisOptions& options);
 
 }  // namespace mrose

@@ -21,17 +21,17 @@ std::string unbroken(const std::string& text) {
     return escaped(kept);
 }
 
-std::string courseText(const Comparison& comparison, const ComparedCourse& course) {
-    const CourseRequest& request = comparison.requests[course.request];
-    const std::string& take = comparison.takes[request.take];
-    return cat("course\u00a0", std::to_string(course.request + 1), " · from\u00a0", secondsText(request.start),
-               "\u00a0s", take.empty() ? "" : cat(" of ", escaped(take)));
+std::string rolloutText(const Comparison& comparison, const ComparedRollout& rollout) {
+    const RolloutRequest& request = comparison.requests[rollout.request];
+    const std::string& session = comparison.sessions[request.session];
+    return cat("rollout\u00a0", std::to_string(rollout.request + 1), " · from\u00a0", secondsText(request.start),
+               "\u00a0s", session.empty() ? "" : cat(" of ", escaped(session)));
 }
 
 std::string summaryTable(const Comparison& comparison, const ComparedDivergences& divergences) {
-    HtmlTable table({"", "courses", "leave it", "median s"}, "dense");
+    HtmlTable table({"", "rollouts", "leave it", "median s"}, "dense");
     const auto add = [&](const std::string& name, const ComparedDivergences::Summary& s) {
-        table.row({name, std::to_string(s.courses), std::to_string(s.diverging),
+        table.row({name, std::to_string(s.rollouts), std::to_string(s.diverging),
                    s.diverging == 0 ? "" : fixed(s.medianTime, 1)});
     };
     for (std::size_t i = 0; i < comparison.robots.size(); ++i)
@@ -53,36 +53,37 @@ std::string trialTable(const Diagnosis& diagnosis) {
                useless.empty() ? "" : element("p", "soft", cat("Explains nothing: ", unbroken(useless), ".")));
 }
 
-std::string diagnosisCard(const Comparison& comparison, const CourseDivergence& diverging) {
-    const ComparedCourse& course = comparison.courses[diverging.course];
+std::string diagnosisCard(const Comparison& comparison, const RolloutDivergence& diverging) {
+    const ComparedRollout& rollout = comparison.rollouts[diverging.rollout];
     std::string text;
-    if (comparison.requests.size() > 1) text += element("p", "soft", courseText(comparison, course));
+    if (comparison.requests.size() > 1) text += element("p", "soft", rolloutText(comparison, rollout));
     text += element("p", "", cat("It ", unbroken(divergenceText(diverging.divergence)), "."));
-    if (diverging.diagnosis && diverging.diagnosis->parting)
-        text += element("p", "soft", cat("It is ", unbroken(partingText(*diverging.diagnosis)), "."));
+    if (diverging.diagnosis && diverging.diagnosis->onset)
+        text += element("p", "soft", cat("It is ", unbroken(onsetText(*diverging.diagnosis)), "."));
     if (diverging.diagnosis)
         text += cat(element("p", "", cat("Likely cause: ", unbroken(causeText(*diverging.diagnosis)), ".")),
                     trialTable(*diverging.diagnosis));
-    return card(escaped(comparison.robots[course.robot].name), text);
+    return card(escaped(comparison.robots[rollout.robot].name), text);
 }
 
 }  // namespace
 
 std::string divergenceSection(const Comparison& comparison, const ComparedDivergences& divergences) {
-    std::string text = cat(heading("Where they leave the real course"), paragraph(escaped(boundText(divergences))));
-    if (divergences.courses.empty()) return text + paragraph("None of them does.");
+    std::string text = cat(heading("Where they leave the real trajectory"), paragraph(escaped(boundText(divergences))));
+    if (divergences.rollouts.empty()) return text + paragraph("None of them does.");
     const bool many = comparison.requests.size() > 1;
     if (many) text += tableCard(summaryTable(comparison, divergences));
     if (const std::string counts = causeCounts(divergences); many && !counts.empty())
         text += paragraph(cat("Likely causes: ", unbroken(counts), "."));
     std::string cards;
     for (const std::size_t i : worstOf(comparison, divergences, shownDivergences))
-        if (divergences.courses[i].diagnosis || !many) cards += diagnosisCard(comparison, divergences.courses[i]);
+        if (divergences.rollouts[i].diagnosis || !many) cards += diagnosisCard(comparison, divergences.rollouts[i]);
     if (cards.empty()) return text;
-    text += paragraph(cat(many ? "The courses with the largest mean errors among them. " : "",
-                          "Each was run again up to shortly after it left the real course, with one thing changed at a "
-                          "time; a change explains the part of the error (its root mean square, position and heading "
-                          "in units of their bounds) that is gone with it."));
+    text +=
+        paragraph(cat(many ? "The rollouts with the largest mean errors among them. " : "",
+                      "Each was run again up to shortly after it left the real trajectory, with one thing changed at a "
+                      "time; a change explains the part of the error (its root mean square, position and heading "
+                      "in units of their bounds) that is gone with it."));
     return text + element("div", "paths", cards);
 }
 

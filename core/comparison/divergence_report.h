@@ -6,7 +6,7 @@
 
 namespace mrose {
 
-/// Where the robots leave the real course and why, as a part of the comparison's page.
+/// Where the robots leave the real trajectory and why, as a part of the comparison's page.
 std::string divergenceSection(const Comparison& comparison, const ComparedDivergences& divergences);
 
 }  // namespace mrose

@@ -21,7 +21,7 @@ std::string inDegrees(double radians) { return fixed(degrees * radians, 1) + "°
 }  // namespace
 
 std::string divergenceText(const Divergence& divergence) {
-    std::string text = "leaves the real course after " + secondsText(divergence.time) +
+    std::string text = "leaves the real trajectory after " + secondsText(divergence.time) +
                        " s: " + centimetres(divergence.position) + " and " + inDegrees(divergence.heading) +
                        " off, beyond ";
     if (divergence.byPosition) text += centimetres(divergence.bound.position);
@@ -32,24 +32,24 @@ std::string divergenceText(const Divergence& divergence) {
     return text;
 }
 
-std::string partingText(const Diagnosis& diagnosis) {
-    if (!diagnosis.parting) return {};
-    const Parting& parting = *diagnosis.parting;
+std::string onsetText(const Diagnosis& diagnosis) {
+    if (!diagnosis.onset) return {};
+    const ErrorOnset& onset = *diagnosis.onset;
     std::vector<std::string> parts;
     const auto add = [&](double error, double bound, const std::string& text) {
         if (std::abs(error) >= worthSaying * bound) parts.push_back(text);
     };
     const auto more = [](double error) { return error > 0 ? " more" : " less"; };
     const auto side = [](double error) { return error > 0 ? " left" : " right"; };
-    add(parting.ahead, parting.bound.position, "went " + centimetres(std::abs(parting.ahead)) + more(parting.ahead));
-    add(parting.left, parting.bound.position,
-        "moved " + centimetres(std::abs(parting.left)) + " more to the" + side(parting.left));
-    add(parting.turn, parting.bound.heading,
-        "turned " + inDegrees(std::abs(parting.turn)) + " more to the" + side(parting.turn));
+    add(onset.ahead, onset.bound.position, "went " + centimetres(std::abs(onset.ahead)) + more(onset.ahead));
+    add(onset.left, onset.bound.position,
+        "moved " + centimetres(std::abs(onset.left)) + " more to the" + side(onset.left));
+    add(onset.turn, onset.bound.heading,
+        "turned " + inDegrees(std::abs(onset.turn)) + " more to the" + side(onset.turn));
     if (parts.empty()) return {};
-    std::string text = parting.explained >= 0.5 ? "most of it" : "a part of it";
-    text += " (" + fixed(100 * parting.explained, 0) + " %) arose from " + secondsText(parting.from) + " to " +
-            secondsText(parting.to) + " s, when the real robot ";
+    std::string text = onset.explained >= 0.5 ? "most of it" : "a part of it";
+    text += " (" + fixed(100 * onset.explained, 0) + " %) arose from " + secondsText(onset.from) + " to " +
+            secondsText(onset.to) + " s, when the real robot ";
     for (std::size_t i = 0; i < parts.size(); ++i)
         text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
     return text + " than the simulated one";
@@ -58,7 +58,7 @@ std::string partingText(const Diagnosis& diagnosis) {
 std::string causeCounts(const ComparedDivergences& divergences) {
     std::map<CauseKind, std::size_t> likely;
     std::size_t none = 0;
-    for (const CourseDivergence& diverging : divergences.courses) {
+    for (const RolloutDivergence& diverging : divergences.rollouts) {
         if (!diverging.diagnosis) continue;
         if (const auto& found = diverging.diagnosis->likely)
             ++likely[diverging.diagnosis->trials[*found].kind];
@@ -101,10 +101,11 @@ std::string causeText(const Diagnosis& diagnosis) {
 std::string boundText(const ComparedDivergences& divergences) {
     const std::string held = " for " + secondsText(divergences.bound.held) + " s.";
     if (divergences.fromHeldOut)
-        return "A robot leaves the real course where it is off by more than three times what its network's held-out "
+        return "A robot leaves the real trajectory where it is off by more than three times what its network's "
+               "held-out "
                "errors make of the path and rotation so far," +
                held;
-    return "A robot leaves the real course where it is off by more than " +
+    return "A robot leaves the real trajectory where it is off by more than " +
            centimetres(divergences.bound.constant.position) + " or " + inDegrees(divergences.bound.constant.heading) +
            held;
 }

@@ -7,7 +7,7 @@
 
 namespace mrose {
 
-/// "leaves the real course after 12.3 s: 10.4 cm and 3.2° off, beyond 10.0 cm"; with the time since when nothing is
+/// "leaves the real trajectory after 12.3 s: 10.4 cm and 3.2° off, beyond 10.0 cm"; with the time since when nothing is
 /// known where the ground truth has a gap there.
 std::string divergenceText(const Divergence& divergence);
 
@@ -17,9 +17,9 @@ std::string causeText(const Diagnosis& diagnosis);
 
 /// "most of it (93 %) from 0.9 to 1.4 s, when the real robot went 2.0 cm less and turned 4.1° more to the left than the
 /// simulated one"; empty where it is not known.
-std::string partingText(const Diagnosis& diagnosis);
+std::string onsetText(const Diagnosis& diagnosis);
 
-/// "defect of the log 14, dead time 2, none of these 28": of the courses whose causes were looked for.
+/// "defect of the log 14, dead time 2, none of these 28": of the rollouts whose causes were looked for.
 std::string causeCounts(const ComparedDivergences& divergences);
 
 /// "28 %", of an error.
@@ -29,7 +29,7 @@ std::string uselessText(const Diagnosis& diagnosis);
 /// The others, the best first; of many the best ones.
 std::span<const CauseTrial> usefulTrials(const Diagnosis& diagnosis);
 
-/// What it is to leave the real course, in a sentence.
+/// What it is to leave the real trajectory, in a sentence.
 std::string boundText(const ComparedDivergences& divergences);
 
 }  // namespace mrose

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t mostBlips = 8, mostTruthJumps = 4;
 constexpr Nanoseconds poseGap = 200'000'000;
-/// Truth behind a gap from which a velocity is told.
+/// Truth behind a gap from which a velocity is measured.
 constexpr Nanoseconds settled = 100'000'000;
 
 Nanoseconds usualPause(const std::vector<StampedCommand>& commands) {
@@ -46,9 +46,9 @@ std::vector<Pause> pausesOf(const std::vector<Sample>& samples, Nanoseconds from
 
 }  // namespace
 
-DefectsNear defectsNear(const Trajectory& trajectory, const MotionModel& model, const ComparedCourse& course,
+DefectsNear defectsNear(const Trajectory& trajectory, const MotionModel& model, const ComparedRollout& rollout,
                         Nanoseconds step, Nanoseconds divergence) {
-    const Nanoseconds start = course.real.start, end = start + divergence;
+    const Nanoseconds start = rollout.real.start, end = start + divergence;
     const Nanoseconds since = start - commandsShowFor(model);
     DefectsNear found;
     for (const StampedCommand& blip : trajectory.blips)
@@ -56,8 +56,8 @@ DefectsNear defectsNear(const Trajectory& trajectory, const MotionModel& model, 
     if (found.blips.size() > mostBlips)
         found.blips.erase(found.blips.begin(), found.blips.end() - static_cast<std::ptrdiff_t>(mostBlips));
 
-    const std::vector<Pose>& truth = course.real.truth;
-    const int steps = static_cast<int>(course.simulated.size());
+    const std::vector<Pose>& truth = rollout.real.truth;
+    const int steps = static_cast<int>(rollout.simulated.size());
     const auto known = [&](int k) { return k == 0 || std::isfinite(truth[static_cast<std::size_t>(k)].x); };
     const auto add = [&](const std::string& what, Nanoseconds begin, Nanoseconds over) {
         int from = static_cast<int>(std::max<Nanoseconds>(0, begin - start) / step);

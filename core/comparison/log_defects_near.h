@@ -7,7 +7,7 @@
 
 namespace mrose {
 
-/// What is wrong with a log within a course, up to its divergence.
+/// What is wrong with a log within a rollout, up to its divergence.
 struct DefectsNear {
     std::vector<StampedCommand> blips;  ///< dropped by the reader; of many, the last before the divergence
     struct Gap {
@@ -22,7 +22,7 @@ struct DefectsNear {
 /// has long pauses without losing anything. Gaps of truth are 0.2 s and more; its jumps (truthJumps) are some, too: of
 /// many, the last before the divergence. A gap behind whose end the truth is not
 /// known again is left out.
-DefectsNear defectsNear(const Trajectory& trajectory, const MotionModel& model, const ComparedCourse& course,
+DefectsNear defectsNear(const Trajectory& trajectory, const MotionModel& model, const ComparedRollout& rollout,
                         Nanoseconds step, Nanoseconds divergence);
 
 }  // namespace mrose

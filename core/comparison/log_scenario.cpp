@@ -17,7 +17,7 @@ constexpr const char* placeName = "open place.toml";
 /// What the robots of a log are, and where they drive.
 struct Kind {
     std::string robotFile, robotName, environment;
-    std::vector<std::string> known;  ///< robots that the kind's network tells apart
+    std::vector<std::string> known;  ///< robots that the kind's network distinguishes
 };
 
 std::optional<Kind> kindOf(const Log& log, const RobotKinds& kinds) {
@@ -75,7 +75,7 @@ std::string nameOf(const Kind& kind, const RobotLog& robot) {
 
 }  // namespace
 
-bool tellsRobotKind(const Log& log, const RobotKinds& kinds) { return kindOfLog(kinds, log) != nullptr; }
+bool namesRobotKind(const Log& log, const RobotKinds& kinds) { return kindOfLog(kinds, log) != nullptr; }
 
 Expected<void> checkPlayable(const Log& log, const RobotKinds& kinds, const std::vector<std::string>& robots) {
     const bool some = std::any_of(log.robots.begin(), log.robots.end(), hasBothSides);
@@ -102,7 +102,7 @@ Expected<ScenarioValue> scenarioOfLog(const Log& log, const std::string& place, 
                     kind && kind->robotFile == robotFile ? kind->known : std::vector<std::string>{}};
     if (!kind)
         return fail(log.source,
-                    "does not tell what kind of robot drove; expected a robot file (--robot), or a scenario whose "
+                    "does not say what kind of robot drove; expected a robot file (--robot), or a scenario whose "
                     "robots play it");
     if (log.robots.empty()) return fail(log.source, "has no robots");
     if (kind->environment == placeName)

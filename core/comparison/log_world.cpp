@@ -79,7 +79,7 @@ Expected<void> checkComparable(const Log& log, const RobotLog& robot, const Traj
 Expected<LogWorld> LogWorld::create(ScenarioParts parts, std::shared_ptr<const Log> log, const Names& robots) {
     LogWorld world(std::move(parts), std::move(log));
     if (const auto found = world.findRobots(robots); !found) return tl::unexpected(found.error());
-    if (const auto found = world.findTakes(); !found) return tl::unexpected(found.error());
+    if (const auto found = world.findSessions(); !found) return tl::unexpected(found.error());
     world.gatherAll();
     return world;
 }
@@ -132,7 +132,7 @@ std::vector<bool> LogWorld::removedOf(const Names& chosen) {
 }
 
 /// Where no trajectory is named, a robot's only one, or those of one name of all the robots that have several.
-Expected<void> LogWorld::findTakes() {
+Expected<void> LogWorld::findSessions() {
     std::vector<std::size_t> trajectories(robots_.size()), open;
     for (std::size_t i = 0; i < robots_.size(); ++i) {
         const RobotLog& real = log_->robots[robots_[i].real];
@@ -156,19 +156,19 @@ Expected<void> LogWorld::findTakes() {
             trajectories[i] = found.value_or(0);
         }
         if (!complete) continue;
-        auto take = takeOf(trajectories, k == 0);
-        if (!take) return tl::unexpected(take.error());
-        take->name = std::move(name);
-        takes_.push_back(std::move(*take));
+        auto session = sessionOf(trajectories, k == 0);
+        if (!session) return tl::unexpected(session.error());
+        session->name = std::move(name);
+        sessions_.push_back(std::move(*session));
     }
-    if (takes_.empty())
+    if (sessions_.empty())
         return fail(log_->source,
                     "has no trajectory that all robots of the scenario have; expected one to be named beside each log");
     return {};
 }
 
-Expected<Take> LogWorld::takeOf(const std::vector<std::size_t>& trajectories, bool first) const {
-    Take take;
+Expected<LogSession> LogWorld::sessionOf(const std::vector<std::size_t>& trajectories, bool first) const {
+    LogSession session;
     Nanoseconds common = std::numeric_limits<Nanoseconds>::min();
     for (std::size_t i = 0; i < robots_.size(); ++i) {
         const RobotLog& real = log_->robots[robots_[i].real];
@@ -186,10 +186,10 @@ Expected<Take> LogWorld::takeOf(const std::vector<std::size_t>& trajectories, bo
         const Trajectory& trajectory = log_->robots[robots_[i].real].trajectories[trajectories[i]];
         const LogExcerpt& excerpt = excerpts_[i];
         const Nanoseconds begin = excerpt.trajectory.empty() ? common : beginning(trajectory);
-        take.parts.push_back({trajectories[i], begin + fromSeconds(excerpt.start)});
-        take.length = std::max(take.length, trajectory.poses.back().time - take.parts.back().origin);
+        session.parts.push_back({trajectories[i], begin + fromSeconds(excerpt.start)});
+        session.length = std::max(session.length, trajectory.poses.back().time - session.parts.back().origin);
     }
-    return take;
+    return session;
 }
 
 std::shared_ptr<const Controller> LogWorld::player(const RolloutStart& start, Nanoseconds duration) {
@@ -200,18 +200,18 @@ std::shared_ptr<const Controller> LogWorld::player(const RolloutStart& start, Na
 
 void LogWorld::gatherAll() {
     ScenarioParts parts = parts_;
-    const auto told = std::make_shared<const CommandPlayer>(std::vector<StampedCommand>{});
-    for (const ComparedRobot& robot : robots_) parts.controllers[robot.body] = told;
-    everybody_ = std::make_shared<const Scenario>(std::move(parts));
+    const auto idle = std::make_shared<const CommandPlayer>(std::vector<StampedCommand>{});
+    for (const ComparedRobot& robot : robots_) parts.controllers[robot.body] = idle;
+    allRobots_ = std::make_shared<const Scenario>(std::move(parts));
 }
 
-LogWorld::OpenedParts LogWorld::partsAt(std::size_t take, Nanoseconds start, Nanoseconds duration) const {
+LogWorld::OpenedParts LogWorld::partsAt(std::size_t session, Nanoseconds start, Nanoseconds duration) const {
     OpenedParts opened;
     ScenarioParts& parts = opened.parts = parts_;
     std::vector<bool> removed(parts.scene.robots.size());
     for (std::size_t i = 0; i < robots_.size(); ++i) {
         const std::size_t body = robots_[i].body;
-        auto measured = measureStart(trajectory(take, i), takes_[take].parts[i].origin + start, 0);
+        auto measured = measureStart(trajectory(session, i), sessions_[session].parts[i].origin + start, 0);
         removed[body] = !measured;
         opened.starts.push_back(measured ? std::optional(*measured) : std::nullopt);
         if (!measured) continue;
@@ -227,8 +227,9 @@ LogWorld::OpenedParts LogWorld::partsAt(std::size_t take, Nanoseconds start, Nan
     return opened;
 }
 
-LogWorld::Opened LogWorld::openAt(std::size_t take, Nanoseconds start, Nanoseconds duration, std::uint64_t seed) const {
-    OpenedParts made = partsAt(take, start, duration);
+LogWorld::Opened LogWorld::openAt(std::size_t session, Nanoseconds start, Nanoseconds duration,
+                                  std::uint64_t seed) const {
+    OpenedParts made = partsAt(session, start, duration);
     Opened opened;
     opened.starts = std::move(made.starts);
     opened.bodies = std::move(made.bodies);

@@ -39,11 +39,11 @@ std::vector<Reality::Robot::Stretch> Reality::Robot::unknownBetween(Nanoseconds 
     return stretches;
 }
 
-std::optional<Pose> Reality::ModelCourse::poseAt(std::size_t robot, Nanoseconds now) const {
+std::optional<Pose> Reality::ModelRollout::poseAt(std::size_t robot, Nanoseconds now) const {
     if (robot >= poses.size()) return {};
-    const std::vector<Pose>& course = poses[robot];
-    if (now < 0 || now / step >= static_cast<Nanoseconds>(course.size())) return {};
-    return course[static_cast<std::size_t>(now / step)];
+    const std::vector<Pose>& rollout = poses[robot];
+    if (now < 0 || now / step >= static_cast<Nanoseconds>(rollout.size())) return {};
+    return rollout[static_cast<std::size_t>(now / step)];
 }
 
 const Reality::Robot* Reality::robotNamed(const std::string& simulated) const {
@@ -52,7 +52,7 @@ const Reality::Robot* Reality::robotNamed(const std::string& simulated) const {
     return found == robots.end() ? nullptr : &*found;
 }
 
-std::optional<PoseError> Reality::modelError(const ModelCourse& model, std::size_t robot, Nanoseconds now) const {
+std::optional<PoseError> Reality::modelError(const ModelRollout& model, std::size_t robot, Nanoseconds now) const {
     const auto predicted = model.poseAt(robot, now);
     if (!predicted) return {};
     const auto real = robots[robot].poseAt(now - now % model.step);
@@ -71,7 +71,7 @@ std::optional<Velocity> Reality::velocityOf(const std::string& simulated, Nanose
 
 std::vector<std::string> Reality::modelNames() const {
     std::vector<std::string> names;
-    for (const ModelCourse& model : models) names.push_back(model.name);
+    for (const ModelRollout& model : models) names.push_back(model.name);
     return names;
 }
 
@@ -79,19 +79,19 @@ std::optional<PoseError> Reality::errorOf(const std::string& model, const std::s
                                           Nanoseconds now) const {
     const Robot* const robot = robotNamed(simulated);
     const auto found =
-        std::find_if(models.begin(), models.end(), [&](const ModelCourse& one) { return one.name == model; });
+        std::find_if(models.begin(), models.end(), [&](const ModelRollout& one) { return one.name == model; });
     if (robot == nullptr || found == models.end()) return {};
     return modelError(*found, static_cast<std::size_t>(robot - robots.data()), now);
 }
 
-Reality realityOf(const LogWorld& world, std::size_t take, Nanoseconds start) {
+Reality realityOf(const LogWorld& world, std::size_t session, Nanoseconds start) {
     Reality reality;
     reality.log = world.sharedLog();
     reality.start = start;
-    reality.everybody = world.everybody();
+    reality.allRobots = world.allRobots();
     for (std::size_t i = 0; i < world.robots().size(); ++i)
-        reality.robots.push_back({world.robots()[i].name, world.robots()[i].realName, &world.trajectory(take, i),
-                                  world.takes()[take].parts[i].origin + start});
+        reality.robots.push_back({world.robots()[i].name, world.robots()[i].realName, &world.trajectory(session, i),
+                                  world.sessions()[session].parts[i].origin + start});
     return reality;
 }
 

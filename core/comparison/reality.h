@@ -12,8 +12,8 @@
 
 namespace mrose {
 
-/// What really happened beside a run that begins at an instant of a log, on the run's clock. A value; whoever shows the
-/// run shows it too, and errors of the simulated robots, as windowErrors() has them, are against it.
+/// What really happened beside a run that begins at an instant of a log, on the run's clock. A value; views of the run
+/// show it too, and errors of the simulated robots, as windowErrors() has them, are against it.
 struct Reality : RealRobots {
     struct Robot {
         std::string name;                        ///< of the simulated robot
@@ -21,7 +21,7 @@ struct Reality : RealRobots {
         const Trajectory* trajectory = nullptr;  ///< in `log`
         Nanoseconds origin = 0;                  ///< the instant of the log at which the run's clock is 0
 
-        /// Where the real robot is at an instant of the run's clock; nothing where there is no ground truth. Heading
+        /// Where the real robot is at an instant of the run's clock; nullopt where there is no ground truth. Heading
         /// continuous.
         std::optional<Pose> poseAt(Nanoseconds now) const;
         /// How fast it is then, by the slope of the measured poses.
@@ -33,30 +33,30 @@ struct Reality : RealRobots {
             Nanoseconds from = 0, to = 0;
             bool operator==(const Stretch&) const = default;
         };
-        /// In which nobody knows where it is, between two instants, in order.
+        /// In which its place is not known, between two instants, in order.
         std::vector<Stretch> unknownBetween(Nanoseconds from, Nanoseconds to) const;
     };
     /// What another motion model makes of the same start and the same commands.
-    struct ModelCourse {
+    struct ModelRollout {
         std::string name;
         Nanoseconds step = 0;
         std::vector<std::vector<Pose>>
             poses;  ///< by robot of `robots`: at 0, step, 2 step ...; empty or missing: it has none
 
-        /// The one at or before that instant; nothing beyond its end.
+        /// The one at or before that instant; nullopt beyond its end.
         std::optional<Pose> poseAt(std::size_t robot, Nanoseconds now) const;
     };
     std::shared_ptr<const Log> log;
-    Nanoseconds start = 0;  ///< on the take's clock, where the run's is 0
+    Nanoseconds start = 0;  ///< on the session's clock, where the run's is 0
     std::vector<Robot> robots;
-    std::vector<ModelCourse> models;
-    std::shared_ptr<const Scenario> everybody = {};  ///< LogWorld::everybody(); nothing: nobody is left out
+    std::vector<ModelRollout> models;
+    std::shared_ptr<const Scenario> allRobots = {};  ///< LogWorld::allRobots(); null: no robot is left out
 
     /// Of the simulated robot of that name; nullptr: none really drove beside it.
     const Robot* robotNamed(const std::string& simulated) const;
-    /// How far a model is from a robot of `robots`, at the last of its instants up to `now`; nothing where one of the
+    /// How far a model is from a robot of `robots`, at the last of its instants up to `now`; nullopt where one of the
     /// two is unknown then.
-    std::optional<PoseError> modelError(const ModelCourse& model, std::size_t robot, Nanoseconds now) const;
+    std::optional<PoseError> modelError(const ModelRollout& model, std::size_t robot, Nanoseconds now) const;
 
     std::optional<Pose> poseOf(const std::string& simulated, Nanoseconds now) const override;
     std::optional<Velocity> velocityOf(const std::string& simulated, Nanoseconds now) const override;
@@ -65,7 +65,7 @@ struct Reality : RealRobots {
                                      Nanoseconds now) const override;
 };
 
-/// Beside LogWorld::openAt() of that take and start.
-Reality realityOf(const LogWorld& world, std::size_t take, Nanoseconds start);
+/// Beside LogWorld::openAt() of that session and start.
+Reality realityOf(const LogWorld& world, std::size_t session, Nanoseconds start);
 
 }  // namespace mrose

@@ -9,11 +9,11 @@
 namespace mrose {
 namespace {
 
-constexpr Nanoseconds toldBefore = 2 * nanosecondsPerSecond;
-constexpr double timesTold = 2, leastDistance = 0.1, leastTurn = 0.3;  // m, rad
+constexpr Nanoseconds commandedBefore = 2 * nanosecondsPerSecond;
+constexpr double timesCommanded = 2, leastDistance = 0.1, leastTurn = 0.3;  // m, rad
 
-/// The largest speeds that were told between two instants, with the command in force at the first one.
-Command fastestTold(const std::vector<StampedCommand>& commands, Nanoseconds from, Nanoseconds to) {
+/// The largest speeds commanded between two instants, with the command in force at the first one.
+Command fastestCommanded(const std::vector<StampedCommand>& commands, Nanoseconds from, Nanoseconds to) {
     auto at = std::upper_bound(commands.begin(), commands.end(), StampedCommand{from, {}}, earlier<StampedCommand>);
     if (at != commands.begin()) --at;
     Command fastest;
@@ -42,9 +42,9 @@ std::vector<TruthJump> truthJumps(const Trajectory& trajectory, Nanoseconds from
         const TruthJump jump{std::prev(at)->time, at->time, std::hypot(after.x - before.x, after.y - before.y),
                              std::abs(wrapAngle(after.heading - before.heading))};
         const double passed = toSeconds(at->time - since);
-        const Command told = fastestTold(trajectory.commands, at->time - toldBefore, at->time);
-        if (jump.distance > timesTold * told.v * passed + leastDistance ||
-            jump.turn > timesTold * told.w * passed + leastTurn)
+        const Command commanded = fastestCommanded(trajectory.commands, at->time - commandedBefore, at->time);
+        if (jump.distance > timesCommanded * commanded.v * passed + leastDistance ||
+            jump.turn > timesCommanded * commanded.w * passed + leastTurn)
             jumps.push_back(jump);
         since = at->time;
     }

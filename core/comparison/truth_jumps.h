@@ -17,8 +17,8 @@ struct TruthJump {
 constexpr Nanoseconds truthSmoothed = 100'000'000;
 
 /// The jumps within (from, to]: since the pose changed last it has moved by 10 cm, or turned by 0.3 rad, more than at
-/// twice the speeds that the robot was told within 2 s before. (Trackers that repeat a pose until they know the next
-/// one move in stairs.) None where nothing tells how fast it was to be.
+/// twice the speeds that the robot was commanded within 2 s before. (Trackers that repeat a pose until they know the
+/// next one move in stairs.) None where its commands are not known.
 std::vector<TruthJump> truthJumps(const Trajectory& trajectory, Nanoseconds from, Nanoseconds to);
 
 }  // namespace mrose

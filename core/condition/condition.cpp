@@ -12,7 +12,7 @@
 namespace mrose {
 namespace {
 
-/// A run's start, at which nobody has seen or decided anything yet.
+/// A run's start: no robot has observed or decided anything yet.
 struct Start {
     WorldState state;
     std::vector<RobotInsight> insights;

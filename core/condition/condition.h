@@ -42,7 +42,7 @@ bool readsControl(std::string_view text, const Scenario& scenario);
 /// Error: `source` in the file's place, line and column in the text, and what is wrong: no expression, a name or a body
 /// that the scenario does not have, or what holds() would say of the scenario's start. Functions defined in the text
 /// may have names of their own, so that unknown ones there may come to light only in holds(). Without `real` no real
-/// log is open, and who asks for it is told so.
+/// log is open, and asking for it is an error that says so.
 Expected<Condition> compileCondition(std::string_view text, const Scenario& scenario,
                                      const std::string& source = "condition", const RealRobots* real = nullptr);
 

@@ -310,7 +310,7 @@ private:
             pushHandle(lua_, Handle::Kind::robot, i);
             luaL_setmetatable(lua_, words.name);
             names.push_back(scene_.robots[i].name);
-            // Persons stand behind all robots, and nobody leaves one out.
+            // Persons come after all robots, and are never left out.
             const std::size_t number = persons ? names.size() : scene_.placeOf(i) + 1;
             addMember(number, names.back());
             gaps = gaps || number != names.size();

@@ -67,7 +67,7 @@ struct Decision {
     std::vector<RadioMessage> messages;  ///< received at the others' next control instants
     std::vector<Annotation> annotations;
     std::string breakReason;  ///< not empty: the debugger stops after this tick
-    std::string fault;        ///< not empty: the controller failed, and the robot is told to stand
+    std::string fault;        ///< not empty: the controller failed, and the robot is commanded to stand
 
     /// Asks the debugger to stop here.
     void breakHere(std::string reason = "breakHere()") { breakReason = std::move(reason); }
@@ -105,7 +105,7 @@ public:
     /// Constant.
     virtual Attention attention() const { return {}; }
 
-    /// What a memory of this controller says; nothing for those that tell nobody.
+    /// What a memory of this controller says; empty where it explains nothing.
     virtual std::vector<MemoryEntry> explain(std::span<const std::byte> /*memory*/) const { return {}; }
 
     /// Called once per control period; `decision` is empty.

@@ -26,7 +26,7 @@ public:
     std::uint32_t robot = 0;         ///< whose it is
     std::uint32_t manipulators = 0;  ///< how many it has
     Nanoseconds time = 0;            ///< now
-    std::uint64_t noise = 0;         ///< 64 random bits of this instant, for who rolls dice
+    std::uint64_t noise = 0;         ///< 64 random bits of this instant, for controllers that draw random numbers
 
     /// In the order of the robot's sensors.
     std::span<const Reading> readings() const { return std::span(readings_).first(used_); }

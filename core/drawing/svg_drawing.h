@@ -38,7 +38,7 @@ public:
         std::vector<LegendEntry> legend = {};
         double longestSide = 900;                  ///< pixels, of what is shown
         bool grid = false;                         ///< faint lines as far apart as the scale bar is long
-        std::optional<Area> shown = std::nullopt;  ///< only what lies in it; nothing: all
+        std::optional<Area> shown = std::nullopt;  ///< only what lies in it; nullopt: all
     };
 
     void polygon(std::span<const Point> corners, const Style& style) { outline(corners, true, style); }

@@ -35,7 +35,7 @@ struct EvaluationOptions {
 
 /// A part of the windows.
 struct GroupSummary {
-    std::string kind;  ///< what the windows are parted by: "robot", "manoeuvre", "state"
+    std::string kind;  ///< what the windows are grouped by: "robot", "manoeuvre", "state"
     std::string name;  ///< "1", "hard switch", "steady"
     Summary summary;
 };

@@ -22,7 +22,7 @@ std::string escaped(std::string_view text);
 std::string element(std::string_view tag, std::string_view cssClass, std::string_view content);
 
 /// A table with a header row. Cells are markup; the first column is a row header, the others are numbers aligned right
-/// unless told otherwise.
+/// unless said otherwise.
 class HtmlTable {
 public:
     explicit HtmlTable(std::vector<std::string> header, std::string cssClass = {});

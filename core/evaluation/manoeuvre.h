@@ -7,7 +7,7 @@
 
 namespace mrose {
 
-/// What the commands of a window ask for. Told from the commands alone, sampled every 20 ms from 0.5 s before the
+/// What the commands of a window ask for. Derived from the commands alone, sampled every 20 ms from 0.5 s before the
 /// window to its end:
 /// - hardSwitch: at some instant v or w goes within 0.1 s from full to zero or from one sign to the other, with
 ///   0.3 s of each at least. Full is at least 0.7 of the channel's largest command in the robot's log, zero at most

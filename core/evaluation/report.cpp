@@ -127,7 +127,7 @@ std::string pathCard(const Evaluation& evaluation, const ShownWindow& shown) {
     const Window& w = evaluation.windows[shown.window];
     std::string reason = shown.reason;
     if (reason[0] >= 'a' && reason[0] <= 'z') reason[0] = static_cast<char>(reason[0] - 'a' + 'A');
-    // Names tell something only where there are several.
+    // Names matter only where there are several.
     const auto several = [&](auto differs) {
         return std::any_of(evaluation.windows.begin(), evaluation.windows.end(), differs);
     };

@@ -131,7 +131,7 @@ std::string pathMarkEntries(std::string_view interval) {
 
 std::string leavesEntry() {
     return cat("<span>", swatch("<circle class=\"leaves\" cx=\"17\" cy=\"6\" r=\"4.5\"/>"),
-               "leaves the real course</span>\n");
+               "leaves the real trajectory</span>\n");
 }
 
 std::vector<std::size_t> drawnModels(const Evaluation& evaluation) {

@@ -11,7 +11,7 @@ namespace {
 /// Robots that advance together: enough for a model to profit, few enough for their histories to stay in the cache.
 constexpr std::size_t batchSize = 512;
 
-/// A robot under way: what it was told so far and where the model has brought it.
+/// A robot under way: its commands so far and where the model has brought it.
 struct Runner {
     const RolloutStart* start = nullptr;
     CommandHistory history;

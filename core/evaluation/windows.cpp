@@ -11,7 +11,7 @@ namespace {
 
 constexpr Nanoseconds firstStart = 2'000'000'000;  // after the grid's begin
 constexpr Nanoseconds gap = 200'000'000;           // truth is not interpolated across this
-constexpr Nanoseconds velocityBase = 100'000'000;  // truth before a start from which its velocity can be told
+constexpr Nanoseconds velocityBase = 100'000'000;  // truth before a start from which its velocity can be measured
 constexpr Nanoseconds travelStep = 500'000'000;
 constexpr std::size_t stepsBeforeStart = 2;
 

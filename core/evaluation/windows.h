@@ -49,7 +49,7 @@ Expected<void> checkOverlap(const std::string& robot, const Trajectory& trajecto
 /// Fills in what the truth of a stretch says: path, rotation, pathBySteps. False: the robot hardly moves in it.
 bool measureTravel(Window& window, const WindowOptions& options);
 
-/// Fills in the manoeuvres, which the commands of the log tell.
+/// Fills in the manoeuvres, which follow from the commands of the log.
 void classifyManoeuvres(const Log& log, std::span<Window> windows, Nanoseconds step);
 
 /// Stretches like windows, of one robot, with a start every `spacing` (a whole multiple of the step) in trajectories

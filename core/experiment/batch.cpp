@@ -110,7 +110,7 @@ private:
     std::optional<Error> error_;
 };
 
-/// Rows that nobody asked for now must not get lost, nor stand among the results.
+/// Rows that were not asked for now must not get lost, nor stand among the results.
 Expected<void> checkRows(const ResultsFile& file, const BatchOptions& options, const std::filesystem::path& folder) {
     for (const auto& [key, row] : file.rows()) {
         const bool asked = key.trial >= options.firstTrial && key.trial - options.firstTrial < options.trials &&
@@ -132,7 +132,7 @@ Expected<BatchSummary> runBatch(const ScenarioParts& parts, const BatchOptions& 
         return fail("", std::to_string(options.trials) + " trials with " +
                             std::to_string(options.lastSeed - options.firstSeed + 1) +
                             " seeds each are too many runs; expected at most " + std::to_string(mostRuns));
-    if (!options.until.empty())  // wrong conditions are told before any run
+    if (!options.until.empty())  // wrong conditions are reported before any run
         if (const auto compiled = compileCondition(options.until, Scenario(parts), conditionSource); !compiled)
             return tl::unexpected(compiled.error());
     auto file = ResultsFile::open(folder, options.identity, resultsHeader(parts));

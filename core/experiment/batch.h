@@ -24,9 +24,9 @@ struct BatchOptions {
     std::shared_ptr<const ScenarioValue> value = nullptr;
     /// What all runs depend on. A folder with results of another identity is refused.
     BatchIdentity identity;
-    /// Told which run this thread begins, from any thread. May be empty.
+    /// Called with the run that this thread begins, from any thread. May be empty.
     std::function<void(const RunKey&)> begins = {};
-    /// Told how many runs are done of how many, from any thread, one at a time. May be empty.
+    /// Called with how many runs are done of how many, from any thread, one at a time. May be empty.
     std::function<void(std::int64_t, std::int64_t)> progress = {};
     /// Asked after every tick, from any thread; false ends the batch, and runs that are done stay. May be empty.
     std::function<bool()> goesOn = {};

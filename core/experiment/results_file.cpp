@@ -162,8 +162,9 @@ Expected<void> ResultsFile::checkIdentity(const BatchIdentity& identity) {
     const std::string other = differenceOf(known, identity);
     if (other.empty()) return {};
     if (!rows_.empty() && !whole)
-        return fail(batch().string(),
-                    "is damaged and does not tell any more whose results lie beside it; expected an empty folder");
+        return fail(
+            batch().string(),
+            "is damaged and does not say any more which batch's results lie beside it; expected an empty folder");
     if (!rows_.empty())
         return fail(folder_.string(),
                     "holds results of another batch: " + other + "; expected an empty folder, or the same batch");

@@ -21,7 +21,7 @@ struct RunStatistics {
     std::vector<double> driven;        ///< by each robot, m
 
     explicit RunStatistics(const Scenario& scenario);
-    /// One tick: the state before and after it, and what step() told.
+    /// One tick: the state before and after it, and its trace.
     void add(const WorldState& before, const WorldState& after, const StepTrace& trace);
 
 private:

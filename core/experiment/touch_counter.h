@@ -8,8 +8,8 @@
 
 namespace mrose {
 
-/// Finds where bodies begin to touch: pairs that touch in a tick and have been apart for a while. Who pushes a ball or
-/// slides along a wall bounces off it again and again; that is one touch.
+/// Finds where bodies begin to touch: pairs that touch in a tick and have been apart for a while. A robot that pushes a
+/// ball or slides along a wall bounces off it again and again; that is one touch.
 class TouchCounter {
 public:
     static constexpr Nanoseconds apart = nanosecondsPerSecond / 5;  ///< so long they must not have touched

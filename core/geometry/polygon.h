@@ -25,7 +25,7 @@ struct AreaMoments {
 AreaMoments areaMoments(std::span<const Point> polygon);
 
 /// Two edges (by their first corners) that cross, touch or lie on one another without being neighbours, or neighbours
-/// that fold back; nothing where the polygon is simple.
+/// that fold back; nullopt where the polygon is simple.
 std::optional<std::pair<std::size_t, std::size_t>> selfIntersection(std::span<const Point> polygon);
 
 /// Inside or on the edge.

@@ -60,7 +60,7 @@ struct Shape {
     std::string name;
     std::vector<ShapePart> parts;
 
-    // What follows is told from the parts.
+    // What follows is computed from the parts.
     std::vector<ConvexPiece> pieces;
     std::vector<std::uint32_t> partOfPiece;
     double reach = 0;     ///< m, of the farthest point from the origin

@@ -13,7 +13,7 @@ constexpr double shortestLag = 1e-4;  // s
 
 double sign(double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 
-/// A zero of under 50 ms between equal commands: readers drop these, but may be told not to.
+/// A zero of under 50 ms between equal commands: readers drop these unless asked not to.
 bool isBlip(const std::vector<StampedCommand>& commands, std::size_t i) {
     return i + 1 < commands.size() && commands[i].command == Command{} &&
            commands[i - 1].command == commands[i + 1].command && commands[i + 1].time - commands[i].time < 50'000'000;

@@ -21,7 +21,7 @@ double pathLength(const std::vector<StampedPose>& poses) {
     return path;
 }
 
-/// Mean body velocity that the wheels had or were told between two instants.
+/// Mean body velocity that the wheels had, or were commanded, between two instants.
 Command meanVelocity(const Trajectory& trajectory, WheelSource source, Nanoseconds begin, Nanoseconds end) {
     Command sum;
     double count = 0;

@@ -12,7 +12,7 @@ namespace mrose {
 /// Which wheel speeds are taken for the truth of the wheels.
 enum class WheelSource {
     commands,  ///< Trajectory::commands
-    measured   ///< Trajectory::measuredVelocity: on slippery ground wheels do not reach what they are told
+    measured   ///< Trajectory::measuredVelocity: on slippery ground wheels do not reach what they are commanded
 };
 
 /// One stretch of steady motion: mean wheel speeds against how the body moved.

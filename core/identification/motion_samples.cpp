@@ -122,7 +122,7 @@ private:
     Nanoseconds guard_;  ///< left out at the beginning of a block
 };
 
-/// What a trajectory's commands tell of before its own truth: other trajectories of the robot.
+/// What a trajectory's commands cover before its own truth: other trajectories of the robot.
 std::vector<Past> pastsOf(const Trajectory& trajectory, const RobotLog& robot, const SampleOptions& options) {
     std::vector<Past> pasts;
     for (const Trajectory& other : robot.trajectories)

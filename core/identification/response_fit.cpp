@@ -145,7 +145,7 @@ ResponseFit Fitter::summary(const Theta& theta) const {
     MatrixXd j = jacobian(theta, parts, fit.coefficients);
     const VectorXd both = standardErrors(j, r, response.blocks());
     fit.standardError = {both[0], options.lag ? both[1] : 0};
-    // Near a lag of 0, lag and dead time cannot be told apart to first order; the bound does it.
+    // Near a lag of 0, lag and dead time cannot be distinguished to first order; the bound does it.
     if (options.lag && fit.kernel.lag <= 0) {
         j.col(1).setZero();
         fit.standardError.deadTime = standardErrors(j, r, response.blocks())[0];
@@ -153,7 +153,7 @@ ResponseFit Fitter::summary(const Theta& theta) const {
     return fit;
 }
 
-/// What single events tell about their own dead times, with the jitter as a prior: theta's mean is then that of the
+/// What single events say about their own dead times, with the jitter as a prior: theta's mean is then that of the
 /// events, and their spread is not mistaken for a lag.
 struct Events {
     double variance = 9e-4;  // s2, of the events' dead times
@@ -187,10 +187,10 @@ void Events::update(Fitter& fitter, const Theta& theta) {
             const double bounded = std::clamp(shifts[index] + step, -0.25, 0.25) - shifts[index];
             shifts[index] += bounded;
             for (const auto& [window, slope] : effects[m]) r[window] -= fitter.weights[window] * slope * bounded;
-            const double told = information / precision;
-            spread += told * (shifts[index] * shifts[index] + noise / precision);
-            weight += told;
-            weight2 += told * told;
+            const double informed = information / precision;
+            spread += informed * (shifts[index] * shifts[index] + noise / precision);
+            weight += informed;
+            weight2 += informed * informed;
         }
     }
     response.setShifts(shifts);

@@ -7,8 +7,8 @@
 
 namespace mrose {
 
-/// A folder for outputs, made where it is missing with those above it. What of it is still empty when this object goes
-/// is gone again: who fails to write leaves nothing behind.
+/// A folder for outputs, made where it is missing with those above it. What of it is still empty when this object is
+/// destroyed is removed again: a failed write leaves nothing behind.
 class MadeFolder {
 public:
     /// Error: what the system says.

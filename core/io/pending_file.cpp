@@ -84,7 +84,7 @@ Expected<void> PendingFile::check() {
 
 Expected<void> PendingFile::makeBeside() {
     std::error_code ignored;
-    // Nobody reads the new content of a private file, not even for a moment. A new file's mode is the user's choice.
+    // A private file's new content is never readable by others. A new file's mode is the user's choice.
     const mode_t mode = std::filesystem::exists(target_, ignored) ? 0600 : 0666;
     for (int i = 0; i < mostTries; ++i) {
         const std::filesystem::path name = nameBeside(target_);

@@ -7,7 +7,7 @@
 
 namespace mrose {
 
-/// An output on its way: written beside its place, and gone again unless it replaces what is there. A symbolic link
+/// An output while it is written: beside its place, and removed again unless it replaces what is there. A symbolic link
 /// stays one: the file that it names is replaced. What is no regular file (a folder, a device) is not, and nor is what
 /// a running program writes (io/file_lock.h). The new file has mode and owner of the old one, as far as the system
 /// allows.
@@ -22,7 +22,7 @@ public:
     Expected<void> check();
     /// Makes the file beside with this content, on the disk; once.
     Expected<void> write(std::string_view content);
-    /// Where it is until it replaces, after write(): who has much to write opens this.
+    /// Where it is until it replaces, after write(): a writer of much data opens this.
     const std::filesystem::path& beside() const { return beside_; }
     /// All of it on the disk, under its own name.
     Expected<void> replace();
@@ -37,8 +37,8 @@ private:
     int descriptor_ = -1;  ///< of the file beside
 };
 
-/// A name beside a file or folder for what will replace it, as "a.net.k3b9x2qa.part". Nobody else comes upon it; what a
-/// killed program leaves behind is known by it and harms nobody.
+/// A name beside a file or folder for what will replace it, as "a.net.k3b9x2qa.part". No other program meets it by
+/// chance; what a killed program leaves behind is known by this name and disturbs no other.
 std::filesystem::path nameBeside(const std::filesystem::path& target);
 
 /// Waits until the disk knows what the folder of `path` holds.

@@ -4,8 +4,8 @@
 
 namespace mrose {
 
-/// Told which share of a long work is done, 0 ... 1, never less than before. False: the work is to end. Empty: nobody
-/// asks.
+/// Called with the share of a long work that is done, 0 ... 1, never less than before. False: the work is to end.
+/// Empty: progress is not reported.
 using Progress = std::function<bool(double share)>;
 
 }  // namespace mrose

@@ -13,14 +13,14 @@ namespace {
 
 const Value emptyTable = Value::Table();
 
-/// How messages tell an element of an array: by its name, where it has one, as conditions do.
+/// How messages name an element of an array: by its name, where it has one, as conditions do.
 std::string elementKey(std::string_view key, const Value& element, std::size_t index) {
     const Value* const name = element.find("name");
     const std::string* const text = name ? name->asText() : nullptr;
     return std::string(key) + '[' + (text && !text->empty() ? '"' + *text + '"' : std::to_string(index + 1)) + ']';
 }
 
-/// Whole numbers are real ones, too, as far as these can tell them.
+/// Whole numbers are real ones, too, as far as these hold them exactly.
 std::optional<double> numberOf(const Value& value) {
     constexpr std::int64_t most = std::int64_t{1} << 53;
     if (const double* const real = value.asFloat()) return *real;

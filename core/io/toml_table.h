@@ -21,8 +21,8 @@ struct NumberRange {
 };
 
 /// A table of a description read strictly: every read names its key, says what was expected, and remembers the first
-/// thing wrong with file, line and column; of a table that lacks one key and has another one that nobody knows, the
-/// latter. Elements of arrays are told by their names, "robot[\"keeper\"].start", or counted from 1. After an error
+/// thing wrong with file, line and column; of a table that lacks one key and has another one that is not known, the
+/// latter. Elements of arrays are given by their names, "robot[\"keeper\"].start", or counted from 1. After an error
 /// reads return neutral values, so that a loader checks once, at its end.
 class TomlTable {
 public:
@@ -32,7 +32,7 @@ public:
     static TomlTable of(Value root, std::string file);
 
     bool has(std::string_view key);
-    /// One of these two must be there, and not both; `expected` tells them as they are written.
+    /// One of these two must be there, and not both; `expected` names them as they are written.
     void expectOneOf(std::string_view one, std::string_view other, const std::string& expected);
     double number(std::string_view key, NumberRange range = {});
     double numberOr(std::string_view key, double fallback, NumberRange range = {});
@@ -66,7 +66,7 @@ public:
     const Value* value(std::string_view key) { return find(key); }
     /// Notes that what a key holds is the same as `value`: the file that it names. resolved() has it in that place.
     void resolve(std::string_view key, Value value);
-    /// The whole file's table with all that resolve() was told, in this table and others of the file.
+    /// The whole file's table with all that resolve() recorded, in this table and others of the file.
     Value resolved() const;
 
     /// The table's own text in TOML.
@@ -109,7 +109,7 @@ private:
 
     std::shared_ptr<State> state_;
     const Value* table_;                      ///< a table
-    std::string path_;                        ///< as messages tell it, with a dot at its end
+    std::string path_;                        ///< as messages name it, with a dot at its end
     std::string place_;                       ///< the same with the numbers of elements
     std::vector<std::string> asked_, known_;  ///< keys read; those and the ones looked for
 };

@@ -44,7 +44,7 @@ bool holdsTables(const Value& value) {
            std::all_of(array->begin(), array->end(), [](const Value& element) { return element.asTable(); });
 }
 
-/// A table that is told within one line.
+/// A table that is written within one line.
 bool isPlain(const Value& table) {
     return std::none_of(table.asTable()->begin(), table.asTable()->end(),
                         [](const auto& entry) { return entry.second.asTable() || holdsTables(entry.second); });
@@ -85,8 +85,8 @@ std::string inlineText(const Value& value) {
     return '{' + all + " }";
 }
 
-/// The lines of a table under its header; `path` is "" for the text itself. Tables in tables of arrays are told within
-/// a line where they can be.
+/// The lines of a table under its header; `path` is "" for the text itself. Tables in tables of arrays are written
+/// within a line where they can be.
 void appendTable(const Value::Table& table, const std::string& path, bool inArray, std::string& text) {
     const auto order = inReadingOrder(table);
     const auto within = [&](const Value& value) {

@@ -11,7 +11,7 @@ namespace mrose {
 /// The tables of a TOML text, with the places of all values in it. Error: `file`, line and column of what is no TOML.
 Expected<Value> parseToml(std::string_view text, const std::string& file);
 
-/// A table as TOML, exact to the bit: what a reader looks for first comes first, files that it names are told by their
+/// A table as TOML, exact to the bit: what a reader looks for first comes first, files that it names are given by their
 /// references. `comment` stands above it, line by line, without its marks.
 std::string tomlText(const Value& table, std::string_view comment = {});
 

@@ -35,7 +35,7 @@ std::optional<Step> takeElement(std::string_view& path) {
     return Step{{}, number - 1};
 }
 
-/// Nothing: it is no path.
+/// nullopt: it is no path.
 std::optional<std::vector<Step>> stepsOf(std::string_view path) {
     std::vector<Step> steps;
     while (!path.empty()) {
@@ -91,7 +91,7 @@ Value repacked(const Value& value, Value changed) {
 
 using Steps = std::span<const Step>;
 
-/// Nothing: the path does not exist. `value` nothing: what is there is taken away.
+/// nullopt: the path does not exist. `value` nothing: what is there is taken away.
 std::optional<Value> changed(const Value& from, Steps steps, const std::optional<Value>& value) {
     if (steps.empty()) return value;
     const Step& step = steps.front();

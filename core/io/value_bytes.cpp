@@ -15,7 +15,7 @@ namespace {
 // A value is its kind and its content: numbers as they lie, texts with their sizes, arrays and tables with their
 // numbers of elements, keys in their order. A file is its number among the files, which come first.
 enum class Kind : std::uint8_t { none, no, yes, integer, real, text, array, table, file };
-enum class FileKind : std::uint8_t { told, known };
+enum class FileKind : std::uint8_t { included, known };
 
 constexpr int mostDepth = 64;
 /// Of values within a value: each takes a byte of a file and some fifty of memory.
@@ -130,7 +130,7 @@ private:
         file.name = readLong(bytes_);
         file.reference = readLong(bytes_);
         const auto kind = static_cast<FileKind>(bytes_.number<std::uint8_t>());
-        if (kind == FileKind::told) {
+        if (kind == FileKind::included) {
             file.content = readValue(0);
         } else {
             const auto low = bytes_.number<std::uint64_t>(), high = bytes_.number<std::uint64_t>();
@@ -221,7 +221,7 @@ std::string valueBytes(const Value& value, std::span<const Value::File> known) {
         appendLong(bytes, file->name);
         appendLong(bytes, file->reference);
         const Hash hash = files.hashes().of(*file);
-        appendNumber(bytes, isKnown.contains(hash) ? FileKind::known : FileKind::told);
+        appendNumber(bytes, isKnown.contains(hash) ? FileKind::known : FileKind::included);
         if (isKnown.contains(hash)) {
             appendNumber(bytes, hash.first);
             appendNumber(bytes, hash.second);

@@ -15,10 +15,10 @@ namespace mrose {
 std::vector<Value::File> filesOf(const Value& value);
 
 /// The canonical bytes of a value with all files that it names: equal values have equal ones, but for the files' names.
-/// Of files that have the content of one of `known` only that is told.
+/// Of files that have the content of one of `known` only the hash is written.
 std::string valueBytes(const Value& value, std::span<const Value::File> known = {});
 
-/// Back from them, with the same files known. Nothing: the bytes are not sound.
+/// Back from them, with the same files known. nullopt: the bytes are not sound.
 std::optional<Value> parseValue(std::string_view bytes, std::span<const Value::File> known = {});
 
 /// Of a value's content, whatever the names of its files are.

@@ -14,7 +14,8 @@ namespace mrose {
 template <typename Body>
 void parallelFor(std::size_t count, const Body& body) {
 #ifdef MROSE_THREAD_SANITIZER
-    // The sanitizer does not see into oneTBB's library: it is told what a parallel loop orders, and no more.
+    // The sanitizer does not see into oneTBB's library: parallelFor() declares what a parallel loop orders, and no
+    // more.
     char begun = 0, done = 0;
     __tsan_release(&begun);
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {

@@ -48,7 +48,7 @@ void keepLastOfEqualStamps(std::vector<Sample>& samples, LogDefects& defects) {
     samples.resize(kept);
 }
 
-/// Sorts by time (stable), keeps the last of equal stamps, drops blips if so told (into `blips`, if it is given), and
+/// Sorts by time (stable), keeps the last of equal stamps, drops blips if asked to (into `blips`, if it is given), and
 /// counts gaps.
 void conditionCommands(std::vector<StampedCommand>& commands, const LogOptions& options, LogDefects& defects,
                        std::vector<StampedCommand>* blips = nullptr);

@@ -19,7 +19,7 @@ struct LogOptions {
     DifferentialDrive drive{};  ///< for logs of wheel commands
 };
 
-/// Whether a place holds a log of some format, as far as its beginning tells: without reading it.
+/// Whether a place holds a log of some format, as far as its beginning shows: without reading it.
 bool looksLikeLog(const std::filesystem::path& source);
 
 /// What to say of a folder that is no log but holds some, as folders or as CSV files: "is not a log itself; it holds a
@@ -32,8 +32,8 @@ constexpr std::array<std::string_view, 3> logFormats{"mrclam", "husky-windows", 
 /// Whether a log's commands are of wheels, which are read by LogOptions::drive.
 bool hasWheelCommands(const Log& log);
 
-/// Opens a log of any known format: an MRCLAM folder, a Husky windows file, a CSV file or a folder of CSV files. Which
-/// one it is is told from its content. Error: nothing known, or the first thing wrong with it.
+/// Opens a log of any known format: an MRCLAM folder, a Husky windows file, a CSV file or a folder of CSV files. Its
+/// content says which one it is. Error: nothing known, or the first thing wrong with it.
 Expected<Log> readLog(const std::filesystem::path& source, const LogOptions& options = {});
 
 }  // namespace mrose

@@ -165,7 +165,7 @@ Expected<RobotLog> readRobot(Log& log, int number, const std::filesystem::path& 
 }
 
 /// Where some robots have a file of ground truth, those without it lack it.
-void tellMissingTruth(Log& log, const std::filesystem::path& folder) {
+void reportMissingTruth(Log& log, const std::filesystem::path& folder) {
     std::vector<std::string> missing;
     for (const RobotLog& robot : log.robots) {
         const auto truth = truthFile(folder, std::stoi(robot.robot));
@@ -189,7 +189,7 @@ Expected<Log> readMrclam(const std::filesystem::path& folder, const LogOptions& 
         if (!robot) return tl::unexpected(robot.error());
         log.robots.push_back(std::move(*robot));
     }
-    tellMissingTruth(log, folder);
+    reportMissingTruth(log, folder);
     std::erase_if(log.robots, [](const RobotLog& robot) { return robot.trajectories.empty(); });
     if (log.robots.empty()) return fail(folder.string(), tooShortCause(0));
     return log;

@@ -38,7 +38,7 @@ PoseGrid poseGrid(const Trajectory& trajectory, Nanoseconds step = 100'000'000, 
 Pose truthAt(std::span<const StampedPose> poses, Nanoseconds time);
 
 /// The velocity at one instant from the truth on both sides of it, as on a grid: what measuredStart is an estimate of.
-/// Nothing where the fit would be one-sided or there is no truth.
+/// nullopt where the fit would be one-sided or there is no truth.
 std::optional<Velocity> velocityAt(std::span<const StampedPose> poses, Nanoseconds time);
 
 /// Whether there is truth at `time`: it lies within the poses, and not in a gap of 0.2 s or more (PoseGrid::ok).

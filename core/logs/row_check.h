@@ -43,7 +43,7 @@ std::string cutLineText(const std::string& path);
 /// "a.csv has no rows", or that it has but one.
 std::string tooShortText(const std::string& path, std::size_t rows);
 
-/// Error where `samples`, in the order of the file, run backwards in time for good. lineOf(row) tells the line of a
+/// Error where `samples`, in the order of the file, run backwards in time for good. lineOf(row) gives the line of a
 /// sample; it is asked only for the message.
 template <class Sample, class LineOf>
 Expected<void> checkDirection(const std::vector<Sample>& samples, const std::string& name, LineOf lineOf) {

@@ -54,7 +54,7 @@ std::vector<std::string> unitDoubts(const Log& log) {
     std::vector<std::string> doubts;
     if (motion.steps > 0 && motion.far == motion.steps)
         doubts.push_back("The poses of the log are " + shortText(motion.seconds / static_cast<double>(motion.steps)) +
-                         " s apart, so that no course can be compared: times are expected in seconds.");
+                         " s apart, so that no rollout can be compared: times are expected in seconds.");
     const auto often = [&](std::int64_t count) {
         return static_cast<double>(count) > seldom * static_cast<double>(motion.spans);
     };

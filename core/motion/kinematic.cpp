@@ -13,7 +13,7 @@ using Channel = KinematicParameters::Channel;
 constexpr double forever = std::numeric_limits<double>::infinity();
 
 /// Velocity of one channel until its law changes: constant + slope t + transient exp(-t / lag).
-struct Course {
+struct VelocityProfile {
     double constant = 0, slope = 0, transient = 0, lag = 1;
     double lasts = forever;  ///< s until the acceleration limit lets go or the target is reached
 
@@ -28,7 +28,7 @@ struct Course {
 };
 
 /// From `velocity` towards `target`: a ramp while the lag asks for more than the acceleration limit, then the lag.
-Course courseTo(double target, double velocity, const Channel& channel) {
+VelocityProfile profileTo(double target, double velocity, const Channel& channel) {
     const double missing = target - velocity;
     const bool limited = channel.acceleration > 0;
     // A ramp ends where rounding would otherwise leave a remainder too short to advance time.
@@ -43,9 +43,9 @@ double targetOf(double command, bool standing, const Channel& channel) {
     return channel.limit > 0 ? std::clamp(target, -channel.limit, channel.limit) : target;
 }
 
-/// Pose after `t` of both courses, by Gauss and Legendre's rule with 8 points: position is an integral of known
+/// Pose after `t` of both profiles, by Gauss and Legendre's rule with 8 points: position is an integral of known
 /// functions of time, because heading does not depend on it.
-Pose quadrature(const Course& v, const Course& w, double lateralPerRotation, double t) {
+Pose quadrature(const VelocityProfile& v, const VelocityProfile& w, double lateralPerRotation, double t) {
     constexpr std::array<double, 4> node{0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
                                          0.9602898564975363};
     constexpr std::array<double, 4> weight{0.3626837833783620, 0.3137066458778873, 0.2223810344533745,
@@ -62,16 +62,16 @@ Pose quadrature(const Course& v, const Course& w, double lateralPerRotation, dou
     return pose;
 }
 
-/// The same course seen from `t` on.
-Course later(const Course& course, double t) {
-    Course rest = course;
-    rest.constant += course.slope * t;
-    if (course.transient != 0) rest.transient *= std::exp(-t / course.lag);
+/// The same profile seen from `t` on.
+VelocityProfile later(const VelocityProfile& profile, double t) {
+    VelocityProfile rest = profile;
+    rest.constant += profile.slope * t;
+    if (profile.transient != 0) rest.transient *= std::exp(-t / profile.lag);
     return rest;
 }
 
 /// Pieces that double in length from one lag on: each holds e times less of the transient than its quadrature can bear.
-Pose integrate(Course v, Course w, double lateralPerRotation, double t) {
+Pose integrate(VelocityProfile v, VelocityProfile w, double lateralPerRotation, double t) {
     if (v.steady() && w.steady()) return exp({v.constant * t, lateralPerRotation * w.constant * t, w.constant * t});
     constexpr double longest = 0.1;
     double piece = std::min({longest, v.transient != 0 ? v.lag : longest, w.transient != 0 ? w.lag : longest});
@@ -124,11 +124,11 @@ MotionStep KinematicModel::step(const MotionInput& input) const {
         const Nanoseconds next =
             nextSwitch(commands, now, delayV, input.start, nextSwitch(commands, now, delayW, input.start, end));
         for (double left = toSeconds(next - now); left > 0;) {
-            const Course courseV = courseTo(targetOf(commandV, standing, v), result.velocity.v, v);
-            const Course courseW = courseTo(targetOf(commandW, standing, w), result.velocity.w, w);
-            const double t = std::min({left, courseV.lasts, courseW.lasts});
-            result.increment = result.increment * integrate(courseV, courseW, lateralPerRotation, t);
-            result.velocity = {courseV.velocity(t), courseW.velocity(t)};
+            const VelocityProfile profileV = profileTo(targetOf(commandV, standing, v), result.velocity.v, v);
+            const VelocityProfile profileW = profileTo(targetOf(commandW, standing, w), result.velocity.w, w);
+            const double t = std::min({left, profileV.lasts, profileW.lasts});
+            result.increment = result.increment * integrate(profileV, profileW, lateralPerRotation, t);
+            result.velocity = {profileV.velocity(t), profileW.velocity(t)};
             left -= t;
         }
         now = next;

@@ -22,9 +22,9 @@ struct NetworkInput {
         robot,       ///< 1 for the robot called `robot`, 0 for the others, the mean for an unknown one
         commandV,    ///< m/s
         commandW,    ///< rad/s
-        turnSense,   ///< -1, 0, 1: the sense in which a driving robot is told to turn, however little
+        turnSense,   ///< -1, 0, 1: the sense in which a driving robot is commanded to turn, however little
         leftSine,    ///< sine and cosine of the commanded speed of a wheel over its quantum: where wheel speeds come in
-        leftCosine,  ///< steps, they tell where between two steps a command lies
+        leftCosine,  ///< steps, they say where between two steps a command lies
         rightSine,
         rightCosine,
         forwardSine,  ///< likewise of the forward speed over two quanta

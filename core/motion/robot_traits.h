@@ -6,7 +6,7 @@
 
 namespace mrose {
 
-/// What is known of a kind of robot beforehand and cannot be told from its logs by learning alone.
+/// What is known of a kind of robot beforehand and cannot be learned from its logs alone.
 struct RobotTraits {
     std::string type;                      ///< the kind's name: "irobot-create"
     MotionNetwork::WheelPhase wheelPhase;  ///< quantum 0: wheel speeds are continuous

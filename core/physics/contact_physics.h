@@ -60,7 +60,7 @@ struct ContactReport {
 class ContactWorld;
 struct ContactCluster;
 
-/// One tick of contacts by Box2D. All that it knows of the tick before is told to solve(): what is kept from call to
+/// One tick of contacts by Box2D. All that it knows of the tick before is passed to solve(): what is kept from call to
 /// call is memory, and never matters to the result.
 class ContactSolver {
 public:

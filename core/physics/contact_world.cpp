@@ -155,7 +155,7 @@ void ContactWorld::run() {
 
 /// Where both bounce and rub, Newton's restitution may leave bodies with more energy than they had (Kane and Levinson
 /// 1985), and so may what makes held bodies less light. Then what they move about their common motion, or about walls,
-/// is made slower: who was parting still is.
+/// is made slower: what was separating still is.
 void ContactWorld::takeBackEnergy(const ContactCluster& cluster) {
     double before = 0, after = 0, mass = 0;
     Point momentum;
@@ -227,7 +227,7 @@ void ContactWorld::collect(std::vector<ContactImpulse>& impulses) {
     }
 }
 
-/// Told of every solution, those of bounces within the tick too, whose impulses no manifold keeps.
+/// Called with every solution, those of bounces within the tick too, whose impulses no manifold keeps.
 void ContactWorld::PostSolve(b2Contact* contact, const b2ContactImpulse* impulse) {
     if (reports_ == nullptr) return;
     double sum = 0;

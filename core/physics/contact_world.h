@@ -65,7 +65,7 @@ private:
     float lastStep_ = 0;  ///< s; of this length the world thinks its last step was
     const ContactTask* task_ = nullptr;
     std::span<const ContactImpulse> before_;
-    std::vector<ContactReport>* reports_ = nullptr;            ///< nothing: nobody wants them
+    std::vector<ContactReport>* reports_ = nullptr;            ///< null: they are not wanted
     std::vector<std::pair<b2Fixture*, b2Fixture*>> reported_;  ///< whom the newest of them are about
     std::span<const ContactCluster> clusters_;
     std::size_t first_ = 0;  ///< of the task's bodies

@@ -64,7 +64,7 @@ std::string sizeCause(const char* what, std::uint32_t theirs, std::uint32_t ours
 }
 
 /// Why a plug-in does not fit this program; "" where it does.
-std::string misfit(const PluginDescriptor& theirs) {
+std::string incompatibility(const PluginDescriptor& theirs) {
     if (theirs.interface != pluginInterface)
         return "was built for plug-in interface " + std::to_string(theirs.interface) + " and not " +
                std::to_string(pluginInterface) + "; build it with the headers of this program";
@@ -134,7 +134,7 @@ Expected<void> PluginController::open(const std::string& options) {
     if (library_->handle == nullptr) return fail(path_, loadingCause(absolute));
     library_->descriptor = static_cast<const PluginDescriptor*>(::dlsym(library_->handle, "mrosePlugin"));
     if (library_->descriptor == nullptr) return fail(path_, "is no plug-in: it has no mrosePlugin (MROSE_PLUGIN)");
-    if (const std::string cause = misfit(*library_->descriptor); !cause.empty()) return fail(path_, cause);
+    if (const std::string cause = incompatibility(*library_->descriptor); !cause.empty()) return fail(path_, cause);
     TomlTable table(options, path_);
     TableOptions reader(table, path_, library_->mappings);
     std::string thrown = thrownBy([&] { library_->controller = library_->descriptor->create(reader); });

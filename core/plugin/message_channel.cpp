@@ -29,7 +29,7 @@ MessageChannel::Outcome MessageChannel::wait(short event, const Deadline& deadli
     }
 }
 
-// Trying comes before waiting: mostly there is nothing to wait for. No signal tells that the other end is gone.
+// Trying comes before waiting: mostly there is nothing to wait for. No signal says that the other end is gone.
 
 MessageChannel::Outcome MessageChannel::sendAll(std::string_view bytes, const Deadline& deadline) const {
     while (!bytes.empty()) {

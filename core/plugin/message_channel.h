@@ -18,7 +18,7 @@ public:
     static constexpr std::size_t mostBytes = 16 << 20;  ///< of a message
 
     enum class Outcome { done, closed, late, unsound };
-    /// Nothing: as long as it takes.
+    /// nullopt: as long as it takes.
     using Deadline = std::optional<std::chrono::steady_clock::time_point>;
 
     Outcome send(std::string_view message, const Deadline& deadline) const;

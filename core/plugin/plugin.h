@@ -1,7 +1,7 @@
 #pragma once
 
 // All that a controller in a shared library needs, together with control/controller.h. resources/plugins/README.md
-// tells how to write one. Nothing has to be linked: what these headers declare is in the program that loads it.
+// shows how to write one. Nothing has to be linked: what these headers declare is in the program that loads it.
 
 #include <cstdint>
 #include <string>

@@ -93,7 +93,7 @@ void endWithTheProgram(int socket) {
 void servePlugin(int socket) {
     const rlimit noCore{0, 0};
     ::setrlimit(RLIMIT_CORE, &noCore);
-    // Schedulers tell all processes; the program alone says when this one ends.
+    // Schedulers signal all processes; the program alone says when this one ends.
     for (const int number : {SIGINT, SIGTERM, SIGHUP}) std::signal(number, SIG_IGN);
     endWithTheProgram(socket);
     const MessageChannel channel(socket);

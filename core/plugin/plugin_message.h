@@ -4,8 +4,8 @@
 
 namespace mrose {
 
-/// What a program and a plug-in's process tell each other. Each message begins with its kind; what follows is as
-/// messages/ writes it.
+/// Messages between a program and a plug-in's process. Each message begins with its kind; what follows is as messages/
+/// writes it.
 enum class PluginMessage : std::uint8_t {
     load,      ///< path, options
     loaded,    ///< attention, memory at the start

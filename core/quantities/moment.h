@@ -31,7 +31,7 @@ struct Moment {
     const Scenario* scenario = nullptr;
     const WorldState* state = nullptr;
     const StepTrace* trace = nullptr;             ///< of the tick that led there; nullptr at a run's start
-    std::span<const RobotInsight> insights = {};  ///< of each robot; empty: nobody has followed them
+    std::span<const RobotInsight> insights = {};  ///< of each robot; empty: they were not recorded
     const RealRobots* real = nullptr;             ///< nullptr: no real log is open
 
     const Scene& scene() const { return scenario->scene(); }

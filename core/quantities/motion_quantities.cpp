@@ -1,4 +1,4 @@
-// Where bodies are, how they move, what touches them, and what they are told to do.
+// Where bodies are, how they move, what touches them, and their commands.
 #include <algorithm>
 #include <cmath>
 

@@ -24,7 +24,7 @@ struct Unit {
 inline constexpr const char* degreeSign = "\u00b0";
 double inDegrees(double radians);  ///< from -180, without it, to 180
 
-/// A number, truth, count or text. A number that nobody knows is NaN, so that all comparisons with it are false.
+/// A number, truth, count or text. A number that is not known is NaN, so that all comparisons with it are false.
 using QuantityValue = std::variant<double, bool, std::int64_t, std::string>;
 
 /// What a quantity is read of.

@@ -21,7 +21,7 @@ class RealRobots {
 public:
     virtual ~RealRobots() = default;
 
-    /// Where the real robot of a simulated one is; nullopt where nobody knows.
+    /// Where the real robot of a simulated one is; nullopt where it is not known.
     virtual std::optional<Pose> poseOf(const std::string& /*robot*/, Nanoseconds /*now*/) const { return {}; }
     /// How fast it is then.
     virtual std::optional<Velocity> velocityOf(const std::string& /*robot*/, Nanoseconds /*now*/) const { return {}; }

@@ -38,7 +38,7 @@ std::string blockBytes(const TimelineBlock& block, std::uint32_t branch) {
     appendLong(bytes, block.keyframe);
     appendNumber(bytes, std::uint64_t{block.hashes.size()});
     for (const StateHash& hash : block.hashes) appendNumber(bytes, hash.world);
-    for (const StateHash& hash : block.hashes) appendNumber(bytes, hash.minds);
+    for (const StateHash& hash : block.hashes) appendNumber(bytes, hash.memories);
     appendLong(bytes, block.decisions);
     return compressed(bytes);
 }
@@ -59,7 +59,7 @@ std::optional<ReadBlock> parseBlock(std::string_view bytes) {
         return std::nullopt;
     block.hashes.resize(ticks);
     for (StateHash& hash : block.hashes) hash.world = reader.number<std::uint64_t>();
-    for (StateHash& hash : block.hashes) hash.minds = reader.number<std::uint64_t>();
+    for (StateHash& hash : block.hashes) hash.memories = reader.number<std::uint64_t>();
     block.decisions = readLong(reader);
     if (found == 1) block.firstVersion = block.hashes.size();
     if (!reader.done() || (!block.keyframe.empty() && !soundKeyframe(block)) || !soundDecisions(block))

@@ -9,14 +9,14 @@
 
 namespace mrose {
 
-/// A timeline's block as it lies in a recording, compressed, and back. README.md of this folder tells the layout.
+/// A timeline's block as it lies in a recording, compressed, and back. README.md of this folder has the layout.
 std::string blockBytes(const TimelineBlock& block, std::uint32_t branch);
 
 struct ReadBlock {
     std::uint32_t branch = 0;
     TimelineBlock block;
 };
-/// Nothing where the bytes are no sound block: its parts do not fit, its keyframe is no state of its tick, or its
+/// nullopt where the bytes are no sound block: its parts do not fit, its keyframe is no state of its tick, or its
 /// decisions are not those of its ticks.
 std::optional<ReadBlock> parseBlock(std::string_view bytes);
 

@@ -6,8 +6,8 @@
 namespace mrose {
 namespace {
 
-constexpr std::uint32_t textsVersion = 1;     // told by the texts of its descriptions
-constexpr std::uint32_t scenarioVersion = 2;  // told by its value
+constexpr std::uint32_t textsVersion = 1;     // kept as the texts of its descriptions
+constexpr std::uint32_t scenarioVersion = 2;  // kept as its value
 
 bool readControllerNeeds(ByteReader& reader, std::vector<RecordingHeader::ControllerNeeds>& controllers) {
     const auto count = reader.number<std::uint64_t>();

@@ -10,8 +10,8 @@
 
 namespace mrose {
 
-/// A course of events: the run itself, or what became of another one from some tick on when something was changed by
-/// hand. It begins with the changed state, which may be one of another scenario with other bodies.
+/// The run itself, or what became of another branch from some tick on when something was changed by hand. It begins
+/// with the changed state, which may be one of another scenario with other bodies.
 struct Branch {
     std::uint32_t parent = 0;  ///< index of the branch that it departs from; of itself for the run
     std::int64_t tick = 0;     ///< of the state that it begins with; its parent may not have such a tick

@@ -39,7 +39,7 @@ private:
 
 std::string atByte(std::uint64_t offset) { return " at byte " + std::to_string(offset); }
 
-/// A chunk's records; nothing where it is damaged.
+/// A chunk's records; nullopt where it is damaged.
 std::optional<std::string> recordsOf(std::string_view chunk) {
     ByteReader reader(chunk);
     reader.take(16);

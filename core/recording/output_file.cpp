@@ -24,7 +24,7 @@ std::string systemCause(const char* what, int error) { return std::string(what) 
 
 Expected<OutputFile> OutputFile::create(const std::filesystem::path& path, bool overwrite) {
     Expected<OutputFile> file = open(path, overwrite);
-    // Somebody may have removed or replaced it before it was locked.
+    // It may have been removed or replaced before it was locked.
     for (int i = 0; i < mostTries && file && !isFileAt(file->descriptor_, path); ++i) file = open(path, overwrite);
     if (!file) return file;
     if (::ftruncate(file->descriptor_, 0) != 0) return fail(path.string(), systemCause("cannot be written", errno));
@@ -32,7 +32,8 @@ Expected<OutputFile> OutputFile::create(const std::filesystem::path& path, bool 
     return file;
 }
 
-/// A file that is there is emptied only after it has turned out to be one that may be, and nobody else's.
+/// A file that is there is emptied only after it has turned out to be one that may be, and that no other process
+/// writes.
 Expected<OutputFile> OutputFile::open(const std::filesystem::path& path, bool overwrite) {
     const std::string name = path.string();
     const int exclusive = overwrite ? 0 : O_EXCL;
@@ -92,7 +93,7 @@ void OutputFile::sync() {
     if (state_) checkPlace();
 }
 
-/// Who removes, moves or replaces a file that is open is not told, and nor is who writes it.
+/// Neither who removes, moves or replaces an open file notices it, nor who writes it.
 void OutputFile::checkPlace() {
     struct stat open {
     }, there{};

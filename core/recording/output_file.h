@@ -23,11 +23,11 @@ public:
     ~OutputFile();
 
     void write(std::string_view bytes);
-    /// Waits until the disk has it. An error, too: by its path it is not found any more, because somebody removed,
-    /// moved or replaced it.
+    /// Waits until the disk has it. An error, too: by its path it is not found any more, because it was removed, moved
+    /// or replaced.
     void sync();
     Expected<void> close();  ///< as sync()
-    /// Removes it, unless somebody else has put another one in its place.
+    /// Removes it, unless another file has taken its place.
     void discard();
 
     std::uint64_t size() const { return size_; }

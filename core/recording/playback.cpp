@@ -21,7 +21,7 @@ tl::unexpected<Error> damaged(std::int64_t tick) {
 void checkHashes(const Scenario& scenario, const TimelineBlock& block, ReachedState& reached) {
     const SameHashes same = block.compare(scenario, reached.state);
     reached.worldSame = same.world;
-    reached.mindsSame = same.minds;
+    reached.memoriesSame = same.memories;
 }
 
 }  // namespace
@@ -30,7 +30,7 @@ Expected<ReachedState> Playback::reachBy(bool asking, const TimelineBlock& block
     Expected<WorldState> state =
         parseStateOf(scenario_, block.keyframe, "keyframe of tick " + std::to_string(block.first));
     if (!state) return tl::unexpected(state.error());
-    if (const std::string wrong = misfit(scenario_, *state); !wrong.empty() || state->tick != block.first)
+    if (const std::string wrong = validate(scenario_, *state); !wrong.empty() || state->tick != block.first)
         return fail({}, "the state kept of tick " + std::to_string(block.first) + " is none of this scenario: it has " +
                             (wrong.empty() ? "another tick" : wrong));
     DecisionReader reader(block.decisions);
@@ -49,7 +49,7 @@ Expected<ReachedState> Playback::reach(const Timeline& timeline, std::int64_t ti
     const TimelineBlock& block = timeline.blockOf(tick);
     if (askControllers_) {
         Expected<ReachedState> reached = reachBy(true, block, tick);
-        if (!reached || (reached->worldSame && reached->mindsSame)) return reached;
+        if (!reached || (reached->worldSame && reached->memoriesSame)) return reached;
     }
     Expected<ReachedState> reached = reachBy(false, block, tick);
     // Where not even the recorded decisions give the same, it is not the controllers' fault.
@@ -67,10 +67,10 @@ Expected<void> Playback::advance(const Timeline& timeline, ReachedState& from, S
         if (asking && !askControllers_) continue;
         DecisionReader reader(decisions.substr(std::min(from.read, decisions.size())));
         if (!reader.next(asking ? DecisionsOf::outside : DecisionsOf::all)) return damaged(tick);
-        ReachedState next{from.state, from.worldSame, from.mindsSame, decisions.size() - reader.rest()};
+        ReachedState next{from.state, from.worldSame, from.memoriesSame, decisions.size() - reader.rest()};
         step(scenario_, next.state, buffers_, {reader.decisions(), asking}, &trace);
         checkHashes(scenario_, block, next);
-        const bool same = next.worldSame && next.mindsSame;
+        const bool same = next.worldSame && next.memoriesSame;
         if (!asking && next.worldSame) askControllers_ = false;
         if (same || !asking) {
             from = std::move(next);

@@ -51,7 +51,7 @@ constexpr Nanoseconds longestTick = nanosecondsPerSecond;
 /// Why controllers that ask for so much have not been those of a state; "" where they may.
 std::string wrongNeeds(const std::vector<RecordingHeader::ControllerNeeds>& controllers, const WorldState& state) {
     if (controllers.size() != state.robots.size())
-        return "tells of " + std::to_string(controllers.size()) + " robots; its first state has " +
+        return "lists " + std::to_string(controllers.size()) + " robots; its first state has " +
                std::to_string(state.robots.size());
     const std::string held = "; its first state holds " + std::to_string(state.memory.size()) + " for all";
     std::uint64_t memory = 0;
@@ -258,7 +258,7 @@ Expected<ScenarioParts> recordedScenario(const Recording& recording, std::uint32
                                          const PluginLoader& plugins) {
     const ScenarioValuePointer& value = recording.valueOf(branch);
     if (!value && recording.header.unknown) return tl::unexpected(*recording.header.unknown);
-    if (!value) return fail("", "the recording does not tell its scenario");
+    if (!value) return fail("", "the recording does not hold its scenario");
     auto loaded = loadScenario(*value, {plugins});
     if (!loaded) return tl::unexpected(loaded.error());
     const auto& needs = recording.layouts[branch].controllers;

@@ -20,7 +20,7 @@ namespace mrose {
 
 /// What a run was, besides its ticks.
 struct RecordingHeader {
-    ScenarioValuePointer value;         ///< null: the recording does not tell it
+    ScenarioValuePointer value;         ///< null: the recording does not hold it
     std::optional<Error> unknown = {};  ///< why, where it should
     std::string commandLine;
     Origin origin;
@@ -38,7 +38,7 @@ struct RecordingHeader {
 /// What was shown when a recording was saved.
 struct ShownPlace {
     std::uint32_t branch = 0;
-    std::int64_t tick = 0;  ///< of that branch's course
+    std::int64_t tick = 0;  ///< of that branch, or of one that it came from
     bool operator==(const ShownPlace&) const = default;
 };
 
@@ -69,7 +69,7 @@ struct Recording {
     std::vector<std::string> damage;  ///< what is wrong with the file, a sentence each; the recording ends before it
     bool endless = false;             ///< its end is missing, which is damage, too: perhaps it is still being written
 
-    /// Of the scenario that a branch runs in; null: the recording does not tell it.
+    /// Of the scenario that a branch runs in; null: the recording does not hold it.
     const ScenarioValuePointer& valueOf(std::uint32_t branch) const {
         return branches[branch].value ? branches[branch].value : header.value;
     }

@@ -5,13 +5,13 @@
 
 namespace mrose::format {
 
-// Names in a recording's file; README.md of this folder tells what lies behind them.
+// Names in a recording's file; README.md of this folder says what lies behind them.
 
 constexpr const char* run = "mrose.run";                  ///< metadata
 constexpr const char* shown = "mrose.shown";              ///< metadata
 constexpr const char* controllers = "mrose.controllers";  ///< metadata
 constexpr const char* version = "2";
-constexpr const char* textsVersion = "1";                  ///< scenarios were told by the texts of their descriptions
+constexpr const char* textsVersion = "1";                  ///< scenarios were kept as the texts of their descriptions
 constexpr const char* descriptionPrefix = "description/";  ///< attachments
 constexpr const char* branchPrefix = "mrose/branch/";      ///< attachments: branch
 constexpr const char* scenarioPrefix = "mrose/scenario/";  ///< attachments: branch

@@ -38,7 +38,7 @@ public:
         return create(path, scenario, initial, value, commandLine, Options{});
     }
 
-    /// One tick more at the end of a branch: the state after it and what step() told of it.
+    /// One tick more at the end of a branch: the state after it and its trace.
     void add(const WorldState& after, const StepTrace& trace, std::uint32_t branch = 0);
     /// A new branch of its parent's scenario that begins with `state`, at its tick; its index.
     std::uint32_t beginBranch(std::uint32_t parent, const WorldState& state, const std::string& name);
@@ -46,7 +46,7 @@ public:
     std::uint32_t beginBranch(std::uint32_t parent, const WorldState& state, const std::string& name,
                               const Scenario& scenario, const ScenarioValuePointer& value);
     /// Ticks that a timeline kept, which must go on where the branch ends; what other programs see of each of them is
-    /// told by show() before.
+    /// passed to show() before.
     void add(const TimelineBlock& kept, std::uint32_t branch);
     void show(const WorldState& after, const StepTrace& trace, std::uint32_t branch);
     /// Keeps the state added last, so that a replay which differs before it can say in what: for the end of a run.

@@ -33,7 +33,7 @@ public:
     Expected<void> start() {
         Expected<WorldState> state = parseStateOf(scenario_, blocks_.front().keyframe, "the beginning of a branch");
         if (!state) return tl::unexpected(state.error());
-        if (const std::string wrong = misfit(scenario_, *state); !wrong.empty())
+        if (const std::string wrong = validate(scenario_, *state); !wrong.empty())
             return fail({}, "it was recorded of another scenario: its beginning has " + wrong);
         state_ = std::move(*state);
         return {};
@@ -45,7 +45,7 @@ public:
         while (state_.tick < block.last()) {
             advance(decisions);
             const SameHashes same = block.compare(scenario_, state_);
-            if (same.world && (!options_.decide || same.minds)) continue;
+            if (same.world && (!options_.decide || same.memories)) continue;
             describe(block, decisions, same.world);
             return false;
         }
@@ -60,13 +60,13 @@ private:
              options_.decide ? &trace_ : nullptr);
     }
 
-    void describe(const TimelineBlock& block, DecisionReader& rest, bool onlyMinds) {
+    void describe(const TimelineBlock& block, DecisionReader& rest, bool onlyMemories) {
         difference_.tick = state_.tick;
-        if (onlyMinds) difference_.what = "what sensors or controllers remember differs; ";
+        if (onlyMemories) difference_.what = "what sensors or controllers remember differs; ";
         if (options_.decide) describeDecisions(block);
         const TimelineBlock* const next = blockAfter(block);
         if (next == nullptr) {
-            difference_.what += "no state was kept at or after this tick, by which to tell in what";
+            difference_.what += "no state was kept at or after this tick, so that what differs is not known";
             return;
         }
         while (state_.tick < next->first) advance(rest);

@@ -18,7 +18,7 @@ struct ReplayOptions {
     /// controllers decide again, but where a decision came from outside, and what they and the sensors remember is
     /// compared as well.
     bool decide = false;
-    /// Told now and then how many ticks are done of how many; false ends the replay.
+    /// Called now and then with how many ticks are done of how many; false ends the replay.
     std::function<bool(std::int64_t, std::int64_t)> progress;
 };
 
@@ -31,7 +31,7 @@ struct ReplayDifference {
 struct ReplayReport {
     std::int64_t ticks = 0;  ///< compared
     bool cancelled = false;
-    std::optional<ReplayDifference> difference;  ///< the first; nothing: the same to the last bit
+    std::optional<ReplayDifference> difference;  ///< the first; nullopt: the same to the last bit
 };
 
 /// Runs every branch again from its beginning and compares each tick; `scenarios` are those of the branches, one each.

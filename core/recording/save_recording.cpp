@@ -42,7 +42,7 @@ private:
         const Scenario& scenario = *scenarios_[branch];
         auto state = parseStateOf(scenario, own.timeline.blocks().front().keyframe, "the beginning of a branch");
         if (!state) return tl::unexpected(state.error());
-        if (const std::string wrong = misfit(scenario, *state); !wrong.empty())
+        if (const std::string wrong = validate(scenario, *state); !wrong.empty())
             return fail(
                 {}, "the beginning of branch " + std::to_string(branch) + " is none of its scenario: it has " + wrong);
         if (branch == 0) {
@@ -100,7 +100,7 @@ Expected<bool> saveRecording(const std::filesystem::path& path, std::span<const 
     if (auto begun = file.write({}); !begun) return tl::unexpected(begun.error());
     auto written = RecordingSaver(branches, scenarios, run, options).writeTo(file.beside());
     if (!written) {
-        // What is beside is nobody's business.
+        // Files beside it do not matter.
         Error error = written.error();
         error.file = path.string();
         return tl::unexpected(error);

@@ -21,7 +21,7 @@ struct SaveRecordingOptions {
     std::string commandLine;
     Origin origin = thisOrigin();          ///< of a recording that was opened: its own
     std::optional<ShownPlace> shown = {};  ///< where it is to be opened
-    /// Told now and then how many ticks are done of how many; false ends the saving.
+    /// Called now and then with how many ticks are done of how many; false ends the saving.
     std::function<bool(std::int64_t, std::int64_t)> progress;
 };
 

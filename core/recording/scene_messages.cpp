@@ -159,7 +159,7 @@ Polygon circleOf(const Point& centre, double radius) {
     return polygon;
 }
 
-/// The floor's area; a rectangle round the obstacles where none is told.
+/// The floor's area; a rectangle round the obstacles where none is given.
 Polygon floorOf(const Environment& environment) {
     if (!environment.floor.area.empty()) return environment.floor.area;
     Point least{1e9, 1e9}, most{-1e9, -1e9};

@@ -10,11 +10,11 @@
 namespace mrose {
 
 /// Appends what was decided in one tick: of every robot that decided its orders, exact to the bit, whether they came
-/// from outside instead of from its controller, and why it was told to stand where its controller failed. What is only
+/// from outside instead of from its controller, and why it was made to stand where its controller failed. What is only
 /// to be looked at (annotations, breaks) is left out.
 void appendDecisions(const StepTrace& trace, std::string& bytes);
 
-/// Whose decisions are read: everybody's, or only those that came from outside.
+/// Which decisions are read: all, or only those that came from outside.
 enum class DecisionsOf { all, outside };
 
 /// Reads the decisions of one tick after the other.

@@ -52,7 +52,7 @@ void Timeline::add(const WorldState& after, const StepTrace& trace, const StateH
 SameHashes TimelineBlock::compare(const Scenario& scenario, const WorldState& state) const {
     const auto index = static_cast<std::size_t>(state.tick - 1 - first);
     const StateHash found = index < firstVersion ? firstVersionHash(scenario, state) : hashOf(state);
-    return {found.world == hashes[index].world, found.minds == hashes[index].minds};
+    return {found.world == hashes[index].world, found.memories == hashes[index].memories};
 }
 
 bool Timeline::append(TimelineBlock block) {

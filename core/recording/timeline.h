@@ -14,7 +14,7 @@ namespace mrose {
 
 /// Whether a state is the one that was, by its hashes.
 struct SameHashes {
-    bool world = true, minds = true;
+    bool world = true, memories = true;
 };
 
 /// Some ticks in a row: what was decided in each, the hashes of the state after it, and the state that they begin with,
@@ -43,7 +43,7 @@ public:
     /// Begins with a block of a file, which must have a keyframe. What add() appends is kept as above.
     explicit Timeline(TimelineBlock first, std::int64_t keyframeInterval = 0);
 
-    /// One tick more: the state after it and what step() told of it.
+    /// One tick more: the state after it and its trace.
     void add(const WorldState& after, const StepTrace& trace);
     void add(const WorldState& after, const StepTrace& trace, const StateHash& hash);
     /// Ticks of a file, which must go on where this ends: false otherwise.

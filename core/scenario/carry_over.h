@@ -15,7 +15,7 @@ namespace mrose {
 /// nothing differs, the state is the same to the last bit.
 WorldState carriedOver(const Scenario& from, const WorldState& state, const Scenario& to);
 
-/// Copies the newest commands into slots, as many as there is room for, and tells what was in force before; how many.
+/// Copies the newest commands into slots, as many as there is room for, and gives what was in force before; how many.
 std::uint32_t keepNewest(std::span<const StampedCommand> commands, std::span<StampedCommand> slots, Command& before);
 
 }  // namespace mrose

@@ -58,18 +58,18 @@ ControllerSetting logPlayer(const Context& context) {
     TomlTable& table = context.table;
     LogExcerpt excerpt;
     const Value* const log = table.value("log");
-    const DescriptionFile* const told = log ? log->asFile() : nullptr;
-    excerpt.reference = told ? told->reference : table.string("log");
-    excerpt.log = told ? told->name : joinedName(context.from, excerpt.reference);
+    const DescriptionFile* const included = log ? log->asFile() : nullptr;
+    excerpt.reference = included ? included->reference : table.string("log");
+    excerpt.log = included ? included->name : joinedName(context.from, excerpt.reference);
     excerpt.robot = name(table, "robot");
     excerpt.trajectory = nameOr(table, "trajectory", "");
     excerpt.start = table.numberOr("start_s", 0, {-runTime.most, runTime.most});
     if (const auto& motion = context.driven.robot.motion) excerpt.drive = motion->network().drive;
     if (table.failed()) return {};
     if (!context.loading.playLogs) return {noController(), Pose{}, excerpt};
-    auto content = told ? parseExcerpt(told->content) : std::optional<ExcerptContent>();
-    if (told && !content) table.reject("log", "does not hold commands");
-    if (!told) {
+    auto content = included ? parseExcerpt(included->content) : std::optional<ExcerptContent>();
+    if (included && !content) table.reject("log", "does not hold commands");
+    if (!included) {
         auto found = context.library.excerpt(excerpt);
         if (!found) return table.adopt(found.error()), ControllerSetting{};
         content = std::move(*found);

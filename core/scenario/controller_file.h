@@ -20,7 +20,7 @@ struct ControllerSetting {
     std::optional<LogExcerpt> played = {};         ///< of a log player
 };
 
-/// Whom it drives: options that the file leaves out are told from the robot.
+/// Whom it drives: options that the file leaves out are derived from the robot.
 struct DrivenRobot {
     const RobotDescription& robot;
     double ballRadius = 0;  ///< m, of the scenario's ball; 0 where there is none
@@ -28,11 +28,11 @@ struct DrivenRobot {
 };
 
 /// Reads `controller = { kind = ..., ... }` of the scenario file called `from`. resources/README.md lists the kinds and
-/// their options. A plug-in that is not to be loaded tells its robot nothing.
+/// their options. A plug-in that is not to be loaded gives its robot no commands.
 ControllerSetting readController(TomlTable table, const DrivenRobot& driven, const std::string& from,
                                  DescriptionLibrary& library, const ScenarioLoading& loading);
 
-/// Of a robot that nobody drives: it stands.
+/// Of a robot without a controller: it stands.
 std::shared_ptr<const Controller> noController();
 
 }  // namespace mrose

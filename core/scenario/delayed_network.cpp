@@ -13,7 +13,7 @@ double shiftOf(const NetworkInput& input, Nanoseconds laterV, Nanoseconds laterW
     return toSeconds(rotation ? laterW : laterV);
 }
 
-/// The sense of a turn and the speeds of the wheels are told from both channels.
+/// The sense of a turn and the speeds of the wheels are made from both channels.
 bool readsBoth(const NetworkInput& input) { return input.fromWheels() || input.quantity == Quantity::turnSense; }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace mrose {
 /// What a description file may hold.
 using Description = std::variant<Shape, Environment, RobotDescription, LoadedScenario>;
 
-/// Loads a description file of any kind, told by its key `format`. Error: the first thing wrong.
+/// Loads a description file of any kind, which its key `format` says. Error: the first thing wrong.
 Expected<Description> loadDescription(const std::string& name, DescriptionSource& source,
                                       const ScenarioLoading& loading = {});
 

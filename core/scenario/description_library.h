@@ -24,8 +24,8 @@ public:
     /// What a file holds for us: the tables of a description, or a text.
     enum class Holds { tables, text };
     /// The file that `table` of the file `from` names by `key`: the one that stands there already, otherwise one seen
-    /// from that file's folder, otherwise of those that ship in `folder` ("shapes"); never `from` itself. The table is
-    /// told what it resolves to. Where there is none, the table remembers the error.
+    /// from that file's folder, otherwise of those that ship in `folder` ("shapes"); never `from` itself. The table
+    /// records what it resolves to. Where there is none, the table remembers the error.
     Value::File file(TomlTable& table, std::string_view key, const std::string& from, std::string_view folder,
                      Holds holds);
     /// The description of exactly that name, otherwise the one of that name that ships, seen from the folder of all
@@ -37,7 +37,7 @@ public:
     const MotionNetwork* network(TomlTable& table, std::string_view key, const std::string& from);
     /// One of these networks made ready for use, once for each dead time: that of the network, so much later.
     std::shared_ptr<const LearnedMotion> motion(const MotionNetwork& network, Nanoseconds laterV, Nanoseconds laterW);
-    /// What a log tells a robot; nothing where there is no such log.
+    /// A robot's part of a log; nullopt where there is no such log.
     Expected<std::optional<ExcerptContent>> excerpt(const LogExcerpt& excerpt) { return source_.excerpt(excerpt); }
 
     std::string shown(const std::string& name) const { return source_.shown(name); }

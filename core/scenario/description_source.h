@@ -19,9 +19,10 @@ class DescriptionSource {
 public:
     virtual ~DescriptionSource() = default;
 
-    /// The text of that name; nothing where there is none. Error: there is one that cannot be read.
+    /// The text of that name; nullopt where there is none. Error: there is one that cannot be read.
     virtual Expected<std::optional<std::string>> text(const std::string& name) = 0;
-    /// What a log tells a robot. Nothing where there is no such log. Error: it has no such robot or cannot be read.
+    /// A robot's part of a log, its commands first. nullopt where there is no such log. Error: it has no such robot or
+    /// cannot be read.
     virtual Expected<std::optional<ExcerptContent>> excerpt(const LogExcerpt& excerpt) = 0;
     /// What a person calls the file of that name.
     virtual std::string shown(const std::string& name) const { return name; }
@@ -42,7 +43,7 @@ public:
     std::string shown(const std::string& name) const override;
     /// Hashes of the files that were read, by their paths.
     const std::map<std::string, std::string>& hashes() const { return hashes_; }
-    /// Where the log of an excerpt lies; nothing where none is found.
+    /// Where the log of an excerpt lies; nullopt where none is found.
     std::optional<std::filesystem::path> logPlace(const LogExcerpt& excerpt) const;
 
 private:

@@ -10,7 +10,7 @@
 namespace mrose {
 
 /// A state of a scenario from its bytes (state_bytes.h), laid out for it also where they are of the first version.
-/// Whether its sizes are the scenario's is not asked (misfit.h). Error: as of parseState().
+/// Whether its sizes are the scenario's is not asked (state_validation.h). Error: as of parseState().
 Expected<WorldState> parseStateOf(const Scenario& scenario, std::string_view bytes, const std::string& name);
 
 /// The hash that a state of the scenario had in the first version.

@@ -13,7 +13,7 @@ namespace {
 
 /// The longest dead time that a model may read back, generously.
 constexpr Nanoseconds before = 3 * nanosecondsPerSecond;
-/// A robot whose log has ended is told to stand, as soon as its last command could have been followed by another.
+/// A robot whose log has ended is commanded to stand, as soon as its last command could have been followed by another.
 constexpr Nanoseconds after = nanosecondsPerSecond / 2;
 
 Expected<const Trajectory*> find(const Log& log, const LogExcerpt& excerpt) {
@@ -75,7 +75,7 @@ Expected<ExcerptContent> excerptOf(const Log& log, const LogExcerpt& excerpt) {
         content.commands = changes(whole.commands, start - before);
         content.start = truthAt(whole.poses, start);
     }
-    // Where nobody knows when it stood where, its first command begins the run.
+    // Without ground truth the run begins with its first command.
     const Nanoseconds zero = content.start ? start : content.commands.front().time;
     for (StampedCommand& command : content.commands) command.time -= zero;
     return content;

@@ -16,13 +16,13 @@ namespace mrose {
 /// When a trajectory has both begun: to be commanded and, where it has ground truth at all, to be tracked.
 Nanoseconds beginning(const Trajectory& trajectory);
 
-/// What a log tells a robot. The log's start is the first instant at which each
+/// A robot's part of a log: its commands and where it started. The log's start is the first instant at which each
 /// of its robots has been commanded and tracked, so that excerpts of several robots belong together; with a trajectory
 /// named it is that one's. Commands that repeat the one in force are left out. Error: no such robot or trajectory; it
 /// ends before the start.
 Expected<ExcerptContent> excerptOf(const Log& log, const LogExcerpt& excerpt);
 
-/// It as a description holds it, exact to the bit, and back. Nothing: it is not such a value.
+/// It as a description holds it, exact to the bit, and back. nullopt: it is not such a value.
 Value excerptValue(const ExcerptContent& content);
 std::optional<ExcerptContent> parseExcerpt(const Value& value);
 

@@ -21,11 +21,11 @@ struct LogExcerpt {
     /// How wheel commands are read, where the robot's network says it: as it was learned.
     std::optional<DifferentialDrive> drive = {};
 
-    /// What tells it from others, in one text.
+    /// What distinguishes it, in one text.
     std::string name() const;
 };
 
-/// What such a part tells.
+/// What such a part holds.
 struct ExcerptContent {
     std::vector<StampedCommand> commands;  ///< times count from the run's start; some may lie before
     std::optional<Pose> start;             ///< none: the log has no ground truth

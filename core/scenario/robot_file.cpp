@@ -22,7 +22,7 @@ struct DeadTimes {
     double v = 0, w = 0;  ///< s
 };
 
-/// What was identified of one of the network's robots, or of all in the mean; nothing where the file says nothing.
+/// What was identified of one of the network's robots, or of all in the mean; nullopt where the file says nothing.
 std::optional<DeadTimes> identifiedDeadTimes(const MotionNetwork& network, const std::string& robot) {
     DeadTimes sum;
     double count = 0;

@@ -22,7 +22,7 @@ struct RobotDescription {
     MotionNoise motionNoise;                      ///< on either
 
     Value::File file;               ///< what it was read from, with all that this names
-    std::optional<RobotKind> kind;  ///< what logs and networks call such robots; nothing where the file does not say
+    std::optional<RobotKind> kind;  ///< what logs and networks call such robots; nullopt where the file does not say
 
     double deadTime = 0;  ///< s, by which it answers: the mean of its speed's and its rotation's
 

@@ -95,9 +95,9 @@ Expected<RobotKinds> readRobotKinds(const std::filesystem::path& folder) {
 }
 
 const RobotKind* kindOfLog(const RobotKinds& kinds, const Log& log) {
-    for (const std::string_view told : {std::string_view(log.format), log.synthetic ? syntheticLogs : ""})
+    for (const std::string_view source : {std::string_view(log.format), log.synthetic ? syntheticLogs : ""})
         for (const RobotKind& kind : kinds)
-            if (contains(kind.logs, told)) return &kind;
+            if (contains(kind.logs, source)) return &kind;
     return nullptr;
 }
 

@@ -31,7 +31,7 @@ std::string wrongLayout(const SavedState& saved) {
     if (state.robots.size() != saved.robots.size() || state.objects.size() != saved.objects.size() ||
         state.commands.size() != commands || state.motion.size() != motion || state.memory.size() != memory ||
         state.sensing.size() != sensing || (bodies == 0 ? !state.past.empty() : state.past.size() % bodies != 0))
-        return "holds other bodies, commands or memory than are told beside it";
+        return "holds other bodies, commands or memory than are listed beside it";
     for (std::size_t i = 0; i < saved.robots.size(); ++i)
         if (state.robots[i].commandCount > saved.robots[i].commands || state.robots[i].nextControl < state.tick)
             return "is broken in robot \"" + saved.robots[i].name + '"';

@@ -11,7 +11,7 @@
 
 namespace mrose {
 
-/// A state of a run by itself, with what tells whose it is and how its arrays are laid out.
+/// A state of a run by itself, with the bodies' names and the layout of its arrays.
 struct SavedState {
     std::string scenario;  ///< its name
     Nanoseconds tickLength = 0;

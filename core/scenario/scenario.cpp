@@ -52,7 +52,7 @@ void Scenario::layOut() {
         const auto periods = static_cast<std::size_t>(model.lookBack() / model.period()) + 2;
         Slots slots;
         slots.commands = commandSlots_;
-        // Nobody has more than the capacity, in however few periods.
+        // None has more than the capacity, in however few periods.
         const std::size_t inPeriod =
             std::min(controller(i).commandsPerPeriod(model.period()), CommandHistory::capacity);
         slots.commandCount = std::min(periods * inPeriod, CommandHistory::capacity);

@@ -38,17 +38,17 @@ struct ScenarioParts {
     std::vector<std::shared_ptr<const Controller>> controllers;  ///< of each robot
     std::vector<LogPlayer> players = {};                         ///< those of them that play a log
     std::uint64_t seed = 1;
-    Nanoseconds duration = 60 * nanosecondsPerSecond;  ///< of a run for which nobody asks another one
+    Nanoseconds duration = 60 * nanosecondsPerSecond;  ///< of a run that is not given another one
     Variation variation;
     bool kickOff = true;  ///< after a goal the ball lies at its start again
     /// Of a run that it begins with (saved_state.h); the starts of the scene's bodies are where it has them, or where
-    /// they are to be moved. Nothing: all begin at their starts.
+    /// they are to be moved. Null: all begin at their starts.
     std::shared_ptr<const SavedState> saved = nullptr;
     std::vector<Pose> kickOffPoses = {};  ///< of the objects, where these are not their starts
 };
 
-/// All that is constant in a run, with what is told from it once: where in the state each robot's commands and memory
-/// lie, and what contact needs. Periods must be multiples of the tick; one controller a robot.
+/// All that is constant in a run, with what is derived from it once: where in the state each robot's commands and
+/// memory lie, and what contact needs. Periods must be multiples of the tick; one controller a robot.
 class Scenario {
 public:
     explicit Scenario(ScenarioParts parts);
@@ -139,7 +139,7 @@ public:
     const Period& periodOf(std::size_t robot) const { return periods_[robot]; }
     std::int64_t longestPeriod() const { return longestPeriod_; }  ///< ticks
 
-    // What contact needs of a body, told once.
+    // What contact needs of a body, computed once.
     struct ContactBodyType {
         CollisionShape shape;
         Surface surface;

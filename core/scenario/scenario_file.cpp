@@ -6,10 +6,10 @@
 #include "scenario/controller_file.h"
 #include "scenario/description_reader.h"
 #include "scenario/environment_file.h"
-#include "scenario/misfit.h"
 #include "scenario/robot_file.h"
 #include "scenario/saved_state.h"
 #include "scenario/start_check.h"
+#include "scenario/state_validation.h"
 #include "scenario/value_file.h"
 #include "world/plain_seconds.h"
 
@@ -275,7 +275,7 @@ double ScenarioReader::ballRadius() const {
 }
 
 void ScenarioReader::checkStarts() {
-    if (!loading_.playLogs && !parts_.players.empty()) return;  // nobody knows yet where they start
+    if (!loading_.playLogs && !parts_.players.empty()) return;  // it is not known yet where they start
     const auto overlap = findStartOverlap(scene_);
     if (!overlap) return;
     const std::size_t robots = scene_.robots.size();
@@ -306,7 +306,7 @@ void ScenarioReader::readSavedState() {
     if (!root_.has("seed")) parts_.seed = saved->state.seed;
     parts_.saved = std::make_shared<const SavedState>(std::move(*saved));
     const Scenario scenario(parts_);
-    if (const std::string wrong = misfit(scenario, scenario.initialState()); !wrong.empty())
+    if (const std::string wrong = validate(scenario, scenario.initialState()); !wrong.empty())
         root_.reject("initial_state", "does not fit the scenario: it has " + wrong);
 }
 

@@ -25,7 +25,7 @@ using PluginLoader =
 struct ScenarioLoading {
     /// Empty: shared libraries are not loaded, and robots of plug-ins keep whatever command is in force: for replays.
     PluginLoader plugins = {};
-    /// False: no log is read. Robots that play one are told nothing and stand at the origin: for who opens the log at
+    /// False: no log is read. Robots that play one get no commands and stand at the origin: for who opens the log at
     /// another instant.
     bool playLogs = true;
 };

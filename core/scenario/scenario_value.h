@@ -52,7 +52,7 @@ public:
     /// Canonical: equal scenarios have equal bytes but for names of files. Of files known to the reader, too, only a
     /// hash is in them.
     std::string bytes(std::span<const Value::File> known = {}) const;
-    /// Nothing: they are not sound.
+    /// nullopt: they are not sound.
     static std::optional<ScenarioValue> parse(std::string_view bytes, std::span<const Value::File> known = {});
     /// Of what it says, whatever its files are called.
     std::uint64_t hash() const;

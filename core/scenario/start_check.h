@@ -16,7 +16,7 @@ struct StartOverlap {
     double depth = 0;                  ///< m
 };
 
-/// A pair that overlaps by more than `tolerance` at the start; nothing where all fit. Quick where many bodies overlap,
+/// A pair that overlaps by more than `tolerance` at the start; nullopt where all fit. Quick where many bodies overlap,
 /// too.
 std::optional<StartOverlap> findStartOverlap(const Scene& scene, double tolerance = 1e-4);
 

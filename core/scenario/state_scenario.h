@@ -16,7 +16,7 @@ Expected<ScenarioValue> withState(const ScenarioValue& value, const Scenario& sc
 /// `initial_state = "NAME.state"`, beside which the state lies, which holds all of it, too, and runs by itself. Files
 /// are named by their full paths where they lie on the disk as the value has them, by their names where they ship so,
 /// and are written beside otherwise. A run of it goes on as the run would have, tick by tick, its ticks counted on.
-/// `disk` tells what lies there and what ships. Error: what the system says; what was written would go on otherwise, as
+/// `disk` knows what lies there and what ships. Error: what the system says; what was written would go on otherwise, as
 /// where a controller was replaced by hand.
 Expected<void> saveStateAsScenario(const std::filesystem::path& path, const ScenarioValue& value,
                                    const Scenario& scenario, const WorldState& state, DescriptionSource& disk);

@@ -13,7 +13,7 @@ namespace mrose {
 /// opens it wherever it lies, without the files that it was made from.
 std::string valueFileText(const ScenarioValue& value);
 
-/// A value as a text within such a file, or within a state file, and back. Nothing: it is damaged.
+/// A value as a text within such a file, or within a state file, and back. nullopt: it is damaged.
 std::string encoded(const ScenarioValue& value);
 std::optional<ScenarioValue> decoded(const std::string& text);
 

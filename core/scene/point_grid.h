@@ -12,7 +12,7 @@
 namespace mrose {
 
 /// Points sorted into the cells of a plain grid, to find those that are near each other, in a box or along a line. The
-/// grid lies where most points are; who is far from all others counts for the cell at its edge, which keeps neighbours
+/// grid lies where most points are; points far from all others count for the cell at its edge, which keeps neighbours
 /// neighbours. Memory is kept from filling to filling.
 class PointGrid {
 public:
@@ -54,7 +54,7 @@ private:
     /// Where most points are, m.
     struct Axis {
         double least = 0, most = 0;
-        bool all = true;  ///< nobody is elsewhere
+        bool all = true;  ///< none is elsewhere
         std::size_t cells = 1;
     };
     struct Extent {

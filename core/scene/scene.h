@@ -13,7 +13,7 @@
 
 namespace mrose {
 
-/// A kind of body without a will.
+/// A kind of body that no controller moves.
 struct ObjectType {
     std::string name;
     std::shared_ptr<const Shape> shape;

@@ -148,7 +148,7 @@ Error takeError(lua_State* lua, int status, const std::string& source) {
     return error;
 }
 
-/// The same of what lua_load could not read: where Lua stood tells the column. It reads one byte beyond a token.
+/// The same of what lua_load could not read: where Lua stood gives the column. It reads one byte beyond a token.
 Error readingError(lua_State* lua, int status, const Feed& feed, const std::string& source) {
     const std::size_t length = nearLength(lua_type(lua, -1) == LUA_TSTRING ? lua_tostring(lua, -1) : "");
     Error error = takeError(lua, status, source);

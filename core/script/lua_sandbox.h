@@ -25,9 +25,9 @@ struct LuaOther {
 };
 using LuaValue = std::variant<bool, double, std::string, LuaOther>;
 
-/// A Lua 5.4 interpreter for texts that nobody has checked. They reach the names that were added and nothing else:
-/// there is no library, no metatable, no way to a file, to bytecode or to a coroutine. No evaluation leaves anything
-/// behind for the next. One thread at a time; each has its own.
+/// A Lua 5.4 interpreter for untrusted texts. They reach the names that were added and nothing else: there is no
+/// library, no metatable, no way to a file, to bytecode or to a coroutine. No evaluation leaves anything behind for the
+/// next. One thread at a time; each has its own.
 class LuaSandbox {
 public:
     explicit LuaSandbox(const LuaLimits& limits = {});

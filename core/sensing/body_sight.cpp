@@ -87,17 +87,17 @@ double coreOf(const Shape& shape) {
     return core;
 }
 
-/// Looks where it is not dark, outwards from the eye; what is met darkens what is behind it.
+/// Looks where it is not occluded, outwards from the sensor; what is met occludes what is behind it.
 template <class Look>
 void lookRound(const SensorView& view, const Field& field, bool occlusion, const BodyMap& map, Look look) {
     Horizon& horizon = view.buffers.horizon;
     horizon.open(field.frame, field.edge_B(), field.allRound,
                  field.range > 0 ? field.range : std::numeric_limits<double>::infinity());
     const auto visit = [&](const Point& least, const Point& most, std::span<const PointGrid::Entry> entries) {
-        if (horizon.dark(least, most)) return false;
+        if (horizon.occluded(least, most)) return false;
         for (const PointGrid::Entry& entry : entries) {
             if (entry.number == view.robot) continue;
-            if (!horizon.dark(entry.point)) look(entry);
+            if (!horizon.occluded(entry.point)) look(entry);
             if (!occlusion) continue;
             const Shape& shape = view.scene.shapeOf(entry.number);
             horizon.shade(entry.point, coreOf(shape), map.grid.slack());
@@ -107,7 +107,7 @@ void lookRound(const SensorView& view, const Field& field, bool occlusion, const
     map.grid.spread(field.frame.origin, view.buffers.spreading, visit);
 }
 
-// So few are looked at one by one; with more of them in reach it pays to mind what is dark.
+// So few are looked at one by one; with more of them in reach it pays to keep track of what is occluded.
 constexpr std::size_t fewBodies = 64;
 
 /// Those within range and field of view, exactly; some that are hidden may be left out.
@@ -120,8 +120,8 @@ void collect(const SensorView& view, const BodySight& sight, const BodyMap& map,
         const std::optional<Point> position_B = field.at(entry.point);
         if (position_B) seen.push_back({static_cast<std::uint32_t>(entry.number - kind.first), *position_B, measured});
     };
-    const bool limited = field.range > 0, darkens = sight.occlusion || !field.allRound;
-    if (kind.count <= fewBodies || !(limited || darkens)) {
+    const bool limited = field.range > 0, occludes = sight.occlusion || !field.allRound;
+    if (kind.count <= fewBodies || !(limited || occludes)) {
         for (std::size_t body = kind.first; body < kind.first + kind.count; ++body)
             look({map.positions[body], static_cast<std::uint32_t>(body)});
         return;
@@ -129,7 +129,7 @@ void collect(const SensorView& view, const BodySight& sight, const BodyMap& map,
     const auto [least, most] = field.box();
     std::size_t near = 0;
     map.grid.visitBox(least, most, [&](std::span<const PointGrid::Entry> entries) { near += entries.size(); });
-    if (darkens && (!limited || near > fewBodies))
+    if (occludes && (!limited || near > fewBodies))
         lookRound(view, field, sight.occlusion, map, look);
     else
         map.grid.visitBox(least, most, [&](std::span<const PointGrid::Entry> entries) {

@@ -48,12 +48,12 @@ void Horizon::shade(const Point& centre, double radius, double rounding) {
         limit = std::min(limit, beyond);
 }
 
-bool Horizon::dark(const Point& point) const {
+bool Horizon::occluded(const Point& point) const {
     const Point offset = point - eye_.origin;
     return ends_[slotIn(slotOf(turnOf(eye_.rotateBack(offset))))] < length(offset) * (1 - little);
 }
 
-bool Horizon::dark(const Point& least, const Point& most) const {
+bool Horizon::occluded(const Point& least, const Point& most) const {
     const Point toLeast = least - eye_.origin, toMost = most - eye_.origin;
     const Point nearest{std::max({0.0, toLeast.x, -toMost.x}), std::max({0.0, toLeast.y, -toMost.y})};
     const double near = length(nearest) * (1 - little);

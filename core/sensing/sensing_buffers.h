@@ -19,14 +19,14 @@ struct BodyMap {
 };
 
 /// Memory that perceiving works in, kept from tick to tick for speed; its content never matters to the result, provided
-/// that it is told to forget before the bodies of another state are perceived.
+/// that it is reset before the bodies of another state are perceived.
 class SensingBuffers {
 public:
     void forget() { used_ = 0; }
     /// The same for all who perceive at this tick. Valid until asked for another lag.
     const BodyMap& bodiesBefore(const PastPoses& past, const WorldState& state, std::int64_t lag);
 
-    // Of one robot's look round.
+    // Of one robot's observation.
     Horizon horizon;
     PointGrid::Spreading spreading;
     std::vector<SeenBody> seen;

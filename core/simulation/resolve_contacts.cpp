@@ -70,7 +70,7 @@ void makeTask(const Scenario& scenario, const WorldState& state, StepBuffers::Co
     task.randomFactor = scenario.scene().randomFactor;
     task.seed = state.seed;
     task.tick = state.tick;
-    // Clusters in which nobody meets anybody need no solver.
+    // Clusters in which no pair meets need no solver.
     std::vector<std::uint32_t>& bodies = buffers.touching;
     std::vector<bool>& meets = buffers.meets;
     meets.assign(buffers.swept.size(), false);

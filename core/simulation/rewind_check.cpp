@@ -12,7 +12,7 @@ std::string text(const std::optional<Command>& command) {
     return command ? "v " + numberText(command->v) + ", w " + numberText(command->w) : "no command";
 }
 
-/// How two decisions differ in what a robot is told; "" where they do not.
+/// How two decisions differ in their commands; "" where they do not.
 std::string difference(const Decision& a, const Decision& b) {
     const bool sameCommand =
         a.command.has_value() == b.command.has_value() && (!a.command || identical(*a.command, *b.command));

@@ -10,7 +10,7 @@ namespace mrose {
 
 /// What one tick gave otherwise when it was taken again from the same state.
 struct RewindDifference {
-    std::optional<std::uint32_t> robot;  ///< whose controller hides something; nothing: it was no controller
+    std::optional<std::uint32_t> robot;  ///< whose controller hides something; nullopt: it was no controller
     std::string what;                    ///< "its controller decided otherwise: ..."
 };
 

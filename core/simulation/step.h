@@ -19,7 +19,7 @@ struct RobotDecision {
     Decision decision;
 };
 
-/// What is told from outside in a tick: the decisions of a recording, the hand of a user.
+/// What is decided from outside in a tick: by a recording, or by hand.
 struct Overrides {
     std::span<const RobotDecision> decisions;  ///< these robots' controllers are not asked, at their control instants
     bool askControllers = true;                ///< false: robots not named above keep the command in force
@@ -78,7 +78,7 @@ private:
 void step(const Scenario& scenario, WorldState& state, StepBuffers& buffers, const Overrides& overrides = {},
           StepTrace* trace = nullptr);
 
-/// The same for whoever prefers values to speed.
+/// The same by values, at some cost in speed.
 WorldState stepped(const Scenario& scenario, WorldState state, const Overrides& overrides = {},
                    StepTrace* trace = nullptr);
 

@@ -71,7 +71,7 @@ void TouchSearch::considerObstacle(const SweptBody& body, std::uint32_t index, s
                                    const ConvexPiece& obstacle) {
     const double limit = body.travel + margin;
     const Point centre = position(body.pose);
-    // How far the middle is outside the obstacle's edges tells most bodies apart from it.
+    // How far the middle is outside the obstacle's edges separates most bodies from it.
     double outside = length(obstacle.centre - centre) - obstacle.reach;
     for (std::size_t i = 0; i < obstacle.count && !obstacle.isCircle(); ++i)
         outside = std::max(outside, dot(obstacle.normals[i], centre - obstacle.corners[i]));

@@ -23,23 +23,23 @@ Pose tracked(const Pose& pose, std::uint64_t seed, std::int64_t sample, const Sy
             inTenThousandths(pose.heading + tracker.headingNoise * noise(trackedHeading))};
 }
 
-Pose startOf(std::uint64_t seed, std::uint32_t index, Course course) {
+Pose startOf(std::uint64_t seed, std::uint32_t index, DrivePattern pattern) {
     const auto uniform = [&](std::uint32_t channel) {
-        return uniformNoise({seed, static_cast<std::int64_t>(course), index, channel});
+        return uniformNoise({seed, static_cast<std::int64_t>(pattern), index, channel});
     };
     return {fieldLength * uniform(startX), fieldWidth * uniform(startY),
             std::numbers::pi * (2 * uniform(startHeading) - 1)};
 }
 
 /// A seed of its own for each run of a log.
-std::uint64_t seedOfRun(std::uint64_t seed, Course course, std::uint32_t index, int repeat) {
-    const std::int64_t which = static_cast<std::int64_t>(course) * 1'000'000 + repeat;
+std::uint64_t seedOfRun(std::uint64_t seed, DrivePattern pattern, std::uint32_t index, int repeat) {
+    const std::int64_t which = static_cast<std::int64_t>(pattern) * 1'000'000 + repeat;
     return static_cast<std::uint64_t>(uniformNoise({seed, which, index, runSeed}) * 0x1p53);
 }
 
-std::string trajectoryName(Course course, int index, int repeat, int repeats) {
+std::string trajectoryName(DrivePattern pattern, int index, int repeat, int repeats) {
     char text[64];
-    std::snprintf(text, sizeof text, repeats > 1 ? "%s%d.%d" : "%s%d", std::string(name(course)).c_str(), index + 1,
+    std::snprintf(text, sizeof text, repeats > 1 ? "%s%d.%d" : "%s%d", std::string(name(pattern)).c_str(), index + 1,
                   repeat + 1);
     return text;
 }
@@ -69,33 +69,33 @@ SyntheticRun runReferenceRobot(std::span<const StampedCommand> commands, double 
 
 const std::vector<SyntheticSet>& syntheticSets() {
     static const std::vector<SyntheticSet> sets{
-        {"training", "more than 100,000 patterns of random driving, to learn from", {{Course::random, 200, 60}}},
+        {"training", "more than 100,000 patterns of random driving, to learn from", {{DrivePattern::random, 200, 60}}},
         {"held-out",
          "100 trajectories with one window of 10 s each, 20 of them with a full-to-zero switch, to judge by",
-         {{Course::random, 80, 15}, {Course::hardSwitch, 20, 15}}},
+         {{DrivePattern::random, 80, 15}, {DrivePattern::hardSwitch, 20, 15}}},
         {"example",
-         "a few minutes of driving and the two courses, to try the program on",
-         {{Course::random, 4, 60}, {Course::jink, 1}, {Course::ellipse, 1}}},
+         "a few minutes of driving and the two drive patterns, to try the program on",
+         {{DrivePattern::random, 4, 60}, {DrivePattern::jink, 1}, {DrivePattern::ellipse, 1}}},
         {"repeat",
          "the same commands several times, to see how far runs differ",
-         {{Course::random, 30, 15, 4}, {Course::jink, 1, -1, 10}, {Course::ellipse, 1, -1, 10}}},
+         {{DrivePattern::random, 30, 15, 4}, {DrivePattern::jink, 1, -1, 10}, {DrivePattern::ellipse, 1, -1, 10}}},
     };
     return sets;
 }
 
 std::optional<Log> generateLog(const SyntheticPart& part, std::uint64_t seed, const Progress& progress) {
-    const double duration = part.duration < 0 ? courseDuration(part.course) : part.duration;
+    const double duration = part.duration < 0 ? patternDuration(part.pattern) : part.duration;
     Log log{"", "csv", 0, {{"reference", {}, {}}}, {}, true};
     auto& trajectories = log.robots.front().trajectories;
     Nanoseconds begin = 0;
     for (int i = 0; i < part.trajectories; ++i) {
         const auto index = static_cast<std::uint32_t>(i);
-        const auto commands = courseCommands(part.course, duration, seed, index);
+        const auto commands = patternCommands(part.pattern, duration, seed, index);
         for (int repeat = 0; repeat < part.repeats; ++repeat) {
-            const SyntheticRun run = runReferenceRobot(commands, duration, startOf(seed, index, part.course),
-                                                       seedOfRun(seed, part.course, index, repeat));
+            const SyntheticRun run = runReferenceRobot(commands, duration, startOf(seed, index, part.pattern),
+                                                       seedOfRun(seed, part.pattern, index, repeat));
             Trajectory& trajectory = trajectories.emplace_back();
-            trajectory.name = trajectoryName(part.course, i, repeat, part.repeats);
+            trajectory.name = trajectoryName(part.pattern, i, repeat, part.repeats);
             trajectory.group = i;
             trajectory.commands = commands;
             trajectory.poses = run.tracked;

@@ -8,7 +8,7 @@
 
 #include "io/progress.h"
 #include "logs/robot_log.h"
-#include "synthetic/courses.h"
+#include "synthetic/drive_patterns.h"
 #include "synthetic/reference_robot.h"
 
 namespace mrose {
@@ -30,11 +30,11 @@ struct SyntheticRun {
 SyntheticRun runReferenceRobot(std::span<const StampedCommand> commands, double duration, const Pose& start,
                                std::uint64_t seed, const SyntheticTracker& tracker = {});
 
-/// Trajectories of one course: one file.
+/// Trajectories of one drive pattern: one file.
 struct SyntheticPart {
-    Course course = Course::random;
+    DrivePattern pattern = DrivePattern::random;
     int trajectories = 1;  ///< different ones (of the jink and the ellipse: with other jitter only)
-    double duration = -1;  ///< s each; below 0: courseDuration
+    double duration = -1;  ///< s each; below 0: patternDuration
     int repeats = 1;       ///< of each one's commands; the repetitions are one group
 };
 

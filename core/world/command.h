@@ -7,7 +7,7 @@
 
 namespace mrose {
 
-/// What a differential-drive robot is told to do.
+/// The command of a differential-drive robot.
 struct Command {
     double v = 0;  ///< forward speed, m/s
     double w = 0;  ///< rotation rate, rad/s, counter-clockwise

@@ -39,13 +39,12 @@ private:
     Command before_;
 };
 
-/// Commands in slots that somebody else owns, so that a world's state can keep as many as each of its robots needs.
-/// `time` must not be before the newest; a command of the same instant replaces it. One equal to the command in force
-/// takes no room; where all slots are taken the oldest command moves to `before`.
+/// Commands in slots owned elsewhere, so that a world's state can keep as many as each of its robots needs. `time` must
+/// not be before the newest; a command of the same instant replaces it. One equal to the command in force takes no
+/// room; where all slots are taken the oldest command moves to `before`.
 void issueCommand(std::span<StampedCommand> slots, std::size_t& size, Command& before, const StampedCommand& issued);
 
-/// The commands issued to one robot as a value without heap memory. Before the first command the robot is told to
-/// stand.
+/// The commands issued to one robot as a value without heap memory. Before the first command the robot stands.
 class CommandHistory {
 public:
     static constexpr std::size_t capacity = 128;

@@ -110,8 +110,8 @@ Expected<WorldState> parseState(std::string_view bytes, const std::string& name)
     state.tick = reader.number<std::int64_t>();
     state.seed = reader.number<std::uint64_t>();
 
-    const std::string misfit = "holds a state whose sizes do not fit its " + std::to_string(bytes.size()) + " bytes";
-    if (reader.failed()) return fail(name, misfit);
+    const std::string badSizes = "holds a state whose sizes do not fit its " + std::to_string(bytes.size()) + " bytes";
+    if (reader.failed()) return fail(name, badSizes);
     std::uint64_t rest = reader.rest().size();
     bool fits = true;
     k = 0;
@@ -123,7 +123,7 @@ Expected<WorldState> parseState(std::string_view bytes, const std::string& name)
         fits = fits && size <= rest / each;
         if (fits) rest -= size * each;
     });
-    if (!fits || rest != 0) return fail(name, misfit);
+    if (!fits || rest != 0) return fail(name, badSizes);
 
     bool sound = true;
     k = 0;

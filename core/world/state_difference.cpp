@@ -110,7 +110,7 @@ std::optional<StateDifference> firstDifference(const WorldState& a, const WorldS
 
 bool StateDifference::ofBytes() const { return part == Part::motion || part == Part::memory || part == Part::sensing; }
 
-bool StateDifference::ofMinds() const {
+bool StateDifference::ofMemories() const {
     return part == Part::memory || part == Part::sensing || part == Part::past ||
            (part == Part::state &&
             (field == "bytes of controllers" || field == "bytes of sensors" || field == "past poses"));

@@ -16,8 +16,8 @@ struct StateDifference {
     std::string field;      ///< "pose.x"; "robots" where their numbers differ; may be empty
     std::string first, second;  ///< the values, as text
 
-    bool ofBytes() const;  ///< of an array of memory, whose bytes have no names
-    bool ofMinds() const;  ///< of what StateHash::minds covers
+    bool ofBytes() const;     ///< of an array of memory, whose bytes have no names
+    bool ofMemories() const;  ///< of what StateHash::memories covers
     /// "robot 2 pose.x: 1.25 against 1.2500001", counted from 1.
     std::string message() const;
 };

@@ -11,8 +11,8 @@
 
 namespace mrose {
 
-// What a world's state is made of, field by field, told once: hashes, bytes and comparisons all walk over it. A field
-// that is not told here does not compile (the assertions at the end).
+// What a world's state is made of, field by field, listed once: hashes, bytes and comparisons all walk over it. A field
+// that is not listed here does not compile (the assertions at the end).
 
 /// `each(visit)` calls visit(name, pointer to member) for every field, in a fixed order.
 template <class T>

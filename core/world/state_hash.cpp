@@ -60,9 +60,9 @@ StateHash hashOf(const WorldState& state) {
                                    hashOfAll(state.goals),
                                    hashOfAll(state.commands),
                                    hashOfAll(state.motion)};
-    const std::uint64_t minds[] = {state.memory.size(),     state.sensing.size(),     state.past.size(),
-                                   hashOfAll(state.memory), hashOfAll(state.sensing), hashOfAll(state.past)};
-    return {combined(world), combined(minds)};
+    const std::uint64_t memories[] = {state.memory.size(),     state.sensing.size(),     state.past.size(),
+                                      hashOfAll(state.memory), hashOfAll(state.sensing), hashOfAll(state.past)};
+    return {combined(world), combined(memories)};
 }
 
 }  // namespace mrose

@@ -40,7 +40,7 @@ struct RobotState {
     std::array<Nanoseconds, maxManipulators> ready{};  ///< when each manipulator can act again
 };
 
-/// A body without a will: the ball, a box.
+/// A body that no controller moves: the ball, a box.
 struct ObjectState {
     Pose pose;
     Twist velocity_W;  ///< of the reference point: m/s, m/s, rad/s about the vertical
@@ -71,8 +71,8 @@ struct SentMessage {
     std::array<std::byte, 64> bytes{};
 };
 
-/// Everything that advances in time. A tick is a function of it and of the scenario, which is constant: whoever keeps
-/// a copy can go back to it, to the last bit.
+/// Everything that advances in time. A tick is a function of it and of the scenario, which is constant: from a copy one
+/// can go back to it, to the last bit.
 struct WorldState {
     std::int64_t tick = 0;
     std::uint64_t seed = 0;

@@ -1,7 +1,7 @@
 -- The pictures of the window in the README: make_window.sh runs this in the folder where they are to be.
 open("soccer.toml")
 
--- A branch: "red 2" starts its way behind the ball elsewhere; its old course stays as a ghost.
+-- A branch: "red 2" starts its way behind the ball elsewhere; what it did before stays as a ghost.
 seek(6)
 select("red 2")
 layer_grid(false)

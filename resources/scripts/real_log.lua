@@ -1,14 +1,14 @@
--- A log laid over its simulation: the course that is farthest off, where it leaves the real one, and why. Pictures are made in
+-- A log laid over its simulation: the rollout that is farthest off, where it leaves the real one, and why. Pictures are made in
 -- the current folder; ./demo runs this where there is no display.
 --   mrose-gui --offscreen --script real_log.lua --log MRCLAM_Dataset6
-expect(reality("windows") > 0, "courses are compared")
+expect(reality("windows") > 0, "rollouts are compared")
 worst(1)
 select(reality("robot"))
 go_to_divergence()
 screenshot("reality.png")
 say(reality("robot"), "from", reality("start"), "s on is off by", floor(1000 * reality("error") + 0.5) / 10, "cm on average")
 if reality("divergence") then
-    say("leaves the real course after", reality("divergence"), "s; likely cause:", reality("cause"))
+    say("leaves the real trajectory after", reality("divergence"), "s; likely cause:", reality("cause"))
     if reality("explained") then
         say("the best of the re-runs explains", floor(100 * reality("explained") + 0.5), "% of it")
     end

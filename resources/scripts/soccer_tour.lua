@@ -5,7 +5,7 @@ open("soccer.toml")
 
 -- Up to the first kick, by whomever.
 local kicked = "(function() for i = 1, #robot do if robot[i].kicked then return true end end return false end)()"
-expect(run_until(kicked, 30), "somebody kicks within 30 s")
+expect(run_until(kicked, 30), "a robot kicks within 30 s")
 local kick = tick
 
 -- Back to the decision behind it.

@@ -25,7 +25,7 @@ std::vector<std::shared_ptr<const Controller>> builtIn() {
             std::make_shared<const Wander>(Wander::Options{})};
 }
 
-Scenario everybody() {
+Scenario allRobots() {
     SmallWorld world(walledField(6, 4));
     RobotType type = guideRobot(cameras());
     type.manipulators.push_back({.name = "kicker", .position = {0.17, 0}, .width = 0.25});
@@ -38,7 +38,7 @@ Scenario everybody() {
 }
 
 TEST(Pure, EveryTickSteppedTwiceFromOneStateGivesTheSameMemory) {
-    const Scenario scenario = everybody();
+    const Scenario scenario = allRobots();
     WorldState state = scenario.initialState();
     StepBuffers buffers, others;
     run(scenario, state, 500);
@@ -56,7 +56,7 @@ TEST(Pure, EveryTickSteppedTwiceFromOneStateGivesTheSameMemory) {
 
 /// Another object of the same class, in another run, over the same state.
 TEST(Pure, ControllersThemselvesRememberNothing) {
-    const Scenario one = everybody(), two = everybody();
+    const Scenario one = allRobots(), two = allRobots();
     WorldState state = one.initialState();
     run(one, state, 700);
     WorldState other = state;
@@ -67,7 +67,7 @@ TEST(Pure, ControllersThemselvesRememberNothing) {
 
 /// No byte of the memory is left as it happened to be.
 TEST(Pure, MemoryHoldsNothingButWhatIsTold) {
-    const Scenario scenario = everybody();
+    const Scenario scenario = allRobots();
     WorldState state = scenario.initialState();
     run(scenario, state, 700);
     for (std::size_t i = 0; i < state.robots.size(); ++i) {

@@ -23,7 +23,7 @@ struct Run {
         const auto shared = std::make_shared<const Scenario>(std::move(scenario));
         OpenRun run;
         run.name = "crowd";
-        run.course = std::make_shared<const Course>(Course{{}, shared});
+        run.setup = std::make_shared<const BranchSetup>(BranchSetup{{}, shared});
         run.start = shared->initialState();
         return run;
     }

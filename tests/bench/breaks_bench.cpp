@@ -27,7 +27,7 @@ int bench(const char* name, const OpenRun& run, std::int64_t ticks) {
             if (!travel.forward()) return;
     });
     std::printf("%s: %.0f min, simulated in %.2f s with %.2f s of one core's time\n", name,
-                toSeconds(travel.course().scene().timeOf(ticks)) / 60, played,
+                toSeconds(travel.setup().scene().timeOf(ticks)) / 60, played,
                 static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
     const auto goOn = [](double) { return true; };
     for (const char* text : {"robot[2].speed > 50", "robot[3].touching and distance(robot[3], ball) > 1000",
@@ -63,12 +63,12 @@ int bench(const char* name, const OpenRun& run, std::int64_t ticks) {
 int benchAll(double minutes) {
     const auto run = openRun({.file = "soccer.toml"});
     if (!run) return std::fprintf(stderr, "%s\n", run.error().message().c_str()), 1;
-    const auto ticks = [&](const OpenRun& of) { return of.course->scene().ticksOf(fromSeconds(60 * minutes)); };
+    const auto ticks = [&](const OpenRun& of) { return of.setup->scene().ticksOf(fromSeconds(60 * minutes)); };
     bench("soccer.toml", *run, ticks(*run));
     OpenRun heavy;
     auto scenario = std::make_shared<const Scenario>(fieldScenario({}));
     heavy.start = scenario->initialState();
-    heavy.course = std::make_shared<const Course>(Course{{}, scenario});
+    heavy.setup = std::make_shared<const BranchSetup>(BranchSetup{{}, scenario});
     bench("eight that collide", heavy, ticks(heavy));
     return 0;
 }

@@ -1,6 +1,6 @@
 // What the window costs with an hour's log of five robots at 65 Hz laid over a run that drives all of it open loop, and
-// with two other models' courses: making a frame and painting it at 1280 x 800 with every layer but scans and trails of
-// 2000 points, the whole window with the errors plotted, and the memory of it all.
+// with two other models' rollouts: making a frame and painting it at 1280 x 800 with every layer but scans and trails
+// of 2000 points, the whole window with the errors plotted, and the memory of it all.
 #include <QApplication>
 #include <algorithm>
 #include <chrono>
@@ -18,7 +18,7 @@
 #include "motion/learned_model.h"
 #include "panels/plot_panel.h"
 #include "support/scenes.h"
-#include "synthetic/courses.h"
+#include "synthetic/drive_patterns.h"
 #include "travel/time_travel.h"
 #include "widgets/field_view.h"
 #include "window/main_window.h"
@@ -53,7 +53,7 @@ void tell(const char* what, std::vector<double> times) {
                 times[times.size() * 95 / 100], times.size(), times.back());
 }
 
-void tellMemory(const char* when) {
+void reportMemory(const char* when) {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     std::printf("%-44s at most %.0f MB so far\n", when, static_cast<double>(usage.ru_maxrss) / 1024);
@@ -80,7 +80,7 @@ std::shared_ptr<const Log> hourOf(double seconds) {
     log->source = "made-up";
     for (std::uint32_t i = 0; i < robots; ++i) {
         Trajectory trajectory;
-        trajectory.commands = courseCommands(mrose::Course::random, seconds, 7, i);
+        trajectory.commands = patternCommands(mrose::DrivePattern::random, seconds, 7, i);
         trajectory.poses = driven(trajectory.commands, {2.0 * i, 1.5 * (i % 2), 0}, nanosecondsPerSecond / 65, 0.97);
         log->robots.push_back({std::to_string(i + 1), {std::move(trajectory)}, {}});
     }
@@ -110,18 +110,18 @@ Expected<OpenRun> overlaid(double minutes) {
     const LogWorld::Opened opened = world->openAt(0, start, world->parts().duration, 1);
     Reality reality = realityOf(*world, 0, start);
     for (const double gain : {0.95, 1.0}) {
-        Reality::ModelCourse course{gain < 1 ? "slow" : "ideal", opened.scenario->scene().tickLength, {}};
+        Reality::ModelRollout rollout{gain < 1 ? "slow" : "ideal", opened.scenario->scene().tickLength, {}};
         for (const RobotLog& robot : log->robots) {
-            std::vector<Pose>& poses = course.poses.emplace_back();
+            std::vector<Pose>& poses = rollout.poses.emplace_back();
             for (const StampedPose& at :
-                 driven(robot.trajectories[0].commands, robot.trajectories[0].poses[0].pose, course.step, gain))
+                 driven(robot.trajectories[0].commands, robot.trajectories[0].poses[0].pose, rollout.step, gain))
                 poses.push_back(at.pose);
         }
-        reality.models.push_back(std::move(course));
+        reality.models.push_back(std::move(rollout));
     }
     OpenRun run;
     run.name = "overlaid";
-    run.course = std::make_shared<const Course>(Course{{}, opened.scenario});
+    run.setup = std::make_shared<const BranchSetup>(BranchSetup{{}, opened.scenario});
     run.start = opened.state;
     run.reality = std::make_shared<const Reality>(std::move(reality));
     return run;
@@ -168,7 +168,7 @@ int benchFrames(const OpenRun& run, std::int64_t last) {
     tell("making a frame", making);
     tell("painting it", painting);
     tell("both", both);
-    tellMemory("frames of an hour");
+    reportMemory("frames of an hour");
     return 0;
 }
 
@@ -189,7 +189,7 @@ int benchWindow(const OpenRun& run, std::int64_t last) {
     };
     window.session().seek(last);
     settle();
-    tellMemory("window, an hour driven");
+    reportMemory("window, an hour driven");
     window.actions()["plot_errors"].trigger();
     std::printf("errors of an hour computed in %.1f s\n", milliseconds([&] { window.plots().settle(); }) / 1e3);
     settle();
@@ -208,14 +208,14 @@ int benchWindow(const OpenRun& run, std::int64_t last) {
         steps.push_back(processorMilliseconds(settle));
     }
     tell("all of the window, a tick that has not", steps);
-    tellMemory("window, errors plotted");
+    reportMemory("window, errors plotted");
     return 0;
 }
 
 int bench(double minutes, bool window) {
     const auto run = overlaid(minutes);
     if (!run) return std::fprintf(stderr, "%s\n", run.error().message().c_str()), 1;
-    tellMemory("log and models");
+    reportMemory("log and models");
     const auto last = static_cast<std::int64_t>((60 * minutes - 10) * 50);
     return window ? benchWindow(*run, last) : benchFrames(*run, last);
 }

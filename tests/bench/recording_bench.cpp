@@ -104,7 +104,7 @@ void seekingInAnHour(benchmark::State& state) {
             static_cast<std::int64_t>(uniformNoise({1, 0, asked++, 0}) * static_cast<double>(timeline.last()));
         const auto seek = [&] {
             const auto reached = playback.reach(timeline, tick);
-            if (!reached || !reached->worldSame || !reached->mindsSame) std::abort();
+            if (!reached || !reached->worldSame || !reached->memoriesSame) std::abort();
         };
         // The less of two, since what else runs on the machine interrupts one.
         const double took = std::min(secondsOf(seek), secondsOf(seek));

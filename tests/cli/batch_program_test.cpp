@@ -56,7 +56,7 @@ TEST_F(BatchProgram, WritesARowForEachRunAndSumsUp) {
     EXPECT_EQ(json["results"], path("out") + "/results.csv");
 }
 
-TEST_F(BatchProgram, SeedsAreTheScenariosUnlessTold) {
+TEST_F(BatchProgram, SeedsAreTheScenariosUnlessGiven) {
     const auto seeds = [&](const std::string& name, const std::vector<std::string>& more) {
         std::vector<std::string> words{"--trials", "1", "--duration", "0.1", "-o", path(name)};
         words.insert(words.end(), more.begin(), more.end());

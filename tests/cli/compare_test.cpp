@@ -159,7 +159,7 @@ TEST_F(CompareProgram, TheRefereeFindsTheSameErrorsInRealLogs) {
     EXPECT_NEAR(numberAfter(*verdict, "Hd "), summary["Hd_percent"].get<double>(), 0.01);
 }
 
-TEST_F(CompareProgram, OneCourseAsTheScenarioRunsOrManyThatRestart) {
+TEST_F(CompareProgram, OneRolloutAsTheScenarioRunsOrManyThatRestart) {
     const Json one = result({"compare", scenario(), "--log", shippedLog()});
     EXPECT_EQ(one["all"]["courses"], 1);
     EXPECT_EQ(one["notices"].size(), 1u) << "synthetic: " << one["notices"];
@@ -168,10 +168,10 @@ TEST_F(CompareProgram, OneCourseAsTheScenarioRunsOrManyThatRestart) {
     EXPECT_NE(shortened.out.find("Note: The ground truth ends "), std::string::npos) << shortened.out;
     const Json many = result({"compare", scenario(), "--log", shippedLog(), "--start", "3", "--duration", "40",
                               "--every", "8", "--report", path("report")});
-    const auto courses = rowsOf(read("report/courses.csv"));
-    EXPECT_EQ(many["all"]["courses"], courses.size());
+    const auto rollouts = rowsOf(read("report/courses.csv"));
+    EXPECT_EQ(many["all"]["courses"], rollouts.size());
     std::map<std::string, Words> starts;
-    for (const auto& row : courses) {
+    for (const auto& row : rollouts) {
         starts[row.at("trajectory")].push_back(row.at("start_s"));
         EXPECT_EQ(row.at("duration_s"), "8.0");
         EXPECT_EQ(row.at("simulated"), "twin");
@@ -180,7 +180,7 @@ TEST_F(CompareProgram, OneCourseAsTheScenarioRunsOrManyThatRestart) {
 
     // Errors are told by the poses beside them.
     const auto rows = rowsOf(read("report/errors.csv"));
-    EXPECT_EQ(rows.size(), 80 * courses.size());
+    EXPECT_EQ(rows.size(), 80 * rollouts.size());
     for (const auto& row : rows) {
         const auto number = [&](const char* column) { return std::stod(row.at(column)); };
         EXPECT_NEAR(std::hypot(number("x") - number("real_x"), number("y") - number("real_y")),
@@ -197,7 +197,7 @@ TEST_F(CompareProgram, SaysWhatItComparesAndNeverForPeopleAndProgramsAtOnce) {
         EXPECT_NE(ran.out.find(part), std::string::npos) << part << '\n' << ran.out;
 }
 
-TEST_F(CompareProgram, SaysWhereTheRobotLeavesTheRealCourseAndWhy) {
+TEST_F(CompareProgram, SaysWhereTheRobotLeavesTheRealTrajectoryAndWhy) {
     const Words tight{"--bound-position", "0.02", "--bound-heading", "3"};
     const auto with = [&](Words words, const Words& more) {
         words.insert(words.end(), more.begin(), more.end());
@@ -206,24 +206,25 @@ TEST_F(CompareProgram, SaysWhereTheRobotLeavesTheRealCourseAndWhy) {
     const Words one{"compare", scenario(), "--log", shippedLog(), "--start", "10", "--duration", "20", "--quiet"};
     const ProgramResult ran = runMrose(with(one, tight));
     EXPECT_EQ(ran.status, 0) << ran.err;
-    for (const char* part : {"A robot leaves the real course where it is off by more than 2.0 cm or 3.0° for 0.3 s.",
-                             "twin: leaves the real course after ", "  likely cause: ", "tried", "explains",
-                             "dead time ", "velocity at the start ", "no more than the network's held-out error",
-                             "motion model velocity = command + lag, gains, biases"})
+    for (const char* part :
+         {"A robot leaves the real trajectory where it is off by more than 2.0 cm or 3.0° for 0.3 s.",
+          "twin: leaves the real trajectory after ", "  likely cause: ", "tried", "explains", "dead time ",
+          "velocity at the start ", "no more than the network's held-out error",
+          "motion model velocity = command + lag, gains, biases"})
         EXPECT_NE(ran.out.find(part), std::string::npos) << part << '\n' << ran.out;
     const Json said = result(with(one, tight))["divergence"];
     ASSERT_EQ(said["courses"].size(), 1u) << said;
-    const Json& course = said["courses"][0];
-    EXPECT_TRUE(course["position_m"] > 0.02 || course["heading_rad"] > 3 / 57.3) << course;
-    EXPECT_GT(course["tried"].size(), 5u);
+    const Json& rollout = said["courses"][0];
+    EXPECT_TRUE(rollout["position_m"] > 0.02 || rollout["heading_rad"] > 3 / 57.3) << rollout;
+    EXPECT_GT(rollout["tried"].size(), 5u);
     EXPECT_EQ(result(one)["divergence"]["all"]["courses"], 1);
 
     const Json without = result(with(with(one, tight), {"--no-causes"}))["divergence"]["courses"][0];
     EXPECT_FALSE(without.contains("tried"));
-    EXPECT_EQ(without["time_s"], course["time_s"]);
+    EXPECT_EQ(without["time_s"], rollout["time_s"]);
     // Another network, by name; held for longer it is later or never.
     const Json more = result(with(with(one, tight), {"--model", (sourceFolder() / "nets/create.net").string()}));
-    EXPECT_EQ(more["divergence"]["courses"][0]["tried"].size(), course["tried"].size() + 1);
+    EXPECT_EQ(more["divergence"]["courses"][0]["tried"].size(), rollout["tried"].size() + 1);
     const Json many = result(with({"compare", scenario(), "--log", shippedLog(), "--every", "5"}, tight))["divergence"];
     EXPECT_GT(many["all"]["diverging"], 5);
     EXPECT_EQ(std::count_if(many["courses"].begin(), many["courses"].end(),
@@ -326,10 +327,10 @@ TEST_F(CompareProgram, ErrorsAreOneLineThatSaysWhatToDo) {
         if (i < 100 || i > 150) rows += "reference," + std::to_string(10 + 0.1 * i) + ",0.1,0,1,1,0\n";
     const std::string gap = write("gap.csv", rows);
     expectOneLine(runMrose({"compare", file, "--log", gap, "--start", "12", "--duration", "2"}),
-                  {gap + ": has no ground truth of any compared robot where a course starts", "another start"});
+                  {gap + ": has no ground truth of any compared robot where a rollout starts", "another start"});
     const ProgramResult across = runMrose({"compare", file, "--log", gap, "--start", "5", "--duration", "15"});
     EXPECT_EQ(across.status, 0) << across.err;
-    EXPECT_NE(across.out.find("Note: twin: 1 of 1 course left out of P and Hd: 1 with a gap in the ground truth."),
+    EXPECT_NE(across.out.find("Note: twin: 1 of 1 rollout left out of P and Hd: 1 with a gap in the ground truth."),
               std::string::npos)
         << across.out;
 

@@ -37,7 +37,7 @@ bool reads(const MotionNetwork& network, NetworkInput::Quantity quantity) {
                        [&](const NetworkInput& input) { return input.quantity == quantity; });
 }
 
-TEST_F(RobotType, IsAnyRobotWhereNobodyTells) {
+TEST_F(RobotType, IsAnyRobotWhereTheLogDoesNotSay) {
     const MotionNetwork network = learned(trainWords(path("a.net")), path("a.net"));
     EXPECT_EQ(network.robotType, "robot");
     EXPECT_FALSE(reads(network, NetworkInput::Quantity::leftSine));
@@ -71,7 +71,7 @@ TEST_F(RobotType, IsThatOfARobotFileWhoseNetworkIsStillToBeLearned) {
     EXPECT_TRUE(reads(network, NetworkInput::Quantity::turnSense));
 }
 
-TEST_F(RobotType, ThatNobodyKnowsIsRefused) {
+TEST_F(RobotType, ThatIsUnknownIsRefused) {
     const auto refused = [&](const std::string& type, const std::vector<std::string>& parts) {
         auto words = trainWords(path("a.net"));
         words.insert(words.end(), {"--type", type});

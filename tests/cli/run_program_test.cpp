@@ -157,7 +157,7 @@ TEST_F(RunProgram, WrongFlagsAreOneLine) {
     EXPECT_EQ(listing(), before);
 }
 
-TEST_F(RunProgram, RecordingsAreNotReplacedUnlessTold) {
+TEST_F(RunProgram, RecordingsAreNotReplacedUnlessAsked) {
     write("game.mcap", "earlier");
     expectOneLine(play("run", {"--record", path("game.mcap")}), {"game.mcap: is there already"});
     EXPECT_EQ(read("game.mcap"), "earlier");
@@ -291,7 +291,7 @@ TEST_F(LongRun, RecordingHasOneWriter) {
     EXPECT_EQ(runMrose({"replay", path("game.mcap"), "--quiet"}).status, 0);
 }
 
-TEST_F(LongRun, WhoIsKilledStandsInNobodysWay) {
+TEST_F(LongRun, KilledProcessBlocksNoOther) {
     const auto program = underWay();
     program->send(SIGKILL);
     program->finish();

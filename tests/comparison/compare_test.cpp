@@ -43,7 +43,7 @@ std::shared_ptr<const MotionModel> heldCommands(double gain = 1) {
 Comparison comparedEvery(const Log& log, ScenarioParts parts, Nanoseconds every, Nanoseconds start = 0) {
     const auto world = LogWorld::create(std::move(parts), std::make_shared<const Log>(log));
     EXPECT_TRUE(world) << world.error().message();
-    const auto requests = coursesOf(*world, {start, std::nullopt, every});
+    const auto requests = rolloutsOf(*world, {start, std::nullopt, every});
     EXPECT_TRUE(requests) << requests.error().message();
     const auto comparison = compare(*world, *requests);
     EXPECT_TRUE(comparison) << comparison.error().message();
@@ -54,15 +54,15 @@ TEST(Compare, RobotThatObeysIsWhereTheRealOneIs) {
     const Log log = threeRobots();
     const Comparison comparison = comparedEvery(log, playersOf(log, heldCommands()), 5 * second);
     ASSERT_EQ(comparison.requests.size(), 8u);
-    ASSERT_EQ(comparison.courses.size(), 24u);
-    for (const ComparedCourse& course : comparison.courses) {
-        if (course.simulated.empty()) continue;
-        const RobotLog& real = log.robots[course.real.robot];
-        EXPECT_EQ(course.real.start, 5 * second + comparison.requests[course.request].start);
-        EXPECT_EQ(course.simulated.size(), 50u);
+    ASSERT_EQ(comparison.rollouts.size(), 24u);
+    for (const ComparedRollout& rollout : comparison.rollouts) {
+        if (rollout.simulated.empty()) continue;
+        const RobotLog& real = log.robots[rollout.real.robot];
+        EXPECT_EQ(rollout.real.start, 5 * second + comparison.requests[rollout.request].start);
+        EXPECT_EQ(rollout.simulated.size(), 50u);
         // The truth is a fit over 0.12 s, which cuts corners by less than that.
         for (std::size_t k = 0; k < 50; ++k)
-            EXPECT_FALSE(course.errors.position[k] >= 3e-3) << real.robot << k;  // unknown ones are below
+            EXPECT_FALSE(rollout.errors.position[k] >= 3e-3) << real.robot << k;  // unknown ones are below
     }
 }
 
@@ -70,72 +70,72 @@ TEST(Compare, SaysWhatIsLeftOutAndWhy) {
     const Log log = threeRobots();
     const Comparison comparison = comparedEvery(log, playersOf(log, heldCommands()), 5 * second);
     const auto uses = [&](std::size_t robot) { return comparison.summaries[robot].uses; };
-    using Uses = std::array<std::size_t, courseUses>;  // counted, still, gap, absent
+    using Uses = std::array<std::size_t, rolloutUses>;  // counted, still, gap, absent
     EXPECT_EQ(uses(0), (Uses{8, 0, 0, 0}));
     EXPECT_EQ(uses(1), (Uses{7, 0, 1, 0})) << "without poses from 15 to 16 s of the clock";
-    // It ends at 25 s: a course that starts there is measured from its last pose, but has no truth.
+    // It ends at 25 s: a rollout that starts there is measured from its last pose, but has no truth.
     EXPECT_EQ(uses(2), (Uses{1, 4, 1, 2})) << "it stands from 5 s on";
-    EXPECT_EQ(comparison.all.courses(), 24u);
-    EXPECT_EQ(comparison.all.of(CourseUse::counted), 16u);
+    EXPECT_EQ(comparison.all.rollouts(), 24u);
+    EXPECT_EQ(comparison.all.of(RolloutUse::counted), 16u);
     EXPECT_EQ(comparison.counted.size(), 16u);
     EXPECT_EQ(comparison.evaluation.windows.size(), 16u);
-    for (const ComparedCourse& course : comparison.courses) {
-        EXPECT_EQ(course.simulated.empty(), course.use == CourseUse::absent);
-        if (course.robot != 1 || course.use != CourseUse::gap) continue;
+    for (const ComparedRollout& rollout : comparison.rollouts) {
+        EXPECT_EQ(rollout.simulated.empty(), rollout.use == RolloutUse::absent);
+        if (rollout.robot != 1 || rollout.use != RolloutUse::gap) continue;
         for (std::size_t k = 0; k < 50; ++k)  // after k + 1 steps
-            EXPECT_EQ(std::isnan(course.errors.position[k]), k < 10) << k << ": the pose that ends it is in it";
-        EXPECT_TRUE(std::isnan(course.errors.positionMean));
-        EXPECT_FALSE(std::isnan(course.errors.positionFinal)) << "known again at the end";
+            EXPECT_EQ(std::isnan(rollout.errors.position[k]), k < 10) << k << ": the pose that ends it is in it";
+        EXPECT_TRUE(std::isnan(rollout.errors.positionMean));
+        EXPECT_FALSE(std::isnan(rollout.errors.positionFinal)) << "known again at the end";
     }
     EXPECT_EQ(comparison.summaries[1].positionFinal.count, 8u);
 }
 
 /// A single start of one robot that drives straight on and has no poses from `from` to `to`.
-CourseUse useWithGap(double from, double to, double start) {
+RolloutUse useWithGap(double from, double to, double start) {
     Log log = logOf({obedientTrajectory(0, 30 * second, straightOn)});
     std::erase_if(log.robots[0].trajectories[0].poses, [&](const StampedPose& pose) {
         return pose.time > fromSeconds(from) && pose.time < fromSeconds(to);
     });
     const auto world = LogWorld::create(playersOf(log, heldCommands()), std::make_shared<const Log>(log));
     EXPECT_TRUE(world) << world.error().message();
-    const auto comparison = compare(*world, std::vector<CourseRequest>{{0, fromSeconds(start), 100}});
+    const auto comparison = compare(*world, std::vector<RolloutRequest>{{0, fromSeconds(start), 100}});
     EXPECT_TRUE(comparison) << comparison.error().message();
-    return comparison->courses.front().use;
+    return comparison->rollouts.front().use;
 }
 
 TEST(Compare, GapsAreFoundWhereverTheyLie) {
-    EXPECT_EQ(useWithGap(0, 0, 5), CourseUse::counted);
-    EXPECT_EQ(useWithGap(7.1, 7.25, 5), CourseUse::counted) << "shorter than 0.2 s";
+    EXPECT_EQ(useWithGap(0, 0, 5), RolloutUse::counted);
+    EXPECT_EQ(useWithGap(7.1, 7.25, 5), RolloutUse::counted) << "shorter than 0.2 s";
     // Between the instants over which paths are summed.
-    EXPECT_EQ(useWithGap(7.11, 7.39, 5), CourseUse::gap);
+    EXPECT_EQ(useWithGap(7.11, 7.39, 5), RolloutUse::gap);
     // Just before the start, as the referee's windows are.
-    EXPECT_EQ(useWithGap(4.6, 4.85, 5), CourseUse::gap);
-    EXPECT_EQ(useWithGap(4.4, 4.75, 5), CourseUse::counted);
+    EXPECT_EQ(useWithGap(4.6, 4.85, 5), RolloutUse::gap);
+    EXPECT_EQ(useWithGap(4.4, 4.75, 5), RolloutUse::counted);
 }
 
 TEST(Compare, ErrorsAreThoseOfAGainThatIsWrong) {
     // A robot that drives straight on at 0.1 m/s, simulated at 1.1 times that: after t seconds 0.01 t m ahead.
     const Log log = logOf({obedientTrajectory(0, 30 * second, straightOn)});
     const Comparison comparison = comparedEvery(log, playersOf(log, heldCommands(1.1)), 10 * second, 2 * second);
-    ASSERT_EQ(comparison.courses.size(), 2u);
-    for (const ComparedCourse& course : comparison.courses) {
-        EXPECT_NEAR(course.errors.positionFinal, 0.1, 1e-6);
-        EXPECT_NEAR(course.errors.positionMean, 0.01 * (0.1 + 10) / 2, 1e-6);
-        EXPECT_NEAR(course.errors.headingFinal, 0, 1e-9);
-        EXPECT_NEAR(course.real.path, 1, 1e-6);
-        EXPECT_FALSE(course.touched);
+    ASSERT_EQ(comparison.rollouts.size(), 2u);
+    for (const ComparedRollout& rollout : comparison.rollouts) {
+        EXPECT_NEAR(rollout.errors.positionFinal, 0.1, 1e-6);
+        EXPECT_NEAR(rollout.errors.positionMean, 0.01 * (0.1 + 10) / 2, 1e-6);
+        EXPECT_NEAR(rollout.errors.headingFinal, 0, 1e-9);
+        EXPECT_NEAR(rollout.real.path, 1, 1e-6);
+        EXPECT_FALSE(rollout.touched);
     }
     EXPECT_NEAR(comparison.all.counted.p, 5.05, 1e-4);
     EXPECT_EQ(comparison.summaries[0].counted.p, comparison.all.counted.p);
 }
 
-TEST(Compare, WorstCourseIsFirst) {
+TEST(Compare, WorstRolloutIsFirst) {
     const Log log = threeRobots();
     auto models = std::vector{heldCommands(1), heldCommands(1.5), heldCommands(1)};
     const Comparison comparison = comparedEvery(log, playersOf(log, models), 10 * second);
     const auto worst = worstFirst(comparison);
-    EXPECT_EQ(worst.size(), comparison.courses.size() - comparison.all.of(CourseUse::absent));
-    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(comparison.courses[worst[i]].robot, 1u);
+    EXPECT_EQ(worst.size(), comparison.rollouts.size() - comparison.all.of(RolloutUse::absent));
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(comparison.rollouts[worst[i]].robot, 1u);
 }
 
 /// P, Hd and all other figures of the same windows.
@@ -149,10 +149,10 @@ void expectTheSameFigures(const Log& log, const std::vector<std::shared_ptr<cons
     ASSERT_TRUE(evaluation) << evaluation.error().message();
     const auto world = LogWorld::create(playersOf(log, models), std::make_shared<const Log>(log));
     ASSERT_TRUE(world) << world.error().message();
-    const auto comparison = compare(*world, coursesOfWindows(*world, evaluation->windows));
+    const auto comparison = compare(*world, rolloutsOfWindows(*world, evaluation->windows));
     ASSERT_TRUE(comparison) << comparison.error().message();
     ASSERT_EQ(comparison->touches, 0);
-    EXPECT_EQ(comparison->all.of(CourseUse::counted), evaluation->windows.size());
+    EXPECT_EQ(comparison->all.of(RolloutUse::counted), evaluation->windows.size());
     const Evaluation& ours = comparison->evaluation;
     EXPECT_EQ(resultsCsv(ours), resultsCsv(*evaluation));
     EXPECT_EQ(windowsCsv(ours), windowsCsv(*evaluation));
@@ -195,30 +195,30 @@ Log crossing() {
 TEST(Compare, ContactsOfTheSimulationAreCounted) {
     const Log log = crossing();
     const Comparison comparison = comparedEvery(log, playersOf(log, heldCommands()), 15 * second);
-    ASSERT_EQ(comparison.courses.size(), 2u);
+    ASSERT_EQ(comparison.rollouts.size(), 2u);
     EXPECT_GE(comparison.touches, 1);
-    for (const ComparedCourse& course : comparison.courses) {
-        EXPECT_EQ(course.touches, comparison.touches) << "each touched the other, and nothing else";
+    for (const ComparedRollout& rollout : comparison.rollouts) {
+        EXPECT_EQ(rollout.touches, comparison.touches) << "each touched the other, and nothing else";
         // They begin 4 m apart and touch where their discs of 0.17 m meet, at 0.2 m/s each.
-        ASSERT_TRUE(course.touched);
-        EXPECT_NEAR(toSeconds(*course.touched), (4 - 2 * 0.17) / 0.4, 0.05);
-        EXPECT_GT(course.errors.positionFinal, 0.5) << "the real ones drove on";
-        const auto before = static_cast<std::size_t>(*course.touched / 100'000'000) - 1;
-        EXPECT_LT(course.errors.position[before - 1], 1e-9);
+        ASSERT_TRUE(rollout.touched);
+        EXPECT_NEAR(toSeconds(*rollout.touched), (4 - 2 * 0.17) / 0.4, 0.05);
+        EXPECT_GT(rollout.errors.positionFinal, 0.5) << "the real ones drove on";
+        const auto before = static_cast<std::size_t>(*rollout.touched / 100'000'000) - 1;
+        EXPECT_LT(rollout.errors.position[before - 1], 1e-9);
     }
     EXPECT_EQ(comparison.all.touched, 2u);
 }
 
 TEST(Compare, RobotWithoutGroundTruthAtTheStartIsNotInTheWorld) {
     Log log = crossing();
-    // Where "west" is is known only for the first 3 s: a course from 4 s on leaves it out, so that nobody is met.
+    // Where "west" is is known only for the first 3 s: a rollout from 4 s on leaves it out, so that no robot is met.
     std::erase_if(log.robots[1].trajectories[0].poses, [](const StampedPose& pose) { return pose.time > 3 * second; });
     const Comparison comparison = comparedEvery(log, playersOf(log, heldCommands()), 15 * second, 4 * second);
-    ASSERT_EQ(comparison.courses.size(), 2u);
-    EXPECT_EQ(comparison.courses[0].use, CourseUse::counted);
-    EXPECT_EQ(comparison.courses[1].use, CourseUse::absent);
+    ASSERT_EQ(comparison.rollouts.size(), 2u);
+    EXPECT_EQ(comparison.rollouts[0].use, RolloutUse::counted);
+    EXPECT_EQ(comparison.rollouts[1].use, RolloutUse::absent);
     EXPECT_EQ(comparison.touches, 0);
-    EXPECT_LT(comparison.courses[0].errors.positionFinal, 1e-9);
+    EXPECT_LT(comparison.rollouts[0].errors.positionFinal, 1e-9);
 }
 
 TEST(Compare, ThreadsDoNotMatter) {
@@ -226,7 +226,7 @@ TEST(Compare, ThreadsDoNotMatter) {
     const auto text = [&](std::size_t threads) {
         const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
         const Comparison comparison = comparedEvery(log, playersOf(log, wearyModel()), 2 * second);
-        return errorsCsv(comparison) + coursesCsv(comparison) + comparisonJson(comparison, {});
+        return errorsCsv(comparison) + rolloutsCsv(comparison) + comparisonJson(comparison, {});
     };
     EXPECT_EQ(text(1), text(8));
 }
@@ -237,7 +237,7 @@ TEST(Compare, TicksThatDoNotDivideTheStepAreRefused) {
     parts.scene.tickLength = 30'000'000;
     const auto world = LogWorld::create(std::move(parts), std::make_shared<const Log>(log));
     ASSERT_TRUE(world);
-    const auto comparison = compare(*world, std::vector<CourseRequest>{{0, 0, 10}});
+    const auto comparison = compare(*world, std::vector<RolloutRequest>{{0, 0, 10}});
     ASSERT_FALSE(comparison);
     EXPECT_EQ(comparison.error().message(),
               "tick_s: is 0.03; expected one that divides 0.1 s, the step of the comparison");
@@ -247,7 +247,7 @@ TEST(Compare, PeriodLongerThanTheStepIsComparedWithinItToo) {
     const Log log = logOf({obedientTrajectory(0, 30 * second, straightOn)});
     const auto slow = std::make_shared<const HeldCommandModel>(300'000'000, 1);
     const Comparison comparison = comparedEvery(log, playersOf(log, slow), 10 * second, 3 * second);
-    for (const double error : comparison.courses.front().errors.position) EXPECT_LT(error, 1e-9);
+    for (const double error : comparison.rollouts.front().errors.position) EXPECT_LT(error, 1e-9);
 }
 
 }  // namespace

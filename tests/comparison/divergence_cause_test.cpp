@@ -10,10 +10,10 @@
 
 #include "comparison/command_jumps.h"
 #include "comparison/compared_divergences.h"
-#include "comparison/course_rerun.h"
 #include "comparison/divergence_text.h"
 #include "comparison/planted_logs.h"
 #include "comparison/played_scenarios.h"
+#include "comparison/rollout_rerun.h"
 #include "learning/parallel_for.h"
 #include "motion/kinematic.h"
 #include "support/units.h"
@@ -21,19 +21,19 @@
 namespace mrose {
 namespace {
 
-/// What is said of one planted log; nothing: it does not diverge.
+/// What is said of one planted log; nullopt: it does not diverge.
 std::optional<Diagnosis> diagnosed(const PlantedLog& planted) {
     const auto world = LogWorld::create(planted.parts, std::make_shared<const Log>(planted.log));
     if (!world) return std::nullopt;
     const auto comparison = compare(*world, {&planted.request, 1});
     if (!comparison) return std::nullopt;
-    const ComparedCourse& course = comparison->courses.front();
+    const ComparedRollout& rollout = comparison->rollouts.front();
     DiagnosisOptions options;
     options.bound = planted.bound;
     options.models = planted.models;
-    const auto divergence = firstDivergence(course, options.step, options.bound);
+    const auto divergence = firstDivergence(rollout, options.step, options.bound);
     if (!divergence) return std::nullopt;
-    auto diagnosis = diagnose(*world, planted.request, course, *divergence, options);
+    auto diagnosis = diagnose(*world, planted.request, rollout, *divergence, options);
     return diagnosis ? std::optional(std::move(*diagnosis)) : std::nullopt;
 }
 
@@ -79,48 +79,50 @@ TEST(DivergenceCause, IsNamedWherePlantedAndNoOtherwise) {
 }
 
 /// A planted log, compared, with what it needs to be diagnosed.
-struct PlantedCourse {
+struct PlantedRollout {
     std::unique_ptr<const PlantedLog> planted;
     LogWorld world;
     Comparison comparison;
     DiagnosisOptions options;
 
-    explicit PlantedCourse(PlantedLog made)
+    explicit PlantedRollout(PlantedLog made)
         : planted(std::make_unique<const PlantedLog>(std::move(made))),
           world(*LogWorld::create(planted->parts, std::make_shared<const Log>(planted->log))),
           comparison(*compare(world, {&planted->request, 1})) {
         options.bound = planted->bound;
         options.models = planted->models;
     }
-    const ComparedCourse& course() const { return comparison.courses.front(); }
-    Divergence divergence() const { return *firstDivergence(course(), options.step, options.bound); }
-    Expected<Diagnosis> diagnosis() const { return diagnose(world, planted->request, course(), divergence(), options); }
-    CourseRerun rerun(int steps) const { return {world, planted->request, course(), options.step, steps, 1}; }
+    const ComparedRollout& rollout() const { return comparison.rollouts.front(); }
+    Divergence divergence() const { return *firstDivergence(rollout(), options.step, options.bound); }
+    Expected<Diagnosis> diagnosis() const {
+        return diagnose(world, planted->request, rollout(), divergence(), options);
+    }
+    RolloutRerun rerun(int steps) const { return {world, planted->request, rollout(), options.step, steps, 1}; }
 };
 
 /// The first planted log of a kind that diverges.
-PlantedCourse firstOf(Planted kind) {
+PlantedRollout firstOf(Planted kind) {
     for (std::uint64_t number = 0;; ++number) {
-        PlantedCourse compared(plantedLog(kind, number));
-        if (firstDivergence(compared.course(), compared.options.step, compared.options.bound)) return compared;
+        PlantedRollout compared(plantedLog(kind, number));
+        if (firstDivergence(compared.rollout(), compared.options.step, compared.options.bound)) return compared;
     }
 }
 
-TEST(CourseRerun, IsTheCourseItselfWhereNothingIsChanged) {
-    const PlantedCourse compared = firstOf(Planted::noise);
-    const ComparedCourse& course = compared.course();
-    const CourseRerun rerun = compared.rerun(40);
-    const std::vector<Pose> same(course.simulated.begin(), course.simulated.begin() + 40);
+TEST(RolloutRerun, IsTheRolloutItselfWhereNothingIsChanged) {
+    const PlantedRollout compared = firstOf(Planted::noise);
+    const ComparedRollout& rollout = compared.rollout();
+    const RolloutRerun rerun = compared.rerun(40);
+    const std::vector<Pose> same(rollout.simulated.begin(), rollout.simulated.begin() + 40);
     EXPECT_EQ(rerun.later(0), same);
     EXPECT_EQ(rerun.obeying({}), same);
-    EXPECT_EQ(rerun.startingAt(*course.real.measuredVelocity), same);
+    EXPECT_EQ(rerun.startingAt(*rollout.real.measuredVelocity), same);
     EXPECT_EQ(rerun.untouched(), same) << "there is nothing to touch";
     EXPECT_EQ(rerun.movedBy(compared.planted->parts.scene.models[0]), same);
     EXPECT_NE(rerun.later(rerun.tick()), same);
     EXPECT_NE(rerun.noisy(noiseOf(rerun.model()), 2), same);
 }
 
-TEST(CourseRerun, LaterCommandsAreTheSameDriveLater) {
+TEST(RolloutRerun, LaterCommandsAreTheSameDriveLater) {
     // A robot at rest that is told to go: with commands 0.2 s later it is where it was 0.2 s before.
     Trajectory trajectory;
     for (Nanoseconds t = 0; t <= 10 * second; t += 20 * ms) trajectory.poses.push_back({t, {}});
@@ -129,7 +131,7 @@ TEST(CourseRerun, LaterCommandsAreTheSameDriveLater) {
     planted.log.robots[0].trajectories = {trajectory};
     planted.request = {0, 4 * second, 50};
     planted.parts.scene.models[0] = withNoise(planted.parts.scene.models[0], {});
-    const PlantedCourse compared(std::move(planted));
+    const PlantedRollout compared(std::move(planted));
     const auto same = compared.rerun(50).later(0), later = compared.rerun(50).later(200 * ms);
     for (std::size_t k = 2; k < 50; ++k) {
         EXPECT_NEAR(later[k].x, same[k - 2].x, 1e-9) << k;
@@ -137,7 +139,7 @@ TEST(CourseRerun, LaterCommandsAreTheSameDriveLater) {
     }
 }
 
-TEST(CourseRerun, HoldingTheCommandBeforeIsTheSameDriveLater) {
+TEST(RolloutRerun, HoldingTheCommandBeforeIsTheSameDriveLater) {
     // A robot that drives straight on at 4 s and is told to turn at 6.5 s: turning 0.2 s later it is where it would
     // have turned had that command come 0.2 s later, and the same where it is told in two parts.
     Trajectory trajectory;
@@ -150,37 +152,38 @@ TEST(CourseRerun, HoldingTheCommandBeforeIsTheSameDriveLater) {
         planted.log.robots[0].trajectories = {log};
         planted.request = {0, 4 * second, 50};
         planted.parts.scene.models[0] = withNoise(planted.parts.scene.models[0], {});
-        return PlantedCourse(std::move(planted));
+        return PlantedRollout(std::move(planted));
     };
-    const PlantedCourse compared = plantedWith(trajectory), latest = plantedWith(late);
-    const CourseRerun rerun = compared.rerun(50);
+    const PlantedRollout compared = plantedWith(trajectory), latest = plantedWith(late);
+    const RolloutRerun rerun = compared.rerun(50);
     const Command straight{0.4, 0}, turning{0.4, 1};
-    EXPECT_EQ(rerun.holding(straight, 6500 * ms, 6700 * ms), latest.course().simulated);
-    EXPECT_EQ(latest.rerun(50).holding(turning, 6500 * ms, 6700 * ms), compared.course().simulated) << "sooner";
-    EXPECT_EQ(rerun.holding(straight, 5 * second, 5800 * ms), compared.course().simulated) << "as it is told anyway";
-    EXPECT_NE(latest.course().simulated, compared.course().simulated);
+    EXPECT_EQ(rerun.holding(straight, 6500 * ms, 6700 * ms), latest.rollout().simulated);
+    EXPECT_EQ(latest.rerun(50).holding(turning, 6500 * ms, 6700 * ms), compared.rollout().simulated) << "sooner";
+    EXPECT_EQ(rerun.holding(straight, 5 * second, 5800 * ms), compared.rollout().simulated)
+        << "as it is commanded anyway";
+    EXPECT_NE(latest.rollout().simulated, compared.rollout().simulated);
 }
 
-TEST(CommandJumps, AreWhatIsToldAnewNearTheCourse) {
+TEST(CommandJumps, AreCommandsThatChangeNearTheRollout) {
     Trajectory log;
     for (int i = 0; i < 200; ++i) {
         const double creeping = 0.001 * i;
         log.commands.push_back({i * 50 * ms, {i < 100 ? 0.2 : 0.5, (i < 40 ? 0 : i < 130 ? 1 : -1) + creeping}});
     }
-    ComparedCourse course;
-    course.real.start = 3 * second;
+    ComparedRollout rollout;
+    rollout.real.start = 3 * second;
     const KinematicModel model({.v = {.deadTime = 0.2}, .w = {.deadTime = 0.2}}, 100 * ms);
     const DivergenceBound::At bound{0.1, 0.1};
     const auto timesOf = [&](Nanoseconds divergence) {
         std::vector<Nanoseconds> times;
-        for (const CommandJump& jump : commandJumpsNear(log, model, course, divergence, bound))
+        for (const CommandJump& jump : commandJumpsNear(log, model, rollout, divergence, bound))
             times.push_back(jump.command.time);
         return times;
     };
     EXPECT_EQ(timesOf(3 * second), (std::vector<Nanoseconds>{5 * second})) << "the first one is past, the last to come";
     EXPECT_EQ(timesOf(4 * second), (std::vector<Nanoseconds>{5 * second, 6500 * ms}));
-    course.real.start = 2100 * ms;
-    const auto jumps = commandJumpsNear(log, model, course, second, bound);
+    rollout.real.start = 2100 * ms;
+    const auto jumps = commandJumpsNear(log, model, rollout, second, bound);
     ASSERT_EQ(jumps.size(), 1u) << "one that still acts";
     EXPECT_EQ(jumps[0].command.time, 2 * second);
     EXPECT_EQ(jumps[0].next, 5 * second);
@@ -189,8 +192,8 @@ TEST(CommandJumps, AreWhatIsToldAnewNearTheCourse) {
     // Of many, the largest ones.
     log.commands.clear();
     for (int i = 0; i < 100; ++i) log.commands.push_back({i * 100 * ms, {0, i % 2 == 0 ? 0 : 0.5 + 0.01 * i}});
-    course.real.start = 0;
-    const auto largest = commandJumpsNear(log, model, course, 9 * second, bound);
+    rollout.real.start = 0;
+    const auto largest = commandJumpsNear(log, model, rollout, 9 * second, bound);
     ASSERT_FALSE(largest.empty());
     EXPECT_LT(largest.size(), 20u);
     EXPECT_GT(largest.front().command.time, 8 * second);
@@ -199,27 +202,27 @@ TEST(CommandJumps, AreWhatIsToldAnewNearTheCourse) {
     }));
 }
 
-TEST(CourseRerun, CarriedOverAGapItKeepsTheErrorFromBefore) {
-    const PlantedCourse compared = firstOf(Planted::largerWheels);
-    const ComparedCourse& course = compared.course();
+TEST(RolloutRerun, CarriedOverAGapItKeepsTheErrorFromBefore) {
+    const PlantedRollout compared = firstOf(Planted::largerWheels);
+    const ComparedRollout& rollout = compared.rollout();
     const auto carried = compared.rerun(40).carried(10, 20);
     ASSERT_EQ(carried.size(), 40u);
-    for (std::size_t k = 0; k < 10; ++k) EXPECT_EQ(carried[k], course.simulated[k]);
+    for (std::size_t k = 0; k < 10; ++k) EXPECT_EQ(carried[k], rollout.simulated[k]);
     for (std::size_t k = 10; k < 20; ++k) {
-        const Pose real = relative(course.real.truth[10], course.real.truth[k + 1]),
-                   simulated = relative(course.simulated[9], carried[k]);
+        const Pose real = relative(rollout.real.truth[10], rollout.real.truth[k + 1]),
+                   simulated = relative(rollout.simulated[9], carried[k]);
         EXPECT_NEAR(simulated.x, real.x, 1e-9);
         EXPECT_NEAR(simulated.y, real.y, 1e-9);
         EXPECT_NEAR(simulated.heading, real.heading, 1e-9);
     }
     // Then it drives on by itself, at first as fast as the real one.
-    const Pose real = relative(course.real.truth[20], course.real.truth[21]);
+    const Pose real = relative(rollout.real.truth[20], rollout.real.truth[21]);
     EXPECT_NEAR(relative(carried[19], carried[20]).x, real.x, 0.01);
     EXPECT_NEAR(relative(carried[19], carried[20]).heading, real.heading, 0.03);
 }
 
 TEST(Diagnosis, ProgressAscendsAndCancels) {
-    PlantedCourse compared = firstOf(Planted::blip);
+    PlantedRollout compared = firstOf(Planted::blip);
     std::vector<double> shares;
     compared.options.progress = [&](double share) {
         shares.push_back(share);
@@ -245,7 +248,7 @@ TEST(Diagnosis, ProgressAscendsAndCancels) {
 }
 
 TEST(Diagnosis, RefusesAModelWhosePeriodDoesNotFit) {
-    PlantedCourse compared = firstOf(Planted::largerWheels);
+    PlantedRollout compared = firstOf(Planted::largerWheels);
     compared.options.models = {{"odd.net", {std::make_shared<const KinematicModel>(KinematicParameters{}, 30 * ms)}}};
     const auto diagnosis = compared.diagnosis();
     ASSERT_FALSE(diagnosis);
@@ -263,13 +266,13 @@ TEST(Diagnosis, SaysWhatItFound) {
 }
 
 TEST(Diagnosis, JumpOfTheTruthIsSaidWithItsExtent) {
-    const PlantedCourse compared = firstOf(Planted::truthJump);
-    const std::vector<std::size_t>& jumps = compared.course().jumps;
+    const PlantedRollout compared = firstOf(Planted::truthJump);
+    const std::vector<std::size_t>& jumps = compared.rollout().jumps;
     ASSERT_FALSE(jumps.empty());
     // Steps that know of it follow each other; beyond them it drives at most 1 m/s.
     EXPECT_LE(jumps.size(), 4u);
     EXPECT_EQ(jumps.back() - jumps.front() + 1, jumps.size());
-    const std::vector<Pose>& truth = compared.course().real.truth;
+    const std::vector<Pose>& truth = compared.rollout().real.truth;
     const auto far = [&](std::size_t from, std::size_t to) {
         return std::hypot(truth[to].x - truth[from].x, truth[to].y - truth[from].y);
     };
@@ -279,7 +282,7 @@ TEST(Diagnosis, JumpOfTheTruthIsSaidWithItsExtent) {
     const auto diagnosis = compared.diagnosis();
     ASSERT_TRUE(diagnosis && diagnosis->likely);
     EXPECT_EQ(causeText(*diagnosis).find("carried over the ground truth's jump at "), 0u) << causeText(*diagnosis);
-    EXPECT_TRUE(firstOf(Planted::push).course().jumps.empty()) << "a robot may have been pushed so far";
+    EXPECT_TRUE(firstOf(Planted::push).rollout().jumps.empty()) << "a robot may have been pushed so far";
 }
 
 TEST(Diagnosis, CommandThatChangesInStepsIsOneChange) {
@@ -309,15 +312,15 @@ TEST(Diagnosis, CommandThatChangesInStepsIsOneChange) {
     }
 }
 
-TEST(Diagnosis, GapOfTheTruthThatBeginsBeforeTheCourseIsTheCause) {
-    // Pushed aside while nobody looks: from just before the start until 4.2 s after it.
+TEST(Diagnosis, GapOfTheTruthThatBeginsBeforeTheRolloutIsTheCause) {
+    // Pushed aside without ground truth: from just before the start until 4.2 s after it.
     PlantedLog planted = plantedLog(Planted::push, 3);
     std::vector<StampedPose>& poses = planted.log.robots[0].trajectories[0].poses;
-    const Nanoseconds start = 12'500 * ms;  // of the course, on the log's clock
+    const Nanoseconds start = 12'500 * ms;  // of the rollout, on the log's clock
     std::erase_if(
         poses, [&](const StampedPose& pose) { return pose.time > start - 30 * ms && pose.time < start + 4200 * ms; });
-    const PlantedCourse compared(std::move(planted));
-    ASSERT_FALSE(std::isfinite(compared.course().real.truth[0].x));
+    const PlantedRollout compared(std::move(planted));
+    ASSERT_FALSE(std::isfinite(compared.rollout().real.truth[0].x));
     const Divergence divergence = compared.divergence();
     EXPECT_TRUE(divergence.unknownBefore);
     EXPECT_EQ(divergence.within, 0);
@@ -335,7 +338,7 @@ TEST(Diagnosis, ErrorsWithinTheHeldOutOnesAreNoise) {
     const auto world =
         LogWorld::create(playersOf(log, learnedModels(log, "pioneer.net")), std::make_shared<const Log>(log));
     ASSERT_TRUE(world) << world.error().message();
-    const auto requests = coursesOf(*world, {0, std::nullopt, 10 * second});
+    const auto requests = rolloutsOf(*world, {0, std::nullopt, 10 * second});
     const auto comparison = compare(*world, *requests);
     ASSERT_TRUE(comparison);
     DivergenceOptions options{.bound = {.constant = {0.02, 0.02}}};
@@ -343,15 +346,15 @@ TEST(Diagnosis, ErrorsWithinTheHeldOutOnesAreNoise) {
     ASSERT_TRUE(tight) << tight.error().message();
     ASSERT_GT(tight->all.diverging, 5u) << "of a bound so tight";
     std::size_t diagnosed = 0;
-    for (const CourseDivergence& diverging : tight->courses) {
+    for (const RolloutDivergence& diverging : tight->rollouts) {
         if (!diverging.diagnosis) continue;
         ++diagnosed;
-        const ComparedCourse& course = comparison->courses[diverging.course];
-        const DivergenceBound likely = heldOutBound(networkOf(*world, 0)->heldOut, course, 100 * ms);
+        const ComparedRollout& rollout = comparison->rollouts[diverging.rollout];
+        const DivergenceBound likely = heldOutBound(networkOf(*world, 0)->heldOut, rollout, 100 * ms);
         bool within = true;
         for (std::size_t k = 0; k < static_cast<std::size_t>(diverging.diagnosis->until / (100 * ms)); ++k)
-            within = within && std::hypot(course.errors.position[k] / likely.at(k).position,
-                                          course.errors.heading[k] / likely.at(k).heading) <= 1;
+            within = within && std::hypot(rollout.errors.position[k] / likely.at(k).position,
+                                          rollout.errors.heading[k] / likely.at(k).heading) <= 1;
         const auto& trials = diverging.diagnosis->trials;
         const auto noise = std::find_if(trials.begin(), trials.end(),
                                         [](const CauseTrial& trial) { return trial.kind == CauseKind::noise; });
@@ -364,11 +367,11 @@ TEST(Diagnosis, ErrorsWithinTheHeldOutOnesAreNoise) {
     EXPECT_LT(divergencesOf(*world, *comparison, options)->all.diverging, tight->all.diverging);
 }
 
-TEST(ComparedDivergences, AreThoseOfTheCourses) {
+TEST(ComparedDivergences, AreThoseOfTheRollouts) {
     const Log log = shippedLog();
     const auto world = LogWorld::create(playersOf(log, wearyModel()), std::make_shared<const Log>(log));
     ASSERT_TRUE(world);
-    const auto requests = coursesOf(*world, {0, std::nullopt, 8 * second});
+    const auto requests = rolloutsOf(*world, {0, std::nullopt, 8 * second});
     const auto comparison = compare(*world, *requests);
     ASSERT_TRUE(comparison);
     DivergenceOptions options;
@@ -376,9 +379,9 @@ TEST(ComparedDivergences, AreThoseOfTheCourses) {
     const auto found = divergencesOf(*world, *comparison, options);
     ASSERT_TRUE(found) << found.error().message();
     std::vector<double> times;
-    for (std::size_t i = 0; i < comparison->courses.size(); ++i) {
-        const auto divergence = firstDivergence(comparison->courses[i], 100 * ms, options.bound);
-        const CourseDivergence* const here = found->of(i);
+    for (std::size_t i = 0; i < comparison->rollouts.size(); ++i) {
+        const auto divergence = firstDivergence(comparison->rollouts[i], 100 * ms, options.bound);
+        const RolloutDivergence* const here = found->of(i);
         ASSERT_EQ(here != nullptr, divergence.has_value());
         if (!divergence) continue;
         EXPECT_EQ(here->divergence.time, divergence->time);
@@ -386,10 +389,10 @@ TEST(ComparedDivergences, AreThoseOfTheCourses) {
     }
     ASSERT_GT(times.size(), 4u);
     EXPECT_EQ(found->all.diverging, times.size());
-    EXPECT_EQ(found->all.courses, comparison->courses.size() - comparison->all.of(CourseUse::absent));
+    EXPECT_EQ(found->all.rollouts, comparison->rollouts.size() - comparison->all.of(RolloutUse::absent));
     EXPECT_EQ(found->all.medianTime, quantile(times, 0.5));
-    EXPECT_NE(found->of(worstFirst(*comparison).front())->diagnosis, std::nullopt) << "the worst course first";
-    // Nobody knows a held-out error of plain kinematics: the constants stay.
+    EXPECT_NE(found->of(worstFirst(*comparison).front())->diagnosis, std::nullopt) << "the worst rollout first";
+    // Plain kinematics have no held-out error: the constants stay.
     EXPECT_FALSE(knowsHeldOut(*world));
     options.fromHeldOut = true;
     const auto constant = divergencesOf(*world, *comparison, options);

@@ -16,21 +16,21 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr Nanoseconds apart = 100 * ms;
 
 /// A robot that stands at the origin, and its simulation, so far off after each step.
-ComparedCourse courseOff(const std::vector<double>& position, const std::vector<double>& heading = {}) {
-    ComparedCourse course;
-    course.real.truth.resize(position.size() + 1);
+ComparedRollout rolloutOff(const std::vector<double>& position, const std::vector<double>& heading = {}) {
+    ComparedRollout rollout;
+    rollout.real.truth.resize(position.size() + 1);
     for (std::size_t k = 0; k < position.size(); ++k) {
-        if (std::isnan(position[k])) course.real.truth[k + 1] = {nan, nan, nan};
-        course.simulated.push_back({0.6 * position[k], -0.8 * position[k], k < heading.size() ? heading[k] : 0});
+        if (std::isnan(position[k])) rollout.real.truth[k + 1] = {nan, nan, nan};
+        rollout.simulated.push_back({0.6 * position[k], -0.8 * position[k], k < heading.size() ? heading[k] : 0});
     }
-    course.errors = windowErrors(course.real.truth, course.simulated);
-    return course;
+    rollout.errors = windowErrors(rollout.real.truth, rollout.simulated);
+    return rollout;
 }
 
 std::optional<Divergence> divergenceOf(const std::vector<double>& position, const std::vector<double>& heading = {},
                                        DivergenceBound bound = {}) {
     bound.constant = {0.1, 10 * degree};
-    return firstDivergence(courseOff(position, heading), apart, bound);
+    return firstDivergence(rolloutOff(position, heading), apart, bound);
 }
 
 TEST(FirstDivergence, IsTheFirstInstantFromWhichTheBoundIsExceededForSoLong) {
@@ -71,7 +71,7 @@ TEST(FirstDivergence, GapsInTheTruthNeitherProveNorDisproveIt) {
     ASSERT_TRUE(across);
     EXPECT_EQ(across->time, 200 * ms);
     EXPECT_FALSE(divergenceOf({0, 0.2, nan, nan, nan, 0.05, 0.05, 0.05}));
-    // It left the course within the gap: nobody knows when.
+    // It left within the gap: it is not known when.
     const auto within = divergenceOf({0, 0.05, nan, nan, nan, 0.2, 0.2, 0.2, 0.2});
     ASSERT_TRUE(within);
     EXPECT_EQ(within->within, 200 * ms);
@@ -94,21 +94,21 @@ TEST(FirstDivergence, HeadingCountsAsWellAndIsWrapped) {
 TEST(FirstDivergence, BoundMayDependOnTheTime) {
     DivergenceBound bound;
     bound.bySteps = {{0.01, 1}, {0.02, 1}, {0.05, 1}, {0.3, 1}};
-    const auto found = firstDivergence(courseOff({0, 0.01, 0.1, 0.2, 0.31, 0.32, 0.33, 0.34}), apart, bound);
+    const auto found = firstDivergence(rolloutOff({0, 0.01, 0.1, 0.2, 0.31, 0.32, 0.33, 0.34}), apart, bound);
     ASSERT_TRUE(found);
     EXPECT_EQ(found->time, 500 * ms) << "the last bound goes on";
     EXPECT_EQ(found->bound.position, 0.3);
-    EXPECT_EQ(firstDivergence(courseOff({0, 0.03, 0.1, 0.4, 0.5, 0.6}), apart, bound)->time, 200 * ms);
+    EXPECT_EQ(firstDivergence(rolloutOff({0, 0.03, 0.1, 0.4, 0.5, 0.6}), apart, bound)->time, 200 * ms);
 }
 
 /// Straight on at 0.5 m/s, then on the spot at 1 rad/s.
-ComparedCourse driveThenTurn(int driving, int turning) {
-    ComparedCourse course;
+ComparedRollout driveThenTurn(int driving, int turning) {
+    ComparedRollout rollout;
     for (int k = 0; k <= driving + turning; ++k) {
-        course.real.truth.push_back({0.05 * std::min(k, driving), 0, 0.1 * std::max(0, k - driving)});
-        if (k > 0) course.simulated.push_back(course.real.truth.back());
+        rollout.real.truth.push_back({0.05 * std::min(k, driving), 0, 0.1 * std::max(0, k - driving)});
+        if (k > 0) rollout.simulated.push_back(rollout.real.truth.back());
     }
-    return course;
+    return rollout;
 }
 
 TEST(HeldOutBound, IsThreeTimesTheTypicalErrorAtThatPathAndRotation) {
@@ -129,26 +129,26 @@ TEST(HeldOutBound, IsThreeTimesTheTypicalErrorAtThatPathAndRotation) {
 
 TEST(HeldOutBound, CountsThePathAcrossGaps) {
     const MotionNetwork::HeldOut heldOut{100, 10, 2, 3};
-    ComparedCourse course = driveThenTurn(100, 0);
-    const double whole = heldOutBound(heldOut, course, apart).at(99).position;
-    for (std::size_t k = 33; k < 58; ++k) course.real.truth[k] = {nan, nan, nan};
-    EXPECT_NEAR(heldOutBound(heldOut, course, apart).at(99).position, whole, 1e-9);
-    course.real.truth[0] = {nan, nan, nan};
-    const DivergenceBound bound = heldOutBound(heldOut, course, apart);
+    ComparedRollout rollout = driveThenTurn(100, 0);
+    const double whole = heldOutBound(heldOut, rollout, apart).at(99).position;
+    for (std::size_t k = 33; k < 58; ++k) rollout.real.truth[k] = {nan, nan, nan};
+    EXPECT_NEAR(heldOutBound(heldOut, rollout, apart).at(99).position, whole, 1e-9);
+    rollout.real.truth[0] = {nan, nan, nan};
+    const DivergenceBound bound = heldOutBound(heldOut, rollout, apart);
     EXPECT_NEAR(bound.at(99).position, whole * 0.99, 1e-9) << "of the first step nothing is known";
 }
 
 TEST(HeldOutBound, DoesNotCountWhatTheTruthJumps) {
     const MotionNetwork::HeldOut heldOut{100, 10, 2, 3};
-    ComparedCourse course = driveThenTurn(100, 100);
-    const DivergenceBound whole = heldOutBound(heldOut, course, apart);
+    ComparedRollout rollout = driveThenTurn(100, 100);
+    const DivergenceBound whole = heldOutBound(heldOut, rollout, apart);
     for (std::size_t k = 43; k <= 200; ++k) {
-        course.real.truth[k].x += 3;
-        course.real.truth[k].heading += 2;
+        rollout.real.truth[k].x += 3;
+        rollout.real.truth[k].heading += 2;
     }
-    EXPECT_GT(heldOutBound(heldOut, course, apart).at(199).position, 1.5 * whole.at(199).position);
-    course.jumps = {43};
-    const DivergenceBound bound = heldOutBound(heldOut, course, apart);
+    EXPECT_GT(heldOutBound(heldOut, rollout, apart).at(199).position, 1.5 * whole.at(199).position);
+    rollout.jumps = {43};
+    const DivergenceBound bound = heldOutBound(heldOut, rollout, apart);
     EXPECT_EQ(bound.at(41), whole.at(41));
     EXPECT_NEAR(bound.at(99).position, whole.at(99).position * 0.99, 1e-9) << "of that step nothing is known";
     EXPECT_NEAR(bound.at(199).heading, whole.at(199).heading, 1e-9);

@@ -46,7 +46,7 @@ TEST(LogScenario, CommandsAndTruthOfOtherTimesAreRefusedBeforeTheKindIsAsked) {
     EXPECT_EQ(refusal(checkPlayable(log, shippedKinds())), "");
     for (StampedPose& stamped : log.robots[1].trajectories[0].poses) stamped.time += 100'000 * ms;
     EXPECT_THAT(refusal(checkPlayable(log, shippedKinds())), HasSubstr("expected both of the same time"));
-    EXPECT_EQ(refusal(checkPlayable(log, shippedKinds(), {"a"})), "") << "nobody asks for the other one";
+    EXPECT_EQ(refusal(checkPlayable(log, shippedKinds(), {"a"})), "") << "the other one is not asked for";
     log.robots[1].trajectories.push_back(log.robots[0].trajectories[0]);
     EXPECT_EQ(refusal(checkPlayable(log, shippedKinds())), "") << "another trajectory of it can be compared";
 }
@@ -55,7 +55,8 @@ TEST(LogScenario, RobotsWithoutCommandsOrTruthAreLeftToThoseThatHaveBoth) {
     Log log = csvLogOf({driven("a", {0, 0, 0}, {1, 0, 0}), driven("b", {0, 1, 0}, {1, 1, 0})});
     log.robots[1].trajectories[0].poses.clear();
     EXPECT_EQ(refusal(checkPlayable(log, shippedKinds())), "");
-    EXPECT_THAT(refusal(checkPlayable(log, shippedKinds(), {"b"})), HasSubstr("has no ground truth of robot \"b\"")) << "asked for";
+    EXPECT_THAT(refusal(checkPlayable(log, shippedKinds(), {"b"})), HasSubstr("has no ground truth of robot \"b\""))
+        << "asked for";
     log.robots[0].trajectories[0].commands.clear();
     EXPECT_THAT(refusal(checkPlayable(log, shippedKinds())), HasSubstr("has no commands of robot \"a\""));
 }

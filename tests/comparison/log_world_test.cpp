@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "comparison/course_requests.h"
 #include "comparison/played_scenarios.h"
+#include "comparison/rollout_requests.h"
 #include "evaluation/test_models.h"
 #include "logs/pose_grid.h"
 #include "simulation/step.h"
@@ -15,7 +15,7 @@ namespace {
 Command turning(double t) { return {0.1, 0.05 * t}; }
 
 /// Robots "a" and "b", each with two trajectories that are called alike; b's begin a second later.
-Log twoTakes() {
+Log twoSessions() {
     Log log;
     log.source = "made-up";
     for (const std::string name : {"a", "b"}) {
@@ -34,23 +34,23 @@ ScenarioParts players(const Log& log) { return playersOf(log, std::make_shared<c
 std::string errorOf(const Expected<LogWorld>& world) { return world ? "" : world.error().message(); }
 
 TEST(LogWorld, TakesHoldTrajectoriesOfOneNameOnOneClock) {
-    const Log log = twoTakes();
+    const Log log = twoSessions();
     const auto world = LogWorld::create(players(log), std::make_shared<const Log>(log));
     ASSERT_TRUE(world) << world.error().message();
-    ASSERT_EQ(world->takes().size(), 2u);
+    ASSERT_EQ(world->sessions().size(), 2u);
     for (std::size_t k = 0; k < 2; ++k) {
-        const Take& take = world->takes()[k];
-        EXPECT_EQ(take.name, k == 0 ? "early" : "late");
-        for (const Take::Part& part : take.parts) {
+        const LogSession& session = world->sessions()[k];
+        EXPECT_EQ(session.name, k == 0 ? "early" : "late");
+        for (const LogSession::Part& part : session.parts) {
             EXPECT_EQ(part.trajectory, k);
             EXPECT_EQ(part.origin, (k == 0 ? 11 : 101) * second) << "when the later one begins";
         }
-        EXPECT_EQ(take.length, 20 * second);
+        EXPECT_EQ(session.length, 20 * second);
     }
 }
 
 TEST(LogWorld, KeepsItsLog) {
-    auto log = std::make_shared<const Log>(twoTakes());
+    auto log = std::make_shared<const Log>(twoSessions());
     const std::weak_ptr<const Log> kept = log;
     {
         const auto world = LogWorld::create(players(*log), log);
@@ -63,21 +63,21 @@ TEST(LogWorld, KeepsItsLog) {
 }
 
 TEST(LogWorld, NamedTrajectoryAndStartCountFromItsOwnBeginning) {
-    const Log log = twoTakes();
+    const Log log = twoSessions();
     ScenarioParts parts = players(log);
     parts.players[0].excerpt.trajectory = "late";
     parts.players[0].excerpt.start = 2.5;
     parts.players[1].excerpt.trajectory = "early";
     const auto world = LogWorld::create(std::move(parts), std::make_shared<const Log>(log));
     ASSERT_TRUE(world) << world.error().message();
-    ASSERT_EQ(world->takes().size(), 1u);
-    EXPECT_EQ(world->takes()[0].parts[0].origin, 102'500'000'000);
-    EXPECT_EQ(world->takes()[0].parts[1].origin, 11 * second);
+    ASSERT_EQ(world->sessions().size(), 1u);
+    EXPECT_EQ(world->sessions()[0].parts[0].origin, 102'500'000'000);
+    EXPECT_EQ(world->sessions()[0].parts[1].origin, 11 * second);
     EXPECT_EQ(&world->trajectory(0, 0), &world->log().robots[0].trajectories[1]);
 }
 
 TEST(LogWorld, OpensWhereTheRealRobotsWereAsFastAndToldTheSame) {
-    const Log log = twoTakes();
+    const Log log = twoSessions();
     const auto world = LogWorld::create(players(log), std::make_shared<const Log>(log));
     ASSERT_TRUE(world) << world.error().message();
     const LogWorld::Opened opened = world->openAt(1, 4 * second, 3 * second, 17);
@@ -96,7 +96,7 @@ TEST(LogWorld, OpensWhereTheRealRobotsWereAsFastAndToldTheSame) {
 }
 
 TEST(LogWorld, RobotsThatAreNotChosenAreNotInIt) {
-    const Log log = twoTakes();
+    const Log log = twoSessions();
     const auto world = LogWorld::create(players(log), std::make_shared<const Log>(log), {"b"});
     ASSERT_TRUE(world) << world.error().message();
     ASSERT_EQ(world->robots().size(), 1u);
@@ -107,7 +107,7 @@ TEST(LogWorld, RobotsThatAreNotChosenAreNotInIt) {
 }
 
 TEST(LogWorld, RobotsOfWhichCommandsOrTruthAreMissingAreLeftOutAndNamed) {
-    const Log log = twoTakes();
+    const Log log = twoSessions();
     for (const bool truth : {false, true}) {
         Log half = log;
         for (Trajectory& trajectory : half.robots[0].trajectories)
@@ -129,7 +129,7 @@ TEST(LogWorld, RobotsOfWhichCommandsOrTruthAreMissingAreLeftOutAndNamed) {
 }
 
 TEST(LogWorld, ErrorsSayWhatToDo) {
-    const Log log = twoTakes();
+    const Log log = twoSessions();
     EXPECT_EQ(errorOf(LogWorld::create({}, std::make_shared<const Log>(log))),
               "plays no log; expected a robot with controller = { kind = \"log_player\", ... }");
     EXPECT_EQ(errorOf(LogWorld::create(players(log), std::make_shared<const Log>(log), {"c"})),
@@ -176,24 +176,24 @@ TEST(LogWorld, ErrorsSayWhatToDo) {
         "made-up: has no trajectory that all robots of the scenario have; expected one to be named beside each log");
 }
 
-TEST(CourseRequests, OneCourseOrManyUpToTheEndOfTheGroundTruth) {
-    const Log log = twoTakes();
+TEST(RolloutRequests, OneRolloutOrManyUpToTheEndOfTheGroundTruth) {
+    const Log log = twoSessions();
     const auto world = LogWorld::create(players(log), std::make_shared<const Log>(log));
     ASSERT_TRUE(world) << world.error().message();
-    const auto one = coursesOf(*world, {3 * second, 60 * second, std::nullopt});
+    const auto one = rolloutsOf(*world, {3 * second, 60 * second, std::nullopt});
     ASSERT_TRUE(one);
-    ASSERT_EQ(one->size(), 1u) << "of the first take";
+    ASSERT_EQ(one->size(), 1u) << "of the first session";
     EXPECT_EQ(one->front().start, 3 * second);
     EXPECT_EQ(one->front().steps, 170) << "where the ground truth ends";
-    const auto many = coursesOf(*world, {3 * second, std::nullopt, 5 * second});
+    const auto many = rolloutsOf(*world, {3 * second, std::nullopt, 5 * second});
     ASSERT_TRUE(many);
-    ASSERT_EQ(many->size(), 6u) << "three in each take";
+    ASSERT_EQ(many->size(), 6u) << "three in each session";
     for (std::size_t i = 0; i < 6; ++i) {
-        EXPECT_EQ((*many)[i].take, i / 3);
+        EXPECT_EQ((*many)[i].session, i / 3);
         EXPECT_EQ((*many)[i].start, static_cast<Nanoseconds>(3 + 5 * (i % 3)) * second);
         EXPECT_EQ((*many)[i].steps, 50);
     }
-    const auto error = [&](const StretchOptions& options) { return coursesOf(*world, options).error().message(); };
+    const auto error = [&](const StretchOptions& options) { return rolloutsOf(*world, options).error().message(); };
     EXPECT_EQ(error({30 * second, {}, {}}),
               "made-up: the ground truth ends 20.0 s after the log's start; expected an earlier --start than 30.0 s");
     EXPECT_EQ(error({3 * second, {}, 18 * second}),
@@ -203,24 +203,24 @@ TEST(CourseRequests, OneCourseOrManyUpToTheEndOfTheGroundTruth) {
     EXPECT_EQ(error({0, 1'050'000'000, {}}), "--duration: 1.05 s is no whole number of steps of 0.1 s");
 }
 
-TEST(CourseRequests, WindowsOfAFileAreAskedOfTheirOwnRobot) {
-    const Log log = twoTakes();
+TEST(RolloutRequests, WindowsOfAFileAreAskedOfTheirOwnRobot) {
+    const Log log = twoSessions();
     const auto world = LogWorld::create(players(log), std::make_shared<const Log>(log), {"b"});
     ASSERT_TRUE(world) << world.error().message();
     const auto windows = parseWindows("dataset,robot,t_start\n0,a,15\n0,b,105.25\n0,b,15\n", "w.csv");
     ASSERT_TRUE(windows) << windows.error().message();
-    const auto requests = requestedCourses(*world, *windows, {"b"}, 30, "w.csv");
+    const auto requests = requestedRollouts(*world, *windows, {"b"}, 30, "w.csv");
     ASSERT_TRUE(requests) << requests.error().message();
     ASSERT_EQ(requests->size(), 2u);
-    EXPECT_EQ((*requests)[0].take, 1u);
+    EXPECT_EQ((*requests)[0].session, 1u);
     EXPECT_EQ((*requests)[0].start, 4'250'000'000);
     EXPECT_EQ((*requests)[0].robot, std::size_t{0});
     EXPECT_EQ((*requests)[1].start, 4 * second);
     EXPECT_EQ(
-        requestedCourses(*world, *windows, {}, 30, "w.csv").error().message(),
+        requestedRollouts(*world, *windows, {}, 30, "w.csv").error().message(),
         "w.csv:2: robot: the scenario plays no robot a there; expected windows of its robots, or --robots with those "
         "that it plays");
-    EXPECT_EQ(requestedCourses(*world, *windows, {"c"}, 30, "w.csv").error().message(),
+    EXPECT_EQ(requestedRollouts(*world, *windows, {"c"}, 30, "w.csv").error().message(),
               "w.csv: has no window of the robots that --robots names");
 }
 

@@ -16,7 +16,7 @@ namespace mrose {
 namespace {
 
 constexpr Nanoseconds tick = 20 * ms, logBegin = 10 * second, duration = 11 * second;
-constexpr Nanoseconds courseStart = 2500 * ms;
+constexpr Nanoseconds rolloutStart = 2500 * ms;
 constexpr MotionNoise quiet{0.003, 0.003, 0}, loud{0.1, 0.06, 0.05};
 
 /// Draws of one planted log.
@@ -43,14 +43,14 @@ std::shared_ptr<const MotionModel> modelOf(const KinematicParameters& parameters
     return std::make_shared<const KinematicModel>(parameters, 100 * ms);
 }
 
-/// About ten commands a second, that change every so often, but not in the time before the course: a velocity that is
+/// About ten commands a second, that change every so often, but not in the time before the rollout: a velocity that is
 /// measured while it changes is another thing that is wrong.
 std::vector<StampedCommand> randomCommands(Dice& dice) {
     std::vector<StampedCommand> commands;
     Command inForce;
     Nanoseconds change = 0;
     for (Nanoseconds t = 0; t < duration; t += 100 * ms) {
-        const bool before = t > courseStart - 1500 * ms && t < courseStart + 200 * ms;
+        const bool before = t > rolloutStart - 1500 * ms && t < rolloutStart + 200 * ms;
         if (t >= change && !before) {
             inForce = {dice.between(0.3, 1), dice.between(-2, 2)};
             change = t + fromSeconds(dice.between(0.5, 1.1));
@@ -203,7 +203,7 @@ PlantedLog plantedLog(Planted planted, std::uint64_t number) {
     Dice dice(number * plantedKinds + static_cast<std::uint64_t>(planted));
     PlantedLog made;
     made.bound.constant = {0.03, 3 * std::numbers::pi / 180};
-    made.request = {0, courseStart, 70};
+    made.request = {0, rolloutStart, 70};
     KinematicParameters real = usual(), other = usual(), sluggish = usual();
     const double turned = dice.sign();
     other.v.gain = 1 - 0.12 * turned;
@@ -211,7 +211,7 @@ PlantedLog plantedLog(Planted planted, std::uint64_t number) {
     sluggish.v.lag = sluggish.w.lag = 0.6;
     MotionNoise noise = quiet;
     std::vector<StampedCommand> told = randomCommands(dice), logged = told;
-    const Nanoseconds when = courseStart + fromSeconds(dice.between(0.5, 3.5));
+    const Nanoseconds when = rolloutStart + fromSeconds(dice.between(0.5, 3.5));
     const Pose hit{dice.between(-0.03, 0.03), 0.04 * dice.sign(), 0.08 * dice.sign()};
     switch (planted) {
         case Planted::longerDeadTime:
@@ -254,7 +254,7 @@ PlantedLog plantedLog(Planted planted, std::uint64_t number) {
     std::vector<StampedPose> poses = driven(modelOf(real), noise, told, number);
     if (planted == Planted::startVelocity) {
         const Pose turn{0, 0, 0.04 * dice.sign()};
-        for (int k = 5; k < 8; ++k) displace(poses, courseStart - k * tick, turn);
+        for (int k = 5; k < 8; ++k) displace(poses, rolloutStart - k * tick, turn);
     }
     if (planted == Planted::push || planted == Planted::truthGap) displace(poses, when, hit);
     if (planted == Planted::truthJump)
@@ -266,7 +266,7 @@ PlantedLog plantedLog(Planted planted, std::uint64_t number) {
         forget(tracked, when - fromSeconds(dice.between(0.05, 0.3)), when + fromSeconds(dice.between(0.2, 0.4)));
     if (planted == Planted::wrongPose)
         for (StampedPose& stamped : tracked)
-            if (stamped.time <= courseStart) stamped.pose = stamped.pose * hit;
+            if (stamped.time <= rolloutStart) stamped.pose = stamped.pose * hit;
 
     made.parts = emptyWorld(modelOf(usual()), noise);
     made.parts.players.push_back({0, {"planted", "planted", "r", "", 0}});

@@ -39,7 +39,7 @@ struct PlantedLog {
     Log log;
     ScenarioParts parts;
     std::vector<OtherModel> models;
-    CourseRequest request;
+    RolloutRequest request;
     DivergenceBound bound;
 };
 PlantedLog plantedLog(Planted planted, std::uint64_t number);

@@ -14,7 +14,7 @@ namespace {
 
 Command leftTurn(double /*t*/) { return {0.2, 0.5}; }
 
-/// A circle at 50 poses a second from 100 s to 120 s, which nobody saw between 106 s and 107 s.
+/// A circle at 50 poses a second from 100 s to 120 s, without poses between 106 s and 107 s.
 Log circleWithGap() {
     Log log = logOf({obedientTrajectory(100 * second, 20 * second, leftTurn)});
     std::erase_if(log.robots[0].trajectories[0].poses,
@@ -64,7 +64,7 @@ TEST_F(RealityOfALog, SpeedIsTheSlopeOfThePoses) {
     EXPECT_FALSE(robot().velocityAt(3'500'000'000));
 }
 
-TEST_F(RealityOfALog, NobodyKnowsItInGapsAndBeyondTheEnds) {
+TEST_F(RealityOfALog, IsUnknownInGapsAndBeyondTheEnds) {
     for (const double now : {-3.01, 3.01, 3.5, 3.99, 17.01}) EXPECT_FALSE(robot().poseAt(fromSeconds(now))) << now;
     for (const double now : {-3.0, 0.0, 3.0, 4.001, 17.0}) EXPECT_TRUE(robot().poseAt(fromSeconds(now))) << now;
     using Stretch = Reality::Robot::Stretch;
@@ -94,7 +94,7 @@ TEST_F(RealityOfALog, MeasuredPosesBetweenTwoInstantsIncludeBoth) {
 }
 
 TEST_F(RealityOfALog, ModelsHoldTheirPosesForAStepAndEnd) {
-    Reality::ModelCourse model{"m", second / 10, {{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}}};
+    Reality::ModelRollout model{"m", second / 10, {{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}}};
     EXPECT_FALSE(model.poseAt(0, -1));
     EXPECT_EQ(model.poseAt(0, 0)->x, 0);
     EXPECT_EQ(model.poseAt(0, second / 10 - 1)->x, 0);

@@ -14,31 +14,31 @@ namespace {
 using Models = std::vector<std::shared_ptr<const MotionModel>>;
 
 struct Equality {
-    std::size_t courses = 0, poses = 0, touched = 0;
+    std::size_t rollouts = 0, poses = 0, touched = 0;
 };
 
-/// Each course up to the instant at which contact takes its robot off its way.
+/// Each rollout up to the instant at which contact takes its robot off its way.
 Equality expectEqual(const Log& log, const Models& models, const Comparison& comparison) {
     Equality equality;
     const Nanoseconds step = RolloutOptions{}.step;
-    for (const ComparedCourse& course : comparison.courses) {
-        if (course.use == CourseUse::absent) continue;
-        const Trajectory& trajectory = log.robots[course.real.robot].trajectories[course.real.trajectory];
-        const auto start = measureStart(trajectory, course.real.start, static_cast<int>(course.simulated.size()));
+    for (const ComparedRollout& rollout : comparison.rollouts) {
+        if (rollout.use == RolloutUse::absent) continue;
+        const Trajectory& trajectory = log.robots[rollout.real.robot].trajectories[rollout.real.trajectory];
+        const auto start = measureStart(trajectory, rollout.real.start, static_cast<int>(rollout.simulated.size()));
         EXPECT_TRUE(start);
-        const auto predicted = rollOut(*models[course.real.robot], {&*start, 1});
+        const auto predicted = rollOut(*models[rollout.real.robot], {&*start, 1});
         EXPECT_TRUE(predicted) << predicted.error().message();
         if (!start || !predicted) continue;
         const auto free =
-            course.touched ? static_cast<std::size_t>((*course.touched - 1) / step) : course.simulated.size();
+            rollout.touched ? static_cast<std::size_t>((*rollout.touched - 1) / step) : rollout.simulated.size();
         for (std::size_t k = 0; k < free; ++k) {
-            EXPECT_EQ(course.simulated[k], predicted->front()[k])
-                << "robot " << log.robots[course.real.robot].robot << " from " << course.real.start << ", step " << k;
-            if (course.simulated[k] != predicted->front()[k]) return equality;
+            EXPECT_EQ(rollout.simulated[k], predicted->front()[k])
+                << "robot " << log.robots[rollout.real.robot].robot << " from " << rollout.real.start << ", step " << k;
+            if (rollout.simulated[k] != predicted->front()[k]) return equality;
             ++equality.poses;
         }
-        equality.touched += course.touched ? 1 : 0;
-        ++equality.courses;
+        equality.touched += rollout.touched ? 1 : 0;
+        ++equality.rollouts;
     }
     return equality;
 }
@@ -46,7 +46,7 @@ Equality expectEqual(const Log& log, const Models& models, const Comparison& com
 Comparison compared(const Log& log, const Models& models, const std::vector<Window>& windows) {
     const auto world = LogWorld::create(playersOf(log, models), std::make_shared<const Log>(log));
     EXPECT_TRUE(world) << world.error().message();
-    const auto comparison = compare(*world, coursesOfWindows(*world, windows));
+    const auto comparison = compare(*world, rolloutsOfWindows(*world, windows));
     EXPECT_TRUE(comparison) << comparison.error().message();
     return *comparison;
 }
@@ -63,7 +63,7 @@ TEST_P(SameAsPrediction, OnTheLogThatShips) {
     const auto windows = findWindows(log);
     ASSERT_TRUE(windows) << windows.error().message();
     const Equality equality = expectEqual(log, models, compared(log, models, *windows));
-    EXPECT_EQ(equality.courses, windows->size());
+    EXPECT_EQ(equality.rollouts, windows->size());
     EXPECT_EQ(equality.touched, 0u);
     EXPECT_GT(equality.poses, 2000u);
 }
@@ -81,7 +81,7 @@ TEST_P(SameAsPrediction, OnRealLogs) {
         const auto windows = findWindows(*log);
         ASSERT_TRUE(windows) << windows.error().message();
         const Equality equality = expectEqual(*log, models, compared(*log, models, *windows));
-        EXPECT_EQ(equality.courses, windows->size());
+        EXPECT_EQ(equality.rollouts, windows->size());
         EXPECT_LT(equality.touched, windows->size() / 20);
         EXPECT_GT(equality.poses, 95 * windows->size());
     }
@@ -95,11 +95,11 @@ TEST_P(SameAsPrediction, FromAnyNanosecondWithAllRobotsAtOnce) {
     const Models models = modelsOf(GetParam(), *log);
     const auto world = LogWorld::create(playersOf(*log, models), std::make_shared<const Log>(*log));
     ASSERT_TRUE(world) << world.error().message();
-    std::vector<CourseRequest> requests;
+    std::vector<RolloutRequest> requests;
     for (Nanoseconds i = 0; i < 12; ++i) requests.push_back({0, i * 71'234'567'891, 60});
     const auto comparison = compare(*world, requests);
     ASSERT_TRUE(comparison) << comparison.error().message();
-    EXPECT_GT(expectEqual(*log, models, *comparison).courses, 50u);
+    EXPECT_GT(expectEqual(*log, models, *comparison).rollouts, 50u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, SameAsPrediction,
@@ -115,11 +115,11 @@ TEST(SameAsPrediction, WhereTheStartsVelocityIsUnknownAndWhereTheCommandWasLongI
         const Models models{wearyModel()};
         const auto world = LogWorld::create(playersOf(log, models), std::make_shared<const Log>(log));
         ASSERT_TRUE(world) << world.error().message();
-        const auto comparison = compare(*world, std::vector<CourseRequest>{{0, 0, 50}, {0, 50'000'001, 50}});
+        const auto comparison = compare(*world, std::vector<RolloutRequest>{{0, 0, 50}, {0, 50'000'001, 50}});
         ASSERT_TRUE(comparison) << comparison.error().message();
-        EXPECT_FALSE(comparison->courses[0].real.measuredVelocity);
-        EXPECT_EQ(expectEqual(log, models, *comparison).courses, 2u);
-        EXPECT_EQ(comparison->courses[0].simulated[0] != trajectory.poses[0].pose, steady) << "dead time";
+        EXPECT_FALSE(comparison->rollouts[0].real.measuredVelocity);
+        EXPECT_EQ(expectEqual(log, models, *comparison).rollouts, 2u);
+        EXPECT_EQ(comparison->rollouts[0].simulated[0] != trajectory.poses[0].pose, steady) << "dead time";
     }
 }
 

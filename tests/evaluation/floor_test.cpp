@@ -7,7 +7,7 @@
 namespace mrose {
 namespace {
 
-Command course(double t) { return {0.2, t < 5 ? 0.0 : 0.3}; }
+Command drive(double t) { return {0.2, t < 5 ? 0.0 : 0.3}; }
 
 Trajectory run(const std::string& name, Command (*commandAt)(double), double realGain = 1) {
     Trajectory trajectory = obedientTrajectory(0, 12 * second, commandAt);
@@ -21,7 +21,7 @@ Trajectory run(const std::string& name, Command (*commandAt)(double), double rea
 }
 
 TEST(Floor, EqualOutcomesOfEqualCommandsLeaveNothing) {
-    const Floor floor = findFloor(logOf({run("a", course), run("b", course)}), {}, {});
+    const Floor floor = findFloor(logOf({run("a", drive), run("b", drive)}), {}, {});
     ASSERT_EQ(floor.pairs.size(), 1u);
     EXPECT_EQ(floor.tried, 2u);
     EXPECT_EQ(floor.horizon, 10 * second);
@@ -42,7 +42,7 @@ TEST(Floor, OutcomesOfOtherSizeDifferByTheirClosedForm) {
 
 TEST(Floor, CountsNoPairBeyondTheBounds) {
     const auto other = [](double t) { return Command{0.2, t < 5 ? 0.0 : 0.304}; };
-    const Log log = logOf({run("a", course), run("b", other)});
+    const Log log = logOf({run("a", drive), run("b", other)});
     // 7 s at 4 mrad/s: 28 mrad apart at the end.
     EXPECT_EQ(findFloor(log, {}, {}, {.rotationBound = 0.0279}).pairs.size(), 0u);
     EXPECT_EQ(findFloor(log, {}, {}, {.rotationBound = 0.0281}).pairs.size(), 1u);

@@ -106,7 +106,7 @@ TEST(ShippedNetworks, PioneerMeetsItsBoundsOnDrivesItHasNotSeen) {
         windows += evaluation.all.windows;
         error += evaluation.all.p * evaluation.all.path;
         path += evaluation.all.path;
-        if (part.course != Course::hardSwitch) continue;
+        if (part.pattern != DrivePattern::hardSwitch) continue;
         switches += evaluation.all.windows;
         EXPECT_LT(evaluation.all.p, 10);
     }

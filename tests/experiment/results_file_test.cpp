@@ -107,7 +107,7 @@ TEST_F(Results, FoldersOfOthersAreRefusedAndLeftAlone) {
 TEST_F(Results, WhatDiffersIsTold) {
     const BatchIdentity identity{
         {"--until", "a = b\n\\n = c"}, {"content of a = b\n.toml", "1"}, {"scenario", "a.toml"}};
-    ASSERT_TRUE(open({{"scenario", "another.toml"}})) << "without a row, which binds nobody";
+    ASSERT_TRUE(open({{"scenario", "another.toml"}})) << "without a row, which does not bind the folder";
     {
         auto file = open(identity);
         ASSERT_TRUE(file && file->add({1, 1}, "1,1,a"));
@@ -140,8 +140,9 @@ TEST_F(Results, WhatIsCutOffIsSaidToBeDamaged) {
         folder_.write("out/batch.txt", whole.substr(0, size));
         const auto refused = open(identity);
         ASSERT_FALSE(refused) << size;
-        EXPECT_NE(refused.error().message().find("batch.txt: is damaged and does not tell any more whose results"),
-                  std::string::npos)
+        EXPECT_NE(
+            refused.error().message().find("batch.txt: is damaged and does not say any more which batch's results"),
+            std::string::npos)
             << size << ' ' << refused.error().message();
     }
     folder_.write("out/batch.txt", whole);

@@ -159,7 +159,7 @@ TEST_F(BadInput, NetworkNeedsARobot) {
     EXPECT_EQ(window.shown()->hash, before_);
 }
 
-/// Room does not help where nobody may write.
+/// Room does not help where writing is not allowed.
 TEST_F(BadInput, AdviceIsOfWhatWentWrong) {
     std::filesystem::create_directory(path("shut"));
     std::filesystem::permissions(path("shut"), std::filesystem::perms::owner_read);

@@ -36,7 +36,7 @@ protected:
 };
 
 /// All that is shown of what robots saw, decided and remember.
-void expectSameMinds(const std::vector<RobotInsight>& found, const std::vector<RobotInsight>& wanted) {
+void expectSameMemories(const std::vector<RobotInsight>& found, const std::vector<RobotInsight>& wanted) {
     ASSERT_EQ(found.size(), wanted.size());
     for (std::size_t i = 0; i < found.size(); ++i) {
         EXPECT_EQ(found[i].tick, wanted[i].tick) << i;
@@ -47,12 +47,12 @@ void expectSameMinds(const std::vector<RobotInsight>& found, const std::vector<R
     }
 }
 
-TEST_F(BranchEditTest, EditsAtOneTickAreOneBranchBesideTheCourseItLeft) {
+TEST_F(BranchEditTest, EditsAtOneTickAreOneBranchBesideTheOneItLeft) {
     seek(300);
     const StateHash before = window.shown()->hash;
     move(3, 0.3, 0);
     const StateHash one = window.shown()->hash;
-    const std::vector<RobotInsight> minds = window.shown()->frame->insights;
+    const std::vector<RobotInsight> memories = window.shown()->frame->insights;
     move(3, 0, 0.2);
     move(6, 0, 0, 0.5);
     const StateHash all = window.shown()->hash;
@@ -67,7 +67,7 @@ TEST_F(BranchEditTest, EditsAtOneTickAreOneBranchBesideTheCourseItLeft) {
     EXPECT_EQ(window.shown()->besideBranch, 0u);
     undo();
     EXPECT_EQ(window.shown()->hash, one);
-    expectSameMinds(window.shown()->frame->insights, minds);
+    expectSameMemories(window.shown()->frame->insights, memories);
     undo();
     EXPECT_EQ(window.shown()->hash, before);
     EXPECT_EQ(window.shown()->branch, 0u);
@@ -133,8 +133,8 @@ TEST_F(BranchEditTest, UndoOfACommandReturnsToWhereOneStood) {
     EXPECT_EQ(window.shown()->branch, 1u);
 }
 
-/// A robot that is told something else has seen and thought as ever, whichever way one comes there.
-TEST_F(BranchEditTest, ChangedCommandKeepsWhatTheControllerThought) {
+/// A robot that gets another command has observed and remembered as ever, whichever way one comes there.
+TEST_F(BranchEditTest, ChangedCommandKeepsWhatTheControllerRemembered) {
     seek(100);
     window.field().setSelected(1);
     const std::int64_t decided = window.shown()->frame->insights[1].tick;
@@ -169,24 +169,24 @@ TEST(BranchTravel, BackIsExactAtTheRootOfANestedBranch) {
     while (made.tick() < 61) ASSERT_TRUE(made.forward());
     const auto nudge = [](const Scenario&, WorldState& state) { state.robots[2].pose.x += 0.01; };
     ASSERT_TRUE(made.seek(60));
-    const std::vector<RobotInsight> minds = made.frame().insights;
-    ASSERT_TRUE(std::any_of(minds.begin(), minds.end(), [](const RobotInsight& one) { return one.tick >= 0; }));
+    const std::vector<RobotInsight> memories = made.frame().insights;
+    ASSERT_TRUE(std::any_of(memories.begin(), memories.end(), [](const RobotInsight& one) { return one.tick >= 0; }));
     ASSERT_TRUE(made.branchOff({"one", {}, nudge}));
     ASSERT_TRUE(made.branchOff({"two", {}, nudge}));
     OpenRun nested = *opened;
     for (std::uint32_t i = 0; i < made.branches().size(); ++i) {
         Branch branch = made.branches()[i];
         if (i == 2) branch.parent = 1;
-        auto start = Playback(*opened->course->scenario).reach(branch.timeline, branch.timeline.first());
-        nested.branches.push_back({branch, opened->course, start->state});
+        auto start = Playback(*opened->setup->scenario).reach(branch.timeline, branch.timeline.first());
+        nested.branches.push_back({branch, opened->setup, start->state});
     }
     TimeTravel run(nested);
     ASSERT_TRUE(run.show(2, 60));
     ASSERT_EQ(run.owner(), 2u);
-    expectSameMinds(run.frame().insights, minds);
+    expectSameMemories(run.frame().insights, memories);
 }
 
-/// Nobody touches anew because a branch begins.
+/// Contacts do not begin anew because a branch begins.
 TEST(BranchTravel, ContactsThatGoOnAreNotCountedAgain) {
     const auto opened = openRun({"soccer.toml"});
     ASSERT_TRUE(opened);
@@ -214,8 +214,8 @@ TEST(BranchTravel, ContactsThatGoOnAreNotCountedAgain) {
     // Opened from a file it is the same.
     OpenRun file = *opened;
     for (const Branch& branch : run.branches()) {
-        auto start = Playback(*opened->course->scenario).reach(branch.timeline, branch.timeline.first());
-        file.branches.push_back({branch, opened->course, start->state});
+        auto start = Playback(*opened->setup->scenario).reach(branch.timeline, branch.timeline.first());
+        file.branches.push_back({branch, opened->setup, start->state});
     }
     TimeTravel again(file);
     while (*again.learn(1000)) {
@@ -225,7 +225,7 @@ TEST(BranchTravel, ContactsThatGoOnAreNotCountedAgain) {
 
 TEST_F(BranchEditTest, BranchThatBeginsNearTheEndPlaysOn) {
     const Scene& scene = window.shown()->frame->scene();
-    const std::int64_t end = scene.ticksOf(window.shown()->course->scenario->parts().duration);
+    const std::int64_t end = scene.ticksOf(window.shown()->setup->scenario->parts().duration);
     seek(end - 5);
     move(3, 0.2, 0);
     window.session().setSpeed(0);

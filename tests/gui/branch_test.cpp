@@ -158,7 +158,7 @@ TEST_F(BranchTest, RestartWithASeedIsTheRunOfThatSeed) {
     EXPECT_FALSE(window.actions().perform("restart_with_seed", QString("seven")));
 }
 
-TEST_F(BranchTest, CourseGoesBackBeyondTheBranchsBeginning) {
+TEST_F(BranchTest, LineageGoesBackBeyondTheBranchsBeginning) {
     const Scenario& scenario = *window.shown()->frame->scenario;
     seek(200);
     drag(pixelOf(8), pixelOf(8) + QPointF(25, 25));
@@ -178,7 +178,7 @@ TEST_F(BranchTest, CourseGoesBackBeyondTheBranchsBeginning) {
     EXPECT_EQ(window.shown()->branches[2].parent, 0u);
 }
 
-TEST_F(BranchTest, MarksAreThoseOfTheWholeCourse) {
+TEST_F(BranchTest, MarksAreThoseOfTheWholeLineage) {
     seek(400);
     const std::vector<TimelineMark> before = *window.shown()->marks;
     drag(pixelOf(8), pixelOf(8) + QPointF(25, 25));
@@ -212,14 +212,14 @@ TEST_F(BranchTest, SwappedModelIsThatOfAScenarioThatNamesIt) {
     seek(150);
     EXPECT_FALSE(window.actions().perform("swap_model", QString("nothing.net")));
     const std::string net = (sourceFolder() / "nets/pioneer.net").string();
-    EXPECT_FALSE(window.actions().perform("swap_model", QString::fromStdString(net))) << "nobody is selected";
-    const auto before = window.shown()->course;
+    EXPECT_FALSE(window.actions().perform("swap_model", QString::fromStdString(net))) << "no robot is selected";
+    const auto before = window.shown()->setup;
     window.field().setSelected(5);
     ASSERT_TRUE(window.actions().perform("swap_model", QString::fromStdString(net)));
     settle();
     EXPECT_EQ(window.shown()->branches[1].name, "blue 2 moves by pioneer.net");
     EXPECT_EQ(state().tick, 150);
-    const Scenario& swapped = *window.shown()->course->scenario;
+    const Scenario& swapped = *window.shown()->setup->scenario;
     // Its kinematics are replaced; all others move as they did.
     for (std::size_t i = 0; i < 8; ++i) {
         const bool same = swapped.scene().modelOf(i).deadTimes().v == before->scene().modelOf(i).deadTimes().v;
@@ -335,7 +335,7 @@ TEST_F(BranchTest, PlayingStopsWhereTheScenarioEndsAndGoesOnWhenAsked) {
     settle();
 }
 
-TEST_F(BranchTest, BothCoursesAreSeenSideBySide) {
+TEST_F(BranchTest, BothBranchesAreSeenSideBySide) {
     seek(100);
     window.field().setLayers(FieldLayers::none());
     drag(pixelOf(8), pixelOf(8) + QPointF(40, 0));

@@ -1,4 +1,4 @@
-// Where breakpoints are met, found by looking through a course, against a walk over every tick of it.
+// Where breakpoints are met, found by looking through a branch, against a walk over every tick of it.
 #include <algorithm>
 #include <random>
 #include <set>
@@ -20,7 +20,7 @@ OpenRun fieldRun(std::uint64_t seed, std::uint32_t robots = 4) {
     OpenRun run;
     auto scenario = std::make_shared<const Scenario>(fieldScenario({.robots = robots}));
     run.start = scenario->initialState(seed);
-    run.course = std::make_shared<const Course>(Course{{}, scenario});
+    run.setup = std::make_shared<const BranchSetup>(BranchSetup{{}, scenario});
     return run;
 }
 
@@ -37,9 +37,9 @@ void departAt(TimeTravel& run, std::int64_t tick, double x) {
     ASSERT_TRUE(run.branchOff(edit));
 }
 
-/// At every tick of the shown course, in their order.
+/// At every tick of the shown branch, in their order.
 std::vector<Is> walked(TimeTravel& run, const std::string& text) {
-    auto condition = compileCondition(text, *run.course().scenario);
+    auto condition = compileCondition(text, *run.setup().scenario);
     EXPECT_TRUE(condition) << condition.error().message();
     std::vector<Is> all;
     EXPECT_TRUE(run.seek(run.first()));
@@ -270,7 +270,7 @@ TEST(Breakpoints, EventsAreThoseOfTheTimeline) {
     for (const bool anyBody : {true, false}) {
         TimeTravel run(fieldRun(5, 12));
         runTo(run, 1500);
-        const Scene& scene = run.course().scene();
+        const Scene& scene = run.setup().scene();
         std::uint32_t one = 0;
         for (const TimelineMark& mark : run.marks())
             if (mark.kind == TimelineMark::Kind::contact) one = mark.body;
@@ -351,7 +351,7 @@ TEST(Breakpoints, StopFromTheNthTimeOnCountedFromTheRunsStart) {
     breakpoints.replace({waitingFor("robot[1].touching", 3)});
     ASSERT_TRUE(run.seek(0));
     EXPECT_EQ(playTo(run, breakpoints, 1500), ticks[2]);
-    // Again from the start, and from where nobody has looked.
+    // Again from the start, and from where it has not been looked for.
     for (const std::int64_t from : {std::int64_t{0}, ticks[1] + 1}) {
         breakpoints.replace({waitingFor("robot[1].touching", 3)});
         ASSERT_TRUE(run.seek(from));
@@ -394,10 +394,10 @@ TEST(Breakpoints, OneThatFailsStopsOnceAndIsOffWithWhatWasWrong) {
 TEST(Breakpoints, TextsAreChecked) {
     const TimeTravel run(fieldRun(1));
     const auto wrong = [&](const std::string& text) {
-        const auto checked = checkBreakText(text, run.course(), nullptr);
+        const auto checked = checkBreakText(text, run.setup(), nullptr);
         return checked ? std::string("fits") : wrongWith(checked.error());
     };
-    const std::string name = run.course().scene().robots[1].name;
+    const std::string name = run.setup().scene().robots[1].name;
     for (const std::string& text :
          std::vector<std::string>{"contact", " contact ", "kick", "goal", "fault", "breakHere()", "divergence",
                                   "contact " + name, "kick  " + name})
@@ -431,14 +431,14 @@ TEST(Breakpoints, AnyTextCanBeAskedWhenItLastHeld) {
     EXPECT_FALSE(breakpoints.last({true, "robot[1].toching"}, run, run.tick(), goOn));
 }
 
-/// Where a description has changed, a condition need not fit both courses.
-TEST(Breakpoints, ConditionThatDoesNotFitACourseHoldsNowhereInIt) {
+/// Where a description has changed, a condition need not fit both branches.
+TEST(Breakpoints, ConditionThatDoesNotFitABranchHoldsNowhereInIt) {
     TimeTravel run(fieldRun(1));
     runTo(run, 600);
     Edit edit{"fewer"};
     edit.tick = 300;
     auto fewer = std::make_shared<const Scenario>(fieldScenario({.robots = 2}));
-    edit.course = std::make_shared<const Course>(Course{{}, fewer});
+    edit.setup = std::make_shared<const BranchSetup>(BranchSetup{{}, fewer});
     edit.start = fewer->initialState();
     edit.start->tick = 300;
     for (RobotState& robot : edit.start->robots) robot.nextControl = 300;

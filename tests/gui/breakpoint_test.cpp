@@ -22,7 +22,7 @@ class BreakpointTest : public WindowTest {
 protected:
     QListWidget& list() const { return *window.findChild<QListWidget*>("breakpoint_list"); }
     QLineEdit& line() const { return *window.findChild<QLineEdit*>("breakpoint_line"); }
-    QString told() const { return window.findChild<QLabel*>("breakpoint_told")->text(); }
+    QString told() const { return window.findChild<QLabel*>("breakpoint_reply")->text(); }
     const BreakpointState& state(std::size_t i) const { return window.shown()->breakpoints[i]; }
     std::int64_t tick() const { return window.shown()->tick(); }
     std::string message() const { return window.shown()->message.toStdString(); }
@@ -61,7 +61,7 @@ protected:
     }
     /// At every tick of the run from its start, without the window.
     std::vector<bool> walked(const std::string& text, std::int64_t ticks) const {
-        const Scenario& scenario = *window.shown()->course->scenario;
+        const Scenario& scenario = *window.shown()->setup->scenario;
         auto condition = compileCondition(text, scenario);
         WorldState world = scenario.initialState();
         StepBuffers buffers;

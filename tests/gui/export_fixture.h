@@ -26,7 +26,7 @@ protected:
     std::vector<std::string> said() const;
     /// As a script does it; empty: it went well.
     std::string perform(const char* action, const QString& argument);
-    /// The same with nobody there who could wait.
+    /// The same unattended: no user could wait.
     template <class Run>
     std::string alone(Run run) {
         window.actions().setUnattended(true);

@@ -348,7 +348,7 @@ TEST_F(UnsavedTest, SavingComesFirstAndThenWhatWasAskedFor) {
     EXPECT_EQ(saved->branches.size(), 2u);
 }
 
-TEST_F(UnsavedTest, NobodyIsAskedWhereNobodyAttends) {
+TEST_F(UnsavedTest, UnattendedRunsAskNoQuestion) {
     window.actions().setUnattended(true);
     ASSERT_TRUE(window.actions().perform("open", qPath("other.toml")));
     settle();

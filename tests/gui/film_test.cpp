@@ -108,7 +108,7 @@ TEST_F(FilmTest, WhatFfmpegSaysLastIsTold) {
     EXPECT_EQ(files(), (std::vector<std::string>{"bin", "game.mp4"}));
 }
 
-/// One that takes no frames holds nobody up.
+/// One that takes no frames blocks nothing.
 TEST_F(FilmTest, CancellingLeavesNothing) {
     pretend("exec sleep 1000");
     SequenceSettings settings;

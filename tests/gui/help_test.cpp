@@ -299,7 +299,7 @@ TEST_F(HelpTest, WhatCameToNothingIsNotTickedOff) {
     window.session().seek(0);
     settle();
     const std::size_t before = doneSteps(*card);
-    key(Qt::Key_K);  // nobody has kicked yet
+    key(Qt::Key_K);  // no robot has kicked yet
     key(Qt::Key_S);  // there is no other branch
     EXPECT_NE(said().find("no other branch"), std::string::npos) << said();
     key(Qt::Key_E);  // no robot is selected

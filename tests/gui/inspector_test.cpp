@@ -132,7 +132,7 @@ TEST_F(InspectorTest, SaysWhatContactChangedAndBetweenWhom) {
     EXPECT_EQ(value({"Motion model", "pushed_ahead"}), text(ahead, 4, "m"));
 }
 
-/// What rounds to nothing alarms nobody.
+/// What rounds to zero is no warning.
 TEST_F(InspectorTest, TouchBelowTheShownDigitsIsQuiet) {
     FieldFrame touched = frame();
     for (const double impulse : {0.3, 0.004}) {
@@ -169,7 +169,7 @@ TEST_F(InspectorTest, SetsWhatIsSeenAgainstTheTruth) {
     seek(400);
     std::size_t robot = 0;
     while (robot < 8 && frame().insights[robot].observation.robots().empty()) ++robot;
-    ASSERT_LT(robot, 8u) << "nobody sees anybody";
+    ASSERT_LT(robot, 8u) << "no robot sees another";
     select(robot);
     const RobotInsight& insight = frame().insights[robot];
     ASSERT_TRUE(insight.observed && insight.observation.localised());

@@ -54,7 +54,7 @@ protected:
             }
         return write("husky.csv", text);
     }
-    /// A log of somebody's own robot.
+    /// A log of the user's own robot.
     std::string ownLog(const std::string& name = "own.csv") {
         makeLog([](Log& log) { log.synthetic = false; });
         return write(name, readFile(path("made.csv")).value_or(""));
@@ -72,12 +72,12 @@ protected:
     }
     void remember() { window.memory().restore(std::make_unique<QSettings>(qPath("kept.ini"), QSettings::IniFormat)); }
 
-    /// All that somebody sees of a log and its run.
+    /// All that a user sees of a log and its run.
     struct State {
         OverlayWorldPointer world;
         OverlayPlan plan;
-        std::size_t courses = 0, rows = 0, models = 0;
-        std::optional<std::size_t> course;
+        std::size_t rollouts = 0, rows = 0, models = 0;
+        std::optional<std::size_t> rollout;
         std::uint64_t run = 0;
         std::int64_t tick = 0;
         StateHash hash;
@@ -93,7 +93,7 @@ protected:
                 overlay.requests().size(),
                 overlay.rows().size(),
                 overlay.models().size(),
-                overlay.shownCourse(),
+                overlay.shownRollout(),
                 shown.run,
                 shown.tick(),
                 hashOf(shown.frame->state),
@@ -102,7 +102,7 @@ protected:
                 overlay.comparison(),
                 shown.frame->reality.get()};
     }
-    /// The shipped log in its third course, with a branch, a breakpoint and a second model.
+    /// The shipped log in its third rollout, with a branch, a breakpoint and a second model.
     void work() {
         openLog(shipped());
         overlay.show(2);
@@ -129,14 +129,14 @@ TEST_F(LogOpeningTest, ShortTrajectoriesAreCutAsEvaluateCutsThem) {
     ASSERT_TRUE(windows);
     ASSERT_EQ(overlay.requests().size(), windows->size());
     for (std::size_t i = 0; i < windows->size(); ++i) {
-        const CourseRequest& request = overlay.requests()[i];
-        const Take::Part& part = overlay.world()->world().takes()[request.take].parts[0];
+        const RolloutRequest& request = overlay.requests()[i];
+        const LogSession::Part& part = overlay.world()->world().sessions()[request.session].parts[0];
         EXPECT_EQ(part.trajectory, (*windows)[i].trajectory);
         EXPECT_EQ(part.origin + request.start, (*windows)[i].start);
         EXPECT_EQ(request.steps, (*windows)[i].steps());
     }
     EXPECT_THAT(notes(), Contains(HasSubstr("windows of 1.9 s, as mrose evaluate cuts them")));
-    EXPECT_EQ(overlay.shownCourse(), 0u);
+    EXPECT_EQ(overlay.shownRollout(), 0u);
     ASSERT_TRUE(overlay.setPlan({OverlayPlan::Cut::windows, 0, 1}));
     settleAll();
     EXPECT_THAT(notes(), Not(Contains(HasSubstr("as mrose evaluate cuts them")))) << "it is no longer so";
@@ -146,27 +146,27 @@ TEST_F(LogOpeningTest, PanelOfALogInPiecesTellsThemApart) {
     ASSERT_NO_FATAL_FAILURE(openLog(huskyLog(6)));
     EXPECT_EQ(overlay.world()->world().robots()[0].name, "husky");
     // Six times 1.95 s.
-    EXPECT_THAT(head(), HasSubstr("6 courses of 1 robot, 6 takes, 0:11 min in all"));
+    EXPECT_THAT(head(), HasSubstr("6 rollouts of 1 robot, 6 sessions, 0:11 min in all"));
     const QTreeView& list = panel.list();
-    EXPECT_TRUE(list.isColumnHidden(CourseList::robot));
-    ASSERT_FALSE(list.isColumnHidden(CourseList::take));
-    list.model()->sort(CourseList::take, Qt::AscendingOrder);
+    EXPECT_TRUE(list.isColumnHidden(RolloutList::robot));
+    ASSERT_FALSE(list.isColumnHidden(RolloutList::session));
+    list.model()->sort(RolloutList::session, Qt::AscendingOrder);
     for (int line = 0; line < 6; ++line)
-        EXPECT_EQ(list.model()->index(line, CourseList::take).data().toString(), QString::number(line));
+        EXPECT_EQ(list.model()->index(line, RolloutList::session).data().toString(), QString::number(line));
     overlay.show(4, 0);
     settleAll();
-    EXPECT_THAT(panel.causes().text().toStdString(), HasSubstr("husky in take 4 from"));
-    EXPECT_THAT(window.windowTitle().toStdString(), HasSubstr("take 4"));
+    EXPECT_THAT(panel.causes().text().toStdString(), HasSubstr("husky in session 4 from"));
+    EXPECT_THAT(window.windowTitle().toStdString(), HasSubstr("session 4"));
     const std::string whole = makeLog([](Log& log) { log.robots[0].trajectories.resize(1); });
     ASSERT_NO_FATAL_FAILURE(openLog(whole, {OverlayPlan::Cut::every, 0, 2}));
-    EXPECT_FALSE(list.isColumnHidden(CourseList::robot));
-    EXPECT_TRUE(list.isColumnHidden(CourseList::take));
-    EXPECT_THAT(head(), Not(HasSubstr("takes")));
+    EXPECT_FALSE(list.isColumnHidden(RolloutList::robot));
+    EXPECT_TRUE(list.isColumnHidden(RolloutList::session));
+    EXPECT_THAT(head(), Not(HasSubstr("sessions")));
 }
 
 TEST_F(LogOpeningTest, PlanThatIsAskedForIsKept) {
     const std::string file = huskyLog(6);
-    EXPECT_THAT(refusal({file, ""}, OverlayPlan{}), HasSubstr("no course of 10.0 s fits in"));
+    EXPECT_THAT(refusal({file, ""}, OverlayPlan{}), HasSubstr("no rollout of 10.0 s fits in"));
     EXPECT_FALSE(overlay.world());
     EXPECT_EQ(refusal({file, ""}, OverlayPlan{OverlayPlan::Cut::every, 0, 0.5}), "");
     EXPECT_EQ(overlay.plan().cut, OverlayPlan::Cut::every);
@@ -193,7 +193,7 @@ TEST_F(LogOpeningTest, SingleCommandIsEnough) {
         for (Trajectory& trajectory : log.robots[0].trajectories) trajectory.commands.resize(1);
     });
     ASSERT_NO_FATAL_FAILURE(openLog(file));
-    ASSERT_TRUE(overlay.shownCourse());
+    ASSERT_TRUE(overlay.shownRollout());
     EXPECT_THAT(errors(), IsEmpty());
     seek(100);
     EXPECT_EQ(window.shown()->tick(), 100);
@@ -235,7 +235,7 @@ TEST_F(LogOpeningTest, WhatDroveInOnesOwnLogIsAsked) {
     ASSERT_TRUE(overlay.world());
     EXPECT_EQ(overlay.world()->request.robotFile, "pioneer1.toml");
     EXPECT_EQ(overlay.world()->world().parts().scene.typeOf(0).name, "Pioneer 1");
-    EXPECT_EQ(overlay.shownCourse(), 0u);
+    EXPECT_EQ(overlay.shownRollout(), 0u);
     EXPECT_THAT(window.memory().recentFiles(), Contains(QString::fromStdString(file)));
     // Once more: what was said stands ready.
     overlay.close();
@@ -343,7 +343,7 @@ TEST_F(LogOpeningTest, ScriptsSayWhatDrove) {
                       {[](const std::string&) {}, [](const std::string& mistake) { ADD_FAILURE() << mistake; }});
         return done ? "" : done.error().message();
     };
-    EXPECT_THAT(run("open_log('" + file + "')"), HasSubstr("does not tell what kind of robot drove"));
+    EXPECT_THAT(run("open_log('" + file + "')"), HasSubstr("does not say what kind of robot drove"));
     EXPECT_EQ(dialog(), nullptr);
     EXPECT_EQ(run("open_log('" + file + "', 'pioneer1.toml')\nexpect(reality('courses') > 0)"), "");
     EXPECT_THAT(run("open_log('" + file + "', 'missing.toml')"), HasSubstr("missing.toml"));
@@ -395,7 +395,7 @@ TEST_F(LogOpeningTest, WhatCannotBeOpenedLeavesAllAsItIs) {
     window.files().setQuestion([](const QString&) { return WindowFiles::Answer::discard; });
     overlay.showNext(1);
     settleAll();
-    EXPECT_EQ(overlay.shownCourse(), 3u);
+    EXPECT_EQ(overlay.shownRollout(), 3u);
 }
 
 TEST_F(LogOpeningTest, UnsavedBranchesAreAskedAboutOnceTheOtherLogIsThere) {
@@ -431,7 +431,7 @@ TEST_F(LogOpeningTest, FolderOfLogsIsExplained) {
 }
 
 TEST_F(LogOpeningTest, ColumnsHoldAllThatTheyShow) {
-    // Courses from 0 to 1190 s: the widest starts come last.
+    // Rollouts from 0 to 1190 s: the widest starts come last.
     const std::string file = makeLog([](Log& log) {
         Trajectory& trajectory = log.robots[0].trajectories[0];
         log.robots[0].trajectories.resize(1);
@@ -450,9 +450,9 @@ TEST_F(LogOpeningTest, ColumnsHoldAllThatTheyShow) {
     const QTreeView& list = panel.list();
     const QFontMetrics metrics = list.fontMetrics();
     constexpr int margins = 6;  // of a cell, pixels
-    for (int column = 0; column < CourseList::columns; ++column)
+    for (int column = 0; column < RolloutList::columns; ++column)
         for (int line = 0; line < list.model()->rowCount() && !list.isColumnHidden(column); ++line)
-            ASSERT_LE(CourseList::isName(column)
+            ASSERT_LE(RolloutList::isName(column)
                           ? 0
                           : metrics.horizontalAdvance(list.model()->index(line, column).data().toString()) + margins,
                       list.columnWidth(column))

@@ -1,4 +1,4 @@
-// What somebody meets who opens a real log for the first time: the window with its panels, plots, menus and dialogues.
+// What a user meets who opens a real log for the first time: the window with its panels, plots, menus and dialogues.
 #include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
@@ -64,8 +64,8 @@ protected:
         return window.plots().view().curves().at(static_cast<std::size_t>(at));
     }
     std::string robot() { return window.overlay().world()->world().robots().front().name; }
-    const ComparedCourse& compared() {
-        return window.overlay().comparison()->courses.at(*window.overlay().shownCourse());
+    const ComparedRollout& compared() {
+        return window.overlay().comparison()->rollouts.at(*window.overlay().shownRollout());
     }
 };
 
@@ -78,7 +78,7 @@ TEST_F(LogWindowTest, EveryPanelFitsASmallScreen) {
     EXPECT_EQ(window.size(), QSize(1280, 800));
 }
 
-TEST_F(LogWindowTest, ErrorsOfTheWholeCourseArePlottedUnasked) {
+TEST_F(LogWindowTest, ErrorsOfTheWholeRolloutArePlottedUnasked) {
     ASSERT_NO_FATAL_FAILURE(openLog());
     EXPECT_TRUE(dock("plots").isVisible());
     EXPECT_EQ(window.plots().keys(),
@@ -98,7 +98,7 @@ TEST_F(LogWindowTest, ErrorsOfTheWholeCourseArePlottedUnasked) {
     EXPECT_NEAR(curve({positionErrorQuantity, robot()}).at(300), position.ahead[59].y(), 1e-4);
 }
 
-TEST_F(LogWindowTest, PlottedErrorsFollowCourseAndModels) {
+TEST_F(LogWindowTest, PlottedErrorsFollowRolloutAndModels) {
     ASSERT_NO_FATAL_FAILURE(openLog());
     window.overlay().addModel("velocity = command");
     settleAll();
@@ -113,7 +113,7 @@ TEST_F(LogWindowTest, PlottedErrorsFollowCourseAndModels) {
     EXPECT_EQ(added.ahead.back().y(), 100 * error->position);
     window.overlay().show(1);
     settleAll();
-    ASSERT_EQ(window.overlay().shownCourse(), 1u);
+    ASSERT_EQ(window.overlay().shownRollout(), 1u);
     EXPECT_EQ(window.plots().keys().size(), 4u);
     EXPECT_EQ(curve({positionErrorQuantity, robot()}).ahead.front().y(), 100 * compared().errors.position.front());
     window.overlay().removeModel(1);
@@ -190,7 +190,7 @@ TEST_F(LogWindowTest, CurvesAreCalledByWhatDiffersAndAxesByTheirQuantity) {
     EXPECT_EQ(window.plots().view().titles().front(), "cm") << "of several quantities";
 }
 
-TEST_F(LogWindowTest, PictureOfPlotsNamesLogCourseModelsAndBound) {
+TEST_F(LogWindowTest, PictureOfPlotsNamesLogRolloutModelsAndBound) {
     ASSERT_NO_FATAL_FAILURE(openLog());
     window.overlay().setBound({{0.02, 0.05}, false});
     window.overlay().addModel("velocity = command");
@@ -202,17 +202,17 @@ TEST_F(LogWindowTest, PictureOfPlotsNamesLogCourseModelsAndBound) {
     QApplication::processEvents();
     std::ifstream file(path("plots.svg"));
     const std::string text{std::istreambuf_iterator<char>(file), {}};
-    const std::string course = window.runName().toStdString() + " for 10.0 s, " + robot();
+    const std::string rollout = window.runName().toStdString() + " for 10.0 s, " + robot();
     for (const std::string& part :
-         {std::string("random.csv"), course, window.overlay().models().front().name, std::string("velocity = command"),
-          std::string("bound"), std::string("leaves the real course"), std::string("error (cm)")})
+         {std::string("random.csv"), rollout, window.overlay().models().front().name, std::string("velocity = command"),
+          std::string("bound"), std::string("leaves the real trajectory"), std::string("error (cm)")})
         EXPECT_THAT(text, HasSubstr(part));
     const QString colour = TimelineBar::colourOf(TimelineMark::Kind::divergence, Theme::light()).name();
     EXPECT_GE(QString::fromStdString(text).count(colour), 6) << "bound and mark of both axes and in the legend";
 }
 
 /// Against the comparison and its bound, wherever the run has come to.
-TEST_F(LogWindowTest, TableOfPlotsGoesToTheEndOfTheCourseAndHasTheBound) {
+TEST_F(LogWindowTest, TableOfPlotsGoesToTheEndOfTheRolloutAndHasTheBound) {
     ASSERT_NO_FATAL_FAILURE(openLog());
     window.overlay().addModel("velocity = command");
     window.overlay().show(2);
@@ -230,7 +230,7 @@ TEST_F(LogWindowTest, TableOfPlotsGoesToTheEndOfTheCourseAndHasTheBound) {
             std::istringstream cells(line);
             for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
         }
-        const ComparedCourse& course = compared();
+        const ComparedRollout& rollout = compared();
         const OverlayRow& row = *window.overlay().shownRow();
         ASSERT_TRUE(row.divergence);
         const Reality& reality = *window.shown()->frame->reality;
@@ -250,7 +250,7 @@ TEST_F(LogWindowTest, TableOfPlotsGoesToTheEndOfTheCourseAndHasTheBound) {
             if (tick < 5 || tick % 5 != 0) continue;
             const auto k = static_cast<std::size_t>(tick / 5 - 1);
             ++compared;
-            EXPECT_NEAR(std::stod(cells[2]), 100 * course.errors.position[k], 1e-3) << tick;
+            EXPECT_NEAR(std::stod(cells[2]), 100 * rollout.errors.position[k], 1e-3) << tick;
             const auto error = reality.modelError(reality.models.front(), 0, scene.timeOf(tick));
             ASSERT_TRUE(error);
             EXPECT_NEAR(std::stod(cells[3]), 100 * error->position, 1e-3) << tick;
@@ -258,7 +258,7 @@ TEST_F(LogWindowTest, TableOfPlotsGoesToTheEndOfTheCourseAndHasTheBound) {
             EXPECT_NEAR(std::stod(cells[2 + curves]), 100 * at.position, 1e-9) << tick;
             EXPECT_NEAR(std::stod(cells[3 + curves]), degrees * at.heading, 1e-9) << tick;
         }
-        EXPECT_EQ(compared, course.errors.position.size()) << "each instant of the whole course";
+        EXPECT_EQ(compared, rollout.errors.position.size()) << "each instant of the whole rollout";
         EXPECT_EQ(crossings, 1u);
     };
     window.overlay().setBound({{0.02, 0.05}, false});
@@ -334,7 +334,7 @@ TEST_F(LogWindowTest, ReportDialoguesSayWhatIsOpen) {
     auto* comparison = window.findChild<ReportDialog*>("comparison_dialog");
     EXPECT_EQ(line(*comparison, "every"), "5");
     EXPECT_EQ(line(*comparison, "log").toStdString(), window.overlay().world()->place);
-    // What somebody has written stays.
+    // What was written by hand stays.
     auto* every = comparison->findChild<QLineEdit*>("every");
     every->clear();
     QTest::keyClicks(every, "7");

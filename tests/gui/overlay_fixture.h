@@ -46,7 +46,7 @@ protected:
     }
     void clickLine(int line) {
         QTreeView& list = panel.list();
-        const QModelIndex index = list.model()->index(line, CourseList::error);
+        const QModelIndex index = list.model()->index(line, RolloutList::error);
         list.scrollTo(index);
         QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, list.visualRect(index).center());
         settleAll();
@@ -55,7 +55,7 @@ protected:
 
     /// A log that the shipped generator makes, of a jink, in the folder of the test.
     std::string makeLog(const std::function<void(Log&)>& change = {}) {
-        std::optional<Log> log = generateLog({mrose::Course::jink, 2, -1, 1}, 5);
+        std::optional<Log> log = generateLog({mrose::DrivePattern::jink, 2, -1, 1}, 5);
         if (change) change(*log);
         const std::string file = path("made.csv");
         EXPECT_TRUE(writeCsv(file, *log));

@@ -72,7 +72,7 @@ TEST_F(OverlayReloadTest, ModelsMoveInTheWorldThatWasReadLast) {
     EXPECT_EQ(reality().models[0].poses[0].front(), state().robots[0].pose);
 }
 
-TEST_F(OverlayReloadTest, CourseThatIsGoneLeavesWhatWasReadBefore) {
+TEST_F(OverlayReloadTest, RolloutThatIsGoneLeavesWhatWasReadBefore) {
     ASSERT_NO_FATAL_FAILURE(openLog(makeLog(driveTwice), twoSeconds));
     const std::size_t last = overlay.requests().size() - 1;
     overlay.show(last);
@@ -83,9 +83,9 @@ TEST_F(OverlayReloadTest, CourseThatIsGoneLeavesWhatWasReadBefore) {
         log.robots[0].trajectories.pop_back();
     });
     reload();
-    EXPECT_THAT(errors(), Contains(HasSubstr("has no course from")));
+    EXPECT_THAT(errors(), Contains(HasSubstr("has no rollout from")));
     EXPECT_EQ(overlay.world(), before);
-    EXPECT_EQ(overlay.shownCourse(), last);
+    EXPECT_EQ(overlay.shownRollout(), last);
     makeLog(driveTwice);
     reload();
     EXPECT_EQ(overlay.world(), before);
@@ -97,7 +97,7 @@ TEST_F(OverlayReloadTest, CourseThatIsGoneLeavesWhatWasReadBefore) {
     });
     reload();
     EXPECT_NE(overlay.world(), before);
-    EXPECT_EQ(overlay.shownCourse(), last);
+    EXPECT_EQ(overlay.shownRollout(), last);
 }
 
 TEST_F(OverlayReloadTest, NothingStaysThatWasKnownOfTheOldLog) {
@@ -110,7 +110,7 @@ TEST_F(OverlayReloadTest, NothingStaysThatWasKnownOfTheOldLog) {
     reload();
     EXPECT_FALSE(overlay.shownCause());
     const Comparison alone = comparedAlone(overlay);
-    for (const OverlayRow& row : overlay.rows()) EXPECT_EQ(row.position, knownMean(alone.courses[row.course]));
+    for (const OverlayRow& row : overlay.rows()) EXPECT_EQ(row.position, knownMean(alone.rollouts[row.rollout]));
     EXPECT_EQ(reality().robots[0].trajectory, &overlay.world()->world().trajectory(0, 0));
     MainWindow other;
     ASSERT_TRUE(other.overlay().openNow({path("made.csv"), ""}, twoSeconds));
@@ -124,7 +124,7 @@ TEST_F(OverlayReloadTest, NothingStaysThatWasKnownOfTheOldLog) {
     EXPECT_EQ(found.trials.front().explained, fresh.trials.front().explained);
 }
 
-TEST_F(OverlayReloadTest, PlottedErrorsAreThoseOfTheNewCourse) {
+TEST_F(OverlayReloadTest, PlottedErrorsAreThoseOfTheNewRollout) {
     ASSERT_NO_FATAL_FAILURE(openLog(makeLog(), twoSeconds));
     const ValueKey key{positionErrorQuantity, overlay.world()->world().robots().front().name};
     const auto ahead = [&] {
@@ -136,7 +136,7 @@ TEST_F(OverlayReloadTest, PlottedErrorsAreThoseOfTheNewCourse) {
         for (const QPointF& point : position->ahead) errors.push_back(point.y() / 100);
         return errors;
     };
-    const auto compared = [&] { return comparedAlone(overlay).courses.front().errors.position; };
+    const auto compared = [&] { return comparedAlone(overlay).rollouts.front().errors.position; };
     const std::vector<double> before = compared();
     EXPECT_THAT(ahead(), Pointwise(DoubleNear(1e-12), before));
     makeLog(stretch);
@@ -144,7 +144,7 @@ TEST_F(OverlayReloadTest, PlottedErrorsAreThoseOfTheNewCourse) {
     ASSERT_EQ(window.shown()->branch, 1u);
     EXPECT_NE(compared(), before);
     EXPECT_THAT(ahead(), Pointwise(DoubleNear(1e-12), compared()));
-    // The course before was not compared with the log as it is now.
+    // The branch before was not compared with the log as it is now.
     window.session().undo();
     settleAll();
     ASSERT_EQ(window.shown()->branch, 0u);
@@ -163,7 +163,7 @@ TEST_F(OverlayReloadTest, PlottedErrorsAreThoseOfTheNewCourse) {
     EXPECT_THAT(window.plots().keys(), ElementsAre(key));
 }
 
-TEST_F(OverlayReloadTest, BreakOnDivergenceIsThatOfTheNewCourse) {
+TEST_F(OverlayReloadTest, BreakOnDivergenceIsThatOfTheNewRollout) {
     ASSERT_NO_FATAL_FAILURE(openLog(makeLog(), twoSeconds));
     const DivergenceBound::At bound{0.02, 0.1};
     overlay.setBound({bound, false});
@@ -194,7 +194,7 @@ TEST_F(OverlayReloadTest, BreakOnDivergenceIsThatOfTheNewCourse) {
     EXPECT_EQ(window.shown()->tick(), expected);
 }
 
-TEST_F(OverlayReloadTest, IsReadAgainThoughAnotherCourseIsPickedMeanwhile) {
+TEST_F(OverlayReloadTest, IsReadAgainThoughAnotherRolloutIsPickedMeanwhile) {
     ASSERT_NO_FATAL_FAILURE(openLog(makeLog(), twoSeconds));
     const OverlayWorldPointer before = overlay.world();
     makeLog(stretch);
@@ -202,7 +202,7 @@ TEST_F(OverlayReloadTest, IsReadAgainThoughAnotherCourseIsPickedMeanwhile) {
     overlay.showNext(1);
     settleAll();
     EXPECT_NE(overlay.world(), before);
-    EXPECT_EQ(overlay.shownCourse(), 1u);
+    EXPECT_EQ(overlay.shownRollout(), 1u);
 }
 
 TEST_F(OverlayReloadTest, ModelThatWasCancelledCanBeAddedAgain) {
@@ -256,7 +256,7 @@ TEST_F(OverlayReloadTest, DiagnosisIsOfTheBoundAndTheRobotThatAreSet) {
     EXPECT_EQ(stale, 0);
 }
 
-TEST_F(OverlayReloadTest, CourseWithoutTruthSaysSo) {
+TEST_F(OverlayReloadTest, RolloutWithoutTruthSaysSo) {
     const std::string blind = makeLog([](Log& log) {
         auto& poses = log.robots[0].trajectories[0].poses;
         const Nanoseconds start = poses.front().time;
@@ -272,16 +272,16 @@ TEST_F(OverlayReloadTest, CourseWithoutTruthSaysSo) {
     const std::string text = panel.causes().text().toStdString();
     EXPECT_THAT(text, HasSubstr("no ground truth here"));
     EXPECT_THAT(text, Not(HasSubstr("stays within")));
-    const int line = panel.courses()->lineOf(0, 0);
-    EXPECT_EQ(panel.courses()->index(line, CourseList::error).data().toString(), QString::fromUtf8("\u2013"));
-    EXPECT_EQ(panel.courses()->index(line, CourseList::path).data().toString(), QString::fromUtf8("\u2013"));
+    const int line = panel.rollouts()->lineOf(0, 0);
+    EXPECT_EQ(panel.rollouts()->index(line, RolloutList::error).data().toString(), QString::fromUtf8("\u2013"));
+    EXPECT_EQ(panel.rollouts()->index(line, RolloutList::path).data().toString(), QString::fromUtf8("\u2013"));
 }
 
 TEST_F(OverlayReloadTest, PlanThatTheUserRefusesChangesNothing) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped()));
     window.session().branchOff({"mine"});
     settleAll();
-    const std::size_t courses = overlay.requests().size();
+    const std::size_t rollouts = overlay.requests().size();
     int asked = 0;
     window.files().setQuestion([&](const QString&) {
         ++asked;
@@ -293,19 +293,19 @@ TEST_F(OverlayReloadTest, PlanThatTheUserRefusesChangesNothing) {
     settleAll();
     EXPECT_EQ(asked, 1);
     EXPECT_EQ(overlay.plan(), OverlayPlan{});
-    EXPECT_EQ(overlay.requests().size(), courses);
-    EXPECT_EQ(overlay.shownCourse(), 0u);
+    EXPECT_EQ(overlay.requests().size(), rollouts);
+    EXPECT_EQ(overlay.shownRollout(), 0u);
     EXPECT_NE(overlay.comparison(), nullptr);
 }
 
-TEST_F(OverlayReloadTest, LogThatIsClosedWhileACourseOpensLeavesNothingBehind) {
+TEST_F(OverlayReloadTest, LogThatIsClosedWhileARolloutOpensLeavesNothingBehind) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped(), twoSeconds));
     const std::uint64_t before = window.shown()->run;
     overlay.showNext(1);
     ASSERT_TRUE(waitFor([&] { return window.session().newestRun() != before; }));
     window.actions()["close_log"].trigger();
     settleAll();
-    ASSERT_NE(window.shown()->run, before) << "the course was on its way";
+    ASSERT_NE(window.shown()->run, before) << "the rollout was on its way";
     EXPECT_FALSE(window.shown()->frame->reality);
     EXPECT_FALSE(window.shown()->canDiverge);
 }
@@ -368,7 +368,7 @@ TEST_F(OverlayReloadTest, WindowGoesOnWhileTheSessionIsAtWork) {
     });
     overlay.show(1);
     QTimer::singleShot(1000, &window, [&] { released = true; });
-    EXPECT_TRUE(waitFor([&] { return overlay.shownCourse() == 1u; }));
+    EXPECT_TRUE(waitFor([&] { return overlay.shownRollout() == 1u; }));
     EXPECT_TRUE(heard) << "the window's thread waited for the session";
 }
 

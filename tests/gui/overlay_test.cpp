@@ -1,4 +1,5 @@
-// A real log laid over its simulation: opened, its courses chosen, its figures those of `mrose compare` and `evaluate`.
+// A real log laid over its simulation: opened, its rollouts chosen, its figures those of `mrose compare` and
+// `evaluate`.
 #include "reality/overlay.h"
 
 #include <QDockWidget>
@@ -23,8 +24,8 @@
 #include "scripting/window_script.h"
 #include "shared/resources.h"
 #include "support/places.h"
-#include "widgets/course_strip.h"
 #include "widgets/field_view.h"
+#include "widgets/rollout_strip.h"
 
 namespace mrose::gui {
 namespace {
@@ -33,15 +34,15 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-TEST_F(OverlayTest, DroppedLogIsShownAtItsFirstCourseWithAllOthersInTheList) {
+TEST_F(OverlayTest, DroppedLogIsShownAtItsFirstRolloutWithAllOthersInTheList) {
     dropFile(shipped());
     QApplication::processEvents();
     settleAll();
     ASSERT_TRUE(overlay.world());
     ASSERT_NE(window.shown(), nullptr);
-    EXPECT_EQ(overlay.shownCourse(), 0u);
+    EXPECT_EQ(overlay.shownRollout(), 0u);
     EXPECT_TRUE(window.findChild<QDockWidget*>("reality")->isVisible());
-    EXPECT_TRUE(window.courseStrip().isVisible());
+    EXPECT_TRUE(window.rolloutStrip().isVisible());
     ASSERT_TRUE(window.shown()->frame->reality);
     const auto real = reality().robots[0].poseAt(0);
     ASSERT_TRUE(real);
@@ -58,44 +59,44 @@ TEST_F(OverlayTest, FiguresAreThoseOfCompareToTheLastBit) {
     EXPECT_EQ(overlay.comparison()->all.counted.p, alone.all.counted.p);
     EXPECT_EQ(overlay.comparison()->all.counted.hd, alone.all.counted.hd);
     std::size_t simulated = 0;
-    for (const ComparedCourse& course : alone.courses) {
-        if (course.use == CourseUse::absent) continue;
+    for (const ComparedRollout& rollout : alone.rollouts) {
+        if (rollout.use == RolloutUse::absent) continue;
         ++simulated;
-        const OverlayRow* const row = overlay.rowOf(course.request, course.robot);
+        const OverlayRow* const row = overlay.rowOf(rollout.request, rollout.robot);
         ASSERT_NE(row, nullptr);
-        EXPECT_EQ(row->position, knownMean(course));
-        if (course.use == CourseUse::counted) {
-            EXPECT_EQ(row->heading, course.errors.headingMean);
+        EXPECT_EQ(row->position, knownMean(rollout));
+        if (rollout.use == RolloutUse::counted) {
+            EXPECT_EQ(row->heading, rollout.errors.headingMean);
         }
     }
     EXPECT_EQ(overlay.rows().size(), simulated);
     const std::vector<std::size_t> order = worstFirst(alone);
-    for (int line = 0; line < panel.courses()->rowCount(); ++line) {
-        const ComparedCourse& course = alone.courses[order[static_cast<std::size_t>(line)]];
-        EXPECT_EQ(panel.courses()->row(line).position, knownMean(course)) << "line " << line;
+    for (int line = 0; line < panel.rollouts()->rowCount(); ++line) {
+        const ComparedRollout& rollout = alone.rollouts[order[static_cast<std::size_t>(line)]];
+        EXPECT_EQ(panel.rollouts()->row(line).position, knownMean(rollout)) << "line " << line;
     }
 }
 
-TEST_F(OverlayTest, RunOfACourseIsTheOneThatWasCompared) {
+TEST_F(OverlayTest, RunOfARolloutIsTheOneThatWasCompared) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped()));
     clickLine(0);
-    const OverlayRow& worst = panel.courses()->row(0);
-    EXPECT_EQ(overlay.shownCourse(), worst.course);
+    const OverlayRow& worst = panel.rollouts()->row(0);
+    EXPECT_EQ(overlay.shownRollout(), worst.rollout);
     const Comparison alone = comparedAlone(overlay);
-    const auto course = std::find_if(alone.courses.begin(), alone.courses.end(), [&](const ComparedCourse& c) {
-        return c.request == worst.course && c.robot == worst.robot;
+    const auto rollout = std::find_if(alone.rollouts.begin(), alone.rollouts.end(), [&](const ComparedRollout& c) {
+        return c.request == worst.rollout && c.robot == worst.robot;
     });
     const Scene& scene = window.shown()->frame->scene();
     for (const std::size_t k : {9u, 49u, 99u}) {
         seek(scene.ticksOf(static_cast<Nanoseconds>(k + 1) * WindowOptions{}.step));
-        EXPECT_EQ(state().robots[0].pose, course->simulated[k]);
+        EXPECT_EQ(state().robots[0].pose, rollout->simulated[k]);
         const auto real = reality().robots[0].poseAt(scene.timeOf(state().tick));
         ASSERT_TRUE(real);
-        EXPECT_EQ(poseError(*real, state().robots[0].pose).position, course->errors.position[k]);
+        EXPECT_EQ(poseError(*real, state().robots[0].pose).position, rollout->errors.position[k]);
     }
 }
 
-TEST_F(OverlayTest, KeyGoesToWhereItLeavesTheRealCourse) {
+TEST_F(OverlayTest, KeyGoesToWhereItLeavesTheRealTrajectory) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped()));
     overlay.setBound({{0.02, 0.05}, false});
     settleAll();
@@ -198,7 +199,7 @@ TEST_F(OverlayTest, SecondModelDrivesTheSameCommandsBeside) {
     EXPECT_EQ((*model.figures.compared)->counted.p, alone->all.counted.p);
     EXPECT_NE((*model.figures.compared)->counted.p, overlay.comparison()->all.counted.p);
     ASSERT_EQ(reality().models.size(), 1u);
-    const auto& first = alone->courses.front();
+    const auto& first = alone->rollouts.front();
     for (const std::size_t k : {0u, 99u}) {
         const auto pose = reality().models[0].poseAt(0, static_cast<Nanoseconds>(k + 1) * WindowOptions{}.step);
         ASSERT_TRUE(pose);
@@ -209,19 +210,19 @@ TEST_F(OverlayTest, SecondModelDrivesTheSameCommandsBeside) {
     EXPECT_THAT(reality().models, IsEmpty());
 }
 
-TEST_F(OverlayTest, PlayingGoesOnIntoTheNextCourse) {
+TEST_F(OverlayTest, PlayingGoesOnIntoTheNextRollout) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {OverlayPlan::Cut::every, 0, 2}));
     window.setSpeed(0);
     window.session().play();
-    EXPECT_TRUE(waitFor([&] { return overlay.shownCourse() >= 2u; }));
+    EXPECT_TRUE(waitFor([&] { return overlay.shownRollout() >= 2u; }));
     overlay.setRestarts(false);
     window.session().pause();
     settleAll();
     EXPECT_GE(reality().start, 4 * nanosecondsPerSecond);
-    EXPECT_EQ(reality().start, overlay.requests()[*overlay.shownCourse()].start);
+    EXPECT_EQ(reality().start, overlay.requests()[*overlay.shownRollout()].start);
 }
 
-TEST_F(OverlayTest, BranchThatIsNotSavedHoldsTheNextCourseBack) {
+TEST_F(OverlayTest, BranchThatIsNotSavedHoldsTheNextRolloutBack) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {OverlayPlan::Cut::every, 0, 2}));
     seek(10);
     window.session().branchOff({"mine"});
@@ -233,21 +234,21 @@ TEST_F(OverlayTest, BranchThatIsNotSavedHoldsTheNextCourseBack) {
     });
     clickLine(1);
     EXPECT_TRUE(asked);
-    EXPECT_EQ(overlay.shownCourse(), 0u);
+    EXPECT_EQ(overlay.shownRollout(), 0u);
 }
 
-TEST_F(OverlayTest, ClickOnTheStripOpensTheCourseThere) {
+TEST_F(OverlayTest, ClickOnTheStripOpensTheRolloutThere) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped()));
-    CourseStrip& strip = window.courseStrip();
+    RolloutStrip& strip = window.rolloutStrip();
     QTest::mouseClick(&strip, Qt::LeftButton, {}, QPoint(static_cast<int>(strip.pixelOf(3)), strip.height() / 2));
     settleAll();
-    EXPECT_EQ(overlay.shownCourse(), 3u);
+    EXPECT_EQ(overlay.shownRollout(), 3u);
     EXPECT_EQ(reality().start, overlay.requests()[3].start);
     const QString told = strip.textAt(strip.pixelOf(3));
     EXPECT_THAT(told.toStdString(), HasSubstr("off on average"));
 }
 
-TEST_F(OverlayTest, RecordedCourseReopensExactlyAndFindsItsLog) {
+TEST_F(OverlayTest, RecordedRolloutReopensExactlyAndFindsItsLog) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped()));
     clickLine(0);
     const Nanoseconds start = reality().start;
@@ -267,7 +268,7 @@ TEST_F(OverlayTest, RecordedCourseReopensExactlyAndFindsItsLog) {
     EXPECT_EQ(other.shown()->frame->reality->robots[0].origin, reality().robots[0].origin) << "from " << start;
 }
 
-TEST_F(OverlayTest, SavedStateOfACourseGoesOnAsTheCourse) {
+TEST_F(OverlayTest, SavedStateOfARolloutGoesOnAsTheRollout) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped()));
     seek(120);
     ASSERT_TRUE(window.files().saveScenario(qPath("state.toml")));
@@ -282,7 +283,7 @@ TEST_F(OverlayTest, CancelledComparisonKeepsWhatIsDone) {
     std::vector<std::size_t> done;
     const auto cancel = QObject::connect(&overlay, &Overlay::changed, &window, [&] {
         if (overlay.rows().empty() || !done.empty()) return;
-        for (const OverlayRow& row : overlay.rows()) done.push_back(row.course);
+        for (const OverlayRow& row : overlay.rows()) done.push_back(row.rollout);
         EXPECT_TRUE(window.actions().perform("cancel", {}));
     });
     ASSERT_TRUE(waitFor([&] { return !done.empty(); }));
@@ -291,7 +292,7 @@ TEST_F(OverlayTest, CancelledComparisonKeepsWhatIsDone) {
     EXPECT_EQ(overlay.share(), 1);
     EXPECT_EQ(overlay.comparison(), nullptr);
     std::vector<std::size_t> kept;
-    for (const OverlayRow& row : overlay.rows()) kept.push_back(row.course);
+    for (const OverlayRow& row : overlay.rows()) kept.push_back(row.rollout);
     EXPECT_EQ(kept, done);
     EXPECT_LT(kept.size(), overlay.requests().size());
     EXPECT_THAT(overlay.error().toStdString(), HasSubstr("Cancelled"));
@@ -323,20 +324,21 @@ TEST_F(OverlayTest, GapInTheTruthIsSaidAndTheRestGoesOn) {
         });
     });
     ASSERT_NO_FATAL_FAILURE(openLog(gap, {OverlayPlan::Cut::every, 0, 4}));
-    EXPECT_THAT(overlay.rows(), Contains(testing::Field(&OverlayRow::use, CourseUse::gap)));
-    EXPECT_THAT(overlay.rows(), Contains(testing::Field(&OverlayRow::use, CourseUse::counted)));
-    const auto& course = *std::find_if(overlay.rows().begin(), overlay.rows().end(),
-                                       [](const OverlayRow& row) { return row.use == CourseUse::gap && row.position; });
-    overlay.show(course.course, course.robot);
+    EXPECT_THAT(overlay.rows(), Contains(testing::Field(&OverlayRow::use, RolloutUse::gap)));
+    EXPECT_THAT(overlay.rows(), Contains(testing::Field(&OverlayRow::use, RolloutUse::counted)));
+    const auto& rollout = *std::find_if(overlay.rows().begin(), overlay.rows().end(), [](const OverlayRow& row) {
+        return row.use == RolloutUse::gap && row.position;
+    });
+    overlay.show(rollout.rollout, rollout.robot);
     settleAll();
     EXPECT_THAT(panel.causes().text().toStdString(), HasSubstr("where the ground truth is known"));
-    EXPECT_EQ(panel.courses()
-                  ->index(panel.courses()->lineOf(course.course, course.robot), CourseList::drives)
+    EXPECT_EQ(panel.rollouts()
+                  ->index(panel.rollouts()->lineOf(rollout.rollout, rollout.robot), RolloutList::drives)
                   .data()
                   .toString(),
               "gap in truth");
     const auto counted = std::count_if(overlay.rows().begin(), overlay.rows().end(),
-                                       [](const OverlayRow& row) { return row.use == CourseUse::counted; });
+                                       [](const OverlayRow& row) { return row.use == RolloutUse::counted; });
     QString labels;
     for (const QLabel* label : panel.findChildren<QLabel*>()) labels += label->text() + '\n';
     EXPECT_THAT(labels.toStdString(),
@@ -369,14 +371,14 @@ protected:
     }
 };
 
-TEST_F(MrclamOverlayTest, WorstWindowLeavesTheRealCourseForAReason) {
+TEST_F(MrclamOverlayTest, WorstWindowLeavesTheRealTrajectoryForAReason) {
     ASSERT_NO_FATAL_FAILURE(openLog(placeOfLog("MRCLAM_Dataset6"), {OverlayPlan::Cut::every, 0, 10}));
     EXPECT_EQ(overlay.world()->world().robots().size(), 5u);
     const Comparison alone = comparedAlone(overlay);
     EXPECT_EQ(overlay.comparison()->all.counted.p, alone.all.counted.p);
     clickLine(0);
     ASSERT_TRUE(overlay.shownRow());
-    EXPECT_EQ(overlay.shownRow()->position, knownMean(alone.courses[worstFirst(alone).front()]));
+    EXPECT_EQ(overlay.shownRow()->position, knownMean(alone.rollouts[worstFirst(alone).front()]));
     ASSERT_TRUE(overlay.shownRow()->divergence);
     ASSERT_TRUE(overlay.finding() && overlay.finding()->diagnosis);
     EXPECT_TRUE(overlay.goToDivergence());
@@ -389,7 +391,7 @@ TEST_F(MrclamOverlayTest, ScenarioThatPlaysItGetsItsOverlayToo) {
     settleAll();
     ASSERT_TRUE(overlay.world());
     ASSERT_TRUE(window.shown()->frame->reality);
-    EXPECT_FALSE(overlay.shownCourse());
+    EXPECT_FALSE(overlay.shownRollout());
     EXPECT_EQ(reality().start, 0);
     EXPECT_FALSE(overlay.rows().empty());
 }

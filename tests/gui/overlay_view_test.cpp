@@ -1,4 +1,4 @@
-// How an overlay is looked at: its list, and the field about the course that is picked.
+// How an overlay is looked at: its list, and the field about the rollout that is picked.
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
@@ -25,19 +25,19 @@ class OverlayViewTest : public OverlayTest {
 protected:
     QTreeView& list() { return panel.list(); }
     FieldView& field() { return window.field(); }
-    /// Of both robots in the shown course.
+    /// Of both robots in the shown rollout.
     FieldArea driven() {
         const Comparison alone = comparedAlone(overlay);
         FieldArea area{{1, 1}, {-1, -1}};
-        for (const ComparedCourse& course : alone.courses) {
-            if (course.request != overlay.shownCourse()) continue;
-            for (const Pose& pose : course.simulated) area.include(Point{pose.x, pose.y});
-            for (const Pose& pose : course.real.truth)
+        for (const ComparedRollout& rollout : alone.rollouts) {
+            if (rollout.request != overlay.shownRollout()) continue;
+            for (const Pose& pose : rollout.simulated) area.include(Point{pose.x, pose.y});
+            for (const Pose& pose : rollout.real.truth)
                 if (std::isfinite(pose.x)) area.include(Point{pose.x, pose.y});
         }
         return area;
     }
-    /// All of the course is in the view, and fills it.
+    /// All of the rollout is in the view, and fills it.
     void expectNear() {
         const FieldArea area = driven(), seen = field().transform().shown();
         EXPECT_LT(seen.least.x, area.least.x);
@@ -97,7 +97,7 @@ TEST_F(OverlayViewTest, NamesOfCausesAreWhole) {
     EXPECT_GE(causes.viewport()->height(), causes.visualItemRect(causes.topLevelItem(0)).height());
 }
 
-TEST_F(OverlayViewTest, PickedCourseIsSeenFromNearUntilTheUserLooksElsewhere) {
+TEST_F(OverlayViewTest, PickedRolloutIsSeenFromNearUntilTheUserLooksElsewhere) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {OverlayPlan::Cut::every, 0, 2}));
     EXPECT_FALSE(field().showsPart()) << "a log that is opened is seen whole";
     clickLine(0);
@@ -106,9 +106,9 @@ TEST_F(OverlayViewTest, PickedCourseIsSeenFromNearUntilTheUserLooksElsewhere) {
     window.resize(1000, 700);
     settleAll();
     expectNear();
-    ASSERT_TRUE(overlay.showNext(overlay.shownCourse() == 0u ? 1 : -1));
+    ASSERT_TRUE(overlay.showNext(overlay.shownRollout() == 0u ? 1 : -1));
     settleAll();
-    EXPECT_TRUE(field().showsPart()) << "the next course as the one before";
+    EXPECT_TRUE(field().showsPart()) << "the next rollout as the one before";
     expectNear();
     field().zoom(0.5);
     EXPECT_FALSE(field().showsPart());
@@ -123,7 +123,7 @@ TEST_F(OverlayViewTest, PickedCourseIsSeenFromNearUntilTheUserLooksElsewhere) {
     EXPECT_FALSE(field().showsPart());
 }
 
-TEST_F(OverlayViewTest, ScaleAndTheFollowedRobotGoAlongFromCourseToCourse) {
+TEST_F(OverlayViewTest, ScaleAndTheFollowedRobotGoAlongFromRolloutToRollout) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {OverlayPlan::Cut::every, 0, 2}));
     window.actions()["follow"].trigger();
     clickLine(0);
@@ -131,7 +131,7 @@ TEST_F(OverlayViewTest, ScaleAndTheFollowedRobotGoAlongFromCourseToCourse) {
     settleAll();
     const double near = field().transform().scale();
     ASSERT_GT(near, 1.5 * field().fittedScale(field().size()));
-    const int by = *overlay.shownCourse() + 1 < overlay.requests().size() ? 1 : -1;
+    const int by = *overlay.shownRollout() + 1 < overlay.requests().size() ? 1 : -1;
     ASSERT_TRUE(overlay.showNext(by));
     settleAll();
     EXPECT_EQ(field().transform().scale(), near);
@@ -147,7 +147,7 @@ TEST_F(OverlayViewTest, ScaleAndTheFollowedRobotGoAlongFromCourseToCourse) {
     EXPECT_TRUE(field().showsAll()) << "all of the place stays all of it";
 }
 
-TEST_F(OverlayViewTest, CourseAsideOfWhatTheUserLooksAtIsSeenFromNear) {
+TEST_F(OverlayViewTest, RolloutAsideOfWhatTheUserLooksAtIsSeenFromNear) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {OverlayPlan::Cut::every, 0, 2}));
     field().zoom(3);
     field().panBy({1e6, 0});
@@ -156,14 +156,14 @@ TEST_F(OverlayViewTest, CourseAsideOfWhatTheUserLooksAtIsSeenFromNear) {
     expectNear();
 }
 
-TEST_F(OverlayViewTest, KeysWalkThroughTheListAndOpenItsCourses) {
+TEST_F(OverlayViewTest, KeysWalkThroughTheListAndOpenItsRollouts) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {OverlayPlan::Cut::every, 0, 2}));
     clickLine(0);
     QTest::keyClick(&list(), Qt::Key_Down);
     QTest::keyClick(&list(), Qt::Key_Down);
     settleAll();
     EXPECT_EQ(list().currentIndex().row(), 2);
-    EXPECT_EQ(overlay.shownCourse(), panel.courses()->row(2).course);
+    EXPECT_EQ(overlay.shownRollout(), panel.rollouts()->row(2).rollout);
     expectNear();
 }
 
@@ -171,8 +171,8 @@ TEST_F(OverlayViewTest, ListIsLeftAloneWhileItsRowsStay) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {OverlayPlan::Cut::every, 0, 2}));
     clickLine(0);
     int resets = 0;
-    QObject::connect(panel.courses(), &QAbstractItemModel::modelReset, &window, [&] { ++resets; });
-    list().setCurrentIndex(panel.courses()->index(3, 0));
+    QObject::connect(panel.rollouts(), &QAbstractItemModel::modelReset, &window, [&] { ++resets; });
+    list().setCurrentIndex(panel.rollouts()->index(3, 0));
     emit overlay.changed();
     overlay.setRestarts(false);
     EXPECT_EQ(resets, 0);
@@ -301,7 +301,7 @@ TEST_F(AbsentRobotTest, SelectedRobotIsSelectedAgainWhereItComesBack) {
     EXPECT_EQ(window.shown()->frame->nameOf(*field().selected()), name);
 }
 
-TEST_F(AbsentRobotTest, ConditionOnWhoIsAbsentIsLookedForInOtherCourses) {
+TEST_F(AbsentRobotTest, ConditionOnWhoIsAbsentIsLookedForInOtherRollouts) {
     const auto add = [&](const char* text) {
         const auto added = window.breakpointPanel().add(text);
         settleAll();
@@ -309,7 +309,7 @@ TEST_F(AbsentRobotTest, ConditionOnWhoIsAbsentIsLookedForInOtherCourses) {
     };
     ASSERT_NO_FATAL_FAILURE(next());
     ASSERT_EQ(window.shown()->frame->scene().robots.size(), 1u);
-    const std::size_t absent = *overlay.shownCourse();
+    const std::size_t absent = *overlay.shownRollout();
     EXPECT_THAT(add("robot[3].speed > 0"), HasSubstr("there is no robot 3: there are 2 robots"));
     EXPECT_EQ(add("time > 0.4 and robot[1].x > -1000"), "");
     const BreakpointState state = window.shown()->breakpoints.back();
@@ -319,7 +319,7 @@ TEST_F(AbsentRobotTest, ConditionOnWhoIsAbsentIsLookedForInOtherCourses) {
     EXPECT_EQ(state.inRun, 0);
     QTest::keyClick(&window, Qt::Key_F6);
     settleAll();
-    EXPECT_GT(*overlay.shownCourse(), absent);
+    EXPECT_GT(*overlay.shownRollout(), absent);
     EXPECT_TRUE(window.shown()->breakpoints.back().here);
     EXPECT_FALSE(window.shown()->breakpoints.back().elsewhere);
     const std::string name = window.shown()->frame->nameOf(0);
@@ -354,15 +354,15 @@ TEST_F(OverlayViewTest, EscapeTakesBackOnlyWhatIsNotAccepted) {
     EXPECT_EQ(length->value(), 4);
 }
 
-TEST_F(OverlayViewTest, KeyGoesToTheNextCourseThatIsLeft) {
+TEST_F(OverlayViewTest, KeyGoesToTheNextRolloutThatDiverges) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {OverlayPlan::Cut::every, 0, 2}));
-    // A bound that some courses keep, and others do not.
+    // A bound that some rollouts keep, and others do not.
     std::vector<double> errors;
     for (const OverlayRow& row : overlay.rows()) errors.push_back(row.position.value_or(0));
     std::sort(errors.begin(), errors.end());
     overlay.setBound({{1.5 * errors[errors.size() / 2], 10}, false});
     settleAll();
-    const auto isLeft = [&](std::size_t course) { return overlay.rowOf(course, 0)->divergence.has_value(); };
+    const auto isLeft = [&](std::size_t rollout) { return overlay.rowOf(rollout, 0)->divergence.has_value(); };
     std::size_t from = 0;
     while (from + 1 < overlay.requests().size() && (isLeft(from) || isLeft(from + 1))) ++from;
     ASSERT_LT(from + 2, overlay.requests().size()) << "two in a row that are kept";
@@ -374,14 +374,14 @@ TEST_F(OverlayViewTest, KeyGoesToTheNextCourseThatIsLeft) {
     } while (!isLeft(wanted));
     QTest::keyClick(&window, Qt::Key_D);
     settleAll();
-    EXPECT_EQ(overlay.shownCourse(), wanted);
+    EXPECT_EQ(overlay.shownRollout(), wanted);
     EXPECT_EQ(window.shown()->frame->scene().timeOf(state().tick), overlay.rowOf(wanted, 0)->divergence->time);
     EXPECT_TRUE(field().selected());
     overlay.setBound({{100, 10}, false});
     settleAll();
     QTest::keyClick(&window, Qt::Key_D);
     settleAll();
-    EXPECT_EQ(overlay.shownCourse(), wanted) << "none is left";
+    EXPECT_EQ(overlay.shownRollout(), wanted) << "none is left";
 }
 
 TEST_F(TwoRobotsTest, BreakOnDivergenceNamesAndSelectsTheOneThatLeaves) {
@@ -444,7 +444,7 @@ TEST_F(OverlayViewTest, ModelsAreRemovedByKeyAndByName) {
     EXPECT_EQ(overlay.models().size(), 1u);
 }
 
-TEST_F(OverlayViewTest, CoursesOfAStretchAreThoseOfCompare) {
+TEST_F(OverlayViewTest, RolloutsOfAStretchAreThoseOfCompare) {
     OverlayPlan plan{OverlayPlan::Cut::every, 1, 2};
     plan.stretch = 10;
     ASSERT_NO_FATAL_FAILURE(openLog(shipped(), plan));
@@ -452,11 +452,11 @@ TEST_F(OverlayViewTest, CoursesOfAStretchAreThoseOfCompare) {
     options.start = nanosecondsPerSecond;
     options.every = 2 * nanosecondsPerSecond;
     options.duration = 10 * nanosecondsPerSecond;
-    const auto courses = coursesOf(overlay.world()->world(), options);
-    ASSERT_TRUE(courses);
-    ASSERT_EQ(overlay.requests().size(), courses->size());
-    EXPECT_EQ(courses->size(), 5 * overlay.world()->world().takes().size());
-    for (std::size_t i = 0; i < courses->size(); ++i) EXPECT_EQ(overlay.requests()[i].start, (*courses)[i].start);
+    const auto rollouts = rolloutsOf(overlay.world()->world(), options);
+    ASSERT_TRUE(rollouts);
+    ASSERT_EQ(overlay.requests().size(), rollouts->size());
+    EXPECT_EQ(rollouts->size(), 5 * overlay.world()->world().sessions().size());
+    for (std::size_t i = 0; i < rollouts->size(); ++i) EXPECT_EQ(overlay.requests()[i].start, (*rollouts)[i].start);
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ protected:
 };
 
 /// Of another run, stepped by core alone.
-TEST_F(PlotExportTest, TableHasTheVeryNumbersOfBothCourses) {
+TEST_F(PlotExportTest, TableHasTheVeryNumbersOfBothBranches) {
     seek(80);
     drag(pixelOf(0), pixelOf(0) + QPointF(50, 30));
     ASSERT_EQ(window.shown()->branches.size(), 2u);

@@ -102,7 +102,7 @@ TEST_F(PlotLookTest, SpeedsAreCalledByWhatDiffers) {
     ASSERT_NO_FATAL_FAILURE(openTwo());
     const std::string first = window.shown()->frame->nameOf(0), second = window.shown()->frame->nameOf(1);
     plot({"command_v", "v", "real_v", "command_w", "w", "real_w"}, 0);
-    EXPECT_THAT(legendLines(), ElementsAre("told", "simulated", "real", "told", "simulated", "real"));
+    EXPECT_THAT(legendLines(), ElementsAre("command", "simulated", "real", "command", "simulated", "real"));
     const QString name = QString::fromStdString(first);
     EXPECT_EQ(plots().view().titles(), (QStringList{name + ": v (m/s)", name + ": w (rad/s)"}));
     const QFontMetrics metrics(legend().font());
@@ -110,8 +110,8 @@ TEST_F(PlotLookTest, SpeedsAreCalledByWhatDiffers) {
         EXPECT_LT(metrics.horizontalAdvance(legend().topLevelItem(i)->text(0)) + legend().iconSize().width(),
                   legend().columnWidth(0));
     plot({"command_v", "real_v"}, 1);
-    EXPECT_THAT(legendLines(),
-                ElementsAre(first, "told", "simulated", "real", "told", "simulated", "real", second, "told", "real"));
+    EXPECT_THAT(legendLines(), ElementsAre(first, "command", "simulated", "real", "command", "simulated", "real",
+                                           second, "command", "real"));
     EXPECT_EQ(plots().view().titles().front(), "v (m/s)");
     // Each line has its own number, and is removed alone.
     EXPECT_EQ(legend().topLevelItem(0)->text(1), "");
@@ -162,7 +162,7 @@ TEST_F(PlotLookTest, SpeedsFollowTheRobotUntilOneIsRemoved) {
     press();
     plots().remove({"w", first});
     select(1);
-    EXPECT_EQ(bodies(), (Count{{first, 6}})) << "what somebody took in hand stays";
+    EXPECT_EQ(bodies(), (Count{{first, 6}})) << "what was chosen by hand stays";
 }
 
 class ResizeCount final : public QObject {
@@ -175,7 +175,7 @@ public:
 };
 
 /// With and without a divergence and its cause.
-TEST_F(PlotLookTest, ListOfCoursesKeepsItsHeightFromCourseToCourse) {
+TEST_F(PlotLookTest, ListOfRolloutsKeepsItsHeightFromRolloutToRollout) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {OverlayPlan::Cut::every, 0, 2}));
     overlay.setBound({{0.05, 0.3}, false});
     settleAll();
@@ -184,14 +184,14 @@ TEST_F(PlotLookTest, ListOfCoursesKeepsItsHeightFromCourseToCourse) {
     ResizeCount resizes;
     panel.list().installEventFilter(&resizes);
     for (std::size_t i = 1; i <= overlay.requests().size(); ++i) {
-        const std::size_t course = i % overlay.requests().size();
-        ASSERT_TRUE(overlay.show(course));
+        const std::size_t rollout = i % overlay.requests().size();
+        ASSERT_TRUE(overlay.show(rollout));
         settleAll();
         ASSERT_NE(overlay.shownRow(), nullptr);
         ++(overlay.shownRow()->divergence ? with : without);
-        EXPECT_EQ(panel.list().height(), height) << course;
+        EXPECT_EQ(panel.list().height(), height) << rollout;
         const QRect line = panel.list().visualRect(panel.list().currentIndex());
-        EXPECT_TRUE(panel.list().viewport()->rect().contains({1, line.top(), 1, line.height()})) << course;
+        EXPECT_TRUE(panel.list().viewport()->rect().contains({1, line.top(), 1, line.height()})) << rollout;
     }
     EXPECT_EQ(resizes.count, 0) << "not even for an instant";
     EXPECT_GT(with, 0);

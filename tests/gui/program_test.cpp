@@ -60,7 +60,7 @@ TEST_F(GuiProgram, TellsVersionHelpAndKeys) {
     EXPECT_THAT(keys.out, HasSubstr("\n  Space "));
 }
 
-TEST_F(GuiProgram, LogIsCutIntoTheCoursesOfCompare) {
+TEST_F(GuiProgram, LogIsCutIntoTheRolloutsOfCompare) {
     const std::string log = (sourceFolder() / "resources" / "logs" / "pioneer" / "random.csv").string();
     const std::string script = write("courses.lua", "say(reality('courses'))\n");
     const ProgramResult cut = offscreen({log, "--every", "2", "--duration", "10", "--script", script});
@@ -232,7 +232,7 @@ TEST_F(GuiProgram, WhatIsForALogIsRefusedWithoutOne) {
                   {"--log /nothere: is not read: soccer.toml plays no log"}, 1);
 }
 
-TEST_F(GuiProgram, WithNobodyThereNothingIsSimulatedBeyondTheEnd) {
+TEST_F(GuiProgram, UnattendedNothingIsSimulatedBeyondTheEnd) {
     expectOneLine(offscreen({"--run", "soccer.toml", "--at", "999"}), {"soccer.toml: lasts 60.0 s", "999.0 s"}, 1);
     EXPECT_EQ(offscreen({"--run", "soccer.toml", "--at", "5", "--print-hash"}).out,
               offscreen({"--run", "soccer.toml", "--ticks", "250", "--print-hash"}).out);
@@ -267,7 +267,7 @@ TEST_F(GuiProgram, WhatCannotBeOpenedIsSaidInTheTerminal) {
     }
 }
 
-/// Whether somebody attends or nobody does.
+/// Whether a user attends or not.
 TEST_F(GuiProgram, WhatEndsItFindsTheRecordingWhole) {
     const std::string program = (std::filesystem::path(mroseProgram()).parent_path() / "mrose-gui").string();
     const std::vector<std::string> alone{program,   "--offscreen", "--run",      "soccer.toml",

@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include "gui/course_fixture.h"
+#include "gui/rollout_fixture.h"
 #include "scripting/window_script.h"
 #include "widgets/value_catalogue.h"
 
@@ -13,23 +13,23 @@ namespace {
 
 using testing::HasSubstr;
 
-class RealConditionsTest : public CourseTest {
+class RealConditionsTest : public RolloutTest {
 protected:
     static double errorIn(const WorldState& state, const Scene& scene, const Reality& real) {
         const Reality::Robot* const robot = real.robotNamed(scene.robots[0].name);
         const auto there = robot->poseAt(scene.timeOf(state.tick));
         return there ? poseError(*there, state.robots[0].pose).position : std::nan("");
     }
-    /// At each tick of a course.
-    std::vector<double> errorsOf(std::size_t course) const {
-        const auto run = openCourse(*overlay.world(), overlay.requests()[course], false);
+    /// At each tick of a rollout.
+    std::vector<double> errorsOf(std::size_t rollout) const {
+        const auto run = openRollout(*overlay.world(), overlay.requests()[rollout], false);
         EXPECT_TRUE(run);
-        const Scene& scene = run->course->scene();
+        const Scene& scene = run->setup->scene();
         WorldState world = run->start;
         StepBuffers buffers;
         std::vector<double> errors{errorIn(world, scene, *run->reality)};
-        while (world.tick < scene.ticksOf(run->course->scenario->parts().duration)) {
-            step(*run->course->scenario, world, buffers);
+        while (world.tick < scene.ticksOf(run->setup->scenario->parts().duration)) {
+            step(*run->setup->scenario, world, buffers);
             errors.push_back(errorIn(world, scene, *run->reality));
         }
         return errors;
@@ -53,7 +53,7 @@ TEST_F(RealConditionsTest, ErrorStopsForwardAndInReverse) {
     ASSERT_GT(first, 5);
     stopAbove(bound);
     press();
-    EXPECT_EQ(shownCourse(), 0u);
+    EXPECT_EQ(shownRollout(), 0u);
     EXPECT_EQ(window.shown()->tick(), first);
     EXPECT_TRUE(window.shown()->atBreak);
     // Of what has been simulated before the question was asked, too.
@@ -71,28 +71,28 @@ TEST_F(RealConditionsTest, ErrorStopsForwardAndInReverse) {
     EXPECT_GT(shownError(), bound);
 }
 
-TEST_F(RealConditionsTest, ErrorIsFoundInTheCourseThatHasIt) {
+TEST_F(RealConditionsTest, ErrorIsFoundInTheRolloutThatHasIt) {
     std::vector<std::vector<double>> errors;
     double before = 0;
-    std::size_t course = 0;
+    std::size_t rollout = 0;
     for (std::size_t i = 0; i < 6; ++i) {
         errors.push_back(errorsOf(i));
         const double most = mostOf(errors.back());
-        if (i > 0 && most > 1.05 * before) course = i;
-        if (course > 0) break;
+        if (i > 0 && most > 1.05 * before) rollout = i;
+        if (rollout > 0) break;
         before = std::max(before, most);
     }
-    ASSERT_GT(course, 0u) << "a course that is worse than those before it";
-    const double bound = (before + mostOf(errors[course])) / 2;
+    ASSERT_GT(rollout, 0u) << "a rollout that is worse than those before it";
+    const double bound = (before + mostOf(errors[rollout])) / 2;
     stopAbove(bound);
     press();
-    EXPECT_EQ(shownCourse(), course);
-    EXPECT_EQ(window.shown()->tick(), firstAbove(errors[course], bound));
+    EXPECT_EQ(shownRollout(), rollout);
+    EXPECT_EQ(window.shown()->tick(), firstAbove(errors[rollout], bound));
     const std::int64_t tick = window.shown()->tick();
-    open(course + 1);
+    open(rollout + 1);
     // Of the next one only what lies before its first tick.
     press(Qt::ShiftModifier);
-    EXPECT_EQ(shownCourse(), course);
+    EXPECT_EQ(shownRollout(), rollout);
     EXPECT_GE(window.shown()->tick(), tick);
 }
 

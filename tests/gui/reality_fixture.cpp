@@ -68,7 +68,7 @@ OpenRun overlaidRun(std::shared_ptr<const Log> log, double start, double duratio
     const LogWorld::Opened opened = world->openAt(0, fromSeconds(start), fromSeconds(duration), 1);
     OpenRun run;
     run.name = "overlaid";
-    run.course = std::make_shared<const Course>(Course{{}, opened.scenario});
+    run.setup = std::make_shared<const BranchSetup>(BranchSetup{{}, opened.scenario});
     run.start = opened.state;
     run.reality = std::make_shared<const Reality>(realityOf(*world, 0, fromSeconds(start)));
     return run;

@@ -10,7 +10,7 @@
 
 namespace mrose::gui {
 
-/// A real robot that drives one arc for good, and when nobody saw it: seconds of the log's clock.
+/// A real robot that drives one arc for good, and when it has no ground truth: seconds of the log's clock.
 struct RealDrive {
     std::string robot;
     Pose start;

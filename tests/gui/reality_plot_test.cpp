@@ -70,7 +70,7 @@ TEST_F(RealityPlotTest, NumbersAreThoseOfTheTruthAtEveryTick) {
          {"error", "heading_error", "real_x", "real_heading", "real_v", "error_ahead", "error_left"})
         for (const char* body : {"sim a", "sim b"}) ASSERT_TRUE(window.plots().add({quantity, body}));
     settlePlots();
-    const Scenario& scenario = *run.course->scenario;
+    const Scenario& scenario = *run.setup->scenario;
     WorldState state = run.start;
     StepBuffers buffers;
     int unknown = 0;
@@ -180,7 +180,7 @@ TEST_F(RealityPlotTest, InspectorTellsOfTheRealRobot) {
     EXPECT_TRUE(row("error").quiet);
 }
 
-TEST_F(RealityPlotTest, TimelineShowsWhereNobodySawAndWhatIsNoted) {
+TEST_F(RealityPlotTest, TimelineShowsUnknownStretchesAndNotes) {
     const double tick = 0.02;
     const auto unknown = [](const Reality& reality, const Reality::Robot* robot) {
         std::vector<std::pair<double, double>> seconds;

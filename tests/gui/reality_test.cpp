@@ -26,7 +26,7 @@ protected:
         OpenRun run = overlaidRun(log, 1, duration, gain);
         if (reality != nullptr) run.reality = std::make_shared<const Reality>(*reality);
         TimeTravel travel(run);
-        while (travel.tick() < run.course->scene().ticksOf(fromSeconds(seconds))) ASSERT_TRUE(travel.forward());
+        while (travel.tick() < run.setup->scene().ticksOf(fromSeconds(seconds))) ASSERT_TRUE(travel.forward());
         frame = std::make_shared<const FieldFrame>(travel.frame());
         field.setFrame(frame);
         rendered(field);  // it knows its size then
@@ -90,7 +90,7 @@ TEST_F(RealityTest, RobotsKeepTheirColourAndTheirBodiesShowThrough) {
     }
 }
 
-TEST_F(RealityTest, TrailsAreAsLongAsTheSimulatedOnesAndBreakWhereNobodySaw) {
+TEST_F(RealityTest, TrailsAreAsLongAsTheSimulatedOnesAndBreakWhereTheTruthIsUnknown) {
     show(7, 1);
     const QImage without = picture({FieldLayer::trails}), with = picture({FieldLayer::trails, FieldLayer::reality});
     const auto seenAt = [&](double logTime) {
@@ -146,9 +146,9 @@ TEST_F(RealityTest, ModelsHaveTheirOwnColoursAndLines) {
     const OpenRun run = overlaidRun(log, 1, 10);
     Reality reality = *run.reality;
     for (int m = 0; m < 2; ++m) {
-        Reality::ModelCourse course{m == 0 ? "first" : "second", 100'000'000, {{}, {}}};
-        for (int i = 0; i <= 50; ++i) course.poses[0].push_back({-4.0 + 0.1 * i, 0.5 + m, 0});
-        reality.models.push_back(course);
+        Reality::ModelRollout rollout{m == 0 ? "first" : "second", 100'000'000, {{}, {}}};
+        for (int i = 0; i <= 50; ++i) rollout.poses[0].push_back({-4.0 + 0.1 * i, 0.5 + m, 0});
+        reality.models.push_back(rollout);
     }
     show(3, 0.5, 10, &reality);
     const QImage without = picture({FieldLayer::trails}), with = picture({FieldLayer::trails, FieldLayer::models});
@@ -176,7 +176,7 @@ TEST_F(RealityTest, FitShowsWhatIsDrivenOutsideThePlace) {
 }
 
 TEST_F(RealityTest, RobotsOfTheLogThatAreNotInTheWorldAreNamed) {
-    // Nobody saw the first robot at the start: it is not in the world.
+    // The first robot has no ground truth at the start: it is not in the world.
     log = logOfDrives({RealDrive{"a", {-3, -2, 0}, {0.5, 0}, {{0.5, 1.5}}}, round}, 12);
     show(3);
     ASSERT_EQ(frame->scene().robots.size(), 1u);

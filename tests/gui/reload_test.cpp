@@ -34,7 +34,7 @@ protected:
         EXPECT_NE(window.shown()->hash, before_);
         EXPECT_EQ(window.shown()->hash, hashAt(*scenarioOf(path("game.toml")), 100));
         EXPECT_THAT(errors(), IsEmpty());
-        ASSERT_FALSE(window.shown()->frame->ghosts.empty());  // the course before
+        ASSERT_FALSE(window.shown()->frame->ghosts.empty());  // the run before
         action("undo").trigger();
         settle();
         EXPECT_EQ(window.shown()->branch, 0u);

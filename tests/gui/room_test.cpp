@@ -71,7 +71,7 @@ TEST_F(RoomTest, BreakpointLineAndWhatIsWrongWithItAreInSight) {
     window.activateWindow();
     settleLayout();
     auto* line = window.findChild<QLineEdit*>("breakpoint_line");
-    auto* told = window.findChild<QLabel*>("breakpoint_told");
+    auto* told = window.findChild<QLabel*>("breakpoint_reply");
     auto* area = dock("breakpoints").findChild<QScrollArea*>();
     // As much as scrolling can tell.
     area->setFixedHeight(90);

@@ -23,7 +23,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// Edits that were taken together are one branch in the file, and what nobody drove is there, too.
+/// Edits that were taken together are one branch in the file, and what no controller decided is there, too.
 TEST_F(FileTest, RecordedEditsAreOneBranch) {
     open(writeGame());
     seek(100);

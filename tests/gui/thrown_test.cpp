@@ -39,7 +39,7 @@ TEST_F(JobQueueTest, JobThatThrowsHasFailedAndTheNextOneIsDone) {
 
 TEST_F(JobQueueTest, AnswersThatThrowHaveFailedToo) {
     post([this](const JobQueue::GoesOn&) -> JobQueue::Answer {
-        queue.tell([] { throwLength(); });
+        queue.report([] { throwLength(); });
         return [] { throw 7; };
     });
     postAnswer("the next one");

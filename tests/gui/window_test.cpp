@@ -39,7 +39,7 @@ TEST_F(WindowTest, DraggedRobotStandsWhereItWasDroppedAndUndoTakesItBack) {
 TEST_F(WindowTest, FocusIsSeenOnFieldAndListsInBothThemes) {
     auto* breaks = window.findChild<QListWidget*>("breakpoint_list");
     ASSERT_NE(breaks, nullptr);
-    EXPECT_TRUE(breaks->selectedItems().empty()) << "nobody chose the one that is there from the beginning";
+    EXPECT_TRUE(breaks->selectedItems().empty()) << "the one that is there from the beginning was not chosen";
     for (const bool dark : {false, true}) {
         if (window.actions()["dark"].isChecked() != dark) window.actions()["dark"].trigger();
         const Theme theme = dark ? Theme::darkOne() : Theme::light();

@@ -187,7 +187,7 @@ TEST(File, KeepsItsModeAndANewOneHasTheUsers) {
     }
 }
 
-/// Until it is in its place nobody else reads what will become a private file.
+/// Until it is in its place no other user can read what will become a private file.
 TEST(File, WhatReplacesAPrivateFileIsPrivateFromTheBeginning) {
     const TemporaryFolder folder;
     const auto file = folder.write("a", "old");
@@ -209,7 +209,7 @@ TEST(File, KeepsItsOwner) {
     EXPECT_EQ(status.st_gid, 23456u);
 }
 
-TEST(File, WhatAKillLeavesIsKnownByItsNameAndHarmsNobody) {
+TEST(File, WhatAKillLeavesIsKnownByItsNameAndHarmsNoOtherFile) {
     const TemporaryFolder folder;
     const auto file = folder.write("a.net", "old");
     const pid_t child = ::fork();

@@ -145,7 +145,7 @@ TEST(Catalogue, HasWhatPartsOffer) {
     for (const ValueKey& key : valuesAt(moment))
         if (key.quantity == "controller") offered.insert(key.of);
     EXPECT_EQ(offered, (std::set<std::string>{"asked", "turn", "mode"}));
-    // Nobody has followed what was seen and decided: that is said, and nothing old is given.
+    // What was seen and decided was not recorded: that is said, and nothing old is given.
     auto unknown = compileWorldValue("robot[1].note.count", scenario);
     EXPECT_THAT(unknown->value({&scenario, &state, &trace}).error().cause, HasSubstr("is not known here"));
     EXPECT_TRUE(readsControl("robot[1].note.count > 2", scenario));

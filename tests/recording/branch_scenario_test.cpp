@@ -32,9 +32,9 @@ protected:
         const std::filesystem::path path = folder.path() / "all.mcap";
         auto writer = RecordingWriter::create(path, scenario, run.states.front(), value, "", {.keyframeInterval = 30});
         EXPECT_TRUE(writer);
-        const auto add = [&](const StraightRun& course, std::uint32_t branch) {
-            for (std::size_t i = 0; i < course.traces.size(); ++i)
-                writer->add(course.states[i + 1], course.traces[i], branch);
+        const auto add = [&](const StraightRun& straight, std::uint32_t branch) {
+            for (std::size_t i = 0; i < straight.traces.size(); ++i)
+                writer->add(straight.states[i + 1], straight.traces[i], branch);
         };
         add(run, 0);
         EXPECT_EQ(writer->beginBranch(0, reloaded.states.front(), "reloaded", *other, otherValue), 1u);
@@ -111,7 +111,7 @@ TEST_F(BranchScenarios, ComeBackFromTheFile) {
     EXPECT_EQ(recording->branches[2].value, recording->branches[1].value);
     const auto reached = Playback(*other).reach(recording->branches[2].timeline, 63);
     ASSERT_TRUE(reached) << reached.error().message();
-    EXPECT_TRUE(reached->worldSame && reached->mindsSame);
+    EXPECT_TRUE(reached->worldSame && reached->memoriesSame);
     EXPECT_FALSE(firstDifference(pushedAgain.states[23], reached->state));
     expectStates(recording->branches[3].timeline, branchRun);
 }

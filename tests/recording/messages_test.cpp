@@ -95,14 +95,14 @@ TEST_F(RecordingFile, OtherProgramsSeeWhereBodiesAre) {
 }
 
 TEST_F(RecordingFile, OtherProgramsSeeCommandsContactsAndScene) {
-    double pressed = 0, told = 0, onRobots = 0, onRobotsTold = 0;
+    double pressed = 0, told = 0, onRobots = 0, onRobotsReported = 0;
     std::size_t contacts = 0;
     for (std::size_t i = 0; i < 5 * (ticks / 5); ++i)
         for (const ContactReport& contact : run.traces[i].contacts) {
             pressed += contact.impulse;
             onRobots += contact.impulse * ((contact.bodyA < 8) + (contact.bodyB < 8));
         }
-    std::size_t kicks = 0, kicksTold = 0, scenes = 0;
+    std::size_t kicks = 0, kicksReported = 0, scenes = 0;
     for (const StepTrace& trace : run.traces) kicks += trace.kicks.size();
     ASSERT_GT(pressed, 0);
     for (const WalkedMessage& message : walkMessages(*readFile(record()))) {
@@ -116,14 +116,16 @@ TEST_F(RecordingFile, OtherProgramsSeeCommandsContactsAndScene) {
         if (message.topic == "/bodies") {
             const std::int64_t tick = message.time / 20'000'000;
             const WorldState& state = run.states[static_cast<std::size_t>(tick)];
-            for (int i = 1; i <= 8; ++i) onRobotsTold += json["rover_" + std::to_string(i)]["pressed"].get<double>();
+            for (int i = 1; i <= 8; ++i)
+                onRobotsReported += json["rover_" + std::to_string(i)]["pressed"].get<double>();
             const auto& third = json["rover_3"];
             EXPECT_NEAR(third["v"], state.robots[2].velocity_B.x, 5.1e-4);
             EXPECT_NEAR(third["w"], state.robots[2].velocity_B.rotation, 5.1e-4);
             EXPECT_NEAR(third["heading"], wrapAngle(state.robots[2].pose.heading), 5.1e-4);
             EXPECT_NEAR(third["command_w"], scenario.commandsOf(state, 2).at(message.time).w, 5.1e-4);
         }
-        if (message.topic == "/log") kicksTold += json["message"].get<std::string>().find("kicks") != std::string::npos;
+        if (message.topic == "/log")
+            kicksReported += json["message"].get<std::string>().find("kicks") != std::string::npos;
         if (message.topic == "/scene") {
             ++scenes;
             ASSERT_EQ(json["entities"].size(), 11u);
@@ -136,8 +138,8 @@ TEST_F(RecordingFile, OtherProgramsSeeCommandsContactsAndScene) {
         }
     }
     EXPECT_NEAR(told, pressed, 5.1e-2 * static_cast<double>(contacts));
-    EXPECT_NEAR(onRobotsTold, onRobots, 5.1e-2 * 8 * ticks / 5);
-    EXPECT_EQ(kicksTold, kicks);
+    EXPECT_NEAR(onRobotsReported, onRobots, 5.1e-2 * 8 * ticks / 5);
+    EXPECT_EQ(kicksReported, kicks);
     EXPECT_EQ(scenes, 1u);
 }
 

@@ -71,7 +71,7 @@ TEST_F(RecordingFile, SchemasAreThoseThatFoxglovePublishes) {
     EXPECT_EQ(compared.size(), published.size());
 }
 
-/// The comparison itself: a field that is missing, that nobody publishes, or of another type.
+/// The comparison itself: a field that is missing, that is not published, or of another type.
 TEST(PublishedSchemas, DifferencesAreFound) {
     const Json published = Json::parse(R"({"title":"t","description":"prose","properties":
         {"a":{"type":"number","description":"of a"},"b":{"type":"array","items":{"type":"string"}}}})");

@@ -35,7 +35,7 @@ void RecordingFile::expectStates(const Timeline& timeline, const StraightRun& st
     for (std::int64_t tick = timeline.first(); tick <= timeline.last(); ++tick) {
         const auto reached = playback.reach(timeline, tick);
         ASSERT_TRUE(reached) << reached.error().message();
-        EXPECT_TRUE(reached->worldSame && reached->mindsSame);
+        EXPECT_TRUE(reached->worldSame && reached->memoriesSame);
         const auto difference =
             firstDifference(straight.states[static_cast<std::size_t>(tick - start)], reached->state);
         ASSERT_FALSE(difference) << tick << ": " << difference->message();

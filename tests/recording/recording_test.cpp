@@ -159,7 +159,7 @@ TEST_F(RecordingFile, ControllersAskForNoMoreThanTheirStateHolds) {
                                                               "128 for all");
     EXPECT_EQ(refusal("3", "32 2"),
               "run.mcap: mrose.controllers: asks for 144 bytes of memory; its first state holds 128 for all");
-    EXPECT_EQ(refusal("8", "0 1"), "run.mcap: mrose.controllers: tells of 9 robots; its first state has 8");
+    EXPECT_EQ(refusal("8", "0 1"), "run.mcap: mrose.controllers: lists 9 robots; its first state has 8");
     EXPECT_NE(refusal("3", "18446744073709551616 2").find("expected two integers"), std::string::npos);
 }
 

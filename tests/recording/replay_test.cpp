@@ -151,7 +151,7 @@ TEST_P(Replay, TellsItsProgressAndStopsWhenTold) {
 INSTANTIATE_TEST_SUITE_P(ByDecisionsAndByControllers, Replay, testing::Bool(),
                          [](const auto& instance) { return instance.param ? "Deciding" : "Obeying"; });
 
-TEST(ReplayOfMinds, OtherDecisionsAreNamed) {
+TEST(ReplayOfMemories, OtherDecisionsAreNamed) {
     const Scenario scenario(matchParts());
     const std::vector<Branch> branches = recorded(runMatch(scenario, scenario.initialState(), 150), 50);
     MatchOptions other;
@@ -172,7 +172,7 @@ TEST(ReplayOfMinds, OtherDecisionsAreNamed) {
         << deciding->difference->what;
 }
 
-TEST(ReplayOfMinds, SignOfAZeroIsAnotherDecision) {
+TEST(ReplayOfMemories, SignOfAZeroIsAnotherDecision) {
     const auto scenarioWith = [](double zero) {
         MatchOptions options;
         options.robots = 1;
@@ -190,7 +190,7 @@ TEST(ReplayOfMinds, SignOfAZeroIsAnotherDecision) {
         << report->difference->what;
 }
 
-TEST(ReplayOfMinds, HiddenMemoryIsNamed) {
+TEST(ReplayOfMemories, HiddenMemoryIsNamed) {
     const auto scenarioWith = [](Nanoseconds from) {
         MatchOptions options;
         options.controller = std::make_shared<const Forgetful>(from);

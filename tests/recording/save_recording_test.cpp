@@ -27,12 +27,12 @@ std::string decisionsOf(const Timeline& timeline) {
     return all;
 }
 
-/// A run in which somebody took over, a branch of it, a branch of that one, and one of another scenario.
+/// A run in which the user took over, a branch of it, a branch of that one, and one of another scenario.
 class SavedRecording : public RecordingFile {
 protected:
-    void add(const StraightRun& course, std::uint32_t branch) {
-        for (std::size_t i = 0; i < course.traces.size(); ++i)
-            history.add(course.states[i + 1], course.traces[i], branch);
+    void add(const StraightRun& straight, std::uint32_t branch) {
+        for (std::size_t i = 0; i < straight.traces.size(); ++i)
+            history.add(straight.states[i + 1], straight.traces[i], branch);
     }
     void fill() {
         history.rename(0, "as it was");
@@ -231,9 +231,9 @@ TEST_F(SavedRecording, WhatCannotBeSavedIsSaid) {
 
 /// A recording that was opened goes on as if it had never been closed, and can be saved again.
 TEST_F(SavedRecording, OpenedHistoryGoesOn) {
-    const auto half = [](const StraightRun& course, std::ptrdiff_t count) {
-        return StraightRun{{course.states.begin(), course.states.begin() + count + 1},
-                           {course.traces.begin(), course.traces.begin() + count}};
+    const auto half = [](const StraightRun& straight, std::ptrdiff_t count) {
+        return StraightRun{{straight.states.begin(), straight.states.begin() + count + 1},
+                           {straight.traces.begin(), straight.traces.begin() + count}};
     };
     add(half(guided, 120), 0);
     add(half(branchRun, 40), history.beginBranch(0, branchRun.states.front(), "pushed"));

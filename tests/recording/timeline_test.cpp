@@ -43,7 +43,7 @@ TEST(Timeline, EveryTickIsReachedAsItWas) {
     for (std::int64_t tick = 400; tick >= 0; --tick) {
         const auto reached = playback.reach(timeline, tick);
         ASSERT_TRUE(reached) << reached.error().message();
-        EXPECT_TRUE(reached->worldSame && reached->mindsSame) << tick;
+        EXPECT_TRUE(reached->worldSame && reached->memoriesSame) << tick;
         expectSame(run.states[static_cast<std::size_t>(tick)], reached->state);
     }
     EXPECT_FALSE(playback.reach(timeline, 401));
@@ -64,7 +64,7 @@ TEST(Timeline, TheRunHasContactsKicksAndGoalsToTell) {
     EXPECT_GT(hits, 0u);
 }
 
-/// Going on tick by tick, from wherever, also through keyframes and where somebody decided from outside.
+/// Going on tick by tick, from wherever, also through keyframes and where decisions came from outside.
 TEST(Timeline, AdvancingGivesEveryTickAndWhatItTold) {
     const Scenario scenario(matchParts());
     const StraightRun run = runMatch(scenario, scenario.initialState(), 260, takenOver);
@@ -77,7 +77,7 @@ TEST(Timeline, AdvancingGivesEveryTickAndWhatItTold) {
         while (reached->state.tick < timeline.last()) {
             const auto advanced = playback.advance(timeline, *reached, trace);
             ASSERT_TRUE(advanced) << advanced.error().message();
-            EXPECT_TRUE(reached->worldSame && reached->mindsSame) << reached->state.tick;
+            EXPECT_TRUE(reached->worldSame && reached->memoriesSame) << reached->state.tick;
             const auto tick = static_cast<std::size_t>(reached->state.tick);
             expectSame(run.states[tick], reached->state);
             const StepTrace& expected = run.traces[tick - 1];
@@ -105,7 +105,7 @@ TEST(Timeline, OtherControllersDoNotMatter) {
         const auto reached = playback.reach(timeline, tick);
         ASSERT_TRUE(reached);
         EXPECT_TRUE(reached->worldSame);
-        EXPECT_EQ(reached->mindsSame, tick % 50 == 0) << tick;
+        EXPECT_EQ(reached->memoriesSame, tick % 50 == 0) << tick;
         const auto difference =
             firstDifference(run.states[static_cast<std::size_t>(tick)], reached->state, StateScope::world);
         EXPECT_FALSE(difference) << difference->message();
@@ -151,26 +151,26 @@ TEST(Timeline, StatesOfAnotherScenarioAreErrors) {
         << reached.error().message();
 }
 
-TEST(Playback, MisfitsAreNamed) {
+TEST(Playback, InvalidStatesAreNamed) {
     const Scenario scenario(matchParts());
     const WorldState good = runMatch(scenario, scenario.initialState(), 300).states.back();
-    EXPECT_EQ(misfit(scenario, good), "");
-    const auto expectMisfit = [&](const char* part, auto change) {
+    EXPECT_EQ(validate(scenario, good), "");
+    const auto expectInvalid = [&](const char* part, auto change) {
         WorldState state = good;
         change(state);
-        EXPECT_NE(misfit(scenario, state).find(part), std::string::npos) << part << ": " << misfit(scenario, state);
+        EXPECT_NE(validate(scenario, state).find(part), std::string::npos) << part << ": " << validate(scenario, state);
     };
-    expectMisfit("objects", [](WorldState& s) { s.objects.pop_back(); });
-    expectMisfit("goals", [](WorldState& s) { s.goals.clear(); });
-    expectMisfit("commands", [](WorldState& s) { s.commands.pop_back(); });
-    expectMisfit("memory", [](WorldState& s) { s.memory.pop_back(); });
-    expectMisfit("past", [](WorldState& s) { s.past.clear(); });
-    expectMisfit("robot 3 with a broken history", [](WorldState& s) { s.robots[2].commandCount = 1000; });
-    expectMisfit("kick", [](WorldState& s) { s.kicks.push_back({0, 8, 0, 1}); });
-    expectMisfit("kick", [](WorldState& s) { s.kicks.push_back({0, 0, 1, 1}); });
-    expectMisfit("contact", [](WorldState& s) { s.contacts.push_back({10}); });
-    expectMisfit("finite", [](WorldState& s) { s.robots[7].pose.heading = std::nan(""); });
-    expectMisfit("finite", [](WorldState& s) { s.objects[0].roll_W.x = INFINITY; });
+    expectInvalid("objects", [](WorldState& s) { s.objects.pop_back(); });
+    expectInvalid("goals", [](WorldState& s) { s.goals.clear(); });
+    expectInvalid("commands", [](WorldState& s) { s.commands.pop_back(); });
+    expectInvalid("memory", [](WorldState& s) { s.memory.pop_back(); });
+    expectInvalid("past", [](WorldState& s) { s.past.clear(); });
+    expectInvalid("robot 3 with a broken history", [](WorldState& s) { s.robots[2].commandCount = 1000; });
+    expectInvalid("kick", [](WorldState& s) { s.kicks.push_back({0, 8, 0, 1}); });
+    expectInvalid("kick", [](WorldState& s) { s.kicks.push_back({0, 0, 1, 1}); });
+    expectInvalid("contact", [](WorldState& s) { s.contacts.push_back({10}); });
+    expectInvalid("finite", [](WorldState& s) { s.robots[7].pose.heading = std::nan(""); });
+    expectInvalid("finite", [](WorldState& s) { s.objects[0].roll_W.x = INFINITY; });
 }
 
 TEST(History, ForgetsTheEarliestWhereMemoryIsShort) {
@@ -214,7 +214,7 @@ TEST(History, ForgetsOfTheBranchThatHasMoreThanItsLastBlock) {
     EXPECT_GT(history.branches()[1].timeline.first(), 100);
 }
 
-TEST(History, BranchesHaveTheirOwnCourse) {
+TEST(History, BranchesHaveTheirOwnFuture) {
     const Scenario scenario(matchParts());
     const StraightRun run = runMatch(scenario, scenario.initialState(), 150);
     History history(run.states.front());

@@ -76,6 +76,8 @@ def decision(data):
         words += [f"kick {data.count()} with {data.number('d').hex()}" for _ in range(data.count())]
     if flags & 8:
         words.append("fault " + data.take(data.count()).decode(errors="replace"))
+    if flags & 32:
+        words += [f"to {data.number('I')}: kind {data.number('I')}, {data.take(data.count()).hex()}" for _ in range(data.count())]
     if flags & 16:
         words.append("from outside")
     return ", ".join(words) or "nothing"

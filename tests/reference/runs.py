@@ -60,7 +60,7 @@ def evaluated(net, log, flags=""):
 
 
 def compared(**flags):
-    """The first with its tables of all courses."""
+    """The first with its tables of all rollouts."""
     return [
         f"mrose compare {what} --threads 1 --quiet --json {'' if i else '--report report'} > {name}.json"
         for i, (name, what) in enumerate(flags.items())

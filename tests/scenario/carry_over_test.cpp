@@ -78,7 +78,7 @@ TEST_F(CarriedOver, SwappedModelsGoOnFromTheSameCommands) {
         giveModel(parts, 5, learned);
     }));
     WorldState carried = carriedOver(from, state, to);
-    ASSERT_EQ(misfit(to, carried), "");
+    ASSERT_EQ(validate(to, carried), "");
     for (std::size_t i = 0; i < 8; ++i) {
         EXPECT_EQ(carried.robots[i].pose, state.robots[i].pose);
         EXPECT_EQ(carried.robots[i].velocity_B, state.robots[i].velocity_B);
@@ -105,7 +105,7 @@ TEST_F(CarriedOver, SwappedModelsGoOnFromTheSameCommands) {
     // Back again at the same instant nothing is lost but what was unperturbed, and commands that the others do not
     // read.
     const WorldState back = carriedOver(to, carried, from);
-    EXPECT_EQ(misfit(from, back), "");
+    EXPECT_EQ(validate(from, back), "");
     EXPECT_EQ(back.memory, state.memory);
     EXPECT_FALSE(begun(from, back, 1));
     EXPECT_TRUE(begun(from, back, 2));
@@ -114,7 +114,7 @@ TEST_F(CarriedOver, SwappedModelsGoOnFromTheSameCommands) {
 TEST_F(CarriedOver, AnotherPeriodDecidesAtOnce) {
     const Scenario to(partsWith([&](ScenarioParts& parts) { giveModel(parts, 4, slowModel(60'000'000)); }));
     WorldState carried = carriedOver(from, state, to);
-    ASSERT_EQ(misfit(to, carried), "");
+    ASSERT_EQ(validate(to, carried), "");
     EXPECT_EQ(carried.robots[4].nextControl, carriedAt);
     EXPECT_EQ(carried.robots[3].nextControl, state.robots[3].nextControl);
     StepBuffers buffers;
@@ -137,7 +137,7 @@ TEST_F(CarriedOver, OtherControllersStartAndTheOthersRemember) {
         parts.controllers[3] = noController();
     }));
     const WorldState carried = carriedOver(from, state, to), start = to.initialState();
-    ASSERT_EQ(misfit(to, carried), "");
+    ASSERT_EQ(validate(to, carried), "");
     const auto memory = [](const Scenario& scenario, const WorldState& of, std::size_t robot) {
         const auto bytes = scenario.memoryOf(of, robot);
         return std::vector<std::byte>(bytes.begin(), bytes.end());
@@ -166,7 +166,7 @@ TEST_F(CarriedOver, BodiesAreMatchedByTheirNames) {
     state.contacts = {{0, 0, 2, 0, 7, 1, 2}, {1, 0, 8, 0, 8, 3, 4}, {7, 0, noBody, 5, 9, 5, 6}};
     state.robots[3].ready[0] = 123;
     const WorldState carried = carriedOver(from, state, to);
-    ASSERT_EQ(misfit(to, carried), "");
+    ASSERT_EQ(validate(to, carried), "");
     ASSERT_EQ(carried.robots.size(), 7u);
     const std::vector<std::size_t> origins{99, 2, 3, 4, 5, 1, 7};
     for (std::size_t i = 1; i < 7; ++i) {
@@ -197,7 +197,7 @@ TEST_F(CarriedOver, BodiesAreMatchedByTheirNames) {
     WorldState further = carried;
     StepBuffers buffers;
     for (int i = 0; i < 200; ++i) step(to, further, buffers);
-    EXPECT_EQ(misfit(to, further), "");
+    EXPECT_EQ(validate(to, further), "");
 }
 
 TEST_F(CarriedOver, GoalsAndKickersAreMatchedByTheirNamesToo) {
@@ -231,13 +231,13 @@ TEST_F(CarriedOver, AnotherClockKeepsTheTime) {
         StepBuffers buffers;
         step(from, odd, buffers);
         WorldState carried = carriedOver(from, odd, to);
-        ASSERT_EQ(misfit(to, carried), "");
+        ASSERT_EQ(validate(to, carried), "");
         EXPECT_EQ(carried.tick, tick);
         for (const RobotState& robot : carried.robots) EXPECT_EQ(robot.nextControl, tick);
         const std::int64_t lag = 100'000'000 / length;
         EXPECT_EQ(to.poseBefore(carried, 3, lag), from.poseBefore(odd, 3, 5));
         for (int i = 0; i < 100; ++i) step(to, carried, buffers);
-        EXPECT_EQ(misfit(to, carried), "");
+        EXPECT_EQ(validate(to, carried), "");
     }
 }
 

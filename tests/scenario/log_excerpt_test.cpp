@@ -111,7 +111,7 @@ TEST(LogExcerpt, ScenarioKeepsItAndLoadsItWithoutTheLog) {
     const std::string name = (folder.path() / "s.toml").string();
     DiskDescriptions disk({sourceFolder(), {}, ""});
     const auto loaded = loadScenario(name, disk);
-    // The log's robot stands at (3, 4), beyond the yard's fence but in nobody's way.
+    // The log's robot stands at (3, 4), beyond the yard's fence, where nothing is in its way.
     ASSERT_TRUE(loaded) << loaded.error().message();
     EXPECT_EQ(loaded->parts.scene.robots[1].start, (Pose{3, 4, 1.5}));
     const auto again = loadScenario(loaded->value);

@@ -81,7 +81,7 @@ TEST(RobotKinds, OfAFolderAreToldApart) {
     ASSERT_EQ(kinds->size(), 2u);
     EXPECT_EQ(kindOfLog(*kinds, logOf("mrclam"))->file, "a.toml");
     EXPECT_EQ(kindOfLog(*kinds, logOf("mrclam", true))->file, "a.toml")
-        << "the format says more than that nobody drove";
+        << "the format says more than that no real robot drove";
     EXPECT_EQ(kindOfLog(*kinds, logOf("csv", true))->file, "b.toml");
     EXPECT_EQ(kindOfLog(*kinds, logOf("csv")), nullptr);
     EXPECT_EQ(kindNamed(*kinds, "b")->file, "b.toml");

@@ -200,7 +200,7 @@ TEST_F(SavedStates, MistakesAreNamed) {
     EXPECT_TRUE(refused("state = \"\"\"\n", "state = \"\"\"\nAAAA").starts_with("x.state:7:9: state: is damaged: it "));
     EXPECT_EQ(refused("tick = 150", "tick = 151"), "x.state:5:8: tick: is not the state's, 150");
     EXPECT_EQ(refused("memory = 8", "memory = 40"),
-              "x.state:7:9: state: holds other bodies, commands or memory than are told beside it");
+              "x.state:7:9: state: holds other bodies, commands or memory than are listed beside it");
     EXPECT_NE(refused("tick_ns = 20000000", "tick_ns = 20000000\nx = 1").find("x: is not a known key"),
               std::string::npos);
     for (RobotState& robot : state.robots) robot.nextControl = std::int64_t{1} << 40;
@@ -267,7 +267,7 @@ TEST_F(SavedStates, TrialsMoveItsBodies) {
         EXPECT_LT(
             std::hypot(next.robots[i].pose.x - moved.robots[i].pose.x, next.robots[i].pose.y - moved.robots[i].pose.y),
             0.03)
-            << "nobody leaps back";
+            << "no robot jumps back";
 }
 
 /// Another model or controller takes what suits it.

@@ -161,7 +161,7 @@ TEST(ShippedFiles, FieldIsSymmetricAndClosed) {
     }
 }
 
-/// How many of the data set's landmarks stand in the arena within `tolerance` metres; nothing where it is not there.
+/// How many of the data set's landmarks stand in the arena within `tolerance` metres; nullopt where it is not there.
 std::optional<std::size_t> landmarksFound(const Environment& arena, const std::string& dataset, double tolerance) {
     const auto data = realData();
     const auto truth = data ? readFile(*data / "mrclam" / dataset / "Landmark_Groundtruth.dat")

@@ -162,7 +162,7 @@ TEST(Variation, OverlapsAreDrawnAgain) {
 }
 
 /// A thin wall through the middle, over which every second draw would jump.
-TEST(Variation, NobodyStartsBehindAWall) {
+TEST(Variation, NoBodyStartsBehindAWall) {
     SmallWorld world(walledField(20, 20));
     world.robot(discRobot(0.1), {9.7, 10, 0}, std::make_shared<const Told>(Command{}), ideal())
         .object(ballType(), {10.4, 12, 0});

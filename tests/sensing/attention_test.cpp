@@ -1,4 +1,4 @@
-// Controllers that do not read what is seen: nobody looks for them, and nothing else changes.
+// Controllers that do not read what is seen: they are not searched for, and nothing else changes.
 #include <bit>
 
 #include "behaviour/command_player.h"

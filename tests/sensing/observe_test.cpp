@@ -99,7 +99,7 @@ TEST(Observe, IsAFunctionOfScenarioSeedAndState) {
     EXPECT_NE(observations(scenario, 5), observations(scenario, 6));
 }
 
-/// Nothing that touches nobody, seen by nobody: only the newcomer is new.
+/// The newcomer touches nothing and is seen by no robot: only it is new.
 TEST(Observe, AnotherRobotDoesNotChangeTheNoiseOfOthers) {
     Perception perception = everything();
     perception.objects.occlusion = perception.robots.occlusion = false;

@@ -1,5 +1,5 @@
 // A ball among the robots that ship, driving, with their ball guides: it goes neither through them nor into them, and
-// nobody can hold it.
+// no robot can hold it.
 #include <algorithm>
 #include <cmath>
 

@@ -51,7 +51,7 @@ Environment ice(Environment environment = {}) {
     return environment;
 }
 
-/// A shipped robot as a body without a will that slides over ice.
+/// A shipped robot as a body that no controller moves that slides over ice.
 ObjectType adrift(const std::string& robot) {
     const RobotType type = shippedRobot(robot).type;
     return {robot, type.shape, type.mass, type.surface, false};

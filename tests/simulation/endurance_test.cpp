@@ -138,7 +138,7 @@ TEST(Endurance, AMillionTicksOfAnythingStayFiniteAndInside) {
     EXPECT_GT(kicks, worlds);
 }
 
-/// Without robots nobody gives energy: the sum of all never grows.
+/// Without robots there is no source of energy: the sum of all never grows.
 TEST(Endurance, BodiesWithoutRobotsNeverGainEnergy) {
     const std::vector<Kind> kinds = kindsOfRobots();
     parallelFor(100, [&](std::size_t w) {

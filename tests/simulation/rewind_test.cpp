@@ -159,7 +159,7 @@ TEST(Rewind, SameBitsWithAndWithoutTraceAndOnAnyNumberOfThreads) {
 }
 
 TEST(Rewind, OtherRobotsNoiseDoesNotDependOnHowManyThereAre) {
-    // Far apart nobody feels the others: a robot's course is the same with and without them.
+    // Far apart robots do not affect each other: a robot's motion is the same with and without them.
     const auto lonely = [](std::size_t robots) {
         SmallWorld world;
         const auto noisy = withNoise(ideal(), {0.05, 0.05, 0.05});

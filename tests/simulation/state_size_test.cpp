@@ -34,7 +34,7 @@ Scenario eight(const RobotType& type, const std::shared_ptr<const MotionModel>& 
 }
 
 struct Sizes {
-    std::size_t all = 0, minds = 0;  ///< B; of the controllers' memories alone
+    std::size_t all = 0, memories = 0;  ///< B; of the controllers' memories alone
 };
 
 /// Of the largest copy within half a minute.
@@ -53,7 +53,7 @@ Sizes largestOf(const Scenario& scenario) {
 }
 
 /// The world's part of a state fits for every robot that ships; what the controllers remember comes on top.
-TEST(StateSize, OfEightRobotsIsAtMostEightKilobytesAndOfTheirMinds768BytesEach) {
+TEST(StateSize, OfEightRobotsIsAtMostEightKilobytesAndOfTheirMemories768BytesEach) {
     const std::pair<const char*, std::shared_ptr<const Controller>> controllers[] = {
         {"random commands", std::make_shared<const RandomCommands>(-0.2, 0.5, 1)},
         {"chase_ball", std::make_shared<const ChaseBall>(ChaseBall::Options{.target = {5, 2}})},
@@ -69,8 +69,8 @@ TEST(StateSize, OfEightRobotsIsAtMostEightKilobytesAndOfTheirMinds768BytesEach) 
     for (const auto& [name, type, model] : robots)
         for (const auto& [kind, controller] : controllers) {
             const Sizes sizes = largestOf(eight(type, model, controller));
-            EXPECT_LE(sizes.all - sizes.minds, 8192u) << name << " with " << kind;
-            EXPECT_LE(sizes.minds, 8u * 768) << name << " with " << kind;
+            EXPECT_LE(sizes.all - sizes.memories, 8192u) << name << " with " << kind;
+            EXPECT_LE(sizes.memories, 8u * 768) << name << " with " << kind;
         }
 }
 

@@ -42,7 +42,7 @@ struct FieldOptions {
     bool heavy = true;
     double share = 1;  ///< of those speeds, for slower robots
     bool motionNoise = true;
-    std::optional<Perception> perception = {};  ///< nothing: it sees no bodies
+    std::optional<Perception> perception = {};  ///< nullopt: it sees no bodies
     std::shared_ptr<const MotionModel> model = paperFormModel();
 };
 Scenario fieldScenario(const FieldOptions& options);

@@ -9,7 +9,7 @@
 namespace mrose {
 
 /// The folder of real logs: the environment variable MROSE_DATA, otherwise ../shared/data beside the repository's root.
-/// Nothing where neither is a folder; tests then skip and say so.
+/// nullopt where neither is a folder; tests then skip and say so.
 inline std::optional<std::filesystem::path> realData() {
     const char* const named = std::getenv("MROSE_DATA");
     const std::filesystem::path folder = named != nullptr ? named : sourceFolder().parent_path() / "shared" / "data";

@@ -23,20 +23,20 @@ const SyntheticSet& setNamed(std::string_view name) {
 Log generated(const SyntheticPart& part, std::uint64_t seed) { return generateLog(part, seed).value(); }
 
 TEST(LogGenerator, SameSeedSameBytesAndAnotherSeedOthers) {
-    const SyntheticPart part{Course::random, 2, 20, 2};
+    const SyntheticPart part{DrivePattern::random, 2, 20, 2};
     const std::string first = toCsv(generated(part, 5));
     EXPECT_EQ(first, toCsv(generated(part, 5)));
     EXPECT_NE(first, toCsv(generated(part, 6)));
 }
 
 TEST(LogGenerator, ATrajectoryDoesNotDependOnHowManyThereAre) {
-    const Log few = generated({Course::random, 1, 20}, 5), many = generated({Course::random, 3, 20}, 5);
+    const Log few = generated({DrivePattern::random, 1, 20}, 5), many = generated({DrivePattern::random, 3, 20}, 5);
     EXPECT_EQ(few.robots[0].trajectories[0].poses.back().pose, many.robots[0].trajectories[0].poses.back().pose);
     EXPECT_NE(many.robots[0].trajectories[1].poses.back().pose, many.robots[0].trajectories[2].poses.back().pose);
 }
 
 TEST(LogGenerator, RepetitionsHaveTheSameCommandsAndGroupAndOtherMotion) {
-    const Log log = generated({Course::random, 2, 15, 3}, 5);
+    const Log log = generated({DrivePattern::random, 2, 15, 3}, 5);
     const auto& trajectories = log.robots.at(0).trajectories;
     ASSERT_EQ(trajectories.size(), 6u);
     for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(trajectories[i].group, static_cast<int>(i / 3));
@@ -50,7 +50,7 @@ TEST(LogGenerator, RepetitionsHaveTheSameCommandsAndGroupAndOtherMotion) {
 
 TEST(LogGenerator, TheTrackerSeesTheTruthWithItsNoise) {
     const SyntheticTracker tracker;
-    const auto commands = courseCommands(Course::random, 60, 1, 0);
+    const auto commands = patternCommands(DrivePattern::random, 60, 1, 0);
     const SyntheticRun run = runReferenceRobot(commands, 60, {1, 2, 3}, 9, tracker);
     ASSERT_EQ(run.tracked.size(), run.truth.size());
     ASSERT_EQ(run.truth.size(), 2501u);
@@ -69,10 +69,10 @@ TEST(LogGenerator, TheTrackerSeesTheTruthWithItsNoise) {
 
 TEST(LogGenerator, StopsWhenItIsTold) {
     int calls = 0;
-    EXPECT_FALSE(generateLog({Course::random, 5, 5}, 1, [&](double) { return ++calls < 2; }));
+    EXPECT_FALSE(generateLog({DrivePattern::random, 5, 5}, 1, [&](double) { return ++calls < 2; }));
     EXPECT_EQ(calls, 2);
     double last = 0;
-    EXPECT_TRUE(generateLog({Course::random, 5, 5}, 1, [&](double done) {
+    EXPECT_TRUE(generateLog({DrivePattern::random, 5, 5}, 1, [&](double done) {
         EXPECT_NEAR(done - last, 0.2, 1e-12);
         last = done;
         return true;
@@ -83,7 +83,7 @@ TEST(LogGenerator, StopsWhenItIsTold) {
 TEST(LogGenerator, IsLabelledSyntheticThroughItsFile) {
     const TemporaryFolder folder;
     const auto file = folder.path() / "jink.csv";
-    const Log log = generated({Course::jink}, 1);
+    const Log log = generated({DrivePattern::jink}, 1);
     EXPECT_TRUE(log.synthetic);
     ASSERT_TRUE(writeCsv(file, log));
     const auto again = readCsv(file);
@@ -116,7 +116,7 @@ TEST(LogGenerator, TheHeldOutSetHasAHundredWindowsAndEnoughHardSwitches) {
         for (const Window& window : *found) {
             EXPECT_EQ(window.steps(), 100);
             EXPECT_TRUE(window.measuredVelocity.has_value());
-            switches += part.course == Course::hardSwitch && window.manoeuvre == Manoeuvre::hardSwitch;
+            switches += part.pattern == DrivePattern::hardSwitch && window.manoeuvre == Manoeuvre::hardSwitch;
         }
     }
     EXPECT_EQ(windows, 100u);
@@ -126,7 +126,8 @@ TEST(LogGenerator, TheHeldOutSetHasAHundredWindowsAndEnoughHardSwitches) {
 TEST(LogGenerator, TheShippedLogsAreTheExampleSet) {
     std::uintmax_t bytes = 0;
     for (const SyntheticPart& part : setNamed("example").parts) {
-        const auto file = sourceFolder() / "resources" / "logs" / "pioneer" / (std::string(name(part.course)) + ".csv");
+        const auto file =
+            sourceFolder() / "resources" / "logs" / "pioneer" / (std::string(name(part.pattern)) + ".csv");
         const auto shipped = readCsv(file);
         ASSERT_TRUE(shipped) << shipped.error().message();
         EXPECT_TRUE(shipped->synthetic);
@@ -170,11 +171,11 @@ Apart apart(const std::vector<StampedPose>& a, const std::vector<StampedPose>& b
 }
 
 /// P of repeated runs in %, over all ordered pairs of runs of the same commands.
-double repeatability(Course course, std::uint32_t count, int repeats) {
-    const double duration = std::max(15.0, courseDuration(course) < 60 ? courseDuration(course) : 0);
+double repeatability(DrivePattern pattern, std::uint32_t count, int repeats) {
+    const double duration = std::max(15.0, patternDuration(pattern) < 60 ? patternDuration(pattern) : 0);
     Apart sum;
     for (std::uint32_t index = 0; index < count; ++index) {
-        const auto commands = courseCommands(course, duration, 31, index);
+        const auto commands = patternCommands(pattern, duration, 31, index);
         std::vector<SyntheticRun> runs;
         for (int k = 0; k < repeats; ++k)
             runs.push_back(runReferenceRobot(commands, duration, {}, 1000 * index + static_cast<std::uint64_t>(k)));
@@ -190,13 +191,13 @@ double repeatability(Course course, std::uint32_t count, int repeats) {
 }
 
 TEST(LogGenerator, RepeatedRunsDifferByAboutOnePercent) {
-    for (const auto& [course, count, repeats] :
-         {std::tuple(Course::random, 150u, 3), std::tuple(Course::hardSwitch, 100u, 3),
-          std::tuple(Course::jink, 20u, 6), std::tuple(Course::ellipse, 20u, 6)}) {
-        const double p = repeatability(course, count, repeats);
-        RecordProperty(std::string(name(course)), std::to_string(p));
-        EXPECT_GT(p, 0.8) << name(course);
-        EXPECT_LT(p, 1.2) << name(course);
+    for (const auto& [pattern, count, repeats] :
+         {std::tuple(DrivePattern::random, 150u, 3), std::tuple(DrivePattern::hardSwitch, 100u, 3),
+          std::tuple(DrivePattern::jink, 20u, 6), std::tuple(DrivePattern::ellipse, 20u, 6)}) {
+        const double p = repeatability(pattern, count, repeats);
+        RecordProperty(std::string(name(pattern)), std::to_string(p));
+        EXPECT_GT(p, 0.8) << name(pattern);
+        EXPECT_LT(p, 1.2) << name(pattern);
     }
 }
 

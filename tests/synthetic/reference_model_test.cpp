@@ -8,7 +8,7 @@
 #include "behaviour/command_player.h"
 #include "simulation/small_world.h"
 #include "support/units.h"
-#include "synthetic/courses.h"
+#include "synthetic/drive_patterns.h"
 #include "world/state_bytes.h"
 
 namespace mrose {
@@ -28,7 +28,7 @@ std::vector<StampedCommand> changesOf(const std::vector<StampedCommand>& all) {
 
 /// Random driving, with commands of the log generator's uneven instants.
 std::vector<StampedCommand> drive(double seconds, std::uint32_t which) {
-    return changesOf(courseCommands(Course::random, seconds, 3, which));
+    return changesOf(patternCommands(DrivePattern::random, seconds, 3, which));
 }
 
 Scenario driven(const std::vector<StampedCommand>& commands, std::shared_ptr<const MotionModel> model,

@@ -355,7 +355,7 @@ TEST_F(FieldViewTest, WhatAnAnswerIsAboutIsNearAndLoudAndTheRestIsQuiet) {
     EXPECT_EQ(nearBody({0, -0.2}), 0);
 }
 
-TEST_F(FieldViewTest, RingAndLineSayWhatIsElsewhereInTheOtherCourse) {
+TEST_F(FieldViewTest, RingAndLineSayWhatIsElsewhereInTheOtherBranch) {
     show(frameOfDiscs({{0, 0, 0}, {-3, 2, 0}}));
     const QImage before = rendered(view);
     view.setElsewhere({Point{2, 0}, std::nullopt, std::nullopt});

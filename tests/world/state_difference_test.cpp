@@ -68,21 +68,21 @@ TEST(StateDifference, NamesEveryOtherPart) {
     EXPECT_EQ(differenceOf(a, b), "bytes of controllers: 33 against 34");
 }
 
-TEST(StateDifference, WorldLeavesMindsOut) {
+TEST(StateDifference, WorldLeavesMemoriesOut) {
     const WorldState a = arbitraryState(4);
     WorldState b = a;
     b.memory[0] ^= std::byte{1};
-    EXPECT_TRUE(firstDifference(a, b)->ofMinds());
+    EXPECT_TRUE(firstDifference(a, b)->ofMemories());
     b.past[0].x = 7;
     b.sensing[3] ^= std::byte{1};
-    EXPECT_TRUE(firstDifference(a, b)->ofMinds());
+    EXPECT_TRUE(firstDifference(a, b)->ofMemories());
     EXPECT_EQ(differenceOf(a, b, StateScope::world), "");
     b.motion[5] ^= std::byte{1};
     EXPECT_EQ(firstDifference(a, b, StateScope::world)->index, 5u);
-    EXPECT_FALSE(firstDifference(a, b, StateScope::world)->ofMinds());
+    EXPECT_FALSE(firstDifference(a, b, StateScope::world)->ofMemories());
     b.robots[2].pose.y = 7;
     EXPECT_EQ(firstDifference(a, b, StateScope::world)->index, 2u);
-    EXPECT_FALSE(firstDifference(a, b, StateScope::world)->ofMinds());
+    EXPECT_FALSE(firstDifference(a, b, StateScope::world)->ofMemories());
 }
 
 TEST(StateDifference, NansDifferByTheirBits) {

@@ -10,7 +10,7 @@ namespace mrose {
 namespace {
 
 struct Changes {
-    std::size_t bytes = 0, none = 0, world = 0, minds = 0, both = 0;
+    std::size_t bytes = 0, none = 0, world = 0, memories = 0, both = 0;
 };
 
 /// What the lowest bit of each byte that `value` lies in changes.
@@ -23,8 +23,8 @@ Changes changesOf(WorldState& state, Value& value) {
         bytes[i] ^= 1;
         const StateHash after = hashOf(state);
         bytes[i] ^= 1;
-        const bool world = after.world != before.world, minds = after.minds != before.minds;
-        ++(world && minds ? changes.both : world ? changes.world : minds ? changes.minds : changes.none);
+        const bool world = after.world != before.world, memories = after.memories != before.memories;
+        ++(world && memories ? changes.both : world ? changes.world : memories ? changes.memories : changes.none);
     }
     return changes;
 }
@@ -35,8 +35,8 @@ void expectWorld(WorldState& state, Value& value) {
     EXPECT_EQ(changesOf(state, value).world, sizeof value);
 }
 template <class Value>
-void expectMinds(WorldState& state, Value& value) {
-    EXPECT_EQ(changesOf(state, value).minds, sizeof value);
+void expectMemories(WorldState& state, Value& value) {
+    EXPECT_EQ(changesOf(state, value).memories, sizeof value);
 }
 
 TEST(StateHash, EveryByteOfARobotCountsOnceAndPaddingNever) {
@@ -49,7 +49,7 @@ TEST(StateHash, EveryByteOfARobotCountsOnceAndPaddingNever) {
         const Changes changes = changesOf(state, robot);
         EXPECT_EQ(changes.both, 0u);
         EXPECT_EQ(changes.world, world);
-        EXPECT_EQ(changes.minds, 0u);
+        EXPECT_EQ(changes.memories, 0u);
         EXPECT_EQ(changes.none, sizeof(RobotState) - world);
     }
 }
@@ -65,9 +65,9 @@ TEST(StateHash, EveryByteOfEverythingElseCounts) {
     for (StampedCommand& command : state.commands) expectWorld(state, command);
     for (SentMessage& message : state.messages) expectWorld(state, message);
     for (std::byte& byte : state.motion) expectWorld(state, byte);
-    for (std::byte& byte : state.memory) expectMinds(state, byte);
-    for (std::byte& byte : state.sensing) expectMinds(state, byte);
-    for (Pose& pose : state.past) expectMinds(state, pose);
+    for (std::byte& byte : state.memory) expectMemories(state, byte);
+    for (std::byte& byte : state.sensing) expectMemories(state, byte);
+    for (Pose& pose : state.past) expectMemories(state, pose);
 }
 
 TEST(StateHash, SignOfZeroCounts) {
@@ -76,7 +76,7 @@ TEST(StateHash, SignOfZeroCounts) {
     const StateHash before = hashOf(state);
     state.robots[1].velocity_B.x = -0.0;
     EXPECT_NE(hashOf(state).world, before.world);
-    EXPECT_EQ(hashOf(state).minds, before.minds);
+    EXPECT_EQ(hashOf(state).memories, before.memories);
 }
 
 TEST(StateHash, EqualStatesHaveEqualOnes) {
@@ -86,11 +86,11 @@ TEST(StateHash, EqualStatesHaveEqualOnes) {
 
 /// Arrays that change their lengths at each other's cost do not look alike.
 TEST(StateHash, LengthsCount) {
-    std::set<std::uint64_t> worlds, minds;
+    std::set<std::uint64_t> worlds, memories;
     WorldState state;
     const auto add = [&] {
         worlds.insert(hashOf(state).world);
-        minds.insert(hashOf(state).minds);
+        memories.insert(hashOf(state).memories);
     };
     add();
     state.goals.resize(6);
@@ -102,7 +102,7 @@ TEST(StateHash, LengthsCount) {
     state.kicks.resize(1);
     add();
     EXPECT_EQ(worlds.size(), 4u);
-    EXPECT_EQ(minds.size(), 1u);
+    EXPECT_EQ(memories.size(), 1u);
     state.kicks.clear();
     state.memory.resize(24);
     add();
@@ -110,7 +110,7 @@ TEST(StateHash, LengthsCount) {
     state.past.resize(1);
     add();
     EXPECT_EQ(worlds.size(), 4u);
-    EXPECT_EQ(minds.size(), 3u);
+    EXPECT_EQ(memories.size(), 3u);
 }
 
 TEST(StateHash, ManyRobotsAllCount) {

@@ -13,8 +13,8 @@
 
 namespace mrose::gui {
 
-/// Everything that the window can be told to do, by name: menus, keys, the tool bar, the sheet of shortcuts and scripts
-/// all go through these. An action lies in the menu that it is added to, in the order of adding.
+/// All actions of the window, by name: menus, keys, the tool bar, the sheet of shortcuts and scripts all go through
+/// these. An action lies in the menu that it is added to, in the order of adding.
 class Actions {
 public:
     explicit Actions(QMainWindow& window) : window_(window) {}
@@ -26,14 +26,13 @@ public:
         QString tip;
         bool checkable = false, checked = false;
     };
-    /// `run` is told whether the action is checked now. `menu` as the menu bar shows it; it is made where there is
-    /// none.
+    /// `run` gets whether the action is checked now. `menu` as the menu bar shows it; it is made where there is none.
     QAction* add(const QString& menu, const Text& text, std::function<void(bool checked)> run);
 
     /// An action that needs a text, mostly a file's path; its text in the menu ends in an ellipsis. Chosen there it
     /// opens a dialogue by `ask`; a script gives the text instead: save_image("a.png").
     struct Asking {
-        std::function<QString()> ask;  ///< empty: the user thought better of it
+        std::function<QString()> ask;  ///< empty: the user cancelled
         std::function<Expected<void>(const QString& answer)> run;
     };
     QAction* add(const QString& menu, const Text& text, Asking asking);
@@ -60,12 +59,12 @@ public:
     /// what the action said.
     Expected<void> perform(const QString& name, const Argument& argument);
 
-    /// Opens the dialogue of an action that asks for a text; empty: the user thought better of it.
+    /// Opens the dialogue of an action that asks for a text; empty: the user cancelled.
     QString ask(const QString& name) const { return asking_.at(name).ask(); }
 
-    /// Told what went wrong with an action that a user chose.
+    /// Called with what went wrong with an action that a user chose.
     void setErrorHandler(std::function<void(const Error&)> handler) { onError_ = std::move(handler); }
-    /// Nobody is there to answer a question: a script is at work. No action opens a modal dialogue then.
+    /// Unattended: a script is at work, and no user answers questions. No action opens a modal dialogue then.
     bool unattended() const { return unattended_; }
     void setUnattended(bool unattended) { unattended_ = unattended; }
 

@@ -26,8 +26,8 @@ void restart(MainWindow& window, std::uint64_t seed) {
     const Shown* shown = window.shown();
     if (shown == nullptr) return;
     Edit edit{QObject::tr("seed %1").arg(seed).toStdString()};
-    edit.course = shown->course;
-    edit.start = shown->course->scenario->initialState(seed);
+    edit.setup = shown->setup;
+    edit.start = shown->setup->scenario->initialState(seed);
     window.session().branchOff(edit);
 }
 
@@ -37,11 +37,11 @@ Expected<void> swapModel(MainWindow& window, const QString& file) {
     if (shown == nullptr || !selected || *selected >= shown->frame->state.robots.size())
         return fail("", "no robot is selected: select the one that is to move as this network says");
     const std::string path = file.toStdString();
-    auto course = withSwappedModel(*shown->course, *selected, path);
-    if (!course) return tl::unexpected(course.error());
+    auto setup = withSwappedModel(*shown->setup, *selected, path);
+    if (!setup) return tl::unexpected(setup.error());
     Edit edit{shown->frame->nameOf(*selected) + " moves by " + modelName(path)};
-    edit.course = std::move(*course);
-    edit.change = [from = shown->course](const Scenario& to, WorldState& state) {
+    edit.setup = std::move(*setup);
+    edit.change = [from = shown->setup](const Scenario& to, WorldState& state) {
         state = carriedOver(*from->scenario, state, to);
     };
     window.session().branchOff(edit);
@@ -49,9 +49,9 @@ Expected<void> swapModel(MainWindow& window, const QString& file) {
 }
 
 /// Where one was swapped in from, otherwise those that ship.
-QString folderOfNetworks(const Course& course) {
+QString folderOfNetworks(const BranchSetup& setup) {
     QString folder = QString::fromStdString((resourceFolder() / "nets").string());
-    for (const Value::File& read : course.value ? course.value->files() : std::vector<Value::File>()) {
+    for (const Value::File& read : setup.value ? setup.value->files() : std::vector<Value::File>()) {
         const QFileInfo file(QString::fromStdString(read->name));
         if (file.isAbsolute() && file.suffix() == "net" && file.exists()) folder = file.path();
     }
@@ -119,7 +119,7 @@ void addChanges(MainWindow& window, const QString& menu) {
                         }
                         const QString robot = QString::fromStdString(window.shown()->frame->nameOf(*selected));
                         return QFileDialog::getOpenFileName(&window, QObject::tr("Motion network for %1").arg(robot),
-                                                            folderOfNetworks(*window.shown()->course),
+                                                            folderOfNetworks(*window.shown()->setup),
                                                             QObject::tr("Networks (*.net);;All files (*)"));
                     },
                     [&](const QString& path) { return swapModel(window, path); }});

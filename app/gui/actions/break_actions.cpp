@@ -38,11 +38,11 @@ void addWays(MainWindow& window, const QString& menu) {
     Actions& actions = window.actions();
     actions.add(menu,
                 {"break_forward", QObject::tr("&Run to the next break"), QKeySequence("F6"),
-                 QObject::tr("As fast as possible to where a breakpoint stops next, in the log's next courses, too")},
+                 QObject::tr("As fast as possible to where a breakpoint stops next, in the log's next rollouts, too")},
                 [&](bool) { window.overlay().goToBreak({}); });
     actions.add(menu,
                 {"break_back", QObject::tr("&Back to the last break"), QKeySequence("Shift+F6"),
-                 QObject::tr("To where a breakpoint was met last before now, in the log's earlier courses, too")},
+                 QObject::tr("To where a breakpoint was met last before now, in the log's earlier rollouts, too")},
                 [&](bool) { window.overlay().goToBreak({true}); });
     actions.add(menu,
                 {"break_last", QObject::tr("When did it last &hold?"), QKeySequence("F7"),
@@ -54,7 +54,7 @@ void addWays(MainWindow& window, const QString& menu) {
                                 },
                                 [&](const QString& text) -> Expected<void> {
                                     if (const Shown* const shown = window.shown(); shown != nullptr)
-                                        if (auto fits = checkBreakText(text.toStdString(), *shown->course,
+                                        if (auto fits = checkBreakText(text.toStdString(), *shown->setup,
                                                                        shown->frame->reality);
                                             !fits)
                                             return fail("", wrongWith(fits.error()));
@@ -85,7 +85,7 @@ void addKinds(MainWindow& window, const QString& menu) {
           QObject::tr("Stop where two bodies begin to touch; where one is selected, this one and another")},
          "contact", false);
     kind({"break_on_kick", QObject::tr("On a &kick"), QKeySequence("Shift+K"),
-          QObject::tr("Stop where somebody kicks; where a robot is selected, this one")},
+          QObject::tr("Stop at a kick; where a robot is selected, at one of this robot")},
          "kick", true);
     kind({"break_on_goal", QObject::tr("On a &goal"), QKeySequence("Shift+G"),
           QObject::tr("Stop where a ball arrives in a goal")},
@@ -144,7 +144,7 @@ void addChosen(MainWindow& window, const QString& menu) {
     panel.offer(actions.add(
         menu,
         {"break_from", QObject::tr("Stop from the &n-th time on\u2026"), QKeySequence("Ctrl+F8"),
-         QObject::tr("The chosen breakpoint lets so many times pass: in the run, or in all courses of a log "
+         QObject::tr("The chosen breakpoint lets so many times pass: in the run, or in all rollouts of a log "
                      "that were played or searched")},
         Actions::Asking{
             [&] {

@@ -12,7 +12,7 @@
 namespace mrose::gui {
 namespace {
 
-/// A name with an extension of its kind; empty where nothing is plotted, which is told.
+/// A name with an extension of its kind; empty where nothing is plotted, which is reported.
 QString askForPlotFile(MainWindow& window, const QString& title, const QString& kinds, const QString& ending) {
     if (window.plots().keys().empty()) {
         window.say(QObject::tr("Nothing is plotted yet: choose a number in the inspector, or write an expression"));

@@ -32,7 +32,7 @@ Expected<void> openLogAt(MainWindow& window, const QString& path) {
     return {};
 }
 
-/// Of a log that does not tell; who thinks better of it keeps what is open.
+/// Of a log that does not say it; cancelled, what is open stays.
 void askWhatDrove(MainWindow& window, const OverlayRequest& request, const std::optional<OverlayPlan>& asked) {
     delete window.findChild<RobotDialog*>();
     const QString log = QFileInfo(QString::fromStdString(request.log)).absoluteFilePath();
@@ -41,9 +41,9 @@ void askWhatDrove(MainWindow& window, const OverlayRequest& request, const std::
     if (const QString before = window.memory().robotOf(log); !before.isEmpty()) dialog->choose(before);
     QObject::connect(dialog, &RobotDialog::chosen, &window, [&window, request, asked, log](const QString& robotFile) {
         window.memory().keepRobot(log, robotFile);
-        OverlayRequest told = request;
-        told.robotFile = robotFile.toStdString();
-        window.overlay().open(told, asked);
+        OverlayRequest answered = request;
+        answered.robotFile = robotFile.toStdString();
+        window.overlay().open(answered, asked);
     });
     dialog->open();
 }
@@ -94,11 +94,11 @@ Expected<void> removeModel(MainWindow& window, const std::string& name) {
 void goToDivergence(MainWindow& window) {
     Overlay& overlay = window.overlay();
     if (overlay.goToDivergence()) return;
-    window.say(!overlay.shownCourse() ? QObject::tr("No course of the log is shown")
-               : overlay.share() < 1  ? QObject::tr("Nothing leaves the real course as far as they are compared")
+    window.say(!overlay.shownRollout() ? QObject::tr("No rollout of the log is shown")
+               : overlay.share() < 1   ? QObject::tr("Nothing leaves the real trajectory as far as they are compared")
                : overlay.comparison()
-                   ? QObject::tr("Nothing leaves the real course by more than the bound in any of the courses")
-                   : QObject::tr("The courses are not compared"));
+                   ? QObject::tr("Nothing leaves the real trajectory by more than the bound in any of the rollouts")
+                   : QObject::tr("The rollouts are not compared"));
 }
 
 /// The robot of the overlay that a body of the run is.
@@ -115,7 +115,7 @@ std::optional<std::size_t> robotOf(MainWindow& window, std::optional<std::size_t
 /// Selection, strip and panel follow the overlay, and it them.
 void bindOverlay(MainWindow& window) {
     Overlay& overlay = window.overlay();
-    CourseStrip& strip = window.courseStrip();
+    RolloutStrip& strip = window.rolloutStrip();
     strip.setObjectName("courses_strip");
     strip.hide();
     QObject::connect(&overlay, &Overlay::changed, &window, [&window, &overlay, &strip] {
@@ -123,14 +123,14 @@ void bindOverlay(MainWindow& window) {
         strip.setContent(stripOf(overlay));
         if (overlay.world()) window.showReality();
     });
-    QObject::connect(&overlay, &Overlay::robotUntold, &window,
+    QObject::connect(&overlay, &Overlay::robotKindUnknown, &window,
                      [&window](const auto& request, const auto& asked) { askWhatDrove(window, request, asked); });
     QObject::connect(&window, &MainWindow::updated, &strip, [&window, &strip] {
         const FieldFrame& frame = *window.shown()->frame;
         if (frame.reality) strip.setNow(frame.reality->start + frame.scene().timeOf(frame.state.tick));
     });
-    QObject::connect(&strip, &CourseStrip::courseRequested, &overlay,
-                     [&overlay](std::size_t course) { overlay.show(course, overlay.shownRobot()); });
+    QObject::connect(&strip, &RolloutStrip::rolloutRequested, &overlay,
+                     [&overlay](std::size_t rollout) { overlay.show(rollout, overlay.shownRobot()); });
     QObject::connect(&window.field(), &FieldView::bodySelected, &overlay,
                      [&window, &overlay](auto body) { overlay.setRobot(robotOf(window, body)); });
     QObject::connect(&window.overlayPanel(), &OverlayPanel::modelFileWanted, &window,
@@ -160,16 +160,16 @@ void addOverlayActions(MainWindow& window) {
                          [&window, action] { action->setEnabled(window.overlay().world() != nullptr); });
     };
     whileOpen(actions.add(menu,
-                          {"next_course", QObject::tr("&Next course"), QKeySequence("Ctrl+PgDown"),
-                           QObject::tr("The course after the shown one")},
+                          {"next_course", QObject::tr("&Next rollout"), QKeySequence("Ctrl+PgDown"),
+                           QObject::tr("The rollout after the shown one")},
                           [&](bool) { window.overlay().showNext(1); }));
     whileOpen(actions.add(menu,
-                          {"previous_course", QObject::tr("&Previous course"), QKeySequence("Ctrl+PgUp"),
-                           QObject::tr("The course before the shown one")},
+                          {"previous_course", QObject::tr("&Previous rollout"), QKeySequence("Ctrl+PgUp"),
+                           QObject::tr("The rollout before the shown one")},
                           [&](bool) { window.overlay().showNext(-1); }));
     whileOpen(actions.add(menu,
-                          {"go_to_divergence", QObject::tr("&Where it leaves the real course"), QKeySequence("D"),
-                           QObject::tr("To the first divergence of the shown course, or of the next that has one")},
+                          {"go_to_divergence", QObject::tr("&Where it diverges"), QKeySequence("D"),
+                           QObject::tr("To the first divergence of the shown rollout, or of the next that has one")},
                           [&](bool) { goToDivergence(window); }));
     actions.addSeparator(menu);
     whileOpen(actions.add(menu,

@@ -64,8 +64,8 @@ void addPlotActions(MainWindow& window) {
                                 },
                                 [&plots](const QString& text) { return plots.addExpression(text); }});
     actions.add(menu,
-                {"plot_speeds", QObject::tr("Plot spee&ds: told, simulated, real"), QKeySequence("Shift+V"),
-                 QObject::tr("What the robot was told, how fast it goes and how fast it really went, or no longer")},
+                {"plot_speeds", QObject::tr("Plot spee&ds and commands"), QKeySequence("Shift+V"),
+                 QObject::tr("The robot's commands, its velocity and the real one's, or no longer")},
                 [&window, speeds](bool) {
                     if (!speeds->toggle())
                         window.say(

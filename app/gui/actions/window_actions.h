@@ -4,7 +4,7 @@ namespace mrose::gui {
 
 class MainWindow;
 
-// What the window can be told to do, a function for each menu. Called once, in the order of the menu bar.
+// The window's actions, a function for each menu. Called once, in the order of the menu bar.
 void addFileActions(MainWindow& window);
 void addOpenLog(MainWindow& window);  ///< beside Open
 void addOverlayActions(MainWindow& window);
@@ -18,7 +18,7 @@ void addPlotActions(MainWindow& window);
 void addExportActions(MainWindow& window);
 void addHelpActions(MainWindow& window);
 
-/// At a start without arguments: what to try first, unless somebody has closed it before.
+/// At a start without arguments: what to try first, unless the user has closed it before.
 void showFirstSteps(MainWindow& window);
 
 }  // namespace mrose::gui

@@ -6,7 +6,7 @@
 #include "learning/parallel_for.h"
 #include "recording/tick_decisions.h"
 #include "scenario/first_version.h"
-#include "scenario/misfit.h"
+#include "scenario/state_validation.h"
 #include "simulation/step.h"
 
 namespace mrose::gui {
@@ -57,12 +57,12 @@ std::vector<Condition*> BlockJudge::Worker::compiled(const Scenario& wanted, std
 
 Expected<std::vector<Verdicts>> BlockJudge::Worker::judge(const BlockTicks& ticks, std::span<const std::string> texts,
                                                           const RealityPointer& real) {
-    const Scenario& world = *ticks.course->scenario;
+    const Scenario& world = *ticks.setup->scenario;
     const TimelineBlock& block = *ticks.block;
     const std::vector<Condition*> conditions = compiled(world, texts, real);
     Expected<WorldState> state = parseStateOf(world, block.keyframe, "keyframe of tick " + std::to_string(block.first));
     if (!state) return tl::unexpected(state.error());
-    if (!misfit(world, *state).empty() || state->tick != block.first)
+    if (!validate(world, *state).empty() || state->tick != block.first)
         return fail({}, "the state kept of tick " + std::to_string(block.first) + " is none of this scenario");
     std::vector<Verdicts> verdicts(texts.size());
     const auto ask = [&](const StepTrace* step) {

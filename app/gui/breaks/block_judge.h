@@ -12,7 +12,7 @@
 #include "breaks/tick_ranges.h"
 #include "condition/condition.h"
 #include "recording/timeline.h"
-#include "travel/course.h"
+#include "travel/branch_setup.h"
 
 namespace mrose::gui {
 
@@ -28,7 +28,7 @@ struct Verdicts {
 /// only asked of where it is the timeline's first: elsewhere it is the end of the block before, which knows the step
 /// that led there.
 struct BlockTicks {
-    const Course* course = nullptr;
+    const BranchSetup* setup = nullptr;
     const TimelineBlock* block = nullptr;
     std::int64_t first = 0, last = 0;
 };
@@ -40,8 +40,8 @@ public:
     BlockJudge();
     ~BlockJudge();
 
-    /// For each block the verdicts on each of `texts`. What does not compile in the block's course holds nowhere in it.
-    /// Error: a block is damaged.
+    /// For each block the verdicts on each of `texts`. What does not compile for the block's branch holds nowhere in
+    /// it. Error: a block is damaged.
     Expected<std::vector<std::vector<Verdicts>>> judge(std::span<const BlockTicks> blocks,
                                                        std::span<const std::string> texts,
                                                        const RealityPointer& reality);

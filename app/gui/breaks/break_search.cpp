@@ -99,7 +99,7 @@ Verdicts BreakSearch::walk(const Question& question, const BlockTicks& block, st
             verdicts.add(at, question.predicate(run_, branch, at));
         return verdicts;
     }
-    const Scenario& scenario = *block.course->scenario;
+    const Scenario& scenario = *block.setup->scenario;
     const Reality* const reality = run_.reality().get();
     auto condition = compileCondition(question.text, scenario, "condition", reality);
     auto cursor = run_.cursorAt(branch, block.first);
@@ -117,7 +117,7 @@ Expected<void> BreakSearch::ask(const std::vector<Question*>& questions, std::in
     const TimeTravel::Part& part = partOf(tick);
     const Timeline& timeline = run_.branches()[part.branch].timeline;
     const auto isJudged = [&](const Question& question) {
-        return !question.predicate && !readsControl(question.text, *run_.record(part.branch).course().scenario);
+        return !question.predicate && !readsControl(question.text, *run_.record(part.branch).setup().scenario);
     };
     // A condition that walks does so on one core.
     if (std::any_of(questions.begin(), questions.end(),
@@ -127,7 +127,7 @@ Expected<void> BreakSearch::ask(const std::vector<Question*>& questions, std::in
     for (std::int64_t at = tick; blocks.size() < most && at >= part.first && at <= part.last;) {
         const TimelineBlock& block = timeline.blockOf(std::max(at - 1, timeline.first()));
         const std::int64_t begin = block.first == timeline.first() ? block.first : block.first + 1;
-        blocks.push_back({&run_.record(part.branch).course(), &block, std::max(begin, part.first),
+        blocks.push_back({&run_.record(part.branch).setup(), &block, std::max(begin, part.first),
                           std::min(block.last(), part.last)});
         at = backwards ? blocks.back().first - 1 : blocks.back().last + 1;
     }

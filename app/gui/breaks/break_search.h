@@ -29,20 +29,20 @@ struct Question {
     KnownVerdicts known = {};      ///< what the search finds out is added
 };
 
-/// Looks through the shown branch's course for where questions hold, without going there, and so far as has been
-/// simulated. What is already known is not computed again; the rest is, block after block, on all cores.
+/// Looks through the shown branch and those that it came from for where questions hold, without going there, and so far
+/// as has been simulated. What is already known is not computed again; the rest is, block after block, on all cores.
 class BreakSearch {
 public:
     BreakSearch(const TimeTravel& run, BlockJudge& judge) : run_(run), judge_(judge), parts_(run.parts()) {}
 
-    /// Told which share is done; false: it is to end.
+    /// Called with the share that is done; false: it is to end.
     using Progress = std::function<bool(double share)>;
     struct Found {
         std::size_t question = 0;  ///< its place among those asked
         std::int64_t tick = 0;
         bool failed = false;  ///< it could not be answered there
     };
-    /// Nothing: it holds nowhere, or the search was ended.
+    /// nullopt: it holds nowhere, or the search was ended.
     using Answer = Expected<std::optional<Found>>;
 
     /// Where one of them last held before a tick: where it holds in the tick before, that stretch's beginning,
@@ -53,11 +53,11 @@ public:
     /// earlier than `rival`.
     Answer after(std::int64_t tick, const std::vector<Question*>& questions, const Progress& progress,
                  std::optional<std::int64_t> rival = {});
-    /// Asks some blocks of which not all is known, from the course's start on; whether there are more.
+    /// Asks some blocks of which not all is known, from the first tick on; whether there are more.
     Expected<bool> learn(const std::vector<Question*>& questions);
 
-    /// The ticks at which a stretch begins in which it holds, as far as is known. What holds at the course's first tick
-    /// begins there.
+    /// The ticks at which a stretch begins in which it holds, as far as is known. What holds at the first tick begins
+    /// there.
     std::vector<std::int64_t> beginnings(const Question& question) const;
     /// How many there are up to a tick.
     std::int64_t beginningsUpTo(const Question& question, std::int64_t tick) const;

@@ -110,29 +110,29 @@ bool isSameTruth(const RealityPointer& a, const RealityPointer& b) {
                                           });
 }
 
-Expected<void> checkBreakHere(std::string_view text, const Course& course, const RealityPointer& reality) {
-    return checkIn(*course.scenario, text, reality);
+Expected<void> checkBreakHere(std::string_view text, const BranchSetup& setup, const RealityPointer& reality) {
+    return checkIn(*setup.scenario, text, reality);
 }
 
-Expected<void> checkBreakText(std::string_view text, const Course& course, const RealityPointer& reality) {
-    auto here = checkBreakHere(text, course, reality);
-    if (here || reality == nullptr || reality->everybody == nullptr) return here;
-    return checkIn(*reality->everybody, text, reality);
+Expected<void> checkBreakText(std::string_view text, const BranchSetup& setup, const RealityPointer& reality) {
+    auto here = checkBreakHere(text, setup, reality);
+    if (here || reality == nullptr || reality->allRobots == nullptr) return here;
+    return checkIn(*reality->allRobots, text, reality);
 }
 
-bool isMeant(const BreakText& text, const TimelineMark& mark, const Course& course) {
+bool isMeant(const BreakText& text, const TimelineMark& mark, const BranchSetup& setup) {
     if (text.kind == BreakKind::condition || text.kind == BreakKind::divergence || mark.kind != markOf(text.kind))
         return false;
     if (text.name.empty()) return true;
-    const std::vector<Goal>& goals = course.scene().environment.goals;
+    const std::vector<Goal>& goals = setup.scene().environment.goals;
     if (text.kind == BreakKind::goal) return mark.other < goals.size() && goals[mark.other].name == text.name;
-    const Scene& scene = course.scene();
+    const Scene& scene = setup.scene();
     return bodyName(mark.body, scene) == text.name ||
            (text.kind == BreakKind::contact && bodyName(mark.other, scene) == text.name);
 }
 
-std::string textOf(const TimelineMark& mark, const Course& course) {
-    const Scene& scene = course.scene();
+std::string textOf(const TimelineMark& mark, const BranchSetup& setup) {
+    const Scene& scene = setup.scene();
     const std::string body = bodyName(mark.body, scene);
     switch (mark.kind) {
         case MarkKind::contact:

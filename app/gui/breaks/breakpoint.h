@@ -7,7 +7,7 @@
 
 #include "comparison/reality.h"
 #include "io/error.h"
-#include "travel/course.h"
+#include "travel/branch_setup.h"
 #include "widgets/timeline_mark.h"
 
 namespace mrose::gui {
@@ -37,20 +37,20 @@ BreakText readBreakText(std::string_view text);
 
 /// What conditions ask of the real log; null: none is open.
 using RealityPointer = std::shared_ptr<const Reality>;
-/// Whether both tell the same of the same robots, whatever models they have.
+/// Whether both hold the same real robots, whatever models they have.
 bool isSameTruth(const RealityPointer& a, const RealityPointer& b);
 
-/// Error: a condition that does not compile, a body or goal that the course does not have. Who is in the real log, but
-/// not in this course, may be in others: Reality::everybody knows them.
-Expected<void> checkBreakText(std::string_view text, const Course& course, const RealityPointer& reality);
+/// Error: a condition that does not compile, a body or goal that the scenario does not have. A robot of the real log
+/// that is not in this rollout may be in others: Reality::allRobots knows them.
+Expected<void> checkBreakText(std::string_view text, const BranchSetup& setup, const RealityPointer& reality);
 
-/// The same of this course alone.
-Expected<void> checkBreakHere(std::string_view text, const Course& course, const RealityPointer& reality);
+/// The same of this rollout alone.
+Expected<void> checkBreakHere(std::string_view text, const BranchSetup& setup, const RealityPointer& reality);
 
-/// Whether a mark of the course is what such a breakpoint waits for.
-bool isMeant(const BreakText& text, const TimelineMark& mark, const Course& course);
+/// Whether a mark of the timeline is what such a breakpoint waits for.
+bool isMeant(const BreakText& text, const TimelineMark& mark, const BranchSetup& setup);
 
-/// "red 1 touches ball": what a mark that stopped the run tells.
-std::string textOf(const TimelineMark& mark, const Course& course);
+/// "red 1 touches ball": a mark that stopped the run, in words.
+std::string textOf(const TimelineMark& mark, const BranchSetup& setup);
 
 }  // namespace mrose::gui

@@ -14,11 +14,11 @@ bool isEvent(BreakKind kind) { return kind != BreakKind::condition && kind != Br
 
 std::string clockAt(const TimeTravel& run) {
     char text[40];
-    std::snprintf(text, sizeof text, "%.2f s", toSeconds(run.course().scene().timeOf(run.tick())));
+    std::snprintf(text, sizeof text, "%.2f s", toSeconds(run.setup().scene().timeOf(run.tick())));
     return text;
 }
 
-/// What happened at a tick of the shown course. What a branch begins with has come about in the one before.
+/// What happened at a tick of the shown branch. What a branch begins with has come about in the one before.
 std::vector<TimelineMark> marksAt(const TimeTravel& run, std::int64_t tick) {
     std::vector<TimelineMark> marks;
     for (const TimeTravel::Part& part : run.parts()) {
@@ -119,7 +119,7 @@ void Breakpoints::setDivergence(DivergenceQuestion diverged) {
     ++version_;
 }
 
-void Breakpoints::setMetElsewhere(MetElsewhere met) { elsewhere_ = std::move(met); }
+void Breakpoints::setHitsInOtherRuns(HitsInOtherRuns met) { elsewhere_ = std::move(met); }
 
 void Breakpoints::forgetAnswers() {
     questions_.clear();
@@ -140,7 +140,7 @@ Breakpoint* Breakpoints::find(std::uint32_t id) {
     return found == breakpoints_.end() ? nullptr : &*found;
 }
 
-/// Whether it holds is asked at every tick, instead of being told by the run's marks.
+/// Whether it holds is asked at every tick, instead of being read from the run's marks.
 bool Breakpoints::asks(const Breakpoint& breakpoint) const {
     const BreakKind kind = readBreakText(breakpoint.text).kind;
     return breakpoint.enabled && (kind == BreakKind::condition || (kind == BreakKind::divergence && canDiverge()));
@@ -170,18 +170,18 @@ std::vector<Question*> Breakpoints::questions(std::vector<std::uint32_t>* ids) {
 }
 
 Expected<Condition>& Breakpoints::compiled(const TimeTravel& run, const std::string& text) {
-    const std::pair key(&run.course(), text);
+    const std::pair key(&run.setup(), text);
     const auto known = compiled_.find(key);
     if (known != compiled_.end()) return known->second;
     if (compiled_.size() >= mostCompiled) compiled_.clear();
-    auto condition = compileCondition(text, *run.course().scenario, "condition", run.reality().get());
+    auto condition = compileCondition(text, *run.setup().scenario, "condition", run.reality().get());
     return compiled_.emplace(key, std::move(condition)).first->second;
 }
 
-/// Of a text that does not fit the shown course.
+/// Of a text that does not fit the shown branch.
 bool Breakpoints::fitsElsewhere(const TimeTravel& run, const std::string& text) {
     const auto [known, isNew] = fitElsewhere_.try_emplace(text);
-    if (isNew) known->second = checkBreakText(text, run.course(), run.reality()).has_value();
+    if (isNew) known->second = checkBreakText(text, run.setup(), run.reality()).has_value();
     return known->second;
 }
 
@@ -199,7 +199,7 @@ void Breakpoints::leave(const TimeTravel& run) {
     }
 }
 
-/// Whether one that begins to hold at a tick has done so as often as it is to; nothing: the search was ended.
+/// Whether one that begins to hold at a tick has done so as often as it is to; nullopt: the search was ended.
 Expected<std::optional<bool>> Breakpoints::oftenEnough(const TimeTravel& run, const Breakpoint& breakpoint,
                                                        std::int64_t tick, const Progress& progress) {
     const std::int64_t asked = breakpoint.from - metBefore(breakpoint);
@@ -224,7 +224,7 @@ Expected<std::optional<bool>> Breakpoints::meets(TimeTravel& run, const Breakpoi
     }
     const BreakText text = readBreakText(breakpoint.text);
     if (!isEvent(text.kind)) return false;
-    const auto meant = [&](const TimelineMark& mark) { return isMeant(text, mark, run.course()); };
+    const auto meant = [&](const TimelineMark& mark) { return isMeant(text, mark, run.setup()); };
     const std::vector<TimelineMark> here = marksAt(run, tick);
     if (std::none_of(here.begin(), here.end(), meant)) return false;
     const std::int64_t asked = breakpoint.from - metBefore(breakpoint);
@@ -270,7 +270,7 @@ Breakpoints::Answer Breakpoints::lastOfAll(TimeTravel& run, std::int64_t before,
         const BreakText text = readBreakText(breakpoint.text);
         if (!breakpoint.enabled || !isEvent(text.kind)) continue;
         const auto met = std::find_if(marks.rbegin(), marks.rend(), [&](const TimelineMark& mark) {
-            return mark.tick < before && isMeant(text, mark, run.course());
+            return mark.tick < before && isMeant(text, mark, run.setup());
         });
         if (met == marks.rend() || met->tick < stop.tick) continue;
         if (met->tick > stop.tick) stop.ids.clear();
@@ -294,7 +294,7 @@ Breakpoints::Answer Breakpoints::lastOfAll(TimeTravel& run, std::int64_t before,
     return stop;
 }
 
-/// The conditions that stop at a tick as arrive() would. Nothing: none, or the search was ended.
+/// The conditions that stop at a tick as arrive() would. nullopt: none, or the search was ended.
 Expected<std::optional<Breakpoints::Stop>> Breakpoints::conditionsAt(TimeTravel& run, std::int64_t tick,
                                                                      const Progress& progress) {
     Stop stop{tick};
@@ -323,7 +323,7 @@ Breakpoints::Answer Breakpoints::ahead(TimeTravel& run, const Progress& progress
         if (!breakpoint.enabled || !isEvent(text.kind)) continue;
         std::int64_t count = metBefore(breakpoint);
         const auto met = std::find_if(marks.begin(), marks.end(), [&](const TimelineMark& mark) {
-            return isMeant(text, mark, run.course()) && ++count >= breakpoint.from && mark.tick > run.tick();
+            return isMeant(text, mark, run.setup()) && ++count >= breakpoint.from && mark.tick > run.tick();
         });
         if (met == marks.end() || met->tick > std::min(stop.tick, until)) continue;
         if (met->tick < stop.tick) stop.ids.clear();
@@ -352,7 +352,7 @@ Breakpoints::Answer Breakpoints::last(const BreakWish& wish, TimeTravel& run, st
                                       const Progress& progress) {
     const std::string& text = wish.text;
     if (text.empty()) return lastOfAll(run, before, progress);
-    if (auto fits = checkBreakText(text, run.course(), run.reality()); !fits) return tl::unexpected(fits.error());
+    if (auto fits = checkBreakText(text, run.setup(), run.reality()); !fits) return tl::unexpected(fits.error());
     // As if it were the only one; what is known of one of the same text is of use.
     Breakpoints alone;
     alone.breakpoints_.clear();
@@ -378,11 +378,11 @@ std::string Breakpoints::reasonOf(const TimeTravel& run, const std::string& wait
     const BreakText text = readBreakText(waitsFor);
     if (text.kind == BreakKind::condition) return std::string(text.name);
     if (text.kind == BreakKind::divergence)
-        return diverged_.who ? diverged_.who(run, run.owner(), run.tick()) : "a robot leaves the real course";
+        return diverged_.who ? diverged_.who(run, run.owner(), run.tick()) : "a robot leaves the real trajectory";
     if (text.kind == BreakKind::breakHere && text.name.empty() && !run.breakReason().empty()) return run.breakReason();
     std::string reason;
     for (const TimelineMark& mark : marksAt(run, run.tick()))
-        if (isMeant(text, mark, run.course())) join(reason, textOf(mark, run.course()), ", ");
+        if (isMeant(text, mark, run.setup())) join(reason, textOf(mark, run.setup()), ", ");
     return reason;
 }
 
@@ -448,13 +448,13 @@ std::vector<BreakpointState> Breakpoints::states(const TimeTravel& run, const st
                 state.unfit = wrongWith(condition.error());
         } else if (text.kind == BreakKind::divergence && !canDiverge()) {
             state.unfit = "no real log is laid over the run yet";
-        } else if (const auto fits = checkBreakHere(breakpoint.text, run.course(), run.reality()); !fits) {
+        } else if (const auto fits = checkBreakHere(breakpoint.text, run.setup(), run.reality()); !fits) {
             state.unfit = fits.error().cause;
         }
         state.elsewhere = !state.unfit.empty() && fitsElsewhere(run, breakpoint.text);
         if (isEvent(text.kind)) {
             for (const TimelineMark& mark : happened) {
-                if (!isMeant(text, mark, run.course())) continue;
+                if (!isMeant(text, mark, run.setup())) continue;
                 ++state.inRun;
                 if (mark.tick <= run.tick()) ++state.hits;
                 state.here = state.here || mark.tick == run.tick();

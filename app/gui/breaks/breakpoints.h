@@ -12,11 +12,11 @@
 namespace mrose::gui {
 
 /// How often breakpoints were met in the runs that go before this one and that follow it, by their texts.
-struct MetElsewhere {
+struct HitsInOtherRuns {
     std::map<std::string, std::int64_t> before, after;
 };
 
-/// A breakpoint and what is known of it in the shown branch's course.
+/// A breakpoint and what is known of it in the shown branch.
 struct BreakpointState {
     Breakpoint breakpoint;
     std::int64_t hits = 0;   ///< how often it has been met up to the shown tick, with what was before this run
@@ -24,8 +24,8 @@ struct BreakpointState {
     std::int64_t inRun = 0;  ///< of that, in this run
     bool known = false;      ///< all of that has been looked at
     bool here = false;       ///< it holds at the shown tick
-    std::string unfit;       ///< why it cannot hold in this course; empty: it can
-    bool elsewhere = false;  ///< who is missing here is in other courses of the log
+    std::string unfit;       ///< why it cannot hold in this scenario; empty: it can
+    bool elsewhere = false;  ///< the missing robot is in other rollouts of the log
 };
 
 /// Which break is looked for.
@@ -60,12 +60,12 @@ public:
     void setDivergence(DivergenceQuestion diverged);
     bool canDiverge() const { return diverged_.holds != nullptr; }
 
-    /// This run is one of several that follow each other: who counts goes on from those before.
-    void setMetElsewhere(MetElsewhere met);
+    /// This run is one of several that follow each other: counts go on from those before.
+    void setHitsInOtherRuns(HitsInOtherRuns met);
     /// Another real log lies beside the run, or none any more: what conditions gave is no longer true.
     void forgetAnswers();
 
-    /// Before playing goes on from the shown tick: who holds there begins nothing in the next.
+    /// Before playing goes on from the shown tick: what holds there does not begin to hold in the next.
     void leave(const TimeTravel& run);
     /// A place to go to, and what is to be said there once it is shown.
     struct Stop {
@@ -77,7 +77,7 @@ public:
     };
     using Answer = Expected<std::optional<Stop>>;
     using Progress = BreakSearch::Progress;
-    /// Why playing is to stop at a tick; nothing: it is not, or that was not found out (`known`) when it was to end.
+    /// Why playing is to stop at a tick; nullopt: it is not, or that was not found out (`known`) when it was to end.
     struct Arrival {
         std::optional<std::string> why = {};
         bool known = true;
@@ -89,13 +89,14 @@ public:
     Answer last(const BreakWish& wish, TimeTravel& run, std::int64_t before, const Progress& progress);
     /// Where one of them stops next, in what has been simulated; up to a tick, if one is given.
     Answer ahead(TimeTravel& run, const Progress& progress, std::optional<std::int64_t> upTo = {});
-    /// The run stands at a stop: what is to be said there. Who is to stop only once, or failed, is disabled.
+    /// The run stands at a stop: what is to be said there. A breakpoint that is to stop only once, or failed, is
+    /// disabled.
     std::string stopped(const TimeTravel& run, const Stop& stop);
 
-    /// Looks at some more ticks of the shown course; whether there are more to look at.
+    /// Looks at some more ticks of the shown branch; whether there are more to look at.
     Expected<bool> learn(const TimeTravel& run);
 
-    /// Where conditions and divergence are met in the shown course, in the order of time.
+    /// Where conditions and divergence are met in the shown branch, in the order of time.
     std::vector<TimelineMark> marks(const TimeTravel& run) const;
     /// `happened` are the run's own marks.
     std::vector<BreakpointState> states(const TimeTravel& run, const std::vector<TimelineMark>& happened);
@@ -103,7 +104,7 @@ public:
     std::uint64_t version() const { return version_; }
 
 private:
-    using Compiled = std::map<std::pair<const Course*, std::string>, Expected<Condition>>;
+    using Compiled = std::map<std::pair<const BranchSetup*, std::string>, Expected<Condition>>;
 
     Answer lastOfAll(TimeTravel& run, std::int64_t before, const Progress& progress);
     Breakpoint* find(std::uint32_t id);
@@ -115,7 +116,7 @@ private:
     bool fitsElsewhere(const TimeTravel& run, const std::string& text);
     std::int64_t metBefore(const Breakpoint& breakpoint) const;
     Expected<bool> answer(const TimeTravel& run, const Question& question);
-    /// At the shown tick, and that often enough; nothing: the search was ended.
+    /// At the shown tick, and that often enough; nullopt: the search was ended.
     Expected<std::optional<bool>> meets(TimeTravel& run, const Breakpoint& breakpoint, const Progress& progress);
     Expected<std::optional<Stop>> conditionsAt(TimeTravel& run, std::int64_t tick, const Progress& progress);
     Expected<std::optional<bool>> oftenEnough(const TimeTravel& run, const Breakpoint& breakpoint, std::int64_t tick,
@@ -126,10 +127,10 @@ private:
     std::uint32_t nextId_ = 1;
     std::map<std::uint32_t, Question> questions_;  ///< of breakpoints that ask, by their number
     DivergenceQuestion diverged_;
-    MetElsewhere elsewhere_;
+    HitsInOtherRuns elsewhere_;
     std::unique_ptr<BlockJudge> judge_;
     Compiled compiled_;
-    std::map<std::string, bool> fitElsewhere_;  ///< texts that do not fit the shown course
+    std::map<std::string, bool> fitElsewhere_;  ///< texts that do not fit the shown branch
     std::uint64_t version_ = 0;
 };
 

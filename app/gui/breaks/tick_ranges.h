@@ -20,7 +20,7 @@ public:
     bool contains(std::int64_t tick) const { return rangeOf(tick) != nullptr; }
     /// The range that a tick lies in; nullptr: in none.
     const Range* rangeOf(std::int64_t tick) const;
-    /// The last of its ticks up to `tick`, the first from it on; nothing: there is none.
+    /// The last of its ticks up to `tick`, the first from it on; nullopt: there is none.
     std::optional<std::int64_t> lastUpTo(std::int64_t tick) const;
     std::optional<std::int64_t> firstFrom(std::int64_t tick) const;
     /// Ascending; two of them have a tick between them that is in none.

@@ -20,7 +20,7 @@ void openOutside(const QString& path) {
 
 }  // namespace
 
-void tellExported(MainWindow& window, const QString& path) {
+void reportExported(MainWindow& window, const QString& path) {
     std::vector<MessageBar::Button> buttons;
     buttons.push_back(
         {QObject::tr("Open"), QObject::tr("Open it with the program for such files"), [path] { openOutside(path); }});
@@ -44,7 +44,7 @@ Expected<void> exportInBackground(MainWindow& window, const ExportText& text, Ba
             window.messages().add(
                 {MessageBar::Kind::error, QString::fromStdString(outcome.error().message()), exportTopic});
         else if (*outcome)
-            tellExported(window, path);
+            reportExported(window, path);
         else
             window.messages().add({MessageBar::Kind::note, QObject::tr("Not exported: cancelled"), exportTopic});
     };

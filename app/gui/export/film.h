@@ -19,7 +19,7 @@ Expected<void> checkFilm(const QString& path);
 /// is whole. Of one thread.
 class Film final : public FrameSink {
 public:
-    /// Frames of this size, even in both directions. Nobody waits for ffmpeg when `goesOn` says no more. Error: as
+    /// Frames of this size, even in both directions. It does not wait for ffmpeg once `goesOn` says no more. Error: as
     /// checkFilm(); ffmpeg cannot be started.
     static Expected<std::unique_ptr<FrameSink>> begin(const QString& path, const QSize& size, double framesPerSecond,
                                                       std::function<bool()> goesOn);

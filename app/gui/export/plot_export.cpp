@@ -14,7 +14,7 @@
 #include "export/view_export.h"
 #include "io/file.h"
 #include "panels/plot_panel.h"
-#include "session/course_walk.h"
+#include "session/lineage_walk.h"
 #include "widgets/timeline_bar.h"
 #include "window/main_window.h"
 
@@ -70,7 +70,7 @@ std::vector<LegendEntry> legendOf(const std::vector<PlotCurve>& curves, const QS
 void addReferences(std::vector<LegendEntry>& legend, const PlotPanel& plots, const Theme& theme) {
     const QColor colour = TimelineBar::colourOf(TimelineMark::Kind::divergence, theme);
     if (!plots.levels().empty()) legend.push_back({QObject::tr("bound"), QPen(colour, 1, Qt::DashLine)});
-    if (plots.view().instant()) legend.push_back({QObject::tr("upright: leaves the real course"), QPen(colour, 1)});
+    if (plots.view().instant()) legend.push_back({QObject::tr("upright: leaves the real trajectory"), QPen(colour, 1)});
 }
 
 /// What was driven, and by whom if it is one.
@@ -155,8 +155,8 @@ Expected<void> checkPlotted(MainWindow& window) {
     return {};
 }
 
-/// A course whose numbers are written.
-struct CourseColumns {
+/// A branch whose numbers are written, with those that it came from.
+struct LineageColumns {
     std::uint32_t branch = 0;
     QString label = {};      ///< behind the curves' names
     std::int64_t first = 0;  ///< tick of the first row
@@ -174,22 +174,22 @@ struct ValueTable {
     std::uint64_t run = 0;
     std::vector<ValueKey> keys;
     std::vector<QString> names;  ///< with units
-    std::vector<CourseColumns> courses;
+    std::vector<LineageColumns> lineages;
     Nanoseconds tickLength = 0;
-    std::vector<QVector<QPointF>> ahead;  ///< PlotCurve::ahead of each of the first course's columns
+    std::vector<QVector<QPointF>> ahead;  ///< PlotCurve::ahead of each of the shown branch's columns
     std::vector<PlotLevel> levels;        ///< what some of them are held against
     std::optional<std::int64_t> instant;  ///< at which they left that
 };
 
-/// Reads all values of a course, tick by tick.
+/// Reads all values of a branch, tick by tick.
 class ValueReader {
 public:
-    ValueReader(const ValueTable& table, CourseColumns& course) : table_(table), course_(course) {
-        course.columns.resize(table.keys.size());
+    ValueReader(const ValueTable& table, LineageColumns& lineage) : table_(table), lineage_(lineage) {
+        lineage.columns.resize(table.keys.size());
     }
 
     void read(const TimeTravel& travel, const Cursor& at) {
-        const Scenario& scenario = *travel.record(at.branch()).course().scenario;
+        const Scenario& scenario = *travel.record(at.branch()).setup().scenario;
         if (scenario_ != &scenario) {
             scenario_ = &scenario;
             values_.clear();
@@ -198,13 +198,13 @@ public:
         }
         const Moment moment = at.moment(scenario, travel.reality().get());
         for (std::size_t i = 0; i < values_.size(); ++i)
-            course_.columns[i].push_back(values_[i].read ? values_[i].read(moment)
-                                                         : std::numeric_limits<double>::quiet_NaN());
+            lineage_.columns[i].push_back(values_[i].read ? values_[i].read(moment)
+                                                          : std::numeric_limits<double>::quiet_NaN());
     }
 
 private:
     const ValueTable& table_;
-    CourseColumns& course_;
+    LineageColumns& lineage_;
     const Scenario* scenario_ = nullptr;
     std::vector<PlottedValue> values_;
 };
@@ -213,15 +213,15 @@ private:
 class TableRow {
 public:
     TableRow(const ValueTable& table, std::int64_t tick)
-        : table_(table), tick_(tick), ahead_(tick >= table.courses.front().end()) {}
+        : table_(table), tick_(tick), ahead_(tick >= table.lineages.front().end()) {}
 
     std::string text(bool foresees) const {
         std::string text = secondsText(tick_ * table_.tickLength, 2) + ',' + std::to_string(tick_);
         const auto add = [&](double number) { text += std::isfinite(number) ? ',' + exact(number) : ","; };
-        for (const CourseColumns& course : table_.courses)
-            for (std::size_t column = 0; column < course.columns.size(); ++column)
-                add(ahead_ && &course == &table_.courses.front() ? foreseen(table_.ahead[column])
-                                                                 : course.at(column, tick_));
+        for (const LineageColumns& lineage : table_.lineages)
+            for (std::size_t column = 0; column < lineage.columns.size(); ++column)
+                add(ahead_ && &lineage == &table_.lineages.front() ? foreseen(table_.ahead[column])
+                                                                   : lineage.at(column, tick_));
         for (const PlotLevel& level : table_.levels) add(levelAt(level, static_cast<double>(tick_)));
         if (table_.instant) text += tick_ == *table_.instant ? ",1" : ",0";
         if (foresees) text += ahead_ ? ",1" : ",0";
@@ -245,15 +245,15 @@ private:
 std::string tableText(const ValueTable& table) {
     std::string text = "time_s,tick";
     std::int64_t first = std::numeric_limits<std::int64_t>::max(), end = std::numeric_limits<std::int64_t>::min();
-    for (const CourseColumns& course : table.courses) {
-        for (const QString& name : table.names) text += ',' + csvCell((name + course.label).toStdString());
-        first = std::min(first, course.first);
-        end = std::max(end, course.end());
+    for (const LineageColumns& lineage : table.lineages) {
+        for (const QString& name : table.names) text += ',' + csvCell((name + lineage.label).toStdString());
+        first = std::min(first, lineage.first);
+        end = std::max(end, lineage.end());
     }
     std::set<std::int64_t> ahead;
     for (const QVector<QPointF>& points : table.ahead)
         for (const QPointF& point : points)
-            if (std::isfinite(point.y()) && point.x() >= static_cast<double>(table.courses.front().end()))
+            if (std::isfinite(point.y()) && point.x() >= static_cast<double>(table.lineages.front().end()))
                 ahead.insert(std::llround(point.x()));
     for (const PlotLevel& level : table.levels) text += ',' + csvCell("bound (" + level.unit.toStdString() + ')');
     if (table.instant) text += ",leaves the real course";
@@ -268,18 +268,18 @@ std::string tableText(const ValueTable& table) {
 Outcome writeValues(ValueTable table, Session& session, const std::string& path, const Progress& progress) {
     double share = 0;
     const auto goesOn = [&] { return progress(share); };
-    const double part = 1.0 / static_cast<double>(table.courses.size());
-    for (std::size_t i = 0; i < table.courses.size(); ++i) {
-        CourseColumns& course = table.courses[i];
-        CourseWalk walk(session, table.run, course.branch);
+    const double part = 1.0 / static_cast<double>(table.lineages.size());
+    for (std::size_t i = 0; i < table.lineages.size(); ++i) {
+        LineageColumns& lineage = table.lineages[i];
+        LineageWalk walk(session, table.run, lineage.branch);
         const auto span = walk.known(goesOn);
         if (!span) return tl::unexpected(span.error());
         if (!*span) return false;
         const std::int64_t first = (*span)->first;
-        course.first = first;
+        lineage.first = first;
         std::vector<std::int64_t> ticks(static_cast<std::size_t>((*span)->last - first + 1));
         std::iota(ticks.begin(), ticks.end(), first);
-        ValueReader reader(table, course);
+        ValueReader reader(table, lineage);
         const auto visit = [&](const TimeTravel& travel, const Cursor& at) {
             reader.read(travel, at);
             share = part * (static_cast<double>(i) +
@@ -340,9 +340,9 @@ Expected<void> exportValues(MainWindow& window, const QString& path) {
         if (!curve.ghost) table.ahead.push_back(curve.ahead);
     table.levels = window.plots().levels();
     table.instant = window.plots().view().instant();
-    table.courses.push_back({shown.branch});
+    table.lineages.push_back({shown.branch});
     if (const auto ghost = window.plots().ghostBranch())
-        table.courses.push_back({*ghost, " [" + window.plots().ghostName() + ']'});
+        table.lineages.push_back({*ghost, " [" + window.plots().ghostName() + ']'});
     return exportInBackground(window, {QObject::tr("Exporting %1").arg(path), path},
                               [table = std::move(table), &session = window.session(), file](const Progress& progress) {
                                   return writeValues(table, session, file, progress);

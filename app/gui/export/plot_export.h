@@ -15,8 +15,8 @@ Expected<void> exportPlots(MainWindow& window, const QString& path);
 /// All numbers of what is plotted, a row for each tick that is known of the shown branch or the one beside: time_s,
 /// tick, then a column for each curve with its unit, exactly as they were computed. Cells of what is unknown are empty.
 /// Where curves go on ahead of what is simulated, so do the rows, one for each instant at which a number was compared:
-/// "ahead" is 1 there. What the curves are held against, as it is drawn: "bound (UNIT)", and "leaves the real course",
-/// 1 at that instant.
+/// "ahead" is 1 there. What the curves are held against, as it is drawn: "bound (UNIT)", and "leaves the real
+/// trajectory", 1 at that instant.
 Expected<void> exportValues(MainWindow& window, const QString& path);
 
 }  // namespace mrose::gui

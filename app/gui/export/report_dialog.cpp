@@ -56,7 +56,7 @@ QString networkFile(const OverlayModel& model) {
 
 QString shortest(double number) { return QString::number(number, 'g', QLocale::FloatingPointShortest); }
 
-/// Where the simulated robots start, and when they have left the real course.
+/// Where the simulated robots start, and when they have left the real trajectory.
 void addPlan(std::map<QString, QString>& lines, const Overlay& overlay) {
     using Cut = OverlayPlan::Cut;
     const OverlayPlan& plan = overlay.plan();
@@ -92,7 +92,7 @@ std::map<QString, QString> linesOf(const Overlay& overlay) {
     return lines;
 }
 
-/// All but what somebody has written.
+/// All but what was written by hand.
 void fillIn(const MainWindow& window, const ReportDialog& dialog) {
     for (const auto& [name, text] : linesOf(window.overlay()))
         if (auto* line = dialog.findChild<QLineEdit*>(name); line != nullptr && !line->isModified())
@@ -274,7 +274,7 @@ Expected<ComparisonReport> comparisonIn(const ReportDialog& dialog, const Overla
         asked.number = *number;
     }
     if (!what.scenario.empty() && !what.robotFile.empty())
-        return fail("", "a scenario tells what drove: leave out the robot file, or the scenario");
+        return fail("", "a scenario says what drove: leave out the robot file, or the scenario");
     if (!what.windows.empty() && (start || what.every))
         return fail("", "windows begin where they are: leave out where to begin and how often");
     what.start = start.value_or(0);
@@ -288,7 +288,7 @@ Expected<ComparisonReport> comparisonIn(const ReportDialog& dialog, const Overla
 ReportDialog* showReportDialog(MainWindow& window) {
     if (auto* dialog = shownAgain(window, "report_dialog")) return dialog;
     auto* dialog = new ReportDialog(window, QObject::tr("Report of a log and a network"),
-                                    QObject::tr("How well a network foretells what the robots of a log did, as "
+                                    QObject::tr("How well a network predicts what the robots of a log did, as "
                                                 "`mrose evaluate` says it."));
     dialog->setObjectName("report_dialog");
     using Kind = ReportDialog::Kind;
@@ -298,7 +298,7 @@ ReportDialog* showReportDialog(MainWindow& window) {
     const auto* against = dialog->addWords("against", QObject::tr("&Beside it"),
                                            QObject::tr("Other networks, with commas between them; or nothing"));
     const auto* robots =
-        dialog->addWords("robots", QObject::tr("Ro&bots"), QObject::tr("Of the log, as 1,2; nothing: all"));
+        dialog->addWords("robots", QObject::tr("Ro&bots"), QObject::tr("Of the log, as 1,2; empty: all"));
     const auto* folder = addFolder(*dialog);
     dialog->setAction([=, &window]() -> Expected<void> {
         if (auto all = needed({{log, "a log"}, {network, "a network"}, {folder, "a folder"}}); !all) return all;
@@ -318,25 +318,25 @@ ReportDialog* showComparisonDialog(MainWindow& window) {
     dialog->setObjectName("comparison_dialog");
     using Kind = ReportDialog::Kind;
     dialog->addPath("scenario", QObject::tr("&Scenario"), Kind::file, QObject::tr("Scenarios (*.toml);;All files (*)"),
-                    QObject::tr("One whose robots play a log; nothing: one that is made for the log"));
+                    QObject::tr("One whose robots play a log; empty: one that is made for the log"));
     const auto* log = addLog(*dialog);
     dialog->addPath("robot", QObject::tr("Robo&t file"), Kind::file, QObject::tr("Robots (*.toml);;All files (*)"),
-                    QObject::tr("What drove, where the log does not tell"));
-    dialog->addWords("robots", QObject::tr("Ro&bots"), QObject::tr("Of the log, as 1,2; nothing: all that are played"));
+                    QObject::tr("What drove, where the log does not say it"));
+    dialog->addWords("robots", QObject::tr("Ro&bots"), QObject::tr("Of the log, as 1,2; empty: all that are played"));
     dialog->addNumbers(
         QObject::tr("Again &every"),
         {{"every", QObject::tr("once"), QObject::tr("s, from"),
-          QObject::tr("s, from the real robots; nothing: one course")},
+          QObject::tr("s, from the real robots; empty: one rollout")},
          {"start", "0", QObject::tr("s on, for"), QObject::tr("s after the log's start, where to begin")},
          {"duration", QObject::tr("end"), QObject::tr("s"),
-          QObject::tr("s, how long; nothing: to the log's end, or what the scenario says")}});
+          QObject::tr("s, how long; empty: to the log's end, or what the scenario says")}});
     dialog->addWords("windows", QObject::tr("W&indows"),
                      QObject::tr("Instead: all, as mrose evaluate cuts the log; or a CSV file"));
     dialog->addNumbers(QObject::tr("Bou&nd"),
                        {{"position", QObject::tr("held out"), QObject::tr("cm or"),
-                         QObject::tr("cm: farther off it has left the real course; nothing: as held out")},
+                         QObject::tr("cm: farther off it has left the real trajectory; empty: as held out")},
                         {"heading", QObject::tr("held out"), QString::fromUtf8("\u00b0"),
-                         QObject::tr("degrees: turned by more it has left the real course; nothing: as held out")}});
+                         QObject::tr("degrees: turned by more it has left the real trajectory; empty: as held out")}});
     dialog->addWords("models", QObject::tr("&Models"),
                      QObject::tr("Networks that may explain it, beside those that ship; or nothing"));
     const auto* folder = addFolder(*dialog);

@@ -10,7 +10,7 @@
 #include "export/frame_folder.h"
 #include "panels/plot_panel.h"
 #include "session/background_work.h"
-#include "session/course_walk.h"
+#include "session/lineage_walk.h"
 #include "widgets/field_view.h"
 #include "window/main_window.h"
 
@@ -23,7 +23,7 @@ constexpr auto shortPause = std::chrono::milliseconds(5);
 
 using Progress = BackgroundWork::Progress;
 using GoesOn = std::function<bool()>;
-/// A frame's picture; nothing where it is not to go on.
+/// A frame's picture; nullopt where it is not to go on.
 using FramePicture = std::optional<Expected<QImage>>;
 using FrameSource = std::function<FramePicture(std::int64_t tick, const GoesOn&)>;
 
@@ -70,7 +70,7 @@ struct SequenceJob {
 
 /// Paints the field beside the session and the window.
 FrameSource fieldSource(MainWindow& window, const SequenceJob& job) {
-    auto walk = std::make_shared<CourseWalk>(window.session(), job.run, job.branch);
+    auto walk = std::make_shared<LineageWalk>(window.session(), job.run, job.branch);
     auto picture = std::make_shared<FieldPicture>(window.field().picture());
     return [&session = window.session(), walk, picture, asked = job.asked, image = job.image](
                std::int64_t tick, const GoesOn& goesOn) -> FramePicture {
@@ -89,7 +89,7 @@ FrameSource fieldSource(MainWindow& window, const SequenceJob& job) {
 
 /// The window at a tick, once all of it is there.
 FrameSource windowSource(MainWindow& window, const SequenceJob& job) {
-    // Null: it is not there yet. Somebody else may be at work in the window, so that it is asked to go there again.
+    // Null: it is not there yet. The user may have moved it meanwhile, so that it is asked to go there again.
     const auto draw = [&window, run = job.run, branch = job.branch, asked = job.asked,
                        image = job.image](std::int64_t tick) {
         return [&window, run, branch, asked, image, tick]() -> Expected<QImage> {
@@ -123,7 +123,7 @@ FrameSource windowSource(MainWindow& window, const SequenceJob& job) {
 Expected<bool> writeSequence(const SequenceJob& job, Session& session, const Progress& progress) {
     double share = 0;
     const GoesOn goesOn = [&] { return progress(share); };
-    CourseWalk walk(session, job.run, job.branch);
+    LineageWalk walk(session, job.run, job.branch);
     if (auto known = walk.reach(job.ticks.back(), QObject::tr("Simulating what is to be exported"), goesOn);
         !known || !*known)
         return known;

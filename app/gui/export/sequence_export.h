@@ -15,7 +15,7 @@ class MainWindow;
 
 /// A stretch of time as pictures.
 struct SequenceSettings {
-    /// s of the run's clock, both shown. Nothing: all that is known of the shown branch; where that is but its
+    /// s of the run's clock, both shown. nullopt: all that is known of the shown branch; where that is but its
     /// beginning, as long as its scenario says.
     std::optional<double> from, to;
     double framesPerSecond = 25;  ///< of the film
@@ -31,8 +31,8 @@ Expected<std::vector<std::int64_t>> sequenceTicks(const SequenceSettings& settin
 /// Writes the shown branch's stretch as a folder of numbered PNG files, or as MP4 (film.h). Frames show exactly their
 /// ticks, as the window would that goes through them in this order; ticks that are not known yet are simulated. In the
 /// background: the field view is painted while the window does something else, the whole window goes through the
-/// stretch and comes back. What comes of it is told in the window; where nobody attends, this waits for it. Error: what
-/// is wrong from the start; where nobody attends, all errors.
+/// stretch and comes back. The outcome is reported in the window; unattended, this waits for it. Error: what is wrong
+/// from the start; unattended, all errors.
 Expected<void> exportFrames(MainWindow& window, const QString& folder, const SequenceSettings& settings = {});
 Expected<void> exportFilm(MainWindow& window, const QString& file, const SequenceSettings& settings = {});
 

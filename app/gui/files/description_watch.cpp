@@ -54,7 +54,7 @@ bool DescriptionWatch::watches(const std::string& file) const {
     });
 }
 
-/// The files, and their folders: a file that was replaced is another one, which the folder alone tells.
+/// The files, and their folders: a file that was replaced is another one, which only the folder shows.
 void DescriptionWatch::watchPlaces() {
     QStringList places;
     for (const auto& [file, content] : contents_) {
@@ -106,11 +106,11 @@ void DescriptionWatch::take(const Contents& now) {
         known = content;
     }
     watchPlaces();
-    tellGone();
+    reportGone();
     if (!files.empty()) emit changed(files);
 }
 
-void DescriptionWatch::tellGone() {
+void DescriptionWatch::reportGone() {
     std::vector<std::string> files;
     bool missed = false;
     for (const auto& [file, content] : contents_) {

@@ -30,11 +30,11 @@ public:
     /// False: nothing was under way.
     bool cancel();
     bool busy() const { return job_ != nullptr; }
-    /// Waits until what is under way is done, and has told; for scripts and tests.
+    /// Waits until what is under way is done and delivered; for scripts and tests.
     void settle();
 
 signals:
-    /// It takes long enough to be told: what is read now.
+    /// It takes long enough to be reported: what is read now.
     void progress(const QString& what);
     /// Done, or no more wanted.
     void ended();

@@ -137,11 +137,11 @@ Expected<void> WindowFiles::take(Expected<OpenRun> run, std::optional<double> at
     return at ? goTo(*run, *at) : Expected<void>{};
 }
 
-/// A recording has no more; a run can be simulated beyond the end that its scenario gives, where somebody may end that.
+/// A recording has no more; a run can be simulated beyond the end that its scenario gives, where the user can end that.
 Expected<void> WindowFiles::goTo(const OpenRun& run, double at) {
-    const Scene& scene = run.course->scene();
+    const Scene& scene = run.setup->scene();
     const std::int64_t end = run.recorded() ? run.branches.front().branch.timeline.last()
-                                            : scene.ticksOf(run.course->scenario->parts().duration);
+                                            : scene.ticksOf(run.setup->scenario->parts().duration);
     std::int64_t tick = scene.ticksOf(fromSeconds(at));
     if (tick > end && !run.recorded() && window_.actions().unattended())
         return fail(run.source.file, "lasts " + plainSeconds(scene.timeOf(end)) + " s, and not the " +
@@ -158,7 +158,7 @@ Expected<void> WindowFiles::goTo(const OpenRun& run, double at) {
     return {};
 }
 
-std::uint64_t WindowFiles::takeCourse(const OpenRun& run) { return show(run, run.source.log); }
+std::uint64_t WindowFiles::takeRollout(const OpenRun& run) { return show(run, run.source.log); }
 
 std::uint64_t WindowFiles::show(const OpenRun& run, const std::string& breakpointsOf) {
     opened_ = run.source;
@@ -274,10 +274,10 @@ Expected<void> WindowFiles::saveRecording(const QString& path, const std::functi
     const auto save = [this, path, then, result, commandLine, of = run_](TimeTravel& run,
                                                                          const Session::Progress& progress) {
         *result = saveRun(path.toStdString(), run, commandLine, progress);
-        const auto tell = [this, path, then, result, of, branches = run.branches().size()] {
+        const auto report = [this, path, then, result, of, branches = run.branches().size()] {
             if (saved(path, *result, of, branches) && then) then();
         };
-        QMetaObject::invokeMethod(this, tell, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(this, report, Qt::QueuedConnection);
         return QString();
     };
     window_.session().doLongWork(tr("Saving %1").arg(nameOf(path)), save, true);
@@ -305,7 +305,7 @@ void WindowFiles::sayNotSaved(const Error& error, const QString& action) {
            [this, action] { window_.actions()[action].trigger(); }}}});
 }
 
-/// Tells what became of it; whether it is saved.
+/// Reports what became of it; whether it is saved.
 bool WindowFiles::saved(const QString& path, const Expected<bool>& done, std::uint64_t run, std::size_t branches) {
     if (!done) return sayNotSaved(done.error(), "save_recording"), false;
     if (!*done) return messages_.add({Kind::note, tr("Not saved: cancelled"), "save"}), false;
@@ -319,11 +319,11 @@ Expected<void> WindowFiles::saveScenario(const QString& path) {
     if (auto other = checkNotRead(path); !other) return other;
     auto result = std::make_shared<Expected<void>>();
     const auto save = [this, path, result](TimeTravel& run, const Session::Progress&) {
-        const Course& course = run.course();
+        const BranchSetup& setup = run.setup();
         DiskDescriptions disk = openDescriptions();
-        *result = !course.value
+        *result = !setup.value
                       ? fail(path.toStdString(), "cannot be written: the run has no description")
-                      : saveStateAsScenario(path.toStdString(), *course.value, *course.scenario, run.state(), disk);
+                      : saveStateAsScenario(path.toStdString(), *setup.value, *setup.scenario, run.state(), disk);
         QMetaObject::invokeMethod(
             this, [this, path, result] { savedScenario(path, *result); }, Qt::QueuedConnection);
         return QString();
@@ -356,7 +356,7 @@ void WindowFiles::record(const QString& path, bool overwrite) {
 void WindowFiles::recordingChanged(const QString& path, const QString& error) {
     const QString before = std::exchange(recordedTo_, path);
     recordingError_ = error;
-    // Where nobody attends, who started it says so, and no window is left in which all of it is.
+    // Unattended, whoever started it reports it.
     if (!error.isEmpty() && window_.actions().unattended()) {
         if (!before.isEmpty()) recordingError_ += tr("; the run went on, and its recording ends there");
         return emit recordingTo(path);

@@ -37,10 +37,10 @@ public:
     /// The same, and waits: for scripts. `at` in seconds. Error: it is shown, too.
     Expected<void> openNow(const OpenRequest& request, std::optional<double> at = {});
     void drop(const QMimeData& what);
-    /// Tells a network to swap_model, or what is missing for it.
+    /// Passes a network to swap_model, or says what is missing for it.
     void offerNetwork(const QString& path);
-    /// A course of the log that is open: the window's run from now on. Its number, as Shown::run will have it.
-    std::uint64_t takeCourse(const OpenRun& run);
+    /// A rollout of the log that is open: the window's run from now on. Its number, as Shown::run will have it.
+    std::uint64_t takeRollout(const OpenRun& run);
     /// What is open, once more from its files: as a branch that goes up to the shown tick. Of a recording, what was
     /// written to it since.
     void reload(const QString& why);
@@ -53,8 +53,8 @@ public:
 
     /// The view as the extension says.
     Expected<void> savePicture(const QString& path);
-    /// The run with its branches, in the background; once it is saved, `then`. Where nobody attends, it waits. Error:
-    /// such a file must not be written; where nobody attends, all errors.
+    /// The run with its branches, in the background; once it is saved, `then`. Unattended, it waits. Error: such a file
+    /// must not be written; unattended, all errors.
     Expected<void> saveRecording(const QString& path, const std::function<void()>& then = {});
     /// The shown state as a scenario that goes on from there; otherwise as saveRecording().
     Expected<void> saveScenario(const QString& path);
@@ -118,7 +118,7 @@ private:
     std::size_t savedBranches_ = 1;
     QString network_;  ///< to be offered once a run is open
     QString recordedTo_, recordingError_;
-    QString changedMeanwhile_;  ///< why it is to be read again, told while it was being read
+    QString changedMeanwhile_;  ///< why it is to be read again, reported while it was being read
 };
 
 }  // namespace mrose::gui

@@ -22,7 +22,7 @@ void WindowFiles::reload(const QString& why) {
         changedMeanwhile_ = why;
         return;
     }
-    if (window_.overlay().shownCourse()) return window_.overlay().reload(why);
+    if (window_.overlay().shownRollout()) return window_.overlay().reload(why);
     OpenRequest request = *opened_;
     const Shown* const shown = window_.shown();
     // A seed of the user's own stays; the scenario's may be what has changed.
@@ -32,7 +32,7 @@ void WindowFiles::reload(const QString& why) {
         if (run && run->recorded()) return takeGrown(*run);
         const Shown* const now = window_.shown();
         // A plug-in that crashed or was too slow gets another chance.
-        if (run && now && run->files == files_ && *run->course->value == *now->course->value && now->faults.empty())
+        if (run && now && run->files == files_ && *run->setup->value == *now->setup->value && now->faults.empty())
             return sayUnchanged();
         takeReloaded(std::move(run), why);
     });
@@ -55,7 +55,7 @@ std::vector<WindowFiles::Extent> WindowFiles::extentsOf(const OpenRun& run) {
     return extents;
 }
 
-/// A recording that somebody writes: from the place that is shown one goes on.
+/// A recording that is being written: from the place that is shown one goes on.
 void WindowFiles::takeGrown(const OpenRun& run) {
     const QString name = fileName(run.source.file);
     const bool same = extentsOf(run) == extents_;
@@ -71,7 +71,7 @@ void WindowFiles::takeGrown(const OpenRun& run) {
     window_.overlay().follow(run);
     for (const std::string& note : run.notes) messages_.add({MessageBar::Kind::note, QString::fromStdString(note)});
     if (known && place.branch < run.branches.size()) window_.session().show(place.branch, place.tick);
-    const Nanoseconds end = run.course->scene().timeOf(run.branches.front().branch.timeline.last());
+    const Nanoseconds end = run.setup->scene().timeOf(run.branches.front().branch.timeline.last());
     messages_.add({MessageBar::Kind::note,
                    tr("%1 was read on: it goes up to %2 s now").arg(name).arg(toSeconds(end), 0, 'f', 2), "reload"});
 }
@@ -128,20 +128,20 @@ void WindowFiles::takeReloaded(Expected<OpenRun> run, const QString& why) {
     Edit edit;
     edit.name = reloadedName(why).toStdString();
     edit.tick = shown->first;
-    edit.course = run->course;
+    edit.setup = run->setup;
     edit.start = std::move(run->start);
     const bool goesOn = shown->playing;
-    const auto nobodysWork = [this, of = run_] {
+    const auto unattendedWork = [this, of = run_] {
         if (run_ == of) ++savedBranches_;
     };
-    window_.session().branchOff(edit, shown->tick(), [this, nobodysWork] {
-        QMetaObject::invokeMethod(this, nobodysWork, Qt::QueuedConnection);
+    window_.session().branchOff(edit, shown->tick(), [this, unattendedWork] {
+        QMetaObject::invokeMethod(this, unattendedWork, Qt::QueuedConnection);
     });
     if (goesOn) window_.session().play();
     messages_.add({MessageBar::Kind::note,
-                   tr("%1: the run was simulated again up to here; the course before is shown as a ghost").arg(why),
+                   tr("%1: the run was simulated again up to here; the run before is shown as a ghost").arg(why),
                    "reload",
-                   {{tr("Undo"), tr("Back to the course before"), [this] {
+                   {{tr("Undo"), tr("Back to the run before"), [this] {
                          window_.session().undo();
                          messages_.remove("reload");
                      }}}});

@@ -48,7 +48,7 @@ struct Difference {
     double apart = 0;  ///< m, of bodies
 };
 
-/// The body of that name; nothing where the other scenario has none.
+/// The body of that name; nullopt where the other scenario has none.
 std::optional<std::size_t> bodyNamed(const FieldFrame& frame, const std::string& name, std::size_t likely) {
     const std::size_t count = frame.scene().bodyCount();
     if (likely < count && frame.nameOf(likely) == name) return likely;
@@ -196,7 +196,7 @@ void BranchPanel::rebuild(const Shown& shown) {
 
 void BranchPanel::refresh(const Shown& shown) {
     if (std::exchange(current_, shown.branch) != shown.branch) tree_->setCurrentItem(items_[shown.branch]);
-    const Scene& scene = shown.course->scene();
+    const Scene& scene = shown.setup->scene();
     for (std::uint32_t i = 0; i < shown.branches.size(); ++i) {
         const BranchInfo& branch = shown.branches[i];
         QTreeWidgetItem& item = *items_[i];
@@ -227,8 +227,8 @@ void BranchPanel::compare(const Shown& shown) {
         beside && !any
             ? tr("\u201c%1\u201d has not come to this tick: it lies between %2 and %3")
                   .arg(otherName(),
-                       clockText(shown.branches[*shown.besideBranch].first * shown.course->scene().tickLength),
-                       clockText(shown.branches[*shown.besideBranch].last * shown.course->scene().tickLength))
+                       clockText(shown.branches[*shown.besideBranch].first * shown.setup->scene().tickLength),
+                       clockText(shown.branches[*shown.besideBranch].last * shown.setup->scene().tickLength))
         : any ? tr("At this tick, beside \u201c%1\u201d").arg(otherName())
               : tr("Change something while the run stands \u2013 drag a robot, change its command \u2013 "
                    "and a branch begins. What would have happened stays as a ghost."));

@@ -80,7 +80,7 @@ private:
 
 /// Text in lines of which the room is always the same: one whose height depends on its width makes the whole panel's
 /// depend on it.
-class ToldLabel final : public QLabel {
+class ReplyLabel final : public QLabel {
 public:
     bool hasHeightForWidth() const override { return false; }
 };
@@ -106,7 +106,7 @@ std::pair<QString, bool> noteOf(const BreakpointState& state) {
     const Breakpoint& breakpoint = state.breakpoint;
     if (!breakpoint.error.empty())
         return {QObject::tr("switched off: %1").arg(QString::fromStdString(breakpoint.error)), true};
-    if (state.elsewhere) return {QObject::tr("in this course %1").arg(QString::fromStdString(state.unfit)), false};
+    if (state.elsewhere) return {QObject::tr("in this rollout %1").arg(QString::fromStdString(state.unfit)), false};
     if (!state.unfit.empty()) return {QString::fromStdString(state.unfit), true};
     QStringList parts;
     if (state.all == 0 && breakpoint.enabled && breakpoint.text == breakHereText)
@@ -125,7 +125,7 @@ std::pair<QString, bool> noteOf(const BreakpointState& state) {
 }  // namespace
 
 BreakpointPanel::BreakpointPanel(QWidget* parent)
-    : QWidget(parent), list_(new QListWidget), line_(new QLineEdit), offers_(new QToolButton), told_(new ToldLabel) {
+    : QWidget(parent), list_(new QListWidget), line_(new QLineEdit), offers_(new QToolButton), reply_(new ReplyLabel) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
@@ -136,7 +136,7 @@ BreakpointPanel::BreakpointPanel(QWidget* parent)
     row->addWidget(line_, 1);
     row->addWidget(offers_);
     layout->addLayout(row);
-    layout->addWidget(told_);
+    layout->addWidget(reply_);
     list_->setObjectName("breakpoint_list");
     list_->setAccessibleName(tr("Breakpoints"));
     list_->setFrameShape(QFrame::NoFrame);
@@ -161,14 +161,14 @@ BreakpointPanel::BreakpointPanel(QWidget* parent)
     offers_->setToolTip(tr("Add a breakpoint without typing"));
     offers_->setPopupMode(QToolButton::InstantPopup);
     offers_->setFocusPolicy(Qt::TabFocus);
-    told_->setObjectName("breakpoint_told");
-    told_->setWordWrap(true);
-    told_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    told_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    told_->setTextFormat(Qt::PlainText);
-    told_->setContentsMargins(8, 0, 8, 6);
-    // The line above stays where it is when something is told.
-    told_->setFixedHeight(2 * told_->fontMetrics().lineSpacing() + 6);
+    reply_->setObjectName("breakpoint_reply");
+    reply_->setWordWrap(true);
+    reply_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    reply_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    reply_->setTextFormat(Qt::PlainText);
+    reply_->setContentsMargins(8, 0, 8, 6);
+    // The line above stays where it is when there is a reply.
+    reply_->setFixedHeight(2 * reply_->fontMetrics().lineSpacing() + 6);
     connect(line_, &QLineEdit::textChanged, this, &BreakpointPanel::check);
     connect(line_, &QLineEdit::returnPressed, this, [this] {
         if (!add(line_->text())) return;
@@ -177,7 +177,7 @@ BreakpointPanel::BreakpointPanel(QWidget* parent)
     });
     connect(list_, &QListWidget::itemChanged, this, [this](const QListWidgetItem* item) { itemChanged(*item); });
     connect(list_, &QListWidget::currentRowChanged, this, &BreakpointPanel::check);
-    tell({}, false);
+    reply({}, false);
 }
 
 void BreakpointPanel::setOffers(QMenu* menu) { offers_->setMenu(menu); }
@@ -191,7 +191,7 @@ void BreakpointPanel::setTheme(const Theme& theme) {
 }
 
 void BreakpointPanel::setShown(const Shown& shown) {
-    course_ = shown.course;
+    setup_ = shown.setup;
     reality_ = shown.frame->reality;
     states_ = shown.breakpoints;
     filling_ = true;
@@ -235,8 +235,8 @@ void BreakpointPanel::edit() {
 }
 
 Expected<void> BreakpointPanel::add(const QString& text) {
-    if (!course_) return fail("", "nothing is open");
-    if (auto fits = checkBreakText(text.toStdString(), *course_, reality_); !fits)
+    if (!setup_) return fail("", "nothing is open");
+    if (auto fits = checkBreakText(text.toStdString(), *setup_, reality_); !fits)
         return fail("", wrongWith(fits.error()));
     Breakpoint breakpoint;
     breakpoint.text = text.toStdString();
@@ -261,30 +261,30 @@ void BreakpointPanel::itemChanged(const QListWidgetItem& item) {
 /// Says what is wrong with the text that is typed, or with the chosen breakpoint.
 void BreakpointPanel::check() {
     if (filling_) return;
-    if (!line_->text().trimmed().isEmpty() && course_) {
-        const auto fits = checkBreakText(line_->text().toStdString(), *course_, reality_);
-        return tell(fits ? tr("Enter adds it") : QString::fromStdString(wrongWith(fits.error())), !fits);
+    if (!line_->text().trimmed().isEmpty() && setup_) {
+        const auto fits = checkBreakText(line_->text().toStdString(), *setup_, reality_);
+        return reply(fits ? tr("Enter adds it") : QString::fromStdString(wrongWith(fits.error())), !fits);
     }
     const int row = list_->currentRow();
-    if (row < 0 || row >= static_cast<int>(states_.size())) return tell({}, false);
+    if (row < 0 || row >= static_cast<int>(states_.size())) return reply({}, false);
     const auto [note, wrong] = noteOf(states_[static_cast<std::size_t>(row)]);
-    tell(wrong ? note : QString(), wrong);
+    reply(wrong ? note : QString(), wrong);
 }
 
-void BreakpointPanel::tell(const QString& text, bool wrong) {
-    if (told_->text() != text) told_->setText(text);
+void BreakpointPanel::reply(const QString& text, bool wrong) {
+    if (reply_->text() != text) reply_->setText(text);
     const QString style = "color: " + (wrong ? theme_.warning : theme_.quietText).name();
-    if (told_->styleSheet() != style) told_->setStyleSheet(style);
-    told_->setToolTip(text);
+    if (reply_->styleSheet() != style) reply_->setStyleSheet(style);
+    reply_->setToolTip(text);
 }
 
 bool BreakpointPanel::eventFilter(QObject* watched, QEvent* event) {
-    // Where the panel is scrolled, what will be told of the line is in sight, too.
+    // Where the panel is scrolled, the reply to the line is in sight, too.
     if (watched == line_ && event->type() == QEvent::FocusIn)
-        QTimer::singleShot(0, told_, [this] {
+        QTimer::singleShot(0, reply_, [this] {
             for (QWidget* at = parentWidget(); at != nullptr; at = at->parentWidget())
                 if (auto* area = qobject_cast<QScrollArea*>(at)) {
-                    area->ensureWidgetVisible(told_, 0, 0);
+                    area->ensureWidgetVisible(reply_, 0, 0);
                     area->ensureWidgetVisible(line_, 0, 0);
                 }
         });

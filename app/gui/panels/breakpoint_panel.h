@@ -53,13 +53,13 @@ private:
     void refresh(QListWidgetItem& item, const BreakpointState& state);
     void itemChanged(const QListWidgetItem& item);
     void check();
-    void tell(const QString& text, bool wrong);
+    void reply(const QString& text, bool wrong);
 
     QListWidget* list_;
     QLineEdit* line_;
     QToolButton* offers_;
-    QLabel* told_;
-    CoursePointer course_;
+    QLabel* reply_;
+    BranchSetupPointer setup_;
     RealityPointer reality_;
     std::vector<BreakpointState> states_;
     Theme theme_ = Theme::light();

@@ -95,13 +95,13 @@ void CommandPanel::setRobot(std::optional<std::size_t> body) {
 }
 
 void CommandPanel::refresh() {
-    const RobotInsight* told = decision();
-    const bool possible = told != nullptr && !shown_.playing;
+    const RobotInsight* decided = decision();
+    const bool possible = decided != nullptr && !shown_.playing;
     for (QWidget* widget : {static_cast<QWidget*>(v_), static_cast<QWidget*>(w_), static_cast<QWidget*>(kick_),
                             static_cast<QWidget*>(periods_), static_cast<QWidget*>(apply_)})
         widget->setEnabled(possible);
     power_->setEnabled(possible && kick_->currentIndex() > 0);
-    if (told == nullptr) {
+    if (decided == nullptr) {
         for (QDoubleSpinBox* box : {v_, w_}) box->setValue(0);
         filledFrom_ = -2;
         const bool robot = shown_.frame && body_ && *body_ < shown_.frame->insights.size();
@@ -112,28 +112,28 @@ void CommandPanel::refresh() {
     const FieldFrame& frame = *shown_.frame;
     QString what = tr("<b>%1</b> decided at %2")
                        .arg(QString::fromStdString(frame.nameOf(*body_)).toHtmlEscaped(),
-                            clockText(frame.scene().timeOf(told->tick)));
+                            clockText(frame.scene().timeOf(decided->tick)));
     for (const BranchRecord::FirstFault& fault : shown_.faults)
         if (fault.robot == *body_)
             what += tr("; its controller failed at %1").arg(clockText(frame.scene().timeOf(fault.tick)));
     what_->setText(what);
-    if (filledFrom_ != told->tick || filledFor_ != body_) fill();
+    if (filledFrom_ != decided->tick || filledFor_ != body_) fill();
 }
 
 /// Typed values stay until another decision is shown.
 void CommandPanel::fill() {
-    const RobotInsight& told = *decision();
+    const RobotInsight& decided = *decision();
     const FieldFrame& frame = *shown_.frame;
-    filledFrom_ = told.tick;
+    filledFrom_ = decided.tick;
     filledFor_ = body_;
-    const Command command = told.decision.command ? *told.decision.command : commandInForce(frame, *body_);
+    const Command command = decided.decision.command ? *decided.decision.command : commandInForce(frame, *body_);
     v_->setValue(command.v);
     w_->setValue(command.w);
     kick_->clear();
     kick_->addItem(tr("none"));
     for (const Manipulator& manipulator : frame.scene().typeOf(*body_).manipulators)
         kick_->addItem(QString::fromStdString(manipulator.name));
-    const std::vector<Kick>& kicks = told.decision.kicks;
+    const std::vector<Kick>& kicks = decided.decision.kicks;
     power_->setValue(kicks.empty() ? 100 : 100 * kicks.front().power);
     kick_->setCurrentIndex(kicks.empty() ? 0 : static_cast<int>(kicks.front().manipulator) + 1);
     periods_->setValue(1);
@@ -154,21 +154,21 @@ void CommandPanel::takeBack() {
 }
 
 void CommandPanel::apply() {
-    const RobotInsight* told = decision();
-    if (told == nullptr || shown_.playing) return;
+    const RobotInsight* decided = decision();
+    if (decided == nullptr || shown_.playing) return;
     for (QDoubleSpinBox* box : {v_, w_, power_}) box->interpretText();
     periods_->interpretText();
     const FieldFrame& frame = *shown_.frame;
     HandOrder order;
     order.robot = static_cast<std::uint32_t>(*body_);
-    order.first = told->tick;
-    order.end = told->tick + periods_->value() * frame.scene().periodTicks(*body_);
+    order.first = decided->tick;
+    order.end = decided->tick + periods_->value() * frame.scene().periodTicks(*body_);
     order.command = {v_->value(), w_->value()};
     // What was not typed over keeps all its digits.
-    const Command before = told->decision.command ? *told->decision.command : commandInForce(frame, *body_);
+    const Command before = decided->decision.command ? *decided->decision.command : commandInForce(frame, *body_);
     if (std::abs(v_->value() - before.v) < 0.5e-3) order.command.v = before.v;
     if (std::abs(w_->value() - before.w) < 0.5e-3) order.command.w = before.w;
-    const std::vector<Kick>& kicks = told->decision.kicks;
+    const std::vector<Kick>& kicks = decided->decision.kicks;
     const int kickBefore = kicks.empty() ? 0 : static_cast<int>(kicks.front().manipulator) + 1;
     const bool sameKick = kick_->currentIndex() == kickBefore &&
                           (kicks.empty() || std::abs(power_->value() - 100 * kicks.front().power) <= 0.5);
@@ -182,7 +182,7 @@ void CommandPanel::apply() {
     if (!sameKick) changed << (order.kicks.empty() ? tr("no kick") : tr("kick %1 %").arg(power_->value(), 0, 'f', 0));
     if (changed.isEmpty()) changed << tr("as decided");
     Edit edit{(QString::fromStdString(frame.nameOf(*body_)) + ": " + changed.join(", ")).toStdString()};
-    edit.tick = told->tick;
+    edit.tick = decided->tick;
     edit.orders = {order};
     edit.afterDeciding = order.robot;
     emit branchRequested(edit);

@@ -37,7 +37,7 @@ signals:
 private:
     void refresh();
     void fill();
-    /// The decision of the selected robot that is shown; nothing where there is none.
+    /// The decision of the selected robot that is shown; null where there is none.
     const RobotInsight* decision() const;
 
     Shown shown_;

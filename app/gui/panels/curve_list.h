@@ -37,7 +37,7 @@ private:
     std::optional<int> lineOf(QTreeWidgetItem* item) const;
     void makeRoomFor(const QString& number);
 
-    std::vector<std::optional<int>> lines_;  ///< of each item; nothing: it is a group's name
+    std::vector<std::optional<int>> lines_;  ///< of each item; nullopt: it is a group's name
     int numberWidth_ = 0;
 };
 

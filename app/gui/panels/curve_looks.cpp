@@ -33,12 +33,12 @@ QColor variant(const QColor& colour, int which, const Theme& theme) {
     return which == 0 ? colour : darkerIsFarther == (which == 1) ? darker : lighter;
 }
 
-/// Of the overlaid motion model that a number is of; nothing: of none.
+/// Of the overlaid motion model that a number is of; nullopt: of none.
 std::optional<std::size_t> modelOf(const ValueKey& key, const Reality* reality) {
     if (reality == nullptr || key.of.empty() || !readsReality(key)) return {};
-    const std::vector<Reality::ModelCourse>& models = reality->models;
+    const std::vector<Reality::ModelRollout>& models = reality->models;
     const auto found = std::find_if(models.begin(), models.end(),
-                                    [&](const Reality::ModelCourse& model) { return model.name == key.of; });
+                                    [&](const Reality::ModelRollout& model) { return model.name == key.of; });
     if (found == models.end()) return {};
     return static_cast<std::size_t>(found - models.begin());
 }
@@ -89,13 +89,13 @@ QString commonEnd(const std::set<QString>& quantities) {
     return common.join('_');
 }
 
-/// Of quantities that end alike what is left tells them apart.
-QString tellingPart(const QString& quantity, const std::set<QString>& all) {
+/// Quantities that end alike differ in the rest of their names.
+QString reportingPart(const QString& quantity, const std::set<QString>& all) {
     const QString end = commonEnd(all);
     if (end.isEmpty()) return quantity;
     if (quantity != end) {
         const QString left = quantity.chopped(end.size() + 1);
-        return left == "command" ? QObject::tr("told") : left;
+        return left == "command" ? QObject::tr("command") : left;
     }
     return all.count("real_" + end) > 0 ? QObject::tr("simulated") : quantity;
 }
@@ -132,7 +132,7 @@ std::vector<CurveWords> wordsOf(std::span<const ValueKey> keys, std::span<const 
         const std::set<QString>& beside = quantities[values[i].unit];
         const QString end = commonEnd(beside), measured = end.isEmpty() ? quantity : end;
         QStringList parts;
-        if (beside.size() > 1) parts << tellingPart(quantity, beside);
+        if (beside.size() > 1) parts << reportingPart(quantity, beside);
         if (models && isError(keys[i]))
             parts << (!keys[i].of.empty() ? QString::fromStdString(keys[i].of)
                       : !own.isEmpty()    ? own

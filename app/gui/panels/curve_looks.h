@@ -28,7 +28,7 @@ struct CurveWords {
     QString group;     ///< the body under whose name it may be listed; empty: none
     QString inGroup;   ///< what it is called there
 };
-/// `own` is the motion model by which the run's robots are moved; empty: nobody says.
+/// `own` is the motion model by which the run's robots are moved; empty: not known.
 std::vector<CurveWords> wordsOf(std::span<const ValueKey> keys, std::span<const PlottedValue> values,
                                 const QString& own);
 

@@ -14,7 +14,7 @@
 namespace mrose::gui {
 namespace {
 
-constexpr std::int64_t mostPoints = 2000;  // of a model's course: more than there are pixels
+constexpr std::int64_t mostPoints = 2000;  // of a model's rollout: more than there are pixels
 constexpr const char* errorPlotTopic = "error plot";
 
 bool has(const std::vector<ValueKey>& keys, const ValueKey& key) {
@@ -27,16 +27,16 @@ double plottedError(const PoseError& error, const std::string& quantity) {
     return position ? 100 * error.position : error.heading * 180 / std::numbers::pi;
 }
 
-QVector<QPointF> errorsAlong(const ComparedCourse& course, const std::string& quantity, Nanoseconds tickLength) {
+QVector<QPointF> errorsAlong(const ComparedRollout& rollout, const std::string& quantity, Nanoseconds tickLength) {
     QVector<QPointF> points;
     const double ticks = static_cast<double>(WindowOptions{}.step) / static_cast<double>(tickLength);
-    for (std::size_t k = 0; k < course.errors.position.size(); ++k)
+    for (std::size_t k = 0; k < rollout.errors.position.size(); ++k)
         points.append({static_cast<double>(k + 1) * ticks,
-                       plottedError({course.errors.position[k], course.errors.heading[k]}, quantity)});
+                       plottedError({rollout.errors.position[k], rollout.errors.heading[k]}, quantity)});
     return points;
 }
 
-QVector<QPointF> errorsAlong(const Reality& reality, const Reality::ModelCourse& model, std::size_t robot,
+QVector<QPointF> errorsAlong(const Reality& reality, const Reality::ModelRollout& model, std::size_t robot,
                              const std::string& quantity, std::int64_t end, Nanoseconds tickLength) {
     QVector<QPointF> points;
     for (std::int64_t tick = 0; tick <= end; tick += std::max<std::int64_t>(1, end / mostPoints)) {
@@ -54,7 +54,7 @@ std::vector<ValueKey> errorKeysOf(const Reality& reality, const std::string& rob
     for (const auto& [own, ofModel] : {std::pair{positionErrorQuantity, modelPositionErrorQuantity},
                                        {headingErrorQuantity, modelHeadingErrorQuantity}}) {
         keys.push_back({own, robot});
-        for (const Reality::ModelCourse& model : reality.models) keys.push_back({ofModel, robot, model.name});
+        for (const Reality::ModelRollout& model : reality.models) keys.push_back({ofModel, robot, model.name});
     }
     return keys;
 }
@@ -92,7 +92,7 @@ void ErrorPlot::showDock() {
 
 /// The user closed the plots.
 bool ErrorPlot::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::Close && course_) window_.memory().setErrorPlot(false);
+    if (event->type() == QEvent::Close && rollout_) window_.memory().setErrorPlot(false);
     return QObject::eventFilter(watched, event);
 }
 
@@ -103,30 +103,30 @@ void ErrorPlot::follow() {
         // A log that is read again is the same one.
         on_ = on_ || window_.shown() == nullptr || window_.shown()->run != run_;
         run_ = 0;
-        course_ = nullptr;
+        rollout_ = nullptr;
         computing_.drop();
     }
-    // Another course may be on its way: until it is there, nothing changes.
-    if (world_ != nullptr && (!overlay.shownCourse() || window_.shown() == nullptr)) return;
-    if (world_ != nullptr && run_ != window_.shown()->run) lookAtCourse();
+    // Another rollout may be on its way: until it is there, nothing changes.
+    if (world_ != nullptr && (!overlay.shownRollout() || window_.shown() == nullptr)) return;
+    if (world_ != nullptr && run_ != window_.shown()->run) lookAtRollout();
     plot();
 }
 
-void ErrorPlot::lookAtCourse() {
+void ErrorPlot::lookAtRollout() {
     run_ = window_.shown()->run;
     computing_.drop();
     showDock();
     const Overlay& overlay = window_.overlay();
     const auto job = [this, world = overlay.world(),
-                      request = overlay.requests()[*overlay.shownCourse()]](const JobQueue::GoesOn& goesOn) {
+                      request = overlay.requests()[*overlay.shownRollout()]](const JobQueue::GoesOn& goesOn) {
         ComparisonOptions options;
         options.seed = world->seed;
-        options.progress = [&](std::span<const ComparedCourse>, double) { return goesOn(); };
+        options.progress = [&](std::span<const ComparedRollout>, double) { return goesOn(); };
         auto compared = compare(world->world(), {&request, 1}, options);
-        std::shared_ptr<const Comparison> course;
-        if (compared) course = std::make_shared<const Comparison>(std::move(*compared));
-        return JobQueue::Answer([this, course] {
-            course_ = course;
+        std::shared_ptr<const Comparison> rollout;
+        if (compared) rollout = std::make_shared<const Comparison>(std::move(*compared));
+        return JobQueue::Answer([this, rollout] {
+            rollout_ = rollout;
             plot();
         });
     };
@@ -135,17 +135,17 @@ void ErrorPlot::lookAtCourse() {
     });
 }
 
-/// In Comparison::courses.
+/// In Comparison::rollouts.
 std::optional<std::size_t> ErrorPlot::robot() const {
-    if (!course_) return {};
+    if (!rollout_) return {};
     const auto selected = window_.field().selected();
     const FieldFrame& frame = *window_.shown()->frame;
     std::optional<std::size_t> worst;
-    for (std::size_t i = 0; i < course_->courses.size(); ++i) {
-        const ComparedCourse& course = course_->courses[i];
-        if (course.use == CourseUse::absent) continue;
-        if (selected && frame.nameOf(*selected) == course_->robots[course.robot].name) return i;
-        if (!worst || knownMean(course) > knownMean(course_->courses[*worst])) worst = i;
+    for (std::size_t i = 0; i < rollout_->rollouts.size(); ++i) {
+        const ComparedRollout& rollout = rollout_->rollouts[i];
+        if (rollout.use == RolloutUse::absent) continue;
+        if (selected && frame.nameOf(*selected) == rollout_->robots[rollout.robot].name) return i;
+        if (!worst || knownMean(rollout) > knownMean(rollout_->rollouts[*worst])) worst = i;
     }
     return worst;
 }
@@ -153,13 +153,13 @@ std::optional<std::size_t> ErrorPlot::robot() const {
 void ErrorPlot::plot() {
     const std::shared_ptr<const Shown> shown = window_.shownPointer();
     const auto which = robot();
-    Plotted now{course_, shown ? shown->frame->reality : nullptr, which,
+    Plotted now{rollout_, shown ? shown->frame->reality : nullptr, which,
                 shown && shown->branch == window_.overlay().comparedBranch(), on_ && window_.memory().errorPlot()};
     if (plotted_ == now) return;
     plotted_ = now;
     std::vector<ValueKey> wanted;
     if (now.on && which && now.reality)
-        wanted = errorKeysOf(*now.reality, course_->robots[course_->courses[*which].robot].name);
+        wanted = errorKeysOf(*now.reality, rollout_->robots[rollout_->rollouts[*which].robot].name);
     changing_ = true;
     window_.plots().setForesight(foresight(which));
     window_.plots().replace(own_, wanted);
@@ -170,21 +170,21 @@ void ErrorPlot::plot() {
 PlotPanel::Foresight ErrorPlot::foresight(std::optional<std::size_t> which) const {
     PlotPanel::Foresight known;
     if (!which || !plotted_->reality) return known;
-    const ComparedCourse& course = course_->courses[*which];
-    const std::string& name = course_->robots[course.robot].name;
+    const ComparedRollout& rollout = rollout_->rollouts[*which];
+    const std::string& name = rollout_->robots[rollout.robot].name;
     const Reality& reality = *plotted_->reality;
     const Scene& scene = window_.shown()->frame->scene();
     known.run = window_.shown()->run;
-    known.end = scene.ticksOf(course_->requests.front().steps * WindowOptions{}.step);
+    known.end = scene.ticksOf(rollout_->requests.front().steps * WindowOptions{}.step);
     known.model = QString::fromStdString(window_.overlay().models().front().name);
     const auto real = std::find_if(reality.robots.begin(), reality.robots.end(),
                                    [&](const Reality::Robot& robot) { return robot.name == name; });
     for (const ValueKey& key : errorKeysOf(reality, name)) {
         const auto model = std::find_if(reality.models.begin(), reality.models.end(),
-                                        [&](const Reality::ModelCourse& one) { return one.name == key.of; });
+                                        [&](const Reality::ModelRollout& one) { return one.name == key.of; });
         // What becomes of a branch has not been compared.
         if (key.of.empty() && plotted_->compared)
-            known.ahead[key] = errorsAlong(course, key.quantity, scene.tickLength);
+            known.ahead[key] = errorsAlong(rollout, key.quantity, scene.tickLength);
         else if (model != reality.models.end() && real != reality.robots.end())
             known.ahead[key] = errorsAlong(reality, *model, static_cast<std::size_t>(real - reality.robots.begin()),
                                            key.quantity, known.end, scene.tickLength);

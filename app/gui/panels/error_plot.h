@@ -17,9 +17,9 @@ class MainWindow;
 /// Position and heading errors of a robot that really drove, of the run first and then of each model.
 std::vector<ValueKey> errorKeysOf(const Reality& reality, const std::string& robot);
 
-/// Plots the errors of the shown course of a log, the whole of it at once: of the selected robot, otherwise of the one
-/// that is farthest off. They change with course, robot and models, until somebody removes one of them. Whoever has
-/// closed the plots does not get them again unasked.
+/// Plots the errors of the shown rollout of a log, the whole of it at once: of the selected robot, otherwise of the one
+/// that is farthest off. They change with rollout, robot and models, until the user removes one of them. Plots that the
+/// user closed are not opened again by themselves.
 class ErrorPlot final : public QObject {
     Q_OBJECT
 
@@ -29,31 +29,31 @@ public:
     void setOn(bool on);  ///< of the log that is open
     /// Shows the plots' dock, unless it was closed.
     void showDock();
-    void settle();  ///< the shown course is computed and plotted; for scripts and tests
+    void settle();  ///< the shown rollout is computed and plotted; for scripts and tests
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void follow();
-    void lookAtCourse();
+    void lookAtRollout();
     std::optional<std::size_t> robot() const;
     void plot();
     PlotPanel::Foresight foresight(std::optional<std::size_t> robot) const;
 
     MainWindow& window_;
     bool on_ = true;
-    bool changing_ = false;                     ///< what is plotted changes by this alone
-    const void* world_ = nullptr;               ///< the log that is open
-    std::uint64_t run_ = 0;                     ///< in which the course is shown
-    std::vector<ValueKey> own_;                 ///< plotted by this
-    std::shared_ptr<const Comparison> course_;  ///< of the shown course alone; null: not yet
+    bool changing_ = false;                      ///< what is plotted changes by this alone
+    const void* world_ = nullptr;                ///< the log that is open
+    std::uint64_t run_ = 0;                      ///< in which the rollout is shown
+    std::vector<ValueKey> own_;                  ///< plotted by this
+    std::shared_ptr<const Comparison> rollout_;  ///< of the shown rollout alone; null: not yet
     /// What was plotted last.
     struct Plotted {
-        std::shared_ptr<const Comparison> course;
+        std::shared_ptr<const Comparison> rollout;
         std::shared_ptr<const Reality> reality;
         std::optional<std::size_t> robot;
-        bool compared = false;  ///< the shown branch is what `course` tells of
+        bool compared = false;  ///< the shown branch is what `rollout` describes
         bool on = false;
         bool operator==(const Plotted&) const = default;
     };

@@ -67,7 +67,7 @@ FirstSteps::FirstSteps(MainWindow& window)
     const std::size_t command = steps_.size() - 1;
     add({tr("Drag a robot"), tr("a branch; its knob turns it")}, {});
     const std::size_t branch = steps_.size() - 1;
-    add({key("side_by_side"), tr("both courses side by side")}, {});
+    add({key("side_by_side"), tr("both branches side by side")}, {});
     const std::size_t both = steps_.size() - 1;
     add({tr("Click a number"), tr("in the inspector, to plot it")}, {});
     const std::size_t plot = steps_.size() - 1;

@@ -11,7 +11,7 @@ class LogDialog final : public QFileDialog {
 public:
     LogDialog(QWidget* parent, const QString& title, const QString& folder, const QString& kinds);
 
-    QString ask();  ///< blocks; empty: the user thought better of it
+    QString ask();  ///< blocks; empty: the user cancelled
     const QString& chosen() const { return chosen_; }
 
 protected:

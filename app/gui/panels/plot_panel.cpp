@@ -36,7 +36,7 @@ QFont smallOf(QFont font) {
 
 }  // namespace
 
-/// Ticks of a branch that are those of a course: it, and before it what it came from.
+/// Ticks of a lineage: those of a branch, and before it of those that it came from.
 struct PlotPanel::Piece {
     std::uint32_t branch = 0;
     std::int64_t from = 0, to = 0;
@@ -264,9 +264,9 @@ std::optional<std::uint32_t> PlotPanel::ghostBranch() const {
 }
 
 void PlotPanel::setShown(std::shared_ptr<const Shown> shown) {
-    const auto courses = [this] { return std::pair(shown_->branch, ghostBranch()); };
+    const auto lineages = [this] { return std::pair(shown_->branch, ghostBranch()); };
     const bool same = shown_ && shown_->run == shown->run && shown_->branches.size() == shown->branches.size();
-    const auto before = same ? std::optional(courses()) : std::nullopt;
+    const auto before = same ? std::optional(lineages()) : std::nullopt;
     const bool sameRun = shown_ && shown_->run == shown->run;
     const bool sameReality = shown_ && shown_->frame->reality == shown->frame->reality;
     shown_ = std::move(shown);
@@ -274,7 +274,7 @@ void PlotPanel::setShown(std::shared_ptr<const Shown> shown) {
         dropUnknown();
         view_->showAll();
     }
-    if (!before || *before != courses() || !sameReality)
+    if (!before || *before != lineages() || !sameReality)
         rebuild();
     else
         follow();
@@ -287,19 +287,19 @@ void PlotPanel::dropUnknown() {
     if (std::erase_if(keys_, unknown) > 0) emit changed();
 }
 
-std::vector<PlotPanel::Piece> PlotPanel::courseOf(std::uint32_t branch) const {
-    std::vector<Piece> course;
+std::vector<PlotPanel::Piece> PlotPanel::lineageOf(std::uint32_t branch) const {
+    std::vector<Piece> lineage;
     std::int64_t to = std::numeric_limits<std::int64_t>::max();
     for (std::uint32_t at = branch;; at = shown_->branches[at].parent) {
         const BranchInfo& info = shown_->branches[at];
         const bool root = info.parent == at;
-        course.insert(course.begin(), Piece{at, root ? info.first : info.departed, to});
-        if (root) return course;
+        lineage.insert(lineage.begin(), Piece{at, root ? info.first : info.departed, to});
+        if (root) return lineage;
         to = info.departed - 1;
     }
 }
 
-/// Tells which ticks are wanted, the shown course's first, and how far time has come.
+/// Says which ticks are wanted, the shown branch's first, and how far time has come.
 void PlotPanel::follow() {
     std::vector<ValueSeries::Way> ways;
     std::int64_t first = shown_->first, last = shown_->last;
@@ -315,10 +315,10 @@ void PlotPanel::follow() {
         first = std::min(first, std::max(piece.from, info.first));
         if (ghost) last = std::max(last, end);
     };
-    const std::vector<Piece> course = courseOf(shown_->branch);
-    for (auto piece = course.rbegin(); piece != course.rend(); ++piece) want(*piece, false);
+    const std::vector<Piece> lineage = lineageOf(shown_->branch);
+    for (auto piece = lineage.rbegin(); piece != lineage.rend(); ++piece) want(*piece, false);
     if (const auto ghost = ghostBranch())
-        for (const Piece& piece : courseOf(*ghost)) want(piece, true);
+        for (const Piece& piece : lineageOf(*ghost)) want(piece, true);
     std::erase_if(ways, [](const ValueSeries::Way& way) { return way.last < way.first; });
     series_->follow(shown_->run, shown_->frame->reality,
                     keys_.empty() ? std::vector<ValueSeries::Way>{} : std::move(ways));
@@ -327,23 +327,23 @@ void PlotPanel::follow() {
     updateProgress();
 }
 
-PlotCurve PlotPanel::curveOf(const ValueKey& key, const PlottedValue& value, const std::vector<Piece>& course) const {
+PlotCurve PlotPanel::curveOf(const ValueKey& key, const PlottedValue& value, const std::vector<Piece>& lineage) const {
     PlotCurve curve;
     curve.id = QString::fromStdString(key.quantity + '\n' + key.body + '\n' + key.of);
     curve.name = value.name;
     curve.unit = value.unit;
     curve.decimals = value.decimals;
     ValueSeries* series = series_.get();
-    curve.sample = [series, key, course, angle = value.angle](std::int64_t from, std::int64_t to, std::int64_t step,
-                                                              QVector<QPointF>& points) {
-        for (const Piece& piece : course)
+    curve.sample = [series, key, lineage, angle = value.angle](std::int64_t from, std::int64_t to, std::int64_t step,
+                                                               QVector<QPointF>& points) {
+        for (const Piece& piece : lineage)
             series->read(piece.branch, key, [&](const TickNumbers& numbers) {
                 sampleCurve(numbers, std::max(from, piece.from), std::min(to, piece.to), step, angle, points);
             });
     };
-    curve.at = [series, key, course](std::int64_t tick) {
+    curve.at = [series, key, lineage](std::int64_t tick) {
         double found = std::numeric_limits<double>::quiet_NaN();
-        for (const Piece& piece : course)
+        for (const Piece& piece : lineage)
             if (tick >= piece.from && tick <= piece.to)
                 series->read(piece.branch, key,
                              [&](const TickNumbers& numbers) { found = static_cast<double>(numbers.at(tick)); });
@@ -374,9 +374,9 @@ std::vector<PlotCurve> PlotPanel::curvesIn(const Theme& theme) const {
     const std::vector<CurveWords> words = wordsOf(keys_, plotted, known != nullptr ? known->model : QString());
     std::vector<PlotCurve> curves;
     const auto addCurves = [&](std::uint32_t branch, bool ghost) {
-        const std::vector<Piece> course = courseOf(branch);
+        const std::vector<Piece> lineage = lineageOf(branch);
         for (std::size_t i = 0; i < plotted.size(); ++i) {
-            PlotCurve curve = curveOf(keys_[i], plotted[i], course);
+            PlotCurve curve = curveOf(keys_[i], plotted[i], lineage);
             curve.colour = looks[i].colour;
             curve.style = looks[i].style;
             curve.label = words[i].label;
@@ -423,7 +423,7 @@ void PlotPanel::updateList() {
     const QPen dashed(TimelineBar::colourOf(TimelineMark::Kind::divergence, theme_), 1, Qt::DashLine);
     for (const PlotLevel& level : levels())
         lines.push_back({dashed, tr("bound"), level.unit,
-                         tr("Farther off for 0.3 s it has left the real course; the upright line is where")});
+                         tr("Farther off for 0.3 s it has left the real trajectory; the upright line is where")});
     list_->setLines(lines, theme_);
     updateNumbers();
 }

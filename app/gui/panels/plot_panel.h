@@ -26,7 +26,7 @@ namespace mrose::gui {
 
 class CurveList;
 
-/// What is plotted over the time of the shown branch, with the course beside it as ghosts; the list of the curves with
+/// What is plotted over the time of the shown branch, with the branch beside it as ghosts; the list of the curves with
 /// their numbers; and a line for expressions.
 class PlotPanel final : public QWidget {
     Q_OBJECT
@@ -72,7 +72,7 @@ public:
 
     const std::vector<ValueKey>& keys() const { return keys_; }
     std::map<ValueKey, QColor> plotted() const;
-    /// The course whose curves are beside those of the shown one; nothing: none.
+    /// The branch whose curves are beside those of the shown one; nullopt: none.
     std::optional<std::uint32_t> ghostBranch() const;
     QString ghostName() const;
     /// All of them in the colours of a theme. They live as long as this.
@@ -85,18 +85,18 @@ public:
 signals:
     void tickRequested(std::int64_t tick);
     void changed();  ///< of what is plotted
-    void asked();    ///< somebody added something and wants to see it
+    void asked();    ///< something was added and is to be seen
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    struct Piece;  ///< of a course: some ticks of a branch
+    struct Piece;  ///< of a lineage: some ticks of a branch
     QWidget* makeSide();
     void rebuild();
     void dropUnknown();
-    std::vector<Piece> courseOf(std::uint32_t branch) const;
-    PlotCurve curveOf(const ValueKey& key, const PlottedValue& value, const std::vector<Piece>& course) const;
+    std::vector<Piece> lineageOf(std::uint32_t branch) const;
+    PlotCurve curveOf(const ValueKey& key, const PlottedValue& value, const std::vector<Piece>& lineage) const;
     std::vector<PlottedValue> values() const;
     const Foresight* foresight() const;
     void follow();

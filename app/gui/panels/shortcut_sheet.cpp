@@ -97,7 +97,7 @@ void ShortcutSheet::search(const QString& words) {
     fill();
 }
 
-/// Later: who tells all widgets of the colours still holds those that are filled in anew.
+/// Later: the caller, which changes the colours of all widgets, still holds those that are filled in anew.
 void ShortcutSheet::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange)
         QMetaObject::invokeMethod(this, &ShortcutSheet::fill, Qt::QueuedConnection);

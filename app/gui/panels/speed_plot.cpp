@@ -49,7 +49,7 @@ bool SpeedPlot::toggle() {
     return true;
 }
 
-/// Until the robot of another course is known, nothing changes.
+/// Until the robot of another rollout is known, nothing changes.
 void SpeedPlot::follow() {
     if (own_.empty()) return;
     std::vector<ValueKey> speeds = speedsOf(window_);

@@ -9,8 +9,8 @@ namespace mrose::gui {
 
 class MainWindow;
 
-/// Plots what a robot was told, how fast it goes and how fast it really went: of the selected one, otherwise of the one
-/// that the overlay speaks of. They change with the robot, until somebody removes one of them.
+/// Plots a robot's commands, its velocity and the real one's: of the selected one, otherwise of the one that the
+/// overlay speaks of. They change with the robot, until the user removes one of them.
 class SpeedPlot final : public QObject {
     Q_OBJECT
 

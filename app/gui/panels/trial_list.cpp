@@ -67,7 +67,7 @@ std::vector<std::string> wordsOf(const std::string& command) {
     return words;
 }
 
-/// Where a file lies that a command named, which was typed in a folder that nobody knows.
+/// Where a file lies that a command named, which was typed in a folder that is not known.
 std::string found(const std::string& name, const std::filesystem::path& results) {
     std::error_code ignored;
     std::filesystem::path folder = std::filesystem::absolute(results, ignored).parent_path();

@@ -87,9 +87,9 @@ QDoubleSpinBox* boundBox(const char* suffix, double most, const QString& tip) {
 CausePanel::CausePanel(Overlay& overlay, QWidget* parent)
     : QWidget(parent),
       overlay_(overlay),
-      course_(new ElidingText(1)),
+      rollout_(new ElidingText(1)),
       divergence_(new ElidingText(2)),
-      parting_(new ElidingText(3)),
+      onset_(new ElidingText(3)),
       cause_(new ElidingText(3)),
       goThere_(new QToolButton),
       speeds_(new QToolButton),
@@ -97,16 +97,16 @@ CausePanel::CausePanel(Overlay& overlay, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
-    QFont bold = course_->font();
+    QFont bold = rollout_->font();
     bold.setBold(true);
-    course_->setFont(bold);
+    rollout_->setFont(bold);
     cause_->setFont(bold);
-    layout->addWidget(course_);
+    layout->addWidget(rollout_);
     auto* where = new QHBoxLayout;
     goThere_->setText(tr("Go there"));
-    goThere_->setToolTip(tr("To the instant at which it leaves the real course (D)"));
+    goThere_->setToolTip(tr("To the instant at which it leaves the real trajectory (D)"));
     connect(goThere_, &QToolButton::clicked, this, [this] { overlay_.goToDivergence(); });
-    // What is not there leaves its room free: nothing moves from course to course.
+    // What is not there leaves its room free: nothing moves from rollout to rollout.
     for (QWidget* part : {static_cast<QWidget*>(goThere_), static_cast<QWidget*>(causes_)}) {
         QSizePolicy policy = part->sizePolicy();
         policy.setRetainSizeWhenHidden(true);
@@ -116,7 +116,7 @@ CausePanel::CausePanel(Overlay& overlay, QWidget* parent)
     where->addWidget(goThere_, 0, Qt::AlignTop);
     where->addWidget(speeds_, 0, Qt::AlignTop);
     layout->addLayout(where);
-    layout->addWidget(parting_);
+    layout->addWidget(onset_);
     layout->addWidget(cause_);
     makeCauses();
     layout->addWidget(causes_);
@@ -127,8 +127,9 @@ QWidget* CausePanel::makeBound() {
     auto* bound = new QWidget;
     auto* layout = new QHBoxLayout(bound);
     layout->setContentsMargins(0, 0, 0, 0);
-    position_ = boundBox(" cm", 1000, tr("It has left the real course when it is farther off than this for 0.3 s"));
-    heading_ = boundBox("\u00b0", 180, tr("It has left the real course when it is turned by more than this for 0.3 s"));
+    position_ = boundBox(" cm", 1000, tr("It has left the real trajectory when it is farther off than this for 0.3 s"));
+    heading_ =
+        boundBox("\u00b0", 180, tr("It has left the real trajectory when it is turned by more than this for 0.3 s"));
     heldOut_ = new QCheckBox(tr("as held out"));
     heldOut_->setToolTip(
         tr("Three times what the network's errors on held-out logs make of the path and rotation so far"));
@@ -157,7 +158,7 @@ void CausePanel::makeCauses() {
     causes_->header()->resizeSection(1, barWidth + 4 + numberWidth);
     causes_->setItemDelegateForColumn(1, new ShareBar(causes_));
     causes_->setItemDelegateForColumn(0, new WrappedName(causes_));
-    // Always the same: the list of courses above keeps its room.
+    // Always the same: the list of rollouts above keeps its room.
     const int line = causes_->fontMetrics().height() + 5;
     causes_->setFixedHeight((shownLines + 1) * line + 6);
     connect(causes_, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item) {
@@ -189,17 +190,17 @@ void CausePanel::refresh() {
     filling_ = false;
     if (row == nullptr) return;
     QString robot = QString::fromStdString(overlay_.world()->world().robots()[row->robot].name);
-    if (const std::string take = takeText(overlay_.world()->world().takes()[row->take]); !take.empty())
-        robot += tr(" in %1").arg(QString::fromStdString(take));
+    if (const std::string session = sessionText(overlay_.world()->world().sessions()[row->session]); !session.empty())
+        robot += tr(" in %1").arg(QString::fromStdString(session));
     const QString start = fixedText(toSeconds(row->start), 1);
-    course_->setText((overlay_.showsCompared() ? tr("%1 from %2 s: %3") : tr("%1 from %2 s (not this branch): %3"))
-                         .arg(robot, start, offText(*row)));
+    rollout_->setText((overlay_.showsCompared() ? tr("%1 from %2 s: %3") : tr("%1 from %2 s (not this branch): %3"))
+                          .arg(robot, start, offText(*row)));
     const auto& divergence = row->divergence;
     goThere_->setVisible(divergence.has_value());
     if (!divergence)
         divergence_->setText(row->position ? tr("It stays within the bound.") : QString());
     else
-        divergence_->setText(tr("Leaves the real course after %1 s: %2 cm, %3\u00b0")
+        divergence_->setText(tr("Leaves the real trajectory after %1 s: %2 cm, %3\u00b0")
                                  .arg(fixedText(toSeconds(divergence->time), 1),
                                       fixedText(100 * divergence->position, 1),
                                       fixedText(degrees * divergence->heading, 1)));
@@ -221,9 +222,9 @@ void CausePanel::refreshCauses() {
     cause_->setText(likely());
     const auto& finding = overlay_.finding();
     const bool known = finding && finding->diagnosis;
-    QString parting = known ? QString::fromStdString(partingText(*finding->diagnosis)) : QString();
-    parting.replace(0, 1, parting.left(1).toUpper());
-    parting_->setText(parting);
+    QString onset = known ? QString::fromStdString(onsetText(*finding->diagnosis)) : QString();
+    onset.replace(0, 1, onset.left(1).toUpper());
+    onset_->setText(onset);
     causes_->setVisible(known);
     causes_->clear();
     if (!known) return;
@@ -246,7 +247,7 @@ void CausePanel::refreshCauses() {
 }
 
 QString CausePanel::text() const {
-    return QStringList{course_->text(), divergence_->text(), parting_->text(), cause_->text()}.join('\n');
+    return QStringList{rollout_->text(), divergence_->text(), onset_->text(), cause_->text()}.join('\n');
 }
 
 }  // namespace mrose::gui

@@ -16,8 +16,8 @@ class ElidingText;
 
 namespace mrose::gui {
 
-/// The shown course of an overlay: how far its robot is off, where it first leaves the real course, and why. A click on
-/// a cause lays its re-run beside.
+/// The shown rollout of an overlay: how far its robot is off, where it first leaves the real trajectory, and why. A
+/// click on a cause lays its re-run beside.
 class CausePanel final : public QWidget {
     Q_OBJECT
 
@@ -37,7 +37,7 @@ private:
     QString likely() const;
 
     Overlay& overlay_;
-    ElidingText *course_, *divergence_, *parting_, *cause_;
+    ElidingText *rollout_, *divergence_, *onset_, *cause_;
     QToolButton *goThere_, *speeds_;
     QDoubleSpinBox *position_, *heading_;
     QCheckBox* heldOut_;

@@ -66,20 +66,20 @@ void Overlay::post(const Opening& wanted) {
     setAside();
     if (!window_.actions().unattended())
         QTimer::singleShot(openPatience, this, [this, place = wanted.request.log, number = openings_] {
-            if (number == openings_ && opener_.busy()) tellOpening(place);
+            if (number == openings_ && opener_.busy()) reportOpening(place);
         });
     const auto job = [this, wanted, restarts = restarts_](const JobQueue::GoesOn& goesOn) -> JobQueue::Answer {
         OpenProgress progress;
         progress.goesOn = goesOn;
         Opening opening = wanted;
         auto opened = std::make_shared<Expected<OpenedLog>>(
-            openLogAsRun(wanted.request, wanted.asked, restarts, progress, opening.untold));
+            openLogAsRun(wanted.request, wanted.asked, restarts, progress, opening.kindUnknown));
         return [this, opened, opening] { takeOpened(std::move(*opened), opening); };
     };
     opener_.post(job, [this, wanted](const Error& error) { takeOpened(tl::unexpected(error), wanted); });
 }
 
-void Overlay::tellOpening(const std::string& place) {
+void Overlay::reportOpening(const std::string& place) {
     window_.messages().add({MessageBar::Kind::progress,
                             tr("Opening %1").arg(QFileInfo(QString::fromStdString(place)).fileName()),
                             openingTopic,
@@ -103,8 +103,8 @@ void Overlay::endOpening() {
 void Overlay::takeOpened(Expected<OpenedLog> opened, const Opening& opening) {
     endOpening();
     if (!opened) {
-        if (opening.untold && opening.mayAsk && !window_.actions().unattended())
-            emit robotUntold(opening.request, opening.asked);
+        if (opening.kindUnknown && opening.mayAsk && !window_.actions().unattended())
+            emit robotKindUnknown(opening.request, opening.asked);
         else
             sayError(opened.error());
         return readAgain();
@@ -115,22 +115,22 @@ void Overlay::takeOpened(Expected<OpenedLog> opened, const Opening& opening) {
     if (const QString note = opening.asked ? QString() : planNote(*world_, plan_); !note.isEmpty())
         window_.messages().add({MessageBar::Kind::note, note, planTopic});
     window_.memory().addRecent(QString::fromStdString(world_->place));
-    takeCourse(std::move(opened->run), opened->course, {}, Then{});
+    takeRollout(std::move(opened->run), opened->rollout, {}, Then{});
     compareAll();
 }
 
 void Overlay::follow(const OpenRun& run) {
     close();
-    if (!follows_ || run.course->scenario->parts().players.empty()) return;
+    if (!follows_ || run.setup->scenario->parts().players.empty()) return;
     OverlayRequest request{run.source.log, run.source.file};
     request.seed = run.source.seed;
     request.pluginLimit = run.source.pluginLimit;
-    if (run.recorded()) request.kept = run.course->value;
+    if (run.recorded()) request.kept = run.setup->value;
     const auto alone = [this](const Error& error) {
         const QString why = QString::fromStdString(error.message());
         window_.messages().add({MessageBar::Kind::note, tr("The run is shown alone: %1").arg(why), overlayTopic});
     };
-    const auto job = [this, request, followed = run.course, alone](const JobQueue::GoesOn& goesOn) -> JobQueue::Answer {
+    const auto job = [this, request, followed = run.setup, alone](const JobQueue::GoesOn& goesOn) -> JobQueue::Answer {
         OpenProgress progress;
         progress.goesOn = goesOn;
         auto world = std::make_shared<Expected<OverlayWorldPointer>>(openOverlayWorld(request, progress));
@@ -149,9 +149,9 @@ void Overlay::reload(const QString& why) {
 }
 
 void Overlay::readAgain() {
-    if (!reload_ || !world_ || !shownCourse_) return;
+    if (!reload_ || !world_ || !shownRollout_) return;
     reading_ = std::exchange(reload_, std::nullopt);
-    const auto job = [this, world = world_, plan = plan_, shown = requests_[*shownCourse_], restarts = restarts_,
+    const auto job = [this, world = world_, plan = plan_, shown = requests_[*shownRollout_], restarts = restarts_,
                       why = *reading_](const JobQueue::GoesOn& goesOn) -> JobQueue::Answer {
         auto again = std::make_shared<Expected<OpenedLog>>(reopen(*world, plan, shown, restarts, goesOn));
         return [this, again, why] { takeReopened(std::move(*again), why); };
@@ -170,12 +170,12 @@ void Overlay::takeReopened(Expected<OpenedLog> again, const QString& why) {
         return readAgain();
     }
     adopt(again->world, std::move(again->requests));
-    shownCourse_ = again->course;
+    shownRollout_ = again->rollout;
     compared_.reset();
-    reloaded_ = again->run.course;
+    reloaded_ = again->run.setup;
     reality_ = again->run.reality;
     window_.files().takeReloaded(std::move(again->run), why);
-    lookAtCourse();
+    lookAtRollout();
     compareAll();
     readAgain();
 }
@@ -197,18 +197,18 @@ void Overlay::close() {
     reading_.reset();
     share_ = 1;
     run_ = 0;
-    tellDivergences();
+    reportDivergences();
     emit changed();
 }
 
-/// Nothing stays that is known of another world or of other courses.
-void Overlay::adopt(OverlayWorldPointer world, std::vector<CourseRequest> requests) {
+/// Nothing stays that is known of another world or of other rollouts.
+void Overlay::adopt(OverlayWorldPointer world, std::vector<RolloutRequest> requests) {
     computing_.drop();
     stopSearching();
     coming_.reset();
-    shownCourse_.reset();
+    shownRollout_.reset();
     reality_ = nullptr;
-    forgetCourse();
+    forgetRollout();
     if (world && world != world_) {
         // Models move in the world that they were made of.
         std::vector<WantedModel> wanted;
@@ -231,21 +231,21 @@ void Overlay::sayError(const Error& error) {
     window_.messages().add({MessageBar::Kind::error, QString::fromStdString(error.message()), overlayTopic});
 }
 
-void Overlay::begin(OverlayWorldPointer world, const OverlayPlan& plan, std::vector<CourseRequest> courses) {
+void Overlay::begin(OverlayWorldPointer world, const OverlayPlan& plan, std::vector<RolloutRequest> rollouts) {
     plan_ = plan;
     for (const std::string& named : world->request.models) loading_.push_back({named});
     bound_ = {DivergenceBound{}.constant, knowsHeldOut(world->world())};
-    adopt(std::move(world), std::move(courses));
+    adopt(std::move(world), std::move(rollouts));
     window_.messages().remove(overlayTopic);
     for (std::size_t note = 0; note < world_->notes.size(); ++note)
         window_.messages().add({MessageBar::Kind::note, QString::fromStdString(world_->notes[note]), noteTopic(note)});
 }
 
-void Overlay::takeFollowed(OverlayWorldPointer world, const CoursePointer& followed) {
+void Overlay::takeFollowed(OverlayWorldPointer world, const BranchSetupPointer& followed) {
     const OverlayPlan plan = suitedPlan(*world);
-    auto courses = plannedCourses(*world, plan);
-    if (!courses) return sayError(courses.error());
-    begin(std::move(world), plan, std::move(*courses));
+    auto rollouts = plannedRollouts(*world, plan);
+    if (!rollouts) return sayError(rollouts.error());
+    begin(std::move(world), plan, std::move(*rollouts));
     const auto reality = std::make_shared<const Reality>(realityOf(world_->world(), 0, 0));
     coming_ = Coming{followed, {}, {}, {}, reality};
     if (window_.shown()) followShown();
@@ -254,12 +254,12 @@ void Overlay::takeFollowed(OverlayWorldPointer world, const CoursePointer& follo
 
 Expected<void> Overlay::setPlan(const OverlayPlan& plan) {
     if (!world_ || plan == plan_) return {};
-    auto courses = plannedCourses(*world_, plan);
-    if (!courses) return tl::unexpected(courses.error());
+    auto rollouts = plannedRollouts(*world_, plan);
+    if (!rollouts) return tl::unexpected(rollouts.error());
     if (!window_.files().mayLeave([this, plan] { (void)setPlan(plan); })) return {};
     plan_ = plan;
     window_.messages().remove(planTopic);
-    adopt(world_, std::move(*courses));
+    adopt(world_, std::move(*rollouts));
     show(0);
     compareAll();
     return {};
@@ -276,10 +276,10 @@ void Overlay::setBound(const Bound& bound) {
     if (bound == bound_) return;
     bound_ = bound;
     if (comparison_)
-        setRows(overlayRows(world_->world(), comparison_->courses, requests_, divergenceOptions()));
+        setRows(overlayRows(world_->world(), comparison_->rollouts, requests_, divergenceOptions()));
     else if (world_)
         compareAll();
-    tellDivergences();
+    reportDivergences();
     findCause();
     emit changed();
 }
@@ -300,11 +300,11 @@ void Overlay::compareAll() {
     emit changed();
     const auto job = [this, world = world_, requests = requests_,
                       bounds = divergenceOptions()](const JobQueue::GoesOn& goesOn) -> JobQueue::Answer {
-        const auto tell = [&](std::vector<OverlayRow> rows, double share) {
-            computing_.tell([this, rows = std::move(rows), share] { takeRows(rows, share); });
+        const auto report = [&](std::vector<OverlayRow> rows, double share) {
+            computing_.report([this, rows = std::move(rows), share] { takeRows(rows, share); });
             return goesOn();
         };
-        auto compared = std::make_shared<Expected<Comparison>>(compareCourses(*world, requests, bounds, tell));
+        auto compared = std::make_shared<Expected<Comparison>>(compareRollouts(*world, requests, bounds, report));
         return [this, compared] { takeComparison(std::move(*compared)); };
     };
     computing_.post(job, [this](const Error& error) { takeComparison(tl::unexpected(error)); });
@@ -316,7 +316,7 @@ void Overlay::takeRows(const std::vector<OverlayRow>& rows, double share) {
     rows_.insert(rows_.end(), rows.begin(), rows.end());
     ++rowsVersion_;
     if (!finding_ && shownRow() != nullptr) {
-        tellDivergences();
+        reportDivergences();
         findCause();
     }
     emit changed();
@@ -335,31 +335,31 @@ void Overlay::takeComparison(Expected<Comparison> comparison) {
     emit changed();
 }
 
-const OverlayRow* Overlay::rowOf(std::size_t course, std::size_t robot) const {
-    const auto found = std::lower_bound(rows_.begin(), rows_.end(), std::pair(course, robot),
+const OverlayRow* Overlay::rowOf(std::size_t rollout, std::size_t robot) const {
+    const auto found = std::lower_bound(rows_.begin(), rows_.end(), std::pair(rollout, robot),
                                         [](const OverlayRow& row, const std::pair<std::size_t, std::size_t>& of) {
-                                            return std::pair(row.course, row.robot) < of;
+                                            return std::pair(row.rollout, row.robot) < of;
                                         });
-    return found != rows_.end() && found->course == course && found->robot == robot ? &*found : nullptr;
+    return found != rows_.end() && found->rollout == rollout && found->robot == robot ? &*found : nullptr;
 }
 
-bool Overlay::show(std::size_t course, std::optional<std::size_t> robot, const Then& then) {
-    if (!world_ || course >= requests_.size()) return false;
-    if (!window_.files().mayLeave([this, course, robot, then] { show(course, robot, then); })) return false;
+bool Overlay::show(std::size_t rollout, std::optional<std::size_t> robot, const Then& then) {
+    if (!world_ || rollout >= requests_.size()) return false;
+    if (!window_.files().mayLeave([this, rollout, robot, then] { show(rollout, robot, then); })) return false;
     setAside();
-    const auto job = [this, world = world_, course, request = requests_[course], robot, then,
-                      toldOn = isToldOn(plan_, restarts_)](const JobQueue::GoesOn&) -> JobQueue::Answer {
-        auto run = std::make_shared<Expected<OpenRun>>(openCourse(*world, request, toldOn));
-        return [this, run, course, robot, then] { takeCourse(std::move(*run), course, robot, then); };
+    const auto job = [this, world = world_, rollout, request = requests_[rollout], robot, then,
+                      commandsToLogEnd = playsToLogEnd(plan_, restarts_)](const JobQueue::GoesOn&) -> JobQueue::Answer {
+        auto run = std::make_shared<Expected<OpenRun>>(openRollout(*world, request, commandsToLogEnd));
+        return [this, run, rollout, robot, then] { takeRollout(std::move(*run), rollout, robot, then); };
     };
-    opener_.post(job, [this, course, robot, then](const Error& error) {
-        takeCourse(tl::unexpected(error), course, robot, then);
+    opener_.post(job, [this, rollout, robot, then](const Error& error) {
+        takeRollout(tl::unexpected(error), rollout, robot, then);
     });
     return true;
 }
 
-void Overlay::takeCourse(Expected<OpenRun> run, std::size_t course, std::optional<std::size_t> robot,
-                         const Then& then) {
+void Overlay::takeRollout(Expected<OpenRun> run, std::size_t rollout, std::optional<std::size_t> robot,
+                          const Then& then) {
     if (!run) {
         sayError(run.error());
         return readAgain();
@@ -367,12 +367,12 @@ void Overlay::takeCourse(Expected<OpenRun> run, std::size_t course, std::optiona
     window_.messages().remove(overlayTopic);
     const Shown* const shown = window_.shown();
     const FieldView& field = window_.field();
-    coming_ = Coming{run->course, course, robot, absent_, run->reality, robot.has_value(), {}, then};
+    coming_ = Coming{run->setup, rollout, robot, absent_, run->reality, robot.has_value(), {}, then};
     if (robot)
         coming_->selected = world_->world().robots()[*robot].name;
     else if (const auto body = field.selected(); body && shown != nullptr)
         coming_->selected = shown->frame->nameOf(*body);
-    // Breakpoints and the view go along from course to course.
+    // Breakpoints and the view go along from rollout to rollout.
     std::vector<Breakpoint> breakpoints;
     if (shown != nullptr && shown->run == run_) {
         for (const BreakpointState& state : shown->breakpoints) breakpoints.push_back(state.breakpoint);
@@ -380,51 +380,51 @@ void Overlay::takeCourse(Expected<OpenRun> run, std::size_t course, std::optiona
         coming_->near = robot || field.showsPart();
         if (!field.showsAll()) coming_->view = field.transform();
     }
-    window_.files().takeCourse(*run);
+    window_.files().takeRollout(*run);
     if (!breakpoints.empty()) window_.session().setBreakpoints(breakpoints);
-    tellHits(course);
+    reportHits(rollout);
     if (then.play) window_.session().play();
 }
 
-/// A course that has been played to its end is followed by the next.
+/// A rollout that has been played to its end is followed by the next.
 void Overlay::followShown() {
-    if (coming_ && window_.shown()->course == coming_->run) finishComing();
+    if (coming_ && window_.shown()->setup == coming_->run) finishComing();
     const Shown& shown = *window_.shown();
-    if (reloaded_ && shown.course == reloaded_) {
+    if (reloaded_ && shown.setup == reloaded_) {
         compared_ = shown.branch;
         reloaded_ = nullptr;
-        tellDivergences();
+        reportDivergences();
         shownBranch_.reset();
     }
-    if (shownCourse_ && shown.run == run_ && shownBranch_ != shown.branch) {
+    if (shownRollout_ && shown.run == run_ && shownBranch_ != shown.branch) {
         shownBranch_ = shown.branch;
         emit changed();
     }
     if (shown.event == RunEvent::broke) showLeaving();
-    if (!inCourses() || opening()) return;
-    if (shown.event == RunEvent::noBreak) return lookInCourses();
-    if (shown.event != RunEvent::playedOut || !atCourseEnd()) return;
-    if (isLastCourse()) return sayLogEnds();
+    if (!inRollouts() || opening()) return;
+    if (shown.event == RunEvent::noBreak) return lookInRollouts();
+    if (shown.event != RunEvent::playedOut || !atRolloutEnd()) return;
+    if (isLastRollout()) return sayLogEnds();
     if (window_.files().hasUnsaved())
-        return window_.say(tr("This course has branches that are not saved: the next one waits"));
+        return window_.say(tr("This rollout has branches that are not saved: the next one waits"));
     Then on;
     on.play = true;
     showNext(1, on);
 }
 
-/// The run of a course is shown.
+/// The run of a rollout is shown.
 void Overlay::finishComing() {
     const Coming come = *std::exchange(coming_, std::nullopt);
-    if (!come.course) return window_.session().setReality(window_.shown()->run, come.reality);
+    if (!come.rollout) return window_.session().setReality(window_.shown()->run, come.reality);
     run_ = window_.shown()->run;
     compared_ = 0;
     shownBranch_ = window_.shown()->branch;
     reloaded_ = nullptr;
     reality_ = come.reality;
-    shownCourse_ = come.course;
+    shownRollout_ = come.rollout;
     if (come.robot) robot_ = come.robot;
     selectAgain(come.selected);
-    lookAtCourse();
+    lookAtRollout();
     showAsBefore(come);
     emit changed();
     if (come.then.toDivergence) goToDivergence();
@@ -434,8 +434,8 @@ void Overlay::finishComing() {
 }
 
 bool Overlay::showNext(int by, const Then& then) {
-    if (!world_ || !shownCourse_) return false;
-    const auto next = static_cast<std::int64_t>(*shownCourse_) + by;
+    if (!world_ || !shownRollout_) return false;
+    const auto next = static_cast<std::int64_t>(*shownRollout_) + by;
     if (next < 0 || next >= static_cast<std::int64_t>(requests_.size())) return false;
     show(static_cast<std::size_t>(next), {}, then);
     return true;
@@ -448,7 +448,7 @@ void Overlay::setRestarts(bool on) {
 }
 
 bool Overlay::cancel() {
-    // What somebody waits for, before what is done beside it.
+    // What is waited for, before what is done beside it.
     if (searching_.busy()) return stopSearching(), true;
     if (!opener_.busy() && !computing_.busy() && !driving_.busy() && !diagnosing_.busy()) return false;
     for (JobQueue* const queue : {&opener_, &computing_, &driving_, &diagnosing_}) queue->drop();
@@ -457,7 +457,7 @@ bool Overlay::cancel() {
     reading_.reset();
     loading_.clear();
     if (finding_ && finding_->share < 1) finding_.reset();
-    if (share_ < 1 && world_) error_ = tr("Cancelled: not all courses are compared");
+    if (share_ < 1 && world_) error_ = tr("Cancelled: not all rollouts are compared");
     share_ = 1;
     const auto cancelled = fail({}, "cancelled");
     for (OverlayModel& model : models_) {

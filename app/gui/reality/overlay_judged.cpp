@@ -21,7 +21,7 @@ void Overlay::compareModel(std::size_t model) {
     const auto job = [this, world = world_, judged, requests = requests_,
                       horizon = fromSeconds(horizon)](const JobQueue::GoesOn& goesOn) -> JobQueue::Answer {
         const Progress progress = [&](double share) {
-            computing_.tell([this, name = judged.name, share] {
+            computing_.report([this, name = judged.name, share] {
                 if (OverlayModel* const known = modelNamed(name)) known->judged = std::min(share, 0.999);
                 emit changed();
             });
@@ -77,14 +77,14 @@ void Overlay::takeModel(const WantedModel& wanted, Expected<OverlayModel> model)
                                     modelTopic(model->name)});
         models_.push_back(std::move(*model));
         compareModel(models_.size() - 1);
-        lookAtCourse();
+        lookAtRollout();
     }
     emit changed();
 }
 
 void Overlay::removeModel(std::size_t model) {
     if (model == 0 || model >= models_.size()) return;
-    std::erase_if(modelCourses_, [&](const auto& course) { return course.name == models_[model].name; });
+    std::erase_if(modelRollouts_, [&](const auto& rollout) { return rollout.name == models_[model].name; });
     window_.messages().remove(modelTopic(models_[model].name));
     models_.erase(models_.begin() + static_cast<std::ptrdiff_t>(model));
     layReality();

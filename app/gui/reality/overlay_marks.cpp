@@ -32,11 +32,11 @@ void markDivergences(MainWindow& window, const Overlay& overlay) {
     std::vector<Noted> noted;
     std::vector<PlotLevel> levels;
     std::optional<std::int64_t> instant;
-    if (overlay.shownCourse() && window.shown() != nullptr) {
+    if (overlay.shownRollout() && window.shown() != nullptr) {
         const Scene& scene = window.shown()->frame->scene();
         const std::vector<ComparedRobot>& robots = overlay.world()->world().robots();
         for (std::size_t i = 0; i < robots.size(); ++i) {
-            const OverlayRow* const row = overlay.rowOf(*overlay.shownCourse(), i);
+            const OverlayRow* const row = overlay.rowOf(*overlay.shownRollout(), i);
             if (row == nullptr || !row->divergence) continue;
             const Divergence& divergence = *row->divergence;
             noted.push_back(

@@ -98,12 +98,12 @@ Expected<Summary> evaluatedModel(const OverlayWorld& overlay, const OverlayModel
     return evaluation->models.front().all;
 }
 
-Reality::ModelCourse modelCourse(const OverlayWorld& overlay, const OverlayModel& model, const CourseRequest& course,
-                                 const std::function<bool()>& goesOn) {
-    const Nanoseconds length = course.steps * WindowOptions{}.step;
-    LogWorld::Opened opened = model.world->openAt(course.take, course.start, length, overlay.seed);
+Reality::ModelRollout modelRollout(const OverlayWorld& overlay, const OverlayModel& model,
+                                   const RolloutRequest& rollout, const std::function<bool()>& goesOn) {
+    const Nanoseconds length = rollout.steps * WindowOptions{}.step;
+    LogWorld::Opened opened = model.world->openAt(rollout.session, rollout.start, length, overlay.seed);
     const Scene& scene = opened.scenario->scene();
-    Reality::ModelCourse driven{model.name, scene.tickLength, {}};
+    Reality::ModelRollout driven{model.name, scene.tickLength, {}};
     driven.poses.resize(opened.starts.size());
     const auto keep = [&] {
         for (std::size_t robot = 0; robot < opened.starts.size(); ++robot)

@@ -14,8 +14,8 @@ namespace mrose::gui {
 
 /// A motion model by which the robots of an overlay are moved, and how true it is.
 struct OverlayModel {
-    /// As `mrose compare` has it, of the plan's courses: with contacts. As `mrose evaluate`, of its windows: through
-    /// everything. Nothing: not known yet; an error: why it will not be.
+    /// As `mrose compare` has it, of the plan's rollouts: with contacts. As `mrose evaluate`, of its windows: through
+    /// everything. nullopt: not known yet; an error: why it will not be.
     struct Figures {
         std::optional<Expected<ComparedSummary>> compared;
         std::optional<Expected<Summary>> evaluated;
@@ -26,7 +26,7 @@ struct OverlayModel {
     std::string note = {};                  ///< that its figures mean little; empty: they do not
     bool shown = true;
     Figures figures = {};
-    double judged = 1;  ///< share of the work on them; 1: nobody is at it
+    double judged = 1;  ///< share of the work on them; 1: no work is under way
 };
 
 /// Of the messages that speak of a model.
@@ -43,8 +43,8 @@ std::vector<std::string> modelNames(const OverlayWorld& overlay);
 Expected<Summary> evaluatedModel(const OverlayWorld& overlay, const OverlayModel& model, Nanoseconds horizon,
                                  const std::function<bool(double share)>& progress);
 
-/// What a model makes of one course, at each tick of the scenario. `goesOn` false: up to there.
-Reality::ModelCourse modelCourse(const OverlayWorld& overlay, const OverlayModel& model, const CourseRequest& course,
-                                 const std::function<bool()>& goesOn);
+/// What a model makes of one rollout, at each tick of the scenario. `goesOn` false: up to there.
+Reality::ModelRollout modelRollout(const OverlayWorld& overlay, const OverlayModel& model,
+                                   const RolloutRequest& rollout, const std::function<bool()>& goesOn);
 
 }  // namespace mrose::gui

@@ -27,7 +27,7 @@ namespace mrose::gui {
 namespace {
 
 constexpr double longestLog = 1e6;   // s
-constexpr int widestName = 84;       // pixels: tips tell longer ones
+constexpr int widestName = 84;       // pixels: tool tips show longer ones
 constexpr int leastListWidth = 404;  // pixels: all columns of five robots for half an hour
 
 QString minutes(Nanoseconds time) {
@@ -40,18 +40,18 @@ QString counted(std::size_t count, const QString& one, const QString& several) {
     return QString::number(count) + ' ' + (count == 1 ? one : several);
 }
 
-/// "155 courses of 5 robots, 26:00 min"; of a log in parts: "..., 128 takes, 8:32 min in all".
+/// "155 rollouts of 5 robots, 26:00 min"; of a log in parts: "..., 128 sessions, 8:32 min in all".
 QString aboutText(const Overlay& overlay) {
     const LogWorld& world = overlay.world()->world();
     const auto stretch = overlay.plan().stretch;
     Nanoseconds length = 0;
-    for (const Take& take : world.takes()) length += std::max<Nanoseconds>(0, take.length);
+    for (const LogSession& session : world.sessions()) length += std::max<Nanoseconds>(0, session.length);
     QStringList parts{QObject::tr("%1 of %2")
-                          .arg(counted(overlay.requests().size(), QObject::tr("course"), QObject::tr("courses")),
+                          .arg(counted(overlay.requests().size(), QObject::tr("rollout"), QObject::tr("rollouts")),
                                counted(world.robots().size(), QObject::tr("robot"), QObject::tr("robots"))) +
                       (stretch ? QObject::tr(" in %1 s").arg(fixedText(*stretch, 1)) : QString())};
-    const bool several = world.takes().size() > 1;
-    if (several) parts << counted(world.takes().size(), QObject::tr("take"), QObject::tr("takes"));
+    const bool several = world.sessions().size() > 1;
+    if (several) parts << counted(world.sessions().size(), QObject::tr("session"), QObject::tr("sessions"));
     parts << minutes(length) + (several ? QObject::tr(" in all") : QString());
     return parts.join(", ");
 }
@@ -59,7 +59,7 @@ QString aboutText(const Overlay& overlay) {
 QString figuresTip(bool open) {
     return open ? QObject::tr(
                       "P, Hd and errors as mrose evaluate has them: open loop, through everything, on its windows")
-                : QObject::tr("P, Hd and errors as mrose compare has them: of these courses, with contacts");
+                : QObject::tr("P, Hd and errors as mrose compare has them: of these rollouts, with contacts");
 }
 
 /// "P 1.50 %, Hd 3.10 % with contacts, as mrose compare, over 155 windows".
@@ -72,10 +72,10 @@ QString figuresText(const Summary& summary, bool open) {
 
 /// "372 of 440 count; 40 with gaps and 28 standing do not"; empty: all do.
 QString countText(const std::vector<OverlayRow>& rows) {
-    const auto with = [&](CourseUse use) {
+    const auto with = [&](RolloutUse use) {
         return std::count_if(rows.begin(), rows.end(), [use](const OverlayRow& row) { return row.use == use; });
     };
-    const auto gaps = with(CourseUse::gap), still = with(CourseUse::still);
+    const auto gaps = with(RolloutUse::gap), still = with(RolloutUse::still);
     QStringList others;
     if (gaps > 0) others << QObject::tr("%1 with gaps").arg(gaps);
     if (still > 0) others << QObject::tr("%1 standing").arg(still);
@@ -85,8 +85,8 @@ QString countText(const std::vector<OverlayRow>& rows) {
         .arg(QString::number(all - gaps - still), QString::number(all), others.join(QObject::tr(" and ")));
 }
 
-/// Who walks through the courses by keys sees each of them. The current one stays in sight where room is taken.
-class CourseView final : public QTreeView {
+/// Rollouts that are walked through by keys are all seen. The current one stays in sight where room is taken.
+class RolloutView final : public QTreeView {
 protected:
     void resizeEvent(QResizeEvent* event) override {
         const QRect before = visualRect(currentIndex());
@@ -117,15 +117,15 @@ QDoubleSpinBox* secondsBox(double least, double most, const QString& tip) {
 OverlayPanel::OverlayPanel(Overlay& overlay, QWidget* parent)
     : QWidget(parent),
       overlay_(overlay),
-      courses_(new CourseList(this)),
+      rollouts_(new RolloutList(this)),
       log_(new QLabel),
       about_(new QLabel),
       causes_(new CausePanel(overlay)),
       cut_(new QComboBox),
       startLabel_(new QLabel(tr("from"))),
-      restarts_(new QCheckBox(tr("Play on into the next course"))),
+      restarts_(new QCheckBox(tr("Play on into the next rollout"))),
       progress_(makeProgress()),
-      list_(new CourseView) {
+      list_(new RolloutView) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 8, 8, 8);
     layout->setSpacing(6);
@@ -160,19 +160,19 @@ QWidget* OverlayPanel::makePlan() {
     layout->setSpacing(4);
     auto* line = new QHBoxLayout;
     cut_->addItem(tr("Restart every"), static_cast<int>(OverlayPlan::Cut::every));
-    cut_->addItem(tr("One course of"), static_cast<int>(OverlayPlan::Cut::once));
+    cut_->addItem(tr("One rollout of"), static_cast<int>(OverlayPlan::Cut::once));
     cut_->addItem(tr("Windows of"), static_cast<int>(OverlayPlan::Cut::windows));
     cut_->setToolTip(tr("Where the simulated robots start: again and again, once, or as mrose evaluate cuts the log"));
-    length_ = secondsBox(0.1, longestLog, tr("How long a course is"));
+    length_ = secondsBox(0.1, longestLog, tr("How long a rollout is"));
     start_ =
-        secondsBox(0, longestLog, tr("Where in the log the first course begins, after all of its robots are there"));
+        secondsBox(0, longestLog, tr("Where in the log the first rollout begins, after all of its robots are there"));
     line->addWidget(cut_);
     line->addWidget(length_);
     line->addWidget(startLabel_);
     line->addWidget(start_);
     line->addStretch(1);
     layout->addLayout(line);
-    restarts_->setToolTip(tr("At the end of a course the next one begins, from where the real robots then are"));
+    restarts_->setToolTip(tr("At the end of a rollout the next one begins, from where the real robots then are"));
     layout->addWidget(restarts_);
     connect(cut_, QOverload<int>::of(&QComboBox::activated), this, &OverlayPanel::applyPlan);
     connect(length_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &OverlayPanel::applyPlan);
@@ -201,27 +201,27 @@ QWidget* OverlayPanel::makeProgress() {
     return progress;
 }
 
-/// As wide as their titles and digits, so that all of them are seen at once. Rows come in the order of their courses:
+/// As wide as their titles and digits, so that all of them are seen at once. Rows come in the order of their rollouts:
 /// those that were there before are measured already.
 void OverlayPanel::fitColumns() {
     const std::vector<OverlayRow>& rows = overlay_.rows();
     const QFontMetrics metrics = list_->fontMetrics();
     if (fitted_ == 0 || rows.size() < fitted_) {
         fitted_ = 0;
-        const std::size_t takes = overlay_.world() ? overlay_.world()->world().takes().size() : 1;
-        list_->setColumnHidden(CourseList::take, takes == 1);
-        list_->setColumnHidden(CourseList::robot, takes > 1 && overlay_.world()->world().robots().size() == 1);
+        const std::size_t sessions = overlay_.world() ? overlay_.world()->world().sessions().size() : 1;
+        list_->setColumnHidden(RolloutList::session, sessions == 1);
+        list_->setColumnHidden(RolloutList::robot, sessions > 1 && overlay_.world()->world().robots().size() == 1);
     }
-    for (int column = 0; column < CourseList::columns; ++column) {
+    for (int column = 0; column < RolloutList::columns; ++column) {
         if (list_->isColumnHidden(column)) continue;
-        const QString title = courses_->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+        const QString title = rollouts_->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
         int& wide = widths_[static_cast<std::size_t>(column)];
         if (fitted_ == 0) wide = metrics.size(0, title).width();
         for (std::size_t row = fitted_; row < rows.size(); ++row)
-            wide = std::max(wide, metrics.horizontalAdvance(courses_->text(rows[row], column)));
-        if (CourseList::isName(column)) wide = std::min(wide, widestName);
+            wide = std::max(wide, metrics.horizontalAdvance(rollouts_->text(rows[row], column)));
+        if (RolloutList::isName(column)) wide = std::min(wide, widestName);
         // The title that it is sorted by has an arrow.
-        list_->setColumnWidth(column, wide + (column == CourseList::error ? 24 : 7));
+        list_->setColumnWidth(column, wide + (column == RolloutList::error ? 24 : 7));
     }
     fitted_ = rows.size();
 }
@@ -237,8 +237,8 @@ QWidget* OverlayPanel::makeModels() {
     models_->setHeaderLabels({tr("Model"), tr("P %"), tr("Hd %"), tr("end cm"), tr("end \u00b0")});
     models_->headerItem()->setToolTip(1, tr("Mean distance to the real robot over its path, summed over all windows"));
     models_->headerItem()->setToolTip(2, tr("Mean heading error over its rotation, summed over all windows"));
-    models_->headerItem()->setToolTip(3, tr("Distance at the end of a course, the median"));
-    models_->headerItem()->setToolTip(4, tr("Heading error at the end of a course, the median"));
+    models_->headerItem()->setToolTip(3, tr("Distance at the end of a rollout, the median"));
+    models_->headerItem()->setToolTip(4, tr("Heading error at the end of a rollout, the median"));
     models_->setRootIsDecorated(false);
     models_->setIndentation(0);
     models_->setUniformRowHeights(true);
@@ -294,15 +294,15 @@ void OverlayPanel::fillModelMenu(QMenu& menu) {
 }
 
 void OverlayPanel::makeList() {
-    list_->setModel(courses_);
+    list_->setModel(rollouts_);
     list_->setObjectName("courses");
-    list_->setAccessibleName(tr("Courses, by their errors"));
+    list_->setAccessibleName(tr("Rollouts, by their errors"));
     list_->setRootIsDecorated(false);
     list_->setUniformRowHeights(true);
     list_->setAllColumnsShowFocus(true);
     list_->setFrameShape(QFrame::NoFrame);
     list_->setSortingEnabled(true);
-    list_->sortByColumn(CourseList::error, Qt::DescendingOrder);
+    list_->sortByColumn(RolloutList::error, Qt::DescendingOrder);
     list_->header()->setStretchLastSection(true);
     list_->header()->setMinimumSectionSize(20);
     list_->setMinimumWidth(leastListWidth);
@@ -313,8 +313,8 @@ void OverlayPanel::makeList() {
 }
 
 void OverlayPanel::openLine(const QModelIndex& index) {
-    const OverlayRow& row = courses_->row(index.row());
-    if (!overlay_.show(row.course, row.robot)) selectShown();
+    const OverlayRow& row = rollouts_->row(index.row());
+    if (!overlay_.show(row.rollout, row.robot)) selectShown();
 }
 
 void OverlayPanel::applyPlan() {
@@ -362,18 +362,18 @@ void OverlayPanel::refresh() {
     bar_->setFormat(work ? work->what + " %p %" : overlay_.error());
     bar_->setValue(work ? static_cast<int>(100 * work->share) : 0);
     stop_->setText(ended ? tr("Compare") : tr("Cancel"));
-    stop_->setToolTip(ended ? tr("Compare all courses") : tr("End this here (Esc)"));
+    stop_->setToolTip(ended ? tr("Compare all rollouts") : tr("End this here (Esc)"));
     models_->setVisible(world != nullptr);
     refreshModels();
     refreshList();
     causes_->refresh();
 }
 
-/// The line that whoever walks through it by keys stands on is left alone until another course is shown.
+/// The line chosen by keys is left alone until another rollout is shown.
 void OverlayPanel::refreshList() {
     if (listed_ != overlay_.rowsVersion()) fillList();
     const OverlayRow* const row = overlay_.shownRow();
-    const auto shown = row != nullptr ? std::optional(std::pair(row->course, row->robot)) : std::nullopt;
+    const auto shown = row != nullptr ? std::optional(std::pair(row->rollout, row->robot)) : std::nullopt;
     if (shown == selected_ || overlay_.opening()) return;
     selected_ = shown;
     selectShown();
@@ -384,12 +384,12 @@ void OverlayPanel::fillList() {
     const int scrolled = list_->verticalScrollBar()->value();
     const QModelIndex current = list_->currentIndex();
     std::optional<OverlayRow> kept;
-    if (current.isValid()) kept = courses_->row(current.row());
-    courses_->setRows(overlay_.world(), overlay_.rows());
+    if (current.isValid()) kept = rollouts_->row(current.row());
+    rollouts_->setRows(overlay_.world(), overlay_.rows());
     listed_ = overlay_.rowsVersion();
     fitColumns();
     list_->setAutoScroll(false);
-    if (kept) select(kept->course, kept->robot);
+    if (kept) select(kept->rollout, kept->robot);
     list_->setAutoScroll(true);
     list_->doItemsLayout();
     list_->verticalScrollBar()->setValue(scrolled);
@@ -453,17 +453,17 @@ void OverlayPanel::refreshModels() {
     models_->setFixedHeight((lines + 1) * line + 4);
 }
 
-/// The shown course in the list.
+/// The shown rollout in the list.
 void OverlayPanel::selectShown() {
     const OverlayRow* const row = overlay_.shownRow();
     if (row == nullptr) return list_->selectionModel()->clear();
-    select(row->course, row->robot);
+    select(row->rollout, row->robot);
 }
 
-void OverlayPanel::select(std::size_t course, std::size_t robot) {
-    const int line = courses_->lineOf(course, robot);
+void OverlayPanel::select(std::size_t rollout, std::size_t robot) {
+    const int line = rollouts_->lineOf(rollout, robot);
     if (line < 0) return list_->selectionModel()->clear();
-    list_->selectionModel()->setCurrentIndex(courses_->index(line, CourseList::error),
+    list_->selectionModel()->setCurrentIndex(rollouts_->index(line, RolloutList::error),
                                              QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
 }
 

@@ -4,8 +4,8 @@
 #include <array>
 
 #include "reality/cause_panel.h"
-#include "reality/course_list.h"
 #include "reality/overlay.h"
+#include "reality/rollout_list.h"
 
 class QCheckBox;
 class QComboBox;
@@ -19,7 +19,7 @@ class QTreeWidget;
 
 namespace mrose::gui {
 
-/// What an overlay is about: the log, where the simulated robots start, how far they are off, and the list of courses
+/// What an overlay is about: the log, where the simulated robots start, how far they are off, and the list of rollouts
 /// in which the worst comes first.
 class OverlayPanel final : public QWidget {
     Q_OBJECT
@@ -30,8 +30,8 @@ public:
     void setTheme(const Theme& theme);
     QTreeView& list() const { return *list_; }
     QTreeWidget& models() const { return *models_; }
-    CourseList* courses() const { return courses_; }
-    void openLine(const QModelIndex& index);  ///< the course of a line of the list
+    RolloutList* rollouts() const { return rollouts_; }
+    void openLine(const QModelIndex& index);  ///< the rollout of a line of the list
     CausePanel& causes() const { return *causes_; }
 
     QSize sizeHint() const override { return {400, 600}; }
@@ -53,12 +53,12 @@ private:
     bool showsEvaluated() const;
     void refreshList();
     void fillList();
-    void select(std::size_t course, std::size_t robot);
+    void select(std::size_t rollout, std::size_t robot);
     void selectShown();
     void applyPlan();
 
     Overlay& overlay_;
-    CourseList* courses_;
+    RolloutList* rollouts_;
     QLabel *log_, *about_;
     CausePanel* causes_;
     QComboBox* cut_;
@@ -73,8 +73,8 @@ private:
     QTreeView* list_;
     std::uint64_t listed_ = 0;                                     ///< Overlay::rowsVersion() of the list
     std::size_t fitted_ = 0;                                       ///< rows that the columns are wide enough for
-    std::array<int, CourseList::columns> widths_{};                ///< pixels: of what they show
-    std::optional<std::pair<std::size_t, std::size_t>> selected_;  ///< course and robot
+    std::array<int, RolloutList::columns> widths_{};               ///< pixels: of what they show
+    std::optional<std::pair<std::size_t, std::size_t>> selected_;  ///< rollout and robot
     bool filling_ = false;
     Theme theme_ = Theme::light();
 };

@@ -14,26 +14,26 @@ namespace mrose::gui {
 struct OverlayPlan {
     enum class Cut {
         once,    ///< at one start
-        every,   ///< again and again, so that courses follow each other
-        windows  ///< as `mrose evaluate` cuts the log: a course for each robot and window
+        every,   ///< again and again, so that rollouts follow each other
+        windows  ///< as `mrose evaluate` cuts the log: a rollout for each robot and window
     };
     Cut cut = Cut::every;
     double start = 0;    ///< s after the log's start; not of windows
-    double length = 10;  ///< s, of a course
-    /// s, of all courses that follow each other; nothing: to the log's end.
+    double length = 10;  ///< s, of a rollout
+    /// s, of all rollouts that follow each other; nullopt: to the log's end.
     std::optional<double> stretch = {};
     bool operator==(const OverlayPlan&) const = default;
 };
 
-/// One robot in one course, as lists show it.
+/// One robot in one rollout, as lists show it.
 struct OverlayRow {
-    std::size_t course = 0, robot = 0;  ///< in Overlay::requests() and LogWorld::robots()
-    std::size_t take = 0;               ///< in LogWorld::takes()
-    Nanoseconds start = 0;              ///< on the take's clock
-    CourseUse use = CourseUse::counted;
-    std::optional<double> position;  ///< m, time-mean over what is known; nothing: there is no ground truth
-    std::optional<double> share;     ///< %: of the path; nothing where it hardly drives
-    std::optional<double> heading;   ///< rad, time-mean; nothing where not all is known
+    std::size_t rollout = 0, robot = 0;  ///< in Overlay::requests() and LogWorld::robots()
+    std::size_t session = 0;             ///< in LogWorld::sessions()
+    Nanoseconds start = 0;               ///< on the session's clock
+    RolloutUse use = RolloutUse::counted;
+    std::optional<double> position;  ///< m, time-mean over what is known; nullopt: there is no ground truth
+    std::optional<double> share;     ///< %: of the path; nullopt where it hardly drives
+    std::optional<double> heading;   ///< rad, time-mean; nullopt where not all is known
     std::optional<Manoeuvre> manoeuvre;
     std::optional<Divergence> divergence;
     DivergenceBound bound;
@@ -41,15 +41,15 @@ struct OverlayRow {
     FieldArea area{{1, 1}, {-1, -1}};  ///< all that the middles of both robots pass
 };
 
-/// Where nobody has asked for any: every 10 s; of a log whose trajectories are too short for that windows that nearly
-/// all of them hold, or, where no such window counts, courses as long as that.
+/// The default: every 10 s; of a log whose trajectories are too short for that windows that nearly all of them hold,
+/// or, where no such window counts, rollouts as long as that.
 OverlayPlan suitedPlan(const OverlayWorld& overlay);
 
-/// The courses of a plan. Error: none fits in.
-Expected<std::vector<CourseRequest>> plannedCourses(const OverlayWorld& overlay, const OverlayPlan& plan);
+/// The rollouts of a plan. Error: none fits in.
+Expected<std::vector<RolloutRequest>> plannedRollouts(const OverlayWorld& overlay, const OverlayPlan& plan);
 
-/// Those of these courses whose robots were simulated.
-std::vector<OverlayRow> overlayRows(const LogWorld& world, std::span<const ComparedCourse> courses,
-                                    const std::vector<CourseRequest>& requests, const DivergenceOptions& options);
+/// Those of these rollouts whose robots were simulated.
+std::vector<OverlayRow> overlayRows(const LogWorld& world, std::span<const ComparedRollout> rollouts,
+                                    const std::vector<RolloutRequest>& requests, const DivergenceOptions& options);
 
 }  // namespace mrose::gui

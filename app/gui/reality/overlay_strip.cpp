@@ -7,10 +7,10 @@
 namespace mrose::gui {
 namespace {
 
-/// Where poses are too far apart to say anything in between, on the take's clock.
-std::vector<CourseStrip::Span> unknownSpans(const std::vector<StampedPose>& poses, Nanoseconds origin,
-                                            Nanoseconds length) {
-    std::vector<CourseStrip::Span> spans;
+/// Where poses are too far apart to say anything in between, on the session's clock.
+std::vector<RolloutStrip::Span> unknownSpans(const std::vector<StampedPose>& poses, Nanoseconds origin,
+                                             Nanoseconds length) {
+    std::vector<RolloutStrip::Span> spans;
     Nanoseconds last = 0;
     const auto add = [&](Nanoseconds until) {
         if (until - last > truthGap) spans.push_back({last, until});
@@ -26,32 +26,33 @@ std::vector<CourseStrip::Span> unknownSpans(const std::vector<StampedPose>& pose
 
 }  // namespace
 
-CourseStrip::Content stripOf(const Overlay& overlay) {
-    CourseStrip::Content content;
+RolloutStrip::Content stripOf(const Overlay& overlay) {
+    RolloutStrip::Content content;
     if (!overlay.world()) return content;
     const LogWorld& world = overlay.world()->world();
-    const std::vector<CourseRequest>& requests = overlay.requests();
-    const std::size_t take = overlay.shownCourse() ? requests[*overlay.shownCourse()].take : 0;
+    const std::vector<RolloutRequest>& requests = overlay.requests();
+    const std::size_t session = overlay.shownRollout() ? requests[*overlay.shownRollout()].session : 0;
     const std::size_t robot = overlay.shownRobot().value_or(0);
     const QString title = QString::fromStdString(world.robots()[robot].name);
-    const QString takeName = QString::fromStdString(takeText(world.takes()[take]));
-    content.title = QObject::tr("%1 in %2")
-                        .arg(title, takeName.isEmpty() ? QString::fromStdString(overlay.world()->name()) : takeName);
-    content.length = world.takes()[take].length;
-    content.shown = overlay.shownCourse();
+    const QString sessionName = QString::fromStdString(sessionText(world.sessions()[session]));
+    content.title =
+        QObject::tr("%1 in %2")
+            .arg(title, sessionName.isEmpty() ? QString::fromStdString(overlay.world()->name()) : sessionName);
+    content.length = world.sessions()[session].length;
+    content.shown = overlay.shownRollout();
     const Nanoseconds step = WindowOptions{}.step;
-    for (std::size_t course = 0; course < requests.size(); ++course) {
-        const CourseRequest& request = requests[course];
-        if (request.take != take || (request.robot && *request.robot != robot)) continue;
-        const OverlayRow* const row = overlay.rowOf(course, robot);
+    for (std::size_t rollout = 0; rollout < requests.size(); ++rollout) {
+        const RolloutRequest& request = requests[rollout];
+        if (request.session != session || (request.robot && *request.robot != robot)) continue;
+        const OverlayRow* const row = overlay.rowOf(rollout, robot);
         constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
         const double error = row != nullptr ? row->position.value_or(unknown) : unknown;
-        CourseStrip::Cell cell{course, request.start, request.start + request.steps * step, error, {}};
+        RolloutStrip::Cell cell{rollout, request.start, request.start + request.steps * step, error, {}};
         if (row != nullptr && row->divergence) cell.diverges = request.start + row->divergence->time;
         content.cells.push_back(cell);
     }
-    content.unknown =
-        unknownSpans(world.trajectory(take, robot).poses, world.takes()[take].parts[robot].origin, content.length);
+    content.unknown = unknownSpans(world.trajectory(session, robot).poses,
+                                   world.sessions()[session].parts[robot].origin, content.length);
     return content;
 }
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "comparison/course_value.h"
 #include "comparison/log_scenario.h"
+#include "comparison/rollout_value.h"
 #include "evaluation/format.h"
 #include "io/file.h"
 #include "logs/log_reader.h"
@@ -78,7 +78,7 @@ Expected<LoadedScenario> scenarioNamed(OverlayWorld& overlay, std::shared_ptr<co
 
 /// A scenario that suits the log.
 Expected<LoadedScenario> scenarioMade(OverlayWorld& overlay, std::shared_ptr<const Log>& log,
-                                      const OpenProgress& progress, bool* untold) {
+                                      const OpenProgress& progress, bool* kindUnknown) {
     const OverlayRequest& request = overlay.request;
     if (!request.robotFile.empty())
         if (const auto there = checkRobotFile(request.robotFile); !there) return tl::unexpected(there.error());
@@ -89,7 +89,7 @@ Expected<LoadedScenario> scenarioMade(OverlayWorld& overlay, std::shared_ptr<con
     const auto kinds = robotKinds();
     if (!kinds) return tl::unexpected(kinds.error());
     if (auto playable = checkPlayable(*log, *kinds, request.robots); !playable) return tl::unexpected(playable.error());
-    if (untold != nullptr) *untold = request.robotFile.empty() && !tellsRobotKind(*log, *kinds);
+    if (kindUnknown != nullptr) *kindUnknown = request.robotFile.empty() && !namesRobotKind(*log, *kinds);
     const auto made = scenarioOfLog(*log, overlay.place, *kinds, request.robotFile);
     if (!made) return tl::unexpected(made.error());
     DiskDescriptions disk = openDescriptions();
@@ -106,7 +106,8 @@ Expected<LoadedScenario> scenarioMade(OverlayWorld& overlay, std::shared_ptr<con
 
 void addNotices(OverlayWorld& overlay) {
     if (overlay.world().log().synthetic)
-        overlay.notes.push_back("The log comes from a simulated robot: nothing here tells of a real one.");
+        overlay.notes.push_back(
+            "The log comes from a simulated robot: nothing here says how true it is of a real one.");
     for (const std::vector<std::string>& more : {noticesOf(overlay.world().log()), overlay.world().leftOut()})
         overlay.notes.insert(overlay.notes.end(), more.begin(), more.end());
     for (const MotionNetwork* network : networksOf(overlay.world().parts()))
@@ -135,10 +136,10 @@ std::vector<std::string> sharedRobots(const OverlayRequest& request, const Scena
 std::string OverlayWorld::name() const { return fs::path(place).filename().string(); }
 
 Expected<OverlayWorldPointer> openOverlayWorld(const OverlayRequest& request, const OpenProgress& progress,
-                                               bool* untold) {
+                                               bool* kindUnknown) {
     OverlayWorld opening{request, {}, {}, nullptr, 1, {}, {}};
     std::shared_ptr<const Log> log;
-    auto loaded = request.scenario.empty() && !request.kept ? scenarioMade(opening, log, progress, untold)
+    auto loaded = request.scenario.empty() && !request.kept ? scenarioMade(opening, log, progress, kindUnknown)
                                                             : scenarioNamed(opening, log, progress);
     if (!loaded) return tl::unexpected(loaded.error());
     opening.value = std::make_shared<const ScenarioValue>(std::move(loaded->value));
@@ -155,26 +156,27 @@ Expected<OverlayWorldPointer> openOverlayWorld(const OverlayRequest& request, co
     return std::make_shared<const OverlayWorld>(std::move(opening));
 }
 
-std::string takeText(const Take& take) { return take.name.empty() ? "" : "take " + take.name; }
+std::string sessionText(const LogSession& session) { return session.name.empty() ? "" : "session " + session.name; }
 
-std::string courseName(const OverlayWorld& overlay, const CourseRequest& course) {
-    const std::string take = takeText(overlay.world().takes()[course.take]);
-    return overlay.name() + (take.empty() ? "" : ", " + take) + ", from " + fixed(toSeconds(course.start), 1) + " s";
+std::string rolloutName(const OverlayWorld& overlay, const RolloutRequest& rollout) {
+    const std::string session = sessionText(overlay.world().sessions()[rollout.session]);
+    return overlay.name() + (session.empty() ? "" : ", " + session) + ", from " + fixed(toSeconds(rollout.start), 1) +
+           " s";
 }
 
-Expected<OpenRun> openCourse(const OverlayWorld& overlay, const CourseRequest& course, bool toldOn) {
+Expected<OpenRun> openRollout(const OverlayWorld& overlay, const RolloutRequest& rollout, bool commandsToLogEnd) {
     const LogWorld& world = overlay.world();
     const Nanoseconds step = WindowOptions{}.step;
-    const Nanoseconds left = world.takes()[course.take].length - course.start;
-    const Nanoseconds duration = toldOn ? std::max(left, course.steps * step) : course.steps * step;
+    const Nanoseconds left = world.sessions()[rollout.session].length - rollout.start;
+    const Nanoseconds duration = commandsToLogEnd ? std::max(left, rollout.steps * step) : rollout.steps * step;
     auto opened =
-        mrose::openCourse(world, *overlay.value, overlay.place, course, overlay.seed, course.steps * step, duration);
+        mrose::openRollout(world, *overlay.value, overlay.place, rollout, overlay.seed, rollout.steps * step, duration);
     if (!opened) return tl::unexpected(opened.error());
-    OpenRun run{courseName(overlay, course), {}, nullptr, std::move(opened->state), {}, {}, {}, {}};
+    OpenRun run{rolloutName(overlay, rollout), {}, nullptr, std::move(opened->state), {}, {}, {}, {}};
     run.source = {overlay.request.scenario.empty() ? overlay.place : overlay.request.scenario, 0, overlay.request.seed,
                   overlay.place, overlay.request.pluginLimit};
-    run.course = std::make_shared<const Course>(Course{std::move(opened->value), std::move(opened->scenario)});
-    run.reality = std::make_shared<const Reality>(realityOf(world, course.take, course.start));
+    run.setup = std::make_shared<const BranchSetup>(BranchSetup{std::move(opened->value), std::move(opened->scenario)});
+    run.reality = std::make_shared<const Reality>(realityOf(world, rollout.session, rollout.start));
     run.files = overlay.files;
     return run;
 }

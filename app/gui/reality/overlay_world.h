@@ -28,7 +28,7 @@ struct OverlayRequest {
 struct OverlayWorld {
     OverlayRequest request;
     std::string place;           ///< of the log
-    ScenarioValuePointer value;  ///< without what is told from the log
+    ScenarioValuePointer value;  ///< without what comes from the log
     std::shared_ptr<const LogWorld> played;
     std::uint64_t seed = 1;
     std::map<std::string, std::string> files;  ///< as OpenRun::files
@@ -39,18 +39,18 @@ struct OverlayWorld {
 };
 using OverlayWorldPointer = std::shared_ptr<const OverlayWorld>;
 
-/// Error: the first thing wrong with log or scenario, or with both together. One is that the log does not tell what
-/// kind of robot drove, and that the request does not either: then `untold`, if given, is true.
+/// Error: the first thing wrong with log or scenario, or with both together. One is that the log does not say what kind
+/// of robot drove, and that the request does not either: then `kindUnknown`, if given, is true.
 Expected<OverlayWorldPointer> openOverlayWorld(const OverlayRequest& request, const OpenProgress& progress = {},
-                                               bool* untold = nullptr);
+                                               bool* kindUnknown = nullptr);
 
-/// "take 17"; "": the log is in one piece.
-std::string takeText(const Take& take);
-/// "MRCLAM_Dataset6, from 120.0 s": log, take and start.
-std::string courseName(const OverlayWorld& overlay, const CourseRequest& course);
+/// "session 17"; "": the log is in one piece.
+std::string sessionText(const LogSession& session);
+/// "MRCLAM_Dataset6, from 120.0 s": log, session and start.
+std::string rolloutName(const OverlayWorld& overlay, const RolloutRequest& rollout);
 
-/// One course as a run that begins as the comparison's does. With `toldOn` its robots are told what they were told to
-/// the log's end, and not to the course's alone. Error: as of mrose::openCourse().
-Expected<OpenRun> openCourse(const OverlayWorld& overlay, const CourseRequest& course, bool toldOn);
+/// One rollout as a run that begins as the comparison's does. With `commandsToLogEnd` its robots get their commands up
+/// to the log's end, and not to the rollout's alone. Error: as of mrose::openRollout().
+Expected<OpenRun> openRollout(const OverlayWorld& overlay, const RolloutRequest& rollout, bool commandsToLogEnd);
 
 }  // namespace mrose::gui

@@ -11,8 +11,8 @@
 
 namespace mrose::gui {
 
-/// Instants between which nobody knows where a robot of a reality is, from the run's start on; without a robot those in
-/// which nobody knows it of any. What has not been measured at the end is unknown for good.
+/// Instants between which it is not known where a real robot is, from the run's start on; without a robot those in
+/// which it is not known of any. What has not been measured at the end is unknown to the end.
 std::vector<Reality::Robot::Stretch> unknownTruth(const Reality& reality, const Reality::Robot* robot);
 
 /// What reality adds to the timeline: where it is unknown, and the marks of those who compare it with the run.
@@ -25,7 +25,7 @@ public:
 
 private:
     std::vector<TimelineBar::Content::Noted> noted_;
-    // What was told last, and of whom: it takes all of a log to find it.
+    // What was reported last, and for which robot: finding it reads the whole log.
     std::shared_ptr<const Reality> reality_;
     const Reality::Robot* robot_ = nullptr;
     std::vector<Reality::Robot::Stretch> unknown_;

@@ -100,7 +100,7 @@ RobotDialog::RobotDialog(const QString& log, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(20, 18, 20, 16);
     layout->setSpacing(12);
-    auto* about = new QLabel(tr("%1 does not tell what kind of robot drove in it. Its simulation needs the robot's "
+    auto* about = new QLabel(tr("%1 does not say what kind of robot drove in it. Its simulation needs the robot's "
                                 "outline and how it moves.")
                                  .arg(QFileInfo(log).fileName()));
     about->setWordWrap(true);

@@ -13,7 +13,7 @@ class QPushButton;
 
 namespace mrose::gui {
 
-/// What a robot file describes, as far as somebody tells robots apart by it.
+/// What a robot file describes, as far as it distinguishes robots.
 struct RobotKind {
     std::string file;  ///< as OverlayRequest::robotFile has it: a path, or the name of one that ships
     std::string name;
@@ -27,7 +27,7 @@ struct RobotKind {
 Expected<RobotKind> robotKindOf(const std::string& file);
 std::vector<RobotKind> robotKindsThatShip();  ///< by their names
 
-/// What drove in a log that does not tell? A robot that ships, or one of a file.
+/// What drove in a log that does not say it? A robot that ships, or one of a file.
 class RobotDialog final : public QDialog {
     Q_OBJECT
 

@@ -16,8 +16,8 @@ using ScriptValue = std::variant<std::monostate, bool, double, std::string>;
 
 /// An export with all that can be said of it, in this order:
 /// export_film(file, from, to, speed, frames per second, "1280x720", "window"), export_sequence(folder, the same),
-/// export_report(log, network, folder, other networks ...), export_comparison(scenario, log, folder, every).
-/// Nothing: `name` is no such export.
+/// export_report(log, network, folder, other networks ...), export_comparison(scenario, log, folder, every). nullopt:
+/// `name` is no such export.
 std::optional<Expected<void>> exportByScript(MainWindow& window, const std::string& name,
                                              std::span<const ScriptValue> values);
 

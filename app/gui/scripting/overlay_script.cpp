@@ -31,7 +31,9 @@ const std::map<std::string, Ask>& questions() {
     static const std::map<std::string, Ask> all{
         {"courses", [](const Overlay& o) { return ScriptValue(static_cast<double>(o.requests().size())); }},
         {"windows",
-         [](const Overlay& o) { return ScriptValue(static_cast<double>(o.comparison()->all.of(CourseUse::counted))); }},
+         [](const Overlay& o) {
+             return ScriptValue(static_cast<double>(o.comparison()->all.of(RolloutUse::counted)));
+         }},
         {"p", [](const Overlay& o) { return known(o.comparison()->all.counted.p); }},
         {"hd", [](const Overlay& o) { return known(o.comparison()->all.counted.hd); }},
         {"start",
@@ -81,9 +83,9 @@ Expected<void> openLogByScript(MainWindow& window, const std::string& log, const
 
 Expected<void> openWorst(MainWindow& window, int place) {
     window.overlay().settle();
-    const QAbstractItemModel& list = *window.overlayPanel().courses();
+    const QAbstractItemModel& list = *window.overlayPanel().rollouts();
     if (place < 1 || place > list.rowCount())
-        return fail("", "the list has " + std::to_string(list.rowCount()) + " courses");
+        return fail("", "the list has " + std::to_string(list.rowCount()) + " rollouts");
     window.overlayPanel().openLine(list.index(place - 1, 0));
     window.overlay().settle();
     return {};

@@ -9,15 +9,15 @@ namespace mrose::gui {
 
 class MainWindow;
 
-/// What scripts ask about the log that is laid over the run, all courses compared: "courses", "windows", "p", "hd"
-/// (%), "start", "robot", "error" (m), "heading" (rad) and "path_share" (%) of the shown course, "divergence" (s;
+/// What scripts ask about the log that is laid over the run, all rollouts compared: "courses", "windows", "p", "hd"
+/// (%), "start", "robot", "error" (m), "heading" (rad) and "path_share" (%) of the shown rollout, "divergence" (s;
 /// nothing: it stays within the bound), "cause" (the likely one; "none of these") and "explained" (0 ... 1) of it.
 /// Error: no log is open; there is nothing of that name.
 std::variant<std::monostate, bool, double, std::string> overlayValue(MainWindow& window, const std::string& name,
                                                                      Expected<void>& done);
-/// Opens a log and waits; `robotFile`: what drove in it, "" where the log tells. Error: as of Overlay::openNow().
+/// Opens a log and waits; `robotFile`: what drove in it, "" where the log says it. Error: as of Overlay::openNow().
 Expected<void> openLogByScript(MainWindow& window, const std::string& log, const std::string& robotFile);
-/// Opens the course that comes so far down in the list, 1 the worst. Error: the list is shorter.
+/// Opens the rollout that comes so far down in the list, 1 the worst. Error: the list is shorter.
 Expected<void> openWorst(MainWindow& window, int place);
 
 }  // namespace mrose::gui

@@ -28,7 +28,7 @@ int pushPlaying(lua_State* lua) {
     return 1;
 }
 
-/// Tells worlds with other bodies and goals apart.
+/// Distinguishes worlds with other bodies and goals.
 std::string bodiesOf(const Scene& scene) {
     std::string all;
     for (std::size_t i = 0; i < scene.robots.size(); ++i)

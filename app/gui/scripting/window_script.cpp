@@ -232,7 +232,7 @@ private:
         return Value{};
     }
 
-    /// Its robot file, where the log does not tell: open_log("mine.csv", "husky.toml").
+    /// Its robot file, where the log does not say it: open_log("mine.csv", "husky.toml").
     Expected<Value> openLog(Given& given) {
         const std::string log = given.text(0), robotFile = given.has(1) ? given.text(1) : "";
         if (given.error()) return Value{};
@@ -250,7 +250,7 @@ private:
         return value;
     }
 
-    /// The course that is so far down in the list: worst(1).
+    /// The rollout that is so far down in the list: worst(1).
     Expected<Value> worst(Given& given) {
         const double place = given.has(0) ? given.number(0) : 1;
         if (given.error()) return Value{};

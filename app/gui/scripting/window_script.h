@@ -17,7 +17,7 @@ struct ScriptOutcome {
     int failed = 0;    ///< of them
 };
 
-/// Where a script's words go, a line each.
+/// Where a script's output goes, a line each.
 struct ScriptOutput {
     std::function<void(const std::string&)> said;      ///< by say()
     std::function<void(const std::string&)> mistaken;  ///< "tour.lua:12: expected ..."

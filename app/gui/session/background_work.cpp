@@ -8,13 +8,13 @@
 namespace mrose::gui {
 namespace {
 
-constexpr int toldEvery = 100;  // ms
+constexpr int reportEvery = 100;  // ms
 
 }  // namespace
 
 BackgroundWork::BackgroundWork(QObject* parent) : QObject(parent) {
-    telling_.setInterval(toldEvery);
-    connect(&telling_, &QTimer::timeout, this, [this] { emit progress(what_, share_); });
+    reporting_.setInterval(reportEvery);
+    connect(&reporting_, &QTimer::timeout, this, [this] { emit progress(what_, share_); });
 }
 
 BackgroundWork::~BackgroundWork() {
@@ -30,7 +30,7 @@ Expected<void> BackgroundWork::start(const QString& what, Job job, Done done) {
     share_ = 0;
     cancelled_ = false;
     outcome_.reset();
-    telling_.start();
+    reporting_.start();
     atWork_ = true;
     // A thread of Qt's: jobs may wait for other programs.
     thread_.reset(QThread::create([this, job = std::move(job)] {
@@ -60,7 +60,7 @@ void BackgroundWork::quit() {
 
 void BackgroundWork::finish() {
     thread_->wait();
-    telling_.stop();
+    reporting_.stop();
     running_ = false;
     emit progress(what_, 1);
     const Done done = std::exchange(done_, {});

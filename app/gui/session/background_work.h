@@ -20,7 +20,7 @@ class BackgroundWork final : public QObject {
     Q_OBJECT
 
 public:
-    /// Told now and then which share is done; false: it is to end.
+    /// Called now and then with the share that is done; false: it is to end.
     using Progress = std::function<bool(double share)>;
     /// False: it was ended before its end, and left nothing behind.
     using Outcome = Expected<bool>;
@@ -50,7 +50,7 @@ private:
     QString what_;
     Done done_;
     bool running_ = false;
-    QTimer telling_;
+    QTimer reporting_;
     std::optional<Outcome> outcome_;  ///< set by the thread before it ends
     std::atomic<double> share_ = 0;
     std::atomic<bool> cancelled_ = false, quit_ = false;
@@ -58,7 +58,7 @@ private:
     std::unique_ptr<QThread> thread_;
 };
 
-/// Asks in the window's thread from another one, and waits for the answer; nothing where it is not to go on. The
+/// Asks in the window's thread from another one, and waits for the answer; nullopt where it is not to go on. The
 /// question may be asked all the same then: it holds what it needs.
 template <class Answer>
 std::optional<Answer> askWindow(QObject& window, std::function<Answer()> question,

@@ -27,7 +27,7 @@ void JobQueue::post(Job job, Failed failed) {
     wake_.notify_all();
 }
 
-void JobQueue::tell(Answer answer) {
+void JobQueue::report(Answer answer) {
     {
         const std::lock_guard lock(mutex_);
         answers_.push_back({running_, std::move(answer), failed_});
@@ -73,9 +73,9 @@ void JobQueue::work() {
         };
         auto answer = caught([&] { return job(goesOn); });
         if (!answer)
-            tell([failed = failed_, error = answer.error()] { failed(error); });
+            report([failed = failed_, error = answer.error()] { failed(error); });
         else if (*answer)
-            tell(std::move(*answer));
+            report(std::move(*answer));
         lock.lock();
         working_ = false;
         done_.notify_all();
@@ -86,12 +86,12 @@ void JobQueue::deliver() {
     while (true) {
         std::unique_lock lock(mutex_);
         if (answers_.empty()) return;
-        const Told told = std::move(answers_.front());
+        const Delivery delivery = std::move(answers_.front());
         answers_.pop_front();
-        const bool wanted = told.since == dropped_;
+        const bool wanted = delivery.since == dropped_;
         lock.unlock();
         if (!wanted) continue;
-        if (const auto done = caught(told.answer); !done) told.failed(done.error());
+        if (const auto done = caught(delivery.answer); !done) delivery.failed(done.error());
     }
 }
 

@@ -30,11 +30,11 @@ public:
 
     void post(Job job, Failed failed);
     /// From within a job: something that it knows already.
-    void tell(Answer answer);
+    void report(Answer answer);
     /// Nothing that was posted is wanted any more.
     void drop();
     bool busy();
-    /// Waits until all is done and told; for scripts and tests.
+    /// Waits until all is done and delivered; for scripts and tests.
     void settle();
 
 private:
@@ -45,7 +45,7 @@ private:
         Job job;
         Failed failed;
     };
-    struct Told {
+    struct Delivery {
         std::uint64_t since;
         Answer answer;
         Failed failed;
@@ -53,7 +53,7 @@ private:
     std::mutex mutex_;
     std::condition_variable wake_, done_;
     std::deque<Posted> jobs_;
-    std::deque<Told> answers_;
+    std::deque<Delivery> answers_;
     std::uint64_t dropped_ = 0;  ///< how often
     std::uint64_t running_ = 0;  ///< `dropped_` when the job under way began
     Failed failed_;              ///< of the job under way

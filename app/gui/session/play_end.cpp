@@ -10,7 +10,7 @@ namespace {
 constexpr Nanoseconds leastOfABranch = 10 * nanosecondsPerSecond;
 
 std::int64_t plannedEnd(const TimeTravel& run) {
-    const ScenarioParts& parts = run.course().scenario->parts();
+    const ScenarioParts& parts = run.setup().scenario->parts();
     return parts.scene.ticksOf(parts.duration);
 }
 
@@ -19,11 +19,11 @@ std::int64_t plannedEnd(const TimeTravel& run) {
 std::int64_t usualEnd(const TimeTravel& run) {
     const std::int64_t planned = plannedEnd(run);
     if (run.branch() == 0) return planned;
-    return std::max(planned, run.branches()[run.branch()].tick + run.course().scene().ticksOf(leastOfABranch));
+    return std::max(planned, run.branches()[run.branch()].tick + run.setup().scene().ticksOf(leastOfABranch));
 }
 
 QString endText(const TimeTravel& run) {
-    const Scene& scene = run.course().scene();
+    const Scene& scene = run.setup().scene();
     const double planned = toSeconds(scene.timeOf(plannedEnd(run)));
     if (run.branch() == 0 || run.tick() <= plannedEnd(run))
         return QObject::tr("%1 s are over; it can go on").arg(toSeconds(scene.timeOf(run.tick())), 0, 'g', 6);

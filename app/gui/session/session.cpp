@@ -17,7 +17,7 @@ constexpr auto measuredOver = std::chrono::milliseconds(500);
 constexpr auto mostBehind = std::chrono::milliseconds(100);
 
 QString secondsText(const TimeTravel& run, std::int64_t tick) {
-    return QString::number(toSeconds(run.course().scene().timeOf(tick)), 'f', 2);
+    return QString::number(toSeconds(run.setup().scene().timeOf(tick)), 'f', 2);
 }
 
 }  // namespace
@@ -149,9 +149,9 @@ void Session::branchOff(const Edit& edit, std::optional<std::int64_t> seek, std:
         if (seek) goTo(*seek, false);
         if (message_.isEmpty())
             message_ = run_->edited() ? tr("This branch now begins with \u201c%1\u201d: Space plays it, S shows both "
-                                           "courses side by side")
+                                           "branches side by side")
                                             .arg(QString::fromStdString(run_->branches()[run_->branch()].name))
-                                      : tr("A branch begins here: Space plays it, S shows both courses side by side");
+                                      : tr("A branch begins here: Space plays it, S shows both branches side by side");
     };
     request(branch, seek ? Kind::lasting : Kind::quick);
 }
@@ -163,10 +163,10 @@ void Session::showBeside(std::optional<std::uint32_t> branch) {
 }
 
 Session::Progress Session::progressOf(const QString& what, bool finishes) {
-    return [this, what, finishes, toldAt = Clock::now()](double share) mutable {
-        if (Clock::now() - toldAt >= 2 * framePeriod) {
+    return [this, what, finishes, reportedAt = Clock::now()](double share) mutable {
+        if (Clock::now() - reportedAt >= 2 * framePeriod) {
             emit working(what, share);
-            toldAt = Clock::now();
+            reportedAt = Clock::now();
         }
         return finishes ? !cancelled() : !ended();
     };
@@ -239,14 +239,14 @@ void Session::showCauseOfKick() {
     request([this] {
         if (!run_) return;
         const auto cause = run_->causeOfKick();
-        stop(cause ? QString() : tr("Nobody has kicked up to here: let it play, or go to a kick on the timeline"));
+        stop(cause ? QString() : tr("No kick up to here: let it play, or go to a kick on the timeline"));
         if (!cause) return;
         // The state after the decision is the first that shows it.
         if (auto done = run_->seek(cause->order.tick + 1); !done) {
             message_ = QString::fromStdString(done.error().message());
             return;
         }
-        const Scene& scene = run_->course().scene();
+        const Scene& scene = run_->setup().scene();
         const SceneRobot& robot = scene.robots[cause->order.robot];
         message_ = tr("%1 decided here to kick; the kick of %2 s is its work. E changes what it decided")
                        .arg(QString::fromStdString(robot.name), secondsText(*run_, cause->kicked));
@@ -310,7 +310,7 @@ void Session::serveLooks() {
     }
     for (const Look& look : looks) {
         const auto done = caught([&] { look(run_ && !quit_ ? &*run_ : nullptr, runNumber_); });
-        if (!done) tellFailure(done.error());
+        if (!done) reportFailure(done.error());
     }
 }
 
@@ -360,7 +360,7 @@ void Session::work() {
     lock.unlock();
     serveLooks();
     if (!recorder_) return;
-    // Nobody listens to signals any more.
+    // No receiver is left for signals.
     const auto done = caught([this] { return recorder_->finish(*run_); });
     if (!done) qWarning("%s", done.error().message().c_str());
 }
@@ -382,10 +382,10 @@ void Session::giveUp(const Error& error) {
     counting_.reset();
     goal_.reset();
     emit working({}, 1);
-    tellFailure(error);
+    reportFailure(error);
 }
 
-void Session::tellFailure(const Error& error) { emit failed(QString::fromStdString(error.message())); }
+void Session::reportFailure(const Error& error) { emit failed(QString::fromStdString(error.message())); }
 
 bool Session::superseded() {
     const std::lock_guard lock(mutex_);
@@ -447,7 +447,7 @@ bool Session::learn() {
 /// As many ticks as are due, for one frame's time at the most; whether there were any.
 bool Session::playTicks() {
     const auto begin = Clock::now();
-    const Nanoseconds tickLength = run_->course().scene().tickLength;
+    const Nanoseconds tickLength = run_->setup().scene().tickLength;
     const auto due = [&](std::int64_t tick) {
         const double wait = speed_ > 0 ? static_cast<double>((tick - anchorTick_) * tickLength) / speed_ : 0;
         return anchor_ + std::chrono::nanoseconds(static_cast<std::int64_t>(wait));

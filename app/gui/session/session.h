@@ -42,7 +42,7 @@ public:
     /// Playing stops at that tick, instead of where the scenario says; it can go on from there.
     void stopAt(std::int64_t tick);
     void stepBy(std::int64_t ticks);  ///< and stand there; backwards where negative
-    /// Goes on playing if it was. It arrives where it was told to: breakpoints on the way stop nobody, unless they may.
+    /// Goes on playing if it was. It arrives at that tick: breakpoints on the way do not stop it, unless `mayBreak`.
     void seek(std::int64_t tick, bool breaks = false);
     void show(std::uint32_t branch, std::int64_t tick);
     /// A branch, which stands at its beginning; then to `seek`, if that is later. Once it is there `begun` is called,
@@ -52,14 +52,14 @@ public:
     void rename(std::uint32_t branch, const QString& name);
     void undo();
     void redo();
-    /// To where the controller decided the last kick; Shown::subject is its robot.
+    /// To where the controller decided on the last kick; Shown::subject is its robot.
     void showCauseOfKick();
     std::uint64_t newestRun() const { return opened_; }  ///< the number of the one that was opened last
     /// What really happened beside the run that was opened as the `run`th; of another run it is left out.
     void setReality(std::uint64_t run, std::shared_ptr<const Reality> reality);
     void setFrameOptions(const TimeTravel::FrameOptions& options);
 
-    // Breakpoints are the run's: another one that is opened has none but breakHere(). Shown::breakpoints tells of them.
+    // Breakpoints are the run's: another one that is opened has none but breakHere(). Shown::breakpoints has them.
 
     void setBreakpoints(const std::vector<Breakpoint>& breakpoints);
     void addBreakpoint(const Breakpoint& breakpoint);
@@ -69,7 +69,7 @@ public:
     /// What "divergence" waits for; empty: no log is laid over.
     void setDivergence(Breakpoints::DivergenceQuestion diverged);
     /// The run is one of several that follow each other. As setBreakpoints(), of the run that is open.
-    void setMetElsewhere(const MetElsewhere& met);
+    void setHitsInOtherRuns(const HitsInOtherRuns& met);
     /// How far a break is looked for.
     enum class BreakReach {
         on,      ///< from the shown tick; where there is none it goes on to where playing ends, and then beyond
@@ -80,13 +80,13 @@ public:
     /// another run. RunEvent::noBreak: there was none.
     void goToBreak(const BreakWish& wish, BreakReach reach = BreakReach::on);
 
-    /// Told now and then which share is done; false: it is to end.
+    /// Called now and then with the share that is done; false: it is to end.
     using Progress = std::function<bool(double share)>;
     /// Long work over the run, in the session's thread: meanwhile nothing is stepped. `job` returns what is to be said.
     /// What `finishes` is not ended by another run, which waits for it.
     void doLongWork(const QString& what, std::function<QString(TimeTravel&, const Progress&)> job,
                     bool finishes = false);
-    /// Writes the run to a file from now on, with all that was before; recordingChanged() tells how that goes.
+    /// Writes the run to a file from now on, with all that was before; recordingChanged() reports how that goes.
     void record(const QString& path, const QString& commandLine, bool overwrite);
     void stopRecording();
     /// Ends what takes long, or waits for its turn: a job, a search, the way to a tick. False: there is none.
@@ -102,8 +102,8 @@ public:
     std::uint64_t runNumber() const { return runNumber_; }
     /// Whether something is under way that was asked for, or a tick.
     bool busy();
-    /// What somebody's work threw, in whatever thread, is failed().
-    void tellFailure(const Error& error);
+    /// What work in any thread threw becomes failed().
+    void reportFailure(const Error& error);
 
     /// Blocks until all requests so far have been carried out and shown; for scripts and tests.
     void settle();
@@ -155,10 +155,10 @@ private:
     std::optional<TimeTravel> run_;
     std::uint64_t runNumber_ = 0;
     std::uint64_t cancelsBefore_ = 0, openedBefore_ = 0;  ///< when what is carried out was asked for
-    bool learning_ = false;                               ///< there are ticks of a file that nobody has looked at
+    bool learning_ = false;                               ///< there are ticks of a file that have not been looked at
     Breakpoints breakpoints_;
     bool atBreak_ = false;             ///< one of them stopped it at the shown tick
-    RunEvent event_ = RunEvent::none;  ///< that nobody was told yet
+    RunEvent event_ = RunEvent::none;  ///< that has not been reported yet
     bool judging_ = false;             ///< there may be ticks of which breakpoints do not know whether they are met
     /// Branch and tick at which playing waits to know whether to stop there.
     std::optional<std::pair<std::uint32_t, std::int64_t>> counting_;

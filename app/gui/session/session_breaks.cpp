@@ -66,8 +66,8 @@ void Session::goToStop(const Breakpoints::Answer& answer, const QString& none) {
     event_ = RunEvent::broke;
 }
 
-void Session::setMetElsewhere(const MetElsewhere& met) {
-    request([this, met] { breakpoints_.setMetElsewhere(met); });
+void Session::setHitsInOtherRuns(const HitsInOtherRuns& met) {
+    request([this, met] { breakpoints_.setHitsInOtherRuns(met); });
 }
 
 void Session::goToBreak(const BreakWish& wish, BreakReach reach) {
@@ -107,7 +107,7 @@ void Session::runToBreak(BreakReach reach, const Progress& progress) {
     if (!known || *known || ended()) return goToStop(known, {});
     if (auto done = run_->seek(within ? playedOut : run_->last()); !done)
         return stop(QString::fromStdString(done.error().message()));
-    const ScenarioParts& parts = run_->course().scenario->parts();
+    const ScenarioParts& parts = run_->setup().scenario->parts();
     const std::int64_t length = std::max<std::int64_t>(1, parts.scene.ticksOf(parts.duration));
     const bool beyond = !within && run_->tick() >= playedOut;
     simulateToBreak(beyond ? (run_->tick() / length + 1) * length : playedOut, progress);
@@ -147,8 +147,7 @@ void Session::simulateToBreak(std::int64_t end, const Progress& progress) {
         shownAt = BreakClock::now();
     }
     event_ = RunEvent::noBreak;
-    stop(
-        tr("No break up to %1 s; it can go on").arg(toSeconds(run_->course().scene().timeOf(run_->tick())), 0, 'g', 6));
+    stop(tr("No break up to %1 s; it can go on").arg(toSeconds(run_->setup().scene().timeOf(run_->tick())), 0, 'g', 6));
 }
 
 /// Some ticks more, for half a frame's time; whether there is something new to show.

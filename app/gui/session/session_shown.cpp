@@ -1,4 +1,4 @@
-// What a session tells the window.
+// What a session reports to the window.
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -43,7 +43,7 @@ void Session::publish() {
     what->realTimeFactor = factor_;
     what->message = message_;
     const std::lock_guard lock(mutex_);
-    // What nobody has seen yet must not get lost.
+    // What has not been shown yet must not get lost.
     if (ready_ && !what->subject) what->subject = ready_->subject;
     if (ready_ && ready_->run == what->run && what->event == RunEvent::none) what->event = ready_->event;
     ready_ = std::move(what);

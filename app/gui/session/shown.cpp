@@ -55,7 +55,7 @@ Shown shownOf(const TimeTravel& run, const TimeTravel::FrameOptions& options) {
         what.beside = std::make_shared<const FieldFrame>(std::move(*beside));
         what.besideBranch = run.beside();
     }
-    what.course = run.record(run.owner()).coursePointer();
+    what.setup = run.record(run.owner()).setupPointer();
     what.hash = hashOf(run.state());
     what.branch = run.branch();
     what.first = run.first();

@@ -40,7 +40,7 @@ struct Shown {
     std::shared_ptr<const FieldFrame> frame;
     std::shared_ptr<const FieldFrame> beside;  ///< another branch at this tick or its nearest; may be nothing
     std::optional<std::uint32_t> besideBranch;
-    CoursePointer course;
+    BranchSetupPointer setup;
     std::uint64_t run = 0;  ///< how many runs were opened before, and this one
     StateHash hash;
     std::uint32_t branch = 0;
@@ -51,7 +51,7 @@ struct Shown {
     std::vector<BreakpointState> breakpoints;
     bool atBreak = false;             ///< one of them stopped it here
     bool canDiverge = false;          ///< a breakpoint on divergence has something to ask
-    RunEvent event = RunEvent::none;  ///< told once
+    RunEvent event = RunEvent::none;  ///< reported once
     bool playing = false;
     double realTimeFactor = 0;  ///< achieved; 0 while it stands
     bool canUndo = false, canRedo = false;

@@ -32,7 +32,7 @@ Timeline stretchOf(const Timeline& whole, std::int64_t tick) {
 
 /// Goes along a branch, with what it needs of the run.
 struct ValueSeries::Walker {
-    CoursePointer course;
+    BranchSetupPointer setup;
     std::optional<BranchRecord> record;  ///< this thread's own, to go on with
     std::optional<Cursor> cursor;
     std::optional<Timeline> timeline;  ///< a stretch of the branch's
@@ -166,7 +166,7 @@ void ValueSeries::work() {
         }
         lock.unlock();
         const auto done = caught([&] { go(*task); });
-        if (!done) session_.tellFailure(done.error());
+        if (!done) session_.reportFailure(done.error());
         const bool goesOn = done || caught([&] { giveUp(*task, task->last); });
         lock.lock();
         if (!goesOn) values_.clear();
@@ -175,11 +175,11 @@ void ValueSeries::work() {
 
 /// What the session's thread gives for a task.
 struct ValueSeries::Answer {
-    CoursePointer course;
+    BranchSetupPointer setup;
     std::int64_t first = 0;            ///< the earliest tick that can still be reached
-    std::optional<Cursor> cursor;      ///< at the task's tick; nothing where the walker needs none
+    std::optional<Cursor> cursor;      ///< at the task's tick; nullopt where the walker needs none
     std::optional<Timeline> timeline;  ///< from there on
-    std::vector<BranchRecord::Thought> thoughts = {};
+    std::vector<BranchRecord::InsightAtStart> insightsAtStart = {};
 };
 
 std::optional<ValueSeries::Answer> ValueSeries::ask(const Walker& walker, const Task& task) const {
@@ -190,10 +190,10 @@ std::optional<ValueSeries::Answer> ValueSeries::ask(const Walker& walker, const 
         std::optional<Answer> answer;
         if (travel != nullptr && run == task.run && task.branch < travel->branches().size()) {
             const Timeline& timeline = travel->branches()[task.branch].timeline;
-            answer.emplace(Answer{travel->record(task.branch).coursePointer(), timeline.first()});
+            answer.emplace(Answer{travel->record(task.branch).setupPointer(), timeline.first()});
             if (from >= timeline.first() && from <= timeline.last()) {
                 answer->timeline = stretchOf(timeline, from);
-                answer->thoughts = travel->record(task.branch).thoughts();
+                answer->insightsAtStart = travel->record(task.branch).insightsAtStart();
                 if (!stands)
                     if (auto cursor = travel->cursorAt(task.branch, from)) answer->cursor = std::move(*cursor);
             }
@@ -205,7 +205,7 @@ std::optional<ValueSeries::Answer> ValueSeries::ask(const Walker& walker, const 
 }
 
 /// Brings a walker to the task's tick, with the stretch of the timeline that goes on from there. False: nothing can be
-/// told of it now.
+/// described now.
 bool ValueSeries::prepare(Walker& walker, const Task& task) {
     std::optional<Answer> answer = ask(walker, task);
     if (!answer) return giveUp(task, task.last), false;
@@ -214,14 +214,14 @@ bool ValueSeries::prepare(Walker& walker, const Task& task) {
         // Its beginning has been forgotten.
         return giveUp(task, std::clamp(answer->first - 1, task.tick, task.last)), false;
     }
-    if (walker.course != answer->course) {
-        walker.course = answer->course;
-        walker.record.emplace(walker.course, walker.course->scenario->initialState(), std::vector<HandOrder>{});
+    if (walker.setup != answer->setup) {
+        walker.setup = answer->setup;
+        walker.record.emplace(walker.setup, walker.setup->scenario->initialState(), std::vector<HandOrder>{});
         walker.values.clear();
     }
     if (answer->cursor) walker.cursor = std::move(answer->cursor);
     walker.timeline = std::move(answer->timeline);
-    walker.record->setThoughts(std::move(answer->thoughts));
+    walker.record->setInsightsAtStart(std::move(answer->insightsAtStart));
     const bool arrives = walker.cursor && (walker.cursor->tick() == task.tick ||
                                            walker.cursor->advance(*walker.record, *walker.timeline));
     if (!arrives) giveUp(task, task.last);
@@ -239,28 +239,28 @@ void ValueSeries::go(const Task& task) {
     });
     for (const ValueKey& key : task.values)
         if (walker->values.count(key) == 0)
-            walker->values.emplace(key, plottedValue(*walker->course->scenario, key).value_or(PlottedValue{}));
-    if (!tell(*walker, task)) giveUp(task, task.last);
+            walker->values.emplace(key, plottedValue(*walker->setup->scenario, key).value_or(PlottedValue{}));
+    if (!report(*walker, task)) giveUp(task, task.last);
 }
 
 /// From where the walker stands to the end of its stretch. False: the timeline is damaged.
-bool ValueSeries::tell(Walker& walker, const Task& task) {
+bool ValueSeries::report(Walker& walker, const Task& task) {
     std::vector<std::vector<float>> columns(task.values.size());
     const std::uint64_t version = version_;
     std::int64_t first = task.tick;
     auto delivered = Clock::now();
     const std::int64_t end = std::min(task.last, walker.timeline->last());
     for (bool goesOn = true; goesOn;) {
-        const Moment moment = walker.cursor->moment(*walker.course->scenario, task.reality.get());
+        const Moment moment = walker.cursor->moment(*walker.setup->scenario, task.reality.get());
         for (std::size_t i = 0; i < columns.size(); ++i) {
             const PlottedValue& value = walker.values.at(task.values[i]);
             columns[i].push_back(value.read ? static_cast<float>(value.read(moment)) : noNumber);
         }
-        const std::int64_t told = walker.cursor->tick();
-        goesOn = told < end && !quit_ && version == version_;
+        const std::int64_t reported = walker.cursor->tick();
+        goesOn = reported < end && !quit_ && version == version_;
         if (!goesOn || Clock::now() - delivered >= deliveredAfter) {
             append(task, first, columns);
-            first = told + 1;
+            first = reported + 1;
             for (std::vector<float>& column : columns) column.clear();
             delivered = Clock::now();
             if (!task.front && frontWaits()) return true;

@@ -18,7 +18,7 @@
 namespace mrose::gui {
 
 /// The past of values that are plotted: their numbers at every tick of the branches that are shown. A thread of its own
-/// goes over the run's timeline and follows it as it grows; it steps beside the session and holds nobody up. Numbers
+/// goes over the run's timeline and follows it as it grows; it steps beside the session and never blocks it. Numbers
 /// that are there already are to be had at any time.
 class ValueSeries final : public QObject {
     Q_OBJECT
@@ -35,14 +35,14 @@ public:
         std::uint32_t branch = 0;
         std::int64_t first = 0, last = 0;  ///< ticks
     };
-    /// Of numbers that are told by what really happened, those that were by something else are forgotten.
+    /// Numbers that depend on the real log are forgotten where they came from another one.
     void follow(std::uint64_t run, std::shared_ptr<const Reality> reality, std::vector<Way> ways);
     /// Leaves out what has not been computed of the past. What comes is computed as ever.
     void cancel();
     /// Blocks until all that is wanted is known; for scripts and tests.
     void settle();
 
-    /// Lets `read` see the numbers so far; not called where there are none. Quick, please: the thread waits.
+    /// Lets `read` see the numbers so far; not called where there are none. It must be quick: the thread waits.
     void read(std::uint32_t branch, const ValueKey& key, const std::function<void(const TickNumbers&)>& read) const;
     /// Ticks that are still to be computed.
     std::int64_t behind() const;
@@ -68,7 +68,7 @@ private:
     struct Answer;
     std::optional<Answer> ask(const Walker& walker, const Task& task) const;
     bool prepare(Walker& walker, const Task& task);
-    bool tell(Walker& walker, const Task& task);
+    bool report(Walker& walker, const Task& task);
     void append(const Task& task, std::int64_t first, const std::vector<std::vector<float>>& columns);
     void giveUp(const Task& task, std::int64_t last);
     std::int64_t behindNow() const;
@@ -100,7 +100,7 @@ struct NextTicks {
     bool front = false;     ///< of the values that are known farthest: the newest go before another one's past
     std::vector<std::size_t> values;
 };
-/// `ends`: for each value the tick after the last that is known. Nothing: all are known.
+/// `ends`: for each value the tick after the last that is known. nullopt: all are known.
 std::optional<NextTicks> nextTicks(const ValueSeries::Way& way, const std::vector<std::int64_t>& ends);
 
 }  // namespace mrose::gui

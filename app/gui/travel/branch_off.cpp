@@ -14,7 +14,7 @@ std::string together(const std::string& name, const std::string& edit) {
     return (comma + name + comma).find(comma + edit + comma) != std::string::npos ? name : name + comma + edit;
 }
 
-bool sameMinds(const Scenario& one, const Scenario& other) {
+bool sameMemories(const Scenario& one, const Scenario& other) {
     if (&one == &other) return true;
     const Scene &a = one.scene(), &b = other.scene();
     if (a.robots.size() != b.robots.size() || a.objects.size() != b.objects.size()) return false;
@@ -26,8 +26,8 @@ bool sameMinds(const Scenario& one, const Scenario& other) {
 
 }  // namespace
 
-bool TimeTravel::sharesMinds(std::uint32_t branch) const {
-    return sameMinds(*scenarioOf(branches()[branch].parent), *scenarioOf(branch));
+bool TimeTravel::sharesMemories(std::uint32_t branch) const {
+    return sameMemories(*scenarioOf(branches()[branch].parent), *scenarioOf(branch));
 }
 
 bool TimeTravel::mergesInto(const Edit& edit) const {
@@ -38,43 +38,43 @@ bool TimeTravel::mergesInto(const Edit& edit) const {
 Expected<void> TimeTravel::branchOff(const Edit& edit) {
     Cursor at = shown_;
     if (edit.tick && *edit.tick != tick()) {
-        Expected<Cursor> there = courseAt(branch_, *edit.tick);
+        Expected<Cursor> there = lineageAt(branch_, *edit.tick);
         if (!there) return tl::unexpected(there.error());
         at = std::move(*there);
     }
     const bool merges = mergesInto(edit);
     const std::uint32_t parent = merges ? branches()[branch_].parent : at.branch();
-    const CoursePointer course = edit.course ? edit.course : records_[at.branch()].coursePointer();
+    const BranchSetupPointer setup = edit.setup ? edit.setup : records_[at.branch()].setupPointer();
     WorldState state = edit.start ? *edit.start : at.state();
-    std::vector<BranchRecord::Thought> thoughts;
+    std::vector<BranchRecord::InsightAtStart> insightsAtStart;
     if (edit.afterDeciding) {
-        const Expected<Cursor> after = courseAt(branch_, state.tick + 1);
+        const Expected<Cursor> after = lineageAt(branch_, state.tick + 1);
         if (!after) return tl::unexpected(after.error());
-        const Scenario& scenario = *course->scenario;
+        const Scenario& scenario = *setup->scenario;
         std::ranges::copy(scenario.memoryOf(after->state(), *edit.afterDeciding),
                           scenario.memoryOf(state, *edit.afterDeciding).begin());
         std::ranges::copy(scenario.sensorMemory(after->state(), *edit.afterDeciding),
                           scenario.sensorMemory(state, *edit.afterDeciding).begin());
-        thoughts.push_back({*edit.afterDeciding, after->insights()[*edit.afterDeciding]});
+        insightsAtStart.push_back({*edit.afterDeciding, after->insights()[*edit.afterDeciding]});
     }
-    if (edit.change) edit.change(*course->scenario, state);
-    if (const std::string wrong = misfit(*course->scenario, state); !wrong.empty())
+    if (edit.change) edit.change(*setup->scenario, state);
+    if (const std::string wrong = validate(*setup->scenario, state); !wrong.empty())
         return tl::unexpected(Error{"", 0, 0, "", "the state does not fit the scenario: " + wrong});
-    const bool otherCourse = course != records_[parent].coursePointer();
+    const bool otherSetup = setup != records_[parent].setupPointer();
     const std::uint32_t made =
         history_.beginBranch(parent, state, merges ? together(branches()[branch_].name, edit.name) : edit.name,
-                             otherCourse ? course->value : nullptr);
+                             otherSetup ? setup->value : nullptr);
     std::vector<HandOrder> orders = merges ? records_[branch_].orders() : std::vector<HandOrder>{};
     orders.insert(orders.end(), edit.orders.begin(), edit.orders.end());
-    records_.emplace_back(course, state, std::move(orders));
+    records_.emplace_back(setup, state, std::move(orders));
     origins_.push_back({edit.name, branch_, tick(), state.tick + (edit.afterDeciding ? 1 : 0)});
     if (merges) {
         origins_[made].replaced = branch_;
         origins_[branch_].replacement = made;
     }
     takeOver(made);
-    records_[made].setThoughts(std::move(thoughts));
-    const bool follows = state.tick == at.tick() && sameMinds(*scenarioOf(at.branch()), *course->scenario);
+    records_[made].setInsightsAtStart(std::move(insightsAtStart));
+    const bool follows = state.tick == at.tick() && sameMemories(*scenarioOf(at.branch()), *setup->scenario);
     at.moveTo(made, {std::move(state)}, follows);
     branch_ = made;
     shown_ = std::move(at);
@@ -85,36 +85,37 @@ Expected<void> TimeTravel::branchOff(const Edit& edit) {
 
 /// What came before a branch's beginning and goes on in it.
 void TimeTravel::takeOver(std::uint32_t branch) {
-    if (!departs(branch) || !sharesMinds(branch)) return;
+    if (!departs(branch) || !sharesMemories(branch)) return;
     const Branch& way = branches()[branch];
     const Scene& scene = scenarioOf(branch)->scene();
     TouchCounter touches(scene.tickLength);
     addTouches(way.parent, way.tick - scene.ticksOf(TouchCounter::apart) - 1, way.tick, touches);
     records_[branch].setTouches(std::move(touches));
-    DecisionReader told(way.timeline.blocks().front().decisions);
-    if (begins(branch) || !told.next(DecisionsOf::outside) || told.decisions().empty()) return;
+    DecisionReader outside(way.timeline.blocks().front().decisions);
+    if (begins(branch) || !outside.next(DecisionsOf::outside) || outside.decisions().empty()) return;
     std::vector<std::uint32_t> robots;
-    for (const RobotDecision& decision : told.decisions()) robots.push_back(decision.robot);
-    records_[branch].setThoughts(thoughtsAt(branch, robots));
+    for (const RobotDecision& decision : outside.decisions()) robots.push_back(decision.robot);
+    records_[branch].setInsightsAtStart(insightsAtStartOf(branch, robots));
 }
 
-/// Of robots that are told something else in a branch's first tick: what they thought in the course that it left.
-std::vector<BranchRecord::Thought> TimeTravel::thoughtsAt(std::uint32_t branch, std::span<const std::uint32_t> robots) {
+/// Of robots that get another command in a branch's first tick: what they remembered in the branch that it left.
+std::vector<BranchRecord::InsightAtStart> TimeTravel::insightsAtStartOf(std::uint32_t branch,
+                                                                        std::span<const std::uint32_t> robots) {
     const Branch& way = branches()[branch];
-    std::vector<BranchRecord::Thought> thoughts;
-    if (lastOf(way.parent) <= way.tick) return thoughts;
-    const Expected<Cursor> after = courseAt(way.parent, way.tick + 1);
-    if (!after) return thoughts;
+    std::vector<BranchRecord::InsightAtStart> insightsAtStart;
+    if (lastOf(way.parent) <= way.tick) return insightsAtStart;
+    const Expected<Cursor> after = lineageAt(way.parent, way.tick + 1);
+    if (!after) return insightsAtStart;
     for (const std::uint32_t robot : robots)
-        if (after->insights()[robot].tick == way.tick) thoughts.push_back({robot, after->insights()[robot]});
-    return thoughts;
+        if (after->insights()[robot].tick == way.tick) insightsAtStart.push_back({robot, after->insights()[robot]});
+    return insightsAtStart;
 }
 
-/// Of the ticks of a branch's course after `from`, up to and with `to`: the tick that led to a branch's first state is
+/// Of the ticks of a branch's lineage after `from`, up to and with `to`: the tick that led to a branch's first state is
 /// its parent's.
 void TimeTravel::addTouches(std::uint32_t branch, std::int64_t from, std::int64_t to, TouchCounter& touches) {
     const Timeline& timeline = timelineOf(branch);
-    if (from < timeline.first() && departs(branch) && sharesMinds(branch))
+    if (from < timeline.first() && departs(branch) && sharesMemories(branch))
         addTouches(branches()[branch].parent, from, timeline.first(), touches);
     Playback& playback = records_[branch].playback();
     auto at = playback.reach(timeline, std::clamp(from, timeline.first(), to));

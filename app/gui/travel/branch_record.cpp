@@ -10,11 +10,11 @@ constexpr std::size_t mostFaults = 100;
 
 }  // namespace
 
-BranchRecord::BranchRecord(CoursePointer course, const WorldState& start, std::vector<HandOrder> orders)
-    : course_(std::move(course)),
-      playback_(*course_->scenario),
+BranchRecord::BranchRecord(BranchSetupPointer setup, const WorldState& start, std::vector<HandOrder> orders)
+    : setup_(std::move(setup)),
+      playback_(*setup_->scenario),
       track_(start),
-      touches_(course_->scene().tickLength),
+      touches_(setup_->scene().tickLength),
       end_{start},
       orders_(std::move(orders)) {}
 
@@ -23,9 +23,9 @@ Overrides BranchRecord::overrides(const WorldState& state) {
     for (const HandOrder& order : orders_) {
         const RobotState& robot = state.robots[order.robot];
         if (state.tick < order.first || state.tick >= order.end || robot.nextControl != state.tick) continue;
-        RobotDecision& told = decisions_.emplace_back(RobotDecision{order.robot, {}});
-        told.decision.command = order.command;
-        if (state.tick - order.first < course_->scene().periodTicks(order.robot)) told.decision.kicks = order.kicks;
+        RobotDecision& ordered = decisions_.emplace_back(RobotDecision{order.robot, {}});
+        ordered.decision.command = order.command;
+        if (state.tick - order.first < setup_->scene().periodTicks(order.robot)) ordered.decision.kicks = order.kicks;
     }
     return {decisions_};
 }
@@ -67,13 +67,13 @@ void BranchRecord::note(const WorldState& after, const StepTrace& trace) {
         });
         if (!known && faults_.size() < mostFaults) faults_.push_back({after.tick, fault.robot, fault.what});
     }
-    const Scene& scene = course_->scene();
+    const Scene& scene = setup_->scene();
     for (std::uint32_t robot = 0; robot < trace.robots.size(); ++robot) {
-        const StepTrace::Robot& told = trace.robots[robot];
-        if (!told.decided) continue;
-        if (!told.decision.breakReason.empty()) mark(TimelineMark::Kind::stop, robot, noBody);
+        const StepTrace::Robot& traced = trace.robots[robot];
+        if (!traced.decided) continue;
+        if (!traced.decision.breakReason.empty()) mark(TimelineMark::Kind::stop, robot, noBody);
         const std::vector<Manipulator>& manipulators = scene.typeOf(robot).manipulators;
-        for (const Kick& kick : told.decision.kicks)
+        for (const Kick& kick : traced.decision.kicks)
             if (kick.manipulator < manipulators.size())
                 kickOrders_.push_back({after.tick - 1, robot, kick.manipulator,
                                        scene.timeOf(after.tick - 1) + manipulators[kick.manipulator].deadTime});

@@ -7,7 +7,7 @@
 #include "control/controller.h"
 #include "experiment/touch_counter.h"
 #include "recording/playback.h"
-#include "travel/course.h"
+#include "travel/branch_setup.h"
 #include "travel/pose_track.h"
 #include "widgets/field_frame.h"
 #include "widgets/timeline_mark.h"
@@ -33,10 +33,10 @@ struct KickOrder {
 /// marks; and how it goes on.
 class BranchRecord {
 public:
-    BranchRecord(CoursePointer course, const WorldState& start, std::vector<HandOrder> orders);
+    BranchRecord(BranchSetupPointer setup, const WorldState& start, std::vector<HandOrder> orders);
 
-    const Course& course() const { return *course_; }
-    const CoursePointer& coursePointer() const { return course_; }
+    const BranchSetup& setup() const { return *setup_; }
+    const BranchSetupPointer& setupPointer() const { return setup_; }
     Playback& playback() const { return playback_; }
     const PoseTrack& track() const { return track_; }
     PoseTrack& track() { return track_; }
@@ -50,17 +50,19 @@ public:
         bool operator==(const FirstFault&) const = default;
     };
     const std::vector<FirstFault>& faults() const { return faults_; }
-    /// What a robot saw and thought where the branch begins, before it is told something else.
-    struct Thought {
+    /// What a robot observed and remembered where the branch begins, before it gets another command.
+    struct InsightAtStart {
         std::uint32_t robot = 0;
         RobotInsight insight;
     };
-    const std::vector<Thought>& thoughts() const { return thoughts_; }
-    void setThoughts(std::vector<Thought> thoughts) { thoughts_ = std::move(thoughts); }
+    const std::vector<InsightAtStart>& insightsAtStart() const { return insightsAtStart_; }
+    void setInsightsAtStart(std::vector<InsightAtStart> insightsAtStart) {
+        insightsAtStart_ = std::move(insightsAtStart);
+    }
     /// Who touched before it began: such a contact goes on and is none of its own.
     void setTouches(TouchCounter touches) { touches_ = std::move(touches); }
     const std::vector<HandOrder>& orders() const { return orders_; }
-    /// What is told from outside in the tick that begins with `state`. Valid until the next call.
+    /// What is decided from outside in the tick that begins with `state`. Valid until the next call.
     Overrides overrides(const WorldState& state);
 
     /// The last tick that is known here; the timeline may be longer.
@@ -74,7 +76,7 @@ public:
 private:
     void note(const WorldState& after, const StepTrace& trace);
 
-    CoursePointer course_;
+    BranchSetupPointer setup_;
     mutable Playback playback_;  ///< how it reaches a tick makes no difference
     PoseTrack track_;
     std::vector<TimelineMark> marks_;
@@ -84,7 +86,7 @@ private:
     ReachedState end_;
     StepTrace trace_;
     std::vector<HandOrder> orders_;
-    std::vector<Thought> thoughts_;
+    std::vector<InsightAtStart> insightsAtStart_;
     std::vector<RobotDecision> decisions_;  ///< of overrides()
 };
 

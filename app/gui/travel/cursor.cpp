@@ -15,8 +15,8 @@ Expected<void> Cursor::advance(const BranchRecord& record, const Timeline& timel
 
 const StepTrace& Cursor::step(BranchRecord& record, StepBuffers& buffers) {
     memoryBefore_ = at_.state.memory;
-    mrose::step(*record.course().scenario, at_.state, buffers, record.overrides(at_.state), &trace_);
-    at_.worldSame = at_.mindsSame = true;
+    mrose::step(*record.setup().scenario, at_.state, buffers, record.overrides(at_.state), &trace_);
+    at_.worldSame = at_.memoriesSame = true;
     note(record);
     return trace_;
 }
@@ -30,7 +30,7 @@ void Cursor::moveTo(std::uint32_t branch, ReachedState at, bool follows) {
 }
 
 void Cursor::note(const BranchRecord& record) {
-    const Scenario& scenario = *record.course().scenario;
+    const Scenario& scenario = *record.setup().scenario;
     hasTrace_ = true;
     breakReason_.clear();
     noteInsights(scenario, trace_, tick(), memoryBefore_, insights_);
@@ -38,21 +38,22 @@ void Cursor::note(const BranchRecord& record) {
         if (const Decision& decision = trace_.robots[robot].decision;
             trace_.robots[robot].decided && !decision.breakReason.empty())
             breakReason_ = scenario.scene().robots[robot].name + ": " + decision.breakReason;
-    noteThoughts(record);
+    noteInsightsAtStart(record);
     const std::int64_t oldest = tick() - scenario.scene().ticksOf(kickShown);
     std::erase_if(kicks_, [&](const SeenKick& seen) { return seen.tick < oldest; });
     for (const StepTrace::Kicked& kick : trace_.kicks) kicks_.push_back({tick(), kick});
 }
 
-/// Of robots that were told something else: they have seen and thought, and only their orders were replaced.
-void Cursor::noteThoughts(const BranchRecord& record) {
-    for (const BranchRecord::Thought& thought : record.thoughts()) {
-        RobotInsight& told = insights_[thought.robot];
-        if (told.tick != thought.insight.tick || told.tick != tick() - 1 || told.observed) continue;
-        told.observed = thought.insight.observed;
-        told.observation = thought.insight.observation;
-        told.memoryBefore = thought.insight.memoryBefore;
-        told.decision.annotations = thought.insight.decision.annotations;
+/// Of robots that got another command: they have observed and updated their memory, and only their orders were
+/// replaced.
+void Cursor::noteInsightsAtStart(const BranchRecord& record) {
+    for (const BranchRecord::InsightAtStart& atStart : record.insightsAtStart()) {
+        RobotInsight& known = insights_[atStart.robot];
+        if (known.tick != atStart.insight.tick || known.tick != tick() - 1 || known.observed) continue;
+        known.observed = atStart.insight.observed;
+        known.observation = atStart.insight.observation;
+        known.memoryBefore = atStart.insight.memoryBefore;
+        known.decision.annotations = atStart.insight.decision.annotations;
     }
 }
 

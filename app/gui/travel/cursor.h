@@ -10,7 +10,7 @@
 
 namespace mrose::gui {
 
-/// A place in a branch, and what the last ticks told there: what robots saw and decided, kicks, contacts.
+/// A place in a branch, and what the last ticks reported there: what robots observed and decided, kicks, contacts.
 class Cursor {
 public:
     Cursor(std::uint32_t branch, ReachedState at);
@@ -35,12 +35,12 @@ public:
 
     /// State, insights, contacts and kicks; nothing of other ticks.
     FieldFrame frame(std::shared_ptr<const Scenario> scenario) const;
-    /// The same for who reads numbers, `reality` beside it if it is known; valid until the next tick.
+    /// The same for reading numbers, `reality` beside it if it is known; valid until the next tick.
     Moment moment(const Scenario& scenario, const Reality* reality) const;
 
 private:
     void note(const BranchRecord& record);
-    void noteThoughts(const BranchRecord& record);
+    void noteInsightsAtStart(const BranchRecord& record);
     void forgetNotes();
 
     std::uint32_t branch_;

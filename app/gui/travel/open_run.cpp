@@ -80,13 +80,13 @@ Expected<OpenRun> openScenario(const OpenRequest& request, const OpenProgress& p
     OpenRun run{scenario->parts().name, request, nullptr, scenario->initialState(), {}, {}, std::move(notes), {}};
     if (request.seed) run.start = scenario->initialState(*request.seed);
     if (request.trial > 0) run.name += ", trial " + std::to_string(request.trial);
-    run.course = std::make_shared<const Course>(
-        Course{std::make_shared<const ScenarioValue>(std::move(loaded->value)), std::move(scenario)});
+    run.setup = std::make_shared<const BranchSetup>(
+        BranchSetup{std::make_shared<const ScenarioValue>(std::move(loaded->value)), std::move(scenario)});
     run.files = std::move(files);
     return run;
 }
 
-/// A plug-in that cannot be loaded stops nobody from looking at what it once did.
+/// What a plug-in once did can be looked at even where it cannot be loaded.
 class AbsentPlugin final : public Controller {
 public:
     Attention attention() const override { return Attention::ofItself(); }
@@ -95,8 +95,8 @@ public:
 
 /// What a branch of a recording runs in. Robots whose controllers are not at hand, or need other memory than they did,
 /// get stand-ins: they do as recorded, and decide nothing beyond that.
-Expected<CoursePointer> courseOf(const Recording& recording, std::uint32_t branch, const PluginLoader& load,
-                                 std::vector<std::string>& notes) {
+Expected<BranchSetupPointer> setupOf(const Recording& recording, std::uint32_t branch, const PluginLoader& load,
+                                     std::vector<std::string>& notes) {
     const PluginLoader tolerant = [&](const std::string& path,
                                       const std::string& options) -> Expected<std::shared_ptr<const Controller>> {
         auto controller = load(path, options);
@@ -117,25 +117,25 @@ Expected<CoursePointer> courseOf(const Recording& recording, std::uint32_t branc
             parts->controllers[i] = std::make_shared<const RecordedController>(needs[i]);
     }
     auto scenario = std::make_shared<const Scenario>(std::move(*parts));
-    return std::make_shared<const Course>(Course{recording.valueOf(branch), std::move(scenario)});
+    return std::make_shared<const BranchSetup>(BranchSetup{recording.valueOf(branch), std::move(scenario)});
 }
 
-/// Branches of the same scenario share a course.
+/// Branches of the same scenario share a setup.
 Expected<std::vector<OpenRun::Recorded>> branchesOf(const Recording& recording, const PluginLoader& load,
                                                     std::vector<std::string>& notes) {
-    std::map<ScenarioValuePointer, CoursePointer> courses;
+    std::map<ScenarioValuePointer, BranchSetupPointer> setups;
     std::vector<OpenRun::Recorded> branches;
     for (std::uint32_t i = 0; i < recording.branches.size(); ++i) {
         const Branch& branch = recording.branches[i];
-        CoursePointer& course = courses[branch.value];
-        if (!course) {
-            auto opened = courseOf(recording, i, load, notes);
+        BranchSetupPointer& setup = setups[branch.value];
+        if (!setup) {
+            auto opened = setupOf(recording, i, load, notes);
             if (!opened) return tl::unexpected(opened.error());
-            course = std::move(*opened);
+            setup = std::move(*opened);
         }
-        auto start = Playback(*course->scenario).reach(branch.timeline, branch.timeline.first());
+        auto start = Playback(*setup->scenario).reach(branch.timeline, branch.timeline.first());
         if (!start) return tl::unexpected(start.error());
-        branches.push_back({branch, course, std::move(start->state)});
+        branches.push_back({branch, setup, std::move(start->state)});
     }
     return branches;
 }
@@ -176,7 +176,7 @@ Expected<OpenRun> openRecorded(const OpenRequest& request, const OpenProgress& p
     }
     run.branches = std::move(*branches);
     run.shown = recording->shown;
-    run.course = run.branches.front().course;
+    run.setup = run.branches.front().setup;
     run.start = run.branches.front().start;
     run.files.clear();  // it holds all that it was made from
     return run;

@@ -11,7 +11,7 @@
 #include "io/error.h"
 #include "recording/history.h"
 #include "recording/recording.h"
-#include "travel/course.h"
+#include "travel/branch_setup.h"
 #include "world/world_state.h"
 
 namespace mrose::gui {
@@ -29,13 +29,13 @@ struct OpenRequest {
 struct OpenRun {
     std::string name;  ///< for the title
     OpenRequest source;
-    CoursePointer course;
+    BranchSetupPointer setup;
     WorldState start;
     std::shared_ptr<const Reality> reality = nullptr;  ///< what it is laid over; null: nothing
     /// Of a recording, the run itself first. Empty: nothing has been yet.
     struct Recorded {
         Branch branch;
-        CoursePointer course;
+        BranchSetupPointer setup;
         WorldState start;
     };
     std::vector<Recorded> branches = {};

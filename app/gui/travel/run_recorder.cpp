@@ -8,15 +8,15 @@ namespace mrose::gui {
 
 Expected<RunRecorder> RunRecorder::begin(const std::filesystem::path& path, const TimeTravel& run,
                                          const std::string& commandLine, bool overwrite) {
-    const Course& course = run.record(0).course();
+    const BranchSetup& setup = run.record(0).setup();
     const Timeline& timeline = run.branches().front().timeline;
-    auto start = Playback(*course.scenario).reach(timeline, timeline.first());
+    auto start = Playback(*setup.scenario).reach(timeline, timeline.first());
     if (!start) return tl::unexpected(start.error());
-    auto writer = RecordingWriter::create(path, *course.scenario, start->state, course.value, commandLine,
+    auto writer = RecordingWriter::create(path, *setup.scenario, start->state, setup.value, commandLine,
                                           {.overwrite = overwrite});
     if (!writer) return tl::unexpected(writer.error());
     RunRecorder recorder(path, std::move(*writer));
-    recorder.branches_.emplace_back(run.record(0).coursePointer(), std::move(*start));
+    recorder.branches_.emplace_back(run.record(0).setupPointer(), std::move(*start));
     recorder.places_.emplace_back(0);
     return recorder;
 }
@@ -25,16 +25,16 @@ Expected<void> RunRecorder::open(const TimeTravel& run, std::uint32_t branch) {
     if (opened(branch)) return {};
     const Branch& begun = run.branches()[branch];
     if (auto parent = open(run, begun.parent); !parent) return parent;
-    const CoursePointer& course = run.record(branch).coursePointer();
-    auto start = Playback(*course->scenario).reach(begun.timeline, begun.timeline.first());
+    const BranchSetupPointer& setup = run.record(branch).setupPointer();
+    auto start = Playback(*setup->scenario).reach(begun.timeline, begun.timeline.first());
     if (!start) return tl::unexpected(start.error());
     const std::uint32_t parent = *places_[begun.parent];
     places_.resize(std::max<std::size_t>(places_.size(), branch + 1));
-    if (course == run.record(begun.parent).coursePointer())
+    if (setup == run.record(begun.parent).setupPointer())
         places_[branch] = writer_.beginBranch(parent, start->state, begun.name);
     else
-        places_[branch] = writer_.beginBranch(parent, start->state, begun.name, *course->scenario, course->value);
-    branches_.emplace_back(course, std::move(*start));
+        places_[branch] = writer_.beginBranch(parent, start->state, begun.name, *setup->scenario, setup->value);
+    branches_.emplace_back(setup, std::move(*start));
     return {};
 }
 
@@ -90,7 +90,7 @@ Expected<bool> saveRun(const std::filesystem::path& path, const TimeTravel& run,
         places[branch] = static_cast<std::uint32_t>(branches.size());
         branches.push_back(run.branches()[branch]);
         branches.back().parent = places[branches.back().parent];
-        scenarios.push_back(run.record(branch).course().scenario);
+        scenarios.push_back(run.record(branch).setup().scenario);
     }
     SaveRecordingOptions options;
     options.overwrite = true;
@@ -99,7 +99,7 @@ Expected<bool> saveRun(const std::filesystem::path& path, const TimeTravel& run,
     options.progress = [&](std::int64_t done, std::int64_t all) {
         return progress(static_cast<double>(done) / static_cast<double>(std::max<std::int64_t>(1, all)));
     };
-    return saveRecording(path, branches, scenarios, run.record(0).course().value, options);
+    return saveRecording(path, branches, scenarios, run.record(0).setup().value, options);
 }
 
 }  // namespace mrose::gui

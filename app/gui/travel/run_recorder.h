@@ -14,7 +14,7 @@
 namespace mrose::gui {
 
 /// Writes a run and all its branches to a file while they grow: what was before it began, too. It reads what the run
-/// keeps, and so nobody has to tell it of anything.
+/// keeps, so that it needs no notification.
 class RunRecorder {
 public:
     /// Error: there is such a file already, unless it may be replaced; what the system says.
@@ -35,9 +35,9 @@ private:
     RunRecorder(std::filesystem::path path, RecordingWriter writer)
         : path_(std::move(path)), writer_(std::move(writer)) {}
     struct Written {
-        Written(CoursePointer of, ReachedState start)
-            : course(std::move(of)), playback(*course->scenario), at(std::move(start)) {}
-        CoursePointer course;  ///< which the writer needs
+        Written(BranchSetupPointer of, ReachedState start)
+            : setup(std::move(of)), playback(*setup->scenario), at(std::move(start)) {}
+        BranchSetupPointer setup;  ///< which the writer needs
         Playback playback;
         ReachedState at;
     };
@@ -54,7 +54,7 @@ private:
 };
 
 /// All that a run keeps, with its branches and the place that is shown, as a file that replaces what is there. False:
-/// `progress`, told the share that is done, ended it. Error: as of saveRecording().
+/// `progress`, called with the share that is done, ended it. Error: as of saveRecording().
 Expected<bool> saveRun(const std::filesystem::path& path, const TimeTravel& run, const std::string& commandLine,
                        const std::function<bool(double share)>& progress);
 

@@ -18,18 +18,18 @@ public:
 
 std::string modelName(const std::string& file) { return std::filesystem::path(file).filename().string(); }
 
-Expected<CoursePointer> withSwappedModel(const Course& course, std::size_t robot, const std::string& file) {
+Expected<BranchSetupPointer> withSwappedModel(const BranchSetup& setup, std::size_t robot, const std::string& file) {
     std::error_code ignored;
     if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored))
         return fail(file, "is no regular file; expected a network");
     const Expected<std::string> content = readFile(file);
     if (!content) return tl::unexpected(content.error());
-    const ScenarioParts& before = course.scenario->parts();
+    const ScenarioParts& before = setup.scenario->parts();
     const std::string path = std::filesystem::absolute(file, ignored).lexically_normal().string();
-    if (!course.value) return fail(file, "cannot be taken over: the run has no description");
-    const std::string body = course.value->bodyPath(before.scene.robots[robot].name);
-    auto value = course.value->with(body + ".network",
-                                    std::make_shared<const DescriptionFile>(DescriptionFile{path, path, *content}));
+    if (!setup.value) return fail(file, "cannot be taken over: the run has no description");
+    const std::string body = setup.value->bodyPath(before.scene.robots[robot].name);
+    auto value = setup.value->with(body + ".network",
+                                   std::make_shared<const DescriptionFile>(DescriptionFile{path, path, *content}));
     if (!value) return tl::unexpected(value.error());
     const PluginLoader keepPlace = [](const std::string&, const std::string&) {
         return Expected<std::shared_ptr<const Controller>>(std::make_shared<const PlaceOfPlugin>());
@@ -41,8 +41,8 @@ Expected<CoursePointer> withSwappedModel(const Course& course, std::size_t robot
         if (dynamic_cast<const PlaceOfPlugin*>(parts.controllers[i].get()) != nullptr)
             parts.controllers[i] = before.controllers[i];
     auto scenario = std::make_shared<const Scenario>(std::move(parts));
-    return std::make_shared<const Course>(
-        Course{std::make_shared<const ScenarioValue>(std::move(loaded->value)), std::move(scenario)});
+    return std::make_shared<const BranchSetup>(
+        BranchSetup{std::make_shared<const ScenarioValue>(std::move(loaded->value)), std::move(scenario)});
 }
 
 }  // namespace mrose::gui

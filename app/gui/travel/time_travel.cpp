@@ -31,9 +31,9 @@ History historyOf(const OpenRun& run) {
 
 TimeTravel::TimeTravel(const OpenRun& run, std::size_t mostTrackBytes)
     : history_(historyOf(run)), mostTrackBytes_(mostTrackBytes), shown_(0, {run.start}), reality_(run.reality) {
-    if (!run.recorded()) records_.emplace_back(run.course, run.start, std::vector<HandOrder>{});
+    if (!run.recorded()) records_.emplace_back(run.setup, run.start, std::vector<HandOrder>{});
     for (const OpenRun::Recorded& recorded : run.branches)
-        records_.emplace_back(recorded.course, recorded.start, std::vector<HandOrder>{});
+        records_.emplace_back(recorded.setup, recorded.start, std::vector<HandOrder>{});
     for (const Branch& branch : branches())
         origins_.push_back({branch.name, branch.parent, branch.tick, branch.timeline.first()});
     for (std::uint32_t branch = 1; branch < branches().size(); ++branch) takeOver(branch);
@@ -118,7 +118,7 @@ void TimeTravel::goOnWith(std::uint32_t branch, std::int64_t most) {
     StepTrace trace;
     for (; most > 0 && record.last() < tick(); --most) {
         WorldState state = record.end();
-        step(*record.course().scenario, state, buffers_, record.overrides(state), &trace);
+        step(*record.setup().scenario, state, buffers_, record.overrides(state), &trace);
         history_.add(state, trace, branch);
         record.add(state, trace);
     }
@@ -131,11 +131,11 @@ void TimeTravel::followBeside() {
     const std::int64_t there = std::clamp(tick(), firstOf(other), timelineOf(other).last());
     if (there == beside_->at.tick() + 1 && advance(beside_->at, other)) return;
     if (there == beside_->at.tick()) return;
-    if (auto cursor = courseAt(other, there)) beside_->at = std::move(*cursor);
+    if (auto cursor = lineageAt(other, there)) beside_->at = std::move(*cursor);
 }
 
 Expected<void> TimeTravel::show(std::uint32_t branch, std::int64_t tick) {
-    Expected<Cursor> cursor = courseAt(branch, tick);
+    Expected<Cursor> cursor = lineageAt(branch, tick);
     if (!cursor) return tl::unexpected(cursor.error());
     const std::uint32_t left = std::exchange(branch_, branch);
     shown_ = std::move(*cursor);
@@ -146,7 +146,7 @@ Expected<void> TimeTravel::show(std::uint32_t branch, std::int64_t tick) {
     return {};
 }
 
-Expected<Cursor> TimeTravel::courseAt(std::uint32_t branch, std::int64_t tick) const {
+Expected<Cursor> TimeTravel::lineageAt(std::uint32_t branch, std::int64_t tick) const {
     return cursorAt(ownerOf(branch, tick), tick);
 }
 
@@ -154,14 +154,14 @@ Expected<Cursor> TimeTravel::cursorAt(std::uint32_t branch, std::int64_t tick) c
     tick = std::clamp(tick, timelineOf(branch).first(), timelineOf(branch).last());
     Cursor cursor(branch, {});
     // From a little earlier, so that what robots saw and decided is known.
-    const std::int64_t from = tick - ticksToLookBack(records_[branch].course().scene());
+    const std::int64_t from = tick - ticksToLookBack(records_[branch].setup().scene());
     if (auto walked = walk(cursor, branch, from, tick); !walked) return tl::unexpected(walked.error());
     return cursor;
 }
 
 Expected<void> TimeTravel::walk(Cursor& cursor, std::uint32_t branch, std::int64_t from, std::int64_t to) const {
     const Branch& way = branches()[branch];
-    const bool fromParent = from < way.timeline.first() && departs(branch) && sharesMinds(branch);
+    const bool fromParent = from < way.timeline.first() && departs(branch) && sharesMemories(branch);
     if (fromParent)
         if (auto walked = walk(cursor, way.parent, from, way.tick); !walked) return walked;
     const BranchRecord& record = records_[branch];
@@ -179,7 +179,7 @@ std::optional<TimeTravel::KickCause> TimeTravel::causeOfKick() const {
         const BranchRecord& record = records_[at];
         for (auto mark = record.marks().rbegin(); mark != record.marks().rend(); ++mark) {
             if (mark->kind != TimelineMark::Kind::kick || mark->tick > until) continue;
-            const Nanoseconds end = record.course().scene().timeOf(mark->tick);
+            const Nanoseconds end = record.setup().scene().timeOf(mark->tick);
             for (std::uint32_t from = at;; from = branches()[from].parent) {
                 const std::vector<KickOrder>& orders = records_[from].kickOrders();
                 for (auto order = orders.rbegin(); order != orders.rend(); ++order)
@@ -195,7 +195,7 @@ std::optional<TimeTravel::KickCause> TimeTravel::causeOfKick() const {
 void TimeTravel::setBeside(std::optional<std::uint32_t> branch) {
     beside_.reset();
     if (!branch || *branch >= branches().size()) return;
-    if (auto cursor = courseAt(*branch, tick())) beside_ = Beside{*branch, std::move(*cursor)};
+    if (auto cursor = lineageAt(*branch, tick())) beside_ = Beside{*branch, std::move(*cursor)};
 }
 
 std::optional<std::uint32_t> TimeTravel::beside() const {
@@ -244,7 +244,7 @@ std::vector<BranchRecord::FirstFault> TimeTravel::faults(std::uint32_t branch, s
         for (const BranchRecord::FirstFault& fault : records_[branch].faults())
             if (fault.tick <= until) faults.push_back(fault);
         const std::uint32_t parent = branches()[branch].parent;
-        if (parent == branch || records_[branch].coursePointer() != records_[parent].coursePointer()) return faults;
+        if (parent == branch || records_[branch].setupPointer() != records_[parent].setupPointer()) return faults;
         until = std::min(until, branches()[branch].tick);
         branch = parent;
     }

@@ -14,10 +14,10 @@ namespace {
 constexpr int lookEvery = 500, patience = 1000;  // ms
 constexpr const char *faultTopic = "fault", *hangTopic = "hang", *failureTopic = "failure";
 
-/// The names of those in a course, each once.
-QString pluginsOf(const Course& course) {
+/// The names of those in a setup, each once.
+QString pluginsOf(const BranchSetup& setup) {
     QStringList names;
-    for (const auto& controller : course.scenario->parts().controllers)
+    for (const auto& controller : setup.scenario->parts().controllers)
         if (const auto* plugin = dynamic_cast<const IsolatedController*>(controller.get()))
             names << QFileInfo(QString::fromStdString(plugin->path())).fileName();
     names.removeDuplicates();
@@ -52,18 +52,18 @@ FaultMessages::FaultMessages(MainWindow& window, MessageBar& messages)
 /// Those up to the shown tick: one that a user dismissed stays so, until there is another.
 void FaultMessages::showFaults() {
     const Shown& shown = *window_.shown();
-    if (shown.faults == told_) return;
-    told_ = shown.faults;
+    if (shown.faults == reported_) return;
+    reported_ = shown.faults;
     messages_.remove(faultTopic);
-    if (told_.empty()) return;
-    const BranchRecord::FirstFault& first = told_.front();
+    if (reported_.empty()) return;
+    const BranchRecord::FirstFault& first = reported_.front();
     const Scene& scene = shown.frame->scene();
     QString text = tr("%1 at %2: %3")
                        .arg(QString::fromStdString(scene.robots[first.robot].name), clockText(scene.timeOf(first.tick)),
                             QString::fromStdString(first.what));
     text += adviceFor(first.what);
-    if (told_.size() > 1)
-        text += tr("; and %n more, marked on the timeline", nullptr, static_cast<int>(told_.size()) - 1);
+    if (reported_.size() > 1)
+        text += tr("; and %n more, marked on the timeline", nullptr, static_cast<int>(reported_.size()) - 1);
     messages_.add({MessageBar::Kind::error,
                    text,
                    faultTopic,
@@ -74,7 +74,7 @@ void FaultMessages::showFaults() {
 void FaultMessages::lookForHang() {
     if (!window_.shown() || !sinceShown_.isValid() || sinceShown_.elapsed() < patience || !window_.session().busy())
         return;
-    const QString plugins = pluginsOf(*window_.shown()->course);
+    const QString plugins = pluginsOf(*window_.shown()->setup);
     if (plugins.isEmpty() || messages_.has(hangTopic)) return;
     messages_.add({MessageBar::Kind::progress,
                    tr("Waiting for a decision of %1; who takes too long is stopped").arg(plugins), hangTopic});

@@ -28,7 +28,7 @@ private:
 
     MainWindow& window_;
     MessageBar& messages_;
-    std::vector<BranchRecord::FirstFault> told_;
+    std::vector<BranchRecord::FirstFault> reported_;
     QTimer look_;
     QElapsedTimer sinceShown_;
 };

@@ -54,7 +54,7 @@ void InputKeys::follow(QWidget* now) {
     if (line != nullptr) watchAccepted(line);
 }
 
-/// A number that is no more than typed is told by no signal, where it does not track the keyboard.
+/// A number that is only typed emits no signal, where it does not track the keyboard.
 void InputKeys::watchAccepted(const QLineEdit* line) {
     const auto keep = [this, line] { before_ = line->text(); };
     if (input_ == line) accepted_ = connect(line, &QLineEdit::returnPressed, this, keep);

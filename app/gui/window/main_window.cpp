@@ -37,12 +37,12 @@
 #include "reality/overlay.h"
 #include "reality/overlay_panel.h"
 #include "session/background_work.h"
-#include "widgets/course_strip.h"
 #include "widgets/eliding_label.h"
 #include "widgets/field_view.h"
 #include "widgets/icons.h"
 #include "widgets/inspector.h"
 #include "widgets/message_bar.h"
+#include "widgets/rollout_strip.h"
 #include "widgets/timeline_bar.h"
 #include "window/dock_sizes.h"
 #include "window/dock_toggle.h"
@@ -92,7 +92,7 @@ MainWindow::MainWindow(QWidget* parent)
       overlay_(new Overlay(*this)),
       progress_(new WorkProgress(*this, *messages_)),
       reality_(new OverlayPanel(*overlay_)),
-      strip_(new CourseStrip),
+      strip_(new RolloutStrip),
       quiet_(new QuietMessage(view_->field())) {
     view_->setObjectName("field");
     timeline_->setObjectName("timeline");
@@ -321,10 +321,10 @@ void MainWindow::setTheme(const Theme& theme) {
 Expected<void> MainWindow::open(const QString& name) { return files_->openNow(OpenRequest{name.toStdString()}); }
 
 std::uint64_t MainWindow::show(const OpenRun& run) {
-    say(told_ = QString());  // what was said is about what was open before
+    say(reported_ = QString());  // what was said is about what was open before
     title_ = QString::fromStdString(run.name);
     setWindowTitle(title_ + " \u2013 mrose");
-    plannedTicks_ = run.course->scene().ticksOf(run.course->scenario->parts().duration);
+    plannedTicks_ = run.setup->scene().ticksOf(run.setup->scenario->parts().duration);
     field().setSelected(std::nullopt);
     realityMarks_.setNoted({});
     plots_->setReferences({}, {});
@@ -412,10 +412,10 @@ void MainWindow::updateStatus() {
     factor_->setText(
         playing ? tr("real-time factor %1").arg(shown_->realTimeFactor, 0, 'f', shown_->realTimeFactor < 10 ? 2 : 0)
                 : tr("paused"));
-    if (shown_->message != told_)
-        say(told_ = shown_->message);
+    if (shown_->message != reported_)
+        say(reported_ = shown_->message);
     else if (shown_->tick() != saidAt_)
-        say(told_);
+        say(reported_);
 }
 
 void MainWindow::moveBody(std::size_t body, const Pose& pose) {
@@ -456,7 +456,7 @@ QString MainWindow::askText(const QString& title, const QString& label, const QS
 
 void MainWindow::say(const QString& text) {
     saidAt_ = shown_ ? shown_->tick() : 0;
-    // Where a script is at work nobody reads it, and pictures are to be the same at any speed.
+    // While a script runs it is not shown, so that pictures are the same at any speed.
     if (text.isEmpty()) quiet_->hide();
     if (!text.isEmpty() && text != said_ && !actions_.unattended()) quiet_->say(text);
     said_ = text;

@@ -15,7 +15,7 @@ class QLabel;
 class QToolButton;
 
 namespace mrose {
-class CourseStrip;
+class RolloutStrip;
 class ElidingLabel;
 class FieldView;
 class Inspector;
@@ -66,12 +66,12 @@ public:
     BranchPanel& branchPanel() const { return *branches_; }
     Overlay& overlay() const { return *overlay_; }
     OverlayPanel& overlayPanel() const { return *reality_; }
-    CourseStrip& courseStrip() const { return *strip_; }
+    RolloutStrip& rolloutStrip() const { return *strip_; }
     BreakpointPanel& breakpointPanel() const { return *breakpoints_; }
     void setSideBySide(bool on);
     /// Marks on the timeline that the run does not know of: its first divergence. For as long as it is open.
     void note(std::vector<TimelineBar::Content::Noted> marks);
-    /// Asks the user for a line; empty: they thought better of it.
+    /// Asks the user for a line; empty: the user cancelled.
     QString askText(const QString& title, const QString& label, const QString& suggestion = {});
     const Shown* shown() const { return shown_.get(); }
     const std::shared_ptr<const Shown>& shownPointer() const { return shown_; }
@@ -133,7 +133,7 @@ private:
     Overlay* overlay_;
     WorkProgress* progress_;
     OverlayPanel* reality_;
-    CourseStrip* strip_;
+    RolloutStrip* strip_;
     ErrorPlot* errors_ = nullptr;
     QuietMessage* quiet_;
     std::shared_ptr<const Shown> shown_;
@@ -141,7 +141,7 @@ private:
     std::int64_t plannedTicks_ = 0;
     QString title_;
     std::int64_t saidAt_ = 0;  ///< the tick shown when something was said
-    QString told_;             ///< the session's last message
+    QString reported_;         ///< the session's last message
     QString said_;             ///< what the status bar says when no action is pointed at
     Theme theme_ = Theme::light();
 };

@@ -41,7 +41,7 @@ public:
     void addRecent(const QString& file);
     void forgetRecent(const QString& file);
     void clearRecent();
-    /// The robot file that was chosen for a log, which does not tell what drove; empty: none was.
+    /// The robot file that was chosen for a log, which does not say what drove; empty: none was.
     QString robotOf(const QString& log) const;
     void keepRobot(const QString& log, const QString& robotFile);
     /// The breakpoints of the run that is shown, by the file for which they were restored.
@@ -49,7 +49,7 @@ public:
     /// Those of a file to a run that has just been opened from it, by its number.
     void restoreBreakpoints(const QString& file, std::uint64_t run);
 
-    /// Whether the errors of a log's courses are plotted unasked: until somebody closes the plots.
+    /// Whether the errors of a log's rollouts are plotted unasked: until the user closes the plots.
     bool errorPlot() const { return errorPlot_; }
     void setErrorPlot(bool on);
 

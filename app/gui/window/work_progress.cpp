@@ -36,7 +36,7 @@ WorkProgress::WorkProgress(MainWindow& window, MessageBar& messages)
         onItsWay_ = false;
         work(what, share);
     });
-    connect(&window.background(), &BackgroundWork::progress, this, &WorkProgress::tellBackground);
+    connect(&window.background(), &BackgroundWork::progress, this, &WorkProgress::reportBackground);
     connect(&window.overlay(), &Overlay::searching, this, [this](const QString& what, double share) {
         onItsWay_ = false;
         work(what, share);
@@ -79,7 +79,7 @@ void WorkProgress::show() {
                    share_});
 }
 
-void WorkProgress::tellBackground(const QString& what, double share) {
+void WorkProgress::reportBackground(const QString& what, double share) {
     if (share >= 1) {
         messages_.remove(backgroundTopic);
         delete dialog_;

@@ -16,14 +16,14 @@ namespace mrose::gui {
 class MainWindow;
 
 /// Says what takes long, how far it is, and ends it where the user asks for that: opening a file, a job over the run,
-/// the way to a tick, what goes on in the background. What is done at once is not told.
+/// the way to a tick, what goes on in the background. What is done at once is not reported.
 class WorkProgress final : public QObject {
     Q_OBJECT
 
 public:
     WorkProgress(MainWindow& window, MessageBar& messages);
 
-    /// What is done next in the background is told outside of the window, which is in its pictures.
+    /// Progress of the next work in the background is reported outside of the window, which is in its pictures.
     void setApart(bool apart) { apart_ = apart; }
 
     /// Ends what takes long; otherwise dismisses the newest message.
@@ -32,13 +32,13 @@ public:
 private:
     void work(const QString& what, double share);
     void show();
-    void tellBackground(const QString& what, double share);
+    void reportBackground(const QString& what, double share);
 
     MainWindow& window_;
     MessageBar& messages_;
     QString work_;
     double share_ = 0;
-    bool onItsWay_ = false;  ///< what is told is the way to a tick
+    bool onItsWay_ = false;  ///< what is reported is the way to a tick
     QTimer patience_;
     bool apart_ = false;
     QPointer<QProgressDialog> dialog_;

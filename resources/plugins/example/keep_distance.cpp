@@ -15,14 +15,14 @@ public:
     }
 
     // All that it remembers is here, never in members or static variables: mrose saves it with the world and puts it
-    // back when somebody goes back in time.
+    // back when the run is rewound.
     struct Memory {
         mrose::Point ball;      // where the ball was seen last, in the world
         std::int64_t seen = 0;  // how often
     };
     std::size_t memorySize() const override { return sizeof(Memory); }
 
-    // It reads no robots: nobody has to look for them.
+    // It reads no robots: they are not searched for.
     mrose::Attention attention() const override {
         return mrose::Attention::only({mrose::selfReading, mrose::objectsReading});
     }

@@ -1,4 +1,4 @@
-// A shared library that is no plug-in, and needs a function that nobody has where MISSING says so.
+// A shared library that is no plug-in, and needs a function that is defined nowhere where MISSING says so.
 #ifdef MISSING
 int missingFunction();
 int needsIt() { return missingFunction(); }

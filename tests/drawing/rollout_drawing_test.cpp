@@ -1,0 +1,97 @@
+#include "drawing/rollout_drawing.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <regex>
+
+#include <gtest/gtest.h>
+
+namespace mrose {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+/// Two robots: one drives east for 4 m and turns left at the end, with a gap on the way; its simulation drifts to the
+/// north. The other has no simulation.
+std::vector<DrawnRollout> twoRollouts() {
+    DrawnRollout first{"one", {}, {}, "40.0 cm"}, second{"two <2>", {}, {}, "never said"};
+    for (int i = 0; i <= 40; ++i) {
+        const bool gap = i > 20 && i < 25;
+        first.real.push_back(gap ? Pose{unknown, unknown, unknown}
+                                 : Pose{0.1 * i, 0, i == 40 ? std::numbers::pi / 2 : 0});
+        first.simulated.push_back({0.1 * i, 0.01 * i, 0});
+        second.real.push_back({0.1 * i, 2, 0});
+    }
+    return {first, second};
+}
+
+std::string drawn(const std::vector<DrawnRollout>& rollouts) {
+    return drawRollouts({.name = "e"}, {"t", "s", 10, "every second"}, rollouts);
+}
+
+/// The d of every path with this stroke, before the scale bar, the legend's samples left out.
+std::vector<std::string> pathsOf(const std::string& svg, const std::string& stroke) {
+    std::vector<std::string> found;
+    const std::regex path("<path d=\"(M[^\"h]*)\" fill=\"none\" stroke=\"" + stroke + "\"");
+    for (std::sregex_iterator it(svg.begin(), svg.end(), path), end; it != end; ++it) found.push_back((*it)[1]);
+    return found;
+}
+
+std::size_t occurrences(const std::string& text, const std::string& what) {
+    std::size_t count = 0;
+    for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++count;
+    return count;
+}
+
+TEST(RolloutDrawing, RealAndSimulatedPathsAreBothSeenAndInterruptedByGaps) {
+    const std::string svg = drawn(twoRollouts());
+    const auto real = pathsOf(svg, "#f0a828"), simulated = pathsOf(svg, "#005b9c");
+    ASSERT_EQ(real.size(), 3u) << "two pieces of the first, one of the second";
+    ASSERT_EQ(simulated.size(), 1u);
+    EXPECT_LT(svg.find(real[2]), svg.find(simulated[0])) << "the narrow one above the broad one";
+    EXPECT_EQ(occurrences(real[0], "L"), 20u);
+    EXPECT_EQ(occurrences(real[1], "L"), 15u);
+    EXPECT_EQ(occurrences(simulated[0], "L"), 40u);
+    EXPECT_EQ(svg.find("nan"), std::string::npos);
+}
+
+TEST(RolloutDrawing, NamesStandBesideStartsAndErrorsBesideEnds) {
+    const std::string svg = drawn(twoRollouts());
+    EXPECT_EQ(occurrences(svg, ">one</text>"), 1u);
+    EXPECT_EQ(occurrences(svg, ">two &lt;2&gt;</text>"), 1u);
+    EXPECT_EQ(occurrences(svg, ">40.0 cm</text>"), 1u);
+    EXPECT_EQ(svg.find("never said"), std::string::npos) << "there is no simulation whose error it were";
+    for (const char* word : {"real path", "simulated path", "start", "heading, every second", "error at the end"})
+        EXPECT_EQ(occurrences(svg, std::string(">") + word + "</text>"), 1u) << word;
+    EXPECT_NE(svg.find("m</text>"), std::string::npos) << "the scale bar";
+}
+
+TEST(RolloutDrawing, ArrowsPointWhereTheRobotsHead) {
+    // Each is a path "M tip L corner L notch L corner Z": the way from the notch to the tip is its heading.
+    const std::string svg = drawn(twoRollouts());
+    const std::string number = "([0-9.]+)";
+    const std::regex arrow("<path d=\"M" + number + " " + number + "L[0-9.]+ [0-9.]+L" + number + " " + number +
+                           "L[0-9.]+ [0-9.]+Z\" fill=\"#9e5c00\"");
+    std::vector<double> headings;
+    for (std::sregex_iterator it(svg.begin(), svg.end(), arrow), end; it != end; ++it) {
+        const auto value = [&](int i) { return std::stod((*it)[i]); };
+        headings.push_back(std::atan2(value(4) - value(2), value(1) - value(3)));
+    }
+    // Of the first robot after 10, 20, 30 and 40 steps, where it looks north; of the second likewise, always east.
+    ASSERT_EQ(headings.size(), 8u);
+    for (std::size_t i = 0; i < headings.size(); ++i) EXPECT_NEAR(headings[i], i == 3 ? std::numbers::pi / 2 : 0, 0.01);
+}
+
+TEST(RolloutDrawing, NothingKnownIsAPictureAllTheSame) {
+    const std::vector<DrawnRollout> rollouts{{"one", {{unknown, unknown, 0}}, {}, ""}};
+    for (const auto& shown : {rollouts, {}}) {
+        const std::string svg = drawn(shown);
+        EXPECT_EQ(svg.find("nan"), std::string::npos);
+        EXPECT_EQ(svg.find("inf"), std::string::npos);
+        EXPECT_NE(svg.find("</svg>"), std::string::npos);
+    }
+}
+
+}  // namespace
+}  // namespace mrose
