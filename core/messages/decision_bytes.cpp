@@ -50,7 +50,7 @@ bool readMessage(ByteReader& reader, RadioMessage& message) {
     if (size > message.bytes.size()) return false;
     message.size = static_cast<std::uint32_t>(size);
     const std::string_view text = reader.take(size);
-    std::memcpy(message.bytes.data(), text.data(), text.size());
+    if (!text.empty()) std::memcpy(message.bytes.data(), text.data(), text.size());
     return !reader.failed();
 }
 

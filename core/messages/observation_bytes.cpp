@@ -67,7 +67,7 @@ bool readReading(ByteReader& reader, RecordTypes& types, Observation& observatio
     for (std::uint64_t i = 0; i < count; ++i, place += type.size)
         for (const RecordField& field : type.fields) {
             const std::string_view bytes = reader.take(field.count * sizeOf(field.kind));
-            std::memcpy(place + field.offset, bytes.data(), bytes.size());
+            if (!bytes.empty()) std::memcpy(place + field.offset, bytes.data(), bytes.size());
         }
     return !reader.failed();
 }

@@ -72,7 +72,7 @@ private:
             r.nextControl = r.segment.startTick = next_.tick;
         carryCommands(robot, origin);
         carryManipulators(robot, origin);
-        std::ranges::copy(from_.sensorMemory(old_, origin), to_.sensorMemory(next_, robot).begin());
+        carrySensors(robot, origin);
         const Controller &before = from_.controller(origin), &after = to_.controller(robot);
         const std::span<const std::byte> memory = from_.memoryOf(old_, origin);
         if (typeid(before) == typeid(after) && memory.size() == to_.memoryOf(next_, robot).size())
@@ -86,6 +86,18 @@ private:
         const std::span<const std::byte> memory = from_.motionMemory(old_, old_.robots.size() + origin);
         const std::span<std::byte> own = to_.motionMemory(next_, next_.robots.size() + object);
         if (typeid(before) == typeid(after) && memory.size() == own.size()) std::ranges::copy(memory, own.begin());
+    }
+
+    /// What sensors of the same name and memory remember.
+    void carrySensors(std::size_t robot, std::size_t origin) {
+        const auto before = from_.sensors(origin), after = to_.sensors(robot);
+        for (std::size_t i = 0; i < after.size(); ++i)
+            for (std::size_t k = 0; k < before.size(); ++k) {
+                const std::span<std::byte> own = to_.sensorMemory(next_, robot, i);
+                const std::span<const std::byte> old = from_.sensorMemory(old_, origin, k);
+                if (after[i]->name() == before[k]->name() && own.size() == old.size())
+                    std::ranges::copy(old, own.begin());
+            }
     }
 
     void carryCommands(std::size_t robot, std::size_t origin) {

@@ -6,6 +6,7 @@
 #include "recording/playback.h"
 #include "scenario/controller_file.h"
 #include "scenario/descriptions.h"
+#include "sensing/self_localisation.h"
 #include "simulation/step.h"
 #include "support/shipped.h"
 #include "world/state_difference.h"
@@ -198,6 +199,33 @@ TEST_F(CarriedOver, BodiesAreMatchedByTheirNames) {
     StepBuffers buffers;
     for (int i = 0; i < 200; ++i) step(to, further, buffers);
     EXPECT_EQ(validate(to, further), "");
+}
+
+/// Others come between them, and one is gone: what a sensor remembers goes with its name.
+TEST_F(CarriedOver, SensorsAreMatchedByTheirNames) {
+    const auto localiser = [](const char* name) {
+        SelfLocalisation options;
+        options.bias = {0.1, 0.1, 0.1};
+        return std::make_shared<const SelfLocaliser>(options, SensorTraits{name, 0});
+    };
+    const auto with = [&](const std::vector<const char*>& names) {
+        return Scenario(partsWith([&](ScenarioParts& parts) {
+            for (RobotType& type : parts.scene.robotTypes)
+                for (const char* name : names) type.sensors.push_back(localiser(name));
+        }));
+    };
+    const Scenario before = with({"gone", "gps", "odd"}), after = with({"odd", "gps"});
+    const WorldState old = stateAt(before, carriedAt);
+    const WorldState carried = carriedOver(before, old, after);
+    ASSERT_EQ(validate(after, carried), "");
+    for (std::size_t i = 0; i < 8; ++i) {
+        const auto own = [&](std::size_t sensor) { return after.sensorMemory(carried, i, sensor); };
+        EXPECT_TRUE(std::ranges::equal(own(0), before.sensorMemory(old, i, 0)));
+        EXPECT_TRUE(std::ranges::equal(own(3), before.sensorMemory(old, i, 5)));
+        EXPECT_TRUE(std::ranges::equal(own(4), before.sensorMemory(old, i, 4)));
+    }
+    const WorldState back = carriedOver(after, carried, before);
+    EXPECT_EQ(as<SelfLocaliser::Memory>(before.sensorMemory(back, 0, 3)).localised, 0u) << "it is new";
 }
 
 TEST_F(CarriedOver, GoalsAndKickersAreMatchedByTheirNamesToo) {
