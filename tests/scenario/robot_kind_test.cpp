@@ -49,7 +49,11 @@ turns_on_tiny_commands = true
 TEST(RobotKind, NeedsNoMoreThanAName) {
     const auto kind = parseRobotKind(robotFile("[kind]\nname = \"tug\"\n"), "r.toml", "r.toml");
     ASSERT_TRUE(kind && *kind);
-    EXPECT_TRUE((**kind == RobotKind{"r.toml", {"tug", {}, 0, false}, {}, "", "robot", {}}));
+    RobotKind expected;
+    expected.file = "r.toml";
+    expected.traits.type = "tug";
+    expected.robotName = "robot";
+    EXPECT_TRUE(**kind == expected);
     const auto none = parseRobotKind(robotFile(""), "r.toml", "r.toml");
     ASSERT_TRUE(none);
     EXPECT_FALSE(*none);
