@@ -15,6 +15,7 @@ constexpr std::size_t robots = 1024;
 /// instant of the prediction the newest commands are 0 to 100 ms old.
 struct Traffic {
     std::vector<CommandHistory> histories{robots};
+    std::vector<LearnedMotion::Memory> memories{robots, {{0.05, 0.1}, 1}};
     std::vector<MotionInput> inputs;
     std::vector<MotionStep> steps{robots};
 
@@ -24,7 +25,8 @@ struct Traffic {
             for (int i = 0; i < 30; ++i)
                 histories[r].issue(phase + i * 100'000'000LL,
                                    {0.1 * uniformNoise({1, i, r, 0}), 0.4 * normalNoise({1, i, r, 1})});
-            inputs.push_back({&histories[r], 3'000'000'000LL, {0.05, 0.1}, Velocity{0.05, 0.1}});
+            inputs.push_back(
+                {&histories[r], 3'000'000'000LL, {0.05, 0.1}, std::as_writable_bytes(std::span(&memories[r], 1))});
         }
     }
 };
