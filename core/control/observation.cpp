@@ -10,10 +10,23 @@ std::byte* Observation::add(std::string_view name, const RecordType& type, Nanos
     reading.name = name;
     reading.type = &type;
     reading.measured = measured;
-    reading.first = static_cast<std::uint32_t>(data_.size());
+    reading.first = static_cast<std::uint32_t>(dataSize_);
     reading.count = static_cast<std::uint32_t>(count);
-    data_.resize(data_.size() + (count * type.size + 7) / 8 * 8);
+    notePlace(name, static_cast<std::uint32_t>(used_ - 1));
+    dataSize_ += (count * type.size + 7) / 8 * 8;
+    if (dataSize_ > data_.size()) data_.resize(std::max(dataSize_, 2 * data_.size()));
     return data_.data() + reading.first;
+}
+
+void Observation::notePlace(std::string_view name, std::uint32_t index) {
+    const auto note = [&](Standard reading, std::string_view standard) {
+        std::uint32_t& place = places_[static_cast<std::size_t>(reading)];
+        if (name == standard && place == none) place = index;
+    };
+    note(Standard::self, selfReading);
+    note(Standard::odometry, odometryReading);
+    note(Standard::robots, robotsReading);
+    note(Standard::objects, objectsReading);
 }
 
 bool Observation::operator==(const Observation& other) const {

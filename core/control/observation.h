@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <span>
@@ -17,7 +18,6 @@ constexpr const char* selfReading = "self";          ///< one Pose in the world'
 constexpr const char* odometryReading = "odometry";  ///< one Velocity, own, now
 constexpr const char* robotsReading = "robots";      ///< SeenBody, those in sight, in the order of their indices
 constexpr const char* objectsReading = "objects";    ///< likewise; the ball is index 0, where there is one
-
 constexpr const char* messagesReading = "messages";  ///< ReceivedMessage, those that arrived since the last instant
 
 /// What a controller gets to see: the readings that have arrived. It never sees the world's state.
@@ -39,27 +39,23 @@ public:
     /// The records of a reading; empty where there is none of that name and type.
     template <class T>
     std::span<const T> records(std::string_view name) const {
-        const Reading* const reading = find(name);
-        if (reading == nullptr || !isOf(*reading, recordType<T>())) return {};
-        return {reinterpret_cast<const T*>(data_.data() + reading->first), reading->count};
+        return recordsAt<T>(find(name));
     }
     const std::byte* recordsOf(const Reading& reading) const { return data_.data() + reading.first; }
 
     // The same of the sensors that every robot has.
-    bool localised() const {
-        return find(selfReading) != nullptr;
-    }                                                        ///< false until the first measurement of the own pose
-    Pose self() const { return onlyOf<Pose>(selfReading); }  ///< own pose in the world's frame, as measured last
+    bool localised() const { return place(Standard::self) != nullptr; }  ///< false until the first measurement
+    Pose self() const { return onlyOf<Pose>(Standard::self); }  ///< own pose in the world's frame, as measured last
     Nanoseconds selfMeasured() const {
-        const Reading* const reading = find(selfReading);
+        const Reading* const reading = place(Standard::self);
         return reading != nullptr ? reading->measured : 0;
     }
-    Velocity velocity() const { return onlyOf<Velocity>(odometryReading); }  ///< own, by odometry, now
-    std::span<const SeenBody> robots() const { return records<SeenBody>(robotsReading); }
+    Velocity velocity() const { return onlyOf<Velocity>(Standard::odometry); }  ///< own, by odometry, now
+    std::span<const SeenBody> robots() const { return recordsAt<SeenBody>(place(Standard::robots)); }
+    std::span<const SeenBody> objects() const { return recordsAt<SeenBody>(place(Standard::objects)); }
     std::span<const ReceivedMessage> messages() const { return records<ReceivedMessage>(messagesReading); }
-    std::span<const SeenBody> objects() const { return records<SeenBody>(objectsReading); }
 
-    void clearReadings() { used_ = 0, data_.clear(); }
+    void clearReadings() { used_ = 0, dataSize_ = 0, places_.fill(none); }
     /// A reading more, at the end; the place of its records. Valid until the next one.
     std::byte* add(std::string_view name, const RecordType& type, Nanoseconds measured, std::size_t count);
     template <class T>
@@ -81,14 +77,29 @@ private:
         return reading.type == &type || *reading.type == type;
     }
     template <class T>
-    T onlyOf(std::string_view name) const {
-        const std::span<const T> all = records<T>(name);
+    std::span<const T> recordsAt(const Reading* reading) const {
+        if (reading == nullptr || !isOf(*reading, recordType<T>())) return {};
+        return {reinterpret_cast<const T*>(data_.data() + reading->first), reading->count};
+    }
+    /// The first reading of a sensor that every robot has; null: there is none.
+    enum class Standard : std::uint8_t { self, odometry, robots, objects };
+    const Reading* place(Standard reading) const {
+        const std::uint32_t index = places_[static_cast<std::size_t>(reading)];
+        return index == none ? nullptr : &readings_[index];
+    }
+    template <class T>
+    T onlyOf(Standard reading) const {
+        const std::span<const T> all = recordsAt<T>(place(reading));
         return all.empty() ? T{} : all.front();
     }
+    void notePlace(std::string_view name, std::uint32_t index);
 
+    static constexpr std::uint32_t none = 0xffffffff;
+    std::array<std::uint32_t, 4> places_{none, none, none, none};  ///< by Standard
     std::vector<Reading> readings_;  ///< the first `used_` of them; the others keep their memory
     std::size_t used_ = 0;
-    std::vector<std::byte> data_;  ///< records of all, each reading's at a multiple of 8
+    std::vector<std::byte> data_;  ///< records of all, each reading's at a multiple of 8; the first `dataSize_` bytes
+    std::size_t dataSize_ = 0;
 };
 
 }  // namespace mrose
