@@ -61,7 +61,8 @@ bool readReading(ByteReader& reader, RecordTypes& types, Observation& observatio
     if (!readText(reader, name) || !readType(reader, told)) return false;
     const auto measured = reader.number<Nanoseconds>();
     const std::uint64_t count = readCount(reader);
-    if (reader.failed() || count > reader.rest().size() / packedSizeOf(told)) return false;
+    const std::size_t each = packedSizeOf(told);
+    if (reader.failed() || each == 0 || count > reader.rest().size() / each) return false;
     const RecordType& type = types.of(std::move(told));
     std::byte* place = observation.add(name, type, measured, count);
     for (std::uint64_t i = 0; i < count; ++i, place += type.size)

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <compare>
 #include <memory>
+#include <tuple>
 
 #include "motion/motion_model.h"
 
@@ -13,7 +13,11 @@ struct MotionNoise {
     double distancePerDistance = 0;  ///< m/m
     double rotationPerRotation = 0;  ///< rad/rad
     double rotationPerDistance = 0;  ///< rad/m
-    auto operator<=>(const MotionNoise&) const = default;
+    bool operator==(const MotionNoise&) const = default;
+    bool operator<(const MotionNoise& other) const { return numbers() < other.numbers(); }
+    std::tuple<double, double, double> numbers() const {
+        return {distancePerDistance, rotationPerRotation, rotationPerDistance};
+    }
 
     bool none() const { return *this == MotionNoise{}; }
 };

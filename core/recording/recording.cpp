@@ -75,7 +75,7 @@ private:
         if (const Value::Array* const array = value.asArray(); array && known_.insert(array).second)
             for (const Value& element : *array) size += of(element);
         if (const Value::Table* const table = value.asTable(); table && known_.insert(table).second)
-            for (const auto& [key, element] : *table) size += sizeof key + key.size() + of(element);
+            for (const auto& [key, element] : *table) size += sizeof(std::string) + key.size() + of(element);
         if (const DescriptionFile* const file = value.asFile(); file && known_.insert(file).second)
             size += sizeof *file + of(file->content);
         if (const std::string* const text = value.asText()) size += text->size();
