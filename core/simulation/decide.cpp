@@ -13,7 +13,7 @@ void addFault(StepTrace* trace, std::size_t robot, std::string what) {
 
 bool finite(const Command& command) { return std::isfinite(command.v) && std::isfinite(command.w); }
 
-/// What is wrong with orders, or nothing.
+/// What is wrong with orders; nullptr: nothing.
 const char* objection(const Decision& decision, Nanoseconds now, std::size_t manipulators) {
     if (decision.command && !finite(*decision.command)) return "its controller gave a command that is not finite";
     Nanoseconds last = std::numeric_limits<Nanoseconds>::min();
