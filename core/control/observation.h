@@ -30,13 +30,13 @@ public:
 
     /// In the order of the robot's sensors.
     std::span<const Reading> readings() const { return std::span(readings_).first(used_); }
-    /// nullptr: there is none of that name.
+    /// The first of that name, the oldest where a sensor with a clock of its own gave several; nullptr: there is none.
     const Reading* find(std::string_view name) const {
         for (const Reading& reading : readings())
             if (reading.name == name) return &reading;
         return nullptr;
     }
-    /// The records of a reading; empty where there is none of that name and type.
+    /// The records of the reading that find() gives; empty where there is none of that name and type.
     template <class T>
     std::span<const T> records(std::string_view name) const {
         return recordsAt<T>(find(name));
@@ -56,7 +56,7 @@ public:
     std::span<const ReceivedMessage> messages() const { return records<ReceivedMessage>(messagesReading); }
 
     void clearReadings() { used_ = 0, dataSize_ = 0, places_.fill(none); }
-    /// A reading more, at the end; the place of its records. Valid until the next one.
+    /// Adds a reading at the end; gives the place for its records, valid until the next is added.
     std::byte* add(std::string_view name, const RecordType& type, Nanoseconds measured, std::size_t count);
     template <class T>
     void add(std::string_view name, Nanoseconds measured, std::span<const T> records) {

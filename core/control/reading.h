@@ -65,8 +65,7 @@ struct RecordType {
     bool operator==(const RecordType&) const = default;
 };
 
-/// The type of records that are Ts: trivially copyable, of alignment 8 at most. Who has a record of its own specialises
-/// it.
+/// The type of records that are Ts: trivially copyable, of alignment 8 at most. Whoever adds a record specialises it.
 template <class T>
 const RecordType& recordType();
 

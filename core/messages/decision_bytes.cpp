@@ -1,5 +1,8 @@
 #include "messages/decision_bytes.h"
 
+#include <algorithm>
+#include <cstring>
+
 #include "messages/text_bytes.h"
 
 namespace mrose {
@@ -30,17 +33,20 @@ Command readCommand(ByteReader& reader) {
     return {v, reader.number<double>()};
 }
 
-/// Calls read() as often as a count says, as far as there are bytes.
+/// Calls read() as often as a count says, as far as there are bytes and it finds them sound; whether all were.
 template <class Read>
-void readEach(ByteReader& reader, bool any, Read read) {
-    for (std::uint64_t left = any ? readCount(reader) : 0; left > 0 && !reader.failed(); --left) read();
+bool readEach(ByteReader& reader, bool any, Read read) {
+    for (std::uint64_t left = any ? readCount(reader) : 0; left > 0; --left)
+        if (reader.failed() || !read()) return false;
+    return !reader.failed();
 }
 
 void appendMessage(std::string& bytes, const RadioMessage& message) {
     appendNumber(bytes, message.to);
     appendNumber(bytes, message.kind);
-    appendCount(bytes, message.size);
-    bytes.append(reinterpret_cast<const char*>(message.bytes.data()), message.size);
+    const std::size_t size = std::min<std::size_t>(message.size, message.bytes.size());
+    appendCount(bytes, size);
+    bytes.append(reinterpret_cast<const char*>(message.bytes.data()), size);
 }
 
 bool readMessage(ByteReader& reader, RadioMessage& message) {
@@ -73,11 +79,11 @@ bool readAnnotation(ByteReader& reader, Annotation& annotation) {
     if (!readText(reader, annotation.label)) return false;
     annotation.value = reader.number<double>();
     if (!readText(reader, annotation.text)) return false;
-    readEach(reader, true, [&] {
+    return readEach(reader, true, [&] {
         const double x = reader.number<double>();
         annotation.points.push_back({x, reader.number<double>()});
+        return true;
     });
-    return !reader.failed();
 }
 
 }  // namespace
@@ -106,18 +112,19 @@ bool readOrders(ByteReader& reader, Decision& decision, bool& fromOutside) {
     fromOutside = (flags & isFromOutside) != 0;
     decision.clear();
     if (flags & hasCommand) decision.command = readCommand(reader);
-    readEach(reader, flags & hasEarlier, [&] {
+    readEach(reader, (flags & hasEarlier) != 0, [&] {
         const auto time = reader.number<Nanoseconds>();
         decision.earlier.push_back({time, readCommand(reader)});
+        return true;
     });
-    readEach(reader, flags & hasKicks, [&] {
+    readEach(reader, (flags & hasKicks) != 0, [&] {
         const auto manipulator = static_cast<std::uint32_t>(readCount(reader));
         decision.kicks.push_back({manipulator, reader.number<double>()});
+        return true;
     });
     if (flags & hasFault) readText(reader, decision.fault);
-    bool sound = true;
-    readEach(reader, flags & hasMessages,
-             [&] { sound = readMessage(reader, decision.messages.emplace_back()) && sound; });
+    const bool sound = readEach(reader, (flags & hasMessages) != 0,
+                                [&] { return readMessage(reader, decision.messages.emplace_back()); });
     return sound && !reader.failed() && flagsOf(decision, fromOutside) == flags;
 }
 
@@ -129,9 +136,10 @@ void appendDecision(const Decision& decision, std::string& bytes) {
 }
 
 bool readDecision(ByteReader& reader, Decision& decision) {
-    bool fromOutside = false, sound = readOrders(reader, decision, fromOutside) && !fromOutside;
-    readEach(reader, sound, [&] { sound = sound && readAnnotation(reader, decision.annotations.emplace_back()); });
-    return sound && readText(reader, decision.breakReason);
+    bool fromOutside = false;
+    return readOrders(reader, decision, fromOutside) && !fromOutside &&
+           readEach(reader, true, [&] { return readAnnotation(reader, decision.annotations.emplace_back()); }) &&
+           readText(reader, decision.breakReason);
 }
 
 }  // namespace mrose

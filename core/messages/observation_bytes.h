@@ -11,7 +11,7 @@ namespace mrose {
 // Observations as plug-ins' processes get them. README.md tells the layout: each reading says what its records are made
 // of, so that whoever reads them need not know the sensor.
 
-/// Types of records that messages told; kept as long as observations name them.
+/// Types of records that were read from messages. It must live as long as observations that were read with it.
 class RecordTypes {
 public:
     /// One that is equal to `type`.

@@ -21,7 +21,7 @@ struct MotionInput {
     /// What the model remembers of the robot: memorySize() bytes, read and written. Empty: it begins here, and nothing
     /// is kept.
     std::span<std::byte> memory = {};
-    /// For what it draws, of NoiseChannel::motion. None: nothing is random, and the mean is wanted.
+    /// For what it draws, of NoiseChannel::motion. nullopt: nothing is random, and the mean is wanted.
     std::optional<NoiseKey> noise = std::nullopt;
 };
 

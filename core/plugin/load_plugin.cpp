@@ -99,6 +99,8 @@ std::string loadingCause(const std::string& path) {
 
 bool finite(const Command& command) { return std::isfinite(command.v) && std::isfinite(command.w); }
 
+bool tooLarge(const RadioMessage& message) { return message.size > RadioMessage::most; }
+
 bool allFinite(const Decision& decision) {
     return (!decision.command || finite(*decision.command)) &&
            std::all_of(decision.earlier.begin(), decision.earlier.end(),
@@ -174,6 +176,7 @@ void PluginController::decide(const Observation& observation, std::span<std::byt
     const std::span<std::byte> own = memory.subspan(sizeof(PluginMemory));
     std::string cause = thrownBy([&] { library_->controller->decide(observation, own, decision); });
     if (cause.empty() && !allFinite(decision)) cause = "gave a command that is not finite";
+    if (cause.empty() && std::ranges::any_of(decision.messages, tooLarge)) cause = "sent a message that is too large";
     if (!cause.empty()) {
         decision.clear();
         decision.fault = "its plug-in " + path_ + ' ' + cause;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::int64_t mostOfAnything = std::int64_t{1} << 32, mostTicks = std::int64_t{1} << 48;
 
-/// What keeps the arrays from being as the robots' entries say; "" for nothing.
+/// How the arrays differ from what the entries of robots and objects say; "" where they do not.
 std::string wrongLayout(const SavedState& saved) {
     const WorldState& state = saved.state;
     std::uint64_t commands = 0, motion = 0, memory = 0, sensing = 0;

@@ -33,7 +33,7 @@ struct SavedState {
 };
 SavedState savedState(const Scenario& scenario, const WorldState& state);
 
-/// As a state file (resources/README.md), exact to the last bit, and back. With `value`, the scenario that it is a
+/// As a state file (resources/README.md), exact to the last bit, and back. With `whole`, the scenario that it is a
 /// state of, the file is one that can be run by itself. Error: file, line and key of the first thing wrong.
 std::string savedStateText(const SavedState& saved, const ScenarioValue* whole = nullptr);
 Expected<SavedState> readSavedState(const Value& content, const std::string& file);
@@ -43,8 +43,8 @@ Expected<SavedState> parseSavedState(std::string_view text, const std::string& f
 std::string unfit(const SavedState& saved, const Scene& scene);
 
 /// The state in a scenario that is fit for it: at its own tick, as it was to the last bit. Bodies whose starts in the
-/// scene are elsewhere are moved there. What remembers in another size (a
-/// controller, a motion model, sensors) starts anew, and a robot whose control period is another decides at once.
+/// scene are elsewhere are moved there. A controller, a motion model, or the sensors of a robot together start anew
+/// where their memory has another size, and a robot whose control period is another decides at once.
 WorldState restored(const SavedState& saved, const Scenario& scenario, std::uint64_t seed);
 
 }  // namespace mrose

@@ -103,8 +103,8 @@ std::string validate(const Scenario& scenario, const WorldState& state) {
             return "a kick by a manipulator that is not there";
     for (const SentMessage& message : state.messages)
         if (message.from >= state.robots.size() || (message.to != noBody && message.to >= state.robots.size()) ||
-            message.size > message.bytes.size() || message.tick > state.tick)
-            return "a message of a robot that is not there";
+            message.size > message.bytes.size() || message.tick > state.tick || message.tick < 0)
+            return "a message that is broken, or of a robot that is not there";
     const auto there = [&](std::uint32_t body) { return body < bodies || body == noBody; };
     for (const ContactImpulse& contact : state.contacts)
         if (!there(contact.bodyA) || !there(contact.bodyB)) return "a contact of a body that is not there";

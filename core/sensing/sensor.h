@@ -25,14 +25,14 @@ struct SensorTraits {
     Nanoseconds period = 0;
 };
 
-/// One sensor of a robot: const itself; what it remembers of a robot lies in the world's state, and what it draws is
-/// told by keys, so that going back is exact. One object serves many robots. A new one is a file pair in this folder
-/// (README.md).
+/// One sensor of a robot: const itself; what it remembers of a robot lies in the world's state, and its random draws
+/// are functions of keys, so that going back is exact. One object serves many robots. A new one is a file pair in this
+/// folder (README.md).
 class Sensor {
 public:
     virtual ~Sensor() = default;
 
-    /// Its own among its robot's, constant: "self".
+    /// Constant, and no other sensor of its robot has it: "self".
     virtual std::string name() const = 0;
     /// What it gives, constant: at most 32.
     virtual std::vector<ReadingKind> gives() const = 0;
@@ -50,7 +50,7 @@ public:
     /// What a memory says.
     virtual std::vector<MemoryEntry> explain(std::span<const std::byte> /*memory*/) const { return {}; }
 
-    /// One measurement: what arrives now is added to `out`, as far as `view` wants it. The memory must go on alike
+    /// One measurement: what arrives now is added to `out`, as far as `view` wants it. The memory must go on the same
     /// whether anything is wanted or not.
     virtual void sense(const SensorView& view, std::span<std::byte> memory, Observation& out) const = 0;
 };

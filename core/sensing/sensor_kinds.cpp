@@ -46,6 +46,7 @@ SensorPointer readLocaliser(TomlTable& table, const SensorTraits& traits) {
 }
 
 SensorPointer readOdometry(TomlTable& table, const SensorTraits& traits) {
+    if (traits.period > 0) table.reject("period_s", "odometry measures at each control instant; expected none");
     const double velocityNoise = table.numberOr("velocity_noise_mps", 0, metresOff);
     return std::make_shared<const Odometry>(velocityNoise, angleOr(table, "rotation_noise_degps", 0, degreesOff),
                                             traits);

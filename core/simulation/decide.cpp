@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "simulation/observe.h"
 #include "simulation/step_stages.h"
@@ -13,7 +14,7 @@ void addFault(StepTrace* trace, std::size_t robot, std::string what) {
 
 bool finite(const Command& command) { return std::isfinite(command.v) && std::isfinite(command.w); }
 
-/// What is wrong with orders, or nothing.
+/// What is wrong with orders; nullptr: nothing.
 const char* objection(const Decision& decision, Nanoseconds now, std::size_t manipulators) {
     if (decision.command && !finite(*decision.command)) return "its controller gave a command that is not finite";
     Nanoseconds last = std::numeric_limits<Nanoseconds>::min();
@@ -27,9 +28,33 @@ const char* objection(const Decision& decision, Nanoseconds now, std::size_t man
         if (!(kick.power >= 0 && kick.power <= 1)) return "its controller gave a kick whose power is not in 0 ... 1";
         if (kick.manipulator >= manipulators) return "its controller kicked with a manipulator that it does not have";
     }
-    for (const RadioMessage& message : decision.messages)
-        if (message.size > RadioMessage::most) return "its controller sent a message that is too large";
     return nullptr;
+}
+
+/// More of them in one instant are a fault.
+constexpr std::size_t mostMessages = 64;
+
+/// What is wrong with messages, or nothing.
+const char* messageObjection(const Decision& decision, std::size_t robots) {
+    if (decision.messages.size() > mostMessages) return "its controller sent more than 64 messages at once";
+    for (const RadioMessage& message : decision.messages) {
+        if (message.size > RadioMessage::most) return "its controller sent a message that is too large";
+        if (message.to != broadcast && message.to >= robots)
+            return "its controller sent a message to a robot that is not there";
+    }
+    return nullptr;
+}
+
+/// Messages that cannot be sent become a fault, and the others are what they say they are: nothing else is recorded.
+void checkMessages(Decision& decision, std::size_t robots) {
+    if (decision.messages.empty()) return;
+    const char* const wrong = messageObjection(decision, robots);
+    if (wrong != nullptr) {
+        decision.messages.clear();
+        if (decision.fault.empty()) decision.fault = wrong;
+    }
+    for (RadioMessage& message : decision.messages)
+        std::fill(message.bytes.begin() + message.size, message.bytes.end(), std::byte{0});
 }
 
 void issue(const Scenario& scenario, WorldState& state, std::size_t robot, const StampedCommand& command) {
@@ -44,7 +69,8 @@ void issue(const Scenario& scenario, WorldState& state, std::size_t robot, const
 void obey(const Scenario& scenario, WorldState& state, std::size_t robot, const Decision& decision, StepTrace* trace) {
     const Nanoseconds now = scenario.scene().timeOf(state.tick);
     const std::vector<Manipulator>& manipulators = scenario.scene().typeOf(robot).manipulators;
-    const char* const wrong = objection(decision, now, manipulators.size());
+    const char* wrong = objection(decision, now, manipulators.size());
+    if (wrong == nullptr) wrong = messageObjection(decision, state.robots.size());
     if (wrong != nullptr || !decision.fault.empty()) {
         addFault(trace, robot, wrong != nullptr ? wrong : decision.fault);
         issue(scenario, state, robot, {now, {}});
@@ -83,6 +109,7 @@ void decide(const Scenario& scenario, WorldState& state, StepBuffers::Content& b
             observe(scenario, state, i, scenario.sensorMemory(state, i), buffers.sensing, buffers.observation);
             buffers.decision.clear();
             scenario.controller(i).decide(buffers.observation, scenario.memoryOf(state, i), buffers.decision);
+            checkMessages(buffers.decision, state.robots.size());
             decision = &buffers.decision;
         }
         if (decision != nullptr) obey(scenario, state, i, *decision, trace);

@@ -10,15 +10,22 @@ void senseByItsClock(const Sensor& sensor, SensorView view, std::int64_t periodT
                      Observation& out) {
     const Nanoseconds period = sensor.period();
     const std::int64_t lag = view.lagOf(sensor.latency());
-    const auto tickOf = [&](std::int64_t count) { return view.scene.ticksOf(count * period); };
+    // The nearest tick, also before the start.
+    const auto tickOf = [&, length = view.scene.tickLength](std::int64_t count) {
+        const Nanoseconds later = count * period + length / 2;
+        return later / length - (later % length < 0 ? 1 : 0);
+    };
     // Measurements before the start are told as if all had stood still until then.
     const std::int64_t now = view.state.tick - lag, before = now - periodTicks;
     view.sinceLast = toSeconds(period);
     std::int64_t count = view.scene.timeOf(before) / period;
     while (tickOf(count) > before) --count;
     while (tickOf(count) <= before) ++count;
-    for (; tickOf(count) <= now; ++count) {
-        view.arrivedAgo = now - tickOf(count);
+    // At most one a tick: the draws of a measurement are its tick's.
+    for (std::int64_t last = before; tickOf(count) <= now; ++count) {
+        if (tickOf(count) == last) continue;
+        last = tickOf(count);
+        view.arrivedAgo = now - last;
         sensor.sense(view, memory, out);
     }
 }

@@ -9,7 +9,7 @@
 namespace mrose {
 
 // States as they were stored until their version 2: what a motion model and the sensors remembered were fields of each
-// robot. Recordings and state files of then are read on.
+// robot. Recordings and state files of that time can still be read.
 
 /// Those fields.
 struct FirstVersionMemory {

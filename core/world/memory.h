@@ -13,11 +13,11 @@ namespace mrose {
 /// How much of an array of the state a block takes: each begins at a multiple of 16 bytes.
 constexpr std::size_t paddedMemory(std::size_t bytes) { return (bytes + 15) / 16 * 16; }
 
-/// Something in a memory, as a person reads it.
+/// An entry of a memory, as a person reads it.
 struct MemoryEntry {
-    std::string name;  ///< of its own within the memory
+    std::string name;  ///< no other entry of the memory has it
     double value = 0;
-    const char* unit = "";  ///< "m", "rad", "s" ...; of what is counted or has a text nothing
+    const char* unit = "";  ///< "m", "rad", "s" ...; "" of what is counted or has a text
     std::string text = {};  ///< instead of the value, where there is one
 };
 

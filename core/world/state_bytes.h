@@ -17,8 +17,8 @@ std::string stateBytes(const WorldState& state);
 std::uint32_t stateVersion(std::string_view bytes);
 
 /// The state that bytes hold. Whether it is one of a given scenario is not asked here. `name` is said in errors. Bytes
-/// of version 1 (first_state_version.h) are read on. Error: another version, sizes that do not add up to the bytes'
-/// number (found before anything is allocated), a flag that is neither 0 nor 1.
+/// of version 1 (first_state_version.h) can still be read. Error: another version, sizes that do not add up to the
+/// bytes' number (found before anything is allocated), a flag that is neither 0 nor 1.
 Expected<WorldState> parseState(std::string_view bytes, const std::string& name);
 
 }  // namespace mrose

@@ -134,6 +134,9 @@ TEST(ToySensor, ByAClockOfItsOwnEachMeasurementArrivesOnce) {
     std::vector<WorldState> states;
     const auto echoes = echoesOf(sounding({"sounder", 30 * ms}, 0, 40 * ms), 300, &states);
     std::vector<std::pair<Nanoseconds, Echo>> all;
+    ASSERT_FALSE(echoes.empty());
+    for (std::size_t i = 1; i < echoes[0].size(); ++i)
+        EXPECT_GT(echoes[0][i].first, echoes[0][i - 1].first) << "before the start, too, each tick is measured once";
     for (std::size_t i = 1; i < echoes.size(); ++i) {
         EXPECT_GE(echoes[i].size(), 3u);
         EXPECT_LE(echoes[i].size(), 4u);

@@ -105,6 +105,37 @@ public:
     }
 };
 
+TEST(Messages, ToARobotThatIsNotThereAreAFault) {
+    const Scenario scenario = three(7);
+    WorldState state = scenario.initialState();
+    StepTrace trace;
+    StepBuffers buffers;
+    step(scenario, state, buffers, {}, &trace);
+    ASSERT_EQ(trace.faults.size(), 1u);
+    EXPECT_EQ(trace.faults[0].what, "its controller sent a message to a robot that is not there");
+    EXPECT_TRUE(state.messages.empty());
+}
+
+/// Says less than its bytes hold.
+class Mumbler final : public Controller {
+public:
+    void decide(const Observation&, std::span<std::byte>, Decision& decision) const override {
+        RadioMessage& message = decision.messages.emplace_back();
+        message.bytes.fill(std::byte{9});
+        message.size = 3;
+    }
+};
+
+TEST(Messages, BytesBeyondTheirSizeAreNotSent) {
+    const Scenario scenario =
+        SmallWorld().robot(discRobot(0.2), {}, std::make_shared<const Mumbler>(), ideal()).scenario();
+    WorldState state = scenario.initialState();
+    run(scenario, state, 1);
+    ASSERT_EQ(state.messages.size(), 1u);
+    EXPECT_EQ(state.messages[0].bytes[2], std::byte{9});
+    EXPECT_EQ(state.messages[0].bytes[3], std::byte{0});
+}
+
 TEST(Messages, ThatAreTooLargeAreAFault) {
     const Scenario scenario =
         SmallWorld().robot(discRobot(0.2), {}, std::make_shared<const Shouter>(), ideal()).scenario();
@@ -114,6 +145,7 @@ TEST(Messages, ThatAreTooLargeAreAFault) {
     step(scenario, state, buffers, {}, &trace);
     ASSERT_EQ(trace.faults.size(), 1u);
     EXPECT_EQ(trace.faults[0].what, "its controller sent a message that is too large");
+    EXPECT_TRUE(trace.robots[0].decision.messages.empty()) << "it is recorded";
     EXPECT_TRUE(state.messages.empty());
     EXPECT_EQ(state.robots[0].velocity_B.x, 0);
 }

@@ -1,4 +1,4 @@
-// A motion model with memory, noise and doubt of its own, as somebody would add one: all of it is in this file.
+// A motion model with memory, noise and a spread of its own, as somebody would add one: all of it is in this file.
 #include <cmath>
 
 #include <gtest/gtest.h>

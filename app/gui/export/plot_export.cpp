@@ -256,7 +256,7 @@ std::string tableText(const ValueTable& table) {
             if (std::isfinite(point.y()) && point.x() >= static_cast<double>(table.lineages.front().end()))
                 ahead.insert(std::llround(point.x()));
     for (const PlotLevel& level : table.levels) text += ',' + csvCell("bound (" + level.unit.toStdString() + ')');
-    if (table.instant) text += ",leaves the real course";
+    if (table.instant) text += ",leaves the real trajectory";
     if (!ahead.empty()) text += ",ahead";
     text += '\n';
     const bool foresees = !ahead.empty();
