@@ -38,7 +38,7 @@ struct RadioMessage {
     std::array<std::byte, most> bytes{};
     bool operator==(const RadioMessage&) const = default;
 
-    /// With a value's bytes.
+    /// With a value's bytes: of a type without padding, since all of them are part of the state.
     template <class T>
     static RadioMessage of(const T& value, std::uint32_t kind = 0, std::uint32_t to = broadcast) {
         static_assert(std::is_trivially_copyable_v<T> && sizeof(T) <= most);
