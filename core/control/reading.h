@@ -59,9 +59,9 @@ RecordField field(const char* name, const char* unit, std::size_t offset, std::u
 /// What the records of a reading are made of: numbers with names and units, so that whoever does not know the C++ type
 /// (a recording, another program) can read them all the same.
 struct RecordType {
-    std::string name;        ///< "pose"
-    std::uint32_t size = 0;  ///< B of a record in memory
-    std::vector<RecordField> fields;
+    std::string name;                 ///< "pose"
+    std::uint32_t size = 0;           ///< B of a record in memory
+    std::vector<RecordField> fields;  ///< one after the other, in the order of their offsets
     bool operator==(const RecordType&) const = default;
 };
 

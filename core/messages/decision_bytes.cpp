@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 
 #include "messages/text_bytes.h"
 
@@ -112,19 +113,19 @@ bool readOrders(ByteReader& reader, Decision& decision, bool& fromOutside) {
     fromOutside = (flags & isFromOutside) != 0;
     decision.clear();
     if (flags & hasCommand) decision.command = readCommand(reader);
-    readEach(reader, (flags & hasEarlier) != 0, [&] {
+    bool sound = readEach(reader, (flags & hasEarlier) != 0, [&] {
         const auto time = reader.number<Nanoseconds>();
         decision.earlier.push_back({time, readCommand(reader)});
         return true;
     });
-    readEach(reader, (flags & hasKicks) != 0, [&] {
-        const auto manipulator = static_cast<std::uint32_t>(readCount(reader));
-        decision.kicks.push_back({manipulator, reader.number<double>()});
-        return true;
-    });
-    if (flags & hasFault) readText(reader, decision.fault);
-    const bool sound = readEach(reader, (flags & hasMessages) != 0,
-                                [&] { return readMessage(reader, decision.messages.emplace_back()); });
+    sound = sound && readEach(reader, (flags & hasKicks) != 0, [&] {
+                const std::uint64_t manipulator = readCount(reader);
+                decision.kicks.push_back({static_cast<std::uint32_t>(manipulator), reader.number<double>()});
+                return manipulator <= std::numeric_limits<std::uint32_t>::max();
+            });
+    sound = sound && ((flags & hasFault) == 0 || readText(reader, decision.fault));
+    sound = sound && readEach(reader, (flags & hasMessages) != 0,
+                              [&] { return readMessage(reader, decision.messages.emplace_back()); });
     return sound && !reader.failed() && flagsOf(decision, fromOutside) == flags;
 }
 

@@ -29,12 +29,15 @@ std::size_t packedSizeOf(const RecordType& type) {
     return size;
 }
 
-/// Whether its fields lie within it, and it is not much larger than they are.
+/// Whether its fields lie within it, one after the other, and it is not much larger than they are.
 bool sound(const RecordType& type) {
-    for (const RecordField& field : type.fields)
-        if (field.count == 0 || field.count > 1u << 16 || field.offset > type.size ||
+    std::size_t end = 0;  // of the field before
+    for (const RecordField& field : type.fields) {
+        if (field.offset < end || field.count == 0 || field.count > 1u << 16 || field.offset > type.size ||
             field.count * sizeOf(field.kind) > type.size - field.offset)
             return false;
+        end = field.offset + field.count * sizeOf(field.kind);
+    }
     return !type.fields.empty() && type.size <= packedSizeOf(type) + 8 * (type.fields.size() + 1);
 }
 

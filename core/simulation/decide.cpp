@@ -34,7 +34,7 @@ const char* objection(const Decision& decision, Nanoseconds now, std::size_t man
 /// More of them in one instant are a fault.
 constexpr std::size_t mostMessages = 64;
 
-/// What is wrong with messages, or nothing.
+/// What is wrong with messages; null: nothing.
 const char* messageObjection(const Decision& decision, std::size_t robots) {
     if (decision.messages.size() > mostMessages) return "its controller sent more than 64 messages at once";
     for (const RadioMessage& message : decision.messages) {

@@ -1,5 +1,7 @@
 #include "simulation/observe.h"
 
+#include <algorithm>
+
 #include "sensing/sensor_view.h"
 
 namespace mrose {
@@ -15,9 +17,9 @@ void senseByItsClock(const Sensor& sensor, SensorView view, std::int64_t periodT
         const Nanoseconds later = count * period + length / 2;
         return later / length - (later % length < 0 ? 1 : 0);
     };
-    // Measurements before the start are told as if all had stood still until then.
+    // Before the start all stood still where it starts.
     const std::int64_t now = view.state.tick - lag, before = now - periodTicks;
-    view.sinceLast = toSeconds(period);
+    view.sinceLast = toSeconds(std::max(period, view.scene.tickLength));
     std::int64_t count = view.scene.timeOf(before) / period;
     while (tickOf(count) > before) --count;
     while (tickOf(count) <= before) ++count;

@@ -184,6 +184,24 @@ TEST(MessageBytes, TypesThatDoNotFitTheirFieldsAreRefused) {
     EXPECT_FALSE(reads({"t", 1 << 20, {number}}, 1, std::string(8, 'x')));
     EXPECT_FALSE(reads({"t", 8, {{"x", "", NumberKind::float64, 1, 1}}}, 1, std::string(8, 'x')));
     EXPECT_FALSE(reads({"t", 8, {}}, 1, ""));
+    const RecordField within{"y", "", NumberKind::uint8, 4, 1};
+    EXPECT_FALSE(reads({"t", 8, {number, within}}, 1, std::string(9, 'x'))) << "one lies in the other";
+}
+
+/// A manipulator beyond 32 bits would come back as another one.
+TEST(MessageBytes, KicksOfManipulatorsThatCannotBeAreRefused) {
+    const auto reads = [](std::uint64_t manipulator) {
+        std::string bytes(1, '\4');  // kicks alone
+        appendCount(bytes, 1);
+        appendCount(bytes, manipulator);
+        appendNumber(bytes, 0.5);
+        ByteReader reader(bytes);
+        Decision read;
+        bool fromOutside = false;
+        return readOrders(reader, read, fromOutside);
+    };
+    EXPECT_TRUE(reads(0xffffffff));
+    EXPECT_FALSE(reads(0x100000000));
 }
 
 /// A number of elements is believed as far as there are bytes for them.
