@@ -95,7 +95,7 @@ InspectorRow seenRow(const RowWriter& write, std::uint32_t other) {
     return row;
 }
 
-/// What its motion model and its sensors remember: a row for each of them that says something.
+/// What its motion model and its sensors remember and report: a row for each of them that says something.
 void addOtherParts(const RowWriter& write, InspectorRow& section) {
     const std::vector<std::string> names = partNames(*write.at.scenario, write.body);
     for (std::uint32_t part = 1; part < names.size(); ++part) {
@@ -158,9 +158,9 @@ InspectorRow memoryRows(const RowWriter& write, const RowIsOpen& isOpen) {
     }
     const Controller& controller = write.at.scenario->controller(write.body);
     const bool open = isOpen(section.id);
-    const std::vector<MemoryEntry> entries = controller.explain(memory);
-    const std::vector<MemoryEntry> old = before.size() == memory.size() ? controller.explain(before) : entries;
-    for (std::size_t i = 0; open && i < entries.size(); ++i) {
+    const std::vector<MemoryEntry> entries = open ? controller.explain(memory) : std::vector<MemoryEntry>();
+    const std::vector<MemoryEntry> old = open && before.size() == memory.size() ? controller.explain(before) : entries;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
         section.children.push_back(entryRow(write, entries[i], 0));
         const bool same = i < old.size() && old[i].name == entries[i].name && old[i].text == entries[i].text;
         section.children.back().notable = !same;

@@ -127,7 +127,7 @@ Subcommand addCompare(CLI::App& app, CommonFlags& common) {
                     "--duration, as mrose evaluate cuts the log")
         ->excludes(start)
         ->excludes(every);
-    sub->add_option("--report", flags->folder, "Folder for report.html, errors.csv, courses.csv and results.json")
+    sub->add_option("--report", flags->folder, "Folder for report.html, errors.csv, rollouts.csv and results.json")
         ->check(someName());
     addDivergenceFlags(*sub, flags->divergence);
     addPluginFlags(*sub, flags->plugins);

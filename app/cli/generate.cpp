@@ -93,7 +93,7 @@ void print(const std::vector<GeneratedFile>& files, const std::vector<SyntheticP
             std::printf("%s: synthetic, %zu trajector%s, %.0f s\n", path.c_str(), count, count == 1 ? "y" : "ies",
                         secondsOf(parts[i]));
         json["files"].push_back({{"file", path},
-                                 {"course", name(parts[i].pattern)},
+                                 {"pattern", name(parts[i].pattern)},
                                  {"trajectories", count},
                                  {"repeats", parts[i].repeats},
                                  {"seconds", secondsOf(parts[i])}});
@@ -103,7 +103,7 @@ void print(const std::vector<GeneratedFile>& files, const std::vector<SyntheticP
 
 int generate(const GenerateFlags& flags, const CommonFlags& common) {
     if (flags.set.empty() == flags.pattern.empty())
-        return report({"", 0, 0, "--set, --course", "exactly one of them says what to drive"});
+        return report({"", 0, 0, "--set, --pattern", "exactly one of them says what to drive"});
     const std::vector<SyntheticPart> parts = partsOf(flags);
     const auto folder = prepare(flags.out, parts, common.overwrite);
     if (!folder) return report(folder.error());
@@ -143,7 +143,7 @@ Subcommand addGenerate(CLI::App& app, CommonFlags& common) {
         app, common, "generate", "Write synthetic logs, driven by the reference robot (no real robot drove them)",
         "  mrose generate --set training -o training\n"
         "  mrose generate --set held-out --seed 2 -o held-out\n"
-        "  mrose generate --course ellipse --repeats 10 -o ellipse\n"
+        "  mrose generate --pattern ellipse --repeats 10 -o ellipse\n"
         "Sets:\n" +
             setsText() +
             "The files are CSV logs, one for each drive pattern, and say that they are synthetic. "
@@ -153,7 +153,7 @@ Subcommand addGenerate(CLI::App& app, CommonFlags& common) {
     sub->add_option("-o,--output", flags->out, "The folder to write to")->required()->check(someName());
     sub->add_option("--set", flags->set, "What to drive: " + CLI::detail::join(setNames(), ", "))
         ->check(CLI::IsMember(setNames()));
-    sub->add_option("--course", flags->pattern, "One drive pattern only: " + CLI::detail::join(patternNames(), ", "))
+    sub->add_option("--pattern", flags->pattern, "One drive pattern only: " + CLI::detail::join(patternNames(), ", "))
         ->check(CLI::IsMember(patternNames()));
     sub->add_option("--trajectories", flags->trajectories, "Different trajectories in each file")
         ->check(CLI::Range(1, 100'000));

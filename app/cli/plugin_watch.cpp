@@ -243,6 +243,10 @@ public:
         return watched_->commandsPerPeriod(period);
     }
     Attention attention() const override { return watched_->attention(); }
+    std::vector<MemoryEntry> explain(std::span<const std::byte> memory) const override {
+        const PluginGuard guard(who_);
+        return watched_->explain(memory);
+    }
     void decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const override {
         Activity& activity = activityOfThisThread();
         activity.begin(&who_, observation.time / tickLength_);

@@ -25,7 +25,7 @@ std::string sessionCell(const Comparison& comparison, const ComparedRollout& rol
 }
 
 nlohmann::ordered_json json(const ComparedSummary& summary) {
-    return {{"courses", summary.rollouts()},
+    return {{"rollouts", summary.rollouts()},
             {"windows", summary.of(RolloutUse::counted)},
             {"still", summary.of(RolloutUse::still)},
             {"gaps", summary.of(RolloutUse::gap)},
@@ -42,7 +42,7 @@ nlohmann::ordered_json json(double value) {
 }
 
 nlohmann::ordered_json json(const ComparedDivergences::Summary& summary) {
-    return {{"courses", summary.rollouts}, {"diverging", summary.diverging}, {"median_s", json(summary.medianTime)}};
+    return {{"rollouts", summary.rollouts}, {"diverging", summary.diverging}, {"median_s", json(summary.medianTime)}};
 }
 
 nlohmann::ordered_json json(const CauseTrial& trial) {
@@ -52,7 +52,7 @@ nlohmann::ordered_json json(const CauseTrial& trial) {
 nlohmann::ordered_json json(const Comparison& comparison, const RolloutDivergence& diverging) {
     const ComparedRollout& rollout = comparison.rollouts[diverging.rollout];
     const Divergence& divergence = diverging.divergence;
-    nlohmann::ordered_json result{{"course", rollout.request + 1},
+    nlohmann::ordered_json result{{"rollout", rollout.request + 1},
                                   {"name", comparison.robots[rollout.robot].name},
                                   {"robot", comparison.robots[rollout.robot].realName},
                                   {"start_s", toSeconds(comparison.requests[rollout.request].start)},
@@ -69,9 +69,9 @@ nlohmann::ordered_json json(const Comparison& comparison, const RolloutDivergenc
     result["cause"] = diagnosis.likely ? json(diagnosis.trials[*diagnosis.likely]) : nlohmann::ordered_json();
     result["tried"] = nlohmann::ordered_json::array();
     if (diagnosis.onset)
-        result["parting"] = {{"from_s", toSeconds(diagnosis.onset->from)}, {"to_s", toSeconds(diagnosis.onset->to)},
-                             {"ahead_m", diagnosis.onset->ahead},          {"left_m", diagnosis.onset->left},
-                             {"turn_rad", diagnosis.onset->turn},          {"explained", diagnosis.onset->explained}};
+        result["onset"] = {{"from_s", toSeconds(diagnosis.onset->from)}, {"to_s", toSeconds(diagnosis.onset->to)},
+                           {"ahead_m", diagnosis.onset->ahead},          {"left_m", diagnosis.onset->left},
+                           {"turn_rad", diagnosis.onset->turn},          {"explained", diagnosis.onset->explained}};
     for (const CauseTrial& trial : diagnosis.trials) result["tried"].push_back(json(trial));
     return result;
 }
@@ -91,9 +91,9 @@ nlohmann::ordered_json json(const Comparison& comparison, const ComparedDivergen
         robot.update(json(divergences.robots[i]));
         result["robots"].push_back(std::move(robot));
     }
-    result["courses"] = nlohmann::ordered_json::array();
+    result["rollouts"] = nlohmann::ordered_json::array();
     for (const RolloutDivergence& diverging : divergences.rollouts)
-        result["courses"].push_back(json(comparison, diverging));
+        result["rollouts"].push_back(json(comparison, diverging));
     return result;
 }
 
@@ -154,7 +154,7 @@ std::string errorsCsv(const Comparison& comparison) {
 std::string rolloutsCsv(const Comparison& comparison, const ComparedDivergences* divergences) {
     const Nanoseconds step = comparison.evaluation.options.windows.step;
     std::string text =
-        "course,dataset,robot,t_start,start_s,duration_s,use,path_m,rotation_rad,position_mean_m,position_final_m,"
+        "rollout,dataset,robot,t_start,start_s,duration_s,use,path_m,rotation_rad,position_mean_m,position_final_m,"
         "heading_mean_rad,heading_final_rad,touches,touched_s,simulated";
     text += hasSessions(comparison) ? ",trajectory" : "";
     text += divergences != nullptr ? ",diverged_s,cause\n" : "\n";

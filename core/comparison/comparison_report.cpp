@@ -15,7 +15,7 @@
 namespace mrose {
 namespace {
 
-constexpr const char* comparisonFiles[] = {"errors.csv", "courses.csv", "results.json", "report.html"};
+constexpr const char* comparisonFiles[] = {"errors.csv", "rollouts.csv", "results.json", "report.html"};
 constexpr std::size_t listedRollouts = 12, shownRobots = 8;
 
 /// "10 s", or "8 to 10 s".
@@ -224,7 +224,7 @@ std::string pictures(const Comparison& comparison, const Environment& environmen
                     paragraph(cat("The ", std::to_string(std::min(worst.size(), listedRollouts)), " of ",
                                   std::to_string(worst.size()),
                                   " drives with the largest mean position error, the largest first. "
-                                  "<code>--start</code> and <code>--duration</code> show one alone; courses.csv has "
+                                  "<code>--start</code> and <code>--duration</code> show one alone; rollouts.csv has "
                                   "them all.")),
                     tableCard(worstTable(comparison, worst)));
     return text;

@@ -58,8 +58,8 @@ bool readsControl(std::string_view text, const Scenario& scenario) {
     std::vector<std::string> names;
     for (const Quantity& quantity : quantities())
         if (quantity.needs == Quantity::Needs::control) names.emplace_back(quantity.name);
-    for (std::size_t robot = 0; robot < scenario.scene().robots.size(); ++robot)
-        for (const std::string& part : partNames(scenario, robot)) names.push_back(part);
+    for (std::size_t body = 0; body < scenario.scene().bodyCount(); ++body)
+        for (const std::string& part : partNames(scenario, body)) names.push_back(part);
     const std::vector<std::string_view> words = luaWords(text);
     return std::find_first_of(words.begin(), words.end(), names.begin(), names.end()) != words.end();
 }

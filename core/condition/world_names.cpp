@@ -76,11 +76,11 @@ int pushItems(lua_State* lua, std::uint32_t body, const Quantity& quantity, std:
     return 1;
 }
 
-/// The place of a robot's part of the name at index 2; noBody: it has none.
-std::uint32_t partNamed(lua_State* lua, std::uint32_t robot) {
+/// The place of a body's part of the name at index 2; noBody: it has none.
+std::uint32_t partNamed(lua_State* lua, std::uint32_t body) {
     if (lua_type(lua, 2) != LUA_TSTRING) return noBody;
     const std::string_view name = lua_tostring(lua, 2);
-    const std::vector<std::string> parts = partNames(*viewOf(lua).at.scenario, robot);
+    const std::vector<std::string> parts = partNames(*viewOf(lua).at.scenario, body);
     const auto found = std::find(parts.begin(), parts.end(), name);
     return found == parts.end() ? noBody : static_cast<std::uint32_t>(found - parts.begin());
 }
@@ -105,7 +105,7 @@ int readQuantity(lua_State* lua) {
         if (quantity.of == Quantity::Of::items) return pushItems(lua, handle.body, quantity, noBody);
         return pushValue(lua, quantity, {viewOf(lua).at, handle.body});
     }
-    const std::uint32_t part = handle.kind == Handle::Kind::robot ? partNamed(lua, handle.body) : noBody;
+    const std::uint32_t part = handle.kind == Handle::Kind::wall ? noBody : partNamed(lua, handle.body);
     if (part != noBody) return pushItems(lua, handle.body, partQuantity(), part);
     const char* const written = luaL_tolstring(lua, 2, nullptr);
     return luaL_error(lua, "there is no '%s': %s", written, whatThereIs(lua, handle, written));

@@ -79,12 +79,12 @@ struct Decision {
 /// Which readings a controller reads of its observations. The others are left out, and what they cost is saved.
 struct Attention {
     bool all = true;
-    std::vector<std::string> names = {};  ///< those it reads, where not all
+    std::vector<ReadingName> names = {};  ///< those it reads, where not all
 
-    static Attention only(std::vector<std::string> names) { return {false, std::move(names)}; }
+    static Attention only(std::vector<ReadingName> names) { return {false, std::move(names)}; }
     /// Its own pose and speed alone.
     static Attention ofItself() { return only({selfReading, odometryReading}); }
-    bool reads(std::string_view name) const {
+    bool reads(const ReadingName& name) const {
         return all || std::find(names.begin(), names.end(), name) != names.end();
     }
     bool operator==(const Attention&) const = default;

@@ -20,7 +20,7 @@ public:
     virtual std::size_t outputs() const = 0;
     virtual MappingVariable input(std::size_t index) const = 0;
     virtual MappingVariable output(std::size_t index) const = 0;
-    /// `from` has inputs() numbers, `to` outputs().
+    /// `from` has inputs() numbers, `to` outputs(); otherwise it throws std::invalid_argument.
     virtual void evaluate(std::span<const double> from, std::span<double> to) const = 0;
 };
 

@@ -4,7 +4,7 @@
 
 namespace mrose {
 
-std::byte* Observation::add(std::string_view name, const RecordType& type, Nanoseconds measured, std::size_t count) {
+std::byte* Observation::add(const ReadingName& name, const RecordType& type, Nanoseconds measured, std::size_t count) {
     if (used_ == readings_.size()) readings_.emplace_back();
     Reading& reading = readings_[used_++];
     reading.name = name;
@@ -18,8 +18,8 @@ std::byte* Observation::add(std::string_view name, const RecordType& type, Nanos
     return data_.data() + reading.first;
 }
 
-void Observation::notePlace(std::string_view name, std::uint32_t index) {
-    const auto note = [&](Standard reading, std::string_view standard) {
+void Observation::notePlace(const ReadingName& name, std::uint32_t index) {
+    const auto note = [&](Standard reading, const ReadingName& standard) {
         std::uint32_t& place = places_[static_cast<std::size_t>(reading)];
         if (name == standard && place == none) place = index;
     };

@@ -14,11 +14,11 @@
 namespace mrose {
 
 // The readings of the sensors that every robot has.
-constexpr const char* selfReading = "self";          ///< one Pose in the world's frame, as measured last
-constexpr const char* odometryReading = "odometry";  ///< one Velocity, own, now
-constexpr const char* robotsReading = "robots";      ///< SeenBody, those in sight, in the order of their indices
-constexpr const char* objectsReading = "objects";    ///< likewise; the ball is index 0, where there is one
-constexpr const char* messagesReading = "messages";  ///< ReceivedMessage, those that arrived since the last instant
+constexpr ReadingName selfReading = "self";          ///< one Pose in the world's frame, as measured last
+constexpr ReadingName odometryReading = "odometry";  ///< one Velocity, own, now
+constexpr ReadingName robotsReading = "robots";      ///< SeenBody, those in sight, in the order of their indices
+constexpr ReadingName objectsReading = "objects";    ///< likewise; the ball is index 0, where there is one
+constexpr ReadingName messagesReading = "messages";  ///< ReceivedMessage, those that arrived since the last instant
 
 /// What a controller gets to see: the readings that have arrived. It never sees the world's state.
 class Observation {
@@ -31,14 +31,25 @@ public:
     /// In the order of the robot's sensors.
     std::span<const Reading> readings() const { return std::span(readings_).first(used_); }
     /// The first of that name, the oldest where a sensor with a clock of its own gave several; nullptr: there is none.
-    const Reading* find(std::string_view name) const {
+    const Reading* find(const ReadingName& name) const {
         for (const Reading& reading : readings())
             if (reading.name == name) return &reading;
         return nullptr;
     }
-    /// The records of the reading that find() gives; empty where there is none of that name and type.
+    /// The last of that name, the newest.
+    const Reading* newest(const ReadingName& name) const {
+        const Reading* found = nullptr;
+        for (const Reading& reading : readings())
+            if (reading.name == name) found = &reading;
+        return found;
+    }
+    /// The records of a reading; empty where there is none, or they are of another type.
     template <class T>
-    std::span<const T> records(std::string_view name) const {
+    std::span<const T> records(const Reading* reading) const {
+        return recordsAt<T>(reading);
+    }
+    template <class T>
+    std::span<const T> records(const ReadingName& name) const {
         return recordsAt<T>(find(name));
     }
     const std::byte* recordsOf(const Reading& reading) const { return data_.data() + reading.first; }
@@ -57,15 +68,15 @@ public:
 
     void clearReadings() { used_ = 0, dataSize_ = 0, places_.fill(none); }
     /// Adds a reading at the end; gives the place for its records, valid until the next is added.
-    std::byte* add(std::string_view name, const RecordType& type, Nanoseconds measured, std::size_t count);
+    std::byte* add(const ReadingName& name, const RecordType& type, Nanoseconds measured, std::size_t count);
     template <class T>
-    void add(std::string_view name, Nanoseconds measured, std::span<const T> records) {
+    void add(const ReadingName& name, Nanoseconds measured, std::span<const T> records) {
         static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= 8);
         std::byte* const place = add(name, recordType<T>(), measured, records.size());
         if (!records.empty()) std::memcpy(place, records.data(), records.size_bytes());
     }
     template <class T>
-    void add(std::string_view name, Nanoseconds measured, const T& record) {
+    void add(const ReadingName& name, Nanoseconds measured, const T& record) {
         add(name, measured, std::span<const T>(&record, 1));
     }
 
@@ -92,11 +103,11 @@ private:
         const std::span<const T> all = recordsAt<T>(place(reading));
         return all.empty() ? T{} : all.front();
     }
-    void notePlace(std::string_view name, std::uint32_t index);
+    void notePlace(const ReadingName& name, std::uint32_t index);
 
     static constexpr std::uint32_t none = 0xffffffff;
     std::array<std::uint32_t, 4> places_{none, none, none, none};  ///< by Standard
-    std::vector<Reading> readings_;  ///< the first `used_` of them; the others keep their memory
+    std::vector<Reading> readings_;                                ///< the first `used_` of them
     std::size_t used_ = 0;
     std::vector<std::byte> data_;  ///< records of all, each reading's at a multiple of 8; the first `dataSize_` bytes
     std::size_t dataSize_ = 0;

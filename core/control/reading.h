@@ -3,7 +3,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -130,9 +133,34 @@ inline const RecordType& recordType<SeenBody>() {
     return type;
 }
 
+/// The name of a reading. It lies in place, so that observations are copied as bytes. A longer one throws
+/// std::length_error.
+class ReadingName {
+public:
+    static constexpr std::size_t most = 31;  ///< characters
+
+    constexpr ReadingName() = default;
+    constexpr ReadingName(std::string_view name) : size_(static_cast<std::uint8_t>(name.size())) {
+        if (name.size() > most) throw std::length_error("a reading's name has at most 31 characters");
+        for (std::size_t i = 0; i < name.size(); ++i) characters_[i] = name[i];
+    }
+    constexpr ReadingName(const char* name) : ReadingName(std::string_view(name)) {}
+    ReadingName(const std::string& name) : ReadingName(std::string_view(name)) {}
+    constexpr operator std::string_view() const { return {characters_.data(), size_}; }
+
+    friend bool operator==(const ReadingName& a, const ReadingName& b) {
+        return std::memcmp(&a, &b, sizeof(ReadingName)) == 0;
+    }
+
+private:
+    std::array<char, most> characters_{};
+    std::uint8_t size_ = 0;
+};
+static_assert(std::is_trivially_copyable_v<ReadingName> && sizeof(ReadingName) == 32);
+
 /// One reading of a sensor: records of one type. They lie in the observation that it is part of.
 struct Reading {
-    std::string name;  ///< which one it is: "self", "robots", a sensor's own
+    ReadingName name;  ///< which one it is: "self", "robots", a sensor's own
     const RecordType* type = nullptr;
     Nanoseconds measured = 0;  ///< when
     std::uint32_t first = 0;   ///< B, where its records begin among those of all readings

@@ -61,7 +61,7 @@ bool readType(ByteReader& reader, RecordType& type) {
 bool readReading(ByteReader& reader, RecordTypes& types, Observation& observation) {
     std::string name;
     RecordType told;
-    if (!readText(reader, name) || !readType(reader, told)) return false;
+    if (!readText(reader, name) || name.size() > ReadingName::most || !readType(reader, told)) return false;
     const auto measured = reader.number<Nanoseconds>();
     const std::uint64_t count = readCount(reader);
     const std::size_t each = packedSizeOf(told);
@@ -118,15 +118,18 @@ bool readObservation(ByteReader& reader, RecordTypes& types, Observation& observ
 void appendAttention(const Attention& attention, std::string& bytes) {
     appendNumber(bytes, static_cast<std::uint8_t>(attention.all));
     appendCount(bytes, attention.names.size());
-    for (const std::string& name : attention.names) appendText(name, bytes);
+    for (const ReadingName& name : attention.names) appendText(name, bytes);
 }
 
 bool readAttention(ByteReader& reader, Attention& attention) {
     const auto all = reader.number<std::uint8_t>();
     attention = {all == 1, {}};
     bool sound = all <= 1;
-    for (std::uint64_t left = readCount(reader); sound && left > 0; --left)
-        sound = readText(reader, attention.names.emplace_back());
+    std::string name;
+    for (std::uint64_t left = readCount(reader); sound && left > 0; --left) {
+        sound = readText(reader, name) && name.size() <= ReadingName::most;
+        if (sound) attention.names.emplace_back(name);
+    }
     return sound && !reader.failed();
 }
 

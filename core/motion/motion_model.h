@@ -21,8 +21,15 @@ struct MotionInput {
     /// What the model remembers of the robot: memorySize() bytes, read and written. Empty: it begins here, and nothing
     /// is kept.
     std::span<std::byte> memory = {};
-    /// For what it draws, of NoiseChannel::motion. nullopt: nothing is random, and the mean is wanted.
+    /// Of what is drawn for this robot in this period. nullopt: nothing is random, and the mean is wanted.
     std::optional<NoiseKey> noise = std::nullopt;
+
+    /// For the `draw`-th draw of a model, where anything is random.
+    NoiseKey key(std::uint32_t draw) const {
+        NoiseKey key = *noise;
+        key.channel += draw + 1;  // the first is NoisyModel's, which may be around any other
+        return key;
+    }
 };
 
 /// What it predicts.

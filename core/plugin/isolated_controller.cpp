@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "messages/decision_bytes.h"
+#include "messages/memory_entry_bytes.h"
 #include "messages/observation_bytes.h"
 #include "messages/text_bytes.h"
 #include "plugin/load_plugin.h"
@@ -83,15 +84,21 @@ std::string IsolatedController::failedAt(std::string message, Failure failure) c
     return failure;
 }
 
+tl::expected<std::string, std::string> IsolatedController::askOnce(const std::string& message) const {
+    for (const Failed& known : failed_)
+        if (known.message == message) return tl::unexpected(known.failure);
+    auto answer = ask(message);
+    if (!answer) return tl::unexpected(failedAt(message, answer.error()));
+    return answer;
+}
+
 tl::expected<void, std::string> IsolatedController::askDecision(const Observation& observation,
                                                                 std::span<std::byte> memory, Decision& decision) const {
     std::string message = begin(PluginMessage::decide);
     appendObservation(observation, message);
     message.append(reinterpret_cast<const char*>(memory.data()), memory.size());
-    for (const Failed& known : failed_)
-        if (known.message == message) return tl::unexpected(known.failure);
-    const auto answer = ask(message);
-    if (!answer) return tl::unexpected(failedAt(std::move(message), answer.error()));
+    const auto answer = askOnce(message);
+    if (!answer) return tl::unexpected(answer.error());
     ByteReader reader(*answer);
     if (static_cast<PluginMessage>(reader.number<std::uint8_t>()) != PluginMessage::decided ||
         !readDecision(reader, decision) || reader.rest().size() != memory.size()) {
@@ -100,6 +107,31 @@ tl::expected<void, std::string> IsolatedController::askDecision(const Observatio
     }
     std::memcpy(memory.data(), reader.rest().data(), memory.size());
     return {};
+}
+
+tl::expected<std::vector<MemoryEntry>, std::string> IsolatedController::askExplanation(
+    std::span<const std::byte> memory) const {
+    std::string message = begin(PluginMessage::explain);
+    message.append(reinterpret_cast<const char*>(memory.data()), memory.size());
+    const auto answer = askOnce(message);
+    if (!answer) return tl::unexpected(answer.error());
+    ByteReader reader(*answer);
+    std::vector<MemoryEntry> entries;
+    if (static_cast<PluginMessage>(reader.number<std::uint8_t>()) != PluginMessage::explained ||
+        !readEntries(reader, entries) || !reader.done()) {
+        process_.reset();
+        return tl::unexpected(failedAt(std::move(message), nonsense));
+    }
+    return entries;
+}
+
+/// Of a state that is shown or a condition that is asked: what fails here is no fault of the run.
+std::vector<MemoryEntry> IsolatedController::explain(std::span<const std::byte> memory) const {
+    if (as<PluginMemory>(memory).ended != 0) return {};
+    const std::lock_guard lock(turn_);
+    auto entries = askExplanation(memory);
+    if (!entries) return {{"explain", 0, "", "its plug-in " + entries.error()}};
+    return *std::move(entries);
 }
 
 void IsolatedController::decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const {

@@ -33,6 +33,7 @@ public:
     void start(std::span<std::byte> memory) const override;
     std::size_t commandsPerPeriod(Nanoseconds period) const override;
     Attention attention() const override { return attention_; }
+    std::vector<MemoryEntry> explain(std::span<const std::byte> memory) const override;
     void decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const override;
 
 private:
@@ -48,6 +49,9 @@ private:
     tl::expected<std::string, Failure> ask(const std::string& message) const;
     tl::expected<void, Failure> askDecision(const Observation& observation, std::span<std::byte> memory,
                                             Decision& decision) const;
+    tl::expected<std::vector<MemoryEntry>, Failure> askExplanation(std::span<const std::byte> memory) const;
+    /// The answer, or what is known of the same question.
+    tl::expected<std::string, Failure> askOnce(const std::string& message) const;
     Failure failedAt(std::string message, Failure failure) const;
 
     std::string path_, options_;

@@ -29,7 +29,9 @@ public:
         if (!mappings_.has(key)) return nullptr;
         auto mapping = parseMapping(mappings_.string(key), path_);
         if (mapping) return kept_.emplace_back(std::make_unique<const NetworkMapping>(std::move(*mapping))).get();
-        mappings_.reject(key, "is no network of a task: " + mapping.error().cause);
+        const Error& error = mapping.error();
+        mappings_.reject(key, "is no network of a task: line " + std::to_string(error.line) + ": " +
+                                  (error.key.empty() ? "" : error.key + ": ") + error.cause);
         return nullptr;
     }
     void reject(const char* key, const char* cause) override { table_.reject(key, cause); }
@@ -84,7 +86,11 @@ std::string incompatibility(const PluginDescriptor& theirs) {
                  {"Kick", &PluginLayout::kick},
                  {"StampedCommand", &PluginLayout::stampedCommand},
                  {"RadioMessage", &PluginLayout::radioMessage},
-                 {"ReceivedMessage", &PluginLayout::receivedMessage}};
+                 {"ReceivedMessage", &PluginLayout::receivedMessage},
+                 {"Attention", &PluginLayout::attention},
+                 {"MemoryEntry", &PluginLayout::memoryEntry},
+                 {"Command", &PluginLayout::command},
+                 {"MappingVariable", &PluginLayout::mappingVariable}};
     for (const auto& [name, size] : parts)
         if (theirs.layout.*size != ours.*size) return sizeCause(name, theirs.layout.*size, ours.*size);
     return "";
@@ -166,6 +172,15 @@ std::size_t PluginController::commandsPerPeriod(Nanoseconds period) const {
     std::size_t count = 1;
     thrownBy([&] { count = library_->controller->commandsPerPeriod(period); });
     return std::clamp<std::size_t>(count, 1, CommandHistory::capacity);
+}
+
+std::vector<MemoryEntry> PluginController::explain(std::span<const std::byte> memory) const {
+    std::vector<MemoryEntry> entries;
+    if (as<PluginMemory>(memory).ended != 0) return entries;
+    const std::string thrown =
+        thrownBy([&] { entries = library_->controller->explain(memory.subspan(sizeof(PluginMemory))); });
+    if (!thrown.empty()) entries = {{"explain", 0, "", thrown}};
+    return entries;
 }
 
 void PluginController::decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const {

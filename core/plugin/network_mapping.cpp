@@ -1,14 +1,17 @@
 #include "plugin/network_mapping.h"
 
 #include <array>
-#include <cassert>
+#include <stdexcept>
 
 #include "learning/network_file.h"
 
 namespace mrose {
 
 void NetworkMapping::evaluate(std::span<const double> from, std::span<double> to) const {
-    assert(from.size() == inputs() && to.size() == outputs());
+    if (from.size() != inputs() || to.size() != outputs())
+        throw std::invalid_argument("a mapping of " + std::to_string(inputs()) + " numbers to " +
+                                    std::to_string(outputs()) + " was called with " + std::to_string(from.size()) +
+                                    " to " + std::to_string(to.size()));
     std::array<float, LearnedNetwork::maxInputs> x;
     std::array<float, LearnedNetwork::maxOutputs> y;
     for (std::size_t i = 0; i < from.size(); ++i)

@@ -38,7 +38,9 @@ struct PluginLayout {
     std::uint32_t observation = sizeof(Observation), reading = sizeof(Reading), recordType = sizeof(RecordType),
                   recordField = sizeof(RecordField), seenBody = sizeof(SeenBody), decision = sizeof(Decision),
                   annotation = sizeof(Annotation), kick = sizeof(Kick), stampedCommand = sizeof(StampedCommand),
-                  radioMessage = sizeof(RadioMessage), receivedMessage = sizeof(ReceivedMessage);
+                  radioMessage = sizeof(RadioMessage), receivedMessage = sizeof(ReceivedMessage),
+                  attention = sizeof(Attention), memoryEntry = sizeof(MemoryEntry), command = sizeof(Command),
+                  mappingVariable = sizeof(MappingVariable);
 };
 
 #if defined(_LIBCPP_ABI_VERSION)

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "messages/decision_bytes.h"
+#include "messages/memory_entry_bytes.h"
 #include "messages/observation_bytes.h"
 #include "messages/text_bytes.h"
 #include "plugin/load_plugin.h"
@@ -28,6 +29,7 @@ public:
         if (!controller_) return "";
         if (kind == PluginMessage::commands) return commands(reader);
         if (kind == PluginMessage::decide) return decide(reader);
+        if (kind == PluginMessage::explain) return explain(reader);
         return "";
     }
 
@@ -67,6 +69,14 @@ private:
         std::string bytes = begin(PluginMessage::decided);
         appendDecision(decision_, bytes);
         return bytes + memory_;
+    }
+
+    std::string explain(ByteReader& reader) {
+        if (reader.rest().size() != memory_.size()) return "";
+        memory_ = reader.rest();
+        std::string bytes = begin(PluginMessage::explained);
+        appendEntries(controller_->explain(memory()), bytes);
+        return bytes;
     }
 
     std::span<std::byte> memory() { return std::as_writable_bytes(std::span(memory_)); }

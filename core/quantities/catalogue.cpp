@@ -70,7 +70,7 @@ const Quantity& quantityNamed(std::string_view name, Quantity::Of of) {
 const Quantity& partQuantity() {
     static const Quantity quantity{"",
                                    {},
-                                   "what a part of the robot remembers",
+                                   "what a part of the body remembers or reports",
                                    Quantity::Of::items,
                                    readEntry,
                                    false,
@@ -83,7 +83,7 @@ const Quantity& partQuantity() {
 
 bool hasQuantity(const Scene& scene, std::uint32_t body, const Quantity& quantity) {
     if (body >= scene.bodyCount() || !quantity.isOfBody()) return false;
-    if (quantity.of == Quantity::Of::body) return true;
+    if (quantity.of == Quantity::Of::body || &quantity == &partQuantity()) return true;
     const bool robot = body < scene.robots.size();
     if (robot && quantity.needs == Quantity::Needs::real && scene.typeOf(body).person) return false;
     return robot == (quantity.of != Quantity::Of::object);
@@ -93,8 +93,8 @@ std::vector<std::string> quantityNames(const Scenario& scenario, std::uint32_t b
     std::vector<std::string> names;
     for (const Quantity& quantity : quantities())
         if (hasQuantity(scenario.scene(), body, quantity)) names.emplace_back(quantity.name);
-    if (body < scenario.scene().robots.size())
-        for (const std::string& part : partNames(scenario, body)) names.push_back(part);
+    if (body >= scenario.scene().bodyCount()) return names;
+    for (const std::string& part : partNames(scenario, body)) names.push_back(part);
     return names;
 }
 

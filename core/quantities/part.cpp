@@ -1,18 +1,83 @@
 #include "quantities/part.h"
 
-namespace mrose {
+#include <cstring>
 
-std::vector<std::string> partNames(const Scenario& scenario, std::size_t robot) {
+namespace mrose {
+namespace {
+
+template <class Number>
+double numberAt(const std::byte* place) {
+    Number number;
+    std::memcpy(&number, place, sizeof number);
+    return static_cast<double>(number);
+}
+
+double numberOf(const std::byte* place, NumberKind kind) {
+    switch (kind) {
+        case NumberKind::float64:
+            return numberAt<double>(place);
+        case NumberKind::float32:
+            return numberAt<float>(place);
+        case NumberKind::int64:
+            return numberAt<std::int64_t>(place);
+        case NumberKind::int32:
+            return numberAt<std::int32_t>(place);
+        case NumberKind::uint64:
+            return numberAt<std::uint64_t>(place);
+        case NumberKind::uint32:
+            return numberAt<std::uint32_t>(place);
+        case NumberKind::uint8:
+            return numberAt<std::uint8_t>(place);
+    }
+    return 0;
+}
+
+void addReading(const Observation& all, const Reading& reading, const std::string& sensor,
+                std::vector<MemoryEntry>& entries) {
+    const std::string_view name = reading.name;
+    if (name != sensor || reading.count != 1) {
+        const bool longer = name.starts_with(sensor + '.');
+        const std::string_view rest = longer ? name.substr(sensor.size() + 1) : name == sensor ? "records" : name;
+        entries.push_back({std::string(rest), static_cast<double>(reading.count)});
+        return;
+    }
+    for (const RecordField& field : reading.type->fields)
+        if (field.count == 1)
+            entries.push_back({field.name, numberOf(all.recordsOf(reading) + field.offset, field.kind), field.unit});
+}
+
+std::vector<MemoryEntry> sensorEntries(const Moment& moment, std::size_t robot, std::size_t place) {
+    const Scenario& scenario = *moment.scenario;
+    const Sensor& sensor = *scenario.sensors(robot)[place];
+    std::vector<MemoryEntry> entries = sensor.explain(scenario.sensorMemory(*moment.state, robot, place));
+    if (robot >= moment.insights.size() || !moment.insights[robot].observed) return entries;
+    const Observation& all = moment.insights[robot].observation;
+    for (const ReadingKind& kind : sensor.gives())
+        if (const Reading* const reading = all.newest(kind.name)) addReading(all, *reading, sensor.name(), entries);
+    return entries;
+}
+
+}  // namespace
+
+std::vector<std::string> partNames(const Scenario& scenario, std::size_t body) {
+    const Scene& scene = scenario.scene();
+    if (body >= scene.robots.size()) {
+        const ObjectModel& model = *scene.typeOfObject(body - scene.robots.size()).motion;
+        return model.memorySize() > 0 ? std::vector<std::string>{"motion"} : std::vector<std::string>();
+    }
     std::vector<std::string> names{"controller", "motion"};
-    for (const SensorPointer& sensor : scenario.sensors(robot)) names.push_back(sensor->name());
+    for (const SensorPointer& sensor : scenario.sensors(body)) names.push_back(sensor->name());
     return names;
 }
 
-std::vector<MemoryEntry> partEntries(const Moment& moment, std::size_t robot, std::size_t part) {
+std::vector<MemoryEntry> partEntries(const Moment& moment, std::size_t body, std::size_t part) {
     const Scenario& scenario = *moment.scenario;
-    if (part == 0) return scenario.controller(robot).explain(scenario.memoryOf(*moment.state, robot));
-    if (part == 1) return scenario.scene().modelOf(robot).explain(scenario.motionMemory(*moment.state, robot));
-    return scenario.sensors(robot)[part - 2]->explain(scenario.sensorMemory(*moment.state, robot, part - 2));
+    const Scene& scene = scenario.scene();
+    const std::span<const std::byte> motion = scenario.motionMemory(*moment.state, body);
+    if (body >= scene.robots.size()) return scene.typeOfObject(body - scene.robots.size()).motion->explain(motion);
+    if (part == 0) return scenario.controller(body).explain(scenario.memoryOf(*moment.state, body));
+    if (part == 1) return scene.modelOf(body).explain(motion);
+    return sensorEntries(moment, body, part - 2);
 }
 
 }  // namespace mrose

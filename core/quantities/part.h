@@ -9,12 +9,15 @@
 
 namespace mrose {
 
-/// The parts of a robot that explain their memory. Each entry is a quantity: robot[1].controller.state, of the part
-/// `controller` the entry "state". This is the one place that knows which parts there are: what comes to have a memory
-/// of its own is added here, and needs no line in the catalogue.
-std::vector<std::string> partNames(const Scenario& scenario, std::size_t robot);
+/// The parts of a body that explain their memory: of a robot its controller, its motion model and its sensors, of an
+/// object its motion model. Each entry is a quantity: robot[1].controller.state, of the part `controller` the entry
+/// "state". This is the one place that knows which parts there are: what comes to have a memory of its own is added
+/// here, and needs no line in the catalogue.
+std::vector<std::string> partNames(const Scenario& scenario, std::size_t body);
 
-/// What a part, by its place in partNames(), remembers now.
-std::vector<MemoryEntry> partEntries(const Moment& moment, std::size_t robot, std::size_t part);
+/// What a part, by its place in partNames(), remembers now; of a sensor also what it reported at the last control
+/// instant: the numbers of its newest reading where that has one record and the sensor's name, of others how many
+/// records there are.
+std::vector<MemoryEntry> partEntries(const Moment& moment, std::size_t body, std::size_t part);
 
 }  // namespace mrose

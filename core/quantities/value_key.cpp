@@ -57,7 +57,7 @@ std::optional<BoundValue> boundTo(const Scenario& scenario, const ValueKey& key)
         if (quantity.name == key.quantity && bind(scene, key, value)) return value;
     }
     BoundValue value{&partQuantity(), bodyNamed(scene, key.body), noBody, {}, key.unit};
-    if (value.body >= scene.robots.size()) return {};
+    if (value.body >= scene.bodyCount()) return {};
     const std::vector<std::string> parts = partNames(scenario, value.body);
     const auto part = std::find(parts.begin(), parts.end(), key.quantity);
     if (part == parts.end() || !bind(scene, key, value)) return {};

@@ -20,14 +20,12 @@ public:
     }
 
     WorldState carry() {
-        // Rounded up, so that nothing that was commanded lies in the future.
-        const Nanoseconds now = from_.scene().timeOf(old_.tick), tick = to_.scene().tickLength;
-        next_.tick = (now + tick - 1) / tick;
+        next_.tick = tickOf(old_.tick);
         for (std::size_t i = 0; i < next_.robots.size(); ++i) {
             if (origin_[i])
                 carryRobot(i, *origin_[i]);
             else
-                next_.robots[i].segment.startTick = next_.robots[i].nextControl = next_.tick;
+                beginRobot(i);
         }
         for (std::size_t i = 0; i < next_.objects.size(); ++i)
             if (const auto origin = origin_[next_.robots.size() + i]) carryObject(i, *origin - old_.robots.size());
@@ -59,13 +57,26 @@ private:
         }
     }
 
+    /// Rounded up, so that nothing that was commanded lies in the future.
+    std::int64_t tickOf(std::int64_t old) const {
+        const Nanoseconds time = from_.scene().timeOf(old), length = to_.scene().tickLength;
+        return time / length + (time % length > 0 ? 1 : 0);
+    }
+
     bool sameClock() const { return from_.scene().tickLength == to_.scene().tickLength; }
+
+    void beginRobot(std::size_t robot) {
+        RobotState& r = next_.robots[robot];
+        r.segment.startTick = r.nextControl = next_.tick;
+        r.lastControl = next_.tick - to_.periodOf(robot).ticks;
+    }
 
     void carryRobot(std::size_t robot, std::size_t origin) {
         RobotState& r = next_.robots[robot];
         const auto ready = r.ready;
         r = old_.robots[origin];
         r.ready = ready;
+        r.lastControl = tickOf(r.lastControl);
         if (sameMotion(from_.scene().modelOf(origin), to_.scene().modelOf(robot)))
             std::ranges::copy(from_.motionMemory(old_, origin), to_.motionMemory(next_, robot).begin());
         if (!sameClock() || from_.periodOf(origin).ticks != to_.periodOf(robot).ticks)
@@ -150,7 +161,7 @@ private:
             if (!target_[message.from] || (message.to != noBody && !target_[message.to])) continue;
             message.from = static_cast<std::uint32_t>(*target_[message.from]);
             if (message.to != noBody) message.to = static_cast<std::uint32_t>(*target_[message.to]);
-            message.tick += next_.tick - old_.tick;
+            message.tick = tickOf(message.tick);
             next_.messages.push_back(message);
         }
     }

@@ -14,6 +14,11 @@
 namespace mrose {
 namespace {
 
+/// The sensors that every robot had, and all that there were.
+std::vector<SavedState::Robot::Sensor> firstVersionSensors() {
+    return {{std::string(selfReading), firstVersionSelf}, {"sight", firstVersionSight}};
+}
+
 constexpr std::int64_t mostOfAnything = std::int64_t{1} << 32, mostTicks = std::int64_t{1} << 48;
 
 /// How the arrays differ from what the entries of robots and objects say; "" where they do not.
@@ -24,7 +29,7 @@ std::string wrongLayout(const SavedState& saved) {
         commands += robot.commands;
         motion += paddedMemory(robot.motion);
         memory += paddedMemory(robot.memory);
-        sensing += paddedMemory(robot.sensing);
+        for (const SavedState::Robot::Sensor& sensor : robot.sensors) sensing += paddedMemory(sensor.memory);
     }
     for (const SavedState::Object& object : saved.objects) motion += paddedMemory(object.motion);
     const std::size_t bodies = saved.robots.size() + saved.objects.size();
@@ -88,10 +93,16 @@ void layOutPast(const SavedState& saved, const Scenario& scenario, WorldState& s
 SavedState savedState(const Scenario& scenario, const WorldState& state) {
     const Scene& scene = scenario.scene();
     SavedState saved{scenario.parts().name, scene.tickLength, {}, {}, state};
-    for (std::size_t i = 0; i < scene.robots.size(); ++i)
-        saved.robots.push_back({scene.robots[i].name, scene.modelOf(i).period(), scenario.commandSlots(state, i).size(),
-                                scenario.motionMemory(state, i).size(), scenario.memoryOf(state, i).size(),
-                                scenario.sensorMemory(state, i).size()});
+    for (std::size_t i = 0; i < scene.robots.size(); ++i) {
+        saved.robots.push_back({scene.robots[i].name,
+                                scene.modelOf(i).period(),
+                                scenario.commandSlots(state, i).size(),
+                                scenario.motionMemory(state, i).size(),
+                                scenario.memoryOf(state, i).size(),
+                                {}});
+        for (const auto& sensor : scenario.sensors(i))
+            saved.robots.back().sensors.push_back({sensor->name(), sensor->memorySize()});
+    }
     for (std::size_t i = 0; i < scene.objects.size(); ++i)
         saved.objects.push_back({scene.objects[i].name, scenario.motionMemory(state, scene.robots.size() + i).size()});
     return saved;
@@ -108,10 +119,13 @@ std::string savedStateText(const SavedState& saved, const ScenarioValue* whole) 
         number("tick_ns", static_cast<std::uint64_t>(saved.tickLength)) + "state = \"\"\"\n" +
         base64(stateBytes(saved.state)) + "\"\"\"\n";
     if (whole) text += "value = \"\"\"\n" + encoded(*whole) + "\"\"\"\n";
-    for (const SavedState::Robot& robot : saved.robots)
+    for (const SavedState::Robot& robot : saved.robots) {
         text += "\n[[robot]]\nname = " + tomlString(robot.name) + '\n' +
                 number("period_ns", static_cast<std::uint64_t>(robot.period)) + number("commands", robot.commands) +
-                number("motion", robot.motion) + number("memory", robot.memory) + number("sensing", robot.sensing);
+                number("motion", robot.motion) + number("memory", robot.memory);
+        for (const SavedState::Robot::Sensor& sensor : robot.sensors)
+            text += "[[robot.sensor]]\nname = " + tomlString(sensor.name) + '\n' + number("memory", sensor.memory);
+    }
     for (const SavedState::Object& object : saved.objects)
         text += "\n[[object]]\nname = " + tomlString(object.name) + '\n' +
                 (object.motion != 0 ? number("motion", object.motion) : "");
@@ -137,14 +151,17 @@ Expected<SavedState> readSavedState(const Value& content, const std::string& fil
         const std::string name = table.string("name");
         const Nanoseconds period = table.integer("period_ns", 1, mostOfAnything * 10);
         const auto commands = static_cast<std::uint64_t>(table.integer("commands", 0, mostOfAnything));
-        const auto bytes = [&](const char* key) {
-            return static_cast<std::uint64_t>(table.integer(key, 0, mostOfAnything));
+        const auto bytes = [](TomlTable& of, const char* key) {
+            return static_cast<std::uint64_t>(of.integer(key, 0, mostOfAnything));
         };
-        const std::uint64_t memory = bytes("memory");
-        if (first)
-            saved.robots.push_back({name, period, commands, firstVersionMotion, memory, firstVersionSensing});
-        else
-            saved.robots.push_back({name, period, commands, bytes("motion"), memory, bytes("sensing")});
+        const std::uint64_t memory = bytes(table, "memory");
+        saved.robots.push_back({name, period, commands, first ? firstVersionMotion : bytes(table, "motion"), memory,
+                                first ? firstVersionSensors() : std::vector<SavedState::Robot::Sensor>()});
+        for (TomlTable& sensor : table.tablesOrNone("sensor")) {
+            const std::string sensorName = sensor.string("name");
+            saved.robots.back().sensors.push_back({sensorName, bytes(sensor, "memory")});
+            sensor.rejectUnknown();
+        }
         table.rejectUnknown();
     }
     for (TomlTable& table : root.tablesOrNone("object")) {
@@ -187,6 +204,27 @@ std::string unfit(const SavedState& saved, const Scene& scene) {
     return "";
 }
 
+namespace {
+
+void keep(std::span<const std::byte> all, std::size_t& first, std::uint64_t size, std::span<std::byte> own) {
+    if (own.size() == size) std::copy_n(all.data() + first, size, own.begin());
+    first += paddedMemory(size);
+}
+
+void keepSensors(std::span<const std::byte> all, std::size_t& first, const std::vector<SavedState::Robot::Sensor>& kept,
+                 const Scenario& scenario, std::size_t robot, WorldState& state) {
+    const auto sensors = scenario.sensors(robot);
+    for (const SavedState::Robot::Sensor& one : kept) {
+        const auto found =
+            std::ranges::find_if(sensors, [&](const auto& sensor) { return sensor->name() == one.name; });
+        const auto place = static_cast<std::size_t>(found - sensors.begin());
+        keep(all, first, one.memory,
+             found == sensors.end() ? std::span<std::byte>() : scenario.sensorMemory(state, robot, place));
+    }
+}
+
+}  // namespace
+
 WorldState restored(const SavedState& saved, const Scenario& scenario, std::uint64_t seed) {
     WorldState state = saved.state, fresh = scenario.freshState(seed);
     state.seed = seed;
@@ -195,11 +233,6 @@ WorldState restored(const SavedState& saved, const Scenario& scenario, std::uint
     state.memory = std::move(fresh.memory);
     state.sensing = std::move(fresh.sensing);
     std::size_t commands = 0, motion = 0, memory = 0, sensing = 0;
-    const auto keep = [](std::span<const std::byte> all, std::size_t& first, std::uint64_t size,
-                         std::span<std::byte> own) {
-        if (own.size() == size) std::copy_n(all.data() + first, size, own.begin());
-        first += paddedMemory(size);
-    };
     for (std::size_t i = 0; i < saved.robots.size(); ++i) {
         const SavedState::Robot& kept = saved.robots[i];
         RobotState& robot = state.robots[i];
@@ -207,7 +240,7 @@ WorldState restored(const SavedState& saved, const Scenario& scenario, std::uint
         robot.commandCount = keepNewest(old, scenario.commandSlots(state, i), robot.commandBefore);
         keep(saved.state.motion, motion, kept.motion, scenario.motionMemory(state, i));
         keep(saved.state.memory, memory, kept.memory, scenario.memoryOf(state, i));
-        keep(saved.state.sensing, sensing, kept.sensing, scenario.sensorMemory(state, i));
+        keepSensors(saved.state.sensing, sensing, kept.sensors, scenario, i, state);
         if (kept.period != scenario.scene().modelOf(i).period())
             robot.nextControl = robot.segment.startTick = state.tick;
         commands += kept.commands;

@@ -18,8 +18,14 @@ struct SavedState {
     struct Robot {
         std::string name;
         Nanoseconds period = 0;
-        std::uint64_t commands = 0;                         ///< places for them
-        std::uint64_t motion = 0, memory = 0, sensing = 0;  ///< bytes of its motion model, controller, sensors
+        std::uint64_t commands = 0;            ///< places for them
+        std::uint64_t motion = 0, memory = 0;  ///< bytes of its motion model and its controller
+        struct Sensor {
+            std::string name;
+            std::uint64_t memory = 0;  ///< bytes
+            bool operator==(const Sensor&) const = default;
+        };
+        std::vector<Sensor> sensors;
         bool operator==(const Robot&) const = default;
     };
     std::vector<Robot> robots;
@@ -43,8 +49,9 @@ Expected<SavedState> parseSavedState(std::string_view text, const std::string& f
 std::string unfit(const SavedState& saved, const Scene& scene);
 
 /// The state in a scenario that is fit for it: at its own tick, as it was to the last bit. Bodies whose starts in the
-/// scene are elsewhere are moved there. A controller, a motion model, or the sensors of a robot together start anew
-/// where their memory has another size, and a robot whose control period is another decides at once.
+/// scene are elsewhere are moved there. A controller, a motion model or a sensor starts anew where its memory has
+/// another size, a sensor also where there was none of its name; a robot whose control period is another decides at
+/// once.
 WorldState restored(const SavedState& saved, const Scenario& scenario, std::uint64_t seed);
 
 }  // namespace mrose

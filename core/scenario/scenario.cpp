@@ -5,6 +5,7 @@
 
 #include "scenario/saved_state.h"
 #include "sensing/sensor_kinds.h"
+#include "sensing/sensor_view.h"
 
 namespace mrose {
 namespace {
@@ -36,7 +37,9 @@ void Scenario::layOutSensors() {
         Sensors& sensors = sensors_.emplace_back();
         sensors.all = standardSensors(type.perception);
         sensors.all.insert(sensors.all.end(), type.sensors.begin(), type.sensors.end());
+        assert(sensors.all.size() <= SensorView::mostSensors);
         for (const auto& sensor : sensors.all) {
+            assert(sensor->gives().size() <= SensorView::mostReadings);
             sensors.memories.emplace_back(sensors.memorySize, sensor->memorySize());
             sensors.memorySize += paddedMemory(sensor->memorySize());
         }
@@ -81,7 +84,6 @@ void Scenario::layOut() {
         memorySize_ += paddedMemory(slots.memorySize);
         sensingSize_ += paddedMemory(slots.sensingSize);
         slots_.push_back(slots);
-        longestPeriod_ = std::max(longestPeriod_, model.period() / scene.tickLength);
         periods_.push_back({model.period() / scene.tickLength, toSeconds(model.period())});
     }
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
@@ -121,12 +123,14 @@ WorldState Scenario::freshState(std::uint64_t seed) const {
     const Scene& scene = parts_.scene;
     WorldState state;
     state.seed = seed;
-    for (const SceneRobot& robot : scene.robots) {
+    for (std::size_t i = 0; i < scene.robots.size(); ++i) {
+        const SceneRobot& robot = scene.robots[i];
         RobotState r;
         r.pose = r.segment.start = robot.start;
         r.segment.direction = Placement(robot.start).rotate({1, 0});
         r.velocity_B = {robot.velocity.v, 0, robot.velocity.w};
         r.nextControl = robot.phase;
+        r.lastControl = r.nextControl - periodOf(i).ticks;
         state.robots.push_back(r);
     }
     for (const SceneObject& object : scene.objects) {

@@ -137,7 +137,6 @@ public:
         double seconds = 0;
     };
     const Period& periodOf(std::size_t robot) const { return periods_[robot]; }
-    std::int64_t longestPeriod() const { return longestPeriod_; }  ///< ticks
 
     // What contact needs of a body, computed once.
     struct ContactBodyType {
@@ -178,7 +177,6 @@ private:
     std::vector<Sensors> sensors_;       ///< of each type
     std::vector<std::uint32_t> wanted_;  ///< of each robot's sensors
     std::size_t commandSlots_ = 0, motionSize_ = 0, memorySize_ = 0, sensingSize_ = 0;
-    std::int64_t longestPeriod_ = 0;
     PastPoses past_;
     bool objectsRemember_ = false;
 };

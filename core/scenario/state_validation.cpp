@@ -60,12 +60,14 @@ std::string wrongSizes(const Scenario& scenario, const WorldState& state) {
 bool soundInstant(Nanoseconds time) { return time >= -latestTime && time <= latestTime; }
 
 /// Whether they can be counted with, and no motion has yet to begin.
-bool soundInstants(const WorldState& state) {
+bool soundInstants(const WorldState& state, Nanoseconds tickLength) {
     const auto soundRobot = [&](const RobotState& r) {
         return std::all_of(r.ready.begin(), r.ready.end(), soundInstant) && r.segment.startTick <= state.tick &&
-               soundInstant(r.segment.startTick);
+               soundInstant(r.segment.startTick) && r.lastControl <= state.tick && soundInstant(r.lastControl) &&
+               r.nextControl >= state.tick && soundInstant(r.nextControl);
     };
-    return std::all_of(state.robots.begin(), state.robots.end(), soundRobot) &&
+    return state.tick >= 0 && state.tick <= latestTime / tickLength &&
+           std::all_of(state.robots.begin(), state.robots.end(), soundRobot) &&
            std::all_of(state.kicks.begin(), state.kicks.end(),
                        [](const PendingKick& kick) { return soundInstant(kick.due); });
 }
@@ -108,7 +110,8 @@ std::string validate(const Scenario& scenario, const WorldState& state) {
     const auto there = [&](std::uint32_t body) { return body < bodies || body == noBody; };
     for (const ContactImpulse& contact : state.contacts)
         if (!there(contact.bodyA) || !there(contact.bodyB)) return "a contact of a body that is not there";
-    if (!soundInstants(state)) return "an instant beyond all runs, or a motion that has yet to begin";
+    if (!soundInstants(state, scenario.scene().tickLength))
+        return "an instant beyond all runs, or a motion that has yet to begin";
     if (!soundNumbers(state)) return "a number that is not finite, or beyond all that occurs";
     return {};
 }

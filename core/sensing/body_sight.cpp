@@ -170,11 +170,11 @@ BodySensor::BodySensor(const BodySight& robots, const BodySight& objects, double
       objects_(objects),
       biasTime_(biasTime),
       traits_(std::move(traits)),
-      robotsName_(traits_ ? traits_->name + '.' + robotsReading : robotsReading),
-      objectsName_(traits_ ? traits_->name + '.' + objectsReading : objectsReading) {}
+      robotsReading_(traits_ ? ReadingName(traits_->name + ".robots") : robotsReading),
+      objectsReading_(traits_ ? ReadingName(traits_->name + ".objects") : objectsReading) {}
 
 std::vector<ReadingKind> BodySensor::gives() const {
-    return {{robotsName_, &recordType<SeenBody>()}, {objectsName_, &recordType<SeenBody>()}};
+    return {{robotsReading_, &recordType<SeenBody>()}, {objectsReading_, &recordType<SeenBody>()}};
 }
 
 bool BodySensor::sound(std::span<const std::byte> memory) const {
@@ -194,7 +194,7 @@ void BodySensor::sense(const SensorView& view, std::span<std::byte> memory, Obse
         bias = Drift(bias != 0, view.sinceLast, biasTime_)(
             bias, 1, normalNoise(traits_ ? view.key(1) : view.key(NoiseChannel::bearingBias, 0)));
     const std::size_t robots = view.state.robots.size(), objects = view.state.objects.size();
-    const auto give = [&](std::size_t reading, const BodySight& sight, const std::string& name, Kind kind) {
+    const auto give = [&](std::size_t reading, const BodySight& sight, const ReadingName& name, Kind kind) {
         if (!view.wants(reading)) return;
         if (traits_) kind.channel = NoiseChannel::sensor;
         std::vector<SeenBody>& seen = view.buffers.seen;
@@ -202,8 +202,8 @@ void BodySensor::sense(const SensorView& view, std::span<std::byte> memory, Obse
         see(view, sight, kind, bias, seen);
         out.add(name, view.timeBefore(view.lagOf(sight.latency)), std::span<const SeenBody>(seen));
     };
-    give(0, robots_, robotsName_, {0, robots, NoiseChannel::sightOfRobots, 0});
-    give(1, objects_, objectsName_, {robots, objects, NoiseChannel::sightOfObjects, 2});
+    give(0, robots_, robotsReading_, {0, robots, NoiseChannel::sightOfRobots, 0});
+    give(1, objects_, objectsReading_, {robots, objects, NoiseChannel::sightOfObjects, 2});
 }
 
 BodySight readBodySight(TomlTable& table) {

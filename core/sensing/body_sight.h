@@ -35,7 +35,7 @@ private:
     BodySight robots_, objects_;
     double biasTime_;
     std::optional<SensorTraits> traits_;
-    std::string robotsName_, objectsName_;
+    ReadingName robotsReading_, objectsReading_;
 };
 
 /// Its keys, [perception.robots] and [perception.objects] of a robot file; whoever reads them rejects unknown ones.

@@ -13,7 +13,7 @@ void Odometry::sense(const SensorView& view, std::span<std::byte> /*memory*/, Ob
         measured.v += velocityNoise_ * draw.first;
         measured.w += rotationNoise_ * draw.second;
     }
-    out.add(traits_ ? std::string_view(traits_->name) : odometryReading, view.timeBefore(0), measured);
+    out.add(reading_, view.timeBefore(0), measured);
 }
 
 }  // namespace mrose

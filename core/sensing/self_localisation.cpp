@@ -76,8 +76,7 @@ void SelfLocaliser::sense(const SensorView& view, std::span<std::byte> memory, O
     auto& own = as<Memory>(memory);
     driftBias(view, own);
     measure(view, own);
-    if (view.wants(0) && own.localised != 0)
-        out.add(traits_ ? std::string_view(traits_->name) : selfReading, own.measured, own.self);
+    if (view.wants(0) && own.localised != 0) out.add(reading_, own.measured, own.self);
 }
 
 SelfLocalisation readSelfLocalisation(TomlTable& table) {

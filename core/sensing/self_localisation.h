@@ -13,9 +13,10 @@ namespace mrose {
 class SelfLocaliser final : public Sensor {
 public:
     /// The one that every robot has: the reading "self".
-    explicit SelfLocaliser(const SelfLocalisation& options) : options_(options) {}
+    explicit SelfLocaliser(const SelfLocalisation& options) : options_(options), reading_(selfReading) {}
     /// A further one; its reading has its name.
-    SelfLocaliser(const SelfLocalisation& options, const SensorTraits& traits) : options_(options), traits_(traits) {}
+    SelfLocaliser(const SelfLocalisation& options, const SensorTraits& traits)
+        : options_(options), reading_(traits.name), traits_(traits) {}
 
     struct Memory {
         Pose bias;  ///< at present
@@ -24,8 +25,8 @@ public:
         std::uint64_t localised = 0;  ///< 0 until the first measurement
     };
 
-    std::string name() const override { return traits_ ? traits_->name : selfReading; }
-    std::vector<ReadingKind> gives() const override { return {{name(), &recordType<Pose>()}}; }
+    std::string name() const override { return std::string(reading_); }
+    std::vector<ReadingKind> gives() const override { return {{reading_, &recordType<Pose>()}}; }
     Nanoseconds period() const override { return traits_ ? traits_->period : 0; }
     Nanoseconds latency() const override { return options_.latency; }
     std::size_t memorySize() const override { return sizeof(Memory); }
@@ -39,6 +40,7 @@ private:
     void measure(const SensorView& view, Memory& memory) const;
 
     SelfLocalisation options_;
+    ReadingName reading_;
     std::optional<SensorTraits> traits_;  ///< of a further one
 };
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <vector>
 
 #include "control/observation.h"
@@ -23,7 +24,7 @@ struct BodyMap {
 class SensingBuffers {
 public:
     void forget() { used_ = 0; }
-    /// The same for all who perceive at this tick. Valid until asked for another lag.
+    /// The same for all who perceive at this tick. Valid until forget().
     const BodyMap& bodiesBefore(const PastPoses& past, const WorldState& state, std::int64_t lag);
 
     // Of one robot's observation.
@@ -33,7 +34,7 @@ public:
     std::vector<ReceivedMessage> received;
 
 private:
-    std::vector<BodyMap> maps_;  ///< the first `used_` of them are of this state
+    std::deque<BodyMap> maps_;  ///< the first `used_` of them are of this state
     std::size_t used_ = 0;
 };
 

@@ -15,12 +15,14 @@ struct SensorView;
 
 /// A reading that a sensor gives: the name by which controllers ask for it, and what its records are.
 struct ReadingKind {
-    std::string name;
+    ReadingName name;
     const RecordType* type = nullptr;
 };
 
 /// What a robot file says of any sensor beyond those that every robot has.
 struct SensorTraits {
+    static constexpr std::size_t mostName = 23;  ///< characters: its readings may add to them
+
     std::string name;
     Nanoseconds period = 0;
 };
@@ -34,7 +36,7 @@ public:
 
     /// Constant, and no other sensor of its robot has it: "self".
     virtual std::string name() const = 0;
-    /// What it gives, constant: at most 32.
+    /// What it gives, constant: at most SensorView::mostReadings.
     virtual std::vector<ReadingKind> gives() const = 0;
     /// From measurement to measurement; they are at whole multiples of it. 0: one at each control instant of its robot.
     virtual Nanoseconds period() const { return 0; }

@@ -7,6 +7,7 @@
 #include "sensing/odometry.h"
 #include "sensing/self_localisation.h"
 #include "sensing/sensor_keys.h"
+#include "sensing/sensor_view.h"
 
 namespace mrose {
 
@@ -55,8 +56,8 @@ SensorPointer readOdometry(TomlTable& table, const SensorTraits& traits) {
 constexpr SensorKind kinds[] = {{"camera", readCamera}, {"localisation", readLocaliser}, {"odometry", readOdometry}};
 
 /// What every robot's sensors are called, and what a controller and a motion model have of their own.
-constexpr std::string_view takenNames[] = {selfReading,     odometryReading, robotsReading, objectsReading,
-                                           messagesReading, "sight",         "controller",  "motion"};
+constexpr ReadingName takenNames[] = {selfReading,     odometryReading, robotsReading, objectsReading,
+                                      messagesReading, "sight",         "controller",  "motion"};
 
 }  // namespace
 
@@ -67,12 +68,18 @@ std::vector<SensorPointer> readSensors(std::vector<TomlTable> tables, std::span<
     for (const SensorKind& kind : of) words.push_back(kind.name);
     std::set<std::string, std::less<>> names(std::begin(takenNames), std::end(takenNames));
     std::vector<SensorPointer> sensors;
+    const std::size_t most = SensorView::mostSensors - standardSensors({}).size();
     for (TomlTable& table : tables) {
+        if (sensors.size() == most) {
+            table.reject("name", "is of too many sensors; expected at most " + std::to_string(most));
+            break;
+        }
         const std::size_t kind = table.choice("kind", words);
         SensorTraits traits{name(table, "name"), durationOr(table, "period_s", 0, {0.001, 10})};
         const bool plain =
             std::ranges::all_of(traits.name, [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
-        if (!plain) table.reject("name", "expected letters, digits and _");
+        if (!plain || traits.name.size() > SensorTraits::mostName)
+            table.reject("name", "expected letters, digits and _, at most " + std::to_string(SensorTraits::mostName));
         if (!names.insert(traits.name).second) table.reject("name", "is taken: \"" + traits.name + '"');
         if (table.failed()) continue;
         sensors.push_back(of[kind].read(table, traits));

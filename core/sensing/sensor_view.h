@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "scene/obstacle_index.h"
@@ -14,6 +15,9 @@ namespace mrose {
 /// What a sensor has before it at one measurement: the world as it is and was, whose sensor it is, its draws. Lags are
 /// in ticks before the measurement arrives.
 struct SensorView {
+    static constexpr std::size_t mostReadings = 32;  ///< that one sensor gives
+    static constexpr std::size_t mostSensors = 256;  ///< of a robot
+
     const Scene& scene;
     const ObstacleIndex& obstacles;
     const PastPoses& past;
@@ -27,7 +31,11 @@ struct SensorView {
 
     bool wants(std::size_t reading) const { return (wanted >> reading & 1) != 0; }
     /// For the `draw`-th draw of this measurement.
-    NoiseKey key(std::uint32_t draw) const { return key(NoiseChannel::sensor, sensor << 16 | draw); }
+    NoiseKey key(std::uint32_t draw) const {
+        NoiseKey key = this->key(NoiseChannel::sensor, sensor << 16 | (draw & 0xffff));
+        key.tick += std::int64_t{draw >> 16} << 48;  // no run has so many ticks
+        return key;
+    }
     NoiseKey key(NoiseChannel kind, std::uint32_t part) const {
         return {state.seed, state.tick - arrivedAgo, robot, channelOf(kind, part)};
     }

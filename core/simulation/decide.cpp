@@ -92,17 +92,25 @@ const Decision* overriding(const Overrides& overrides, std::uint32_t robot) {
     return found != overrides.decisions.end() && found->robot == robot ? &found->decision : nullptr;
 }
 
+/// Those that all have been told.
+void forgetMessages(WorldState& state) {
+    if (state.messages.empty()) return;
+    std::int64_t told = state.tick;
+    for (const RobotState& robot : state.robots) told = std::min(told, robot.lastControl);
+    std::erase_if(state.messages, [told](const SentMessage& message) { return message.tick < told; });
+}
+
 }  // namespace
 
 void decide(const Scenario& scenario, WorldState& state, StepBuffers::Content& buffers, const Overrides& overrides,
             StepTrace* trace) {
-    std::erase_if(state.messages, [&](const SentMessage& m) { return m.tick < state.tick - scenario.longestPeriod(); });
+    forgetMessages(state);
     buffers.due.clear();
     buffers.sensing.forget();
     for (std::uint32_t i = 0; i < state.robots.size(); ++i) {
         RobotState& robot = state.robots[i];
         if (robot.nextControl != state.tick) continue;
-        robot.nextControl += scenario.periodOf(i).ticks;
+        robot.nextControl = state.tick + scenario.periodOf(i).ticks;
         buffers.due.push_back(i);
         const Decision* decision = overriding(overrides, i);
         if (decision == nullptr && overrides.askControllers) {
@@ -112,6 +120,7 @@ void decide(const Scenario& scenario, WorldState& state, StepBuffers::Content& b
             checkMessages(buffers.decision, state.robots.size());
             decision = &buffers.decision;
         }
+        robot.lastControl = state.tick;
         if (decision != nullptr) obey(scenario, state, i, *decision, trace);
         if (trace == nullptr) continue;
         StepTrace::Robot& traced = trace->robots[i];

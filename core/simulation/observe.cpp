@@ -7,8 +7,8 @@
 namespace mrose {
 namespace {
 
-/// Lets a sensor with a clock of its own measure whatever arrives within the control period that ends now.
-void senseByItsClock(const Sensor& sensor, SensorView view, std::int64_t periodTicks, std::span<std::byte> memory,
+/// Lets a sensor with a clock of its own measure whatever arrives after tick `last`.
+void senseByItsClock(const Sensor& sensor, SensorView view, std::int64_t last, std::span<std::byte> memory,
                      Observation& out) {
     const Nanoseconds period = sensor.period();
     const std::int64_t lag = view.lagOf(sensor.latency());
@@ -18,25 +18,26 @@ void senseByItsClock(const Sensor& sensor, SensorView view, std::int64_t periodT
         return later / length - (later % length < 0 ? 1 : 0);
     };
     // Before the start all stood still where it starts.
-    const std::int64_t now = view.state.tick - lag, before = now - periodTicks;
+    const std::int64_t now = view.state.tick - lag, before = last - lag;
     view.sinceLast = toSeconds(std::max(period, view.scene.tickLength));
     std::int64_t count = view.scene.timeOf(before) / period;
     while (tickOf(count) > before) --count;
     while (tickOf(count) <= before) ++count;
     // At most one a tick: the draws of a measurement are its tick's.
-    for (std::int64_t last = before; tickOf(count) <= now; ++count) {
-        if (tickOf(count) == last) continue;
-        last = tickOf(count);
-        view.arrivedAgo = now - last;
+    for (std::int64_t measured = before; tickOf(count) <= now; ++count) {
+        if (tickOf(count) == measured) continue;
+        measured = tickOf(count);
+        view.arrivedAgo = now - measured;
         sensor.sense(view, memory, out);
     }
 }
 
 /// What was sent to the robot since its last control instant; what is sent now arrives at the next one.
-void receive(const SensorView& view, std::int64_t periodTicks, Observation& out) {
+void receive(const SensorView& view, Observation& out) {
+    const std::int64_t last = view.state.robots[view.robot].lastControl;
     for (const SentMessage& m : view.state.messages) {
         const bool own = m.from == view.robot, others = m.to != broadcast && m.to != view.robot;
-        if (own || others || m.tick >= view.state.tick || m.tick < view.state.tick - periodTicks) continue;
+        if (own || others || m.tick >= view.state.tick || m.tick < last) continue;
         view.buffers.received.push_back({view.scene.timeOf(m.tick), m.from, m.kind, m.size, m.bytes});
     }
     if (view.buffers.received.empty()) return;
@@ -56,6 +57,8 @@ void observe(const Scenario& scenario, const WorldState& state, std::size_t robo
     out.noise = noiseBits(view.key(NoiseChannel::controller, 0));
     out.clearReadings();
     const auto sensors = scenario.sensors(robot);
+    // Where its period was a longer one before, the past reaches back no further than this one.
+    const std::int64_t last = std::max(state.robots[robot].lastControl, state.tick - scenario.periodOf(robot).ticks);
     for (std::uint32_t k = 0; k < sensors.size(); ++k) {
         const Sensor& sensor = *sensors[k];
         view.sensor = k;
@@ -65,9 +68,9 @@ void observe(const Scenario& scenario, const WorldState& state, std::size_t robo
         if (sensor.period() == 0)
             sensor.sense(view, own, out);
         else
-            senseByItsClock(sensor, view, scenario.periodOf(robot).ticks, own, out);
+            senseByItsClock(sensor, view, last, own, out);
     }
-    if (!state.messages.empty() && scenario.readsMessages(robot)) receive(view, scenario.periodOf(robot).ticks, out);
+    if (!state.messages.empty() && scenario.readsMessages(robot)) receive(view, out);
 }
 
 }  // namespace mrose

@@ -43,11 +43,11 @@ void visitFirstVersionSensing(Memory& memory, Leaf&& leaf) {
     leaf(memory.localised);
     leaf(memory.bearingBias);
 }
-constexpr std::size_t firstVersionSize = packedSize<RobotState>() + 8 * (2 + 3 + 3 + 1 + 1) + 2;
+constexpr std::size_t firstVersionSize = packedSize<RobotState>() + 8 * (2 + 3 + 3 + 1 + 1 - 1) + 2;
 
 /// The blocks that such a robot has now: of every motion model, whether it remembers anything or not, and of the
 /// sensors that every robot had. The robots are those of `state` in their order.
-constexpr std::size_t firstVersionMotion = 32, firstVersionSensing = 80;
+constexpr std::size_t firstVersionMotion = 32, firstVersionSelf = 64, firstVersionSight = 16;
 void appendMemory(const FirstVersionMemory& memory, WorldState& state);
 
 /// The hash that a state had then; `memories`: of its robots.

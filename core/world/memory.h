@@ -17,7 +17,7 @@ constexpr std::size_t paddedMemory(std::size_t bytes) { return (bytes + 15) / 16
 struct MemoryEntry {
     std::string name;  ///< no other entry of the memory has it
     double value = 0;
-    const char* unit = "";  ///< "m", "rad", "s" ...; "" of what is counted or has a text
+    std::string unit = {};  ///< "m", "rad", "s" ...; "" of what is counted or has a text
     std::string text = {};  ///< instead of the value, where there is one
 };
 

@@ -68,6 +68,7 @@ bool readRobots(std::string_view bytes, WorldState& state, std::uint32_t of) {
         FirstVersionMemory memory;
         visitFirstVersionWorld(robot, memory, read);
         visitFirstVersionSensing(memory, read);
+        robot.lastControl = robot.segment.startTick;
         appendMemory(memory, state);
     }
     return sound;

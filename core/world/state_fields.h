@@ -24,6 +24,7 @@ struct Fields<RobotState> {
     static constexpr void each(Visit&& visit) {
         visit("pose", &RobotState::pose);
         visit("velocity_B", &RobotState::velocity_B);
+        visit("lastControl", &RobotState::lastControl);
         visit("nextControl", &RobotState::nextControl);
         visit("segment", &RobotState::segment);
         visit("pushed", &RobotState::pushed);

@@ -32,7 +32,8 @@ constexpr std::size_t maxManipulators = 4;
 struct RobotState {
     Pose pose;
     Twist velocity_B;              ///< m/s, m/s, rad/s: the one that really occurs, of the reference point
-    std::int64_t nextControl = 0;  ///< tick at which its controller decides next
+    std::int64_t lastControl = 0;  ///< tick at which its controller decided last; what arrived until then it was told
+    std::int64_t nextControl = 0;  ///< tick at which it decides next
     MotionSegment segment;
     bool pushed = false;  ///< contact changed its velocity, and its wheels have not restored it yet
     std::uint32_t commandCount = 0;

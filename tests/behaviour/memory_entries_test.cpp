@@ -38,7 +38,7 @@ TEST(MemoryEntries, SayWhatTheBeliefsHold) {
     EXPECT_EQ(said.at("ball y").value, 4);
     EXPECT_EQ(said.at("ball vy").value, -0.25);
     EXPECT_NEAR(said.at("ball seen, age").value, 0.6, 1e-12);
-    EXPECT_STREQ(said.at("ball vx").unit, "m/s");
+    EXPECT_EQ(said.at("ball vx").unit, "m/s");
 }
 
 TEST(MemoryEntries, OfARunningRobotAreNearTheTruth) {

@@ -100,7 +100,7 @@ TEST_F(CompareProgram, AgreesWithEvaluateAndPredictForTheSameWindows) {
     ASSERT_EQ(simulated.size(), predicted.size());
     for (std::size_t i = 0; i < simulated.size(); ++i)
         for (const auto& [column, value] : predicted[i]) EXPECT_EQ(simulated[i].at(column), value) << i << column;
-    for (const char* file : {"report/report.html", "report/courses.csv", "report/results.json"})
+    for (const char* file : {"report/report.html", "report/rollouts.csv", "report/results.json"})
         EXPECT_NE(read(file), "") << file;
 }
 
@@ -125,7 +125,7 @@ TEST_F(CompareProgram, LogOfShortPiecesIsCutAsEvaluateCutsIt) {
     const Json asked = result({"compare", "--log", log, "--no-causes", "--windows", "all", "--duration", "1.9"});
     EXPECT_EQ(asked["all"], ours["all"]);
     const Json told = result({"compare", "--log", log, "--no-causes", "--every", "0.5"});
-    EXPECT_EQ(told["all"]["courses"], 15) << "three of 0.5 s in each 1.95 s";
+    EXPECT_EQ(told["all"]["rollouts"], 15) << "three of 0.5 s in each 1.95 s";
     EXPECT_EQ(told["notices"].dump().find("as `mrose evaluate` cuts them"), std::string::npos);
 }
 
@@ -161,15 +161,15 @@ TEST_F(CompareProgram, TheRefereeFindsTheSameErrorsInRealLogs) {
 
 TEST_F(CompareProgram, OneRolloutAsTheScenarioRunsOrManyThatRestart) {
     const Json one = result({"compare", scenario(), "--log", shippedLog()});
-    EXPECT_EQ(one["all"]["courses"], 1);
+    EXPECT_EQ(one["all"]["rollouts"], 1);
     EXPECT_EQ(one["notices"].size(), 1u) << "synthetic: " << one["notices"];
     const ProgramResult shortened =
         runMrose({"compare", scenario(), "--log", shippedLog(), "--start", "10", "--duration", "1000"});
     EXPECT_NE(shortened.out.find("Note: The ground truth ends "), std::string::npos) << shortened.out;
     const Json many = result({"compare", scenario(), "--log", shippedLog(), "--start", "3", "--duration", "40",
                               "--every", "8", "--report", path("report")});
-    const auto rollouts = rowsOf(read("report/courses.csv"));
-    EXPECT_EQ(many["all"]["courses"], rollouts.size());
+    const auto rollouts = rowsOf(read("report/rollouts.csv"));
+    EXPECT_EQ(many["all"]["rollouts"], rollouts.size());
     std::map<std::string, Words> starts;
     for (const auto& row : rollouts) {
         starts[row.at("trajectory")].push_back(row.at("start_s"));
@@ -213,21 +213,21 @@ TEST_F(CompareProgram, SaysWhereTheRobotLeavesTheRealTrajectoryAndWhy) {
           "motion model velocity = command + lag, gains, biases"})
         EXPECT_NE(ran.out.find(part), std::string::npos) << part << '\n' << ran.out;
     const Json said = result(with(one, tight))["divergence"];
-    ASSERT_EQ(said["courses"].size(), 1u) << said;
-    const Json& rollout = said["courses"][0];
+    ASSERT_EQ(said["rollouts"].size(), 1u) << said;
+    const Json& rollout = said["rollouts"][0];
     EXPECT_TRUE(rollout["position_m"] > 0.02 || rollout["heading_rad"] > 3 / 57.3) << rollout;
     EXPECT_GT(rollout["tried"].size(), 5u);
-    EXPECT_EQ(result(one)["divergence"]["all"]["courses"], 1);
+    EXPECT_EQ(result(one)["divergence"]["all"]["rollouts"], 1);
 
-    const Json without = result(with(with(one, tight), {"--no-causes"}))["divergence"]["courses"][0];
+    const Json without = result(with(with(one, tight), {"--no-causes"}))["divergence"]["rollouts"][0];
     EXPECT_FALSE(without.contains("tried"));
     EXPECT_EQ(without["time_s"], rollout["time_s"]);
     // Another network, by name; held for longer it is later or never.
     const Json more = result(with(with(one, tight), {"--model", (sourceFolder() / "nets/create.net").string()}));
-    EXPECT_EQ(more["divergence"]["courses"][0]["tried"].size(), rollout["tried"].size() + 1);
+    EXPECT_EQ(more["divergence"]["rollouts"][0]["tried"].size(), rollout["tried"].size() + 1);
     const Json many = result(with({"compare", scenario(), "--log", shippedLog(), "--every", "5"}, tight))["divergence"];
     EXPECT_GT(many["all"]["diverging"], 5);
-    EXPECT_EQ(std::count_if(many["courses"].begin(), many["courses"].end(),
+    EXPECT_EQ(std::count_if(many["rollouts"].begin(), many["rollouts"].end(),
                             [](const Json& c) { return c.contains("tried"); }),
               many["all"]["diverging"]);
     const Json heldOut = result({"compare", scenario(), "--log", shippedLog(), "--every", "10"})["divergence"];
@@ -245,7 +245,7 @@ TEST_F(CompareProgram, MakesAScenarioForALogWithoutOne) {
     };
     const Json made = result(with({"compare", "--robot", path("r.toml")})),
                given = result(with({"compare", path("s.toml")}));
-    EXPECT_GT(made["all"]["courses"], 10);
+    EXPECT_GT(made["all"]["rollouts"], 10);
     EXPECT_EQ(made["all"], given["all"]) << "the same robot in another place";
     EXPECT_EQ(made["divergence"]["all"], given["divergence"]["all"]);
     write("mine.csv", "t,v_cmd,w_cmd,x,y,heading\n0,0,0,0,0,0\n1,0,0,0,0,0\n2,0,0,0,0,0\n");
@@ -286,7 +286,7 @@ TEST_F(CompareProgram, TheSameWhateverTheNumberOfThreads) {
                             "--report", path("r" + threads)})
                       .status,
                   0);
-        return read("r" + threads + "/errors.csv") + read("r" + threads + "/courses.csv") +
+        return read("r" + threads + "/errors.csv") + read("r" + threads + "/rollouts.csv") +
                read("r" + threads + "/results.json");
     };
     EXPECT_EQ(report("1"), report("8"));

@@ -81,7 +81,7 @@ TEST_F(Output, FullDiskKeepsEarlierOutputs) {
     EXPECT_EQ(listing(), before) << "nothing half-written is left";
     expectOneLine(runMrose({"evaluate", net, "--log", logFile, "--report", path("new/report")}, {.fullDisk = true}),
                   {"new/report/results.csv: cannot be written: File too large"});
-    expectOneLine(runMrose({"generate", "--course", "ellipse", "-q", "-o", path("new/logs")}, {.fullDisk = true}),
+    expectOneLine(runMrose({"generate", "--pattern", "ellipse", "-q", "-o", path("new/logs")}, {.fullDisk = true}),
                   {"new/logs/ellipse.csv: cannot be written: File too large"});
     expectOneLine(runMrose({"shapes", "ball.toml", "-o", path("new/pictures")}, {.fullDisk = true}),
                   {"new/pictures/ball.shape.svg: cannot be written: File too large"});

@@ -63,7 +63,7 @@ TEST_F(Program, OutputsThatAreThereAreReplacedOnlyWhenAsked) {
         {trainWords(path("b.net")), "b.net"},
         {{"predict", net, "--log", logFile, "--windows", windowsFile, "-o", path("p.csv")}, "p.csv"},
         {{"evaluate", net, "--log", logFile, "--report", path("report")}, "report/windows.csv"},
-        {{"generate", "--course", "ellipse", "-o", path("logs")}, "logs/ellipse.csv"},
+        {{"generate", "--pattern", "ellipse", "-o", path("logs")}, "logs/ellipse.csv"},
         {{"shapes", "ball.toml", "-o", path("ball.svg")}, "ball.svg"},
         {{"shapes", "ball.toml", "-o", path("pictures")}, "pictures/ball.shape.svg"},
         {{"run", "soccer.toml", "--duration", "0.1", "--record", path("a.mcap")}, "a.mcap"}};
@@ -92,7 +92,7 @@ TEST_F(Program, WrongUsageIsOneLineAndStatusTwo) {
 TEST_F(Program, NoNumberIsNoValueOfAnyFlag) {
     auto training = trainWords(path("x.net")), evaluation = std::vector<std::string>{"evaluate", "a", "--log", "b"},
          prediction = std::vector<std::string>{"predict", "a", "--log", "b", "--windows", "c", "-o", path("x")},
-         generation = std::vector<std::string>{"generate", "--course", "random", "-o", path("x")};
+         generation = std::vector<std::string>{"generate", "--pattern", "random", "-o", path("x")};
     for (const auto& [words, flags] :
          {std::pair{training,
                     std::vector<std::string>{"--hold-out", "--dead-time-v", "--dead-time-w", "--lag-v", "--lag-w"}},

@@ -164,10 +164,10 @@ TEST(ComparisonReport, ShowsWhereTheRobotsLeaveTheRealTrajectoryAndWhy) {
         EXPECT_EQ(json["all"]["diverging"], comparison.rollouts.size());
         EXPECT_EQ(json["all"]["median_s"], found->all.medianTime);
         EXPECT_EQ(json["bound"]["position_m"], 0.1);
-        EXPECT_EQ(json["courses"][0]["time_s"], toSeconds(first.time));
-        EXPECT_EQ(json["courses"][0]["position_m"], first.position);
+        EXPECT_EQ(json["rollouts"][0]["time_s"], toSeconds(first.time));
+        EXPECT_EQ(json["rollouts"][0]["position_m"], first.position);
         std::size_t causes = 0;
-        for (const auto& rollout : json["courses"]) {
+        for (const auto& rollout : json["rollouts"]) {
             if (!rollout.contains("cause")) continue;
             ++causes;
             EXPECT_EQ(rollout["cause"]["what"], "motion model right.net");
@@ -193,7 +193,7 @@ TEST(ComparisonReport, FilesAreWrittenTogether) {
     const auto to = folder.path() / "new" / "report";
     ASSERT_TRUE(checkComparisonFolder(to));
     ASSERT_TRUE(writeComparison(compared.comparison, compared.scene, {}, to));
-    for (const char* file : {"report.html", "errors.csv", "courses.csv", "results.json"})
+    for (const char* file : {"report.html", "errors.csv", "rollouts.csv", "results.json"})
         EXPECT_TRUE(readFile(to / file)) << file;
     EXPECT_FALSE(checkComparisonFolder(folder.write("taken", "x")));
 }

@@ -218,7 +218,7 @@ TEST_F(InspectorTest, ShowsTheControllersNotesAndMemory) {
     EXPECT_EQ(value({"Memory"}), std::to_string(memory.size()) + " bytes, " + std::to_string(changed) + " changed");
     settle();
     for (const MemoryEntry& entry : frame().scenario->controller(1).explain(memory)) {
-        if (entry.unit == std::string("m")) {
+        if (entry.unit == "m") {
             EXPECT_EQ(value({"Memory", QString::fromStdString(entry.name)}), text(entry.value, 3, "m"));
         }
     }

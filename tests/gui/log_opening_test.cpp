@@ -345,7 +345,7 @@ TEST_F(LogOpeningTest, ScriptsSayWhatDrove) {
     };
     EXPECT_THAT(run("open_log('" + file + "')"), HasSubstr("does not say what kind of robot drove"));
     EXPECT_EQ(dialog(), nullptr);
-    EXPECT_EQ(run("open_log('" + file + "', 'pioneer1.toml')\nexpect(reality('courses') > 0)"), "");
+    EXPECT_EQ(run("open_log('" + file + "', 'pioneer1.toml')\nexpect(reality('rollouts') > 0)"), "");
     EXPECT_THAT(run("open_log('" + file + "', 'missing.toml')"), HasSubstr("missing.toml"));
     EXPECT_THAT(run("open_log('" + file + "', 3)"), HasSubstr("expected a text as argument 2"));
 }

@@ -348,7 +348,7 @@ TEST_F(OverlayTest, GapInTheTruthIsSaidAndTheRestGoesOn) {
 TEST_F(OverlayTest, ScriptsAskForFiguresAndOpenTheWorst) {
     const std::string script = "open_log('" + shipped() + "')\n" +
                                "worst(1)\n"
-                               "expect(reality('p') > 0 and reality('courses') > 10)\n"
+                               "expect(reality('p') > 0 and reality('rollouts') > 10)\n"
                                "expect(reality('error') > 0, 'an error')\n"
                                "say(reality('robot'))\n"
                                "reality('nonsense')\n";

@@ -62,7 +62,7 @@ TEST_F(GuiProgram, TellsVersionHelpAndKeys) {
 
 TEST_F(GuiProgram, LogIsCutIntoTheRolloutsOfCompare) {
     const std::string log = (sourceFolder() / "resources" / "logs" / "pioneer" / "random.csv").string();
-    const std::string script = write("courses.lua", "say(reality('courses'))\n");
+    const std::string script = write("courses.lua", "say(reality('rollouts'))\n");
     const ProgramResult cut = offscreen({log, "--every", "2", "--duration", "10", "--script", script});
     EXPECT_EQ(cut.status, 0) << cut.err;
     EXPECT_THAT(cut.out, StartsWith("20")) << "five of each of its four trajectories";

@@ -76,7 +76,7 @@ TEST_F(ReportExportTest, IsTheOneOfMroseCompare) {
         runMrose({"compare", scene, "--log", shippedLog(), "--every", "10.0", "--report", place("report")}).status, 0);
     std::filesystem::rename(folder.path() / "report", folder.path() / "theirs");
     EXPECT_EQ(run("export_comparison('" + scene + "', '" + shippedLog() + "', '" + place("report") + "', 10)"), "");
-    for (const char* file : {"report.html", "errors.csv", "courses.csv", "results.json"}) {
+    for (const char* file : {"report.html", "errors.csv", "rollouts.csv", "results.json"}) {
         EXPECT_GT(read(std::string("report/") + file).size(), 100u) << file;
         EXPECT_TRUE(read(std::string("report/") + file) == read(std::string("theirs/") + file)) << file;
     }
@@ -171,7 +171,7 @@ protected:
         EXPECT_FALSE(dialog->isVisible()) << dialog->findChild<QLabel*>("error")->text().toStdString();
         finish();
         ASSERT_TRUE(isThere("report/results.json"));
-        for (const char* file : {"errors.csv", "courses.csv", "report.html", "results.json"}) {
+        for (const char* file : {"errors.csv", "rollouts.csv", "report.html", "results.json"}) {
             // All but the words of the command.
             std::string ours = read(std::string("report/") + file), theirs = read(std::string("theirs/") + file);
             const std::size_t at = theirs.find(" --quiet");
@@ -217,7 +217,7 @@ TEST_F(ComparisonDialogTest, TakesOverWindowsAndWhatDrove) {
     expectTheOneOf(
         {"compare", "--log", log, "--robot", "pioneer1.toml", "--duration", "5.0", "--windows", "all", "--seed", "7"});
     const auto json = nlohmann::json::parse(read("report/results.json"));
-    EXPECT_EQ(json["all"]["courses"], overlay.rows().size());
+    EXPECT_EQ(json["all"]["rollouts"], overlay.rows().size());
 }
 
 TEST_F(ComparisonDialogTest, NumbersThatMakeNoSenseAreSaidAndNothingIsWritten) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "messages/decision_bytes.h"
+#include "messages/memory_entry_bytes.h"
 #include "messages/observation_bytes.h"
 #include "messages/text_bytes.h"
 #include "support/observation_parts.h"
@@ -114,6 +115,49 @@ TEST(MessageBytes, DecisionComesBackToTheBit) {
     read = fullDecision();
     ASSERT_TRUE(readDecision(again, read));
     EXPECT_TRUE(read.sameOrders(empty) && read.annotations.empty() && read.breakReason.empty() && read.fault.empty());
+}
+
+TEST(MessageBytes, MemoryEntriesComeBackToTheBit) {
+    const std::vector<MemoryEntry> entries{{"count", -0.0, "", ""}, {"mode", 0, "", "searching"}, {"", 1.5, "m/s"}};
+    std::string bytes;
+    appendEntries(entries, bytes);
+    ByteReader reader(bytes);
+    std::vector<MemoryEntry> read;
+    ASSERT_TRUE(readEntries(reader, read) && reader.done());
+    ASSERT_EQ(read.size(), 3u);
+    EXPECT_TRUE(std::signbit(read[0].value));
+    EXPECT_EQ(read[1].text, "searching");
+    EXPECT_EQ(read[2].unit, "m/s");
+    std::string again;
+    appendEntries(read, again);
+    EXPECT_EQ(again, bytes);
+    for (std::size_t size = 0; size < bytes.size(); ++size) {
+        ByteReader cut(std::string_view(bytes).substr(0, size));
+        EXPECT_FALSE(readEntries(cut, read)) << size;
+    }
+}
+
+TEST(MessageBytes, NamesOfReadingsAreOfBoundedLength) {
+    const auto reads = [](std::size_t length) {
+        std::string bytes(1, '\0');
+        appendCount(bytes, 1);
+        appendText(std::string(length, 'n'), bytes);
+        ByteReader reader(bytes);
+        Attention read;
+        return readAttention(reader, read) && read.names.at(0) == ReadingName(std::string(length, 'n'));
+    };
+    EXPECT_TRUE(reads(ReadingName::most));
+    EXPECT_FALSE(reads(ReadingName::most + 1));
+    Observation observation;
+    observation.add(std::string(ReadingName::most, 'n'), 0, Pose{});
+    std::string bytes = bytesOf(observation);
+    const std::size_t at = bytes.find("nnn");
+    bytes.insert(at, "n");
+    ++bytes[at - 1];
+    ByteReader reader(bytes);
+    RecordTypes types;
+    Observation read;
+    EXPECT_FALSE(readObservation(reader, types, read));
 }
 
 TEST(MessageBytes, CutOffOnesAreRefused) {

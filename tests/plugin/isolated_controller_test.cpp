@@ -59,6 +59,37 @@ TEST_F(Isolation, DecidesAsInTheProgram) {
     EXPECT_GT(a.robots[0].pose.x, 1);
 }
 
+TEST_F(Isolation, ExplainsAsInTheProgram) {
+    const auto apart = isolated("well_behaved", "label = \"n\"\n"), here = loaded("well_behaved", "label = \"n\"\n");
+    std::vector<std::byte> memory(apart->memorySize());
+    apart->start(memory);
+    Decision decision;
+    apart->decide({}, memory, decision);
+    const auto entries = apart->explain(memory), expected = here->explain(memory);
+    ASSERT_EQ(entries.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(entries[i].name, expected[i].name);
+        EXPECT_EQ(entries[i].value, expected[i].value);
+        EXPECT_EQ(entries[i].unit, expected[i].unit);
+        EXPECT_EQ(entries[i].text, expected[i].text);
+    }
+}
+
+/// What it dies of when it is looked at does no harm to the run.
+TEST_F(Isolation, DeadExplanationIsSaid) {
+    const auto controller = isolated("misbehaving", how("crash when asked to explain"));
+    std::vector<std::byte> memory(controller->memorySize());
+    controller->start(memory);
+    for (int i = 0; i < 2; ++i) {
+        ASSERT_EQ(controller->explain(memory).size(), 1u);
+        EXPECT_EQ(controller->explain(memory)[0].name, "explain");
+        EXPECT_NE(controller->explain(memory)[0].text, "");
+        Decision decision;
+        controller->decide({}, memory, decision);
+        EXPECT_EQ(decision.fault, "");
+    }
+}
+
 TEST_F(Isolation, WhatCannotBeLoadedIsSaid) {
     EXPECT_EQ(refusal("/none.so", "", isolation()), "/none.so: there is no such file");
     const std::string path = testPlugin("misbehaving"), well = testPlugin("well_behaved");

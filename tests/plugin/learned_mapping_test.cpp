@@ -53,6 +53,9 @@ TEST(LearnedMapping, IsTheFormulaOfItsFile) {
         mapping->evaluate(std::array{turned, 0.4}, std::span(&out, 1));
         EXPECT_NEAR(out, expected(turned, 0.4), 1e-6);
     }
+    double out = 0;
+    EXPECT_THROW(mapping->evaluate(std::array{1.0}, std::span(&out, 1)), std::invalid_argument);
+    EXPECT_THROW(mapping->evaluate(std::array{1.0, 1.0}, {}), std::invalid_argument);
     EXPECT_THAT(parseMapping(textOf(gain("motion")), "gain.net").error().message(), HasSubstr("\"motion\""));
 }
 
@@ -84,7 +87,8 @@ TEST(LearnedMapping, WhatIsWrongIsSaid) {
         const auto loaded = loadPlugin(testPlugin("well_behaved"), options);
         return loaded ? "" : loaded.error().message();
     };
-    EXPECT_THAT(errorOf(optionsWith(textOf(gain("motion")))), HasSubstr("mappings.gain: is no network of a task: "));
+    EXPECT_THAT(errorOf(optionsWith(textOf(gain("motion")))),
+                HasSubstr("mappings.gain: is no network of a task: line 4: kind: is a network of another"));
     EXPECT_THAT(errorOf(optionsWith("x")), HasSubstr("mappings.gain: is no network of a task: "));
     EXPECT_THAT(errorOf(tomlText(Value::Table{{mappingsKey, Value::Table{{"again", "x"}}}})),
                 HasSubstr("mappings.again: is not a known key"));

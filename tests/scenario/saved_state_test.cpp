@@ -218,6 +218,12 @@ TEST_F(SavedStates, MistakesAreNamed) {
     state.robots[1].segment.startTick = tick + 1;
     EXPECT_NE(refused("", "").find("an instant beyond all runs, or a motion that has yet to begin"), std::string::npos);
     state.robots[1].segment.startTick = tick;
+    state.robots[1].lastControl = tick + 1;
+    EXPECT_NE(refused("", "").find("an instant beyond all runs"), std::string::npos);
+    state.robots[1].lastControl = tick;
+    const std::int64_t next = std::exchange(state.robots[1].nextControl, latestTime + 1);
+    EXPECT_NE(refused("", "").find("an instant beyond all runs"), std::string::npos);
+    state.robots[1].nextControl = next;
     state.robots[2].ready[0] = std::numeric_limits<Nanoseconds>::min();
     EXPECT_NE(refused("", "").find("an instant beyond all runs"), std::string::npos);
     state.robots[2].ready[0] = 0;
@@ -287,6 +293,33 @@ TEST_F(SavedStates, SwappedModelsGoOnFromIt) {
     const Nanoseconds now = 20'000'000 * savedAt;
     for (Nanoseconds age = 0; age < 200'000'000; age += 10'000'000)
         EXPECT_EQ(other.commandsOf(begun, 0).at(now - age), scenario->commandsOf(state, 0).at(now - age));
+}
+
+/// A sensor that came, one that went, and one that stands elsewhere among them.
+TEST_F(SavedStates, SensorsAreMatchedByTheirNames) {
+    const auto with = [](const std::vector<std::string>& names) {
+        std::string sensors;
+        for (const std::string& name : names)
+            sensors += "[[sensor]]\nkind = \"localisation\"\nname = \"" + name + "\"\nbias = { x_m = 0.1 }\n";
+        std::map<std::string, std::string> texts = smallWorld();
+        texts["r.toml"] += sensors;
+        return texts;
+    };
+    open(with({"gone", "gps", "odd"}));
+    const SavedState saved = savedState(*scenario, state);
+    const auto read = parseSavedState(savedStateText(saved), "x.state");
+    ASSERT_TRUE(read) << read.error().message();
+    EXPECT_EQ(read->robots, saved.robots);
+    const auto loaded = loadFrom(with({"odd", "new", "gps"}));
+    ASSERT_TRUE(loaded) << loaded.error().message();
+    const Scenario other(loaded->parts);
+    const WorldState begun = restored(*read, other, 23);
+    const auto now = [&](std::size_t sensor) { return other.sensorMemory(begun, 0, 3 + sensor); };
+    const auto then = [&](std::size_t sensor) { return scenario->sensorMemory(std::as_const(state), 0, 3 + sensor); };
+    EXPECT_TRUE(std::ranges::equal(now(0), then(2)));
+    EXPECT_TRUE(std::ranges::equal(now(2), then(1)));
+    EXPECT_FALSE(std::ranges::equal(now(0), now(2))) << "each has a bias of its own";
+    EXPECT_TRUE(std::ranges::all_of(now(1), [](std::byte byte) { return byte == std::byte{0}; }));
 }
 
 }  // namespace

@@ -1,12 +1,14 @@
 // A sensor that no other file knows: with a record, a memory, a clock, keys and draws of its own, by the walk in
 // core/sensing/README.md.
 #include <cmath>
+#include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "io/toml_text.h"
 #include "quantities/value_key.h"
+#include "scenario/carry_over.h"
 #include "sensing/sensor_keys.h"
 #include "sensing/sensor_kinds.h"
 #include "sensing/sensor_view.h"
@@ -86,11 +88,13 @@ public:
     }
 };
 
-Scenario sounding(SensorTraits traits, double noise, Nanoseconds latency) {
+Scenario sounding(SensorTraits traits, double noise, Nanoseconds latency, Nanoseconds period = 100'000'000) {
     RobotType type = discRobot(0.2);
+    type.perception.objects.present = true;
     type.sensors = {std::make_shared<const EchoSounder>(std::move(traits), noise, latency)};
     return SmallWorld()
-        .robot(type, {0, 0, 0.3}, std::make_shared<const Listener>(), ideal(), 2)
+        .robot(type, {0, 0, 0.3}, std::make_shared<const Listener>(),
+               std::make_shared<const KinematicModel>(KinematicParameters{}, period), 2)
         .object(ballType(), {3, 1, 0}, {-0.5, 0.1, 0})
         .scenario();
 }
@@ -154,6 +158,60 @@ TEST(ToySensor, ByAClockOfItsOwnEachMeasurementArrivesOnce) {
     }
 }
 
+/// Also where the control period changes meanwhile, and the robot decides before its instant had come.
+TEST(ToySensor, EachMeasurementArrivesOnceWhateverThePeriods) {
+    const Scenario from = sounding({"sounder", 40 * ms}, 0, 40 * ms);
+    const Scenario to = sounding({"sounder", 40 * ms}, 0, 40 * ms, 140 * ms);
+    for (int before = 50; before < 60; ++before) {
+        WorldState state = from.initialState();
+        StepBuffers buffers;
+        StepTrace trace;
+        std::vector<Nanoseconds> measured;
+        const auto drive = [&](const Scenario& scenario, int ticks) {
+            for (int k = 0; k < ticks; ++k) {
+                step(scenario, state, buffers, {}, &trace);
+                if (!trace.robots[0].observed) continue;
+                for (const Reading& reading : trace.robots[0].observation.readings())
+                    if (reading.name == "sounder") measured.push_back(reading.measured);
+            }
+        };
+        drive(from, before);
+        state = carriedOver(from, state, to);
+        drive(to, 50);
+        ASSERT_GT(measured.size(), 40u);
+        for (std::size_t i = 1; i < measured.size(); ++i)
+            ASSERT_EQ(measured[i] - measured[i - 1], 40 * ms) << before << ' ' << i;
+    }
+}
+
+TEST(ToySensor, NewestIsTheLastOfItsName) {
+    Observation all;
+    all.add("sounder", 1, Echo{1, 1});
+    all.add("sounder", 2, Echo{2, 2});
+    all.add("other", 3, Echo{3, 3});
+    EXPECT_EQ(all.records<Echo>("sounder")[0].range, 1);
+    EXPECT_EQ(all.records<Echo>(all.newest("sounder"))[0].range, 2);
+    EXPECT_EQ(all.newest("none"), nullptr);
+    EXPECT_TRUE(all.records<Echo>(all.newest("none")).empty());
+    EXPECT_THROW(all.find(std::string(32, 'n')), std::length_error);
+}
+
+/// However many draws one takes, they are not those of the next sensor.
+TEST(ToySensor, DrawsAreItsAlone) {
+    const Scenario scenario = sounding({"sounder"}, 0, 0);
+    const WorldState state = scenario.initialState(4);
+    SensingBuffers buffers;
+    std::set<std::uint64_t> bits;
+    std::size_t draws = 0;
+    for (const std::uint32_t sensor : {0u, 1u, 255u})
+        for (const std::uint32_t draw : {0u, 1u, 65535u, 65536u, 65537u, 200'000u, 1u << 30, 1u << 31}) {
+            SensorView view{scenario.scene(), scenario.obstacles(), scenario.past(), state, 0, buffers, sensor};
+            for (view.arrivedAgo = -1; view.arrivedAgo <= 1; ++view.arrivedAgo, ++draws)
+                bits.insert(noiseBits(view.key(draw)));
+        }
+    EXPECT_EQ(bits.size(), draws);
+}
+
 TEST(ToySensor, DrawsOfItsOwnAreThoseOfTheMeasurement) {
     const auto exact = echoesOf(sounding({"sounder", 50 * ms}, 0, 0), 5);
     double squares = 0;
@@ -197,6 +255,29 @@ TEST(ToySensor, WhatItRemembersIsAQuantity) {
     EXPECT_EQ(value->shownNumber(Moment{&scenario, &state}), 3);
 }
 
+/// So is what it reported last.
+TEST(ToySensor, WhatItReportsIsAQuantity) {
+    const Scenario scenario = sounding({"sounder", 30 * ms}, 0.05, 0);
+    WorldState state = scenario.initialState(4);
+    StepBuffers buffers;
+    StepTrace trace;
+    std::vector<RobotInsight> insights(1);
+    for (int k = 0; k < 13; ++k) {
+        const std::vector<std::byte> before = state.memory;
+        step(scenario, state, buffers, {}, &trace);
+        noteInsights(scenario, trace, state.tick, before, insights);
+    }
+    const auto range = boundValue(scenario, {"sounder", "1", "range", "m"});
+    ASSERT_TRUE(range) << range.error().message();
+    const Observation& all = insights[0].observation;
+    EXPECT_EQ(numberOf(range->value({&scenario, &state, &trace, insights})),
+              all.records<Echo>(all.newest("sounder"))[0].range);
+    EXPECT_TRUE(std::isnan(numberOf(range->value({&scenario, &state}))));
+    const auto seen = boundValue(scenario, {"sight", "1", "objects"});
+    ASSERT_TRUE(seen);
+    EXPECT_EQ(numberOf(seen->value({&scenario, &state, &trace, insights})), 1);
+}
+
 std::vector<SensorPointer> sensorsOf(const std::string& text, std::string& error) {
     static constexpr SensorKind kinds[] = {{"echo_sounder", EchoSounder::read}};
     const auto content = parseToml(text, "r.toml");
@@ -225,6 +306,11 @@ TEST(ToySensor, IsAskedForInARobotFile) {
     EXPECT_THAT(errorOf(head), HasSubstr("name: is missing"));
     EXPECT_THAT(errorOf(head + "name = \"robots\"\n"), HasSubstr("r.toml:3:8: sensor[\"robots\"].name: is taken"));
     EXPECT_THAT(errorOf(head + "name = \"a b\"\n"), HasSubstr("expected letters, digits and _"));
+    EXPECT_EQ(errorOf(head + "name = \"" + std::string(23, 'a') + "\"\n"), "");
+    EXPECT_THAT(errorOf(head + "name = \"" + std::string(24, 'a') + "\"\n"), HasSubstr("and _, at most 23"));
+    std::string many;
+    for (int i = 0; i < 254; ++i) many += head + "name = \"a" + std::to_string(i) + "\"\n";
+    EXPECT_THAT(errorOf(many), HasSubstr("sensor[\"a253\"].name: is of too many sensors; expected at most 253"));
     EXPECT_THAT(errorOf(head + "name = \"a\"\nlatency_s = 2\n"), HasSubstr("expected 0.0 to 1.0"));
     EXPECT_THAT(errorOf(head + "name = \"a\"\nperiod_s = 0\n"), HasSubstr("sensor[\"a\"].period_s: is 0.0; expected"));
     EXPECT_THAT(errorOf(head + "name = \"a\"\nbeams = 2\n"), HasSubstr("sensor[\"a\"].beams: is not a known key"));

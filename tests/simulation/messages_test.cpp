@@ -1,6 +1,7 @@
 // What robots tell each other.
 #include <gtest/gtest.h>
 
+#include "scenario/carry_over.h"
 #include "simulation/small_world.h"
 #include "world/state_bytes.h"
 #include "world/state_hash.h"
@@ -41,15 +42,18 @@ std::shared_ptr<const MotionModel> every(Nanoseconds period) {
     return std::make_shared<const KinematicModel>(KinematicParameters{}, period);
 }
 
-Scenario three(std::uint32_t firstTells, bool thirdListens = true) {
+/// `slower`: by how much the control period of the first is longer.
+Scenario three(std::uint32_t firstTells, bool thirdListens = true, Nanoseconds tick = 20'000'000,
+               Nanoseconds slower = 0) {
     const auto teller = [](std::uint32_t to, bool listens = true) {
         return std::make_shared<const Teller>(to, listens);
     };
-    return SmallWorld()
-        .robot(discRobot(0.2), {0, 0, 0}, teller(firstTells), every(100'000'000))
+    SmallWorld world;
+    world.robot(discRobot(0.2), {0, 0, 0}, teller(firstTells), every(100'000'000 + slower))
         .robot(discRobot(0.2), {2, 0, 0}, teller(2), every(60'000'000), 1)
-        .robot(discRobot(0.2), {4, 0, 0}, teller(broadcast, thirdListens), every(200'000'000), 3)
-        .scenario();
+        .robot(discRobot(0.2), {4, 0, 0}, teller(broadcast, thirdListens), every(200'000'000), 3);
+    world.parts().scene.tickLength = tick;
+    return world.scenario();
 }
 
 Teller::Memory memoryOf(const Scenario& scenario, const WorldState& state, std::size_t robot) {
@@ -95,6 +99,30 @@ TEST(Messages, AreRewoundWithAllElse) {
         step(scenario, *restored, others);
         ASSERT_EQ(hashOf(state), hashOf(*restored)) << k;
     }
+}
+
+/// Where a robot's period changes, and with it when it is told, or the length of a tick.
+TEST(Messages, ArriveOnceAlsoWherePeriodsChange) {
+    constexpr Nanoseconds ms = 1'000'000;
+    const Scenario from = three(broadcast);
+    const Scenario others[] = {three(broadcast, true, 20 * ms, 60 * ms), three(broadcast, true, 20 * ms, -40 * ms),
+                               three(broadcast, true, 10 * ms)};
+    for (const Scenario& to : others)
+        for (int before = 100; before < 120; ++before) {
+            WorldState state = from.initialState();
+            run(from, state, before);
+            state = carriedOver(from, state, to);
+            run(to, state, 40);
+            std::uint64_t waiting = 0;
+            for (const SentMessage& message : state.messages)
+                waiting += message.from != 0 && message.tick >= state.robots[0].lastControl &&
+                                   (message.to == noBody || message.to == 0)
+                               ? 1
+                               : 0;
+            // All that the third has sent, which tells everybody.
+            EXPECT_EQ(memoryOf(to, state, 0).received + waiting, memoryOf(to, state, 2).count) << before;
+            EXPECT_EQ(memoryOf(to, state, 0).late, 0u);
+        }
 }
 
 class Shouter final : public Controller {

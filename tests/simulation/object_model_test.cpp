@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "quantities/value_key.h"
 #include "scenario/carry_over.h"
 #include "scenario/saved_state.h"
 #include "simulation/small_world.h"
@@ -121,6 +122,15 @@ TEST(ObjectModel, RemembersOnceWhateverTouchesItsBodies) {
         ASSERT_NEAR(moved(scenario, state, 2), 1 + 0.02 * tick, 1e-12) << tick;
     }
     EXPECT_GT(touched, 0);
+}
+
+TEST(ObjectModel, IsExplainedInTheCatalogue) {
+    const Scenario scenario = rememberingWorld();
+    WorldState state = scenario.initialState();
+    run(scenario, state, 7);
+    const auto value = boundValue(scenario, {"motion", nameOfBody(scenario.scene(), 2), "moved", "s"});
+    ASSERT_TRUE(value) << value.error().message();
+    EXPECT_EQ(numberOf(value->value({&scenario, &state})), moved(scenario, state, 2));
 }
 
 TEST(ObjectModel, BeginsAnewWhereTheBallIsPutBack) {

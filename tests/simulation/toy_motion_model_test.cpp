@@ -49,7 +49,7 @@ private:
     MotionStep step(const MotionInput& input) const {
         Memory fresh{1, 0};
         Memory& memory = input.memory.empty() ? fresh : as<Memory>(input.memory);
-        if (input.noise) memory.slip = 0.9 * memory.slip + drift_ * normalNoise(*input.noise);
+        if (input.noise) memory.slip = 0.9 * memory.slip + drift_ * normalNoise(input.key(0));
         const Command told = input.commands.at(input.start);
         const double v = told.v * memory.charge, way = 0.1 * v * (1 - memory.slip);
         memory.charge = std::max(0.0, memory.charge - std::abs(0.1 * v) / range);
@@ -117,6 +117,24 @@ TEST(ToyMotionModel, IsSavedAndCarriedOver) {
     const auto read = parseSavedState(savedStateText(savedState(scenario, state)), "toy.state");
     ASSERT_TRUE(read) << read.error().message();
     EXPECT_EQ(restored(*read, alike, state.seed).motion, state.motion);
+}
+
+/// What a robot file adds is drawn apart from what the model draws: the two are not correlated.
+TEST(ToyMotionModel, NoiseAroundItIsDrawnApart) {
+    const std::shared_ptr<const MotionModel> plain = std::make_shared<const TiringDrive>(0.1),
+                                             noisy = withNoise(plain, {0.1, 0, 0});
+    CommandHistory history;
+    history.issue(0, {0.5, 0});
+    double product = 0, squares = 0;
+    constexpr std::uint64_t seeds = 4000;
+    for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+        MotionInput input{&history, 0, {}};
+        input.noise = NoiseKey{seed, 5, 0, channelOf(NoiseChannel::motion)};
+        const double own = plain->predictOne(input).increment.x, both = noisy->predictOne(input).increment.x;
+        product += (own - 0.05) * (both - own);
+        squares += (own - 0.05) * (own - 0.05);
+    }
+    EXPECT_NEAR(product / squares, 0, 4.5 / std::sqrt(double{seeds}));
 }
 
 TEST(ToyMotionModel, SaysHowUnsureItIsAndGivesItsMeanWithoutAKey) {

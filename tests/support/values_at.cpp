@@ -27,7 +27,6 @@ void addValuesOf(const Moment& moment, std::uint32_t body, std::vector<ValueKey>
             keys.push_back({quantity.name, name, nameOfBody(scene, other)});
         if (quantity.of == Of::touchingPair) keys.push_back({quantity.name, name, wallName});
     }
-    if (body >= scene.robots.size()) return;
     const std::vector<std::string> parts = partNames(*moment.scenario, body);
     for (std::uint32_t part = 0; part < parts.size(); ++part) addItems(partQuantity(), parts[part], part);
 }

@@ -44,7 +44,7 @@ TEST(GenerateProgram, WritesALogThatSaysItIsSynthetic) {
     const TemporaryFolder folder;
     const std::string out = (folder.path() / "made").string();
     const Outcome outcome =
-        generate("--course random --trajectories 2 --duration 10 --repeats 2 --seed 4 --json -q -o " + out);
+        generate("--pattern random --trajectories 2 --duration 10 --repeats 2 --seed 4 --json -q -o " + out);
     ASSERT_EQ(outcome.status, 0) << outcome.text;
     const auto json = nlohmann::json::parse(outcome.text);
     EXPECT_TRUE(json.at("synthetic"));
@@ -60,7 +60,7 @@ TEST(GenerateProgram, SameSeedSameBytes) {
     const TemporaryFolder folder;
     const auto bytes = [&](const std::string& name, int seed) {
         const auto out = folder.path() / name;
-        const Outcome outcome = generate("--course jink -q --seed " + std::to_string(seed) + " -o " + out.string());
+        const Outcome outcome = generate("--pattern jink -q --seed " + std::to_string(seed) + " -o " + out.string());
         EXPECT_EQ(outcome.status, 0) << outcome.text;
         EXPECT_EQ(outcome.text, "");
         return readFile(out / "jink.csv").value();
@@ -73,21 +73,21 @@ TEST(GenerateProgram, SameSeedSameBytes) {
 TEST(GenerateProgram, RefusesWithOneLine) {
     const TemporaryFolder folder;
     const std::string file = folder.write("file", "x").string(), out = (folder.path() / "out").string();
-    expectRefused(generate("--course jink -q -o /proc/at/all"), "/proc/at/all: cannot make the folder");
-    expectRefused(generate("--course jink -q -o " + file), "cannot make the folder");
-    expectRefused(generate("-q -o " + out), "--set, --course");
-    expectRefused(generate("--set example --course jink -q -o " + out), "--set, --course");
+    expectRefused(generate("--pattern jink -q -o /proc/at/all"), "/proc/at/all: cannot make the folder");
+    expectRefused(generate("--pattern jink -q -o " + file), "cannot make the folder");
+    expectRefused(generate("-q -o " + out), "--set, --pattern");
+    expectRefused(generate("--set example --pattern jink -q -o " + out), "--set, --pattern");
     expectRefused(generate("--set nothing -q -o " + out), "nothing");
-    expectRefused(generate("--course jink --trajectories 0 -q -o " + out), "--trajectories");
-    expectRefused(generate("--course random --trajectories 100000 -q -o " + out), "1,000,000 s");
+    expectRefused(generate("--pattern jink --trajectories 0 -q -o " + out), "--trajectories");
+    expectRefused(generate("--pattern random --trajectories 100000 -q -o " + out), "1,000,000 s");
     folder.write("taken/jink.csv/inside", "x");
-    expectRefused(generate("--course jink -q -o " + (folder.path() / "taken").string()), "is a folder");
+    expectRefused(generate("--pattern jink -q -o " + (folder.path() / "taken").string()), "is a folder");
 }
 
 TEST(GenerateProgram, AFullDiskLeavesTheEarlierLog) {
     const TemporaryFolder folder;
     const auto earlier = folder.write("random.csv", "what was there\n");
-    const Outcome outcome = generate("--course random --trajectories 4 -q --overwrite -o " + folder.path().string(),
+    const Outcome outcome = generate("--pattern random --trajectories 4 -q --overwrite -o " + folder.path().string(),
                                      "trap '' XFSZ; ulimit -f 64;");
     expectRefused(outcome, "random.csv: cannot be written");
     EXPECT_EQ(readFile(earlier).value(), "what was there\n");

@@ -43,7 +43,7 @@ TEST(StateHash, EveryByteOfARobotCountsOnceAndPaddingNever) {
     WorldState state = arbitraryState(1);
     // Three numbers and more, one count, one flag; by the declarations' own sizes.
     const std::size_t segment = sizeof(std::int64_t) + 5 * sizeof(Pose) + sizeof(Point) + sizeof(Velocity);
-    const std::size_t world = sizeof(Pose) + sizeof(Twist) + sizeof(std::int64_t) + segment + sizeof(bool) +
+    const std::size_t world = sizeof(Pose) + sizeof(Twist) + 2 * sizeof(std::int64_t) + segment + sizeof(bool) +
                               sizeof(std::uint32_t) + sizeof(Command) + maxManipulators * sizeof(Nanoseconds);
     for (RobotState& robot : state.robots) {
         const Changes changes = changesOf(state, robot);

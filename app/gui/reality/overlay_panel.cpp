@@ -295,7 +295,7 @@ void OverlayPanel::fillModelMenu(QMenu& menu) {
 
 void OverlayPanel::makeList() {
     list_->setModel(rollouts_);
-    list_->setObjectName("courses");
+    list_->setObjectName("rollouts");
     list_->setAccessibleName(tr("Rollouts, by their errors"));
     list_->setRootIsDecorated(false);
     list_->setUniformRowHeights(true);

@@ -29,7 +29,7 @@ using Ask = ScriptValue (*)(const Overlay& overlay);
 
 const std::map<std::string, Ask>& questions() {
     static const std::map<std::string, Ask> all{
-        {"courses", [](const Overlay& o) { return ScriptValue(static_cast<double>(o.requests().size())); }},
+        {"rollouts", [](const Overlay& o) { return ScriptValue(static_cast<double>(o.requests().size())); }},
         {"windows",
          [](const Overlay& o) {
              return ScriptValue(static_cast<double>(o.comparison()->all.of(RolloutUse::counted)));

@@ -9,7 +9,7 @@ namespace mrose::gui {
 
 class MainWindow;
 
-/// What scripts ask about the log that is laid over the run, all rollouts compared: "courses", "windows", "p", "hd"
+/// What scripts ask about the log that is laid over the run, all rollouts compared: "rollouts", "windows", "p", "hd"
 /// (%), "start", "robot", "error" (m), "heading" (rad) and "path_share" (%) of the shown rollout, "divergence" (s;
 /// nil: it stays within the bound), "cause" (the likely one; "none of these") and "explained" (0 ... 1) of it.
 /// Error: no log is open; there is nothing of that name.

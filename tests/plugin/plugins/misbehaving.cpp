@@ -48,6 +48,11 @@ public:
         if (how_ == "crash when asked for commands") *nowhere = 1;
         return 1;
     }
+    std::vector<mrose::MemoryEntry> explain(std::span<const std::byte>) const override {
+        if (how_ == "explanation") throw std::runtime_error("no words");
+        if (how_ == "crash when asked to explain") *nowhere = 1;
+        return {};
+    }
     void start(std::span<std::byte>) const override {
         if (how_ == "start") throw std::runtime_error("not now");
     }

@@ -27,6 +27,11 @@ public:
     }
     mrose::Attention attention() const override { return mrose::Attention::only({"self", "odometry", "robots"}); }
 
+    std::vector<mrose::MemoryEntry> explain(std::span<const std::byte> memory) const override {
+        const auto& known = mrose::as<Memory>(memory);
+        return {{"count", static_cast<double>(known.count)}, {"turned", known.turned, "rad"}, {"label", 0, "", label_}};
+    }
+
     void decide(const mrose::Observation& observation, std::span<std::byte> memory,
                 mrose::Decision& decision) const override {
         Memory& known = mrose::as<Memory>(memory);
