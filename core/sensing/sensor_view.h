@@ -33,7 +33,7 @@ struct SensorView {
     /// For the `draw`-th draw of this measurement.
     NoiseKey key(std::uint32_t draw) const {
         NoiseKey key = this->key(NoiseChannel::sensor, sensor << 16 | (draw & 0xffff));
-        key.tick += std::int64_t{draw >> 16} << 48;  // no run has so many ticks
+        key.tick ^= static_cast<std::int64_t>(std::uint64_t{draw >> 16} << 48);  // no run has so many ticks
         return key;
     }
     NoiseKey key(NoiseChannel kind, std::uint32_t part) const {

@@ -204,7 +204,7 @@ TEST_F(SavedStates, MistakesAreNamed) {
     EXPECT_NE(refused("tick_ns = 20000000", "tick_ns = 20000000\nx = 1").find("x: is not a known key"),
               std::string::npos);
     for (RobotState& robot : state.robots) robot.nextControl = std::int64_t{1} << 40;
-    const std::int64_t tick = std::exchange(state.tick, std::int64_t{1} << 40);
+    const std::int64_t tick = std::exchange(state.tick, latestTime / 20'000'000 + 1);
     EXPECT_EQ(refused("", ""), "x.state:7:9: state: is of no tick");
     state.tick = tick;
     state.robots[1].pose.x = std::nan("");
