@@ -12,21 +12,21 @@ std::byte* Observation::add(const ReadingName& name, const RecordType& type, Nan
     reading.measured = measured;
     reading.first = static_cast<std::uint32_t>(dataSize_);
     reading.count = static_cast<std::uint32_t>(count);
-    notePlace(name, static_cast<std::uint32_t>(used_ - 1));
+    notePlace(reading);
     dataSize_ += (count * type.size + 7) / 8 * 8;
     if (dataSize_ > data_.size()) data_.resize(std::max(dataSize_, 2 * data_.size()));
     return data_.data() + reading.first;
 }
 
-void Observation::notePlace(const ReadingName& name, std::uint32_t index) {
-    const auto note = [&](Standard reading, const ReadingName& standard) {
-        std::uint32_t& place = places_[static_cast<std::size_t>(reading)];
-        if (name == standard && place == none) place = index;
+void Observation::notePlace(const Reading& reading) {
+    const auto note = [&](Place& place, const ReadingName& standard, const RecordType& type) {
+        if (reading.name == standard && place.count == 0 && isOf(reading, type))
+            place = {reading.first, reading.count, reading.measured};
     };
-    note(Standard::self, selfReading);
-    note(Standard::odometry, odometryReading);
-    note(Standard::robots, robotsReading);
-    note(Standard::objects, objectsReading);
+    note(self_, selfReading, recordType<Pose>());
+    note(odometry_, odometryReading, recordType<Velocity>());
+    note(robots_, robotsReading, recordType<SeenBody>());
+    note(objects_, objectsReading, recordType<SeenBody>());
 }
 
 bool Observation::operator==(const Observation& other) const {

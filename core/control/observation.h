@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <cstring>
 #include <span>
@@ -55,18 +54,18 @@ public:
     const std::byte* recordsOf(const Reading& reading) const { return data_.data() + reading.first; }
 
     // The same of the sensors that every robot has.
-    bool localised() const { return place(Standard::self) != nullptr; }  ///< false until the first measurement
-    Pose self() const { return onlyOf<Pose>(Standard::self); }  ///< own pose in the world's frame, as measured last
-    Nanoseconds selfMeasured() const {
-        const Reading* const reading = place(Standard::self);
-        return reading != nullptr ? reading->measured : 0;
-    }
-    Velocity velocity() const { return onlyOf<Velocity>(Standard::odometry); }  ///< own, by odometry, now
-    std::span<const SeenBody> robots() const { return recordsAt<SeenBody>(place(Standard::robots)); }
-    std::span<const SeenBody> objects() const { return recordsAt<SeenBody>(place(Standard::objects)); }
+    bool localised() const { return self_.count > 0; }  ///< false until the first measurement
+    Pose self() const { return firstOf<Pose>(self_); }  ///< own pose in the world's frame, as measured last
+    Nanoseconds selfMeasured() const { return self_.measured; }
+    Velocity velocity() const { return firstOf<Velocity>(odometry_); }  ///< own, by odometry, now
+    std::span<const SeenBody> robots() const { return allOf<SeenBody>(robots_); }
+    std::span<const SeenBody> objects() const { return allOf<SeenBody>(objects_); }
     std::span<const ReceivedMessage> messages() const { return records<ReceivedMessage>(messagesReading); }
 
-    void clearReadings() { used_ = 0, dataSize_ = 0, places_.fill(none); }
+    void clearReadings() {
+        used_ = 0, dataSize_ = 0;
+        self_ = odometry_ = robots_ = objects_ = {};
+    }
     /// Adds a reading at the end; gives the place for its records, valid until the next is added.
     std::byte* add(const ReadingName& name, const RecordType& type, Nanoseconds measured, std::size_t count);
     template <class T>
@@ -92,22 +91,23 @@ private:
         if (reading == nullptr || !isOf(*reading, recordType<T>())) return {};
         return {reinterpret_cast<const T*>(data_.data() + reading->first), reading->count};
     }
-    /// The first reading of a sensor that every robot has; null: there is none.
-    enum class Standard : std::uint8_t { self, odometry, robots, objects };
-    const Reading* place(Standard reading) const {
-        const std::uint32_t index = places_[static_cast<std::size_t>(reading)];
-        return index == none ? nullptr : &readings_[index];
+    /// Where the records of a sensor lie that every robot has, of the first reading.
+    struct Place {
+        std::uint32_t first = 0, count = 0;
+        Nanoseconds measured = 0;
+    };
+    template <class T>
+    std::span<const T> allOf(const Place& place) const {
+        return {reinterpret_cast<const T*>(data_.data() + place.first), place.count};
     }
     template <class T>
-    T onlyOf(Standard reading) const {
-        const std::span<const T> all = recordsAt<T>(place(reading));
-        return all.empty() ? T{} : all.front();
+    T firstOf(const Place& place) const {
+        return place.count > 0 ? allOf<T>(place).front() : T{};
     }
-    void notePlace(const ReadingName& name, std::uint32_t index);
+    void notePlace(const Reading& reading);
 
-    static constexpr std::uint32_t none = 0xffffffff;
-    std::array<std::uint32_t, 4> places_{none, none, none, none};  ///< by Standard
-    std::vector<Reading> readings_;                                ///< the first `used_` of them
+    Place self_, odometry_, robots_, objects_;
+    std::vector<Reading> readings_;  ///< the first `used_` of them
     std::size_t used_ = 0;
     std::vector<std::byte> data_;  ///< records of all, each reading's at a multiple of 8; the first `dataSize_` bytes
     std::size_t dataSize_ = 0;

@@ -26,11 +26,11 @@ void fill(BodyMap& map, const PastPoses& past, const WorldState& state, std::int
 
 const BodyMap& SensingBuffers::bodiesBefore(const PastPoses& past, const WorldState& state, std::int64_t lag) {
     const auto end = maps_.begin() + static_cast<std::ptrdiff_t>(used_);
-    const auto found = std::find_if(maps_.begin(), end, [&](const BodyMap& map) { return map.lag == lag; });
-    if (found != end) return *found;
-    if (used_ == maps_.size()) maps_.emplace_back();
-    fill(maps_[used_], past, state, lag);
-    return maps_[used_++];
+    const auto found = std::find_if(maps_.begin(), end, [&](const auto& map) { return map->lag == lag; });
+    if (found != end) return **found;
+    if (used_ == maps_.size()) maps_.push_back(std::make_unique<BodyMap>());
+    fill(*maps_[used_], past, state, lag);
+    return *maps_[used_++];
 }
 
 }  // namespace mrose

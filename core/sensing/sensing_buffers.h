@@ -2,7 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
+#include <memory>
 #include <vector>
 
 #include "control/observation.h"
@@ -34,7 +34,7 @@ public:
     std::vector<ReceivedMessage> received;
 
 private:
-    std::deque<BodyMap> maps_;  ///< the first `used_` of them are of this state
+    std::vector<std::unique_ptr<BodyMap>> maps_;  ///< the first `used_` of them are of this state
     std::size_t used_ = 0;
 };
 
