@@ -58,27 +58,31 @@ void Scenario::layOut() {
         // None has more than the capacity, in however few periods.
         const std::size_t inPeriod =
             std::min(controller(i).commandsPerPeriod(model.period()), CommandHistory::capacity);
-        slots.commandCount = std::min(periods * inPeriod, CommandHistory::capacity);
+        slots.commandCount = static_cast<std::uint32_t>(std::min(periods * inPeriod, CommandHistory::capacity));
         slots.memory = memorySize_;
-        slots.memorySize = controller(i).memorySize();
+        slots.memorySize = static_cast<std::uint32_t>(controller(i).memorySize());
         slots.motion = motionSize_;
-        slots.motionSize = model.memorySize();
+        slots.motionSize = static_cast<std::uint32_t>(model.memorySize());
+        slots.type = scene.robots[i].type;
         slots.sensing = sensingSize_;
-        slots.sensingSize = sensors_[scene.robots[i].type].memorySize;
-        slots.wanted = wanted_.size();
+        slots.sensingSize = static_cast<std::uint32_t>(sensors_[slots.type].memorySize);
         const Attention attention = controller(i).attention();
         slots.readsMessages = attention.reads(messagesReading);
-        for (const auto& sensor : sensors(i)) {
-            std::uint32_t wanted = 0, bit = 1;
+        std::vector<std::uint32_t> wanted;
+        for (const auto& sensor : sensors_[slots.type].all) {
+            wanted.push_back(0);
+            std::uint32_t bit = 1;
             for (const ReadingKind& kind : sensor->gives()) {
-                if (attention.reads(kind.name)) wanted |= bit;
+                if (attention.reads(kind.name)) wanted.back() |= bit;
                 bit <<= 1;
             }
-            wanted_.push_back(wanted);
             // What is measured between two control instants is up to a period older when it is told.
             const std::int64_t between = sensor->period() > 0 ? model.period() / scene.tickLength - 1 : 0;
             depth = std::max(depth, scene.ticksOf(sensor->latency()) + between);
         }
+        const auto alike = std::search(wanted_.begin(), wanted_.end(), wanted.begin(), wanted.end());
+        slots.wanted = static_cast<std::uint32_t>(alike - wanted_.begin());
+        if (alike == wanted_.end()) wanted_.insert(wanted_.end(), wanted.begin(), wanted.end());
         commandSlots_ += slots.commandCount;
         motionSize_ += paddedMemory(slots.motionSize);
         memorySize_ += paddedMemory(slots.memorySize);
@@ -89,7 +93,7 @@ void Scenario::layOut() {
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         Slots slots;
         slots.motion = motionSize_;
-        slots.motionSize = scene.typeOfObject(i).motion->memorySize();
+        slots.motionSize = static_cast<std::uint32_t>(scene.typeOfObject(i).motion->memorySize());
         motionSize_ += paddedMemory(slots.motionSize);
         objectsRemember_ = objectsRemember_ || slots.motionSize > 0;
         slots_.push_back(slots);

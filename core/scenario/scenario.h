@@ -97,7 +97,7 @@ public:
     void forgetMotion(WorldState& state, std::size_t body) const;
     /// A robot's sensors: those that every robot has, then its type's own.
     std::span<const std::shared_ptr<const Sensor>> sensors(std::size_t robot) const {
-        return sensors_[scene().robots[robot].type].all;
+        return sensors_[slots_[robot].type].all;
     }
     /// Which of the readings of a sensor its controller reads: bit k for Sensor::gives()[k].
     std::uint32_t wanted(std::size_t robot, std::size_t sensor) const { return wanted_[slots_[robot].wanted + sensor]; }
@@ -110,7 +110,7 @@ public:
     /// The same of what all of them remember.
     template <class Byte>
     std::span<Byte> partOf(std::span<Byte> all, std::size_t robot, std::size_t sensor) const {
-        const auto [first, size] = sensors_[scene().robots[robot].type].memories[sensor];
+        const auto [first, size] = sensors_[slots_[robot].type].memories[sensor];
         return all.subspan(first, size);
     }
     /// What all of them remember.
@@ -150,10 +150,11 @@ public:
     const CollisionShape& obstacleShape() const { return obstacleShape_; }
 
 private:
-    struct Slots {
-        std::size_t commands = 0, commandCount = 0;
-        std::size_t motion = 0, motionSize = 0, memory = 0, memorySize = 0, sensing = 0, sensingSize = 0;
-        std::size_t wanted = 0;
+    /// A cache line: with many robots it comes from far in every tick.
+    struct alignas(64) Slots {
+        std::size_t commands = 0, motion = 0, memory = 0, sensing = 0;  ///< where they begin
+        std::uint32_t commandCount = 0, motionSize = 0, memorySize = 0, sensingSize = 0;
+        std::uint32_t type = 0, wanted = 0;
         bool readsMessages = false;
     };
     /// Of a type of robots.
@@ -175,7 +176,7 @@ private:
     std::vector<Slots> slots_;  ///< by body; objects have motion alone
     std::vector<Period> periods_;
     std::vector<Sensors> sensors_;       ///< of each type
-    std::vector<std::uint32_t> wanted_;  ///< of each robot's sensors
+    std::vector<std::uint32_t> wanted_;  ///< of a robot's sensors, once for all with the same
     std::size_t commandSlots_ = 0, motionSize_ = 0, memorySize_ = 0, sensingSize_ = 0;
     PastPoses past_;
     bool objectsRemember_ = false;
