@@ -6,7 +6,15 @@ import re
 import tomllib
 
 # Keys, columns and values in words that are called otherwise now on purpose, as old: new. They are no differences.
-RENAMED = {}
+RENAMED = {
+    "courses": "rollouts",
+    "course": "rollout",
+    "parting": "onset",
+    "goals yellow": "goals.yellow",
+    "goals blue": "goals.blue",
+}
+# Files likewise.
+RENAMED_FILES = {"courses.csv": "rollouts.csv"}
 # Keys and columns that say which program ran, where and how it was called.
 ORIGIN = {"program", "command_line", "command", "path", "recording", "results"}
 # Hashes of states change with what a state is made of, though all that moves is the same.
