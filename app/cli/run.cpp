@@ -143,7 +143,7 @@ void printJson(const Scenario& scenario, const RunCommandFlags& flags, const Run
     std::puts(json.dump(2).c_str());
 }
 
-const char* endText(RunEnd end) {
+const char* endText(RunEnd end, bool conditional) {
     switch (end) {
         case RunEnd::condition:
             return ", ended by the condition";
@@ -154,7 +154,7 @@ const char* endText(RunEnd end) {
         case RunEnd::stopped:
             return ", interrupted";
         case RunEnd::duration:
-            break;
+            return conditional ? ", in which the condition was never met" : "";
     }
     return "";
 }
@@ -165,7 +165,8 @@ void print(const Scenario& scenario, const RunCommandFlags& flags, const RunResu
     const double taken = toSeconds(result.statistics.ticks * scenario.scene().tickLength);
     const std::string trial = flags.run.trial > 0 ? ", trial " + std::to_string(flags.run.trial) : "";
     std::printf("%s%s, seed %llu: %.2f s%s", scenario.parts().name.c_str(), trial.c_str(),
-                static_cast<unsigned long long>(result.state.seed), simulated, endText(result.end));
+                static_cast<unsigned long long>(result.state.seed), simulated,
+                endText(result.end, !flags.run.until.empty()));
     if (wall > 0) std::printf(" (%s x real time)", factorText(taken / wall).c_str());
     std::printf("\n%s", statisticsText(scenario, result.statistics).c_str());
     if (flags.checkRewind && result.end != RunEnd::rewind)

@@ -18,7 +18,7 @@ constexpr int usage = 2;
 constexpr const char* examples =
     "Examples:\n"
     "  mrose-gui\n"
-    "  mrose-gui office_corridor.toml --seed 7 --dark\n"
+    "  mrose-gui b21_corridor.toml --seed 7 --dark\n"
     "  mrose-gui --at 3.42 game.mcap\n"
     "  mrose-gui --log MRCLAM_Dataset6\n"
     "  mrose-gui mrclam_replay.toml --log MRCLAM_Dataset6 --robots 1,2 --start 120 --every 5\n"

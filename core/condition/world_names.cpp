@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <new>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -111,16 +112,31 @@ int readQuantity(lua_State* lua) {
     return luaL_error(lua, "there is no '%s': %s", written, whatThereIs(lua, handle, written));
 }
 
-/// Whether items that never change lack this one; then what there is lies in the view's text.
-bool lacksItem(const WorldView& view, const Quantity& quantity, const Subject& subject) {
-    if (quantity.itemsChange) return false;
-    const std::vector<Quantity::Item> items = quantity.items(subject);
-    view.text = items.empty() ? "it has none" : "it has ";
-    for (const Quantity::Item& item : items) {
-        if (item.name == subject.item) return false;
-        view.text += (&item == items.data() ? "'" : ", '") + item.name + '\'';
+/// The items that a body can have; nullopt: that is not known.
+std::optional<std::vector<std::string>> itemsOf(const Quantity& quantity, const Subject& subject) {
+    if (&quantity == &partQuantity()) {
+        std::vector<std::string> names = knownEntries(subject.at, subject.body, subject.other);
+        return names.empty() ? std::nullopt : std::optional(std::move(names));
     }
+    if (quantity.itemsChange) return std::nullopt;
+    std::vector<std::string> names;
+    for (const Quantity::Item& item : quantity.items(subject)) names.push_back(item.name);
+    return names;
+}
+
+/// Whether there cannot be such an item; then what there is lies in the view's text.
+bool lacksItem(const WorldView& view, const Quantity& quantity, const Subject& subject) {
+    const auto items = itemsOf(quantity, subject);
+    if (!items || std::find(items->begin(), items->end(), subject.item) != items->end()) return false;
+    view.text = items->empty() ? "it has none" : "it has ";
+    for (const std::string& item : *items) view.text += (&item == items->data() ? "'" : ", '") + item + '\'';
     return true;
+}
+
+/// Of what has items: its quantity, or the part. In the memory of Lua, where it stays as long as it is needed.
+const char* nameOf(lua_State* lua, const Handle& handle) {
+    if (handle.quantity != &partQuantity()) return handle.quantity->name;
+    return lua_pushstring(lua, partNames(*viewOf(lua).at.scenario, handle.body)[handle.part].c_str());
 }
 
 /// __index of items.
@@ -131,7 +147,7 @@ int readItem(lua_State* lua) {
     const char* const name = luaL_checklstring(lua, 2, &size);
     const Subject subject{viewOf(lua).at, handle.body, handle.part, {name, size}};
     if (lacksItem(viewOf(lua), *handle.quantity, subject))
-        return luaL_error(lua, "there is no '%s' in '%s': %s", name, handle.quantity->name, viewOf(lua).text.c_str());
+        return luaL_error(lua, "there is no '%s' in '%s': %s", name, nameOf(lua, handle), viewOf(lua).text.c_str());
     return pushValue(lua, *handle.quantity, subject);
 }
 

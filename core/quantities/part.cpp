@@ -32,13 +32,17 @@ double numberOf(const std::byte* place, NumberKind kind) {
     return 0;
 }
 
+/// What the number of a reading's records is called among the entries of its sensor.
+std::string countName(std::string_view reading, const std::string& sensor) {
+    if (reading == sensor) return "records";
+    return std::string(reading.starts_with(sensor + '.') ? reading.substr(sensor.size() + 1) : reading);
+}
+
 void addReading(const Observation& all, const Reading& reading, const std::string& sensor,
                 std::vector<MemoryEntry>& entries) {
     const std::string_view name = reading.name;
     if (name != sensor || reading.count != 1) {
-        const bool longer = name.starts_with(sensor + '.');
-        const std::string_view rest = longer ? name.substr(sensor.size() + 1) : name == sensor ? "records" : name;
-        entries.push_back({std::string(rest), static_cast<double>(reading.count)});
+        entries.push_back({countName(name, sensor), static_cast<double>(reading.count)});
         return;
     }
     for (const RecordField& field : reading.type->fields)
@@ -78,6 +82,21 @@ std::vector<MemoryEntry> partEntries(const Moment& moment, std::size_t body, std
     if (part == 0) return scenario.controller(body).explain(scenario.memoryOf(*moment.state, body));
     if (part == 1) return scene.modelOf(body).explain(motion);
     return sensorEntries(moment, body, part - 2);
+}
+
+std::vector<std::string> knownEntries(const Moment& moment, std::size_t body, std::size_t part) {
+    std::vector<std::string> names;
+    if (body >= moment.scene().robots.size() || part < 2) return names;
+    const Sensor& sensor = *moment.scenario->sensors(body)[part - 2];
+    for (const MemoryEntry& entry : sensor.explain(moment.scenario->sensorMemory(*moment.state, body, part - 2)))
+        names.push_back(entry.name);
+    for (const ReadingKind& kind : sensor.gives()) {
+        if (kind.name == ReadingName(sensor.name()))
+            for (const RecordField& field : kind.type->fields)
+                if (field.count == 1) names.push_back(field.name);
+        names.push_back(countName(kind.name, sensor.name()));
+    }
+    return names;
 }
 
 }  // namespace mrose

@@ -20,4 +20,7 @@ std::vector<std::string> partNames(const Scenario& scenario, std::size_t body);
 /// records there are.
 std::vector<MemoryEntry> partEntries(const Moment& moment, std::size_t body, std::size_t part);
 
+/// The names of all entries that it can have, where they are known; of controllers and motion models they are not.
+std::vector<std::string> knownEntries(const Moment& moment, std::size_t body, std::size_t part);
+
 }  // namespace mrose

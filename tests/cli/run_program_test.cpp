@@ -89,6 +89,8 @@ TEST_F(RunProgram, AnythingOfTheScenarioMayBeOverridden) {
 }
 
 TEST_F(RunProgram, ConditionEndsIt) {
+    EXPECT_THAT(play("run", {"--until", "time > 99", "--duration", "1"}).out,
+                testing::HasSubstr(": 1.00 s, in which the condition was never met"));
     const Json json = told(play("run", {"--json", "--until", "robot[\"one's\"].speed > 0.2 and time > 1.5"}));
     EXPECT_EQ(json["end"], "condition");
     EXPECT_GE(json["time_s"], 1.52);

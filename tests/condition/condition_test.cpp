@@ -235,6 +235,11 @@ TEST_F(Conditions, RefuseWhatTheSceneHasNot) {
     EXPECT_EQ(refusal("object[true].x > 1"), "--until:1: there is no object true: there are 2 objects");
     EXPECT_THAT(refusal("robot[1].sped > 1"),
                 testing::StartsWith("--until:1:10: there is no 'sped': a robot has speed, "));
+    EXPECT_EQ(refusal("robot[1].odometry.vv > 1"),
+              "--until:1:19: there is no 'vv' in 'odometry': it has 'v', 'w', 'records'");
+    EXPECT_THAT(refusal("robot[1].sight.robotz > 1"),
+                testing::EndsWith("there is no 'robotz' in 'sight': it has 'robots', 'objects'"));
+    EXPECT_TRUE(compileCondition("robot[1].odometry.v > 1", scenario_, "--until"));
     // The nearest first, and no more than a line.
     EXPECT_EQ(refusal("ball.v > 1"),
               "--until:1:6: there is no 'v': an object has x, y, heading, speed, vx, vy, w, direction, slip, touching, "
