@@ -45,11 +45,13 @@ public:
     /// The records of a reading; empty where there is none, or they are of another type.
     template <class T>
     std::span<const T> records(const Reading* reading) const {
-        return recordsAt<T>(reading);
+        if (reading == nullptr || !isOf(*reading, recordType<T>())) return {};
+        return {reinterpret_cast<const T*>(recordsOf(*reading)), reading->count};
     }
+    /// The same of the first reading of that name.
     template <class T>
     std::span<const T> records(const ReadingName& name) const {
-        return recordsAt<T>(find(name));
+        return records<T>(find(name));
     }
     const std::byte* recordsOf(const Reading& reading) const { return data_.data() + reading.first; }
 
@@ -85,11 +87,6 @@ public:
 private:
     static bool isOf(const Reading& reading, const RecordType& type) {
         return reading.type == &type || *reading.type == type;
-    }
-    template <class T>
-    std::span<const T> recordsAt(const Reading* reading) const {
-        if (reading == nullptr || !isOf(*reading, recordType<T>())) return {};
-        return {reinterpret_cast<const T*>(data_.data() + reading->first), reading->count};
     }
     /// Where the records of a sensor lie that every robot has, of the first reading.
     struct Place {

@@ -133,15 +133,20 @@ public:
     }
 };
 
+/// What is said in the first tick, in which nothing is sent.
+std::string faultOf(const Scenario& scenario, StepTrace& trace, WorldState& state) {
+    StepBuffers buffers;
+    step(scenario, state, buffers, {}, &trace);
+    EXPECT_TRUE(state.messages.empty());
+    EXPECT_EQ(trace.faults.size(), 1u);
+    return trace.faults.empty() ? "" : trace.faults[0].what;
+}
+
 TEST(Messages, ToARobotThatIsNotThereAreAFault) {
     const Scenario scenario = three(7);
     WorldState state = scenario.initialState();
     StepTrace trace;
-    StepBuffers buffers;
-    step(scenario, state, buffers, {}, &trace);
-    ASSERT_EQ(trace.faults.size(), 1u);
-    EXPECT_EQ(trace.faults[0].what, "its controller sent a message to a robot that is not there");
-    EXPECT_TRUE(state.messages.empty());
+    EXPECT_EQ(faultOf(scenario, trace, state), "its controller sent a message to a robot that is not there");
 }
 
 /// Says less than its bytes hold.
@@ -169,12 +174,8 @@ TEST(Messages, ThatAreTooLargeAreAFault) {
         SmallWorld().robot(discRobot(0.2), {}, std::make_shared<const Shouter>(), ideal()).scenario();
     WorldState state = scenario.initialState();
     StepTrace trace;
-    StepBuffers buffers;
-    step(scenario, state, buffers, {}, &trace);
-    ASSERT_EQ(trace.faults.size(), 1u);
-    EXPECT_EQ(trace.faults[0].what, "its controller sent a message that is too large");
+    EXPECT_EQ(faultOf(scenario, trace, state), "its controller sent a message that is too large");
     EXPECT_TRUE(trace.robots[0].decision.messages.empty()) << "it is recorded";
-    EXPECT_TRUE(state.messages.empty());
     EXPECT_EQ(state.robots[0].velocity_B.x, 0);
 }
 
