@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/fixed_text.h"
 #include "widgets/timeline_bar.h"
-#include "widgets/value_catalogue.h"
 
 namespace mrose {
 namespace {

@@ -33,10 +33,6 @@ private:
 
 }  // namespace
 
-float TickNumbers::at(std::int64_t tick) const {
-    return tick < first || tick >= end() ? unknownNumber : values[static_cast<std::size_t>(tick - first)];
-}
-
 void sampleCurve(const TickNumbers& numbers, std::int64_t from, std::int64_t to, std::int64_t step, bool angle,
                  QVector<QPointF>& points) {
     from = std::max(from, numbers.first);

@@ -3,18 +3,10 @@
 #include <QPointF>
 #include <QVector>
 #include <cstdint>
-#include <vector>
+
+#include "debug/tick_numbers.h"
 
 namespace mrose {
-
-/// Numbers of ticks in a row; NaN where one is unknown.
-struct TickNumbers {
-    std::int64_t first = 0;
-    std::vector<float> values;
-
-    std::int64_t end() const { return first + static_cast<std::int64_t>(values.size()); }
-    float at(std::int64_t tick) const;  ///< NaN outside
-};
 
 /// Points (tick, number) to draw those between two ticks from: of each `step` ticks the first, the least, the greatest
 /// and the last, so that the drawing is the same as of all. Angles in degrees that go round are not joined across.

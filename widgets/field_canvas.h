@@ -2,9 +2,9 @@
 
 #include <QPainter>
 
+#include "debug/trails.h"
 #include "geometry/shape.h"
 #include "widgets/theme.h"
-#include "widgets/trails.h"
 #include "widgets/view_transform.h"
 #include "widgets/way_line.h"
 
@@ -22,7 +22,7 @@ struct FieldCanvas {
     QPainter& painter;
     const ViewTransform& view;
     const Theme& theme;
-    FieldArea shown = view.shown();
+    Area shown = view.shown();
 
     QPointF at(const Point& metres) const { return view.toPixels(metres); }
     double pixels(double metres) const { return metres * view.scale(); }

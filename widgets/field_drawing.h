@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "debug/field_frame.h"
 #include "widgets/field_canvas.h"
-#include "widgets/field_frame.h"
 #include "widgets/field_layers.h"
 #include "widgets/label_placer.h"
 

@@ -49,7 +49,7 @@ QRectF legendBox(const FieldCanvas& canvas, const FieldFrame& frame, const Field
     if (!corner.intersects(covered)) return corner;
     const QRectF above = corner.translated(0, covered.top() - 8 - corner.bottom());
     const QRectF aside = corner.translated(covered.left() - 8 - corner.right(), -aboveScale);
-    const FieldArea area = areaOf(frame.scene().environment);
+    const Area area = areaOf(frame.scene().environment);
     const QRectF place(canvas.at({area.least.x, area.most.y}), canvas.at({area.most.x, area.least.y}));
     const auto hidden = [&](const QRectF& box) {
         const QRectF common = box & place;
@@ -60,8 +60,8 @@ QRectF legendBox(const FieldCanvas& canvas, const FieldFrame& frame, const Field
 
 }  // namespace
 
-FieldArea areaOf(const Environment& environment) {
-    FieldArea area{{1, 1}, {-1, -1}};
+Area areaOf(const Environment& environment) {
+    Area area{{1, 1}, {-1, -1}};
     for (const Point& corner : environment.floor.area) area.include(corner);
     for (const Obstacle& obstacle : environment.obstacles)
         for (const ConvexPiece& piece : obstacle.shape.pieces)
@@ -73,8 +73,8 @@ FieldArea areaOf(const Environment& environment) {
     return area;
 }
 
-FieldArea areaOf(const FieldFrame& frame) {
-    FieldArea area = areaOf(frame.scene().environment);
+Area areaOf(const FieldFrame& frame) {
+    Area area = areaOf(frame.scene().environment);
     for (std::size_t body = 0; body < frame.scene().bodyCount(); ++body)
         area.include(position(frame.poseOf(body)), frame.scene().shapeOf(body).reach);
     if (frame.reality) area.include(areaOf(*frame.reality));

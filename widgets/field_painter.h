@@ -7,9 +7,9 @@
 namespace mrose {
 
 /// All that is drawn of an environment, in metres.
-FieldArea areaOf(const Environment& environment);
+Area areaOf(const Environment& environment);
 /// Of the bodies as well.
-FieldArea areaOf(const FieldFrame& frame);
+Area areaOf(const FieldFrame& frame);
 
 /// Draws the place and what happens in it on anything that Qt paints on: a window, a picture, a file.
 class FieldPainter {

@@ -8,7 +8,7 @@ void FieldPicture::paint(QPainter& painter, const QSizeF& size, const FieldFrame
     if (on.selected && *on.selected >= frame.scene().bodyCount()) on = {};
     if (following && on.selected) as.setCentre(position(frame.poseOf(*on.selected)));
     if (size != as.size()) {
-        const FieldArea seen = as.shown();
+        const Area seen = as.shown();
         as.setSize(size);
         const QRectF all(QPointF(0, 0), size);
         whole ? as.fit(*whole, all.marginsRemoved(margins)) : as.fit(seen, all);

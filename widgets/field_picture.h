@@ -16,8 +16,8 @@ struct FieldPicture {
     FieldFocus focus;
     bool following = false;  ///< the selected body stays in the middle
     QFont font;
-    std::optional<FieldArea> whole = {};  ///< the view is fitted to it: so are pictures of any size
-    QMarginsF margins = {};               ///< about it, pixels
+    std::optional<Area> whole = {};  ///< the view is fitted to it: so are pictures of any size
+    QMarginsF margins = {};          ///< about it, pixels
     LabelPlacer labels = {};
 
     /// In a picture of another size at least as much is seen as in the view.

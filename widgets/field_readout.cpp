@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "widgets/value_catalogue.h"
+#include "debug/plotted_value.h"
 
 namespace mrose {
 namespace {

@@ -3,7 +3,7 @@
 #include <QString>
 #include <string>
 
-#include "widgets/field_frame.h"
+#include "debug/field_frame.h"
 
 namespace mrose {
 

@@ -25,12 +25,12 @@ constexpr double roundMetres = 0.1, roundTurn = std::numbers::pi / 12;
 
 double rounded(double value, double step) { return step * std::round(value / step); }
 
-QRectF pixelsOf(const ViewTransform& view, const FieldArea& area) {
+QRectF pixelsOf(const ViewTransform& view, const Area& area) {
     return {view.toPixels({area.least.x, area.most.y}), view.toPixels({area.most.x, area.least.y})};
 }
 
 /// An area in the middle of a rectangle, or above or beside what is covered where it need not be smaller for that.
-void fitClear(ViewTransform& view, const FieldArea& area, const QRectF& into, const QRectF& covered) {
+void fitClear(ViewTransform& view, const Area& area, const QRectF& into, const QRectF& covered) {
     view.fit(area, into);
     const QRectF place = pixelsOf(view, area);
     if (!place.intersects(covered)) return;
@@ -114,9 +114,9 @@ void FieldView::followSelected() {
     fitted_ = false;
 }
 
-FieldArea FieldView::wholeArea() const {
+Area FieldView::wholeArea() const {
     if (!frame_) return {{0, 0}, {-1, -1}};
-    FieldArea place = areaOf(frame_->scene().environment);
+    Area place = areaOf(frame_->scene().environment);
     if (place.empty()) return areaOf(*frame_);
     if (frame_->reality) place.include(areaOf(*frame_->reality));
     return place;
@@ -132,7 +132,7 @@ void FieldView::fit() {
     fitAgain();
 }
 
-void FieldView::fit(const FieldArea& area) {
+void FieldView::fit(const Area& area) {
     part_ = area;
     fitAgain();
 }
@@ -146,7 +146,7 @@ void FieldView::fitAgain() {
 }
 
 QRectF FieldView::fittedPlace() const {
-    const FieldArea area = wholeArea();
+    const Area area = wholeArea();
     if (area.empty()) return {};
     ViewTransform fitted = view_;
     fitClear(fitted, area, QRectF(rect()).marginsRemoved(fitMargins()), focus_.covered);
@@ -154,7 +154,7 @@ QRectF FieldView::fittedPlace() const {
 }
 
 double FieldView::fittedScale(const QSizeF& size) const {
-    const FieldArea area = wholeArea();
+    const Area area = wholeArea();
     if (area.empty()) return 0;
     ViewTransform fitted = view_;
     fitted.fit(area, QRectF({0, 0}, size).marginsRemoved(fitMargins()));
@@ -170,14 +170,14 @@ void FieldView::setCovered(const QRectF& covered) {
 
 void FieldView::lightUp(const std::vector<std::size_t>& bodies) {
     if (!frame_ || bodies.empty()) return;
-    FieldArea near{{1, 1}, {-1, -1}}, close = near;
+    Area near{{1, 1}, {-1, -1}}, close = near;
     double reach = 0;
     for (const std::size_t body : bodies) {
         near.include(position(frame_->poseOf(body)), litMargin);
         close.include(position(frame_->poseOf(body)), frame_->scene().shapeOf(body).reach);
         reach = std::max(reach, frame_->scene().shapeOf(body).reach);
     }
-    const FieldArea seen = view_.shown();
+    const Area seen = view_.shown();
     const bool inside = close.least.x >= seen.least.x && close.least.y >= seen.least.y && close.most.x <= seen.most.x &&
                         close.most.y <= seen.most.y;
     // Who has chosen a scale at which they are seen well keeps it.

@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-#include "widgets/field_frame.h"
+#include "debug/field_frame.h"
 #include "widgets/field_picture.h"
 
 namespace mrose {
@@ -45,10 +45,10 @@ public:
     std::optional<std::size_t> bodyAt(const QPointF& pixels) const;
 
     /// All of the place; empty where nothing is shown.
-    FieldArea wholeArea() const;
+    Area wholeArea() const;
     void fit();
     /// A part of it instead, until the user looks elsewhere; another run, too, is shown whole at first.
-    void fit(const FieldArea& area);
+    void fit(const Area& area);
     bool showsPart() const { return fitted_ && part_; }  ///< of fit(area), still
     bool showsAll() const { return fitted_ && !part_; }  ///< as fit() left it
     /// Where all of the place lies in the view when it is fitted, pixels.
@@ -124,7 +124,7 @@ private:
     std::optional<LabelPlacer> likeLabels_;  ///< those of another view
     bool editable_ = false, following_ = false, fitted_ = true, nudging_ = false, pressedOnBody_ = false,
          pressedOnKnob_ = false;
-    std::optional<FieldArea> part_;  ///< that is fitted; nullopt: all of the place
+    std::optional<Area> part_;  ///< that is fitted; nullopt: all of the place
     QString emptyText_;
     Drag drag_ = Drag::none;
     Qt::MouseButton button_ = Qt::NoButton;

@@ -6,8 +6,8 @@
 #include <memory>
 #include <optional>
 
+#include "debug/field_frame.h"
 #include "widgets/command_queue.h"
-#include "widgets/field_frame.h"
 #include "widgets/inspector_rows.h"
 #include "widgets/theme.h"
 

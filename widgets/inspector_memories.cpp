@@ -6,6 +6,7 @@
 
 #include "quantities/note_label.h"
 #include "quantities/part.h"
+#include "widgets/fixed_text.h"
 #include "widgets/inspector_rows.h"
 #include "widgets/timeline_bar.h"
 

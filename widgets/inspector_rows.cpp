@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "widgets/command_queue.h"
+#include "widgets/fixed_text.h"
 #include "widgets/real_robots.h"
 #include "widgets/timeline_bar.h"
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "widgets/field_frame.h"
-#include "widgets/value_catalogue.h"
+#include "debug/field_frame.h"
+#include "debug/plotted_value.h"
 
 namespace mrose {
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/fixed_text.h"
 #include "widgets/plot_band.h"
 #include "widgets/timeline_bar.h"
-#include "widgets/value_catalogue.h"
 
 namespace mrose {
 

@@ -11,9 +11,9 @@
 
 #include <qcustomplot.h>
 
+#include "debug/plotted_value.h"
 #include "widgets/plot_band.h"
 #include "widgets/timeline_bar.h"
-#include "widgets/value_catalogue.h"
 
 namespace mrose {
 namespace {

@@ -91,9 +91,9 @@ QString modelReadout(const FieldFrame& frame, std::size_t body) {
     return lines.join('\n');
 }
 
-FieldArea areaOf(const Reality& reality) {
+Area areaOf(const Reality& reality) {
     constexpr Nanoseconds span = 60 * nanosecondsPerSecond;
-    FieldArea area{{1, 1}, {-1, -1}};
+    Area area{{1, 1}, {-1, -1}};
     for (const Reality::Robot& robot : reality.robots)
         for (const StampedPose& stamped : robot.posesBetween(0, span)) area.include(position(stamped.pose));
     for (const Reality::ModelRollout& model : reality.models)

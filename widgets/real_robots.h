@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "widgets/field_frame.h"
+#include "debug/field_frame.h"
 #include "widgets/theme.h"
 #include "widgets/view_transform.h"
 
@@ -43,6 +43,6 @@ QString realReadout(const FieldFrame& frame, std::optional<std::size_t> body, co
 QString modelReadout(const FieldFrame& frame, std::size_t body);
 
 /// All that real robots and models drive in the run's first minute.
-FieldArea areaOf(const Reality& reality);
+Area areaOf(const Reality& reality);
 
 }  // namespace mrose

@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
+#include "debug/timeline_mark.h"
 #include "scenario/scenario.h"
 #include "widgets/theme.h"
 #include "widgets/timeline_glyphs.h"
-#include "widgets/timeline_mark.h"
 #include "widgets/timeline_signs.h"
 #include "world/time.h"
 

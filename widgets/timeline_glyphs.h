@@ -2,8 +2,8 @@
 
 #include <QPainter>
 
+#include "debug/timeline_mark.h"
 #include "widgets/theme.h"
-#include "widgets/timeline_mark.h"
 
 namespace mrose {
 

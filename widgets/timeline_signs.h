@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "widgets/timeline_mark.h"
+#include "debug/timeline_mark.h"
 
 namespace mrose {
 

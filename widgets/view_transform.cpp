@@ -4,24 +4,7 @@
 
 namespace mrose {
 
-void FieldArea::include(const Point& point, double reach) {
-    const Point low = point - Point{reach, reach}, high = point + Point{reach, reach};
-    if (empty()) {
-        least = low;
-        most = high;
-        return;
-    }
-    least = {std::min(least.x, low.x), std::min(least.y, low.y)};
-    most = {std::max(most.x, high.x), std::max(most.y, high.y)};
-}
-
-void FieldArea::include(const FieldArea& other) {
-    if (other.empty()) return;
-    include(other.least);
-    include(other.most);
-}
-
-FieldArea ViewTransform::shown() const {
+Area ViewTransform::shown() const {
     const Point half{size_.width() / 2 / scale_, size_.height() / 2 / scale_};
     return {centre_ - half, centre_ + half};
 }
@@ -34,7 +17,7 @@ void ViewTransform::zoom(double factor, const QPointF& about) {
 
 void ViewTransform::pan(const QPointF& from, const QPointF& to) { centre_ = centre_ + (toMetres(from) - toMetres(to)); }
 
-void ViewTransform::fit(const FieldArea& area, const QRectF& into) {
+void ViewTransform::fit(const Area& area, const QRectF& into) {
     if (area.empty()) return;
     const Point extent = area.most - area.least;
     const double width = std::max(1.0, into.width()), height = std::max(1.0, into.height());

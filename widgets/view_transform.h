@@ -4,19 +4,9 @@
 #include <QRectF>
 #include <QSizeF>
 
-#include "geometry/point.h"
+#include "geometry/area.h"
 
 namespace mrose {
-
-/// A rectangle of the field, in metres.
-struct FieldArea {
-    Point least, most;
-
-    bool empty() const { return most.x < least.x || most.y < least.y; }
-    Point middle() const { return 0.5 * (least + most); }
-    void include(const Point& point, double reach = 0);
-    void include(const FieldArea& other);
-};
 
 /// Where the field's metres (y up) lie in a picture's pixels (y down).
 class ViewTransform {
@@ -42,14 +32,14 @@ public:
         return {centre_.x + (pixels.x() - size_.width() / 2) / scale_,
                 centre_.y - (pixels.y() - size_.height() / 2) / scale_};
     }
-    FieldArea shown() const;
+    Area shown() const;
 
     /// `factor` times as large; what lies at `about` stays there.
     void zoom(double factor, const QPointF& about);
     /// What lies at `from` comes to lie at `to`.
     void pan(const QPointF& from, const QPointF& to);
     /// All of an area, in the middle of a rectangle of the picture (pixels).
-    void fit(const FieldArea& area, const QRectF& into);
+    void fit(const Area& area, const QRectF& into);
 
     bool operator==(const ViewTransform&) const = default;
 

@@ -9,8 +9,8 @@
 #include "io/value_bytes.h"
 #include "recording/origin.h"
 #include "scenarios.h"
-#include "version.h"
-#include "world/plain_seconds.h"
+#include "workflow/version.h"
+#include "world/seconds_text.h"
 
 namespace mrose::cli {
 namespace {

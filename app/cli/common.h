@@ -13,9 +13,9 @@
 #include "io/error.h"
 #include "shared/flag_checks.h"
 #include "shared/interrupts.h"
-#include "shared/log_files.h"
-#include "shared/notices.h"
 #include "shared/shell_quoted.h"
+#include "workflow/log_files.h"
+#include "workflow/notices.h"
 
 namespace mrose::cli {
 

@@ -1,14 +1,15 @@
-#include "comparison/compare.h"
+#include "assessment/compare.h"
 
 #include <cstdio>
 
 #include "common.h"
 #include "compare_divergence.h"
-#include "comparison/comparison_files.h"
-#include "comparison/comparison_report.h"
-#include "evaluation/format.h"
+#include "io/format.h"
 #include "plugins.h"
-#include "shared/log_comparison.h"
+#include "report/comparison_files.h"
+#include "report/comparison_report.h"
+#include "workflow/log_comparison.h"
+#include "world/seconds_text.h"
 
 namespace mrose::cli {
 namespace {

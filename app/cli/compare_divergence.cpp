@@ -3,8 +3,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "comparison/divergence_text.h"
-#include "evaluation/format.h"
+#include "diagnosis/divergence_text.h"
+#include "io/format.h"
+#include "world/seconds_text.h"
 
 namespace mrose::cli {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "common.h"
-#include "shared/divergence_request.h"
+#include "workflow/divergence_request.h"
 
 namespace mrose::cli {
 

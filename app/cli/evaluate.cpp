@@ -1,11 +1,12 @@
-#include "evaluation/evaluate.h"
+#include "assessment/evaluate.h"
 
 #include <cstdio>
 
 #include "common.h"
-#include "evaluation/format.h"
-#include "evaluation/report.h"
-#include "shared/log_evaluation.h"
+#include "io/format.h"
+#include "report/evaluation_report.h"
+#include "workflow/log_evaluation.h"
+#include "world/seconds_text.h"
 
 namespace mrose::cli {
 namespace {

@@ -3,8 +3,8 @@
 #include <cstdio>
 
 #include "common.h"
-#include "evaluation/format.h"
 #include "identification/dead_time.h"
+#include "io/format.h"
 
 namespace mrose::cli {
 namespace {

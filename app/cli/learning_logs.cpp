@@ -6,7 +6,7 @@
 #include "identification/drive_fit.h"
 #include "identification/held_out_part.h"
 #include "logs/log_reader.h"
-#include "shared/notices.h"
+#include "workflow/notices.h"
 
 namespace mrose::cli {
 namespace {

@@ -6,7 +6,7 @@
 #include "common.h"
 #include "learning/instruction_set.h"
 #include "plugins.h"
-#include "version.h"
+#include "workflow/version.h"
 
 namespace {
 

@@ -2,7 +2,7 @@
 
 #include "plugin/load_plugin.h"
 #include "plugin/plugin_host.h"
-#include "shared/plugin_process.h"
+#include "workflow/plugin_process.h"
 
 namespace mrose::cli {
 namespace {

@@ -1,13 +1,14 @@
 #include <cstdio>
 
+#include "assessment/evaluate.h"
+#include "assessment/prediction_files.h"
 #include "common.h"
-#include "evaluation/evaluate.h"
-#include "evaluation/format.h"
-#include "evaluation/prediction_files.h"
 #include "io/file.h"
-#include "shared/evaluation_models.h"
-#include "shared/notices.h"
-#include "shared/resources.h"
+#include "io/format.h"
+#include "workflow/evaluation_models.h"
+#include "workflow/notices.h"
+#include "workflow/resources.h"
+#include "world/seconds_text.h"
 
 namespace mrose::cli {
 namespace {

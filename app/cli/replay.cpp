@@ -6,8 +6,8 @@
 
 #include "recording/recording.h"
 #include "scenarios.h"
-#include "shared/opening.h"
-#include "world/plain_seconds.h"
+#include "workflow/opening.h"
+#include "world/seconds_text.h"
 
 namespace mrose::cli {
 namespace {

@@ -1,6 +1,6 @@
 #include "robot_traits.h"
 
-#include "shared/resources.h"
+#include "workflow/resources.h"
 
 namespace mrose::cli {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "io/file.h"
 #include "scenario/variation.h"
-#include "shared/opening.h"
-#include "shared/resources.h"
+#include "workflow/opening.h"
+#include "workflow/resources.h"
 
 namespace mrose::cli {
 

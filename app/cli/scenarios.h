@@ -8,10 +8,10 @@
 
 #include "common.h"
 #include "condition/condition.h"
-#include "experiment/run_statistics.h"
 #include "plugins.h"
 #include "scenario/scenario.h"
 #include "scenario/scenario_file.h"
+#include "simulation/run_statistics.h"
 
 namespace mrose::cli {
 

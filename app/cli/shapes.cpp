@@ -8,7 +8,7 @@
 #include "io/made_folder.h"
 #include "scenario/description_file.h"
 #include "scenarios.h"
-#include "shared/resources.h"
+#include "workflow/resources.h"
 
 namespace mrose::cli {
 namespace {

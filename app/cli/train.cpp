@@ -3,14 +3,14 @@
 #include <cstdio>
 
 #include "common.h"
-#include "evaluation/format.h"
 #include "identification/robot_identification.h"
 #include "io/file.h"
+#include "io/format.h"
 #include "learning_logs.h"
 #include "robot_traits.h"
-#include "shared/notices.h"
-#include "shared/resources.h"
 #include "train_flags.h"
+#include "workflow/notices.h"
+#include "workflow/resources.h"
 
 namespace mrose::cli {
 namespace {

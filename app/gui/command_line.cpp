@@ -7,8 +7,8 @@
 #include <CLI/CLI.hpp>
 
 #include "shared/flag_checks.h"
-#include "version.h"
 #include "widgets/field_layers.h"
+#include "workflow/version.h"
 
 namespace mrose::gui {
 namespace {

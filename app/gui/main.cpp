@@ -22,13 +22,13 @@
 #include "scripting/window_script.h"
 #include "session/background_work.h"
 #include "shared/interrupts.h"
-#include "shared/plugin_process.h"
-#include "shared/resources.h"
 #include "widgets/field_view.h"
 #include "widgets/message_bar.h"
 #include "widgets/timeline_bar.h"
 #include "window/main_window.h"
 #include "window/window_memory.h"
+#include "workflow/plugin_process.h"
+#include "workflow/resources.h"
 
 namespace {
 

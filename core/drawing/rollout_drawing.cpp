@@ -26,7 +26,7 @@ const SvgDrawing::Style leavesStyle{.fill = white, .stroke = leaving, .strokeWid
 bool isKnown(const Pose& pose) { return std::isfinite(pose.x) && std::isfinite(pose.y); }
 
 /// With half a metre to spare, 3 m wide and high at least; nullopt where there are no paths.
-std::optional<SvgDrawing::Area> areaRound(std::span<const DrawnRollout> rollouts) {
+std::optional<Area> areaRound(std::span<const DrawnRollout> rollouts) {
     constexpr double margin = 0.5, least = 3;
     Point low{1e9, 1e9}, high{-1e9, -1e9};
     for (const DrawnRollout& rollout : rollouts)
@@ -39,7 +39,7 @@ std::optional<SvgDrawing::Area> areaRound(std::span<const DrawnRollout> rollouts
     if (high.x < low.x) return std::nullopt;
     const Point middle = 0.5 * (low + high), size = high - low;
     const Point half{std::max(least / 2, size.x / 2 + margin), std::max(least / 2, size.y / 2 + margin)};
-    return SvgDrawing::Area{middle - half, middle + half};
+    return Area{middle - half, middle + half};
 }
 
 void addPath(SvgDrawing& drawing, const std::vector<Pose>& poses, const SvgDrawing::Style& style) {

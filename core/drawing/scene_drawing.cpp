@@ -7,7 +7,7 @@
 #include "drawing/content_text.h"
 #include "drawing/scene_marks.h"
 #include "drawing/svg_drawing.h"
-#include "evaluation/format.h"
+#include "io/format.h"
 #include "io/number_text.h"
 
 namespace mrose {

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "drawing/label_placement.h"
-#include "evaluation/format.h"
-#include "evaluation/html.h"
+#include "drawing/markup.h"
 #include "geometry/point.h"
+#include "io/format.h"
 
 namespace mrose {
 namespace {
@@ -15,8 +15,6 @@ namespace {
 constexpr double margin = 28, titleHeight = 66, footHeight = 46, leastWidth = 420;
 constexpr double titleSize = 20, textSize = 14, legendLine = 24, sampleWidth = 34, entryGap = 22;
 constexpr std::string_view ink = "#222222", quiet = "#666666";
-
-std::string px(double value) { return fixed(value, 2); }
 
 std::string hexadecimal(const Colour& colour) {
     constexpr std::string_view digits = "0123456789abcdef";

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "geometry/area.h"
 #include "geometry/polygon.h"
 #include "geometry/shape.h"
 
@@ -23,9 +24,6 @@ public:
         bool dashed = false;
         bool dotted = false;
         bool labelsAvoid = false;  ///< labels that are put beside a point keep off it, where they can
-    };
-    struct Area {
-        Point least, most;
     };
     /// What a mark means: a sample of it, and words.
     struct LegendEntry {

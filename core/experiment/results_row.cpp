@@ -8,7 +8,7 @@
 
 #include "io/number_text.h"
 #include "quantities/catalogue.h"
-#include "world/plain_seconds.h"
+#include "world/seconds_text.h"
 #include "world/state_hash.h"
 
 namespace mrose {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "condition/condition.h"
-#include "experiment/run_statistics.h"
 #include "io/error.h"
 #include "simulation/rewind_check.h"
+#include "simulation/run_statistics.h"
 
 namespace mrose {
 

@@ -9,7 +9,7 @@
 #include "scenario/description_reader.h"
 #include "sensing/sensor_kinds.h"
 #include "synthetic/reference_model.h"
-#include "world/plain_seconds.h"
+#include "world/seconds_text.h"
 
 namespace mrose {
 namespace {

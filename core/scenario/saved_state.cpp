@@ -8,7 +8,7 @@
 #include "scenario/carry_over.h"
 #include "scenario/value_file.h"
 #include "world/first_state_version.h"
-#include "world/plain_seconds.h"
+#include "world/seconds_text.h"
 #include "world/state_bytes.h"
 
 namespace mrose {

@@ -11,7 +11,7 @@
 #include "scenario/start_check.h"
 #include "scenario/state_validation.h"
 #include "scenario/value_file.h"
-#include "world/plain_seconds.h"
+#include "world/seconds_text.h"
 
 namespace mrose {
 namespace {

@@ -21,14 +21,13 @@ const std::map<std::string, std::set<std::string>> allowedLayers{
     {"logs", {"io", "geometry", "world"}},
     {"motion", {"io", "geometry", "world", "learning"}},
     {"identification", {"io", "geometry", "world", "learning", "logs", "motion"}},
-    {"evaluation", {"io", "geometry", "world", "logs", "motion"}},
     {"synthetic", {"io", "geometry", "world", "logs", "motion"}},
     {"physics", {"geometry", "world"}},
     {"scene", {"geometry", "world", "motion"}},
     {"control", {"geometry", "world"}},
     {"messages", {"io", "geometry", "world", "control"}},
     {"plugin", {"io", "geometry", "world", "learning", "control", "messages"}},
-    {"drawing", {"io", "geometry", "evaluation", "scene"}},
+    {"drawing", {"io", "geometry", "scene"}},
     {"behaviour", {"geometry", "world", "control"}},
     {"sensing", {"io", "geometry", "world", "motion", "scene", "control"}},
     {"scenario",
@@ -42,9 +41,21 @@ const std::map<std::string, std::set<std::string>> allowedLayers{
     {"recording",
      {"io", "geometry", "world", "motion", "physics", "scene", "control", "messages", "scenario", "simulation",
       "quantities"}},
-    {"comparison",
+    {"assessment",
      {"io", "geometry", "world", "learning", "logs", "motion", "physics", "scene", "control", "behaviour", "scenario",
-      "simulation", "quantities", "experiment", "evaluation", "drawing"}},
+      "simulation", "quantities"}},
+    {"diagnosis",
+     {"io", "geometry", "world", "learning", "logs", "motion", "physics", "scene", "control", "behaviour", "scenario",
+      "simulation", "quantities", "assessment"}},
+    {"report",
+     {"io", "geometry", "world", "logs", "motion", "scene", "scenario", "assessment", "diagnosis", "drawing"}},
+    {"debug",
+     {"io", "geometry", "world", "learning", "logs", "motion", "physics", "scene", "control", "messages", "scenario",
+      "simulation", "quantities", "condition", "recording", "assessment", "diagnosis"}},
+    {"workflow", {"io",         "geometry",  "world",     "learning",   "logs",           "motion",
+                  "physics",    "scene",     "control",   "plugin",     "scenario",       "simulation",
+                  "quantities", "condition", "recording", "experiment", "identification", "synthetic",
+                  "assessment", "diagnosis", "drawing",   "report",     "debug"}},
     {"script", {"io"}},
     {"condition",
      {"io", "geometry", "world", "physics", "scene", "control", "scenario", "simulation", "quantities", "script"}},
@@ -58,7 +69,7 @@ const std::map<std::string, std::set<std::string>> librariesOfLayers{
     {"zstd.h", {"io"}},
     {"CLI/", {"app/cli", "app/gui", "app/shared"}},
     {"spdlog/", {"app/cli", "app/gui"}},
-    {"nlohmann/", {"evaluation", "comparison", "app/cli"}},
+    {"nlohmann/", {"report", "app/cli"}},
     {"Eigen/", {"learning", "identification"}},
     {"immintrin.h", {"learning"}},
     {"lua.hpp", {"script", "condition", "app/gui"}},
@@ -86,7 +97,7 @@ bool isQt(const std::string& name) {
 TEST(Layering, SourceIsFoundAtAll) {
     std::set<std::string> layers;
     for (const SourceFile& file : sourceFiles({"core", "app"})) layers.insert(file.layer);
-    for (const char* expected : {"io", "world", "logs", "motion", "learning", "evaluation", "app/cli"})
+    for (const char* expected : {"io", "world", "logs", "motion", "learning", "assessment", "app/cli"})
         EXPECT_TRUE(layers.count(expected)) << expected;
 }
 
@@ -150,22 +161,17 @@ TEST(Layering, QtStaysInWidgetsAndWindow) {
             EXPECT_FALSE(file.layer != "app/gui" && isQt(include.name)) << where(file, include);
 }
 
-/// What goes through a run and finds places in it is told from what is seen: tested, and usable, without a window.
-TEST(Layering, TravelBreaksAndSessionDoNotKnowTheWindow) {
-    const std::map<std::string, std::set<std::string>> below{
-        {"travel", {}}, {"breaks", {"travel"}}, {"session", {"travel", "breaks"}}};
+/// What steps a run in its own thread is separate from what is seen: tested, and usable, without a window.
+TEST(Layering, SessionDoesNotKnowTheWindow) {
     const std::filesystem::path window = sourceFolder() / "app" / "gui";
-    for (const auto& [folder, allowed] : below) {
-        const std::vector<SourceFile> files = sourceFiles({"app/gui/" + folder});
-        EXPECT_FALSE(files.empty()) << folder;
-        for (const SourceFile& file : files)
-            for (const Include& include : file.includes) {
-                const std::string other = includedLayer(include);
-                const bool ofWindow = !other.empty() && std::filesystem::is_directory(window / other);
-                EXPECT_TRUE(!ofWindow || other == folder || allowed.count(other)) << where(file, include);
-                EXPECT_FALSE(folder != "session" && isQt(include.name)) << where(file, include);
-            }
-    }
+    const std::vector<SourceFile> files = sourceFiles({"app/gui/session"});
+    EXPECT_FALSE(files.empty());
+    for (const SourceFile& file : files)
+        for (const Include& include : file.includes) {
+            const std::string other = includedLayer(include);
+            const bool ofWindow = !other.empty() && std::filesystem::is_directory(window / other);
+            EXPECT_TRUE(!ofWindow || other == "session") << where(file, include);
+        }
 }
 
 TEST(Layering, LibrariesStayWhereTheyBelong) {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "evaluation/rollout.h"
+#include "assessment/rollout.h"
 #include "logs/log_reader.h"
 #include "motion/learned_model.h"
 #include "simulation/small_world.h"

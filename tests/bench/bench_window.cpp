@@ -3,9 +3,9 @@
 
 #include <benchmark/benchmark.h>
 
+#include "debug/time_travel.h"
 #include "scenario/scenario_file.h"
 #include "support/scenes.h"
-#include "travel/time_travel.h"
 #include "widgets/field_view.h"
 #include "widgets/timeline_bar.h"
 

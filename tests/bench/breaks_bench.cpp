@@ -7,7 +7,7 @@
 #include <string>
 
 #include "bench/timing.h"
-#include "breaks/breakpoints.h"
+#include "debug/breakpoints.h"
 #include "support/scenes.h"
 
 namespace mrose::gui {

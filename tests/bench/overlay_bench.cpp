@@ -15,11 +15,11 @@
 #include <sys/resource.h>
 
 #include "behaviour/command_player.h"
+#include "debug/time_travel.h"
 #include "motion/learned_model.h"
 #include "panels/plot_panel.h"
 #include "support/scenes.h"
 #include "synthetic/drive_patterns.h"
-#include "travel/time_travel.h"
 #include "widgets/field_view.h"
 #include "window/main_window.h"
 

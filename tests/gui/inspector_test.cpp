@@ -8,11 +8,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "debug/plotted_value.h"
 #include "gui/window_fixture.h"
 #include "panels/plot_panel.h"
 #include "quantities/note_label.h"
 #include "widgets/inspector_delegate.h"
-#include "widgets/value_catalogue.h"
 
 namespace mrose::gui {
 namespace {

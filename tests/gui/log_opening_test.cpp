@@ -12,8 +12,8 @@
 
 #include <gmock/gmock.h>
 
-#include "evaluation/evaluate.h"
-#include "evaluation/windows.h"
+#include "assessment/evaluate.h"
+#include "assessment/windows.h"
 #include "files/window_files.h"
 #include "gui/overlay_fixture.h"
 #include "io/file.h"
@@ -22,11 +22,11 @@
 #include "motion/learned_model.h"
 #include "reality/robot_dialog.h"
 #include "scripting/window_script.h"
-#include "shared/resources.h"
 #include "support/mrclam_folder.h"
 #include "support/places.h"
 #include "widgets/field_view.h"
 #include "window/window_memory.h"
+#include "workflow/resources.h"
 #include "world/state_hash.h"
 
 namespace mrose::gui {

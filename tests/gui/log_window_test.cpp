@@ -15,10 +15,10 @@
 
 #include <gmock/gmock.h>
 
-#include "evaluation/format.h"
 #include "export/plot_export.h"
 #include "export/report_dialog.h"
 #include "gui/file_fixture.h"
+#include "io/format.h"
 #include "panels/error_plot.h"
 #include "panels/first_steps.h"
 #include "panels/log_dialog.h"
@@ -27,11 +27,12 @@
 #include "reality/overlay_panel.h"
 #include "scripting/window_script.h"
 #include "session/background_work.h"
-#include "shared/resources.h"
 #include "support/places.h"
 #include "widgets/field_view.h"
+#include "widgets/fixed_text.h"
 #include "window/quiet_message.h"
 #include "window/window_memory.h"
+#include "workflow/resources.h"
 
 namespace mrose::gui {
 namespace {

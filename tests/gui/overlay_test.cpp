@@ -13,7 +13,7 @@
 
 #include <gmock/gmock.h>
 
-#include "evaluation/evaluate.h"
+#include "assessment/evaluate.h"
 #include "files/window_files.h"
 #include "gui/overlay_fixture.h"
 #include "logs/log_reader.h"
@@ -22,10 +22,10 @@
 #include "reality/overlay_panel.h"
 #include "recording/recording.h"
 #include "scripting/window_script.h"
-#include "shared/resources.h"
 #include "support/places.h"
 #include "widgets/field_view.h"
 #include "widgets/rollout_strip.h"
+#include "workflow/resources.h"
 
 namespace mrose::gui {
 namespace {

@@ -15,6 +15,7 @@
 #include "panels/plot_panel.h"
 #include "scripting/window_script.h"
 #include "widgets/field_view.h"
+#include "widgets/fixed_text.h"
 
 namespace mrose::gui {
 namespace {
@@ -26,9 +27,9 @@ protected:
     QTreeView& list() { return panel.list(); }
     FieldView& field() { return window.field(); }
     /// Of both robots in the shown rollout.
-    FieldArea driven() {
+    Area driven() {
         const Comparison alone = comparedAlone(overlay);
-        FieldArea area{{1, 1}, {-1, -1}};
+        Area area{{1, 1}, {-1, -1}};
         for (const ComparedRollout& rollout : alone.rollouts) {
             if (rollout.request != overlay.shownRollout()) continue;
             for (const Pose& pose : rollout.simulated) area.include(Point{pose.x, pose.y});
@@ -39,7 +40,7 @@ protected:
     }
     /// All of the rollout is in the view, and fills it.
     void expectNear() {
-        const FieldArea area = driven(), seen = field().transform().shown();
+        const Area area = driven(), seen = field().transform().shown();
         EXPECT_LT(seen.least.x, area.least.x);
         EXPECT_LT(seen.least.y, area.least.y);
         EXPECT_GT(seen.most.x, area.most.x);
@@ -112,7 +113,7 @@ TEST_F(OverlayViewTest, PickedRolloutIsSeenFromNearUntilTheUserLooksElsewhere) {
     expectNear();
     field().zoom(0.5);
     EXPECT_FALSE(field().showsPart());
-    const FieldArea chosen = field().transform().shown();
+    const Area chosen = field().transform().shown();
     ASSERT_TRUE(overlay.showNext(1));
     settleAll();
     EXPECT_EQ(field().transform().shown().least, chosen.least) << "what the user looks at stays";

@@ -9,8 +9,8 @@
 
 #include <gmock/gmock.h>
 
-#include "evaluation/format.h"
 #include "gui/export_fixture.h"
+#include "io/format.h"
 #include "panels/plot_panel.h"
 #include "session/background_work.h"
 #include "simulation/step.h"

@@ -14,6 +14,7 @@
 #include "panels/plot_panel.h"
 #include "support/values_at.h"
 #include "widgets/curve_sampling.h"
+#include "widgets/fixed_text.h"
 
 namespace mrose::gui {
 namespace {

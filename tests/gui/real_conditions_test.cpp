@@ -4,9 +4,9 @@
 
 #include <gmock/gmock.h>
 
+#include "debug/plotted_value.h"
 #include "gui/rollout_fixture.h"
 #include "scripting/window_script.h"
-#include "widgets/value_catalogue.h"
 
 namespace mrose::gui {
 namespace {

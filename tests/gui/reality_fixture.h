@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "comparison/reality.h"
-#include "travel/open_run.h"
+#include "assessment/reality.h"
+#include "debug/open_run.h"
 
 namespace mrose::gui {
 

@@ -171,7 +171,7 @@ TEST_F(RealityTest, ModelsHaveTheirOwnColoursAndLines) {
 TEST_F(RealityTest, FitShowsWhatIsDrivenOutsideThePlace) {
     log = logOfDrives({RealDrive{"a", {0, 0, 0}, {1, 0}}}, 12);
     show(1);
-    const FieldArea shown = field.transform().shown();
+    const Area shown = field.transform().shown();
     EXPECT_GE(shown.most.x, 12);
 }
 

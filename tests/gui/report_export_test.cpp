@@ -10,9 +10,9 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "evaluation/format.h"
 #include "export/report_dialog.h"
 #include "gui/export_fixture.h"
+#include "io/format.h"
 #include "reality/overlay.h"
 #include "scripting/window_script.h"
 #include "session/background_work.h"

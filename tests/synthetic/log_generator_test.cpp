@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "evaluation/windows.h"
+#include "assessment/windows.h"
 #include "logs/csv_reader.h"
 #include "logs/csv_writer.h"
 #include "support/places.h"

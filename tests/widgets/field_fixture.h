@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "widgets/field_frame.h"
+#include "debug/field_frame.h"
 #include "widgets/field_layers.h"
 
 namespace mrose {

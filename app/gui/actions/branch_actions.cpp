@@ -5,10 +5,10 @@
 #include "panels/branch_panel.h"
 #include "panels/command_panel.h"
 #include "scenario/carry_over.h"
-#include "shared/resources.h"
-#include "travel/swap_model.h"
 #include "widgets/field_view.h"
 #include "window/main_window.h"
+#include "workflow/resources.h"
+#include "workflow/swap_model.h"
 
 namespace mrose::gui {
 namespace {

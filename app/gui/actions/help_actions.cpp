@@ -8,9 +8,9 @@
 #include "panels/first_steps.h"
 #include "panels/shortcut_sheet.h"
 #include "reality/overlay.h"
-#include "shared/resources.h"
-#include "version.h"
 #include "window/main_window.h"
+#include "workflow/resources.h"
+#include "workflow/version.h"
 
 namespace mrose::gui {
 namespace {

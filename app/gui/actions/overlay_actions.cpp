@@ -9,10 +9,10 @@
 #include "reality/overlay_panel.h"
 #include "reality/overlay_strip.h"
 #include "reality/robot_dialog.h"
-#include "shared/resources.h"
 #include "widgets/field_view.h"
 #include "window/main_window.h"
 #include "window/window_memory.h"
+#include "workflow/resources.h"
 
 namespace mrose::gui {
 namespace {

@@ -9,14 +9,15 @@
 #include <set>
 #include <thread>
 
-#include "evaluation/format.h"
 #include "export/export_outcome.h"
 #include "export/view_export.h"
 #include "io/file.h"
+#include "io/format.h"
 #include "panels/plot_panel.h"
 #include "session/lineage_walk.h"
 #include "widgets/timeline_bar.h"
 #include "window/main_window.h"
+#include "world/seconds_text.h"
 
 namespace mrose::gui {
 namespace {
@@ -334,7 +335,9 @@ Expected<void> exportValues(MainWindow& window, const QString& path) {
     table.tickLength = shown.frame->scene().tickLength;
     for (const ValueKey& key : table.keys) {
         const PlottedValue value = plottedValue(*shown.frame->scenario, key).value_or(PlottedValue{});
-        table.names.push_back(value.name.simplified() + (value.unit.isEmpty() ? "" : " (" + value.unit + ')'));
+        const QString unit = QString::fromStdString(value.unit);
+        table.names.push_back(QString::fromStdString(value.name).simplified() +
+                              (unit.isEmpty() ? "" : " (" + unit + ')'));
     }
     for (const PlotCurve& curve : window.plots().view().curves())
         if (!curve.ghost) table.ahead.push_back(curve.ahead);

@@ -16,13 +16,13 @@
 #include <filesystem>
 #include <map>
 
-#include "evaluation/format.h"
 #include "export/report_export.h"
+#include "io/format.h"
 #include "reality/overlay.h"
-#include "shared/resources.h"
 #include "widgets/warning_style.h"
 #include "window/main_window.h"
 #include "window/window_memory.h"
+#include "workflow/resources.h"
 
 namespace mrose::gui {
 namespace {

@@ -2,14 +2,14 @@
 
 #include <QDir>
 
-#include "comparison/compared_divergences.h"
-#include "comparison/comparison_report.h"
+#include "diagnosis/compared_divergences.h"
 #include "export/export_outcome.h"
 #include "io/file.h"
 #include "io/number_text.h"
-#include "shared/plugin_process.h"
+#include "report/comparison_report.h"
 #include "shared/shell_quoted.h"
 #include "window/main_window.h"
+#include "workflow/plugin_process.h"
 
 namespace mrose::gui {
 namespace {

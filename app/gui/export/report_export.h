@@ -3,9 +3,9 @@
 #include <QString>
 
 #include "io/error.h"
-#include "shared/divergence_request.h"
-#include "shared/log_comparison.h"
-#include "shared/log_evaluation.h"
+#include "workflow/divergence_request.h"
+#include "workflow/log_comparison.h"
+#include "workflow/log_evaluation.h"
 
 namespace mrose::gui {
 

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "travel/open_run.h"
+#include "debug/open_run.h"
 
 namespace mrose::gui {
 

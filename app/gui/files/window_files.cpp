@@ -11,18 +11,18 @@
 #include <cstring>
 #include <utility>
 
+#include "debug/run_recorder.h"
 #include "export/view_export.h"
 #include "panels/trial_list.h"
 #include "reality/overlay.h"
 #include "scenario/state_scenario.h"
-#include "shared/resources.h"
-#include "travel/file_kind.h"
-#include "travel/run_recorder.h"
 #include "widgets/field_view.h"
 #include "widgets/message_bar.h"
 #include "window/main_window.h"
 #include "window/window_memory.h"
-#include "world/plain_seconds.h"
+#include "workflow/file_kind.h"
+#include "workflow/resources.h"
+#include "world/seconds_text.h"
 
 namespace mrose::gui {
 namespace {

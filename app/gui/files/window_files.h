@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "debug/open_run.h"
 #include "files/description_watch.h"
 #include "files/run_opener.h"
-#include "travel/open_run.h"
 #include "world/state_hash.h"
 
 class QMimeData;

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "breaks/breakpoints.h"
+#include "debug/breakpoints.h"
 #include "widgets/theme.h"
 
 class QLabel;
@@ -42,8 +42,8 @@ public:
     QSize sizeHint() const override { return {230, 190}; }
 
 signals:
-    void added(const mrose::gui::Breakpoint& breakpoint);
-    void changed(const mrose::gui::Breakpoint& breakpoint);
+    void added(const mrose::Breakpoint& breakpoint);
+    void changed(const mrose::Breakpoint& breakpoint);
     void removed(std::uint32_t id);
 
 protected:

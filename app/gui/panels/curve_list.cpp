@@ -7,7 +7,7 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "widgets/value_catalogue.h"
+#include "widgets/fixed_text.h"
 
 namespace mrose::gui {
 namespace {

@@ -48,8 +48,8 @@ std::optional<std::size_t> modelOf(const ValueKey& key, const Reality* reality) 
 std::vector<CurveLook> looksOf(std::span<const ValueKey> keys, std::span<const PlottedValue> values,
                                const Reality* reality, const Theme& theme) {
     std::vector<CurveLook> looks;
-    std::map<std::pair<std::uint32_t, QString>, int> used;
-    std::map<std::pair<std::size_t, QString>, int> usedOfModels;
+    std::map<std::pair<std::uint32_t, std::string>, int> used;
+    std::map<std::pair<std::size_t, std::string>, int> usedOfModels;
     const std::array others{theme.text, theme.contact, theme.accent, theme.quietText};
     for (std::size_t i = 0; i < values.size(); ++i) {
         const PlottedValue& value = values[i];
@@ -104,7 +104,7 @@ QString reportingPart(const QString& quantity, const std::set<QString>& all) {
 QString quantityOf(const ValueKey& key, const PlottedValue& value) {
     if (isExpression(key)) return {};
     const QString body = QString::fromStdString(key.body) + "  ", model = QString::fromStdString(key.of) + ": ";
-    QString words = value.name;
+    QString words = QString::fromStdString(value.name);
     if (words.startsWith(body)) words.remove(0, body.size());
     if (isError(key) && words.startsWith(model)) words.remove(0, model.size());
     return words;
@@ -115,7 +115,7 @@ QString quantityOf(const ValueKey& key, const PlottedValue& value) {
 std::vector<CurveWords> wordsOf(std::span<const ValueKey> keys, std::span<const PlottedValue> values,
                                 const QString& own) {
     std::set<std::string> bodies;
-    std::map<QString, std::set<QString>> quantities;  // of each unit
+    std::map<std::string, std::set<QString>> quantities;  // of each unit
     bool models = !own.isEmpty();
     for (std::size_t i = 0; i < values.size(); ++i) {
         bodies.insert(keys[i].body);
@@ -126,7 +126,8 @@ std::vector<CurveWords> wordsOf(std::span<const ValueKey> keys, std::span<const 
     for (std::size_t i = 0; i < values.size(); ++i) {
         const QString body = QString::fromStdString(keys[i].body), quantity = quantityOf(keys[i], values[i]);
         if (isExpression(keys[i])) {
-            words.push_back({values[i].name, {}, {}, values[i].name});
+            const QString name = QString::fromStdString(values[i].name);
+            words.push_back({name, {}, {}, name});
             continue;
         }
         const std::set<QString>& beside = quantities[values[i].unit];

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "comparison/reality.h"
+#include "assessment/reality.h"
+#include "debug/plotted_value.h"
 #include "widgets/theme.h"
-#include "widgets/value_catalogue.h"
 
 namespace mrose::gui {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "comparison/compare.h"
+#include "assessment/compare.h"
 #include "panels/plot_panel.h"
 #include "session/job_queue.h"
 

@@ -330,8 +330,8 @@ void PlotPanel::follow() {
 PlotCurve PlotPanel::curveOf(const ValueKey& key, const PlottedValue& value, const std::vector<Piece>& lineage) const {
     PlotCurve curve;
     curve.id = QString::fromStdString(key.quantity + '\n' + key.body + '\n' + key.of);
-    curve.name = value.name;
-    curve.unit = value.unit;
+    curve.name = QString::fromStdString(value.name);
+    curve.unit = QString::fromStdString(value.unit);
     curve.decimals = value.decimals;
     ValueSeries* series = series_.get();
     curve.sample = [series, key, lineage, angle = value.angle](std::int64_t from, std::int64_t to, std::int64_t step,
@@ -417,8 +417,8 @@ void PlotPanel::updateList() {
         PlotCurve curve;
         curve.colour = looks_[i].colour;
         curve.style = looks_[i].style;
-        lines.push_back(
-            {curvePen(curve), words[i].inGroup, plotted[i].unit, plotted[i].name.simplified(), words[i].group});
+        lines.push_back({curvePen(curve), words[i].inGroup, QString::fromStdString(plotted[i].unit),
+                         QString::fromStdString(plotted[i].name).simplified(), words[i].group});
     }
     const QPen dashed(TimelineBar::colourOf(TimelineMark::Kind::divergence, theme_), 1, Qt::DashLine);
     for (const PlotLevel& level : levels())
@@ -432,7 +432,8 @@ std::vector<PlotLevel> PlotPanel::levels() const {
     std::vector<PlotLevel> levels;
     const std::vector<PlottedValue> plotted = values();
     for (const PlotLevel& level : view_->levels())
-        if (std::any_of(plotted.begin(), plotted.end(), [&](const auto& value) { return value.unit == level.unit; }))
+        if (std::any_of(plotted.begin(), plotted.end(),
+                        [&](const auto& value) { return QString::fromStdString(value.unit) == level.unit; }))
             levels.push_back(level);
     return levels;
 }

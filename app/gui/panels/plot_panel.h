@@ -6,12 +6,12 @@
 #include <optional>
 #include <vector>
 
+#include "debug/plotted_value.h"
 #include "panels/curve_looks.h"
 #include "session/session.h"
 #include "session/value_series.h"
 #include "widgets/plot_view.h"
 #include "widgets/theme.h"
-#include "widgets/value_catalogue.h"
 
 class QLabel;
 class QLineEdit;

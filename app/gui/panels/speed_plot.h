@@ -3,7 +3,7 @@
 #include <QObject>
 #include <vector>
 
-#include "widgets/value_catalogue.h"
+#include "debug/plotted_value.h"
 
 namespace mrose::gui {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "travel/open_run.h"
+#include "debug/open_run.h"
 
 class QTableWidget;
 

@@ -13,10 +13,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparison/divergence_text.h"
-#include "evaluation/format.h"
+#include "diagnosis/divergence_text.h"
+#include "io/format.h"
 #include "widgets/eliding_text.h"
-#include "widgets/value_catalogue.h"
+#include "widgets/fixed_text.h"
 
 namespace mrose::gui {
 namespace {

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <utility>
 
-#include "evaluation/format.h"
 #include "files/window_files.h"
+#include "io/format.h"
 #include "widgets/field_view.h"
+#include "widgets/fixed_text.h"
 #include "widgets/message_bar.h"
-#include "widgets/value_catalogue.h"
 #include "window/main_window.h"
 #include "window/window_memory.h"
 

@@ -6,14 +6,18 @@
 #include <span>
 #include <vector>
 
-#include "breaks/breakpoints.h"
-#include "reality/overlay_work.h"
-#include "reality/rollout_hits.h"
+#include "debug/breakpoints.h"
+#include "debug/rollout_hits.h"
 #include "session/job_queue.h"
+#include "widgets/view_transform.h"
+#include "workflow/overlay_work.h"
 
 namespace mrose::gui {
 
 class MainWindow;
+
+/// Of the messages that speak of a model.
+inline QString modelTopic(const std::string& name) { return "model " + QString::fromStdString(name); }
 
 /// A real log laid over its simulation: where the simulated robots start, what becomes of each rollout, and which of
 /// them the window shows as its run. Works in the background; changed() is emitted.

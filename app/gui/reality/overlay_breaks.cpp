@@ -4,10 +4,9 @@
 #include "files/window_files.h"
 #include "reality/overlay.h"
 #include "reality/overlay_marks.h"
-#include "reality/rollout_breaks.h"
 #include "widgets/field_view.h"
-#include "widgets/value_catalogue.h"
 #include "window/main_window.h"
+#include "workflow/rollout_breaks.h"
 
 namespace mrose::gui {
 

@@ -20,8 +20,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "evaluation/format.h"
-#include "widgets/value_catalogue.h"
+#include "io/format.h"
+#include "widgets/fixed_text.h"
 
 namespace mrose::gui {
 namespace {

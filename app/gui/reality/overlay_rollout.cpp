@@ -1,10 +1,10 @@
 // What an overlay knows of the rollout that the window shows.
 #include <algorithm>
 
+#include "debug/plotted_value.h"
 #include "reality/overlay.h"
 #include "reality/overlay_marks.h"
 #include "widgets/field_view.h"
-#include "widgets/value_catalogue.h"
 #include "window/main_window.h"
 
 namespace mrose::gui {
@@ -143,7 +143,7 @@ void Overlay::showNear() {
     const OverlayRow* const row = shownRow();
     if (row == nullptr || row->area.empty()) return;
     const LogWorld& world = world_->world();
-    FieldArea area = row->area;
+    Area area = row->area;
     const double reach = world.parts().scene.shapeOf(world.robots()[row->robot].body).reach;
     const Point middle = area.middle();
     const auto half = [&](double size) { return std::max(least / 2, (1 + margin) * (size / 2 + reach)); };
@@ -155,7 +155,7 @@ void Overlay::showNear() {
 bool Overlay::isAside() const {
     const OverlayRow* const row = shownRow();
     if (row == nullptr) return false;
-    const FieldArea seen = window_.field().transform().shown();
+    const Area seen = window_.field().transform().shown();
     return row->area.most.x < seen.least.x || row->area.least.x > seen.most.x || row->area.most.y < seen.least.y ||
            row->area.least.y > seen.most.y;
 }

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "comparison/reality.h"
+#include "assessment/reality.h"
 #include "session/shown.h"
 #include "widgets/timeline_bar.h"
 

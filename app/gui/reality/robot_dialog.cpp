@@ -12,18 +12,18 @@
 #include <filesystem>
 
 #include "scenario/description_file.h"
-#include "shared/resources.h"
 #include "widgets/field_canvas.h"
-#include "widgets/value_catalogue.h"
+#include "widgets/fixed_text.h"
 #include "widgets/warning_style.h"
+#include "workflow/resources.h"
 
 namespace mrose::gui {
 namespace {
 
 constexpr int pictureSize = 44;  // pixels
 
-FieldArea outlineOf(const Shape& shape) {
-    FieldArea area{{1, 1}, {-1, -1}};
+Area outlineOf(const Shape& shape) {
+    Area area{{1, 1}, {-1, -1}};
     for (const ShapePart& part : shape.parts) {
         if (part.polygon.empty()) area.include(part.centre, part.radius);
         for (const Point& corner : part.polygon) area.include(corner);
@@ -62,7 +62,7 @@ Expected<RobotKind> robotKindOf(const std::string& file) {
     if (!description) return tl::unexpected(description.error());
     const auto* robot = std::get_if<RobotDescription>(&*description);
     if (robot == nullptr) return fail(file, "describes no robot; expected format = \"mrose robot\"");
-    const FieldArea outline = outlineOf(*robot->type.shape);
+    const Area outline = outlineOf(*robot->type.shape);
     return RobotKind{file,
                      robot->type.name,
                      robot->type.shape,

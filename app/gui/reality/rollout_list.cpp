@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "evaluation/format.h"
-#include "widgets/value_catalogue.h"
+#include "io/format.h"
+#include "widgets/fixed_text.h"
 
 namespace mrose::gui {
 namespace {

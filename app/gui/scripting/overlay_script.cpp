@@ -5,8 +5,8 @@
 
 #include "reality/overlay.h"
 #include "reality/overlay_panel.h"
-#include "shared/resources.h"
 #include "window/main_window.h"
+#include "workflow/resources.h"
 
 namespace mrose::gui {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "condition/world_names.h"
-#include "widgets/field_frame.h"
+#include "debug/field_frame.h"
 
 namespace mrose::gui {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "debug/field_frame.h"
 #include "io/error.h"
-#include "widgets/field_frame.h"
 
 namespace mrose::gui {
 

@@ -4,8 +4,8 @@
 #include <chrono>
 #include <utility>
 
+#include "debug/play_end.h"
 #include "io/caught.h"
-#include "session/play_end.h"
 
 namespace mrose::gui {
 namespace {
@@ -455,7 +455,7 @@ bool Session::playTicks() {
     const auto arrive = [this] {
         if (stopsHere([this](double) { return !superseded(); })) return;
         if (run_->tick() != end_.value_or(usualEnd(*run_))) return;
-        stop(endText(*run_));
+        stop(QString::fromStdString(endText(*run_)));
         event_ = RunEvent::playedOut;
     };
     bool any = countsHere();

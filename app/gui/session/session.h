@@ -13,10 +13,10 @@
 #include <thread>
 #include <vector>
 
-#include "breaks/breakpoints.h"
+#include "debug/breakpoints.h"
+#include "debug/run_recorder.h"
+#include "debug/time_travel.h"
 #include "session/shown.h"
-#include "travel/run_recorder.h"
-#include "travel/time_travel.h"
 
 namespace mrose::gui {
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "session/play_end.h"
+#include "debug/play_end.h"
 #include "session/session.h"
 
 namespace mrose::gui {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "breaks/breakpoints.h"
-#include "travel/time_travel.h"
+#include "debug/breakpoints.h"
+#include "debug/time_travel.h"
 #include "world/state_hash.h"
 
 namespace mrose::gui {

@@ -11,9 +11,9 @@
 #include <thread>
 #include <vector>
 
+#include "debug/plotted_value.h"
 #include "session/session.h"
 #include "widgets/curve_sampling.h"
-#include "widgets/value_catalogue.h"
 
 namespace mrose::gui {
 

@@ -4,7 +4,7 @@
 #include <QObject>
 #include <QTimer>
 
-#include "travel/branch_record.h"
+#include "debug/branch_record.h"
 
 namespace mrose {
 class MessageBar;

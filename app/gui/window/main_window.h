@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "actions/actions.h"
+#include "debug/open_run.h"
 #include "reality/reality_marks.h"
 #include "session/session.h"
-#include "travel/open_run.h"
 #include "widgets/theme.h"
 
 class QComboBox;

@@ -1,0 +1,163 @@
+#include "assessment/prediction_files.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "io/file.h"
+#include "io/format.h"
+#include "logs/csv_rows.h"
+#include "world/seconds_text.h"
+
+namespace mrose {
+namespace {
+
+/// Where the columns of interest stand; size() of the header: absent.
+struct Columns {
+    std::size_t dataset, robot, start, trajectory;
+};
+
+Expected<Columns> findColumns(const CsvRows& rows, const std::string& fileName) {
+    const auto& header = rows.header();
+    const auto indexOf = [&](std::string_view column) {
+        return static_cast<std::size_t>(std::find(header.begin(), header.end(), column) - header.begin());
+    };
+    for (const std::string column : {"dataset", "robot", "t_start"})
+        if (indexOf(column) == header.size())
+            return fail(fileName, "the header has no such column; expected dataset,robot,t_start", rows.headerLine(),
+                        column);
+    return Columns{indexOf("dataset"), indexOf("robot"), indexOf("t_start"), indexOf("trajectory")};
+}
+
+Expected<WindowRequest> toRequest(const CsvRows& rows, const Columns& columns) {
+    const auto cells = rows.cells();
+    const auto column = [&](std::size_t i) { return std::string(rows.header()[i]); };
+    for (const std::size_t i : {columns.dataset, columns.robot, columns.start})
+        if (!cells[i].present) return tl::unexpected(rows.about(column(i), "the cell is empty"));
+    WindowRequest request;
+    const double dataset = cells[columns.dataset].number;
+    if (dataset != std::floor(dataset) || std::abs(dataset) > 1e9)
+        return tl::unexpected(rows.about("dataset", "is no whole number"));
+    request.dataset = static_cast<int>(dataset);
+    request.robot = std::string(cells[columns.robot].text);
+    request.start = cells[columns.start].instant;
+    if (columns.trajectory < cells.size()) request.trajectory = std::string(cells[columns.trajectory].text);
+    request.line = rows.line();
+    return request;
+}
+
+bool severalTrajectories(const Log& log) {
+    return std::any_of(log.robots.begin(), log.robots.end(),
+                       [](const RobotLog& robot) { return robot.trajectories.size() > 1; });
+}
+
+Expected<std::size_t> robotIndex(const Log& log, const WindowRequest& request, const std::string& fileName) {
+    for (std::size_t i = 0; i < log.robots.size(); ++i)
+        if (log.robots[i].robot == request.robot) return i;
+    return fail(fileName, "the log " + log.source + " has no robot " + request.robot, request.line, "robot");
+}
+
+Expected<RolloutStart> startOf(const RobotLog& robot, const WindowRequest& request, int steps,
+                               const std::string& fileName) {
+    std::vector<RolloutStart> candidates;
+    for (const Trajectory& trajectory : robot.trajectories) {
+        if (!request.trajectory.empty() && trajectory.name != request.trajectory) continue;
+        if (const auto start = measureStart(trajectory, request.start, steps)) candidates.push_back(*start);
+    }
+    const std::string when = "robot " + request.robot + " at " + secondsText(request.start) + " s";
+    if (candidates.empty())
+        return fail(fileName, "no ground truth of " + when + " to start from", request.line, "t_start");
+    if (candidates.size() > 1)
+        return fail(fileName, "several trajectories have " + when + "; expected a column trajectory", request.line,
+                    "t_start");
+    return candidates.front();
+}
+
+}  // namespace
+
+Expected<std::vector<WindowRequest>> parseWindows(std::string_view content, const std::string& fileName) {
+    auto rows = CsvRows::open(content, fileName);
+    if (!rows) return tl::unexpected(rows.error());
+    const auto columns = findColumns(*rows, fileName);
+    if (!columns) return tl::unexpected(columns.error());
+    std::vector<CellKind> kinds(rows->header().size(), CellKind::number);
+    kinds[columns->robot] = CellKind::text;
+    kinds[columns->start] = CellKind::instant;
+    if (columns->trajectory < kinds.size()) kinds[columns->trajectory] = CellKind::text;
+    rows->setKinds(std::move(kinds));
+
+    std::vector<WindowRequest> requests;
+    std::map<std::tuple<int, std::string, std::string, Nanoseconds>, int> lines;
+    while (rows->next()) {
+        auto request = toRequest(*rows, *columns);
+        if (!request) return tl::unexpected(request.error());
+        const auto [known, isNew] =
+            lines.try_emplace({request->dataset, request->robot, request->trajectory, request->start}, request->line);
+        if (!isNew)
+            return tl::unexpected(
+                rows->about("t_start", "the window of line " + std::to_string(known->second) + " once more"));
+        requests.push_back(std::move(*request));
+    }
+    if (rows->error()) return tl::unexpected(*rows->error());
+    if (requests.empty()) return fail(fileName, "has no window", rows->headerLine());
+    return requests;
+}
+
+Expected<std::vector<WindowRequest>> readWindows(const std::filesystem::path& file) {
+    const auto content = readFile(file);
+    if (!content) return tl::unexpected(content.error());
+    return parseWindows(*content, file.string());
+}
+
+std::string windowKey(int dataset, const std::string& robot, Nanoseconds start) {
+    return std::to_string(dataset) + "," + robot + "," + secondsText(start);
+}
+
+std::string windowsCsv(const Evaluation& evaluation) {
+    std::string text = "dataset,robot,t_start,path_m,rotation_rad,trajectory\n";
+    for (std::size_t i = 0; i < evaluation.windows.size(); ++i) {
+        const Window& w = evaluation.windows[i];
+        text += windowKey(evaluation.dataset, evaluation.robots[w.robot].name, w.start) + "," + fixed(w.path, 4) + "," +
+                fixed(w.rotation, 4) + "," + evaluation.trajectories[i] + "\n";
+    }
+    return text;
+}
+
+Expected<RequestedStarts> requestedStarts(const Log& log, std::span<const WindowRequest> requests, int steps,
+                                          const std::string& fileName) {
+    RequestedStarts requested;
+    for (const WindowRequest& request : requests) {
+        if (request.dataset != log.dataset)
+            return fail(fileName,
+                        "is " + std::to_string(request.dataset) + ", but the log " + log.source + " is data set " +
+                            std::to_string(log.dataset),
+                        request.line, "dataset");
+        const auto robot = robotIndex(log, request, fileName);
+        if (!robot) return tl::unexpected(robot.error());
+        const auto start = startOf(log.robots[*robot], request, steps, fileName);
+        if (!start) return tl::unexpected(start.error());
+        requested.starts.push_back(*start);
+        requested.robots.push_back(*robot);
+    }
+    return requested;
+}
+
+std::string predictionsCsv(const Log& log, std::span<const RolloutStart> starts, std::span<const std::size_t> robots,
+                           std::span<const std::vector<Pose>> predicted, Nanoseconds step) {
+    const bool named = severalTrajectories(log);
+    std::string text = "dataset,robot,t_start,t,x,y,heading";
+    text += named ? ",trajectory\n" : "\n";
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+        const std::string key = windowKey(log.dataset, log.robots[robots[i]].robot, starts[i].time) + ",";
+        const std::string end = named ? "," + starts[i].trajectory->name + "\n" : "\n";
+        for (std::size_t k = 0; k < predicted[i].size(); ++k) {
+            const Pose& pose = predicted[i][k];
+            text += key + secondsText(static_cast<Nanoseconds>(k + 1) * step) + "," + fixed(pose.x, 7) + "," +
+                    fixed(pose.y, 7) + "," + fixed(pose.heading, 7) + end;
+        }
+    }
+    return text;
+}
+
+}  // namespace mrose

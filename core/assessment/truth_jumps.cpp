@@ -1,0 +1,54 @@
+#include "assessment/truth_jumps.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/pose.h"
+#include "logs/conditioning.h"
+
+namespace mrose {
+namespace {
+
+constexpr Nanoseconds commandedBefore = 2 * nanosecondsPerSecond;
+constexpr double timesCommanded = 2, leastDistance = 0.1, leastTurn = 0.3;  // m, rad
+
+/// The largest speeds commanded between two instants, with the command in force at the first one.
+Command fastestCommanded(const std::vector<StampedCommand>& commands, Nanoseconds from, Nanoseconds to) {
+    auto at = std::upper_bound(commands.begin(), commands.end(), StampedCommand{from, {}}, earlier<StampedCommand>);
+    if (at != commands.begin()) --at;
+    Command fastest;
+    for (; at != commands.end() && at->time <= to; ++at) {
+        fastest.v = std::max(fastest.v, std::abs(at->command.v));
+        fastest.w = std::max(fastest.w, std::abs(at->command.w));
+    }
+    return fastest;
+}
+
+}  // namespace
+
+std::vector<TruthJump> truthJumps(const Trajectory& trajectory, Nanoseconds from, Nanoseconds to) {
+    std::vector<TruthJump> jumps;
+    if (trajectory.commands.empty()) return jumps;
+    const std::vector<StampedPose>& poses = trajectory.poses;
+    auto at = std::upper_bound(poses.begin(), poses.end(), StampedPose{from, {}}, earlier<StampedPose>);
+    if (at == poses.begin() && at != poses.end()) ++at;
+    if (at == poses.end()) return jumps;
+    auto known = std::prev(at);
+    while (known != poses.begin() && std::prev(known)->pose == known->pose) --known;
+    Nanoseconds since = known->time;
+    for (; at != poses.end() && at->time <= to; ++at) {
+        const Pose &before = std::prev(at)->pose, &after = at->pose;
+        if (after == before) continue;
+        const TruthJump jump{std::prev(at)->time, at->time, std::hypot(after.x - before.x, after.y - before.y),
+                             std::abs(wrapAngle(after.heading - before.heading))};
+        const double passed = toSeconds(at->time - since);
+        const Command commanded = fastestCommanded(trajectory.commands, at->time - commandedBefore, at->time);
+        if (jump.distance > timesCommanded * commanded.v * passed + leastDistance ||
+            jump.turn > timesCommanded * commanded.w * passed + leastTurn)
+            jumps.push_back(jump);
+        since = at->time;
+    }
+    return jumps;
+}
+
+}  // namespace mrose

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "assessment/reality.h"
+#include "debug/branch_setup.h"
+#include "io/error.h"
+#include "recording/history.h"
+#include "recording/recording.h"
+#include "world/world_state.h"
+
+namespace mrose {
+
+/// What is to be opened, and how: as it can be opened again.
+struct OpenRequest {
+    std::string file;  ///< a scenario, one that ships by its name, or a recording
+    std::uint32_t trial = 0;
+    std::optional<std::uint64_t> seed = {};  ///< otherwise the scenario's
+    std::string log = {};                    ///< read instead of those that the scenario names
+    double pluginLimit = 2;                  ///< s, for each decision of a plug-in
+};
+
+/// What the window is given to show.
+struct OpenRun {
+    std::string name;  ///< for the title
+    OpenRequest source;
+    BranchSetupPointer setup;
+    WorldState start;
+    std::shared_ptr<const Reality> reality = nullptr;  ///< what it is laid over; null: nothing
+    /// Of a recording, the run itself first. Empty: nothing has been yet.
+    struct Recorded {
+        Branch branch;
+        BranchSetupPointer setup;
+        WorldState start;
+    };
+    std::vector<Recorded> branches = {};
+    std::vector<std::string> notes = {};
+    /// Files that it was made from, with the hashes of what was read: descriptions, logs, plug-ins.
+    std::map<std::string, std::string> files = {};
+    std::optional<ShownPlace> shown = {};  ///< of a recording: what was shown when it was saved
+
+    bool recorded() const { return !branches.empty(); }
+};
+
+/// How a long opening is watched and ended.
+struct OpenProgress {
+    std::function<bool()> goesOn = [] { return true; };
+    std::function<void(const std::string& file)> reads = [](const std::string&) {};
+};
+
+/// Opens a scenario or a recording. Error: the first thing wrong in any file that it is made from.
+Expected<OpenRun> openRun(const OpenRequest& request, const OpenProgress& progress = {});
+
+}  // namespace mrose

@@ -1,0 +1,192 @@
+#include "drawing/markup.h"
+#include "io/format.h"
+#include "report/evaluation_report.h"
+#include "report/results_json.h"
+#include "world/seconds_text.h"
+
+namespace mrose {
+
+using Json = nlohmann::ordered_json;
+
+Json json(const Distribution& d) {
+    return {{"count", d.count}, {"mean", d.mean},     {"rms", d.rms}, {"p10", d.p10},
+            {"p25", d.p25},     {"median", d.median}, {"p75", d.p75}, {"p90", d.p90}};
+}
+
+Json json(const Summary& s) {
+    return {{"windows", s.windows},
+            {"path_m", s.path},
+            {"rotation_rad", s.rotation},
+            {"P_percent", s.p},
+            {"P_interval95_percent", {s.p95.low, s.p95.high}},
+            {"Hd_percent", s.hd},
+            {"Hd_interval95_percent", {s.hd95.low, s.hd95.high}},
+            {"position_mean_over_path_percent", json(s.positionMeanOverPath)},
+            {"position_final_over_path_percent", json(s.positionFinalOverPath)},
+            {"position_final_over_path_by_steps_percent", json(s.positionFinalOverPathBySteps)},
+            {"position_mean_m", json(s.positionMean)},
+            {"position_final_m", json(s.positionFinal)},
+            {"heading_mean_rad", json(s.headingMean)},
+            {"heading_final_rad", json(s.headingFinal)},
+            {"final_along_m", json(s.along)},
+            {"final_left_m", json(s.left)},
+            {"final_heading_signed_rad", json(s.headingSigned)}};
+}
+
+namespace {
+
+Json json(const PercentErrors& e) { return {{"P_percent", e.p}, {"Hd_percent", e.hd}}; }
+
+Json json(const ModelEvaluation& model) {
+    Json groups = Json::array(), overTime = Json::array(), relative = Json::array();
+    for (const GroupSummary& group : model.groups)
+        groups.push_back({{"by", group.kind}, {"name", group.name}, {"summary", json(group.summary)}});
+    for (const ErrorsAt& at : model.overTime)
+        overTime.push_back({{"t_s", at.time}, {"position_m", json(at.position)}, {"heading_rad", json(at.heading)}});
+    for (const RelativePoseError& error : model.relative)
+        relative.push_back({{"horizon_s", error.horizon},
+                            {"pieces", error.pieces},
+                            {"position_rms_m", error.position},
+                            {"heading_rms_rad", error.heading}});
+    return {{"name", model.name},
+            {"all", json(model.all)},
+            {"groups", std::move(groups)},
+            {"relative_pose_error", std::move(relative)},
+            {"error_over_time", std::move(overTime)},
+            {"on_floor", json(model.onFloor)},
+            {"on_turning_floor", json(model.onTurningFloor)}};
+}
+
+Json json(const LogDefects& d) {
+    return {{"out_of_order", d.outOfOrder},
+            {"duplicates", d.duplicates},
+            {"blips", d.blips},
+            {"pose_outliers", d.poseOutliers},
+            {"unpaired", d.unpaired},
+            {"heading_wraps", d.headingWraps},
+            {"command_gaps", d.commandGaps},
+            {"pose_gaps", d.poseGaps},
+            {"longest_command_gap_s", d.longestCommandGap},
+            {"longest_pose_gap_s", d.longestPoseGap}};
+}
+
+Json json(const std::vector<LogFile>& files) {
+    Json list = Json::array();
+    for (const LogFile& file : files) list.push_back({{"path", file.path}, {"xxh3", file.hash}});
+    return list;
+}
+
+Json json(const Floor& floor, const Evaluation& evaluation) {
+    Json pairs = Json::array();
+    for (const FloorPair& pair : floor.pairs)
+        pairs.push_back({{"robot", evaluation.robots[pair.first.robot].name},
+                         {"first_t_start", secondsText(pair.first.start)},
+                         {"second_t_start", secondsText(pair.second.start)},
+                         {"command_difference_of_bound", pair.commandDifference},
+                         {"position_mean_m", pair.positionMean},
+                         {"position_final_m", pair.positionFinal},
+                         {"heading_mean_rad", pair.headingMean},
+                         {"heading_final_rad", pair.headingFinal},
+                         {"path_m", pair.path},
+                         {"rotation_rad", pair.rotation}});
+    return {{"path_bound_m", floor.options.pathBound},
+            {"rotation_bound_rad", floor.options.rotationBound},
+            {"lead_s", toSeconds(floor.options.lead)},
+            {"least_turn_rate_rad_s", floor.options.leastTurnRate},
+            {"horizon_s", toSeconds(floor.horizon)},
+            {"stretches_tried", floor.tried},
+            {"candidates", floor.candidates},
+            {"pair_count", floor.pairs.size()},
+            {"P_percent", floor.p},
+            {"Hd_percent", floor.hd},
+            {"P_best_percent", floor.pBest},
+            {"Hd_best_percent", floor.hdBest},
+            {"pairs", std::move(pairs)}};
+}
+
+Json floorJson(const std::optional<Floor>& floor, const Evaluation& evaluation) {
+    return floor ? json(*floor, evaluation) : Json();
+}
+
+Json windowsJson(const Evaluation& evaluation) {
+    Json list = Json::array();
+    for (std::size_t i = 0; i < evaluation.windows.size(); ++i) {
+        const Window& w = evaluation.windows[i];
+        Json errors = Json::array();
+        for (const ModelEvaluation& model : evaluation.models) {
+            const WindowErrors& e = model.errors[i];
+            errors.push_back({{"position_mean_m", e.positionMean},
+                              {"position_final_m", e.positionFinal},
+                              {"heading_mean_rad", e.headingMean},
+                              {"heading_final_rad", e.headingFinal}});
+        }
+        list.push_back({{"window", i + 1},
+                        {"robot", evaluation.robots[w.robot].name},
+                        {"trajectory", evaluation.trajectories[i]},
+                        {"t_start", secondsText(w.start)},
+                        {"duration_s", w.steps() * toSeconds(evaluation.options.windows.step)},
+                        {"manoeuvre", name(w.manoeuvre)},
+                        {"steady", w.steady},
+                        {"path_m", w.path},
+                        {"path_by_steps_m", w.pathBySteps},
+                        {"rotation_rad", w.rotation},
+                        {"errors_by_model", std::move(errors)}});
+    }
+    return list;
+}
+
+Json logJson(const Evaluation& evaluation, bool synthetic) {
+    Json robots = Json::array();
+    for (const auto& robot : evaluation.robots)
+        robots.push_back({{"name", robot.name}, {"windows", robot.windows}, {"defects", json(robot.defects)}});
+    return {{"source", evaluation.source}, {"format", evaluation.format},     {"dataset", evaluation.dataset},
+            {"synthetic", synthetic},      {"files", json(evaluation.files)}, {"robots", std::move(robots)}};
+}
+
+}  // namespace
+
+std::string resultsCsv(const Evaluation& evaluation) {
+    std::string text =
+        "model,window,dataset,robot,trajectory,t_start,manoeuvre,steady,path_m,path_by_steps_m,rotation_rad,"
+        "position_mean_m,position_final_m,heading_mean_rad,heading_final_rad,final_along_m,final_left_m,"
+        "final_heading_signed_rad\n";
+    for (const ModelEvaluation& model : evaluation.models)
+        for (std::size_t i = 0; i < evaluation.windows.size(); ++i) {
+            const Window& w = evaluation.windows[i];
+            const WindowErrors& e = model.errors[i];
+            text += cat(csvCell(model.name), ",", std::to_string(i + 1), ",", std::to_string(evaluation.dataset), ",",
+                        csvCell(evaluation.robots[w.robot].name), ",", csvCell(evaluation.trajectories[i]), ",",
+                        secondsText(w.start), ",", name(w.manoeuvre), w.steady ? ",1" : ",0");
+            for (const double value : {w.path, w.pathBySteps, w.rotation, e.positionMean, e.positionFinal,
+                                       e.headingMean, e.headingFinal, e.along, e.left, e.headingFinalSigned})
+                text += cat(",", fixed(value, 6));
+            text += "\n";
+        }
+    return text;
+}
+
+std::string resultsJson(const Evaluation& evaluation, const ReportContext& context) {
+    Json facts = Json::object(), models = Json::array();
+    for (const auto& [key, value] : context.modelFacts) facts[key] = value;
+    for (const ModelEvaluation& model : evaluation.models) models.push_back(json(model));
+    const WindowOptions& windows = evaluation.options.windows;
+    const Json all{{"program", context.program},
+                   {"command_line", context.commandLine},
+                   {"notices", context.notices},
+                   {"log", logJson(evaluation, context.synthetic)},
+                   {"model_facts", std::move(facts)},
+                   {"training_logs", json(context.trainingLogs)},
+                   {"windows_rule",
+                    {{"horizon_s", toSeconds(windows.horizon)},
+                     {"step_s", toSeconds(windows.step)},
+                     {"least_path_m", windows.leastPath},
+                     {"least_rotation_rad", windows.leastRotation}}},
+                   {"models", std::move(models)},
+                   {"floor", floorJson(evaluation.floor, evaluation)},
+                   {"turning_floor", floorJson(evaluation.turningFloor, evaluation)},
+                   {"windows", windowsJson(evaluation)}};
+    // Names may hold bytes that are no UTF-8: replaced, as in the report.
+    return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace mrose

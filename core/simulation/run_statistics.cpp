@@ -1,0 +1,34 @@
+#include "simulation/run_statistics.h"
+
+namespace mrose {
+
+RunStatistics::RunStatistics(const Scenario& scenario)
+    : goals(scenario.scene().environment.goals.size()),
+      driven(scenario.scene().robots.size()),
+      scenario_(&scenario),
+      touchCounter_(scenario.scene().tickLength) {}
+
+void RunStatistics::add(const WorldState& before, const WorldState& after, const StepTrace& trace) {
+    ++ticks;
+    goals = after.goals;
+    for (std::size_t i = 0; i < driven.size(); ++i)
+        driven[i] += distance(position(before.robots[i].pose), position(after.robots[i].pose));
+    for (const StepTrace::Kicked& kicked : trace.kicks) {
+        ++kicks;
+        hits += kicked.hit ? 1 : 0;
+    }
+    faults += static_cast<std::int64_t>(trace.faults.size());
+    if (firstFault.empty() && !trace.faults.empty())
+        firstFault = bodyName(scenario_->scene(), trace.faults[0].robot) + ": " + trace.faults[0].what;
+    touches += static_cast<std::int64_t>(touchCounter_.add(trace).size());
+}
+
+std::string bodyName(const Scene& scene, std::size_t body) {
+    if (body >= scene.robots.size()) return scene.objects[body - scene.robots.size()].name;
+    const bool person = scene.typeOf(body).person;
+    std::size_t number = 0;
+    for (std::size_t i = 0; i <= body; ++i) number += scene.typeOf(i).person == person ? 1 : 0;
+    return (person ? "person " : "robot ") + std::to_string(number) + " (" + scene.robots[body].name + ')';
+}
+
+}  // namespace mrose

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "scenario/scenario.h"
+#include "simulation/step.h"
+#include "simulation/touch_counter.h"
+
+namespace mrose {
+
+/// What happened in a run, in numbers.
+struct RunStatistics {
+    std::int64_t ticks = 0;
+    std::vector<std::int32_t> goals;   ///< in each of the environment's goals
+    std::int64_t touches = 0;          ///< pairs that began to touch, see TouchCounter
+    std::int64_t kicks = 0, hits = 0;  ///< of manipulators; those that met a ball
+    std::int64_t faults = 0;           ///< of controllers and models
+    std::string firstFault;            ///< "robot 2 (keeper): its controller ..."; empty: none
+    std::vector<double> driven;        ///< by each robot, m
+
+    explicit RunStatistics(const Scenario& scenario);
+    /// One tick: the state before and after it, and its trace.
+    void add(const WorldState& before, const WorldState& after, const StepTrace& trace);
+
+private:
+    const Scenario* scenario_;
+    TouchCounter touchCounter_;
+};
+
+/// "robot 2 (keeper)": counted from 1, people after the robots under a word of their own.
+std::string bodyName(const Scene& scene, std::size_t body);
+
+}  // namespace mrose

@@ -1,0 +1,43 @@
+#include "workflow/log_files.h"
+
+#include <algorithm>
+
+#include "assessment/rollout.h"
+#include "io/number_text.h"
+#include "logs/log_reader.h"
+#include "workflow/resources.h"
+
+namespace mrose {
+
+Expected<Log> openLog(const std::string& source, const std::vector<std::string>& robots,
+                      const std::optional<DifferentialDrive>& drive) {
+    LogOptions options;
+    if (drive) options.drive = *drive;
+    auto log = readLog(placeOfLog(source), options);
+    if (!log || robots.empty()) return log;
+    std::vector<RobotLog> chosen;
+    for (const std::string& name : robots) {
+        const auto found = std::find_if(log->robots.begin(), log->robots.end(),
+                                        [&](const RobotLog& robot) { return robot.robot == name; });
+        if (found == log->robots.end()) return fail(source, "has no robot \"" + name + '"');
+        const bool again =
+            std::any_of(chosen.begin(), chosen.end(), [&](const RobotLog& r) { return r.robot == name; });
+        if (!again) chosen.push_back(*found);
+    }
+    log->robots = std::move(chosen);
+    return log;
+}
+
+Expected<std::shared_ptr<const LearnedMotion>> openNetwork(const std::string& path) {
+    auto network = loadNetwork(path);
+    if (!network) return tl::unexpected(network.error());
+    const Nanoseconds step = RolloutOptions{}.step;
+    if (step % network->period != 0)
+        return fail(path,
+                    "is " + numberText(toSeconds(network->period)) + "; expected a period that divides " +
+                        numberText(toSeconds(step)) + " s, the step of predictions",
+                    0, "period_s");
+    return std::make_shared<const LearnedMotion>(std::move(*network));
+}
+
+}  // namespace mrose

@@ -1,0 +1,104 @@
+#include "workflow/notices.h"
+
+#include <algorithm>
+
+#include "io/format.h"
+#include "logs/csv_format.h"
+#include "logs/unit_doubts.h"
+#include "motion/learned_model.h"
+#include "workflow/resources.h"
+
+namespace mrose {
+namespace {
+
+std::string listOf(const std::vector<std::string>& names) {
+    if (names.size() == 1 && names[0] == defaultRobot) return "the " + names[0];
+    std::string text = names.size() == 1 ? "robot " : "robots ";
+    for (std::size_t i = 0; i < names.size(); ++i) text += (i == 0 ? "" : ", ") + names[i];
+    return text;
+}
+
+std::string ofOtherKind(const MotionNetwork& network, const std::string& kind, const std::string& whose) {
+    if (kind.empty() || kind == "robot" || network.robotType == "robot" || kind == network.robotType) return {};
+    return "The network is of another kind of robot (" + network.robotType + ") than " + whose + " (" + kind +
+           "): its predictions mean little.";
+}
+
+std::string ofUnknownRobots(const MotionNetwork& network, const Log& log) {
+    std::vector<std::string> unknown;
+    for (const RobotLog& robot : log.robots)
+        if (std::find(network.robots.begin(), network.robots.end(), robot.robot) == network.robots.end())
+            unknown.push_back(robot.robot);
+    if (unknown.empty() || network.robots.empty()) return {};
+    return "The network was not learned from " + listOf(unknown) +
+           (network.robots.size() == 1 ? ", which it takes for " : ", which it takes for the mean of ") +
+           listOf(network.robots) + '.';
+}
+
+std::string ofKnownLog(const MotionNetwork& network, const Log& log, const std::string& howJudged) {
+    const auto& known = network.training.logs;
+    const auto isKnown = [&](const LogFile& file) {
+        return std::any_of(known.begin(), known.end(), [&](const auto& source) { return source.hash == file.hash; });
+    };
+    if (std::none_of(log.files.begin(), log.files.end(), isKnown)) return {};
+    return std::string("The network was learned from this log: on another one its errors are larger.") +
+           (network.heldOut.part.holdsAny() ? howJudged : "");
+}
+
+}  // namespace
+
+std::string keptFromLearning(const HoldOut& part) {
+    if (!part.holdsAny()) return {};
+    const std::string every = "one in " + std::to_string(part.every);
+    if (!part.byTime()) return every + " of the groups of trajectories";
+    return every + " of the blocks of about " + fixed(part.block, 0) + " s; nor was learned from " +
+           fixed(part.guard, 1) + " s before and after each";
+}
+
+std::vector<const MotionNetwork*> networksOf(const ScenarioParts& parts) {
+    std::vector<const MotionNetwork*> networks;
+    for (const LogPlayer& player : parts.players)
+        if (const auto* learned = learnedModel(parts.scene.modelOf(player.robot)))
+            if (std::find(networks.begin(), networks.end(), &learned->network()) == networks.end())
+                networks.push_back(&learned->network());
+    return networks;
+}
+
+std::string robotKind(const Log& log) {
+    const auto kinds = robotKinds();
+    const RobotKind* const kind = kinds ? kindOfLog(*kinds, log) : nullptr;
+    return kind != nullptr ? kind->traits.type : "";
+}
+
+std::vector<std::string> noticesOf(const Log& log) {
+    std::vector<std::string> notices = log.incomplete;
+    for (std::string& doubt : unitDoubts(log)) notices.push_back(std::move(doubt));
+    return notices;
+}
+
+std::vector<std::string> noticesOf(const MotionNetwork& network, const Log& log, bool heldOutOnly) {
+    std::vector<std::string> notices{ofOtherKind(network, robotKind(log), "the log"), ofUnknownRobots(network, log)};
+    if (!heldOutOnly)
+        notices.push_back(ofKnownLog(network, log, " --held-out judges it by what was kept from learning."));
+    std::erase(notices, std::string());
+    return notices;
+}
+
+std::vector<std::string> noticesOf(const MotionNetwork& network, const LogWorld& world) {
+    Log compared;
+    compared.files = world.log().files;
+    for (const ComparedRobot& robot : world.robots()) compared.robots.push_back({robot.realName, {}, {}});
+    std::vector<std::string> notices{otherKindNotice(network, world), ofUnknownRobots(network, compared),
+                                     ofKnownLog(network, compared, " mrose evaluate can judge it by what was kept.")};
+    std::erase(notices, std::string());
+    return notices;
+}
+
+std::string otherKindNotice(const MotionNetwork& network, const LogWorld& world) {
+    const std::string kind = robotKind(world.log());
+    const auto own = networksOf(world.parts());
+    if (!kind.empty() || own.empty()) return ofOtherKind(network, kind, "the log");
+    return ofOtherKind(network, own.front()->robotType, "the scenario's");
+}
+
+}  // namespace mrose

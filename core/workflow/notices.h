@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "assessment/log_world.h"
+#include "logs/robot_log.h"
+#include "motion/motion_network.h"
+#include "scenario/scenario.h"
+
+namespace mrose {
+
+/// The kind of robot that drove in a log, by the robot files that ship; "" where the log does not say it.
+std::string robotKind(const Log& log);
+
+/// What no part of learning has seen, in words: "one in 5 of the groups of trajectories"; "" where it has seen all.
+std::string keptFromLearning(const HoldOut& part);
+
+/// What must be known of a log before its figures are believed, a sentence each: what is missing of it, what looks like
+/// other units.
+std::vector<std::string> noticesOf(const Log& log);
+
+/// The networks that a scenario's log players move by, each once.
+std::vector<const MotionNetwork*> networksOf(const ScenarioParts& parts);
+
+/// What must be known of a network and a log before the errors of the one on the other are believed, a sentence each:
+/// another kind of robot, robots that it was not learned from, a log that it was learned from. `heldOutOnly`: the log
+/// is but the part that was kept from learning.
+std::vector<std::string> noticesOf(const MotionNetwork& network, const Log& log, bool heldOutOnly = false);
+/// The same of the robots of a log that are compared. Where the log names no kind of robot, theirs is that of their
+/// motion.
+std::vector<std::string> noticesOf(const MotionNetwork& network, const LogWorld& world);
+/// Of these, the one that it is of another kind of robot; empty: it is not.
+std::string otherKindNotice(const MotionNetwork& network, const LogWorld& world);
+
+}  // namespace mrose

@@ -1,0 +1,96 @@
+#include "workflow/overlay_rows.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "diagnosis/other_models.h"
+#include "io/format.h"
+#include "world/seconds_text.h"
+
+namespace mrose {
+namespace {
+
+Area areaOf(const ComparedRollout& rollout) {
+    Area area{{1, 1}, {-1, -1}};
+    for (const std::vector<Pose>* poses : {&rollout.real.truth, &rollout.simulated})
+        for (const Pose& pose : *poses)
+            if (std::isfinite(pose.x) && std::isfinite(pose.y)) area.include(position(pose));
+    return area;
+}
+
+OverlayRow overlayRow(const LogWorld& world, const ComparedRollout& rollout,
+                      const std::vector<RolloutRequest>& requests, const DivergenceOptions& options) {
+    OverlayRow row;
+    row.rollout = rollout.request;
+    row.robot = rollout.robot;
+    row.session = requests[rollout.request].session;
+    row.start = requests[rollout.request].start;
+    row.use = rollout.use;
+    if (const double mean = knownMean(rollout); mean >= 0) row.position = mean;
+    if (row.position && rollout.real.path > 0 && rollout.use != RolloutUse::still)
+        row.share = 100 * *row.position / rollout.real.path;
+    if (std::isfinite(rollout.errors.headingMean)) row.heading = rollout.errors.headingMean;
+    if (rollout.use == RolloutUse::counted || rollout.use == RolloutUse::still) row.manoeuvre = rollout.real.manoeuvre;
+    row.bound = boundFor(world, rollout, options, WindowOptions{}.step);
+    row.divergence = firstDivergence(rollout, WindowOptions{}.step, row.bound);
+    row.touched = rollout.touched.has_value();
+    row.area = areaOf(rollout);
+    return row;
+}
+
+Nanoseconds wholeSteps(double seconds) {
+    const Nanoseconds step = WindowOptions{}.step;
+    return std::max<Nanoseconds>(1, std::llround(seconds / toSeconds(step))) * step;
+}
+
+}  // namespace
+
+OverlayPlan suitedPlan(const OverlayWorld& overlay) {
+    OverlayPlan plan;
+    const auto length = windowsThatSuit(overlay.world(), wholeSteps(plan.length));
+    if (!length) return plan;
+    plan.length = std::round(10 * toSeconds(*length)) / 10;  // as one reads it
+    for (const OverlayPlan::Cut cut : {OverlayPlan::Cut::windows, OverlayPlan::Cut::every, OverlayPlan::Cut::once}) {
+        plan.cut = cut;
+        if (plannedRollouts(overlay, plan)) break;
+    }
+    return plan;
+}
+
+Expected<std::vector<RolloutRequest>> plannedRollouts(const OverlayWorld& overlay, const OverlayPlan& plan) {
+    const Nanoseconds length = wholeSteps(plan.length);
+    if (plan.cut == OverlayPlan::Cut::windows) return rolloutsOfAllWindows(overlay.world(), length);
+    StretchOptions options;
+    options.start = fromSeconds(plan.start);
+    if (plan.cut == OverlayPlan::Cut::every) {
+        options.every = length;
+        if (plan.stretch) options.duration = wholeSteps(*plan.stretch);
+    } else {
+        options.duration = length;
+    }
+    auto rollouts = rolloutsOf(overlay.world(), options);
+    // Said of what the window has, not of flags.
+    if (!rollouts && plan.cut == OverlayPlan::Cut::every)
+        rollouts.error().cause = "no rollout of " + secondsText(length) + " s fits in from " +
+                                 secondsText(options.start) + " s on; expected an earlier start or shorter rollouts";
+    else if (!rollouts)
+        rollouts.error().cause =
+            "the ground truth ends before " + secondsText(options.start) + " s; expected an earlier start";
+    return rollouts;
+}
+
+std::vector<OverlayRow> overlayRows(const LogWorld& world, std::span<const ComparedRollout> rollouts,
+                                    const std::vector<RolloutRequest>& requests, const DivergenceOptions& options) {
+    std::vector<Window> windows;
+    for (const ComparedRollout& rollout : rollouts) windows.push_back(rollout.real);
+    classifyManoeuvres(world.log(), windows, WindowOptions{}.step);
+    std::vector<OverlayRow> rows;
+    for (std::size_t i = 0; i < rollouts.size(); ++i) {
+        if (rollouts[i].use == RolloutUse::absent) continue;
+        rows.push_back(overlayRow(world, rollouts[i], requests, options));
+        if (rows.back().manoeuvre) rows.back().manoeuvre = windows[i].manoeuvre;
+    }
+    return rows;
+}
+
+}  // namespace mrose

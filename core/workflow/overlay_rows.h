@@ -1,0 +1,55 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "diagnosis/compared_divergences.h"
+#include "geometry/area.h"
+#include "workflow/overlay_world.h"
+
+namespace mrose {
+
+/// Where the simulated robots start beside the real ones.
+struct OverlayPlan {
+    enum class Cut {
+        once,    ///< at one start
+        every,   ///< again and again, so that rollouts follow each other
+        windows  ///< as `mrose evaluate` cuts the log: a rollout for each robot and window
+    };
+    Cut cut = Cut::every;
+    double start = 0;    ///< s after the log's start; not of windows
+    double length = 10;  ///< s, of a rollout
+    /// s, of all rollouts that follow each other; nullopt: to the log's end.
+    std::optional<double> stretch = {};
+    bool operator==(const OverlayPlan&) const = default;
+};
+
+/// One robot in one rollout, as lists show it.
+struct OverlayRow {
+    std::size_t rollout = 0, robot = 0;  ///< in Overlay::requests() and LogWorld::robots()
+    std::size_t session = 0;             ///< in LogWorld::sessions()
+    Nanoseconds start = 0;               ///< on the session's clock
+    RolloutUse use = RolloutUse::counted;
+    std::optional<double> position;  ///< m, time-mean over what is known; nullopt: there is no ground truth
+    std::optional<double> share;     ///< %: of the path; nullopt where it hardly drives
+    std::optional<double> heading;   ///< rad, time-mean; nullopt where not all is known
+    std::optional<Manoeuvre> manoeuvre;
+    std::optional<Divergence> divergence;
+    DivergenceBound bound;
+    bool touched = false;
+    Area area{{1, 1}, {-1, -1}};  ///< all that the middles of both robots pass
+};
+
+/// The default: every 10 s; of a log whose trajectories are too short for that windows that nearly all of them hold,
+/// or, where no such window counts, rollouts as long as that.
+OverlayPlan suitedPlan(const OverlayWorld& overlay);
+
+/// The rollouts of a plan. Error: none fits in.
+Expected<std::vector<RolloutRequest>> plannedRollouts(const OverlayWorld& overlay, const OverlayPlan& plan);
+
+/// Those of these rollouts whose robots were simulated.
+std::vector<OverlayRow> overlayRows(const LogWorld& world, std::span<const ComparedRollout> rollouts,
+                                    const std::vector<RolloutRequest>& requests, const DivergenceOptions& options);
+
+}  // namespace mrose
