@@ -4,6 +4,7 @@
 
 #include "widgets/field_drawing.h"
 #include "widgets/field_readout.h"
+#include "widgets/qt_text.h"
 #include "widgets/real_robots.h"
 
 namespace mrose {
@@ -78,7 +79,7 @@ void addNames(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFoc
         label.key = std::uint64_t{1} << 56 | body;
         label.at = position(frame.poseOf(body));
         label.clearance = reach + (looked ? 7 : 0);
-        label.text = QString::fromStdString(frame.nameOf(body));
+        label.text = qtText(frame.nameOf(body));
         label.colour = canvas.theme.onFloor;
         if (std::find(frame.failed.begin(), frame.failed.end(), body) != frame.failed.end()) {
             label.text += QObject::tr(": failed");

@@ -7,6 +7,7 @@
 
 #include "widgets/field_readout.h"
 #include "widgets/layer_sample.h"
+#include "widgets/qt_text.h"
 #include "widgets/real_robots.h"
 
 namespace mrose {
@@ -27,7 +28,7 @@ std::vector<LegendRow> legendRows(const FieldFrame& frame, const FieldLayers& la
         if (!models && (text.layer != FieldLayer::reality || frame.reality))
             rows.push_back({text.layer, QObject::tr(text.name)});
         for (std::size_t m = 0; models && frame.reality && m < frame.reality->models.size(); ++m)
-            rows.push_back({text.layer, QString::fromStdString(frame.reality->models[m].name), m});
+            rows.push_back({text.layer, qtText(frame.reality->models[m].name), m});
     }
     return rows;
 }
@@ -125,7 +126,7 @@ std::pair<QRectF, FieldLabel> FieldPainter::moved(const FieldFrame& frame, std::
     FieldLabel label;
     label.text = poseText(frame, body, pose);
     if (const std::string on = whatIsAt(frame, body, pose); !on.empty())
-        label.text += QObject::tr("   on %1").arg(QString::fromStdString(on));
+        label.text += QObject::tr("   on %1").arg(qtText(on));
     label.colour = canvas_.theme.onFloor;
     const QSizeF size = plateSize(canvas_, label), all = canvas_.view.size();
     const QPointF at = canvas_.at(position(pose));

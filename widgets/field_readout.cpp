@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "debug/plotted_value.h"
+#include "widgets/qt_text.h"
 
 namespace mrose {
 namespace {
@@ -29,7 +30,7 @@ bool overlap(const Shape& a, const Placement& ofA, const Shape& b, const Placeme
 }
 
 QString nameOfBody(const FieldFrame& frame, std::uint32_t body) {
-    return body < frame.scene().bodyCount() ? QString::fromStdString(frame.nameOf(body)) : QObject::tr("the place");
+    return body < frame.scene().bodyCount() ? qtText(frame.nameOf(body)) : QObject::tr("the place");
 }
 
 }  // namespace
@@ -58,10 +59,8 @@ QString bodyReadout(const FieldFrame& frame, std::size_t body) {
     const Scene& scene = frame.scene();
     const std::size_t robots = scene.robots.size();
     const std::string& kind = body < robots ? scene.typeOf(body).name : scene.typeOfObject(body - robots).name;
-    const QString name = QString::fromStdString(frame.nameOf(body));
-    QString text = QString::fromStdString(kind) == name || kind.empty()
-                       ? name
-                       : name + QString::fromUtf8("  \u00b7  ") + QString::fromStdString(kind);
+    const QString name = qtText(frame.nameOf(body));
+    QString text = qtText(kind) == name || kind.empty() ? name : name + QString::fromUtf8("  \u00b7  ") + qtText(kind);
     text += '\n' + poseText(frame, body, frame.poseOf(body)) + '\n';
     if (body >= robots) {
         const Twist& velocity = frame.state.objects[body - robots].velocity_W;
@@ -87,16 +86,16 @@ QString signReadout(const FieldFrame& frame, const Point& at, double reach) {
                 for (const Point& point : note.points)
                     if (distance(point, at) <= reach)
                         lines += QObject::tr("%1: %2, x %3 m   y %4 m")
-                                     .arg(nameOfBody(frame, static_cast<std::uint32_t>(robot)),
-                                          QString::fromStdString(note.label), fixed(point.x, 2), fixed(point.y, 2));
+                                     .arg(nameOfBody(frame, static_cast<std::uint32_t>(robot)), qtText(note.label),
+                                          fixed(point.x, 2), fixed(point.y, 2));
     return lines.join('\n');
 }
 
 QString noteText(const FieldFrame& frame, std::size_t robot, const Annotation& note) {
-    const QString label = QString::fromStdString(note.label);
+    const QString label = qtText(note.label);
     return bodyNamed(frame.scene(), note.label) == noBody
                ? label
-               : QObject::tr("%1\u2019s %2").arg(QString::fromStdString(frame.nameOf(robot)), label);
+               : QObject::tr("%1\u2019s %2").arg(qtText(frame.nameOf(robot)), label);
 }
 
 std::string whatIsAt(const FieldFrame& frame, std::size_t body, const Pose& pose) {

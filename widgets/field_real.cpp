@@ -5,6 +5,7 @@
 
 #include "logs/pose_grid.h"
 #include "widgets/field_drawing.h"
+#include "widgets/qt_text.h"
 #include "widgets/real_robots.h"
 
 namespace mrose {
@@ -208,9 +209,8 @@ void addRealNames(const FieldCanvas& canvas, const FieldFrame& frame, const Fiel
         label.at = position(robot.pose);
         label.clearance = reach + 2;
         if (beside) standBesideBoth(canvas, frame.poseOf(*robot.body), label);
-        label.text = beside
-                         ? QObject::tr("real: %1").arg(errorText(*robot.apart))
-                         : QObject::tr("real %1").arg(QString::fromStdString(frame.reality->robots[robot.index].name));
+        label.text = beside ? QObject::tr("real: %1").arg(errorText(*robot.apart))
+                            : QObject::tr("real %1").arg(qtText(frame.reality->robots[robot.index].name));
         label.colour = canvas.theme.onFloor;
         label.chip = realColour(robot.place, canvas.theme);
         label.first = looked;

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "widgets/field_readout.h"
+#include "widgets/qt_text.h"
 #include "widgets/real_robots.h"
 
 namespace mrose {
@@ -438,7 +439,7 @@ void FieldView::leaveEvent(QEvent* /*event*/) {
 
 QString FieldView::readoutAt(const QPointF& pixels) const {
     if (!frame_) return {};
-    if (onKnob(pixels)) return tr("Drag it to turn %1").arg(QString::fromStdString(frame_->nameOf(*focus_.selected)));
+    if (onKnob(pixels)) return tr("Drag it to turn %1").arg(qtText(frame_->nameOf(*focus_.selected)));
     const QString signs = signReadout(*frame_, view_.toMetres(pixels), grabPixels / view_.scale());
     const std::optional<std::size_t> body = bodyAt(pixels);
     QStringList parts;

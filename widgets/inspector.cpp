@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "widgets/inspector_delegate.h"
+#include "widgets/qt_text.h"
 
 namespace mrose {
 namespace {
@@ -188,9 +189,9 @@ bool Inspector::eventFilter(QObject* watched, QEvent* event) {
 
 void Inspector::refreshHead(bool robot) {
     const Scene& scene = frame_->scene();
-    const QString type = QString::fromStdString(robot ? scene.typeOf(*body_).name
-                                                      : scene.typeOfObject(*body_ - scene.robots.size()).name);
-    const QString name = QString::fromStdString(frame_->nameOf(*body_));
+    const QString type =
+        qtText(robot ? scene.typeOf(*body_).name : scene.typeOfObject(*body_ - scene.robots.size()).name);
+    const QString name = qtText(frame_->nameOf(*body_));
     title_->setText(type.compare(name, Qt::CaseInsensitive) == 0 ? name : name + "  \u00b7  " + type);
     if (!robot) return;
     chip_->setStyleSheet(QString("background:%1;border:1px solid %2;border-radius:7px")
@@ -271,7 +272,7 @@ void Inspector::write(QTreeWidgetItem* item, const InspectorRow& row) {
     item->setData(0, Delegate::plottableRole, row.plot.has_value());
     item->setData(Delegate::plotColumn, Delegate::plottableRole, row.plot.has_value());
     if (!row.plot) return;
-    const auto text = [](const std::string& word) { return QString::fromStdString(word); };
+    const auto text = [](const std::string& word) { return qtText(word); };
     item->setData(
         0, Delegate::keyRole,
         QStringList{text(row.plot->quantity), text(row.plot->body), text(row.plot->of), text(row.plot->unit)});

@@ -8,6 +8,7 @@
 #include "quantities/part.h"
 #include "widgets/fixed_text.h"
 #include "widgets/inspector_rows.h"
+#include "widgets/qt_text.h"
 #include "widgets/timeline_bar.h"
 
 namespace mrose {
@@ -30,7 +31,7 @@ InspectorRow noteRow(const RowWriter& write, const Annotation& note) {
     const NoteLabel label = noteLabel(note.label);
     if (note.kind == Annotation::Kind::value) return write.item(quantity, {label.name, label.unit});
     if (note.kind == Annotation::Kind::text) return write.item(quantity, {note.label, ""});
-    InspectorRow row = RowWriter::text(QString::fromStdString(note.label), {}, QObject::tr(quantity.what));
+    InspectorRow row = RowWriter::text(qtText(note.label), {}, QObject::tr(quantity.what));
     if (note.points.empty()) return row;
     row.value = pointText(note.points.front());
     if (note.kind == Annotation::Kind::line) row.value += QString::fromUtf8(" \u2192 ") + pointText(note.points.back());
@@ -43,7 +44,7 @@ InspectorRow noteRow(const RowWriter& write, const Annotation& note) {
 
 /// `part`: whose memory it is.
 InspectorRow entryRow(const RowWriter& write, const MemoryEntry& entry, std::uint32_t part) {
-    return write.value({&partQuantity(), write.body, part, entry.name, entry.unit}, QString::fromStdString(entry.name));
+    return write.value({&partQuantity(), write.body, part, entry.name, entry.unit}, qtText(entry.name));
 }
 
 QString hexText(std::span<const std::byte> bytes) {
@@ -80,7 +81,7 @@ std::vector<InspectorRow> hexRows(std::span<const std::byte> memory, std::span<c
 
 InspectorRow seenRow(const RowWriter& write, std::uint32_t other) {
     InspectorRow row = asError(write.value(quantityNamed("seen_error", Quantity::Of::seenPair), other));
-    row.id = row.name = QString::fromStdString(write.frame.nameOf(other));
+    row.id = row.name = qtText(write.frame.nameOf(other));
     if (row.quiet) {
         row.value = QObject::tr("not in sight");
         row.unit.clear();
@@ -102,8 +103,7 @@ void addOtherParts(const RowWriter& write, InspectorRow& section) {
     for (std::uint32_t part = 1; part < names.size(); ++part) {
         const std::vector<MemoryEntry> entries = partEntries(write.at, write.body, part);
         if (entries.empty()) continue;
-        InspectorRow row =
-            RowWriter::text(QString::fromStdString(names[part]), QObject::tr("%1 values").arg(entries.size()));
+        InspectorRow row = RowWriter::text(qtText(names[part]), QObject::tr("%1 values").arg(entries.size()));
         for (const MemoryEntry& entry : entries) row.children.push_back(entryRow(write, entry, part));
         section.children.push_back(std::move(row));
     }
@@ -137,8 +137,8 @@ InspectorRow controllerRows(const RowWriter& write) {
     for (const Kick& kick : decision.kicks)
         notable(QObject::tr("Kick"), QObject::tr("with %1 % of its power").arg(fixedText(100 * kick.power, 0)));
     for (const Annotation& note : decision.annotations) rows.push_back(noteRow(write, note));
-    if (!decision.breakReason.empty()) notable(QObject::tr("Stop"), QString::fromStdString(decision.breakReason));
-    if (!decision.fault.empty()) notable(QObject::tr("Failed"), QString::fromStdString(decision.fault));
+    if (!decision.breakReason.empty()) notable(QObject::tr("Stop"), qtText(decision.breakReason));
+    if (!decision.fault.empty()) notable(QObject::tr("Failed"), qtText(decision.fault));
     return section;
 }
 

@@ -4,6 +4,7 @@
 
 #include "widgets/command_queue.h"
 #include "widgets/fixed_text.h"
+#include "widgets/qt_text.h"
 #include "widgets/real_robots.h"
 #include "widgets/timeline_bar.h"
 
@@ -77,7 +78,7 @@ InspectorRow contactRow(const RowWriter& write) {
     all.open = true;
     for (const std::uint32_t other : others) {
         InspectorRow row = write.value(quantityNamed("impulse", Quantity::Of::touchingPair), other);
-        row.name = QObject::tr("with %1").arg(QString::fromStdString(row.plot->of));
+        row.name = QObject::tr("with %1").arg(qtText(row.plot->of));
         setNotable(row, true);
         all.children.push_back(std::move(row));
     }
@@ -137,13 +138,13 @@ RowWriter::RowWriter(const FieldFrame& shown, std::size_t which)
 InspectorRow RowWriter::value(const BoundValue& value, const QString& name) const {
     const ValueKey key = keyOf(*at.scenario, value);
     InspectorRow row;
-    row.id = QString::fromStdString(key.quantity + ' ' + key.of);
+    row.id = qtText(key.quantity + ' ' + key.of);
     row.name = name;
     const QuantityValue content = value.value(at);
-    row.tip = QObject::tr("%1\n%2 in conditions")
-                  .arg(QObject::tr(value.quantity->what), QString::fromStdString(pathOf(*at.scenario, value)));
+    row.tip =
+        QObject::tr("%1\n%2 in conditions").arg(QObject::tr(value.quantity->what), qtText(pathOf(*at.scenario, value)));
     if (const auto* const text = std::get_if<std::string>(&content)) {
-        row.value = QString::fromStdString(*text);
+        row.value = qtText(*text);
         return row;
     }
     row.plot = key;
@@ -154,7 +155,7 @@ InspectorRow RowWriter::value(const BoundValue& value, const QString& name) cons
     }
     const double number = value.shown(numberOf(content));
     row.value = fixedText(number, value.quantity->unit.digits);
-    row.unit = QString::fromStdString(value.shownUnit());
+    row.unit = qtText(value.shownUnit());
     row.quiet = !std::isfinite(number);
     return row;
 }
@@ -164,7 +165,7 @@ InspectorRow RowWriter::value(const Quantity& quantity, std::uint32_t other) con
 }
 
 InspectorRow RowWriter::item(const Quantity& quantity, const Quantity::Item& item) const {
-    return value({&quantity, body, noBody, item.name, item.unit}, QString::fromStdString(item.name));
+    return value({&quantity, body, noBody, item.name, item.unit}, qtText(item.name));
 }
 
 InspectorRow RowWriter::section(const char* name) const {
@@ -177,7 +178,7 @@ InspectorRow RowWriter::section(const char* name) const {
         }
         for (const Quantity::Item& one : quantity.items({at, body})) {
             section.children.push_back(item(quantity, one));
-            section.children.back().name = QString("%1 %2").arg(quantity.name, QString::fromStdString(one.name));
+            section.children.back().name = QString("%1 %2").arg(quantity.name, qtText(one.name));
         }
     }
     return section;

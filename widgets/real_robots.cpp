@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "widgets/field_readout.h"
+#include "widgets/qt_text.h"
 
 namespace mrose {
 namespace {
@@ -66,7 +67,7 @@ QColor realColour(std::optional<std::size_t> place, const Theme& theme) {
 QString errorText(const PoseError& error) { return lengthText(error.position) + ", " + degreesText(error.heading); }
 
 QString realReadout(const FieldFrame& frame, const RealRobot& robot) {
-    const QString name = QObject::tr("real %1").arg(QString::fromStdString(frame.reality->robots[robot.index].name));
+    const QString name = QObject::tr("real %1").arg(qtText(frame.reality->robots[robot.index].name));
     if (robot.lostFor)
         return QObject::tr("%1: no ground truth for %2 s").arg(name).arg(toSeconds(*robot.lostFor), 0, 'f', 1);
     if (robot.apart) return QObject::tr("%1: %2 away").arg(name, errorText(*robot.apart));
@@ -87,7 +88,7 @@ QString modelReadout(const FieldFrame& frame, std::size_t body) {
     QStringList lines;
     for (const Reality::ModelRollout& model : frame.reality->models)
         if (const auto error = frame.reality->modelError(model, real->index, frame.now()))
-            lines += QObject::tr("%1: %2 away").arg(QString::fromStdString(model.name), errorText(*error));
+            lines += QObject::tr("%1: %2 away").arg(qtText(model.name), errorText(*error));
     return lines.join('\n');
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/qt_text.h"
 #include "widgets/timeline_bar.h"
 #include "widgets/timeline_glyphs.h"
 #include "widgets/timeline_signs.h"
@@ -18,7 +19,7 @@ QString TimelineBar::nameOf(const TimelineMark& mark) const {
     const auto body = [&](std::uint32_t which) {
         const std::size_t robots = scene.robots.size();
         if (which >= scene.bodyCount()) return tr("the place");
-        return QString::fromStdString(which < robots ? scene.robots[which].name : scene.objects[which - robots].name);
+        return qtText(which < robots ? scene.robots[which].name : scene.objects[which - robots].name);
     };
     switch (mark.kind) {
         case TimelineMark::Kind::hit: {
@@ -28,9 +29,8 @@ QString TimelineBar::nameOf(const TimelineMark& mark) const {
         case TimelineMark::Kind::contact:
             return tr("%1 and %2").arg(body(mark.body), body(mark.other));
         case TimelineMark::Kind::goal:
-            return mark.other < scene.environment.goals.size()
-                       ? QString::fromStdString(scene.environment.goals[mark.other].name)
-                       : QString();
+            return mark.other < scene.environment.goals.size() ? qtText(scene.environment.goals[mark.other].name)
+                                                               : QString();
         default:
             return body(mark.body);
     }

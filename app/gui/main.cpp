@@ -24,6 +24,7 @@
 #include "shared/interrupts.h"
 #include "widgets/field_view.h"
 #include "widgets/message_bar.h"
+#include "widgets/qt_text.h"
 #include "widgets/timeline_bar.h"
 #include "window/main_window.h"
 #include "window/window_memory.h"
@@ -112,7 +113,7 @@ void runToEnd(MainWindow& window, const CommandLine& line) {
     const Nanoseconds duration = line.duration ? fromSeconds(*line.duration) : frame.scenario->parts().duration;
     const std::int64_t end = frame.state.tick + line.ticks.value_or(frame.scene().ticksOf(duration));
     if (line.speed.value_or(0) > 0) {
-        window.session().stopAt(end);
+        window.session().ask([=](Debugger& debugger) { debugger.stopAt(end); });
         window.session().play();
         settle(window);
         while (window.shown()->playing) letPass(20);
@@ -123,7 +124,7 @@ void runToEnd(MainWindow& window, const CommandLine& line) {
     if (line.breaks.empty()) return;
     const Shown& shown = *window.shown();
     const QString none = QObject::tr("no break up to %1").arg(clockText(shown.frame->scene().timeOf(shown.tick())));
-    std::puts((shown.atBreak ? shown.message : none).toUtf8().constData());
+    std::puts((shown.atBreak ? qtText(shown.message) : none).toUtf8().constData());
 }
 
 /// Whether all held.
@@ -160,16 +161,18 @@ int finish(MainWindow& window, const CommandLine& line, bool held) {
 void begin(MainWindow& window, const CommandLine& line) {
     look(window, line);
     if (const auto breakpoints = breakpointsOf(window, line); !breakpoints)
-        window.messages().add({MessageBar::Kind::error, QString::fromStdString(breakpoints.error().message())});
+        window.messages().add({MessageBar::Kind::error, qtText(breakpoints.error().message())});
     else
-        for (const Breakpoint& breakpoint : *breakpoints) window.session().addBreakpoint(breakpoint);
+        for (const Breakpoint& breakpoint : *breakpoints)
+            window.session().changeBreakpoints([=](Breakpoints& all) { all.add(breakpoint); });
     if (!line.select.empty())
         if (const auto selected = select(window, line.select); !selected)
-            window.messages().add({MessageBar::Kind::error, QString::fromStdString(selected.error().message())});
-    if (!line.record.empty()) window.files().record(QString::fromStdString(line.record), line.overwrite);
+            window.messages().add({MessageBar::Kind::error, qtText(selected.error().message())});
+    if (!line.record.empty()) window.files().record(qtText(line.record), line.overwrite);
     if (line.duration && !overlayOf(line)) {
         const FieldFrame& frame = *window.shown()->frame;
-        window.session().stopAt(frame.state.tick + frame.scene().ticksOf(fromSeconds(*line.duration)));
+        const std::int64_t end = frame.state.tick + frame.scene().ticksOf(fromSeconds(*line.duration));
+        window.session().ask([end](Debugger& debugger) { debugger.stopAt(end); });
     }
     if (!line.file.empty() || !line.log.empty()) return;
     showFirstSteps(window);
@@ -188,7 +191,7 @@ int work(MainWindow& window, const CommandLine& line) {
     else if (line.file.empty())
         window.files().open(requestOf(line), line.at);
     else
-        window.files().open(QString::fromStdString(line.file), requestOf(line), line.at);
+        window.files().open(qtText(line.file), requestOf(line), line.at);
     const auto once = std::make_shared<QMetaObject::Connection>();
     *once = QObject::connect(&window, &MainWindow::updated, &window, [&window, &line, once, said] {
         QObject::disconnect(*once);
@@ -220,7 +223,7 @@ int runAlone(MainWindow& window, const CommandLine& line) {
     const auto breakpoints = breakpointsOf(window, line);
     if (!breakpoints) return report(breakpoints.error());
     window.session().setBreakpoints(*breakpoints);
-    if (!line.record.empty()) window.files().record(QString::fromStdString(line.record), line.overwrite);
+    if (!line.record.empty()) window.files().record(qtText(line.record), line.overwrite);
     const bool endGiven = line.ticks || line.duration;
     bool held = true;
     if (line.run ? endGiven || !line.at
@@ -241,10 +244,9 @@ int runAlone(MainWindow& window, const CommandLine& line) {
     for (const MessageBar::Message& message : window.messages().messages())
         std::fprintf(stderr, "mrose-gui: %s\n", message.text.toStdString().c_str());
     if (!line.screenshot.empty())
-        if (const auto saved = window.saveImage(QString::fromStdString(line.screenshot)); !saved)
-            return report(saved.error());
+        if (const auto saved = window.saveImage(qtText(line.screenshot)); !saved) return report(saved.error());
     if (!line.film.empty())
-        if (const auto made = exportFilm(window, QString::fromStdString(line.film)); !made) return report(made.error());
+        if (const auto made = exportFilm(window, qtText(line.film)); !made) return report(made.error());
     return finish(window, line, held);
 }
 
@@ -271,7 +273,7 @@ int runWindow(const CommandLine& line) {
     if (!line.screenshot.empty())
         if (const auto free = checkWritable(line.screenshot); !free) return report(free.error());
     if (!line.film.empty())
-        if (const auto can = checkFilm(QString::fromStdString(line.film)); !can) return report(can.error());
+        if (const auto can = checkFilm(qtText(line.film)); !can) return report(can.error());
     if (!line.record.empty())
         if (const auto free = checkWritable(line.record, line.overwrite); !free) return report(free.error());
     MainWindow window;
@@ -303,7 +305,7 @@ int runProgram(int argc, char** argv) {
     const auto app = makeApplication(count, argv);
     windowSystemFound();
     QApplication::setDesktopFileName("mrose");
-    QApplication::setWindowIcon(QIcon(QString::fromStdString((resourceFolder() / "resources" / "mrose.svg").string())));
+    QApplication::setWindowIcon(QIcon(qtText((resourceFolder() / "resources" / "mrose.svg").string())));
     QApplication::setOrganizationName("mrose");
     QApplication::setApplicationName("mrose-gui");
     return runWindow(line);

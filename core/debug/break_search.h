@@ -9,6 +9,7 @@
 
 #include "debug/block_judge.h"
 #include "debug/time_travel.h"
+#include "io/progress.h"
 
 namespace mrose {
 
@@ -35,8 +36,6 @@ class BreakSearch {
 public:
     BreakSearch(const TimeTravel& run, BlockJudge& judge) : run_(run), judge_(judge), parts_(run.parts()) {}
 
-    /// Called with the share that is done; false: it is to end.
-    using Progress = std::function<bool(double share)>;
     struct Found {
         std::size_t question = 0;  ///< its place among those asked
         std::int64_t tick = 0;

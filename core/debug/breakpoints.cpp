@@ -37,7 +37,7 @@ std::string trimmedText(const std::string& text) {
 }
 
 /// Looks for marks up to a tick, of a file that has not been looked through yet.
-Expected<void> learnMarks(TimeTravel& run, std::int64_t tick, const Breakpoints::Progress& progress) {
+Expected<void> learnMarks(TimeTravel& run, std::int64_t tick, const Progress& progress) {
     constexpr std::int64_t atOnce = 500;
     for (std::int64_t at = run.first(); at < tick + atOnce; at += atOnce) {
         if (auto learned = run.learnUpTo(std::min(at, tick)); !learned) return learned;

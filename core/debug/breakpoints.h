@@ -76,7 +76,6 @@ public:
         std::string text = {};   ///< what was asked for, where it is none of the breakpoints
     };
     using Answer = Expected<std::optional<Stop>>;
-    using Progress = BreakSearch::Progress;
     /// Why playing is to stop at a tick; nullopt: it is not, or that was not found out (`known`) when it was to end.
     struct Arrival {
         std::optional<std::string> why = {};

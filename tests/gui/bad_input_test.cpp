@@ -17,6 +17,7 @@
 #include "support/recording_metadata.h"
 #include "support/run_program.h"
 #include "widgets/field_view.h"
+#include "widgets/qt_text.h"
 #include "world/state_hash.h"
 
 namespace mrose::gui {
@@ -164,7 +165,7 @@ TEST_F(BadInput, AdviceIsOfWhatWentWrong) {
     std::filesystem::create_directory(path("shut"));
     std::filesystem::permissions(path("shut"), std::filesystem::perms::owner_read);
     const std::string file = ::access(path("shut").c_str(), W_OK) == 0 ? "/sys/kernel/saved.mcap" : path("shut/a.mcap");
-    (void)window.actions().perform("save_recording", QString::fromStdString(file));
+    (void)window.actions().perform("save_recording", qtText(file));
     ASSERT_TRUE(waitFor([&] { return !errors().empty(); }));
     EXPECT_THAT(errors(), ElementsAre(AllOf(HasSubstr("Nothing may be written there"), Not(HasSubstr("room")))));
 }

@@ -4,9 +4,9 @@
 
 #include <gmock/gmock.h>
 
+#include "debug/shown.h"
 #include "gui/window_fixture.h"
 #include "panels/command_panel.h"
-#include "session/shown.h"
 
 namespace mrose::gui {
 namespace {
@@ -30,9 +30,9 @@ protected:
     }
     void undo() { key(Qt::Key_Z, Qt::ControlModifier); }
     void redo() { key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier); }
-    std::string shownName() const { return window.shown()->branches[window.shown()->branch].name.toStdString(); }
+    std::string shownName() const { return window.shown()->branches[window.shown()->branch].name; }
     int listed() const { return listedBranches(window.shown()->branches); }
-    std::string message() const { return window.shown()->message.toStdString(); }
+    std::string message() const { return window.shown()->message; }
 };
 
 /// All that is shown of what robots saw, decided and remember.

@@ -9,6 +9,7 @@
 #include "panels/command_panel.h"
 #include "scenario/carry_over.h"
 #include "support/places.h"
+#include "widgets/qt_text.h"
 #include "world/state_hash.h"
 
 namespace mrose::gui {
@@ -115,7 +116,7 @@ TEST_F(BranchTest, ReturnTriesTheTypedCommand) {
     settle();
     ASSERT_EQ(window.shown()->branches.size(), 2u);
     EXPECT_EQ(window.shown()->branches[1].name, "red 2: -0.25 m/s");
-    EXPECT_TRUE(window.shown()->message.contains("Space plays it")) << window.shown()->message.toStdString();
+    EXPECT_TRUE(qtText(window.shown()->message).contains("Space plays it")) << window.shown()->message;
 }
 
 TEST_F(BranchTest, CommandThatIsNotChangedChangesNothing) {
@@ -212,10 +213,10 @@ TEST_F(BranchTest, SwappedModelIsThatOfAScenarioThatNamesIt) {
     seek(150);
     EXPECT_FALSE(window.actions().perform("swap_model", QString("nothing.net")));
     const std::string net = (sourceFolder() / "nets/pioneer.net").string();
-    EXPECT_FALSE(window.actions().perform("swap_model", QString::fromStdString(net))) << "no robot is selected";
+    EXPECT_FALSE(window.actions().perform("swap_model", qtText(net))) << "no robot is selected";
     const auto before = window.shown()->setup;
     window.field().setSelected(5);
-    ASSERT_TRUE(window.actions().perform("swap_model", QString::fromStdString(net)));
+    ASSERT_TRUE(window.actions().perform("swap_model", qtText(net)));
     settle();
     EXPECT_EQ(window.shown()->branches[1].name, "blue 2 moves by pioneer.net");
     EXPECT_EQ(state().tick, 150);
@@ -289,11 +290,12 @@ TEST_F(BranchTest, ChoosingABranchThatEndsEarlierSaysSo) {
     window.session().show(1, 300);
     settle();
     EXPECT_EQ(state().tick, 150);
-    EXPECT_TRUE(window.shown()->message.contains("6.00 s") && window.shown()->message.contains("3.00 s"))
-        << window.shown()->message.toStdString();
+    EXPECT_TRUE(qtText(window.shown()->message).contains("6.00 s") &&
+                qtText(window.shown()->message).contains("3.00 s"))
+        << window.shown()->message;
     window.session().show(1, 120);
     settle();
-    EXPECT_EQ(window.shown()->message, QString());
+    EXPECT_EQ(qtText(window.shown()->message), QString());
 }
 
 /// Of all branches together, whatever was played in which.
@@ -328,7 +330,7 @@ TEST_F(BranchTest, PlayingStopsWhereTheScenarioEndsAndGoesOnWhenAsked) {
     window.session().play();
     ASSERT_TRUE(QTest::qWaitFor([&] { return state().tick >= end && !window.shown()->playing; }));
     EXPECT_EQ(state().tick, end);
-    EXPECT_TRUE(window.shown()->message.contains("60 s are over"));
+    EXPECT_TRUE(qtText(window.shown()->message).contains("60 s are over"));
     window.session().play();
     EXPECT_TRUE(QTest::qWaitFor([&] { return state().tick > end; }));
     window.session().pause();

@@ -25,7 +25,7 @@ protected:
     QString told() const { return window.findChild<QLabel*>("breakpoint_reply")->text(); }
     const BreakpointState& state(std::size_t i) const { return window.shown()->breakpoints[i]; }
     std::int64_t tick() const { return window.shown()->tick(); }
-    std::string message() const { return window.shown()->message.toStdString(); }
+    std::string message() const { return window.shown()->message; }
 
     void seek(std::int64_t tick) {
         window.session().seek(tick, false);
@@ -365,10 +365,7 @@ TEST_F(BreakpointTest, LongSearchIsEndedWhenTheUserSaysSo) {
     QObject::connect(&window.session(), &Session::working, &window, [&](const QString& what, double) { told = what; });
     // The search waits for what is under way, so that the key comes before its end.
     std::promise<void> underWay;
-    window.session().doLongWork("", [&](TimeTravel&, const Session::Progress&) {
-        underWay.get_future().wait();
-        return QString();
-    });
+    window.session().doLongWork("", [&](TimeTravel&, const Progress&) { underWay.get_future().wait(); });
     QTest::keyClick(&window, Qt::Key_F6, Qt::ShiftModifier);
     QTest::keyClick(&window, Qt::Key_Escape);
     underWay.set_value();
@@ -393,8 +390,10 @@ TEST_F(BreakpointTest, DivergenceIsOfferedOnceThereIsALog) {
     EXPECT_TRUE(action.toolTip().contains("Lay a real log over"));
     EXPECT_FALSE(window.actions().perform("break_on_divergence", {}));
     window.session().setBreakpoints({});
-    window.session().setDivergence({[](const TimeTravel&, std::uint32_t, std::int64_t tick) { return tick >= 77; },
-                                    [](const TimeTravel&, std::uint32_t, std::int64_t) { return "it leaves"; }});
+    window.session().changeBreakpoints([](Breakpoints& all) {
+        all.setDivergence({[](const TimeTravel&, std::uint32_t, std::int64_t tick) { return tick >= 77; },
+                           [](const TimeTravel&, std::uint32_t, std::int64_t) { return "it leaves"; }});
+    });
     settle();
     ASSERT_TRUE(action.isEnabled());
     key(Qt::Key_D, Qt::ShiftModifier);
@@ -404,7 +403,7 @@ TEST_F(BreakpointTest, DivergenceIsOfferedOnceThereIsALog) {
     seek(300);
     key(Qt::Key_F6, Qt::ShiftModifier);
     EXPECT_EQ(tick(), 77);
-    window.session().setDivergence({});
+    window.session().changeBreakpoints([](Breakpoints& all) { all.setDivergence({}); });
     settle();
     EXPECT_FALSE(action.isEnabled());
     EXPECT_EQ(state(0).unfit, "no real log is laid over the run yet");

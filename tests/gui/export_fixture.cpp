@@ -6,6 +6,7 @@
 #include "io/file.h"
 #include "session/background_work.h"
 #include "widgets/message_bar.h"
+#include "widgets/qt_text.h"
 
 namespace mrose::gui {
 
@@ -41,7 +42,7 @@ std::string ExportTest::perform(const char* action, const QString& argument) {
 
 QImage ExportTest::pictureOf(MainWindow& window, QWidget& part) {
     const TemporaryFolder place;
-    const QString file = QString::fromStdString((place.path() / "a.png").string());
+    const QString file = qtText((place.path() / "a.png").string());
     EXPECT_TRUE(window.saveImage(file, &part));
     return QImage(file).convertToFormat(QImage::Format_RGB32);
 }

@@ -8,13 +8,14 @@
 
 #include "gui/window_fixture.h"
 #include "support/temporary_folder.h"
+#include "widgets/qt_text.h"
 
 namespace mrose::gui {
 
 /// A window whose user exports into a folder.
 class ExportTest : public WindowTest {
 protected:
-    QString path(const std::string& name) const { return QString::fromStdString((folder.path() / name).string()); }
+    QString path(const std::string& name) const { return qtText((folder.path() / name).string()); }
     bool isThere(const std::string& name) const { return std::filesystem::exists(folder.path() / name); }
     /// All that is in the folder.
     std::vector<std::string> files() const;

@@ -11,6 +11,7 @@
 #include "scenario/scenario.h"
 #include "support/temporary_folder.h"
 #include "widgets/message_bar.h"
+#include "widgets/qt_text.h"
 #include "window/main_window.h"
 
 namespace mrose::gui {
@@ -21,7 +22,7 @@ protected:
     FileTest();
 
     std::string path(const std::string& name) const { return (folder.path() / name).string(); }
-    QString qPath(const std::string& name) const { return QString::fromStdString(path(name)); }
+    QString qPath(const std::string& name) const { return qtText(path(name)); }
     std::string write(const std::string& name, const std::string& text) const {
         return folder.write(name, text).string();
     }
@@ -41,7 +42,7 @@ protected:
     void open(const std::string& file, std::optional<double> at = {});
     void seek(std::int64_t tick);
     void drop(const QList<QUrl>& urls);
-    void dropFile(const std::string& file) { drop({QUrl::fromLocalFile(QString::fromStdString(file))}); }
+    void dropFile(const std::string& file) { drop({QUrl::fromLocalFile(qtText(file))}); }
     void throwBall();
     QAction& action(const char* name) { return window.actions()[name]; }
     /// What the window says, of one kind.

@@ -21,6 +21,7 @@
 #include "support/places.h"
 #include "support/run_program.h"
 #include "widgets/field_view.h"
+#include "widgets/qt_text.h"
 #include "window/window_memory.h"
 #include "world/state_hash.h"
 
@@ -56,7 +57,7 @@ TEST_F(FileTest, OpeningDoesNotHoldUpTheWindowAndALaterOneTakesItsPlace) {
                      [&](const QString& title) { titles.push_back(title.toStdString()); });
     int shown = 0;
     QObject::connect(&window.session(), &Session::shown, [&] { ++shown; });
-    window.files().open(QString::fromStdString(file));
+    window.files().open(qtText(file));
     EXPECT_TRUE(window.files().opener().busy());
     EXPECT_EQ(shown, 0);
     window.files().open(qPath("other.toml"));

@@ -13,6 +13,7 @@
 #include "panels/plot_panel.h"
 #include "quantities/note_label.h"
 #include "widgets/inspector_delegate.h"
+#include "widgets/qt_text.h"
 
 namespace mrose::gui {
 namespace {
@@ -122,7 +123,7 @@ TEST_F(InspectorTest, SaysWhatContactChangedAndBetweenWhom) {
         }
     EXPECT_EQ(value({"Motion model", "impulse"}), text(sum, 2, "N s"));
     for (const auto& [other, impulse] : with) {
-        const QString name = other == noBody ? "wall" : QString::fromStdString(frame().nameOf(other));
+        const QString name = other == noBody ? "wall" : qtText(frame().nameOf(other));
         EXPECT_EQ(value({"Motion model", "impulse", "with " + name}), text(impulse, 2, "N s"));
     }
     const Pose& planned = frame().lastTick.robots[robot].planned;
@@ -180,7 +181,7 @@ TEST_F(InspectorTest, SetsWhatIsSeenAgainstTheTruth) {
     int seen = 0;
     for (std::uint32_t other = 0; other < 8; ++other) {
         if (other == robot) continue;
-        const QString name = QString::fromStdString(frame().nameOf(other));
+        const QString name = qtText(frame().nameOf(other));
         const auto found =
             std::find_if(inSight.begin(), inSight.end(), [&](const SeenBody& b) { return b.index == other; });
         if (found == inSight.end()) {
@@ -206,7 +207,7 @@ TEST_F(InspectorTest, ShowsTheControllersNotesAndMemory) {
     select(1);
     for (const Annotation& note : frame().insights[1].decision.annotations) {
         if (note.kind == Annotation::Kind::text) {
-            EXPECT_EQ(value({"Controller", QString::fromStdString(note.label)}), note.text);
+            EXPECT_EQ(value({"Controller", qtText(note.label)}), note.text);
         }
     }
     const auto memory = std::as_const(*frame().scenario).memoryOf(frame().state, 1);
@@ -219,7 +220,7 @@ TEST_F(InspectorTest, ShowsTheControllersNotesAndMemory) {
     settle();
     for (const MemoryEntry& entry : frame().scenario->controller(1).explain(memory)) {
         if (entry.unit == "m") {
-            EXPECT_EQ(value({"Memory", QString::fromStdString(entry.name)}), text(entry.value, 3, "m"));
+            EXPECT_EQ(value({"Memory", qtText(entry.name)}), text(entry.value, 3, "m"));
         }
     }
     row({"Memory", "Bytes"})->setExpanded(true);

@@ -25,6 +25,7 @@
 #include "support/mrclam_folder.h"
 #include "support/places.h"
 #include "widgets/field_view.h"
+#include "widgets/qt_text.h"
 #include "window/window_memory.h"
 #include "workflow/resources.h"
 #include "world/state_hash.h"
@@ -112,7 +113,7 @@ protected:
         window.session().branchOff({"mine"});
         Breakpoint breakpoint;
         breakpoint.text = "time > 300";
-        window.session().addBreakpoint(breakpoint);
+        window.session().changeBreakpoints([=](Breakpoints& all) { all.add(breakpoint); });
         settleAll();
     }
 };
@@ -236,7 +237,7 @@ TEST_F(LogOpeningTest, WhatDroveInOnesOwnLogIsAsked) {
     EXPECT_EQ(overlay.world()->request.robotFile, "pioneer1.toml");
     EXPECT_EQ(overlay.world()->world().parts().scene.typeOf(0).name, "Pioneer 1");
     EXPECT_EQ(overlay.shownRollout(), 0u);
-    EXPECT_THAT(window.memory().recentFiles(), Contains(QString::fromStdString(file)));
+    EXPECT_THAT(window.memory().recentFiles(), Contains(qtText(file)));
     // Once more: what was said stands ready.
     overlay.close();
     dropAndSettle(file);
@@ -319,13 +320,13 @@ TEST_F(LogOpeningTest, RobotFileOfOnesOwnComesIntoTheList) {
     dropAndSettle(ownLog());
     ASSERT_NE(dialog(), nullptr);
     const int shippedOnes = dialog()->robots().count();
-    dialog()->choose(QString::fromStdString(write("bad.toml", "format = \"mrose robot\"\nversion = 1\n")));
+    dialog()->choose(qtText(write("bad.toml", "format = \"mrose robot\"\nversion = 1\n")));
     EXPECT_THAT(dialog()->error().toStdString(), HasSubstr("bad.toml"));
-    dialog()->choose(QString::fromStdString(writeGame()));
+    dialog()->choose(qtText(writeGame()));
     EXPECT_THAT(dialog()->error().toStdString(), HasSubstr("expected format = \"mrose robot\""));
     EXPECT_EQ(dialog()->robots().count(), shippedOnes);
     const std::string mine = write("mine.toml", robot(9));
-    dialog()->choose(QString::fromStdString(mine));
+    dialog()->choose(qtText(mine));
     EXPECT_TRUE(dialog()->error().isEmpty());
     ASSERT_EQ(dialog()->robots().count(), shippedOnes + 1);
     EXPECT_EQ(dialog()->robots().currentRow(), shippedOnes);
@@ -425,7 +426,7 @@ TEST_F(LogOpeningTest, FolderOfLogsIsExplained) {
     dropAndSettle(folder.path().string());
     EXPECT_THAT(errors(), ElementsAre(HasSubstr("is not a log itself; it holds one and two: open one of them")));
     window.messages().clear();
-    window.actions().perform("open_log", QString::fromStdString(folder.path().string()));
+    window.actions().perform("open_log", qtText(folder.path().string()));
     settleAll();
     EXPECT_THAT(errors(), ElementsAre(HasSubstr("is not a log itself; it holds one and two: open one of them")));
 }

@@ -30,6 +30,7 @@
 #include "support/places.h"
 #include "widgets/field_view.h"
 #include "widgets/fixed_text.h"
+#include "widgets/qt_text.h"
 #include "window/quiet_message.h"
 #include "window/window_memory.h"
 #include "workflow/resources.h"
@@ -161,8 +162,8 @@ TEST_F(LogWindowTest, CurvesAreCalledByWhatDiffersAndAxesByTheirQuantity) {
     ASSERT_NO_FATAL_FAILURE(openLog());
     window.overlay().addModel("velocity = command");
     settleAll();
-    const QString own = QString::fromStdString(window.overlay().models().front().name);
-    const QString name = QString::fromStdString(robot());
+    const QString own = qtText(window.overlay().models().front().name);
+    const QString name = qtText(robot());
     EXPECT_EQ(window.plots().view().titles(),
               (QStringList{name + ": error (cm)", name + QString::fromUtf8(": heading_error (\u00b0)")}));
     auto* list = window.plots().findChild<QTreeWidget*>();
@@ -209,7 +210,7 @@ TEST_F(LogWindowTest, PictureOfPlotsNamesLogRolloutModelsAndBound) {
           std::string("bound"), std::string("leaves the real trajectory"), std::string("error (cm)")})
         EXPECT_THAT(text, HasSubstr(part));
     const QString colour = TimelineBar::colourOf(TimelineMark::Kind::divergence, Theme::light()).name();
-    EXPECT_GE(QString::fromStdString(text).count(colour), 6) << "bound and mark of both axes and in the legend";
+    EXPECT_GE(qtText(text).count(colour), 6) << "bound and mark of both axes and in the legend";
 }
 
 /// Against the comparison and its bound, wherever the run has come to.
@@ -365,14 +366,14 @@ TEST_F(LogWindowTest, KeyOffersTheModelsThatShip) {
     QStringList offered;
     for (const QAction* action : menu->actions()) offered << action->text();
     QStringList expected;
-    for (const std::string& name : modelNames(*window.overlay().world())) expected << QString::fromStdString(name);
+    for (const std::string& name : modelNames(*window.overlay().world())) expected << qtText(name);
     expected << QString() << QString::fromUtf8("Other file\u2026");
     EXPECT_EQ(offered, expected);
     menu->actions().front()->trigger();
     menu->close();
     settleAll();
     ASSERT_EQ(window.overlay().models().size(), 2u);
-    EXPECT_EQ(QString::fromStdString(window.overlay().models().back().name), expected.front());
+    EXPECT_EQ(qtText(window.overlay().models().back().name), expected.front());
 }
 
 TEST_F(LogWindowTest, WhatIsSaidIsSeenOverTheField) {

@@ -145,13 +145,13 @@ TEST_F(OverlayReloadTest, PlottedErrorsAreThoseOfTheNewRollout) {
     EXPECT_NE(compared(), before);
     EXPECT_THAT(ahead(), Pointwise(DoubleNear(1e-12), compared()));
     // The branch before was not compared with the log as it is now.
-    window.session().undo();
+    window.session().ask(&Debugger::undo);
     settleAll();
     ASSERT_EQ(window.shown()->branch, 0u);
     EXPECT_THAT(ahead(), IsEmpty());
     const auto told = [&] { return panel.causes().text().toStdString(); };
     EXPECT_THAT(told(), HasSubstr("not this branch"));
-    window.session().redo();
+    window.session().ask(&Debugger::redo);
     settleAll();
     EXPECT_THAT(told(), Not(HasSubstr("not this branch")));
     EXPECT_THAT(ahead(), Pointwise(DoubleNear(1e-12), compared()));
@@ -360,11 +360,10 @@ TEST_F(OverlayReloadTest, ClosedLogLeavesNothingBehind) {
 TEST_F(OverlayReloadTest, WindowGoesOnWhileTheSessionIsAtWork) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped()));
     std::atomic<bool> released = false, heard = false;
-    window.session().doLongWork("work", [&](TimeTravel&, const Session::Progress&) {
+    window.session().doLongWork("work", [&](TimeTravel&, const Progress&) {
         const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
         while (!released && std::chrono::steady_clock::now() < end) std::this_thread::yield();
         heard = released.load();
-        return QString();
     });
     overlay.show(1);
     QTimer::singleShot(1000, &window, [&] { released = true; });

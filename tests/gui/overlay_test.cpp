@@ -24,6 +24,7 @@
 #include "scripting/window_script.h"
 #include "support/places.h"
 #include "widgets/field_view.h"
+#include "widgets/qt_text.h"
 #include "widgets/rollout_strip.h"
 #include "workflow/resources.h"
 
@@ -129,7 +130,7 @@ TEST_F(OverlayTest, DivergenceIsMarkedOnTheTimelineAndInThePlots) {
     ASSERT_TRUE(row != nullptr && row->divergence);
     const std::int64_t tick = window.shown()->frame->scene().ticksOf(row->divergence->time);
     const QString said = window.timeline().textAt(window.timeline().pixelOf(tick));
-    const QString name = QString::fromStdString(window.shown()->frame->nameOf(0));
+    const QString name = qtText(window.shown()->frame->nameOf(0));
     EXPECT_THAT(said.toStdString(), HasSubstr(("first divergence: " + name).toStdString()));
     window.session().seek(tick + 5);
     settleAll();
@@ -187,7 +188,7 @@ TEST_F(OverlayTest, SecondModelDrivesTheSameCommandsBeside) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped()));
     ASSERT_FALSE(modelNames(*overlay.world()).empty());
     const auto simple = modelNames(*overlay.world()).back();
-    ASSERT_TRUE(window.actions().perform("add_model", QString::fromStdString(simple)));
+    ASSERT_TRUE(window.actions().perform("add_model", qtText(simple)));
     settleAll();
     ASSERT_EQ(overlay.models().size(), 2u);
     const OverlayModel& model = overlay.models()[1];

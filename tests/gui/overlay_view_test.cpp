@@ -16,6 +16,7 @@
 #include "scripting/window_script.h"
 #include "widgets/field_view.h"
 #include "widgets/fixed_text.h"
+#include "widgets/qt_text.h"
 
 namespace mrose::gui {
 namespace {
@@ -390,7 +391,7 @@ TEST_F(TwoRobotsTest, BreakOnDivergenceNamesAndSelectsTheOneThatLeaves) {
     QTest::keyClick(&window, Qt::Key_F6);
     settleAll();
     EXPECT_EQ(window.shown()->tick(), leaves);
-    EXPECT_THAT(window.shown()->message.toStdString(), HasSubstr(window.shown()->frame->nameOf(1) + " leaves"));
+    EXPECT_THAT(window.shown()->message, HasSubstr(window.shown()->frame->nameOf(1) + " leaves"));
     EXPECT_EQ(overlay.shownRobot(), 1u);
 }
 
@@ -441,7 +442,7 @@ TEST_F(OverlayViewTest, ModelsAreRemovedByKeyAndByName) {
     const auto unknown = window.actions().perform("remove_model", QString("nonsense"));
     ASSERT_FALSE(unknown);
     EXPECT_THAT(unknown.error().message(), HasSubstr(names[1]));
-    EXPECT_TRUE(window.actions().perform("remove_model", QString::fromStdString(names[1])));
+    EXPECT_TRUE(window.actions().perform("remove_model", qtText(names[1])));
     EXPECT_EQ(overlay.models().size(), 1u);
 }
 

@@ -10,6 +10,7 @@
 #include "panels/error_plot.h"
 #include "panels/plot_panel.h"
 #include "widgets/field_view.h"
+#include "widgets/qt_text.h"
 
 namespace mrose::gui {
 namespace {
@@ -103,7 +104,7 @@ TEST_F(PlotLookTest, SpeedsAreCalledByWhatDiffers) {
     const std::string first = window.shown()->frame->nameOf(0), second = window.shown()->frame->nameOf(1);
     plot({"command_v", "v", "real_v", "command_w", "w", "real_w"}, 0);
     EXPECT_THAT(legendLines(), ElementsAre("command", "simulated", "real", "command", "simulated", "real"));
-    const QString name = QString::fromStdString(first);
+    const QString name = qtText(first);
     EXPECT_EQ(plots().view().titles(), (QStringList{name + ": v (m/s)", name + ": w (rad/s)"}));
     const QFontMetrics metrics(legend().font());
     for (int i = 0; i < legend().topLevelItemCount(); ++i)

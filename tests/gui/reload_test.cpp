@@ -4,10 +4,10 @@
 
 #include <gmock/gmock.h>
 
+#include "debug/shown.h"
 #include "files/window_files.h"
 #include "gui/file_fixture.h"
 #include "recording/recording.h"
-#include "session/shown.h"
 #include "world/state_hash.h"
 
 namespace mrose::gui {
@@ -134,7 +134,7 @@ TEST_F(ReloadTest, BranchesOfReloadsHaveNamesOfTheirOwn) {
         ASSERT_TRUE(reloaded(window.shown()->branches.size() + 1));
     }
     std::vector<std::string> names;
-    for (const BranchInfo& branch : window.shown()->branches) names.push_back(branch.name.toStdString());
+    for (const BranchInfo& branch : window.shown()->branches) names.push_back(branch.name);
     EXPECT_THAT(names, ElementsAre("", "mine.toml changed", "mine.toml changed (2)", "mine.toml changed (3)"));
 }
 

@@ -19,6 +19,7 @@
 #include "support/places.h"
 #include "support/run_program.h"
 #include "widgets/message_bar.h"
+#include "widgets/qt_text.h"
 
 namespace mrose::gui {
 namespace {
@@ -131,8 +132,8 @@ TEST_F(ReportExportTest, DialogueAsksForWhatItTakes) {
     };
     dialog->start();
     EXPECT_TRUE(says("choose a log first"));
-    dialog->findChild<QLineEdit*>("log")->setText(QString::fromStdString(shippedLog()));
-    dialog->findChild<QLineEdit*>("network")->setText(QString::fromStdString(shippedNetwork()));
+    dialog->findChild<QLineEdit*>("log")->setText(qtText(shippedLog()));
+    dialog->findChild<QLineEdit*>("network")->setText(qtText(shippedNetwork()));
     dialog->findChild<QLineEdit*>("folder")->setText(path("report"));
     dialog->start();
     EXPECT_FALSE(dialog->isVisible());

@@ -45,7 +45,9 @@ bool seenWhole(const QWidget& widget) {
 TEST_F(RoomTest, NamesOfAnyLengthLeaveTheWindowItsWidth) {
     move(2);
     for (const QString& name : {QString("word ").repeated(40), QString(200, 'w')}) {
-        window.session().rename(window.shown()->branch, name);
+        window.session().ask([branch = window.shown()->branch, name = name.toStdString()](Debugger& debugger) {
+            debugger.run().rename(branch, name);
+        });
         settle();
         key(Qt::Key_S);
         window.say(name);

@@ -9,10 +9,10 @@
 
 #include <gmock/gmock.h>
 
+#include "debug/shown.h"
 #include "files/window_files.h"
 #include "gui/file_fixture.h"
 #include "io/file.h"
-#include "session/shown.h"
 #include "widgets/field_view.h"
 
 namespace mrose::gui {

@@ -9,6 +9,7 @@
 #include "support/full_disk.h"
 #include "support/temporary_folder.h"
 #include "widgets/message_bar.h"
+#include "widgets/qt_text.h"
 
 namespace mrose::gui {
 namespace {
@@ -22,10 +23,8 @@ protected:
     class Held {
     public:
         explicit Held(Session& session) {
-            session.doLongWork("held", [until = gate_.get_future().share()](TimeTravel&, const Session::Progress&) {
-                until.wait();
-                return QString();
-            });
+            session.doLongWork("held",
+                               [until = gate_.get_future().share()](TimeTravel&, const Progress&) { until.wait(); });
         }
         void letGo() { gate_.set_value(); }
 
@@ -69,18 +68,13 @@ TEST_F(SessionTest, WhatWasAskedOfTheRunBeforeIsNotDoneInTheNext) {
 }
 
 TEST_F(SessionTest, AnotherRunEndsWhatTakesLongButNotASave) {
-    session().stopAt(2'000'000'000);
+    session().ask([=](Debugger& debugger) { debugger.stopAt(2'000'000'000); });
     session().goToBreak({});
     ASSERT_TRUE(waitFor([&] { return window.shown()->tick() > 100; }));
     std::vector<bool> wentOn;
     for (const bool finishes : {false, true})
         session().doLongWork(
-            "work",
-            [&](TimeTravel&, const Session::Progress& progress) {
-                wentOn.push_back(progress(0));
-                return QString();
-            },
-            finishes);
+            "work", [&](TimeTravel&, const Progress& progress) { wentOn.push_back(progress(0)); }, finishes);
     const std::uint64_t before = window.shown()->run;
     ASSERT_TRUE(window.open("b21_corridor.toml"));
     EXPECT_TRUE(waitFor([&] { return window.shown()->run != before; }));
@@ -89,7 +83,7 @@ TEST_F(SessionTest, AnotherRunEndsWhatTakesLongButNotASave) {
 }
 
 TEST_F(SessionTest, RunToABreakIsToldAllTheWayAndEscapeEndsItFirst) {
-    session().stopAt(2'000'000'000);
+    session().ask([=](Debugger& debugger) { debugger.stopAt(2'000'000'000); });
     session().goToBreak({});
     ASSERT_TRUE(waitFor([&] { return window.messages().has("work"); }));
     int updates = 0, told = 0;
@@ -119,7 +113,7 @@ TEST_F(SessionTest, RecordingThatFailsAtTheVeryEndIsSaid) {
     const std::string file = (folder.path() / "kept.mcap").string();
     auto alone = std::make_unique<Session>();
     alone->open(*openRun({"soccer.toml"}));
-    alone->record(QString::fromStdString(file), "", false);
+    alone->record(qtText(file), "", false);
     alone->settle();
     warnings.clear();
     const auto before = qInstallMessageHandler(

@@ -103,7 +103,7 @@ TEST_F(ThrownTest, WhatTheWindowThrowsWhenAskedIsOfWhoAsked) {
 
 TEST_F(ThrownTest, InTheSessionItIsSaidAndTheSessionGoesOn) {
     window.session().play();
-    window.session().doLongWork("work", [](TimeTravel&, const Session::Progress&) -> QString { throwLength(); });
+    window.session().doLongWork("work", [](TimeTravel&, const Progress&) { throwLength(); });
     settle();
     QApplication::processEvents();
     EXPECT_THAT(errors(), ElementsAre("failed: vector::_M_default_append"));

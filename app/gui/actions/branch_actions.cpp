@@ -6,6 +6,7 @@
 #include "panels/command_panel.h"
 #include "scenario/carry_over.h"
 #include "widgets/field_view.h"
+#include "widgets/qt_text.h"
 #include "window/main_window.h"
 #include "workflow/resources.h"
 #include "workflow/swap_model.h"
@@ -50,9 +51,9 @@ Expected<void> swapModel(MainWindow& window, const QString& file) {
 
 /// Where one was swapped in from, otherwise those that ship.
 QString folderOfNetworks(const BranchSetup& setup) {
-    QString folder = QString::fromStdString((resourceFolder() / "nets").string());
+    QString folder = qtText((resourceFolder() / "nets").string());
     for (const Value::File& read : setup.value ? setup.value->files() : std::vector<Value::File>()) {
-        const QFileInfo file(QString::fromStdString(read->name));
+        const QFileInfo file(qtText(read->name));
         if (file.isAbsolute() && file.suffix() == "net" && file.exists()) folder = file.path();
     }
     return folder;
@@ -72,7 +73,7 @@ void addChanges(MainWindow& window, const QString& menu) {
     actions.add(menu,
                 {"cause_of_kick", QObject::tr("Who &kicked, and why"), QKeySequence("K"),
                  QObject::tr("To the decision that led to the last kick")},
-                [&](bool) { session.showCauseOfKick(); });
+                [&](bool) { session.ask(&Debugger::showCauseOfKick); });
     actions.add(menu,
                 {"change_command", QObject::tr("&Change its command"), QKeySequence("E"),
                  QObject::tr("Change what the selected robot decided")},
@@ -117,7 +118,7 @@ void addChanges(MainWindow& window, const QString& menu) {
                             window.say(QObject::tr("Select the robot first that is to move otherwise"));
                             return QString();
                         }
-                        const QString robot = QString::fromStdString(window.shown()->frame->nameOf(*selected));
+                        const QString robot = qtText(window.shown()->frame->nameOf(*selected));
                         return QFileDialog::getOpenFileName(&window, QObject::tr("Motion network for %1").arg(robot),
                                                             folderOfNetworks(*window.shown()->setup),
                                                             QObject::tr("Networks (*.net);;All files (*)"));
@@ -133,14 +134,16 @@ void addBranchViews(MainWindow& window, const QString& menu) {
                 {"rename_branch", QObject::tr("Ren&ame\u2026"), QKeySequence("F2"),
                  QObject::tr("Another name for the branch that is shown")},
                 Actions::Asking{[&] {
-                                    return window.askText(QObject::tr("Rename"), QObject::tr("Name of the branch:"),
-                                                          window.shown()
-                                                              ? window.shown()->branches[window.shown()->branch].name
-                                                              : QString());
+                                    return window.askText(
+                                        QObject::tr("Rename"), QObject::tr("Name of the branch:"),
+                                        window.shown() ? qtText(window.shown()->branches[window.shown()->branch].name)
+                                                       : QString());
                                 },
                                 [&](const QString& text) -> Expected<void> {
                                     if (text.trimmed().isEmpty()) return fail("", "a branch's name must not be empty");
-                                    if (window.shown()) session.rename(window.shown()->branch, text.trimmed());
+                                    if (!window.shown()) return {};
+                                    session.ask([branch = window.shown()->branch, name = text.trimmed().toStdString()](
+                                                    Debugger& debugger) { debugger.run().rename(branch, name); });
                                     return {};
                                 }});
     actions.add(menu,
@@ -149,7 +152,7 @@ void addBranchViews(MainWindow& window, const QString& menu) {
                 [&](bool) {
                     const auto branch = window.branchPanel().current();
                     if (branch && window.shown() && *branch != window.shown()->branch)
-                        session.showBeside(branch);
+                        session.ask([=](Debugger& debugger) { debugger.run().setBeside(branch); });
                     else
                         window.say(QObject::tr("Choose another branch in the list first"));
                 });

@@ -5,6 +5,7 @@
 #include "panels/breakpoint_panel.h"
 #include "reality/overlay.h"
 #include "widgets/field_view.h"
+#include "widgets/qt_text.h"
 #include "window/main_window.h"
 #include "window/window_memory.h"
 
@@ -30,8 +31,8 @@ void addEvent(MainWindow& window, const QString& word, bool robotsOnly) {
     const std::optional<std::size_t> body = window.field().selected();
     if (shown != nullptr && body && *body < shown->frame->scene().bodyCount() &&
         (!robotsOnly || *body < shown->frame->state.robots.size()))
-        text += ' ' + QString::fromStdString(shown->frame->nameOf(*body));
-    if (const auto added = addText(window, text); !added) window.say(QString::fromStdString(added.error().message()));
+        text += ' ' + qtText(shown->frame->nameOf(*body));
+    if (const auto added = addText(window, text); !added) window.say(qtText(added.error().message()));
 }
 
 void addWays(MainWindow& window, const QString& menu) {
@@ -92,8 +93,7 @@ void addKinds(MainWindow& window, const QString& menu) {
          "goal", true);
     const auto plain = [&](const Actions::Text& text, const QString& word) {
         QAction* action = actions.add(menu, text, [&window, word](bool) {
-            if (const auto added = addText(window, word); !added)
-                window.say(QString::fromStdString(added.error().message()));
+            if (const auto added = addText(window, word); !added) window.say(qtText(added.error().message()));
         });
         offers->addAction(action);
         return action;
@@ -130,7 +130,7 @@ void addChosen(MainWindow& window, const QString& menu) {
                                 auto chosen = chosenBreak(window);
                                 if (!chosen) return;
                                 chosen->enabled = !chosen->enabled;
-                                session.changeBreakpoint(*chosen);
+                                session.changeBreakpoints([=](Breakpoints& all) { all.change(*chosen); });
                             }));
     panel.offer(actions.add(menu,
                             {"break_once", QObject::tr("Stop onl&y once"), QKeySequence("Ctrl+F9"),
@@ -139,7 +139,7 @@ void addChosen(MainWindow& window, const QString& menu) {
                                 auto chosen = chosenBreak(window);
                                 if (!chosen) return;
                                 chosen->oneShot = !chosen->oneShot;
-                                session.changeBreakpoint(*chosen);
+                                session.changeBreakpoints([=](Breakpoints& all) { all.change(*chosen); });
                             }));
     panel.offer(actions.add(
         menu,
@@ -161,14 +161,15 @@ void addChosen(MainWindow& window, const QString& menu) {
                 auto chosen = chosenBreak(window);
                 if (!chosen) return fail("", "no breakpoint is chosen");
                 chosen->from = from;
-                session.changeBreakpoint(*chosen);
+                session.changeBreakpoints([=](Breakpoints& all) { all.change(*chosen); });
                 return {};
             }}));
     panel.offer(actions.add(menu,
                             {"delete_break", QObject::tr("De&lete it"), QKeySequence("Shift+F8"),
                              QObject::tr("The breakpoint chosen in the list (there Delete does it, too)")},
                             [&](bool) {
-                                if (const auto chosen = chosenBreak(window)) session.removeBreakpoint(chosen->id);
+                                if (const auto chosen = chosenBreak(window))
+                                    session.changeBreakpoints([=](Breakpoints& all) { all.remove(chosen->id); });
                             }));
     actions.addSeparator(menu);
     actions.add(menu,
@@ -176,9 +177,11 @@ void addChosen(MainWindow& window, const QString& menu) {
                  QObject::tr("All breakpoints off; where all are, on")},
                 [&](bool) {
                     if (window.shown() == nullptr) return;
-                    const auto& all = window.shown()->breakpoints;
-                    session.enableBreakpoints(std::none_of(
-                        all.begin(), all.end(), [](const BreakpointState& state) { return state.breakpoint.enabled; }));
+                    const auto& states = window.shown()->breakpoints;
+                    const bool off = std::none_of(states.begin(), states.end(), [](const BreakpointState& state) {
+                        return state.breakpoint.enabled;
+                    });
+                    session.changeBreakpoints([off](Breakpoints& all) { all.enableAll(off); });
                 });
 }
 
@@ -193,9 +196,15 @@ void addBreakActions(MainWindow& window) {
     addChosen(window, menu);
     Session& session = window.session();
     BreakpointPanel& panel = window.breakpointPanel();
-    QObject::connect(&panel, &BreakpointPanel::added, &session, &Session::addBreakpoint);
-    QObject::connect(&panel, &BreakpointPanel::changed, &session, &Session::changeBreakpoint);
-    QObject::connect(&panel, &BreakpointPanel::removed, &session, &Session::removeBreakpoint);
+    QObject::connect(&panel, &BreakpointPanel::added, &session, [&session](const Breakpoint& added) {
+        session.changeBreakpoints([added](Breakpoints& all) { all.add(added); });
+    });
+    QObject::connect(&panel, &BreakpointPanel::changed, &session, [&session](const Breakpoint& changed) {
+        session.changeBreakpoints([changed](Breakpoints& all) { all.change(changed); });
+    });
+    QObject::connect(&panel, &BreakpointPanel::removed, &session, [&session](std::uint32_t id) {
+        session.changeBreakpoints([id](Breakpoints& all) { all.remove(id); });
+    });
     QObject::connect(&window, &MainWindow::updated, &panel, [&window, &panel] {
         panel.setShown(*window.shown());
         window.memory().keepBreakpoints(*window.shown());

@@ -8,9 +8,9 @@ void addEditActions(MainWindow& window) {
     const QString menu = QObject::tr("&Edit");
     actions.add(menu,
                 {"undo", QObject::tr("&Undo"), QKeySequence("Ctrl+Z"), QObject::tr("Back to before the last change")},
-                [&](bool) { window.session().undo(); });
+                [&](bool) { window.session().ask(&Debugger::undo); });
     actions.add(menu, {"redo", QObject::tr("&Redo"), QKeySequence("Ctrl+Shift+Z"), QObject::tr("The change again")},
-                [&](bool) { window.session().redo(); });
+                [&](bool) { window.session().ask(&Debugger::redo); });
 }
 
 }  // namespace mrose::gui

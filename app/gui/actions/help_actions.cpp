@@ -8,6 +8,7 @@
 #include "panels/first_steps.h"
 #include "panels/shortcut_sheet.h"
 #include "reality/overlay.h"
+#include "widgets/qt_text.h"
 #include "window/main_window.h"
 #include "workflow/resources.h"
 #include "workflow/version.h"
@@ -46,7 +47,7 @@ void showAbout(MainWindow& window) {
 
 Expected<void> showDocumentation() {
     const std::filesystem::path readme = resourceFolder() / "README.md";
-    if (!QDesktopServices::openUrl(QUrl::fromLocalFile(QString::fromStdString(readme.string()))))
+    if (!QDesktopServices::openUrl(QUrl::fromLocalFile(qtText(readme.string()))))
         return fail(readme.string(), "no program is set up to show it");
     return {};
 }
@@ -70,8 +71,7 @@ void addHelpActions(MainWindow& window) {
         {"documentation", QObject::tr("&Documentation"), QKeySequence("Ctrl+F1"), QObject::tr("The README of mrose")},
         [&](bool) {
             if (actions.unattended()) return;
-            if (const auto shown = showDocumentation(); !shown)
-                window.say(QString::fromStdString(shown.error().message()));
+            if (const auto shown = showDocumentation(); !shown) window.say(qtText(shown.error().message()));
         });
     actions.add(menu, {"about", QObject::tr("&About mrose"), {}, QObject::tr("Version and licence")},
                 [&](bool) { showAbout(window); });

@@ -10,6 +10,7 @@
 #include "reality/overlay_strip.h"
 #include "reality/robot_dialog.h"
 #include "widgets/field_view.h"
+#include "widgets/qt_text.h"
 #include "window/main_window.h"
 #include "window/window_memory.h"
 #include "workflow/resources.h"
@@ -35,7 +36,7 @@ Expected<void> openLogAt(MainWindow& window, const QString& path) {
 /// Of a log that does not say it; cancelled, what is open stays.
 void askWhatDrove(MainWindow& window, const OverlayRequest& request, const std::optional<OverlayPlan>& asked) {
     delete window.findChild<RobotDialog*>();
-    const QString log = QFileInfo(QString::fromStdString(request.log)).absoluteFilePath();
+    const QString log = QFileInfo(qtText(request.log)).absoluteFilePath();
     auto* dialog = new RobotDialog(log, &window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     if (const QString before = window.memory().robotOf(log); !before.isEmpty()) dialog->choose(before);
@@ -61,7 +62,7 @@ void offerModels(MainWindow& window) {
     menu->setObjectName("models_menu");
     menu->setAttribute(Qt::WA_DeleteOnClose);
     for (const std::string& known : modelNames(*window.overlay().world()))
-        menu->addAction(QString::fromStdString(known), &window, [&window, known] { window.overlay().addModel(known); });
+        menu->addAction(qtText(known), &window, [&window, known] { window.overlay().addModel(known); });
     menu->addSeparator();
     menu->addAction(QObject::tr("Other file\u2026"), &window, [&window] { layModelOfFile(window); });
     menu->popup(window.field().mapToGlobal(QPoint(40, 40)));

@@ -6,6 +6,7 @@
 #include <QUrl>
 
 #include "widgets/message_bar.h"
+#include "widgets/qt_text.h"
 #include "window/main_window.h"
 #include "window/work_progress.h"
 
@@ -41,8 +42,7 @@ Expected<void> exportInBackground(MainWindow& window, const ExportText& text, Ba
         if (after) after();
         if (alone) return;
         if (!outcome)
-            window.messages().add(
-                {MessageBar::Kind::error, QString::fromStdString(outcome.error().message()), exportTopic});
+            window.messages().add({MessageBar::Kind::error, qtText(outcome.error().message()), exportTopic});
         else if (*outcome)
             reportExported(window, path);
         else

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "io/file.h"
+#include "widgets/qt_text.h"
 
 namespace mrose::gui {
 namespace {
@@ -21,7 +22,7 @@ QStringList ffmpegArguments(const QSize& size, double framesPerSecond, const std
             "-vf", "scale=out_color_matrix=bt709:out_range=tv", "-c:v", "libx264", "-preset", "medium", "-crf", "18",
             "-pix_fmt", "yuv420p", "-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709",
             "-color_range", "tv", "-movflags", "+faststart", "-f", "mp4",
-            "file:" + QString::fromStdString(std::filesystem::absolute(file).string())};
+            "file:" + qtText(std::filesystem::absolute(file).string())};
 }
 
 /// Of what a program said on standard error.

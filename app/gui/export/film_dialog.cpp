@@ -13,6 +13,7 @@
 
 #include "files/window_files.h"
 #include "widgets/field_view.h"
+#include "widgets/qt_text.h"
 #include "widgets/timeline_bar.h"
 #include "widgets/warning_style.h"
 #include "window/main_window.h"
@@ -145,7 +146,7 @@ void FilmDialog::refresh() {
     const Nanoseconds tick = window_.shown() ? window_.shown()->frame->scene().tickLength : 1;
     const auto ticks = sequenceTicks(settings(), tick);
     export_->setEnabled(ticks.has_value() && window_.shown());
-    if (!ticks) return say(QString::fromStdString(ticks.error().message()), true);
+    if (!ticks) return say(qtText(ticks.error().message()), true);
     const auto count = static_cast<double>(ticks->size());
     const QString frames = ticks->size() == 1 ? tr("one frame") : tr("%1 frames").arg(ticks->size());
     say(kind_->currentIndex() == 0 ? tr("%1, a film of %2 s").arg(frames).arg(count / rate_->value(), 0, 'f', 2)
@@ -164,7 +165,7 @@ bool FilmDialog::exportTo(const QString& path) {
     if (begun)
         close();
     else
-        say(QString::fromStdString(begun.error().message()), true);
+        say(qtText(begun.error().message()), true);
     return begun.has_value();
 }
 

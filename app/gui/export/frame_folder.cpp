@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "io/pending_file.h"
+#include "widgets/qt_text.h"
 
 namespace mrose::gui {
 namespace {
@@ -62,7 +63,7 @@ Expected<void> FrameFolder::add(const QImage& frame) {
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
     if (!frame.save(&buffer, "PNG")) return fail((folder_ / name).string(), "the picture could not be drawn");
-    QFile file(QString::fromStdString((part_ / name).string()));
+    QFile file(qtText((part_ / name).string()));
     if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.flush()) return {};
     return fail((folder_ / name).string(), "cannot be written: " + file.errorString().toStdString());
 }

@@ -15,6 +15,7 @@
 #include "io/format.h"
 #include "panels/plot_panel.h"
 #include "session/lineage_walk.h"
+#include "widgets/qt_text.h"
 #include "widgets/timeline_bar.h"
 #include "window/main_window.h"
 #include "world/seconds_text.h"
@@ -82,7 +83,7 @@ QString headingOf(const MainWindow& window) {
     if (time.end > 0) heading += QObject::tr(" for %1 s").arg(toSeconds(time.end * time.tickLength), 0, 'f', 1);
     std::set<std::string> bodies;
     for (const ValueKey& key : plots.keys()) bodies.insert(key.body);
-    if (bodies.size() == 1 && !bodies.begin()->empty()) heading += ", " + QString::fromStdString(*bodies.begin());
+    if (bodies.size() == 1 && !bodies.begin()->empty()) heading += ", " + qtText(*bodies.begin());
     return heading;
 }
 
@@ -335,9 +336,8 @@ Expected<void> exportValues(MainWindow& window, const QString& path) {
     table.tickLength = shown.frame->scene().tickLength;
     for (const ValueKey& key : table.keys) {
         const PlottedValue value = plottedValue(*shown.frame->scenario, key).value_or(PlottedValue{});
-        const QString unit = QString::fromStdString(value.unit);
-        table.names.push_back(QString::fromStdString(value.name).simplified() +
-                              (unit.isEmpty() ? "" : " (" + unit + ')'));
+        const QString unit = qtText(value.unit);
+        table.names.push_back(qtText(value.name).simplified() + (unit.isEmpty() ? "" : " (" + unit + ')'));
     }
     for (const PlotCurve& curve : window.plots().view().curves())
         if (!curve.ghost) table.ahead.push_back(curve.ahead);

@@ -19,6 +19,7 @@
 #include "export/report_export.h"
 #include "io/format.h"
 #include "reality/overlay.h"
+#include "widgets/qt_text.h"
 #include "widgets/warning_style.h"
 #include "window/main_window.h"
 #include "window/window_memory.h"
@@ -50,7 +51,7 @@ QString networkFile(const OverlayModel& model) {
     const std::filesystem::path shipped = resourceFolder() / "nets" / model.name;
     std::error_code ignored;
     for (const std::filesystem::path& place : {std::filesystem::path(model.named), shipped})
-        if (!place.empty() && std::filesystem::exists(place, ignored)) return QString::fromStdString(place.string());
+        if (!place.empty() && std::filesystem::exists(place, ignored)) return qtText(place.string());
     return {};
 }
 
@@ -78,15 +79,15 @@ std::map<QString, QString> linesOf(const Overlay& overlay) {
     std::map<QString, QString> lines;
     if (!overlay.world()) return lines;
     const OverlayWorld& world = *overlay.world();
-    lines["log"] = QString::fromStdString(world.place);
-    lines["scenario"] = QString::fromStdString(world.request.scenario);
-    lines["robot"] = QString::fromStdString(world.request.robotFile);
+    lines["log"] = qtText(world.place);
+    lines["scenario"] = qtText(world.request.scenario);
+    lines["robot"] = qtText(world.request.robotFile);
     QStringList networks, robots;
     for (const OverlayModel& model : overlay.models()) networks << networkFile(model);
     lines["network"] = networks.takeFirst();
     networks.removeAll({});
     lines["against"] = lines["models"] = networks.join(", ");
-    for (const std::string& robot : world.request.robots) robots << QString::fromStdString(robot);
+    for (const std::string& robot : world.request.robots) robots << qtText(robot);
     lines["robots"] = robots.join(',');
     addPlan(lines, overlay);
     return lines;
@@ -218,7 +219,7 @@ bool ReportDialog::replaces() const { return replace_->isChecked(); }
 void ReportDialog::start() {
     const auto begun = run_();
     error_->setStyleSheet(warningStyle(*this));
-    error_->setText(begun ? QString() : QString::fromStdString(begun.error().message()));
+    error_->setText(begun ? QString() : qtText(begun.error().message()));
     if (begun) hide();
 }
 

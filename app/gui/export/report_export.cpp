@@ -8,6 +8,7 @@
 #include "io/number_text.h"
 #include "report/comparison_report.h"
 #include "shared/shell_quoted.h"
+#include "widgets/qt_text.h"
 #include "window/main_window.h"
 #include "workflow/plugin_process.h"
 
@@ -109,7 +110,7 @@ Expected<void> exportReport(MainWindow& window, const LogEvaluationRequest& requ
     const std::string path = folder.toStdString();
     if (auto can = freeFolder(checkReportFolder(path, overwrite)); !can) return can;
     return exportInBackground(
-        window, {QObject::tr("Evaluating %1").arg(QString::fromStdString(request.network)), pageIn(folder)},
+        window, {QObject::tr("Evaluating %1").arg(qtText(request.network)), pageIn(folder)},
         [request, path](const Progress& progress) {
             return makeAndWrite<LogEvaluation>(
                 [&](const Progress& goesOn) { return evaluateLog(request, commandOf(request, path), goesOn); },
@@ -125,7 +126,7 @@ Expected<void> exportComparison(MainWindow& window, const ComparisonReport& repo
         return startPluginProcess(file, options, pluginLimit);
     }};
     return exportInBackground(
-        window, {QObject::tr("Comparing %1").arg(QString::fromStdString(report.what.log)), pageIn(folder)},
+        window, {QObject::tr("Comparing %1").arg(qtText(report.what.log)), pageIn(folder)},
         [report, path, plugins](const Progress& progress) {
             return makeAndWrite<ComparisonWithCauses>(
                 [&](const Progress& goesOn) { return compareWithCauses(report, plugins, path, goesOn); },

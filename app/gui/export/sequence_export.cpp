@@ -154,7 +154,7 @@ Place placeOf(const Shown& shown) { return {shown.run, shown.branch, shown.tick(
 void comeBack(MainWindow& window, const Place& place) {
     if (window.shown()->run != place.run) return;
     window.session().show(place.branch, place.tick);
-    window.session().showBeside(place.beside);
+    window.session().ask([=](Debugger& debugger) { debugger.run().setBeside(place.beside); });
     if (place.playing) window.session().play();
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "io/file.h"
+#include "widgets/qt_text.h"
 
 namespace mrose::gui {
 namespace {
@@ -60,9 +61,8 @@ void DescriptionWatch::watchPlaces() {
     for (const auto& [file, content] : contents_) {
         std::error_code ignored;
         const std::filesystem::path path = std::filesystem::absolute(file, ignored);
-        if (std::filesystem::exists(path, ignored)) places << QString::fromStdString(path.string());
-        if (std::filesystem::exists(path.parent_path(), ignored))
-            places << QString::fromStdString(path.parent_path().string());
+        if (std::filesystem::exists(path, ignored)) places << qtText(path.string());
+        if (std::filesystem::exists(path.parent_path(), ignored)) places << qtText(path.parent_path().string());
     }
     places.removeDuplicates();
     for (const QString& watched : watcher_.files() + watcher_.directories()) places.removeAll(watched);

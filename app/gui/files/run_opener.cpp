@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "widgets/qt_text.h"
+
 namespace mrose::gui {
 namespace {
 
@@ -26,7 +28,7 @@ RunOpener::RunOpener(QObject* parent) : QObject(parent) {
     connect(&progress_, &QTimer::timeout, this, [this] {
         if (!job_) return;
         std::unique_lock lock(mutex_);
-        const QString reading = QString::fromStdString(job_->reading);
+        const QString reading = qtText(job_->reading);
         lock.unlock();
         emit progress(reading);
     });

@@ -18,6 +18,7 @@
 #include "scenario/state_scenario.h"
 #include "widgets/field_view.h"
 #include "widgets/message_bar.h"
+#include "widgets/qt_text.h"
 #include "window/main_window.h"
 #include "window/window_memory.h"
 #include "workflow/file_kind.h"
@@ -29,10 +30,8 @@ namespace {
 
 using Kind = MessageBar::Kind;
 
-QString text(const std::string& words) { return QString::fromStdString(words); }
-
 /// Each file's error has its own line.
-QString openingOf(const Error& error) { return "open " + text(error.file.empty() ? error.message() : error.file); }
+QString openingOf(const Error& error) { return "open " + qtText(error.file.empty() ? error.message() : error.file); }
 
 QString nameOf(const QString& path) { return QFileInfo(path).fileName(); }
 
@@ -82,7 +81,7 @@ WindowFiles::WindowFiles(MainWindow& window, MessageBar& messages)
     connect(&opener_, &RunOpener::ended, this, readAgain, Qt::QueuedConnection);
     const auto namesOf = [](const std::vector<std::string>& files) {
         QStringList names;
-        for (const std::string& file : files) names << nameOf(text(file));
+        for (const std::string& file : files) names << nameOf(qtText(file));
         return names.join(", ");
     };
     connect(&watch_, &DescriptionWatch::changed, this,
@@ -124,16 +123,16 @@ Expected<void> WindowFiles::openNow(const OpenRequest& request, std::optional<do
 Expected<void> WindowFiles::take(Expected<OpenRun> run, std::optional<double> at) {
     if (!run) {
         sayError(run.error(), openingOf(run.error()));
-        window_.memory().forgetRecent(text(run.error().file));
+        window_.memory().forgetRecent(qtText(run.error().file));
         return tl::unexpected(run.error());
     }
     messages_.clear();
     show(*run, run->source.file);
     window_.overlay().follow(*run);
-    for (const std::string& note : run->notes) messages_.add({Kind::note, text(note)});
+    for (const std::string& note : run->notes) messages_.add({Kind::note, qtText(note)});
     offerBranches(*run, run->shown && !at);
     if (!network_.isEmpty()) offerNetwork(std::exchange(network_, {}));
-    window_.memory().addRecent(text(run->source.file));
+    window_.memory().addRecent(qtText(run->source.file));
     return at ? goTo(*run, *at) : Expected<void>{};
 }
 
@@ -168,7 +167,7 @@ std::uint64_t WindowFiles::show(const OpenRun& run, const std::string& breakpoin
     watch_.watch(run.files, run.recorded() ? std::vector{run.source.file} : std::vector<std::string>{});
     savedBranches_ = std::max<std::size_t>(1, run.branches.size());
     run_ = window_.show(run);
-    window_.memory().restoreBreakpoints(text(breakpointsOf), run_);
+    window_.memory().restoreBreakpoints(qtText(breakpointsOf), run_);
     return run_;
 }
 
@@ -179,11 +178,12 @@ void WindowFiles::offerBranches(const OpenRun& run, bool atItsPlace) {
     const bool runShown = !atItsPlace || run.shown->branch == 0;
     const auto nameOfBranch = [&](std::size_t branch) {
         const std::string& name = run.branches[branch].branch.name;
-        return name.empty() ? tr("a branch") : tr("\u201c%1\u201d").arg(text(name));
+        return name.empty() ? tr("a branch") : tr("\u201c%1\u201d").arg(qtText(name));
     };
     const auto other = static_cast<std::uint32_t>(runShown ? run.branches.size() - 1 : 0);
     const std::int64_t tick = runShown ? run.branches[other].branch.timeline.first() : run.shown->tick;
-    const QString file = nameOf(text(run.source.file)), count = branchesText(static_cast<int>(run.branches.size() - 1));
+    const QString file = nameOf(qtText(run.source.file)),
+                  count = qtText(branchesText(static_cast<int>(run.branches.size() - 1)));
     messages_.add(
         {Kind::note,
          runShown ? tr("%1 holds the run, which is shown, and %2 of it").arg(file, count)
@@ -271,14 +271,12 @@ Expected<void> WindowFiles::saveRecording(const QString& path, const std::functi
     if (auto other = checkNotRead(path); !other) return other;
     auto result = std::make_shared<Expected<bool>>(false);
     const std::string commandLine = "mrose-gui " + (opened_ ? opened_->file : "");
-    const auto save = [this, path, then, result, commandLine, of = run_](TimeTravel& run,
-                                                                         const Session::Progress& progress) {
+    const auto save = [this, path, then, result, commandLine, of = run_](TimeTravel& run, const Progress& progress) {
         *result = saveRun(path.toStdString(), run, commandLine, progress);
         const auto report = [this, path, then, result, of, branches = run.branches().size()] {
             if (saved(path, *result, of, branches) && then) then();
         };
         QMetaObject::invokeMethod(this, report, Qt::QueuedConnection);
-        return QString();
     };
     window_.session().doLongWork(tr("Saving %1").arg(nameOf(path)), save, true);
     if (!window_.actions().unattended()) return {};
@@ -290,19 +288,19 @@ Expected<void> WindowFiles::saveRecording(const QString& path, const std::functi
 QString WindowFiles::suggestedName(const QString& ending) const {
     const std::string of = !opened_ ? "run" : opened_->log.empty() ? opened_->file : opened_->log;
     const QString folder = window_.memory().lastFolder();
-    const QString name = (folder.isEmpty() ? "" : folder + '/') + QFileInfo(text(of)).completeBaseName();
+    const QString name = (folder.isEmpty() ? "" : folder + '/') + QFileInfo(qtText(of)).completeBaseName();
     QString free = name + ending;
     for (int number = 2; QFileInfo::exists(free); ++number) free = name + '_' + QString::number(number) + ending;
     return free;
 }
 
 void WindowFiles::sayNotSaved(const Error& error, const QString& action) {
-    messages_.add(
-        {Kind::error,
-         tr("%1. Nothing is lost: the run is still here. %2").arg(text(error.message()), adviceFor(text(error.cause))),
-         "save",
-         {{tr("Save elsewhere\u2026"), tr("Save it to another file"),
-           [this, action] { window_.actions()[action].trigger(); }}}});
+    messages_.add({Kind::error,
+                   tr("%1. Nothing is lost: the run is still here. %2")
+                       .arg(qtText(error.message()), adviceFor(qtText(error.cause))),
+                   "save",
+                   {{tr("Save elsewhere\u2026"), tr("Save it to another file"),
+                     [this, action] { window_.actions()[action].trigger(); }}}});
 }
 
 /// Reports what became of it; whether it is saved.
@@ -318,7 +316,7 @@ bool WindowFiles::saved(const QString& path, const Expected<bool>& done, std::ui
 Expected<void> WindowFiles::saveScenario(const QString& path) {
     if (auto other = checkNotRead(path); !other) return other;
     auto result = std::make_shared<Expected<void>>();
-    const auto save = [this, path, result](TimeTravel& run, const Session::Progress&) {
+    const auto save = [this, path, result](TimeTravel& run, const Progress&) {
         const BranchSetup& setup = run.setup();
         DiskDescriptions disk = openDescriptions();
         *result = !setup.value
@@ -326,7 +324,6 @@ Expected<void> WindowFiles::saveScenario(const QString& path) {
                       : saveStateAsScenario(path.toStdString(), *setup.value, *setup.scenario, run.state(), disk);
         QMetaObject::invokeMethod(
             this, [this, path, result] { savedScenario(path, *result); }, Qt::QueuedConnection);
-        return QString();
     };
     window_.session().doLongWork(tr("Saving %1").arg(nameOf(path)), save, true);
     if (!window_.actions().unattended()) return {};
@@ -346,10 +343,10 @@ void WindowFiles::savedScenario(const QString& path, const Expected<void>& done)
 void WindowFiles::record(const QString& path, bool overwrite) {
     if (path.isEmpty()) return window_.session().stopRecording();
     if (const auto other = checkNotRead(path); !other) {
-        recordingError_ = text(other.error().message());
+        recordingError_ = qtText(other.error().message());
         return sayError(other.error(), "record");
     }
-    const QString commandLine = text("mrose-gui " + (opened_ ? opened_->file : "") + " --record ") + path;
+    const QString commandLine = qtText("mrose-gui " + (opened_ ? opened_->file : "") + " --record ") + path;
     window_.session().record(path, commandLine, overwrite);
 }
 
@@ -385,8 +382,8 @@ bool WindowFiles::hasUnsaved() const { return window_.shown() && window_.shown()
 bool WindowFiles::mayLeave(const std::function<void()>& then) {
     if (window_.actions().unattended() || !hasUnsaved()) return true;
     const int count = listedBranches(window_.shown()->branches, savedBranches_);
-    switch (ask_(
-        tr(count == 1 ? "%1 of this run is not saved." : "%1 of this run are not saved.").arg(branchesText(count)))) {
+    switch (ask_(tr(count == 1 ? "%1 of this run is not saved." : "%1 of this run are not saved.")
+                     .arg(qtText(branchesText(count))))) {
         case Answer::discard:
             savedBranches_ = window_.shown()->branches.size();
             return true;
@@ -402,7 +399,7 @@ bool WindowFiles::mayLeave(const std::function<void()>& then) {
 }
 
 void WindowFiles::sayError(const Error& error, const QString& topic) {
-    messages_.add({Kind::error, text(error.message()), topic});
+    messages_.add({Kind::error, qtText(error.message()), topic});
 }
 
 }  // namespace mrose::gui

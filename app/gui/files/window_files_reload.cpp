@@ -7,12 +7,13 @@
 #include "files/window_files.h"
 #include "reality/overlay.h"
 #include "widgets/message_bar.h"
+#include "widgets/qt_text.h"
 #include "window/main_window.h"
 
 namespace mrose::gui {
 namespace {
 
-QString fileName(const std::string& path) { return QFileInfo(QString::fromStdString(path)).fileName(); }
+QString fileName(const std::string& path) { return QFileInfo(qtText(path)).fileName(); }
 
 }  // namespace
 
@@ -69,7 +70,7 @@ void WindowFiles::takeGrown(const OpenRun& run) {
     messages_.clear();
     show(run, run.source.file);
     window_.overlay().follow(run);
-    for (const std::string& note : run.notes) messages_.add({MessageBar::Kind::note, QString::fromStdString(note)});
+    for (const std::string& note : run.notes) messages_.add({MessageBar::Kind::note, qtText(note)});
     if (known && place.branch < run.branches.size()) window_.session().show(place.branch, place.tick);
     const Nanoseconds end = run.setup->scene().timeOf(run.branches.front().branch.timeline.last());
     messages_.add({MessageBar::Kind::note,
@@ -98,7 +99,7 @@ QString WindowFiles::reloadedName(const QString& why) const {
     const std::vector<BranchInfo>& branches = window_.shown()->branches;
     const auto taken = [&](const QString& name) {
         return std::any_of(branches.begin(), branches.end(),
-                           [&](const BranchInfo& branch) { return branch.name == name; });
+                           [&](const BranchInfo& branch) { return qtText(branch.name) == name; });
     };
     QString name = why;
     for (int time = 2; taken(name); ++time) name = tr("%1 (%2)").arg(why).arg(time);
@@ -111,10 +112,10 @@ void WindowFiles::takeReloaded(Expected<OpenRun> run, const QString& why) {
         if (!extents_.empty()) return sayError(run.error(), "reload");
         messages_.add({MessageBar::Kind::error,
                        tr("%1. What was read before goes on; once the file is mended it is read again")
-                           .arg(QString::fromStdString(run.error().message())),
+                           .arg(qtText(run.error().message())),
                        "reload",
                        {{tr("Show file"), tr("Open it with the program for such files"),
-                         [file = QString::fromStdString(run.error().file)] {
+                         [file = qtText(run.error().file)] {
                              QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(file).absoluteFilePath()));
                          }},
                         {tr("Reload"), tr("Read it again now"), [this, why] { reload(why); }}}});
@@ -142,7 +143,7 @@ void WindowFiles::takeReloaded(Expected<OpenRun> run, const QString& why) {
                    tr("%1: the run was simulated again up to here; the run before is shown as a ghost").arg(why),
                    "reload",
                    {{tr("Undo"), tr("Back to the run before"), [this] {
-                         window_.session().undo();
+                         window_.session().ask(&Debugger::undo);
                          messages_.remove("reload");
                      }}}});
 }

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <utility>
 
+#include "widgets/qt_text.h"
 #include "widgets/timeline_bar.h"
 
 namespace mrose::gui {
@@ -64,7 +65,7 @@ Difference distanceOf(const FieldFrame& here, std::size_t body, const FieldFrame
     const double turned = std::abs(wrapAngle(a.heading - b.heading)) * 180 / std::numbers::pi;
     const bool moved = apart >= leastMoved, robot = body < here.state.robots.size();
     const bool onlyTurned = robot && !moved && turned >= leastTurned;
-    return {QObject::tr("%1 apart").arg(QString::fromStdString(here.nameOf(body))),
+    return {QObject::tr("%1 apart").arg(qtText(here.nameOf(body))),
             onlyTurned ? QString::number(turned, 'f', 1) + QString::fromUtf8("\u00b0") : distanceText(apart),
             {},
             !moved && !onlyTurned,
@@ -80,7 +81,7 @@ std::vector<Difference> differencesOf(const Shown& shown) {
         rows.push_back({what, QString::number(a), QString::number(b), a == b});
     };
     for (std::size_t goal = 0; goal < std::min(here.state.goals.size(), there.state.goals.size()); ++goal)
-        count(QObject::tr("in the %1 goal").arg(QString::fromStdString(here.scene().environment.goals[goal].name)),
+        count(QObject::tr("in the %1 goal").arg(qtText(here.scene().environment.goals[goal].name)),
               here.state.goals[goal], there.state.goals[goal]);
     count(QObject::tr("kicks"), ours.kicks, theirs.kicks);
     count(QObject::tr("contacts"), ours.contacts, theirs.contacts);
@@ -156,7 +157,7 @@ void BranchPanel::editName() {
 }
 
 QString BranchPanel::nameOf(const Shown& shown, std::uint32_t branch) {
-    const QString& name = shown.branches[branch].name;
+    const QString name = qtText(shown.branches[branch].name);
     return name.isEmpty() ? tr("the run") : name;
 }
 

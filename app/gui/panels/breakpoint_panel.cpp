@@ -15,7 +15,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "session/shown.h"
+#include "debug/shown.h"
+#include "widgets/qt_text.h"
 
 namespace mrose::gui {
 namespace {
@@ -104,10 +105,9 @@ QString timesText(int from) {
 /// What is to be said of it below its text, and whether something is wrong with it.
 std::pair<QString, bool> noteOf(const BreakpointState& state) {
     const Breakpoint& breakpoint = state.breakpoint;
-    if (!breakpoint.error.empty())
-        return {QObject::tr("switched off: %1").arg(QString::fromStdString(breakpoint.error)), true};
-    if (state.elsewhere) return {QObject::tr("in this rollout %1").arg(QString::fromStdString(state.unfit)), false};
-    if (!state.unfit.empty()) return {QString::fromStdString(state.unfit), true};
+    if (!breakpoint.error.empty()) return {QObject::tr("switched off: %1").arg(qtText(breakpoint.error)), true};
+    if (state.elsewhere) return {QObject::tr("in this rollout %1").arg(qtText(state.unfit)), false};
+    if (!state.unfit.empty()) return {qtText(state.unfit), true};
     QStringList parts;
     if (state.all == 0 && breakpoint.enabled && breakpoint.text == breakHereText)
         return {QObject::tr("where a controller asks for it"), false};
@@ -211,7 +211,7 @@ void BreakpointPanel::refresh(QListWidgetItem& item, const BreakpointState& stat
         if (item.data(role) != value) item.setData(role, value);
     };
     const auto [note, wrong] = noteOf(state);
-    const QString text = QString::fromStdString(state.breakpoint.text);
+    const QString text = qtText(state.breakpoint.text);
     item.setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable | Qt::ItemIsEditable);
     set(Qt::DisplayRole, text);
     set(Qt::CheckStateRole, static_cast<int>(state.breakpoint.enabled ? Qt::Checked : Qt::Unchecked));
@@ -263,7 +263,7 @@ void BreakpointPanel::check() {
     if (filling_) return;
     if (!line_->text().trimmed().isEmpty() && setup_) {
         const auto fits = checkBreakText(line_->text().toStdString(), *setup_, reality_);
-        return reply(fits ? tr("Enter adds it") : QString::fromStdString(wrongWith(fits.error())), !fits);
+        return reply(fits ? tr("Enter adds it") : qtText(wrongWith(fits.error())), !fits);
     }
     const int row = list_->currentRow();
     if (row < 0 || row >= static_cast<int>(states_.size())) return reply({}, false);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "debug/breakpoints.h"
+#include "debug/shown.h"
 #include "widgets/theme.h"
 
 class QLabel;
@@ -15,8 +16,6 @@ class QMenu;
 class QToolButton;
 
 namespace mrose::gui {
-
-struct Shown;
 
 /// All breakpoints with what is known of them, and a line in which conditions are typed.
 class BreakpointPanel final : public QWidget {

@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "widgets/qt_text.h"
 #include "widgets/timeline_bar.h"
 
 namespace mrose::gui {
@@ -110,9 +111,9 @@ void CommandPanel::refresh() {
         return;
     }
     const FieldFrame& frame = *shown_.frame;
-    QString what = tr("<b>%1</b> decided at %2")
-                       .arg(QString::fromStdString(frame.nameOf(*body_)).toHtmlEscaped(),
-                            clockText(frame.scene().timeOf(decided->tick)));
+    QString what =
+        tr("<b>%1</b> decided at %2")
+            .arg(qtText(frame.nameOf(*body_)).toHtmlEscaped(), clockText(frame.scene().timeOf(decided->tick)));
     for (const BranchRecord::FirstFault& fault : shown_.faults)
         if (fault.robot == *body_)
             what += tr("; its controller failed at %1").arg(clockText(frame.scene().timeOf(fault.tick)));
@@ -132,7 +133,7 @@ void CommandPanel::fill() {
     kick_->clear();
     kick_->addItem(tr("none"));
     for (const Manipulator& manipulator : frame.scene().typeOf(*body_).manipulators)
-        kick_->addItem(QString::fromStdString(manipulator.name));
+        kick_->addItem(qtText(manipulator.name));
     const std::vector<Kick>& kicks = decided.decision.kicks;
     power_->setValue(kicks.empty() ? 100 : 100 * kicks.front().power);
     kick_->setCurrentIndex(kicks.empty() ? 0 : static_cast<int>(kicks.front().manipulator) + 1);
@@ -181,7 +182,7 @@ void CommandPanel::apply() {
     if (order.command.w != before.w) changed << tr("%1 rad/s").arg(w_->value(), 0, 'f', 2);
     if (!sameKick) changed << (order.kicks.empty() ? tr("no kick") : tr("kick %1 %").arg(power_->value(), 0, 'f', 0));
     if (changed.isEmpty()) changed << tr("as decided");
-    Edit edit{(QString::fromStdString(frame.nameOf(*body_)) + ": " + changed.join(", ")).toStdString()};
+    Edit edit{(qtText(frame.nameOf(*body_)) + ": " + changed.join(", ")).toStdString()};
     edit.tick = decided->tick;
     edit.orders = {order};
     edit.afterDeciding = order.robot;

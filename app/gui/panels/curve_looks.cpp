@@ -7,6 +7,8 @@
 #include <optional>
 #include <set>
 
+#include "widgets/qt_text.h"
+
 namespace mrose::gui {
 namespace {
 
@@ -103,8 +105,8 @@ QString reportingPart(const QString& quantity, const std::set<QString>& all) {
 /// A value's name without its body and its model.
 QString quantityOf(const ValueKey& key, const PlottedValue& value) {
     if (isExpression(key)) return {};
-    const QString body = QString::fromStdString(key.body) + "  ", model = QString::fromStdString(key.of) + ": ";
-    QString words = QString::fromStdString(value.name);
+    const QString body = qtText(key.body) + "  ", model = qtText(key.of) + ": ";
+    QString words = qtText(value.name);
     if (words.startsWith(body)) words.remove(0, body.size());
     if (isError(key) && words.startsWith(model)) words.remove(0, model.size());
     return words;
@@ -124,9 +126,9 @@ std::vector<CurveWords> wordsOf(std::span<const ValueKey> keys, std::span<const 
     }
     std::vector<CurveWords> words;
     for (std::size_t i = 0; i < values.size(); ++i) {
-        const QString body = QString::fromStdString(keys[i].body), quantity = quantityOf(keys[i], values[i]);
+        const QString body = qtText(keys[i].body), quantity = quantityOf(keys[i], values[i]);
         if (isExpression(keys[i])) {
-            const QString name = QString::fromStdString(values[i].name);
+            const QString name = qtText(values[i].name);
             words.push_back({name, {}, {}, name});
             continue;
         }
@@ -135,9 +137,7 @@ std::vector<CurveWords> wordsOf(std::span<const ValueKey> keys, std::span<const 
         QStringList parts;
         if (beside.size() > 1) parts << reportingPart(quantity, beside);
         if (models && isError(keys[i]))
-            parts << (!keys[i].of.empty() ? QString::fromStdString(keys[i].of)
-                      : !own.isEmpty()    ? own
-                                          : QObject::tr("run"));
+            parts << (!keys[i].of.empty() ? qtText(keys[i].of) : !own.isEmpty() ? own : QObject::tr("run"));
         // An axis of different quantities has no title that tells whose they are.
         const bool nothing = parts.isEmpty(), several = bodies.size() > 1 || (end.isEmpty() && beside.size() > 1);
         CurveWords& one = words.emplace_back();

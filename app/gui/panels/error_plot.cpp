@@ -8,6 +8,7 @@
 #include "reality/overlay.h"
 #include "widgets/field_view.h"
 #include "widgets/message_bar.h"
+#include "widgets/qt_text.h"
 #include "window/main_window.h"
 #include "window/window_memory.h"
 
@@ -131,7 +132,7 @@ void ErrorPlot::lookAtRollout() {
         });
     };
     computing_.post(job, [this](const Error& error) {
-        window_.messages().add({MessageBar::Kind::error, QString::fromStdString(error.message()), errorPlotTopic});
+        window_.messages().add({MessageBar::Kind::error, qtText(error.message()), errorPlotTopic});
     });
 }
 
@@ -176,7 +177,7 @@ PlotPanel::Foresight ErrorPlot::foresight(std::optional<std::size_t> which) cons
     const Scene& scene = window_.shown()->frame->scene();
     known.run = window_.shown()->run;
     known.end = scene.ticksOf(rollout_->requests.front().steps * WindowOptions{}.step);
-    known.model = QString::fromStdString(window_.overlay().models().front().name);
+    known.model = qtText(window_.overlay().models().front().name);
     const auto real = std::find_if(reality.robots.begin(), reality.robots.end(),
                                    [&](const Reality::Robot& robot) { return robot.name == name; });
     for (const ValueKey& key : errorKeysOf(reality, name)) {

@@ -87,7 +87,7 @@ FirstSteps::FirstSteps(MainWindow& window)
         if (wanted_) place();
         const std::vector<BranchInfo>& branches = window_.shown()->branches;
         const bool begun = branches.size() > std::exchange(branches_, branches.size());
-        if (begun && (branches.back().name.endsWith(tr("moved")) || branches.back().name.endsWith(tr("turned"))))
+        if (begun && (branches.back().name.ends_with("moved") || branches.back().name.ends_with("turned")))
             tick(branch);
     });
     connect(&window_.actions()["side_by_side"], &QAction::triggered, this, [this, both] {

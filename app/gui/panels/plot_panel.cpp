@@ -14,6 +14,7 @@
 
 #include "panels/curve_list.h"
 #include "widgets/eliding_label.h"
+#include "widgets/qt_text.h"
 #include "widgets/timeline_bar.h"
 
 namespace mrose::gui {
@@ -174,7 +175,7 @@ Expected<void> PlotPanel::addExpression(const QString& text) {
     Expected<void> added = add({expressionQuantity, {}, text.trimmed().toStdString()});
     error_->setVisible(!added);
     if (added) return added;
-    const QString message = QString::fromStdString(added.error().message());
+    const QString message = qtText(added.error().message());
     error_->setText(error_->fontMetrics().elidedText(message, Qt::ElideRight, side_->width() - 14));
     error_->setToolTip(message);
     return added;
@@ -329,9 +330,9 @@ void PlotPanel::follow() {
 
 PlotCurve PlotPanel::curveOf(const ValueKey& key, const PlottedValue& value, const std::vector<Piece>& lineage) const {
     PlotCurve curve;
-    curve.id = QString::fromStdString(key.quantity + '\n' + key.body + '\n' + key.of);
-    curve.name = QString::fromStdString(value.name);
-    curve.unit = QString::fromStdString(value.unit);
+    curve.id = qtText(key.quantity + '\n' + key.body + '\n' + key.of);
+    curve.name = qtText(value.name);
+    curve.unit = qtText(value.unit);
     curve.decimals = value.decimals;
     ValueSeries* series = series_.get();
     curve.sample = [series, key, lineage, angle = value.angle](std::int64_t from, std::int64_t to, std::int64_t step,
@@ -363,7 +364,7 @@ std::vector<PlottedValue> PlotPanel::values() const {
 QString PlotPanel::ghostName() const {
     if (!shown_ || keys_.empty()) return {};
     const auto ghost = ghostBranch();
-    return !ghost ? QString() : *ghost == 0 ? tr("the run") : shown_->branches[*ghost].name;
+    return !ghost ? QString() : *ghost == 0 ? tr("the run") : qtText(shown_->branches[*ghost].name);
 }
 
 std::vector<PlotCurve> PlotPanel::curvesIn(const Theme& theme) const {
@@ -417,8 +418,8 @@ void PlotPanel::updateList() {
         PlotCurve curve;
         curve.colour = looks_[i].colour;
         curve.style = looks_[i].style;
-        lines.push_back({curvePen(curve), words[i].inGroup, QString::fromStdString(plotted[i].unit),
-                         QString::fromStdString(plotted[i].name).simplified(), words[i].group});
+        lines.push_back({curvePen(curve), words[i].inGroup, qtText(plotted[i].unit),
+                         qtText(plotted[i].name).simplified(), words[i].group});
     }
     const QPen dashed(TimelineBar::colourOf(TimelineMark::Kind::divergence, theme_), 1, Qt::DashLine);
     for (const PlotLevel& level : levels())
@@ -433,7 +434,7 @@ std::vector<PlotLevel> PlotPanel::levels() const {
     const std::vector<PlottedValue> plotted = values();
     for (const PlotLevel& level : view_->levels())
         if (std::any_of(plotted.begin(), plotted.end(),
-                        [&](const auto& value) { return QString::fromStdString(value.unit) == level.unit; }))
+                        [&](const auto& value) { return qtText(value.unit) == level.unit; }))
             levels.push_back(level);
     return levels;
 }

@@ -3,6 +3,7 @@
 #include <QBoxLayout>
 
 #include "widgets/eliding_label.h"
+#include "widgets/qt_text.h"
 #include "widgets/timeline_bar.h"
 
 namespace mrose::gui {
@@ -79,7 +80,7 @@ void SideView::setShown(const Shown& shown) {
     field_->setElsewhere(both ? elsewhereIn(*shown.beside, *shown.frame) : Places());
     beside_->setElsewhere(both ? elsewhereIn(*shown.frame, *shown.beside) : Places());
     const auto name = [&](std::uint32_t branch) {
-        const QString& given = shown.branches[branch].name;
+        const QString given = qtText(shown.branches[branch].name);
         return given.isEmpty() ? tr("the run") : given;
     };
     fieldName_->setText(name(shown.branch));

@@ -11,6 +11,7 @@
 
 #include "experiment/results_row.h"
 #include "io/file.h"
+#include "widgets/qt_text.h"
 
 namespace mrose::gui {
 namespace {
@@ -46,8 +47,8 @@ QString titleOf(const std::string& column) {
     // "goals.left"; of earlier versions "goals left"
     constexpr std::string_view goals = "goals.";
     if (column.starts_with("goals") && column.size() > goals.size())
-        return QObject::tr("Goals in %1").arg(QString::fromStdString(column.substr(goals.size())));
-    return QString::fromStdString(column);
+        return QObject::tr("Goals in %1").arg(qtText(column.substr(goals.size())));
+    return qtText(column);
 }
 
 /// As a shell takes a line apart that was quoted for it by apostrophes.
@@ -103,7 +104,7 @@ std::optional<TrialRow> rowOf(const std::vector<std::string>& cells, const std::
 /// Numbers are ordered by their values.
 class TrialCell final : public QTableWidgetItem {
 public:
-    explicit TrialCell(const std::string& text) : QTableWidgetItem(QString::fromStdString(text)) {}
+    explicit TrialCell(const std::string& text) : QTableWidgetItem(qtText(text)) {}
     bool operator<(const QTableWidgetItem& other) const override {
         bool mine = false, its = false;
         const double a = text().toDouble(&mine), b = other.text().toDouble(&its);

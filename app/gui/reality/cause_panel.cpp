@@ -17,6 +17,7 @@
 #include "io/format.h"
 #include "widgets/eliding_text.h"
 #include "widgets/fixed_text.h"
+#include "widgets/qt_text.h"
 
 namespace mrose::gui {
 namespace {
@@ -189,9 +190,9 @@ void CausePanel::refresh() {
     heading_->setEnabled(!overlay_.bound().fromHeldOut);
     filling_ = false;
     if (row == nullptr) return;
-    QString robot = QString::fromStdString(overlay_.world()->world().robots()[row->robot].name);
+    QString robot = qtText(overlay_.world()->world().robots()[row->robot].name);
     if (const std::string session = sessionText(overlay_.world()->world().sessions()[row->session]); !session.empty())
-        robot += tr(" in %1").arg(QString::fromStdString(session));
+        robot += tr(" in %1").arg(qtText(session));
     const QString start = fixedText(toSeconds(row->start), 1);
     rollout_->setText((overlay_.showsCompared() ? tr("%1 from %2 s: %3") : tr("%1 from %2 s (not this branch): %3"))
                           .arg(robot, start, offText(*row)));
@@ -215,14 +216,14 @@ QString CausePanel::likely() const {
     if (!finding->diagnosis) return tr("Looking for the cause: %1 %").arg(static_cast<int>(100 * finding->share));
     const Diagnosis& diagnosis = *finding->diagnosis;
     if (diagnosis.trials.empty()) return tr("No re-run could be made");
-    return tr("Likely cause: %1").arg(QString::fromStdString(causeText(diagnosis)));
+    return tr("Likely cause: %1").arg(qtText(causeText(diagnosis)));
 }
 
 void CausePanel::refreshCauses() {
     cause_->setText(likely());
     const auto& finding = overlay_.finding();
     const bool known = finding && finding->diagnosis;
-    QString onset = known ? QString::fromStdString(onsetText(*finding->diagnosis)) : QString();
+    QString onset = known ? qtText(onsetText(*finding->diagnosis)) : QString();
     onset.replace(0, 1, onset.left(1).toUpper());
     onset_->setText(onset);
     causes_->setVisible(known);
@@ -231,8 +232,7 @@ void CausePanel::refreshCauses() {
     const Diagnosis& diagnosis = *finding->diagnosis;
     for (std::size_t i = 0; i < diagnosis.trials.size(); ++i) {
         const CauseTrial& trial = diagnosis.trials[i];
-        auto* item = new QTreeWidgetItem(
-            {QString::fromStdString(trial.what), tr("%1 %").arg(std::lround(100 * trial.explained))});
+        auto* item = new QTreeWidgetItem({qtText(trial.what), tr("%1 %").arg(std::lround(100 * trial.explained))});
         item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
         item->setData(1, explainedRole, trial.explained);
         item->setToolTip(0, tr("%1. A click lays this re-run beside").arg(item->text(0)));

@@ -11,6 +11,7 @@
 #include "widgets/field_view.h"
 #include "widgets/fixed_text.h"
 #include "widgets/message_bar.h"
+#include "widgets/qt_text.h"
 #include "window/main_window.h"
 #include "window/window_memory.h"
 
@@ -29,7 +30,7 @@ constexpr int openPatience = 300;  // ms
 QString planNote(const OverlayWorld& overlay, const OverlayPlan& plan) {
     if (plan == OverlayPlan{}) return {};
     const QString length = fixedText(plan.length, 1);
-    const QString why = QObject::tr("The trajectories of %1 are short").arg(QString::fromStdString(overlay.name()));
+    const QString why = QObject::tr("The trajectories of %1 are short").arg(qtText(overlay.name()));
     switch (plan.cut) {
         case OverlayPlan::Cut::windows:
             return QObject::tr("%1: the simulation starts again in windows of %2 s, as mrose evaluate cuts them")
@@ -81,7 +82,7 @@ void Overlay::post(const Opening& wanted) {
 
 void Overlay::reportOpening(const std::string& place) {
     window_.messages().add({MessageBar::Kind::progress,
-                            tr("Opening %1").arg(QFileInfo(QString::fromStdString(place)).fileName()),
+                            tr("Opening %1").arg(QFileInfo(qtText(place)).fileName()),
                             openingTopic,
                             {{tr("Cancel"), tr("Do not open it (Esc)"), [this] { setAside(), readAgain(); }}}});
 }
@@ -114,7 +115,7 @@ void Overlay::takeOpened(Expected<OpenedLog> opened, const Opening& opening) {
     begin(std::move(opened->world), opened->plan, std::move(opened->requests));
     if (const QString note = opening.asked ? QString() : planNote(*world_, plan_); !note.isEmpty())
         window_.messages().add({MessageBar::Kind::note, note, planTopic});
-    window_.memory().addRecent(QString::fromStdString(world_->place));
+    window_.memory().addRecent(qtText(world_->place));
     takeRollout(std::move(opened->run), opened->rollout, {}, Then{});
     compareAll();
 }
@@ -127,7 +128,7 @@ void Overlay::follow(const OpenRun& run) {
     request.pluginLimit = run.source.pluginLimit;
     if (run.recorded()) request.kept = run.setup->value;
     const auto alone = [this](const Error& error) {
-        const QString why = QString::fromStdString(error.message());
+        const QString why = qtText(error.message());
         window_.messages().add({MessageBar::Kind::note, tr("The run is shown alone: %1").arg(why), overlayTopic});
     };
     const auto job = [this, request, followed = run.setup, alone](const JobQueue::GoesOn& goesOn) -> JobQueue::Answer {
@@ -228,7 +229,7 @@ void Overlay::adopt(OverlayWorldPointer world, std::vector<RolloutRequest> reque
 
 void Overlay::sayError(const Error& error) {
     openError_ = error;
-    window_.messages().add({MessageBar::Kind::error, QString::fromStdString(error.message()), overlayTopic});
+    window_.messages().add({MessageBar::Kind::error, qtText(error.message()), overlayTopic});
 }
 
 void Overlay::begin(OverlayWorldPointer world, const OverlayPlan& plan, std::vector<RolloutRequest> rollouts) {
@@ -238,7 +239,7 @@ void Overlay::begin(OverlayWorldPointer world, const OverlayPlan& plan, std::vec
     adopt(std::move(world), std::move(rollouts));
     window_.messages().remove(overlayTopic);
     for (std::size_t note = 0; note < world_->notes.size(); ++note)
-        window_.messages().add({MessageBar::Kind::note, QString::fromStdString(world_->notes[note]), noteTopic(note)});
+        window_.messages().add({MessageBar::Kind::note, qtText(world_->notes[note]), noteTopic(note)});
 }
 
 void Overlay::takeFollowed(OverlayWorldPointer world, const BranchSetupPointer& followed) {
@@ -328,7 +329,7 @@ void Overlay::takeComparison(Expected<Comparison> comparison) {
         comparison_ = std::make_shared<const Comparison>(std::move(*comparison));
         models_.front().figures.compared = comparison_->all;
     } else {
-        error_ = QString::fromStdString(comparison.error().message());
+        error_ = qtText(comparison.error().message());
         models_.front().figures.compared = tl::unexpected(comparison.error());
         sayError(comparison.error());
     }
@@ -429,7 +430,7 @@ void Overlay::finishComing() {
     emit changed();
     if (come.then.toDivergence) goToDivergence();
     if (const auto& look = come.then.look)
-        window_.session().goToBreak(*look, look->back ? Session::BreakReach::all : Session::BreakReach::within);
+        window_.session().goToBreak(*look, look->back ? BreakReach::all : BreakReach::within);
     readAgain();
 }
 

@@ -9,6 +9,7 @@
 #include "debug/breakpoints.h"
 #include "debug/rollout_hits.h"
 #include "session/job_queue.h"
+#include "widgets/qt_text.h"
 #include "widgets/view_transform.h"
 #include "workflow/overlay_work.h"
 
@@ -17,7 +18,7 @@ namespace mrose::gui {
 class MainWindow;
 
 /// Of the messages that speak of a model.
-inline QString modelTopic(const std::string& name) { return "model " + QString::fromStdString(name); }
+inline QString modelTopic(const std::string& name) { return "model " + qtText(name); }
 
 /// A real log laid over its simulation: where the simulated robots start, what becomes of each rollout, and which of
 /// them the window shows as its run. Works in the background; changed() is emitted.

@@ -5,6 +5,7 @@
 #include "reality/overlay.h"
 #include "reality/overlay_marks.h"
 #include "widgets/field_view.h"
+#include "widgets/qt_text.h"
 #include "window/main_window.h"
 #include "workflow/rollout_breaks.h"
 
@@ -19,12 +20,14 @@ std::span<const OverlayRow> Overlay::rowsOf(std::size_t rollout) const {
 
 void Overlay::reportDivergences() {
     markDivergences(window_, *this);
-    if (!world_) return window_.session().setDivergence({});
+    if (!world_) return window_.session().changeBreakpoints([](Breakpoints& all) { all.setDivergence({}); });
     if (!shownRollout_ || !window_.shown()) return;
     LeavingRobots leaving = leavingRobots(world_->world(), rowsOf(*shownRollout_));
     leaving.reality = reality_;
     leaving.compared = compared_;
-    window_.session().setDivergence({leavesReality(leaving), whoLeaves(leaving)});
+    window_.session().changeBreakpoints([leaving](Breakpoints& all) {
+        all.setDivergence({leavesReality(leaving), whoLeaves(leaving)});
+    });
     reportHits(*shownRollout_);
 }
 
@@ -98,7 +101,8 @@ void Overlay::learnHits() {
 
 /// What the rollouts before one and after it know of them.
 void Overlay::reportHits(std::size_t rollout) {
-    window_.session().setHitsInOtherRuns(rolloutsFollow() ? hits_.elsewhere(rollout) : HitsInOtherRuns{});
+    const HitsInOtherRuns met = rolloutsFollow() ? hits_.elsewhere(rollout) : HitsInOtherRuns{};
+    window_.session().changeBreakpoints([met](Breakpoints& all) { all.setHitsInOtherRuns(met); });
 }
 
 bool Overlay::atRolloutEnd() const {
@@ -132,7 +136,7 @@ void Overlay::goToBreak(const BreakWish& wish) {
     wish_ = wish;
     if (window_.shown() != nullptr && inRollouts() && !wish.back && atRolloutEnd()) return lookInRollouts();
     const bool within = window_.shown() != nullptr && inRollouts();
-    window_.session().goToBreak(wish, within ? Session::BreakReach::within : Session::BreakReach::on);
+    window_.session().goToBreak(wish, within ? BreakReach::within : BreakReach::on);
 }
 
 void Overlay::stopSearching() {
@@ -176,7 +180,7 @@ void Overlay::lookInRollouts() {
         const auto found = rolloutWithBreak(*world, search, progress);
         return [this, found, wish = search.wish, none, what] {
             emit searching(what, 1);
-            if (!found) return window_.say(QString::fromStdString(found.error().message()));
+            if (!found) return window_.say(qtText(found.error().message()));
             hits_ = found->hits;
             if (!found->rollout) return reportHits(*shownRollout_), window_.say(none);
             Then then;

@@ -3,6 +3,7 @@
 
 #include "reality/overlay.h"
 #include "widgets/message_bar.h"
+#include "widgets/qt_text.h"
 #include "window/main_window.h"
 
 namespace mrose::gui {
@@ -73,8 +74,8 @@ void Overlay::takeModel(const WantedModel& wanted, Expected<OverlayModel> model)
     } else if (modelNamed(model->name) == nullptr) {
         model->shown = wanted.shown;
         if (!model->note.empty())
-            window_.messages().add({MessageBar::Kind::note, QString::fromStdString(model->name + ": " + model->note),
-                                    modelTopic(model->name)});
+            window_.messages().add(
+                {MessageBar::Kind::note, qtText(model->name + ": " + model->note), modelTopic(model->name)});
         models_.push_back(std::move(*model));
         compareModel(models_.size() - 1);
         lookAtRollout();
@@ -102,8 +103,8 @@ std::optional<Overlay::Work> Overlay::work() const {
     if (!world_) return {};
     if (share_ < 1) return Work{tr("comparing"), share_};
     for (const OverlayModel& model : models_)
-        if (model.judged < 1) return Work{tr("judging %1").arg(QString::fromStdString(model.name)), model.judged};
-    if (!loading_.empty()) return Work{tr("reading %1").arg(QString::fromStdString(loading_.front().named)), 0};
+        if (model.judged < 1) return Work{tr("judging %1").arg(qtText(model.name)), model.judged};
+    if (!loading_.empty()) return Work{tr("reading %1").arg(qtText(loading_.front().named)), 0};
     return {};
 }
 

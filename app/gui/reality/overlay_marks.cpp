@@ -5,6 +5,7 @@
 
 #include "panels/plot_panel.h"
 #include "reality/overlay.h"
+#include "widgets/qt_text.h"
 #include "widgets/real_robots.h"
 #include "window/main_window.h"
 
@@ -39,11 +40,10 @@ void markDivergences(MainWindow& window, const Overlay& overlay) {
             const OverlayRow* const row = overlay.rowOf(*overlay.shownRollout(), i);
             if (row == nullptr || !row->divergence) continue;
             const Divergence& divergence = *row->divergence;
-            noted.push_back(
-                {{scene.ticksOf(divergence.time), TimelineMark::Kind::divergence, 0, 0},
-                 QString::fromStdString(robots[i].name) + ", " + errorText({divergence.position, divergence.heading}),
-                 QString::fromStdString(robots[i].name),
-                 overlay.shownRobot() != i});
+            noted.push_back({{scene.ticksOf(divergence.time), TimelineMark::Kind::divergence, 0, 0},
+                             qtText(robots[i].name) + ", " + errorText({divergence.position, divergence.heading}),
+                             qtText(robots[i].name),
+                             overlay.shownRobot() != i});
         }
         std::stable_sort(noted.begin(), noted.end(),
                          [](const Noted& a, const Noted& b) { return a.mark.tick < b.mark.tick; });

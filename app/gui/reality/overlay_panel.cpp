@@ -22,6 +22,7 @@
 
 #include "io/format.h"
 #include "widgets/fixed_text.h"
+#include "widgets/qt_text.h"
 
 namespace mrose::gui {
 namespace {
@@ -288,7 +289,7 @@ void OverlayPanel::fillModelMenu(QMenu& menu) {
     menu.clear();
     if (!overlay_.world()) return;
     for (const std::string& known : modelNames(*overlay_.world()))
-        menu.addAction(QString::fromStdString(known), this, [this, known] { overlay_.addModel(known); });
+        menu.addAction(qtText(known), this, [this, known] { overlay_.addModel(known); });
     menu.addSeparator();
     menu.addAction(tr("From a file\u2026"), this, [this] { emit modelFileWanted(); });
 }
@@ -324,7 +325,7 @@ void OverlayPanel::applyPlan() {
     plan.length = length_->value();
     plan.start = start_->value();
     if (const auto done = overlay_.setPlan(plan); !done) {
-        about_->setText(QString::fromStdString(done.error().message()));
+        about_->setText(qtText(done.error().message()));
         return;
     }
     refresh();
@@ -339,8 +340,8 @@ void OverlayPanel::refresh() {
     const OverlayWorldPointer& world = overlay_.world();
     setEnabled(world != nullptr);
     filling_ = true;
-    log_->setText(world ? QString::fromStdString(world->name()) : tr("No log is open"));
-    log_->setToolTip(world ? QString::fromStdString(world->place) : QString());
+    log_->setText(world ? qtText(world->name()) : tr("No log is open"));
+    log_->setToolTip(world ? qtText(world->place) : QString());
     const QString counts = countText(overlay_.rows());
     about_->setToolTip(
         counts.isEmpty() ? QString() : tr("In P and Hd: a robot must drive, and its ground truth be known throughout"));
@@ -407,7 +408,7 @@ void OverlayPanel::refreshModels() {
     std::size_t colour = 0;
     for (std::size_t i = 0; i < overlay_.models().size(); ++i) {
         const OverlayModel& model = overlay_.models()[i];
-        auto* item = new QTreeWidgetItem({QString::fromStdString(model.name)});
+        auto* item = new QTreeWidgetItem({qtText(model.name)});
         const auto set = [&](int column, double value, int decimals) {
             item->setText(column, fixedText(value, decimals));
             item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
@@ -422,7 +423,7 @@ void OverlayPanel::refreshModels() {
         const auto showUnknown = [&](const Error* why) {
             for (int column = 1; column < 5 && why != nullptr; ++column) {
                 set(column, std::numeric_limits<double>::quiet_NaN(), 1);
-                item->setToolTip(column, QString::fromStdString(why->message()));
+                item->setToolTip(column, qtText(why->message()));
             }
             if (why == nullptr) item->setText(1, QString::fromUtf8("\u2026"));
         };

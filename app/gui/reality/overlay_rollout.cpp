@@ -5,6 +5,7 @@
 #include "reality/overlay.h"
 #include "reality/overlay_marks.h"
 #include "widgets/field_view.h"
+#include "widgets/qt_text.h"
 #include "window/main_window.h"
 
 namespace mrose::gui {
@@ -126,7 +127,7 @@ void Overlay::takeDiagnosis(Expected<Diagnosis> found) {
     if (found)
         finding_->diagnosis = std::move(*found);
     else
-        finding_->error = QString::fromStdString(found.error().message());
+        finding_->error = qtText(found.error().message());
     emit changed();
 }
 

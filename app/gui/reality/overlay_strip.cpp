@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "logs/pose_grid.h"
+#include "widgets/qt_text.h"
 
 namespace mrose::gui {
 namespace {
@@ -33,11 +34,10 @@ RolloutStrip::Content stripOf(const Overlay& overlay) {
     const std::vector<RolloutRequest>& requests = overlay.requests();
     const std::size_t session = overlay.shownRollout() ? requests[*overlay.shownRollout()].session : 0;
     const std::size_t robot = overlay.shownRobot().value_or(0);
-    const QString title = QString::fromStdString(world.robots()[robot].name);
-    const QString sessionName = QString::fromStdString(sessionText(world.sessions()[session]));
+    const QString title = qtText(world.robots()[robot].name);
+    const QString sessionName = qtText(sessionText(world.sessions()[session]));
     content.title =
-        QObject::tr("%1 in %2")
-            .arg(title, sessionName.isEmpty() ? QString::fromStdString(overlay.world()->name()) : sessionName);
+        QObject::tr("%1 in %2").arg(title, sessionName.isEmpty() ? qtText(overlay.world()->name()) : sessionName);
     content.length = world.sessions()[session].length;
     content.shown = overlay.shownRollout();
     const Nanoseconds step = WindowOptions{}.step;

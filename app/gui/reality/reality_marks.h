@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "assessment/reality.h"
-#include "session/shown.h"
+#include "debug/shown.h"
 #include "widgets/timeline_bar.h"
 
 namespace mrose::gui {

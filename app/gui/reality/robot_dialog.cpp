@@ -14,6 +14,7 @@
 #include "scenario/description_file.h"
 #include "widgets/field_canvas.h"
 #include "widgets/fixed_text.h"
+#include "widgets/qt_text.h"
 #include "widgets/warning_style.h"
 #include "workflow/resources.h"
 
@@ -50,8 +51,8 @@ QPixmap pictureOf(const Shape& shape, double reach, double pixelRatio) {
 
 QString kindText(const RobotKind& kind) {
     return QObject::tr("%1\n%2 \u00d7 %3 m, %4, dead time %5 s")
-        .arg(QString::fromStdString(kind.name), fixedText(kind.length, 2), fixedText(kind.width, 2),
-             QString::fromStdString(kind.motion), fixedText(kind.deadTime, 2));
+        .arg(qtText(kind.name), fixedText(kind.length, 2), fixedText(kind.width, 2), qtText(kind.motion),
+             fixedText(kind.deadTime, 2));
 }
 
 }  // namespace
@@ -82,8 +83,7 @@ std::vector<RobotKind> robotKindsThatShip() {
                 kinds.push_back(std::move(*kind));
             }
     std::sort(kinds.begin(), kinds.end(), [](const RobotKind& a, const RobotKind& b) {
-        return QString::compare(QString::fromStdString(a.name), QString::fromStdString(b.name), Qt::CaseInsensitive) <
-               0;
+        return QString::compare(qtText(a.name), qtText(b.name), Qt::CaseInsensitive) < 0;
     });
     return kinds;
 }
@@ -142,7 +142,7 @@ void RobotDialog::fill() {
     for (const RobotKind& kind : kinds_) {
         const QPixmap picture = pictureOf(*kind.shape, reach, devicePixelRatioF());
         auto* item = new QListWidgetItem(QIcon(picture), kindText(kind), robots_);
-        item->setToolTip(QString::fromStdString(kind.file));
+        item->setToolTip(qtText(kind.file));
     }
     open_->setEnabled(!kinds_.empty());
     robots_->setCurrentRow(current);
@@ -156,7 +156,7 @@ void RobotDialog::choose(const QString& robotFile) {
     if (found == kinds_.end()) {
         auto kind = robotKindOf(file);
         if (!kind) {
-            error_->setText(QString::fromStdString(kind.error().message()));
+            error_->setText(qtText(kind.error().message()));
             return error_->show();
         }
         found = kinds_.insert(kinds_.end(), std::move(*kind));
@@ -176,7 +176,7 @@ void RobotDialog::accept() {
     const int row = robots_->currentRow();
     if (row < 0) return;
     QDialog::accept();
-    emit chosen(QString::fromStdString(kinds_[static_cast<std::size_t>(row)].file));
+    emit chosen(qtText(kinds_[static_cast<std::size_t>(row)].file));
 }
 
 }  // namespace mrose::gui

@@ -6,6 +6,7 @@
 
 #include "io/format.h"
 #include "widgets/fixed_text.h"
+#include "widgets/qt_text.h"
 
 namespace mrose::gui {
 namespace {
@@ -101,9 +102,9 @@ int RolloutList::columnCount(const QModelIndex& parent) const { return parent.is
 QString RolloutList::text(const OverlayRow& row, int column) const {
     switch (column) {
         case robot:
-            return QString::fromStdString(world_->world().robots()[row.robot].name);
+            return qtText(world_->world().robots()[row.robot].name);
         case session:
-            return QString::fromStdString(world_->world().sessions()[row.session].name);
+            return qtText(world_->world().sessions()[row.session].name);
         case start:
             return figure(toSeconds(row.start));
         case error:

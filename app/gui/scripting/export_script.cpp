@@ -4,6 +4,7 @@
 
 #include "export/report_export.h"
 #include "export/sequence_export.h"
+#include "widgets/qt_text.h"
 
 namespace mrose::gui {
 namespace {
@@ -25,7 +26,7 @@ bool absent(ScriptValues values, std::size_t place) {
 }
 
 Expected<QSize> sizeFrom(const std::string& text) {
-    const auto match = QRegularExpression("^(\\d{1,5})x(\\d{1,5})$").match(QString::fromStdString(text));
+    const auto match = QRegularExpression("^(\\d{1,5})x(\\d{1,5})$").match(qtText(text));
     if (!match.hasMatch()) return fail("", '"' + text + "\" is no size; expected one as \"1280x720\"");
     return QSize(match.captured(1).toInt(), match.captured(2).toInt());
 }
@@ -63,7 +64,7 @@ Expected<void> sequence(MainWindow& window, bool film, ScriptValues values) {
     if (path == nullptr || path->empty()) return expectedAt(film ? "a file" : "a folder", 0);
     const auto settings = settingsFrom(values);
     if (!settings) return tl::unexpected(settings.error());
-    const QString place = QString::fromStdString(*path);
+    const QString place = qtText(*path);
     return film ? exportFilm(window, place, *settings) : exportFrames(window, place, *settings);
 }
 
@@ -83,7 +84,7 @@ Expected<void> report(MainWindow& window, ScriptValues values) {
         if (other == nullptr) return expectedAt("a network", place);
         request.against.push_back(*other);
     }
-    return exportReport(window, request, QString::fromStdString(std::get<std::string>(values[2])));
+    return exportReport(window, request, qtText(std::get<std::string>(values[2])));
 }
 
 Expected<void> comparison(MainWindow& window, ScriptValues values) {
@@ -94,7 +95,7 @@ Expected<void> comparison(MainWindow& window, ScriptValues values) {
         if (every == nullptr || !(*every >= 0.1 && *every <= 1e7)) return expectedAt("a number of seconds", 3);
         report.what.every = *every;
     }
-    return exportComparison(window, report, QString::fromStdString(std::get<std::string>(values[2])));
+    return exportComparison(window, report, qtText(std::get<std::string>(values[2])));
 }
 
 }  // namespace

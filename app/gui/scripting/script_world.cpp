@@ -56,7 +56,7 @@ void ScriptWorld::update() {
     if (shown == nullptr) return;
     frame_ = shown->frame;
     view_.at = frame_->moment();
-    view_.branch = shown->branch == 0 ? "the run" : shown->branches[shown->branch].name.toStdString();
+    view_.branch = shown->branch == 0 ? "the run" : shown->branches[shown->branch].name;
     view_.branches = listedBranches(shown->branches);
     view_.playing = shown->playing;
     view_.message = window_.said().toStdString();

@@ -20,6 +20,7 @@
 #include "scripting/overlay_script.h"
 #include "scripting/script_world.h"
 #include "widgets/field_view.h"
+#include "widgets/qt_text.h"
 #include "window/main_window.h"
 
 // As Qt's own tests send keys: through the window system's queue, so that shortcuts are looked at, too. Qt exports it
@@ -204,15 +205,14 @@ private:
         if (!values.empty()) {
             const Value& value = values.front();
             if (const bool* on = std::get_if<bool>(&value)) argument = *on;
-            if (const std::string* text = std::get_if<std::string>(&value)) argument = QString::fromStdString(*text);
+            if (const std::string* text = std::get_if<std::string>(&value)) argument = qtText(*text);
             if (const double* number = std::get_if<double>(&value)) {
                 if (*number != std::floor(*number) || *number < 0 || *number > mostCalls)
                     return fail("", plainNumber(*number) + " is no number of times");
                 argument = static_cast<int>(*number);
             }
         }
-        if (auto done = window_.actions().perform(QString::fromStdString(name), argument); !done)
-            return tl::unexpected(done.error());
+        if (auto done = window_.actions().perform(qtText(name), argument); !done) return tl::unexpected(done.error());
         return Value{};
     }
 
@@ -316,18 +316,16 @@ private:
         if (!condition) return tl::unexpected(condition.error());
         Expected<bool> held = false;
         window_.session().pause();
-        window_.session().doLongWork(QObject::tr("Running until %1").arg(QString::fromStdString(text)),
-                                     [&](TimeTravel& run, const Session::Progress& progress) {
+        window_.session().doLongWork(QObject::tr("Running until %1").arg(qtText(text)),
+                                     [&](TimeTravel& run, const Progress& progress) {
                                          held = goUntil(run, *condition, static_cast<std::int64_t>(ticks), progress);
-                                         return QString();
                                      });
         window_.session().settle();
         if (!held) return tl::unexpected(held.error());
         return Value{*held};
     }
 
-    static Expected<bool> goUntil(TimeTravel& run, Condition& condition, std::int64_t ticks,
-                                  const Session::Progress& progress) {
+    static Expected<bool> goUntil(TimeTravel& run, Condition& condition, std::int64_t ticks, const Progress& progress) {
         for (std::int64_t i = 0;; ++i) {
             auto held = condition.holds(run.moment());
             if (!held || *held || i == ticks) return held;
@@ -356,8 +354,8 @@ private:
     }
 
     Expected<Value> screenshot(Given& given) {
-        const QString file = QString::fromStdString(given.text(0));
-        const QString what = given.has(1) ? QString::fromStdString(given.text(1)) : "window";
+        const QString file = qtText(given.text(0));
+        const QString what = given.has(1) ? qtText(given.text(1)) : "window";
         if (given.error()) return Value{};
         gui::settle(window_);
         QWidget* widget = what == "window" ? &window_ : window_.findChild<QWidget*>(what);
@@ -367,7 +365,7 @@ private:
     }
 
     Expected<Value> press(Given& given) {
-        const QString keys = QString::fromStdString(given.text(0));
+        const QString keys = qtText(given.text(0));
         if (given.error()) return Value{};
         const QKeySequence sequence(keys, QKeySequence::PortableText);
         if (sequence.count() == 0 || (sequence[0] & ~Qt::KeyboardModifierMask) == Qt::Key_unknown)
@@ -383,7 +381,7 @@ private:
     }
 
     Expected<Value> type(Given& given) {
-        for (const QChar letter : QString::fromStdString(given.text(0)))
+        for (const QChar letter : qtText(given.text(0)))
             sendKey(focusWindow(), letter.toUpper().unicode(), Qt::NoModifier, letter);
         return Value{};
     }

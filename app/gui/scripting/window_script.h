@@ -5,12 +5,12 @@
 #include <string_view>
 
 #include "debug/field_frame.h"
+#include "debug/shown.h"
 #include "io/error.h"
 
 namespace mrose::gui {
 
 class MainWindow;
-struct Shown;
 
 struct ScriptOutcome {
     int expected = 0;  ///< calls of expect()

@@ -72,13 +72,12 @@ Expected<bool> learnAll(TimeTravel& run, const std::function<bool(double)>& prog
 Expected<bool> LineageWalk::reach(std::int64_t tick, const QString& what, const GoesOn& goesOn) {
     const auto errand = std::make_shared<Errand<bool>>();
     session_.doLongWork(what, [errand, tick, &session = session_, run = run_, branch = branch_](
-                                  TimeTravel& travel, const Session::Progress& progress) {
+                                  TimeTravel& travel, const Progress& progress) {
         const auto wanted = [&](double share) { return progress(share) && errand->wanted; };
         Expected<bool> reached = otherRun();
         if (session.runNumber() == run) reached = learnAll(travel, wanted);
         if (reached && *reached) reached = extend(travel, branch, tick, wanted);
         errand->promise.set_value(std::move(reached));
-        return QString();
     });
     return answerOf(*errand, goesOn).value_or(false);
 }

@@ -1,24 +1,20 @@
 #include "session/session.h"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
-#include "debug/play_end.h"
 #include "io/caught.h"
+#include "widgets/qt_text.h"
 
 namespace mrose::gui {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-constexpr auto framePeriod = std::chrono::microseconds(16'667);
-constexpr auto measuredOver = std::chrono::milliseconds(500);
-/// Who falls behind by more than this does not catch up later.
-constexpr auto mostBehind = std::chrono::milliseconds(100);
+using namespace std::chrono_literals;
 
-QString secondsText(const TimeTravel& run, std::int64_t tick) {
-    return QString::number(toSeconds(run.setup().scene().timeOf(tick)), 'f', 2);
-}
+constexpr auto framePeriod = 16'667us;
+constexpr auto measuredOver = 500ms;
+/// Who falls behind by more than this does not catch up later.
+constexpr auto mostBehind = 100ms;
 
 }  // namespace
 
@@ -61,35 +57,27 @@ void Session::carryOut(const Request& request) {
 std::uint64_t Session::open(const OpenRun& run) {
     const std::uint64_t number = ++opened_;
     request([this, run, number] {
-        if (recorder_) endRecording(recorder_->finish(*run_));
-        run_.emplace(run);
+        if (recorder_) endRecording(recorder_->finish(debugger_.run()));
+        debugger_.open(run);
         runNumber_ = number;
-        stop(QString());
-        event_ = RunEvent::none;
-        end_.reset();
-        goal_.reset();
-        subject_.reset();
-        counting_.reset();
-        breakpoints_.forgetRun();
+        factor_ = 0;
         learning_ = true;
         judging_ = false;
-        marks_.reset();
-        happened_.reset();
     });
     return number;
 }
 
-void Session::play() {
-    request([this] {
-        if (!run_) return;
-        message_.clear();
-        playing_ = true;
-        anchor();
+void Session::ask(std::function<void(Debugger&)> what, std::optional<std::uint64_t> ofRun) {
+    request([this, what = std::move(what), ofRun] {
+        if (!debugger_.isOpen() || (ofRun && *ofRun != runNumber_)) return;
+        const std::pair before(debugger_.playing(), debugger_.run().tick());
+        what(debugger_);
+        if (before != std::pair(debugger_.playing(), debugger_.run().tick())) anchor();
     });
 }
 
 void Session::pause() {
-    request([this] { stop(QString()); });
+    ask([](Debugger& debugger) { debugger.stop(); });
 }
 
 void Session::setSpeed(double speed) {
@@ -99,70 +87,46 @@ void Session::setSpeed(double speed) {
     });
 }
 
-void Session::stopAt(std::int64_t tick) {
-    request([this, tick] { end_ = tick; });
-}
-
-void Session::stepBy(std::int64_t ticks) {
-    request([this, ticks] {
-        if (!run_) return;
-        stop(QString());
-        Expected<void> done;
-        if (ticks < 0)
-            done = run_->seek(run_->tick() + ticks);
-        else
-            for (std::int64_t i = 0; i < ticks && done; ++i) done = run_->forward();
-        if (!done) message_ = QString::fromStdString(done.error().message());
-    });
-}
-
 void Session::seek(std::int64_t tick, bool breaks) {
     request(
         [this, tick, breaks] {
-            if (run_) goTo(tick, breaks);
+            if (debugger_.isOpen()) goTo(tick, breaks);
         },
         Kind::seek);
 }
 
-void Session::show(std::uint32_t branch, std::int64_t tick) {
-    request([this, branch, tick] {
-        if (!run_ || branch >= run_->branches().size()) return;
-        message_.clear();
-        if (auto done = run_->show(branch, tick); !done)
-            message_ = QString::fromStdString(done.error().message());
-        else if (run_->tick() != tick)
-            message_ = tr("This branch has not come to %1 s: it is shown at %2 s, the nearest that it has")
-                           .arg(secondsText(*run_, tick), secondsText(*run_, run_->tick()));
-        anchor();
-    });
+void Session::goTo(std::int64_t tick, bool breaks) {
+    if (ended()) return;
+    debugger_.goTo(tick, breaks, watch([this](double) { return !superseded() && !ended(); }));
+    anchor();
 }
 
 void Session::branchOff(const Edit& edit, std::optional<std::int64_t> seek, std::function<void()> begun) {
     const auto branch = [this, edit, seek, begun = std::move(begun)] {
-        if (!run_) return;
-        stop(QString());
-        if (auto done = run_->branchOff(edit); !done) {
-            message_ = QString::fromStdString(done.error().message());
-            return;
-        }
+        if (!debugger_.isOpen() || !debugger_.branchOff(edit)) return;
         if (begun) begun();
         if (seek) goTo(*seek, false);
-        if (message_.isEmpty())
-            message_ = run_->edited() ? tr("This branch now begins with \u201c%1\u201d: Space plays it, S shows both "
-                                           "branches side by side")
-                                            .arg(QString::fromStdString(run_->branches()[run_->branch()].name))
-                                      : tr("A branch begins here: Space plays it, S shows both branches side by side");
+        debugger_.sayBranched();
     };
     request(branch, seek ? Kind::lasting : Kind::quick);
 }
 
-void Session::showBeside(std::optional<std::uint32_t> branch) {
-    request([this, branch] {
-        if (run_) run_->setBeside(branch);
-    });
+void Session::goToBreak(const BreakWish& wish, BreakReach reach) {
+    const QString what = !wish.back          ? tr("Running to the next break")
+                         : wish.text.empty() ? tr("Looking for the last break")
+                                             : tr("Looking for when it last held: %1").arg(wish.text.c_str());
+    request(
+        [this, wish, reach, what] {
+            if (!debugger_.isOpen()) return;
+            emit working(what, 0);
+            debugger_.goToBreak(wish, reach, watch(progressOf(what)));
+            emit working(what, 1);
+            anchor();
+        },
+        Kind::lasting);
 }
 
-Session::Progress Session::progressOf(const QString& what, bool finishes) {
+Progress Session::progressOf(const QString& what, bool finishes) {
     return [this, what, finishes, reportedAt = Clock::now()](double share) mutable {
         if (Clock::now() - reportedAt >= 2 * framePeriod) {
             emit working(what, share);
@@ -172,12 +136,24 @@ Session::Progress Session::progressOf(const QString& what, bool finishes) {
     };
 }
 
-void Session::doLongWork(const QString& what, std::function<QString(TimeTravel&, const Progress&)> job, bool finishes) {
+/// What is shown goes along, frame by frame.
+Watch Session::watch(Progress goesOn) {
+    return {std::move(goesOn), [this, shownAt = Clock::now()]() mutable {
+                if (Clock::now() - shownAt < framePeriod) return;
+                serveLooks();
+                if (recorder_) followRecording();
+                publish();
+                shownAt = Clock::now();
+            }};
+}
+
+void Session::doLongWork(const QString& what, std::function<void(TimeTravel&, const Progress&)> job, bool finishes) {
     request(
         [this, what, job = std::move(job), finishes] {
-            if (!run_) return;
+            if (!debugger_.isOpen()) return;
             emit working(what, 0);
-            message_ = job(*run_, progressOf(what, finishes));
+            debugger_.say({});
+            job(debugger_.run(), progressOf(what, finishes));
             emit working(what, 1);
             anchor();
         },
@@ -186,11 +162,11 @@ void Session::doLongWork(const QString& what, std::function<QString(TimeTravel&,
 
 void Session::record(const QString& path, const QString& commandLine, bool overwrite) {
     request([this, path, commandLine, overwrite] {
-        if (!run_) return;
-        if (recorder_) endRecording(recorder_->finish(*run_));
-        auto recorder = RunRecorder::begin(path.toStdString(), *run_, commandLine.toStdString(), overwrite);
+        if (!debugger_.isOpen()) return;
+        if (recorder_) endRecording(recorder_->finish(debugger_.run()));
+        auto recorder = RunRecorder::begin(path.toStdString(), debugger_.run(), commandLine.toStdString(), overwrite);
         if (!recorder) {
-            emit recordingChanged({}, QString::fromStdString(recorder.error().message()));
+            emit recordingChanged({}, qtText(recorder.error().message()));
             return;
         }
         recorder_.emplace(std::move(*recorder));
@@ -201,7 +177,7 @@ void Session::record(const QString& path, const QString& commandLine, bool overw
 
 void Session::stopRecording() {
     request([this] {
-        if (recorder_) endRecording(recorder_->finish(*run_));
+        if (recorder_) endRecording(recorder_->finish(debugger_.run()));
     });
 }
 
@@ -209,14 +185,14 @@ void Session::stopRecording() {
 void Session::endRecording(const Expected<void>& done) {
     recorder_.reset();
     recording_ = false;
-    emit recordingChanged({}, done ? QString() : QString::fromStdString(done.error().message()));
+    emit recordingChanged({}, done ? QString() : qtText(done.error().message()));
 }
 
 /// For a frame's time.
 void Session::followRecording() {
     const auto begin = Clock::now();
     do {
-        const auto more = recorder_->follow(*run_, 20);
+        const auto more = recorder_->follow(debugger_.run(), 20);
         if (!more) return endRecording(tl::unexpected(more.error()));
         recording_ = *more;
     } while (recording_ && Clock::now() - begin < framePeriod);
@@ -225,7 +201,7 @@ void Session::followRecording() {
         return;
     }
     if (const auto flushed = recorder_->flush(); !flushed) return endRecording(flushed);
-    nextFlush_ = Clock::now() + std::chrono::seconds(1);
+    nextFlush_ = Clock::now() + 1s;
 }
 
 bool Session::cancel() {
@@ -233,57 +209,6 @@ bool Session::cancel() {
     if (lasting_ == 0) return false;
     ++cancels_;
     return true;
-}
-
-void Session::showCauseOfKick() {
-    request([this] {
-        if (!run_) return;
-        const auto cause = run_->causeOfKick();
-        stop(cause ? QString() : tr("No kick up to here: let it play, or go to a kick on the timeline"));
-        if (!cause) return;
-        // The state after the decision is the first that shows it.
-        if (auto done = run_->seek(cause->order.tick + 1); !done) {
-            message_ = QString::fromStdString(done.error().message());
-            return;
-        }
-        const Scene& scene = run_->setup().scene();
-        const SceneRobot& robot = scene.robots[cause->order.robot];
-        message_ = tr("%1 decided here to kick; the kick of %2 s is its work. E changes what it decided")
-                       .arg(QString::fromStdString(robot.name), secondsText(*run_, cause->kicked));
-        subject_ = cause->order.robot;
-    });
-}
-
-void Session::rename(std::uint32_t branch, const QString& name) {
-    request([this, branch, name = name.toStdString()] {
-        if (run_ && branch < run_->branches().size()) run_->rename(branch, name);
-    });
-}
-
-void Session::undo() {
-    request([this] {
-        if (!run_) return;
-        const QString what = QString::fromStdString(run_->undoName());
-        if (run_->undo())
-            stop(tr("Undone: %1. The branch stays in the list; %2 s is shown as it was before")
-                     .arg(what, secondsText(*run_, run_->tick())));
-    });
-}
-
-void Session::redo() {
-    request([this] {
-        if (!run_) return;
-        const QString what = QString::fromStdString(run_->redoName());
-        if (run_->redo()) stop(tr("Done again: %1").arg(what));
-    });
-}
-
-void Session::setReality(std::uint64_t run, std::shared_ptr<const Reality> reality) {
-    request([this, run, reality = std::move(reality)] {
-        if (!run_ || run != runNumber_) return;
-        if (!isSameTruth(run_->reality(), reality)) breakpoints_.forgetAnswers();
-        run_->setReality(reality);
-    });
 }
 
 void Session::setFrameOptions(const TimeTravel::FrameOptions& options) {
@@ -309,7 +234,7 @@ void Session::serveLooks() {
         looks.swap(looks_);
     }
     for (const Look& look : looks) {
-        const auto done = caught([&] { look(run_ && !quit_ ? &*run_ : nullptr, runNumber_); });
+        const auto done = caught([&] { look(debugger_.isOpen() && !quit_ ? &debugger_.run() : nullptr, runNumber_); });
         if (!done) reportFailure(done.error());
     }
 }
@@ -334,7 +259,7 @@ void Session::work() {
             busy_ = false;
             settled_.notify_all();
             const auto called = [this] { return quit_ || !requests_.empty() || !looks_.empty(); };
-            if (playing_ || learning_ || recording_ || judging_)
+            if (debugger_.playing() || learning_ || recording_ || judging_)
                 wake_.wait_until(lock, nextFrame, called);
             else
                 wake_.wait(lock, called);
@@ -352,7 +277,7 @@ void Session::work() {
         for (const Request& request : requests) carryOut(request);
         auto changed = caught([&] { return turn(!requests.empty()); });
         if (!changed) giveUp(changed.error());
-        if (run_ && changed.value_or(true))
+        if (debugger_.isOpen() && changed.value_or(true))
             if (const auto shown = caught([this] { publish(); }); !shown) giveUp(shown.error());
         nextFrame = std::max(Clock::now(), nextFrame + framePeriod);
         lock.lock();
@@ -361,130 +286,118 @@ void Session::work() {
     serveLooks();
     if (!recorder_) return;
     // No receiver is left for signals.
-    const auto done = caught([this] { return recorder_->finish(*run_); });
+    const auto done = caught([this] { return recorder_->finish(debugger_.run()); });
     if (!done) qWarning("%s", done.error().message().c_str());
 }
 
 /// What is due besides what was asked for; whether there is something new to show.
 bool Session::turn(bool changed) {
-    if (playing_) changed = playTicks() || changed;
-    if (learning_ && run_) changed = learn() || changed;
-    judging_ = run_ && (changed || judging_);
-    if (judging_ && !playing_ && !learning_) changed = learnBreaks() || changed;
+    if (!debugger_.isOpen()) return changed;
+    if (debugger_.playing()) changed = playTicks() || changed;
+    if (learning_) changed = learn() || changed;
+    judging_ = changed || judging_;
+    if (judging_ && !debugger_.playing() && !learning_) changed = judge() || changed;
     if (recorder_ && (changed || recording_)) followRecording();
     return changed;
 }
 
 /// What cannot be gone on with is not tried again.
 void Session::giveUp(const Error& error) {
-    stop(QString());
+    debugger_.stop();
     learning_ = judging_ = recording_ = false;
-    counting_.reset();
-    goal_.reset();
     emit working({}, 1);
     reportFailure(error);
 }
 
-void Session::reportFailure(const Error& error) { emit failed(QString::fromStdString(error.message())); }
+void Session::reportFailure(const Error& error) { emit failed(qtText(error.message())); }
 
 bool Session::superseded() {
     const std::lock_guard lock(mutex_);
     return quit_ || !requests_.empty();
 }
 
-/// To a tick that has been, or by simulating up to one that has not; whatever is asked for meanwhile ends that.
-void Session::goTo(std::int64_t tick, bool breaks) {
-    if (ended()) return;
-    message_.clear();
-    atBreak_ = false;
-    counting_.reset();
-    Expected<void> done = run_->seek(tick);
-    const auto goesOn = [this](double) { return !superseded() && !ended(); };
-    auto shownAt = Clock::now();
-    while (done && run_->tick() < tick) {
-        if (breaks) breakpoints_.leave(*run_);
-        done = run_->forward();
-        if (done && breaks && stopsHere(goesOn)) break;
-        if (run_->tick() % 16 != 0) continue;
-        if (!goesOn(0)) break;
-        if (Clock::now() - shownAt < framePeriod) continue;
-        serveLooks();
-        goal_ = tick;
-        if (recorder_) followRecording();
-        publish();
-        shownAt = Clock::now();
-    }
-    goal_.reset();
-    if (!done) message_ = QString::fromStdString(done.error().message());
-    anchor();
-}
-
 void Session::anchor() {
-    anchor_ = measuredAt_ = Clock::now();
-    anchorTick_ = measuredTick_ = run_ ? run_->tick() : 0;
+    anchor_ = measured_ = {Clock::now(), debugger_.isOpen() ? debugger_.run().tick() : 0};
     factor_ = 0;
 }
 
 /// Looks through a file's ticks for a frame's time; whether there is something new to show.
 bool Session::learn() {
     const auto begin = Clock::now();
+    const TimeTravel& run = debugger_.run();
     learning_ = false;
     bool any = false;
-    while (Clock::now() - begin < framePeriod) {
-        const std::size_t marks = run_->record(run_->branch()).marks().size();
-        const auto more = run_->learn(50);
-        if (!more) {
-            message_ = QString::fromStdString(more.error().message());
-            return true;
-        }
-        any = any || *more || marks != run_->record(run_->branch()).marks().size();
+    do {
+        const std::size_t marks = run.record(run.branch()).marks().size();
+        const auto more = debugger_.learn(50);
+        if (!more) return debugger_.say(more.error().message()), true;
+        any = any || *more || marks != run.record(run.branch()).marks().size();
         learning_ = *more;
-        if (!*more) break;
-    }
+    } while (learning_ && Clock::now() - begin < framePeriod);
+    return any;
+}
+
+/// Some ticks more, for half a frame's time; whether there is something new to show.
+bool Session::judge() {
+    const auto begin = Clock::now();
+    bool any = false;
+    do {
+        const auto more = debugger_.judge();
+        judging_ = more && *more;
+        if (!more) debugger_.say(more.error().message());
+        any = any || judging_ || !more;
+    } while (judging_ && Clock::now() - begin < framePeriod / 2);
     return any;
 }
 
 /// As many ticks as are due, for one frame's time at the most; whether there were any.
 bool Session::playTicks() {
     const auto begin = Clock::now();
-    const Nanoseconds tickLength = run_->setup().scene().tickLength;
+    const TimeTravel& run = debugger_.run();
+    const Nanoseconds tickLength = run.setup().scene().tickLength;
     const auto due = [&](std::int64_t tick) {
-        const double wait = speed_ > 0 ? static_cast<double>((tick - anchorTick_) * tickLength) / speed_ : 0;
-        return anchor_ + std::chrono::nanoseconds(static_cast<std::int64_t>(wait));
+        const double wait = speed_ > 0 ? static_cast<double>((tick - anchor_.tick) * tickLength) / speed_ : 0;
+        return anchor_.time + std::chrono::nanoseconds(static_cast<std::int64_t>(wait));
     };
-    const auto arrive = [this] {
-        if (stopsHere([this](double) { return !superseded(); })) return;
-        if (run_->tick() != end_.value_or(usualEnd(*run_))) return;
-        stop(QString::fromStdString(endText(*run_)));
-        event_ = RunEvent::playedOut;
-    };
-    bool any = countsHere();
-    if (any) arrive();
-    while (playing_ && !countsHere() && due(run_->tick() + 1) <= Clock::now() && Clock::now() - begin < framePeriod) {
-        breakpoints_.leave(*run_);
-        if (auto done = run_->forward(); !done) return stop(QString::fromStdString(done.error().message())), true;
+    const auto isDue = [&] { return due(run.tick() + 1) <= Clock::now() && Clock::now() - begin < framePeriod; };
+    const auto play = [this] { debugger_.playOn([this](double) { return !superseded(); }); };
+    bool any = debugger_.waits();
+    if (any) play();
+    while (debugger_.playing() && !debugger_.waits() && isDue()) {
+        play();
         any = true;
-        arrive();
     }
     const auto now = Clock::now();
-    if (speed_ > 0 && now - due(run_->tick()) > mostBehind) {
-        anchor_ = now;
-        anchorTick_ = run_->tick();
-    }
-    if (now - measuredAt_ >= measuredOver) {
-        const double took = std::chrono::duration<double>(now - measuredAt_).count();
-        factor_ = toSeconds((run_->tick() - measuredTick_) * tickLength) / took;
-        measuredAt_ = now;
-        measuredTick_ = run_->tick();
+    if (speed_ > 0 && now - due(run.tick()) > mostBehind) anchor_ = {now, run.tick()};
+    if (now - measured_.time >= measuredOver) {
+        const double took = std::chrono::duration<double>(now - measured_.time).count();
+        factor_ = toSeconds((run.tick() - measured_.tick) * tickLength) / took;
+        measured_ = {now, run.tick()};
     }
     return any;
 }
 
-void Session::stop(const QString& why) {
-    playing_ = false;
-    factor_ = 0;
-    atBreak_ = false;
-    message_ = why;
+void Session::publish() {
+    auto what = std::make_shared<Shown>(debugger_.takeShown(frameOptions_));
+    what->run = runNumber_;
+    what->realTimeFactor = what->playing ? factor_ : 0;
+    const std::lock_guard lock(mutex_);
+    // What has not been shown yet must not get lost.
+    if (ready_ && !what->subject) what->subject = ready_->subject;
+    if (ready_ && ready_->run == what->run && what->event == RunEvent::none) what->event = ready_->event;
+    ready_ = std::move(what);
+    if (std::exchange(deliveryPending_, true)) return;
+    QMetaObject::invokeMethod(this, &Session::deliver, Qt::QueuedConnection);
+}
+
+void Session::deliver() {
+    std::shared_ptr<const Shown> what;
+    {
+        const std::lock_guard lock(mutex_);
+        deliveryPending_ = false;
+        what = std::exchange(ready_, nullptr);
+    }
+    if (what) emit shown(std::move(what));
 }
 
 }  // namespace mrose::gui

@@ -5,6 +5,7 @@
 
 #include "plugin/isolated_controller.h"
 #include "widgets/message_bar.h"
+#include "widgets/qt_text.h"
 #include "widgets/timeline_bar.h"
 #include "window/main_window.h"
 
@@ -19,7 +20,7 @@ QString pluginsOf(const BranchSetup& setup) {
     QStringList names;
     for (const auto& controller : setup.scenario->parts().controllers)
         if (const auto* plugin = dynamic_cast<const IsolatedController*>(controller.get()))
-            names << QFileInfo(QString::fromStdString(plugin->path())).fileName();
+            names << QFileInfo(qtText(plugin->path())).fileName();
     names.removeDuplicates();
     return names.join(", ");
 }
@@ -58,9 +59,9 @@ void FaultMessages::showFaults() {
     if (reported_.empty()) return;
     const BranchRecord::FirstFault& first = reported_.front();
     const Scene& scene = shown.frame->scene();
-    QString text = tr("%1 at %2: %3")
-                       .arg(QString::fromStdString(scene.robots[first.robot].name), clockText(scene.timeOf(first.tick)),
-                            QString::fromStdString(first.what));
+    QString text =
+        tr("%1 at %2: %3")
+            .arg(qtText(scene.robots[first.robot].name), clockText(scene.timeOf(first.tick)), qtText(first.what));
     text += adviceFor(first.what);
     if (reported_.size() > 1)
         text += tr("; and %n more, marked on the timeline", nullptr, static_cast<int>(reported_.size()) - 1);

@@ -42,6 +42,7 @@
 #include "widgets/icons.h"
 #include "widgets/inspector.h"
 #include "widgets/message_bar.h"
+#include "widgets/qt_text.h"
 #include "widgets/rollout_strip.h"
 #include "widgets/timeline_bar.h"
 #include "window/dock_sizes.h"
@@ -124,7 +125,7 @@ MainWindow::MainWindow(QWidget* parent)
 
 void MainWindow::makeActions() {
     actions_.setErrorHandler([this](const Error& error) {
-        messages_->add({MessageBar::Kind::error, QString::fromStdString(error.message())});
+        messages_->add({MessageBar::Kind::error, qtText(error.message())});
     });
     addFileActions(*this);
     addOverlayActions(*this);
@@ -167,9 +168,12 @@ void MainWindow::connectAll() {
         session_->branchOff(edit, *edit.tick + 1);
         field().setFocus();
     });
-    connect(branches_, &BranchPanel::renamed, session_, &Session::rename);
-    connect(branches_, &BranchPanel::besideRequested, session_,
-            [this](std::uint32_t branch) { session_->showBeside(branch); });
+    connect(branches_, &BranchPanel::renamed, session_, [this](std::uint32_t branch, const QString& name) {
+        session_->ask([branch, name = name.toStdString()](Debugger& debugger) { debugger.run().rename(branch, name); });
+    });
+    connect(branches_, &BranchPanel::besideRequested, session_, [this](std::uint32_t branch) {
+        session_->ask([=](Debugger& debugger) { debugger.run().setBeside(branch); });
+    });
     connect(branches_, &BranchPanel::branchRequested, this, [this](std::uint32_t branch) {
         if (shown_ && branch != shown_->branch) session_->show(branch, shown_->tick());
     });
@@ -295,16 +299,8 @@ void MainWindow::setTheme(const Theme& theme) {
     theme_ = theme;
     QApplication::setPalette(paletteOf(theme_));
     focusRing_->setTheme(theme_);
-    view_->setTheme(theme_);
-    branches_->setTheme(theme_);
-    breakpoints_->setTheme(theme_);
-    timeline_->setTheme(theme_);
-    messages_->setTheme(theme_);
-    inspector_->setTheme(theme_);
-    plots_->setTheme(theme_);
-    reality_->setTheme(theme_);
-    strip_->setTheme(theme_);
-    quiet_->setTheme(theme_);
+    const auto draw = [this](auto&... parts) { (parts->setTheme(theme_), ...); };
+    draw(view_, branches_, breakpoints_, timeline_, messages_, inspector_, plots_, reality_, strip_, quiet_);
     const std::initializer_list<std::pair<const char*, Icon>> icons{{"tick_forward", Icon::tickForward},
                                                                     {"tick_back", Icon::tickBack},
                                                                     {"period_forward", Icon::periodForward},
@@ -322,7 +318,7 @@ Expected<void> MainWindow::open(const QString& name) { return files_->openNow(Op
 
 std::uint64_t MainWindow::show(const OpenRun& run) {
     say(reported_ = QString());  // what was said is about what was open before
-    title_ = QString::fromStdString(run.name);
+    title_ = qtText(run.name);
     setWindowTitle(title_ + " \u2013 mrose");
     plannedTicks_ = run.setup->scene().ticksOf(run.setup->scenario->parts().duration);
     field().setSelected(std::nullopt);
@@ -373,7 +369,7 @@ void MainWindow::updateTimeline() {
     content.marks = shown_->marks;
     content.scenario = shown_->frame->scenario;
     for (const BreakpointState& state : shown_->breakpoints)
-        content.breakpoints[state.breakpoint.id] = QString::fromStdString(state.breakpoint.text);
+        content.breakpoints[state.breakpoint.id] = qtText(state.breakpoint.text);
     if (shown_->branch != 0) content.departed = shown_->branches[shown_->branch].departed;
     for (const BranchInfo& branch : shown_->branches)
         if (branch.parent == shown_->branch && branch.departed > 0 && !branch.superseded)
@@ -402,8 +398,8 @@ void MainWindow::updateStatus() {
         QString quoted = fontMetrics().elidedText(what, Qt::ElideMiddle, widestName);
         actions_[name].setText(possible && !what.isEmpty() ? tr("%1: %2").arg(does, quoted.replace('&', "&&")) : does);
     };
-    offer("undo", tr("&Undo"), shown_->canUndo, shown_->undoName);
-    offer("redo", tr("&Redo"), shown_->canRedo, shown_->redoName);
+    offer("undo", tr("&Undo"), shown_->canUndo, qtText(shown_->undoName));
+    offer("redo", tr("&Redo"), shown_->canRedo, qtText(shown_->redoName));
     seed_->setText(tr("seed %1").arg(shown_->frame->state.seed));
     const Nanoseconds now = shown_->frame->scene().timeOf(shown_->tick());
     const auto& reality = shown_->frame->reality;
@@ -412,15 +408,15 @@ void MainWindow::updateStatus() {
     factor_->setText(
         playing ? tr("real-time factor %1").arg(shown_->realTimeFactor, 0, 'f', shown_->realTimeFactor < 10 ? 2 : 0)
                 : tr("paused"));
-    if (shown_->message != reported_)
-        say(reported_ = shown_->message);
+    if (const QString message = qtText(shown_->message); message != reported_)
+        say(reported_ = message);
     else if (shown_->tick() != saidAt_)
         say(reported_);
 }
 
 void MainWindow::moveBody(std::size_t body, const Pose& pose) {
     if (!shown_) return;
-    const QString name = QString::fromStdString(shown_->frame->nameOf(body));
+    const QString name = qtText(shown_->frame->nameOf(body));
     const Pose& before = shown_->frame->poseOf(body);
     const bool turned = before.x == pose.x && before.y == pose.y;
     Edit edit{(turned ? tr("%1 turned") : tr("%1 moved")).arg(name).toStdString()};

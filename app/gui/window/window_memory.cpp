@@ -11,6 +11,7 @@
 
 #include "panels/error_plot.h"
 #include "reality/overlay.h"
+#include "widgets/qt_text.h"
 #include "window/main_window.h"
 
 namespace mrose::gui {
@@ -43,7 +44,7 @@ QString breakLine(const Breakpoint& breakpoint) {
     return QString("%1 %2 %3 %4")
         .arg(breakpoint.enabled ? "on" : "off", breakpoint.oneShot ? "once" : "always")
         .arg(breakpoint.from)
-        .arg(QString::fromStdString(breakpoint.text));
+        .arg(qtText(breakpoint.text));
 }
 
 std::optional<Breakpoint> breakOf(const QString& line) {

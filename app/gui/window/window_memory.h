@@ -8,11 +8,11 @@
 #include <functional>
 #include <memory>
 
+#include "debug/shown.h"
+
 class QMenu;
 
 namespace mrose::gui {
-
-struct Shown;
 
 class MainWindow;
 

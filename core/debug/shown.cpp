@@ -1,9 +1,8 @@
-#include "session/shown.h"
+#include "debug/shown.h"
 
-#include <QObject>
 #include <algorithm>
 
-namespace mrose::gui {
+namespace mrose {
 namespace {
 
 std::vector<BranchInfo> branchInfos(const TimeTravel& run) {
@@ -19,11 +18,7 @@ std::vector<BranchInfo> branchInfos(const TimeTravel& run) {
     };
     for (std::uint32_t i = 0; i < run.branches().size(); ++i) {
         const Branch& branch = run.branches()[i];
-        BranchInfo info{QString::fromStdString(branch.name),
-                        branch.parent,
-                        branch.tick,
-                        branch.timeline.first(),
-                        branch.timeline.last(),
+        BranchInfo info{branch.name,      branch.parent, branch.tick, branch.timeline.first(), branch.timeline.last(),
                         run.superseded(i)};
         std::int64_t until = run.tick();
         for (std::uint32_t at = i;; at = run.branches()[at].parent) {
@@ -46,7 +41,7 @@ int listedBranches(const std::vector<BranchInfo>& branches, std::size_t first) {
     return count;
 }
 
-QString branchesText(int count) { return count == 1 ? QObject::tr("1 branch") : QObject::tr("%1 branches").arg(count); }
+std::string branchesText(int count) { return count == 1 ? "1 branch" : std::to_string(count) + " branches"; }
 
 Shown shownOf(const TimeTravel& run, const TimeTravel::FrameOptions& options) {
     Shown what;
@@ -64,9 +59,9 @@ Shown shownOf(const TimeTravel& run, const TimeTravel::FrameOptions& options) {
     what.faults = run.faults(run.branch(), run.tick());
     what.canUndo = run.canUndo();
     what.canRedo = run.canRedo();
-    what.undoName = QString::fromStdString(run.undoName());
-    what.redoName = QString::fromStdString(run.redoName());
+    what.undoName = run.undoName();
+    what.redoName = run.redoName();
     return what;
 }
 
-}  // namespace mrose::gui
+}  // namespace mrose

@@ -1,20 +1,20 @@
 #pragma once
 
-#include <QString>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "debug/breakpoints.h"
 #include "debug/time_travel.h"
 #include "world/state_hash.h"
 
-namespace mrose::gui {
+namespace mrose {
 
 /// A branch as lists show it.
 struct BranchInfo {
-    QString name;
+    std::string name;
     std::uint32_t parent = 0;
     std::int64_t departed = 0, first = 0, last = 0;  ///< ticks
     bool superseded = false;                         ///< another one took its place: not to be listed
@@ -35,13 +35,12 @@ enum class RunEvent {
     noBreak     ///< a break was looked for in vain
 };
 
-/// What the window shows at a moment: all of one tick.
+/// What there is to be shown at a moment: all of one tick.
 struct Shown {
     std::shared_ptr<const FieldFrame> frame;
     std::shared_ptr<const FieldFrame> beside;  ///< another branch at this tick or its nearest; may be nothing
     std::optional<std::uint32_t> besideBranch;
     BranchSetupPointer setup;
-    std::uint64_t run = 0;  ///< how many runs were opened before, and this one
     StateHash hash;
     std::uint32_t branch = 0;
     std::int64_t first = 0, last = 0;
@@ -53,12 +52,14 @@ struct Shown {
     bool canDiverge = false;          ///< a breakpoint on divergence has something to ask
     RunEvent event = RunEvent::none;  ///< reported once
     bool playing = false;
-    double realTimeFactor = 0;  ///< achieved; 0 while it stands
     bool canUndo = false, canRedo = false;
-    QString undoName, redoName;          ///< the edits that are taken back, and made again
+    std::string undoName, redoName;      ///< the edits that are taken back, and made again
     std::optional<std::size_t> subject;  ///< the body that an answer is about: to be selected
     std::optional<std::int64_t> goal;    ///< it is on its way to this tick
-    QString message;                     ///< why it stopped, or what went wrong; empty: nothing
+    std::string message;                 ///< why it stopped, or what went wrong; empty: nothing
+    // Of who opens runs and plays them in real time.
+    std::uint64_t run = 0;      ///< how many runs were opened before, and this one
+    double realTimeFactor = 0;  ///< achieved; 0 while it stands
 
     std::int64_t tick() const { return frame->state.tick; }
 };
@@ -66,9 +67,9 @@ struct Shown {
 /// Of those from `first` on, how many are to be listed.
 int listedBranches(const std::vector<BranchInfo>& branches, std::size_t first = 0);
 /// "1 branch", "2 branches"
-QString branchesText(int count);
+std::string branchesText(int count);
 
-/// What a run itself says of its shown tick; what only its session knows is left empty.
+/// What a run itself says of its shown tick; what only its debugger knows is left empty.
 Shown shownOf(const TimeTravel& run, const TimeTravel::FrameOptions& options);
 
-}  // namespace mrose::gui
+}  // namespace mrose
