@@ -6,7 +6,7 @@ namespace mrose {
 
 /// A line of text that takes no more room than there is: what does not fit is left out in its middle, and then all of
 /// it is the tool tip.
-class ElidingLabel final : public QLabel {
+class ElidingLabel : public QLabel {
     Q_OBJECT
 
 public:

@@ -12,6 +12,7 @@
 #include "export/film.h"
 #include "export/sequence_export.h"
 #include "files/window_files.h"
+#include "frame/window_memory.h"
 #include "io/file.h"
 #include "logs/log_reader.h"
 #include "panels/plot_panel.h"
@@ -27,7 +28,6 @@
 #include "widgets/qt_text.h"
 #include "widgets/timeline_bar.h"
 #include "window/main_window.h"
-#include "window/window_memory.h"
 #include "workflow/plugin_process.h"
 #include "workflow/resources.h"
 
@@ -193,7 +193,7 @@ int work(MainWindow& window, const CommandLine& line) {
     else
         window.files().open(qtText(line.file), requestOf(line), line.at);
     const auto once = std::make_shared<QMetaObject::Connection>();
-    *once = QObject::connect(&window, &MainWindow::updated, &window, [&window, &line, once, said] {
+    *once = QObject::connect(&window.session(), &Session::shown, &window, [&window, &line, once, said] {
         QObject::disconnect(*once);
         begin(window, line);
         QObject::disconnect(said);

@@ -12,6 +12,7 @@
 #include "debug/branch_record.h"
 #include "debug/branch_setup.h"
 #include "debug/cursor.h"
+#include "debug/edit.h"
 #include "debug/field_frame.h"
 #include "debug/open_run.h"
 #include "debug/timeline_mark.h"
@@ -19,20 +20,6 @@
 #include "recording/history.h"
 
 namespace mrose {
-
-/// What is changed by hand at a tick. It begins a branch.
-struct Edit {
-    std::string name;  ///< of the branch
-    /// nullopt: the shown tick. Before it: the branch begins there, where the shown branch was then.
-    std::optional<std::int64_t> tick = {};
-    std::function<void(const Scenario&, WorldState&)> change = {};  ///< of the state there; may be empty
-    std::vector<HandOrder> orders = {};
-    /// This robot has observed and decided in that tick as it did, and then gets another command: what its sensors and
-    /// its controller remember is that of after its decision. The tick after must be known.
-    std::optional<std::uint32_t> afterDeciding = {};
-    BranchSetupPointer setup = {};         ///< another one; null: as before
-    std::optional<WorldState> start = {};  ///< in another setup: begins with this state instead of the one that was
-};
 
 /// A run and its branches, gone through in both directions. A branch's lineage is its own ticks and, before it
 /// departed, those of the branches that it came from. It knows no window, no thread and no clock: the session

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "window/theme_palette.h"
+#include "frame/theme_palette.h"
 
 namespace mrose::gui {
 namespace {

@@ -9,11 +9,11 @@
 
 #include "condition/condition.h"
 #include "files/window_files.h"
+#include "frame/window_memory.h"
 #include "gui/window_fixture.h"
 #include "panels/breakpoint_panel.h"
 #include "scripting/window_script.h"
 #include "widgets/timeline_bar.h"
-#include "window/window_memory.h"
 
 namespace mrose::gui {
 namespace {

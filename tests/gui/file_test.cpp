@@ -14,6 +14,7 @@
 #include <gmock/gmock.h>
 
 #include "files/window_files.h"
+#include "frame/window_memory.h"
 #include "gui/file_fixture.h"
 #include "recording/recording.h"
 #include "scenario/scenario_file.h"
@@ -22,7 +23,6 @@
 #include "support/run_program.h"
 #include "widgets/field_view.h"
 #include "widgets/qt_text.h"
-#include "window/window_memory.h"
 #include "world/state_hash.h"
 
 namespace mrose::gui {

@@ -12,9 +12,9 @@
 #include <map>
 #include <set>
 
+#include "actions/first_steps.h"
 #include "actions/window_actions.h"
 #include "gui/window_fixture.h"
-#include "panels/first_steps.h"
 #include "panels/plot_panel.h"
 #include "panels/shortcut_sheet.h"
 

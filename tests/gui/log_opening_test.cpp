@@ -15,6 +15,7 @@
 #include "assessment/evaluate.h"
 #include "assessment/windows.h"
 #include "files/window_files.h"
+#include "frame/window_memory.h"
 #include "gui/overlay_fixture.h"
 #include "io/file.h"
 #include "io/number_text.h"
@@ -26,7 +27,6 @@
 #include "support/places.h"
 #include "widgets/field_view.h"
 #include "widgets/qt_text.h"
-#include "window/window_memory.h"
 #include "workflow/resources.h"
 #include "world/state_hash.h"
 

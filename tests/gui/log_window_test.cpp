@@ -15,14 +15,16 @@
 
 #include <gmock/gmock.h>
 
+#include "actions/first_steps.h"
 #include "export/plot_export.h"
 #include "export/report_dialog.h"
+#include "frame/quiet_message.h"
+#include "frame/window_memory.h"
 #include "gui/file_fixture.h"
 #include "io/format.h"
-#include "panels/error_plot.h"
-#include "panels/first_steps.h"
 #include "panels/log_dialog.h"
 #include "panels/plot_panel.h"
+#include "reality/error_plot.h"
 #include "reality/overlay.h"
 #include "reality/overlay_panel.h"
 #include "scripting/window_script.h"
@@ -31,8 +33,6 @@
 #include "widgets/field_view.h"
 #include "widgets/fixed_text.h"
 #include "widgets/qt_text.h"
-#include "window/quiet_message.h"
-#include "window/window_memory.h"
 #include "workflow/resources.h"
 
 namespace mrose::gui {

@@ -7,8 +7,8 @@
 
 #include "gui/overlay_fixture.h"
 #include "panels/curve_list.h"
-#include "panels/error_plot.h"
 #include "panels/plot_panel.h"
+#include "reality/error_plot.h"
 #include "widgets/field_view.h"
 #include "widgets/qt_text.h"
 

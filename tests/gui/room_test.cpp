@@ -7,12 +7,12 @@
 #include <QStatusBar>
 #include <QToolButton>
 
+#include "actions/first_steps.h"
+#include "frame/quiet_message.h"
 #include "gui/window_fixture.h"
 #include "panels/breakpoint_panel.h"
-#include "panels/first_steps.h"
 #include "panels/plot_panel.h"
 #include "widgets/message_bar.h"
-#include "window/quiet_message.h"
 
 namespace mrose::gui {
 namespace {

@@ -87,7 +87,7 @@ TEST_F(SessionTest, RunToABreakIsToldAllTheWayAndEscapeEndsItFirst) {
     session().goToBreak({});
     ASSERT_TRUE(waitFor([&] { return window.messages().has("work"); }));
     int updates = 0, told = 0;
-    QObject::connect(&window, &MainWindow::updated, &window.messages(), [&] {
+    QObject::connect(&window.session(), &Session::shown, &window.messages(), [&] {
         ++updates;
         told += window.messages().has("work") ? 1 : 0;
     });

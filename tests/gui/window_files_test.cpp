@@ -8,11 +8,11 @@
 
 #include <gmock/gmock.h>
 
+#include "frame/window_memory.h"
 #include "gui/file_fixture.h"
 #include "io/file.h"
 #include "reality/overlay.h"
 #include "support/places.h"
-#include "window/window_memory.h"
 
 namespace mrose::gui {
 namespace {

@@ -4,7 +4,6 @@
 #include "actions/window_actions.h"
 #include "panels/branch_panel.h"
 #include "panels/command_panel.h"
-#include "scenario/carry_over.h"
 #include "widgets/field_view.h"
 #include "widgets/qt_text.h"
 #include "window/main_window.h"
@@ -23,15 +22,6 @@ void showOther(MainWindow& window) {
         window.say(QObject::tr("There is no other branch yet: change something while the run stands"));
 }
 
-void restart(MainWindow& window, std::uint64_t seed) {
-    const Shown* shown = window.shown();
-    if (shown == nullptr) return;
-    Edit edit{QObject::tr("seed %1").arg(seed).toStdString()};
-    edit.setup = shown->setup;
-    edit.start = shown->setup->scenario->initialState(seed);
-    window.session().branchOff(edit);
-}
-
 Expected<void> swapModel(MainWindow& window, const QString& file) {
     const Shown* shown = window.shown();
     const std::optional<std::size_t> selected = window.field().selected();
@@ -40,12 +30,8 @@ Expected<void> swapModel(MainWindow& window, const QString& file) {
     const std::string path = file.toStdString();
     auto setup = withSwappedModel(*shown->setup, *selected, path);
     if (!setup) return tl::unexpected(setup.error());
-    Edit edit{shown->frame->nameOf(*selected) + " moves by " + modelName(path)};
-    edit.setup = std::move(*setup);
-    edit.change = [from = shown->setup](const Scenario& to, WorldState& state) {
-        state = carriedOver(*from->scenario, state, to);
-    };
-    window.session().branchOff(edit);
+    const std::string name = shown->frame->nameOf(*selected) + " moves by " + modelName(path);
+    window.session().branchOff(changeSetup(name, shown->setup, std::move(*setup)));
     return {};
 }
 
@@ -89,9 +75,7 @@ void addChanges(MainWindow& window, const QString& menu) {
                  QObject::tr("A branch from this tick on with another seed")},
                 [&](bool) {
                     if (!window.shown()) return;
-                    Edit edit{QObject::tr("other noise").toStdString()};
-                    edit.change = [](const Scenario&, WorldState& state) { ++state.seed; };
-                    session.branchOff(edit);
+                    session.branchOff(changeNoise());
                 });
     actions.add(menu,
                 {"restart_with_seed", QObject::tr("&Restart with another seed\u2026"), QKeySequence("Ctrl+R"),
@@ -105,7 +89,8 @@ void addChanges(MainWindow& window, const QString& menu) {
                                 [&](const QString& text) -> Expected<void> {
                                     const auto seed = seedFrom(text);
                                     if (!seed) return tl::unexpected(seed.error());
-                                    restart(window, *seed);
+                                    if (const Shown* shown = window.shown())
+                                        session.branchOff(restartWithSeed(shown->setup, *seed));
                                     return {};
                                 }});
     actions.add(menu,

@@ -2,12 +2,12 @@
 #include <algorithm>
 
 #include "actions/window_actions.h"
+#include "frame/window_memory.h"
 #include "panels/breakpoint_panel.h"
 #include "reality/overlay.h"
 #include "widgets/field_view.h"
 #include "widgets/qt_text.h"
 #include "window/main_window.h"
-#include "window/window_memory.h"
 
 namespace mrose::gui {
 namespace {
@@ -114,7 +114,7 @@ void addKinds(MainWindow& window, const QString& menu) {
         divergence->setStatusTip(divergence->toolTip());
     };
     update(false);
-    QObject::connect(&window, &MainWindow::updated, divergence,
+    QObject::connect(&window.session(), &Session::shown, divergence,
                      [&window, update] { update(window.shown()->canDiverge); });
 }
 
@@ -205,7 +205,7 @@ void addBreakActions(MainWindow& window) {
     QObject::connect(&panel, &BreakpointPanel::removed, &session, [&session](std::uint32_t id) {
         session.changeBreakpoints([id](Breakpoints& all) { all.remove(id); });
     });
-    QObject::connect(&window, &MainWindow::updated, &panel, [&window, &panel] {
+    QObject::connect(&window.session(), &Session::shown, &panel, [&window, &panel] {
         panel.setShown(*window.shown());
         window.memory().keepBreakpoints(*window.shown());
     });

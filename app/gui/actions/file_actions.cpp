@@ -2,12 +2,14 @@
 #include <QMenu>
 
 #include "actions/window_actions.h"
+#include "export/view_export.h"
 #include "files/window_files.h"
+#include "frame/window_memory.h"
 #include "logs/log_reader.h"
 #include "panels/log_dialog.h"
 #include "reality/overlay.h"
+#include "widgets/field_view.h"
 #include "window/main_window.h"
-#include "window/window_memory.h"
 #include "window/work_progress.h"
 
 namespace mrose::gui {
@@ -18,6 +20,14 @@ QString askForFile(MainWindow& window) {
                      QObject::tr("What mrose opens (*.toml *.mcap *.net *.csv);;Scenarios (*.toml);;"
                                  "Recordings (*.mcap);;Networks (*.net);;Results of a batch (*.csv);;All files (*)"));
     return dialog.ask();
+}
+
+/// The view as the extension says.
+Expected<void> savePicture(MainWindow& window, const QString& path) {
+    FieldView& field = window.field();
+    return writePicture({field.size(), field.logicalDpiX(), window.windowTitle(),
+                         [&field](QPainter& painter) { field.paint(painter, field.size()); }},
+                        path);
 }
 
 /// A name with an extension of its kind, which the ending that is suggested has.
@@ -96,7 +106,7 @@ void addFileActions(MainWindow& window) {
                                                       QObject::tr("Pictures (*.png *.svg *.pdf)"), ".png");
                                 },
                                 [&](const QString& path) {
-                                    auto saved = window.files().savePicture(path);
+                                    auto saved = savePicture(window, path);
                                     if (saved) window.say(QObject::tr("Saved %1").arg(path));
                                     return saved;
                                 }});

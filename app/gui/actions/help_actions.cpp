@@ -4,8 +4,8 @@
 #include <QUrl>
 #include <utility>
 
+#include "actions/first_steps.h"
 #include "actions/window_actions.h"
-#include "panels/first_steps.h"
 #include "panels/shortcut_sheet.h"
 #include "reality/overlay.h"
 #include "widgets/qt_text.h"

@@ -4,6 +4,7 @@
 #include <QTreeWidget>
 
 #include "actions/window_actions.h"
+#include "frame/window_memory.h"
 #include "panels/log_dialog.h"
 #include "reality/overlay.h"
 #include "reality/overlay_panel.h"
@@ -12,7 +13,6 @@
 #include "widgets/field_view.h"
 #include "widgets/qt_text.h"
 #include "window/main_window.h"
-#include "window/window_memory.h"
 #include "workflow/resources.h"
 
 namespace mrose::gui {
@@ -126,7 +126,7 @@ void bindOverlay(MainWindow& window) {
     });
     QObject::connect(&overlay, &Overlay::robotKindUnknown, &window,
                      [&window](const auto& request, const auto& asked) { askWhatDrove(window, request, asked); });
-    QObject::connect(&window, &MainWindow::updated, &strip, [&window, &strip] {
+    QObject::connect(&window.session(), &Session::shown, &strip, [&window, &strip] {
         const FieldFrame& frame = *window.shown()->frame;
         if (frame.reality) strip.setNow(frame.reality->start + frame.scene().timeOf(frame.state.tick));
     });

@@ -1,11 +1,11 @@
 #include <QDockWidget>
 
 #include "actions/window_actions.h"
-#include "panels/error_plot.h"
 #include "panels/plot_panel.h"
-#include "panels/speed_plot.h"
 #include "reality/cause_panel.h"
+#include "reality/error_plot.h"
 #include "reality/overlay_panel.h"
+#include "reality/speed_plot.h"
 #include "widgets/field_view.h"
 #include "widgets/inspector.h"
 #include "window/main_window.h"
@@ -35,7 +35,7 @@ void addPlotActions(MainWindow& window) {
     Actions& actions = window.actions();
     PlotPanel& plots = window.plots();
     Inspector& inspector = window.inspector();
-    auto* speeds = new SpeedPlot(window);
+    auto* speeds = new SpeedPlot(window.session(), window.field(), window.plots(), window.overlay());
     const QString menu = QObject::tr("&Plot");
     const auto current = [&window, &inspector] {
         auto key = inspector.currentValue();

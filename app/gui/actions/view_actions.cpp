@@ -3,10 +3,10 @@
 #include <numbers>
 
 #include "actions/window_actions.h"
+#include "frame/window_memory.h"
 #include "widgets/field_view.h"
 #include "widgets/icons.h"
 #include "window/main_window.h"
-#include "window/window_memory.h"
 
 namespace mrose::gui {
 namespace {

@@ -17,12 +17,12 @@
 #include <map>
 
 #include "export/report_export.h"
+#include "frame/window_memory.h"
 #include "io/format.h"
 #include "reality/overlay.h"
 #include "widgets/qt_text.h"
 #include "widgets/warning_style.h"
 #include "window/main_window.h"
-#include "window/window_memory.h"
 #include "workflow/resources.h"
 
 namespace mrose::gui {

@@ -12,15 +12,14 @@
 #include <utility>
 
 #include "debug/run_recorder.h"
-#include "export/view_export.h"
+#include "frame/actions.h"
+#include "frame/window_memory.h"
 #include "panels/trial_list.h"
-#include "reality/overlay.h"
 #include "scenario/state_scenario.h"
+#include "session/session.h"
 #include "widgets/field_view.h"
 #include "widgets/message_bar.h"
 #include "widgets/qt_text.h"
-#include "window/main_window.h"
-#include "window/window_memory.h"
 #include "workflow/file_kind.h"
 #include "workflow/resources.h"
 #include "world/seconds_text.h"
@@ -35,7 +34,7 @@ QString openingOf(const Error& error) { return "open " + qtText(error.file.empty
 
 QString nameOf(const QString& path) { return QFileInfo(path).fileName(); }
 
-WindowFiles::Answer askUser(MainWindow& window, const QString& what) {
+WindowFiles::Answer askUser(QWidget& window, const QString& what) {
     QMessageBox box(QMessageBox::Question, QObject::tr("Unsaved work"), what,
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window);
     box.setInformativeText(QObject::tr("Save it as a recording?"));
@@ -70,10 +69,9 @@ QString adviceAfter(const QString& cause) {
 
 }  // namespace
 
-WindowFiles::WindowFiles(MainWindow& window, MessageBar& messages)
-    : QObject(&window), window_(window), messages_(messages) {
-    ask_ = [this](const QString& what) { return askUser(window_, what); };
-    connect(&window.session(), &Session::recordingChanged, this, &WindowFiles::recordingChanged);
+WindowFiles::WindowFiles(const Frame& frame, FieldView& field) : QObject(&frame.window), frame_(frame), field_(field) {
+    ask_ = [this](const QString& what) { return askUser(frame_.window, what); };
+    connect(&frame.session, &Session::recordingChanged, this, &WindowFiles::recordingChanged);
     // Later: what was opened is taken first.
     const auto readAgain = [this] {
         if (!changedMeanwhile_.isEmpty()) reload(std::exchange(changedMeanwhile_, {}));
@@ -88,7 +86,7 @@ WindowFiles::WindowFiles(MainWindow& window, MessageBar& messages)
             [this, namesOf](const std::vector<std::string>& files) { reload(tr("%1 changed").arg(namesOf(files))); });
     connect(&watch_, &DescriptionWatch::gone, this,
             [this, namesOf](const std::vector<std::string>& files) { sayGone(namesOf(files), files.size()); });
-    connect(&watch_, &DescriptionWatch::back, this, [this] { messages_.remove(goneTopic); });
+    connect(&watch_, &DescriptionWatch::back, this, [this] { frame_.messages.remove(goneTopic); });
     connect(&watch_, &DescriptionWatch::failed, this, [this](const Error& error) { sayError(error, goneTopic); });
 }
 
@@ -100,7 +98,7 @@ void WindowFiles::open(const QString& path, OpenRequest how, std::optional<doubl
     if (!kind) return sayError(kind.error(), openingOf(kind.error()));
     how.file = place.absoluteFilePath().toStdString();
     if (*kind == FileKind::results) return listTrials(place.absoluteFilePath());
-    if (*kind == FileKind::log) return window_.overlay().open({how.file, ""});
+    if (*kind == FileKind::log) return log_->openLog(how.file);
     if (*kind != FileKind::network) return open(how, at);
     if (opened_) return offerNetwork(place.absoluteFilePath());
     // A robot to try it with.
@@ -123,16 +121,16 @@ Expected<void> WindowFiles::openNow(const OpenRequest& request, std::optional<do
 Expected<void> WindowFiles::take(Expected<OpenRun> run, std::optional<double> at) {
     if (!run) {
         sayError(run.error(), openingOf(run.error()));
-        window_.memory().forgetRecent(qtText(run.error().file));
+        frame_.memory.forgetRecent(qtText(run.error().file));
         return tl::unexpected(run.error());
     }
-    messages_.clear();
+    frame_.messages.clear();
     show(*run, run->source.file);
-    window_.overlay().follow(*run);
-    for (const std::string& note : run->notes) messages_.add({Kind::note, qtText(note)});
+    log_->follow(*run);
+    for (const std::string& note : run->notes) frame_.messages.add({Kind::note, qtText(note)});
     offerBranches(*run, run->shown && !at);
     if (!network_.isEmpty()) offerNetwork(std::exchange(network_, {}));
-    window_.memory().addRecent(qtText(run->source.file));
+    frame_.memory.addRecent(qtText(run->source.file));
     return at ? goTo(*run, *at) : Expected<void>{};
 }
 
@@ -142,18 +140,18 @@ Expected<void> WindowFiles::goTo(const OpenRun& run, double at) {
     const std::int64_t end = run.recorded() ? run.branches.front().branch.timeline.last()
                                             : scene.ticksOf(run.setup->scenario->parts().duration);
     std::int64_t tick = scene.ticksOf(fromSeconds(at));
-    if (tick > end && !run.recorded() && window_.actions().unattended())
+    if (tick > end && !run.recorded() && frame_.actions.unattended())
         return fail(run.source.file, "lasts " + plainSeconds(scene.timeOf(end)) + " s, and not the " +
                                          plainSeconds(scene.timeOf(tick)) + " s that were asked for");
     if (tick > end)
-        messages_.add(
+        frame_.messages.add(
             {Kind::note, (run.recorded() ? tr("The recording ends at %1 s, before the %2 s that were asked for")
                                          : tr("The scenario lasts %1 s; it is simulated beyond its end, up to "
                                               "the %2 s that were asked for"))
                              .arg(toSeconds(scene.timeOf(end)), 0, 'f', 2)
                              .arg(at, 0, 'f', 2)});
     if (run.recorded()) tick = std::min(tick, end);
-    window_.session().seek(tick, false);
+    frame_.session.seek(tick, false);
     return {};
 }
 
@@ -166,14 +164,15 @@ std::uint64_t WindowFiles::show(const OpenRun& run, const std::string& breakpoin
     extents_ = extentsOf(run);
     watch_.watch(run.files, run.recorded() ? std::vector{run.source.file} : std::vector<std::string>{});
     savedBranches_ = std::max<std::size_t>(1, run.branches.size());
-    run_ = window_.show(run);
-    window_.memory().restoreBreakpoints(qtText(breakpointsOf), run_);
+    emit opens(run);
+    run_ = frame_.session.open(run);
+    frame_.memory.restoreBreakpoints(qtText(breakpointsOf), run_);
     return run_;
 }
 
 /// A recording is shown where it was saved, or from the run's beginning: what else it holds is one click away.
 void WindowFiles::offerBranches(const OpenRun& run, bool atItsPlace) {
-    if (atItsPlace) window_.session().show(run.shown->branch, run.shown->tick);
+    if (atItsPlace) frame_.session.show(run.shown->branch, run.shown->tick);
     if (run.branches.size() < 2) return;
     const bool runShown = !atItsPlace || run.shown->branch == 0;
     const auto nameOfBranch = [&](std::size_t branch) {
@@ -184,7 +183,7 @@ void WindowFiles::offerBranches(const OpenRun& run, bool atItsPlace) {
     const std::int64_t tick = runShown ? run.branches[other].branch.timeline.first() : run.shown->tick;
     const QString file = nameOf(qtText(run.source.file)),
                   count = qtText(branchesText(static_cast<int>(run.branches.size() - 1)));
-    messages_.add(
+    frame_.messages.add(
         {Kind::note,
          runShown ? tr("%1 holds the run, which is shown, and %2 of it").arg(file, count)
                   : tr("%1 holds the run and %2 of it: %3 is shown, as when it was saved")
@@ -193,8 +192,8 @@ void WindowFiles::offerBranches(const OpenRun& run, bool atItsPlace) {
          {{tr("Show %1").arg(runShown ? nameOfBranch(other) : tr("the run")),
            runShown ? tr("The branch that was begun last, where it begins") : tr("What was before any change"),
            [this, other, tick] {
-               window_.session().show(other, tick);
-               messages_.remove("branches");
+               frame_.session.show(other, tick);
+               frame_.messages.remove("branches");
            }}}});
 }
 
@@ -203,23 +202,26 @@ void WindowFiles::drop(const QMimeData& what) {
     for (const QUrl& url : what.urls())
         if (url.isLocalFile()) files << url.toLocalFile();
     if (files.isEmpty())
-        return messages_.add({Kind::note, tr("Only files of this computer can be opened; save it first"), "open"});
+        return frame_.messages.add(
+            {Kind::note, tr("Only files of this computer can be opened; save it first"), "open"});
     if (files.size() > 1)
-        messages_.add({Kind::note, tr("%1 files were dropped; opening %2").arg(files.size()).arg(nameOf(files[0]))});
+        frame_.messages.add(
+            {Kind::note, tr("%1 files were dropped; opening %2").arg(files.size()).arg(nameOf(files[0]))});
     // Later: who drops waits for the answer, and there may be a question to the user first.
     QTimer::singleShot(0, this, [this, file = files[0]] { open(file); });
 }
 
 void WindowFiles::offerNetwork(const QString& path) {
-    if (window_.overlay().world()) return offerModel(path);
-    const auto selected = window_.field().selected();
-    const bool robot = selected && window_.shown() && *selected < window_.shown()->frame->state.robots.size();
+    if (log_->isOpen()) return offerModel(path);
+    const auto selected = field_.selected();
+    const bool robot =
+        selected && frame_.session.current() && *selected < frame_.session.current()->frame->state.robots.size();
     if (robot) {
-        messages_.remove("network");
-        if (const auto done = window_.actions().perform("swap_model", path); !done) sayError(done.error(), "network");
+        frame_.messages.remove("network");
+        if (const auto done = frame_.actions.perform("swap_model", path); !done) sayError(done.error(), "network");
         return;
     }
-    messages_.add(
+    frame_.messages.add(
         {Kind::note,
          tr("%1 is a network: select a robot first, then use it as this robot's motion model").arg(nameOf(path)),
          "network",
@@ -229,36 +231,29 @@ void WindowFiles::offerNetwork(const QString& path) {
 
 /// Beside a log a network has two uses.
 void WindowFiles::offerModel(const QString& path) {
-    messages_.add({Kind::note,
-                   tr("%1 is a network").arg(nameOf(path)),
-                   "network",
-                   {{tr("Lay over"), tr("Show beside the run what it makes of the same commands"),
-                     [this, path] {
-                         messages_.remove("network");
-                         window_.overlay().addModel(path.toStdString());
-                     }},
-                    {tr("Use for the selected robot"), tr("Swap the motion model of the selected robot, as a branch"),
-                     [this, path] {
-                         messages_.remove("network");
-                         if (const auto done = window_.actions().perform("swap_model", path); !done)
-                             sayError(done.error(), "network");
-                     }}}});
+    frame_.messages.add({Kind::note,
+                         tr("%1 is a network").arg(nameOf(path)),
+                         "network",
+                         {{tr("Lay over"), tr("Show beside the run what it makes of the same commands"),
+                           [this, path] {
+                               frame_.messages.remove("network");
+                               log_->addModel(path.toStdString());
+                           }},
+                          {tr("Use for the selected robot"),
+                           tr("Swap the motion model of the selected robot, as a branch"), [this, path] {
+                               frame_.messages.remove("network");
+                               if (const auto done = frame_.actions.perform("swap_model", path); !done)
+                                   sayError(done.error(), "network");
+                           }}}});
 }
 
 void WindowFiles::listTrials(const QString& path) {
     auto trials = readTrials(path.toStdString());
     if (!trials) return sayError(trials.error(), openingOf(trials.error()));
-    window_.field().setEmptyText(tr("Choose one of the runs in the list"));
-    auto* list = new TrialList(path, std::move(*trials), &window_);
+    field_.setEmptyText(tr("Choose one of the runs in the list"));
+    auto* list = new TrialList(path, std::move(*trials), &frame_.window);
     connect(list, &TrialList::chosen, this, [this](const OpenRequest& request, double at) { open(request, at); });
     list->show();
-}
-
-Expected<void> WindowFiles::savePicture(const QString& path) {
-    FieldView& field = window_.field();
-    return writePicture({field.size(), field.logicalDpiX(), window_.windowTitle(),
-                         [&field](QPainter& painter) { field.paint(painter, field.size()); }},
-                        path);
 }
 
 /// What the run is made from must not be written over.
@@ -278,16 +273,16 @@ Expected<void> WindowFiles::saveRecording(const QString& path, const std::functi
         };
         QMetaObject::invokeMethod(this, report, Qt::QueuedConnection);
     };
-    window_.session().doLongWork(tr("Saving %1").arg(nameOf(path)), save, true);
-    if (!window_.actions().unattended()) return {};
-    window_.session().settle();
+    frame_.session.doLongWork(tr("Saving %1").arg(nameOf(path)), save, true);
+    if (!frame_.actions.unattended()) return {};
+    frame_.session.settle();
     if (!*result) return tl::unexpected(result->error());
     return {};
 }
 
 QString WindowFiles::suggestedName(const QString& ending) const {
     const std::string of = !opened_ ? "run" : opened_->log.empty() ? opened_->file : opened_->log;
-    const QString folder = window_.memory().lastFolder();
+    const QString folder = frame_.memory.lastFolder();
     const QString name = (folder.isEmpty() ? "" : folder + '/') + QFileInfo(qtText(of)).completeBaseName();
     QString free = name + ending;
     for (int number = 2; QFileInfo::exists(free); ++number) free = name + '_' + QString::number(number) + ending;
@@ -295,21 +290,21 @@ QString WindowFiles::suggestedName(const QString& ending) const {
 }
 
 void WindowFiles::sayNotSaved(const Error& error, const QString& action) {
-    messages_.add({Kind::error,
-                   tr("%1. Nothing is lost: the run is still here. %2")
-                       .arg(qtText(error.message()), adviceFor(qtText(error.cause))),
-                   "save",
-                   {{tr("Save elsewhere\u2026"), tr("Save it to another file"),
-                     [this, action] { window_.actions()[action].trigger(); }}}});
+    frame_.messages.add({Kind::error,
+                         tr("%1. Nothing is lost: the run is still here. %2")
+                             .arg(qtText(error.message()), adviceFor(qtText(error.cause))),
+                         "save",
+                         {{tr("Save elsewhere\u2026"), tr("Save it to another file"),
+                           [this, action] { frame_.actions[action].trigger(); }}}});
 }
 
 /// Reports what became of it; whether it is saved.
 bool WindowFiles::saved(const QString& path, const Expected<bool>& done, std::uint64_t run, std::size_t branches) {
     if (!done) return sayNotSaved(done.error(), "save_recording"), false;
-    if (!*done) return messages_.add({Kind::note, tr("Not saved: cancelled"), "save"}), false;
+    if (!*done) return frame_.messages.add({Kind::note, tr("Not saved: cancelled"), "save"}), false;
     if (run == run_) savedBranches_ = branches;
-    window_.memory().addRecent(QFileInfo(path).absoluteFilePath());
-    messages_.add({Kind::note, tr("Saved %1").arg(path), "save"});
+    frame_.memory.addRecent(QFileInfo(path).absoluteFilePath());
+    frame_.messages.add({Kind::note, tr("Saved %1").arg(path), "save"});
     return true;
 }
 
@@ -325,81 +320,83 @@ Expected<void> WindowFiles::saveScenario(const QString& path) {
         QMetaObject::invokeMethod(
             this, [this, path, result] { savedScenario(path, *result); }, Qt::QueuedConnection);
     };
-    window_.session().doLongWork(tr("Saving %1").arg(nameOf(path)), save, true);
-    if (!window_.actions().unattended()) return {};
-    window_.session().settle();
+    frame_.session.doLongWork(tr("Saving %1").arg(nameOf(path)), save, true);
+    if (!frame_.actions.unattended()) return {};
+    frame_.session.settle();
     return *result;
 }
 
 void WindowFiles::savedScenario(const QString& path, const Expected<void>& done) {
     if (!done) return sayNotSaved(done.error(), "save_scenario");
-    window_.memory().addRecent(QFileInfo(path).absoluteFilePath());
-    messages_.add({Kind::note,
-                   tr("Saved %1, with its state beside it").arg(path),
-                   "save",
-                   {{tr("Open"), tr("Open the scenario that was saved"), [this, path] { open(path); }}}});
+    frame_.memory.addRecent(QFileInfo(path).absoluteFilePath());
+    frame_.messages.add({Kind::note,
+                         tr("Saved %1, with its state beside it").arg(path),
+                         "save",
+                         {{tr("Open"), tr("Open the scenario that was saved"), [this, path] { open(path); }}}});
 }
 
 void WindowFiles::record(const QString& path, bool overwrite) {
-    if (path.isEmpty()) return window_.session().stopRecording();
+    if (path.isEmpty()) return frame_.session.stopRecording();
     if (const auto other = checkNotRead(path); !other) {
         recordingError_ = qtText(other.error().message());
         return sayError(other.error(), "record");
     }
     const QString commandLine = qtText("mrose-gui " + (opened_ ? opened_->file : "") + " --record ") + path;
-    window_.session().record(path, commandLine, overwrite);
+    frame_.session.record(path, commandLine, overwrite);
 }
 
 void WindowFiles::recordingChanged(const QString& path, const QString& error) {
     const QString before = std::exchange(recordedTo_, path);
     recordingError_ = error;
     // Unattended, whoever started it reports it.
-    if (!error.isEmpty() && window_.actions().unattended()) {
+    if (!error.isEmpty() && frame_.actions.unattended()) {
         if (!before.isEmpty()) recordingError_ += tr("; the run went on, and its recording ends there");
         return emit recordingTo(path);
     }
     if (!error.isEmpty())
-        messages_.add({Kind::error,
-                       before.isEmpty()
-                           ? tr("%1. Nothing is recorded; choose another file").arg(error)
-                           : tr("%1. The recording ends here, and the run goes on: %2").arg(error, adviceAfter(error)),
-                       "record",
-                       {before.isEmpty() ? MessageBar::Button{tr("Record elsewhere\u2026"), tr("Choose another file"),
-                                                              [this] { window_.actions()["record_to"].trigger(); }}
-                                         : MessageBar::Button{tr("Save elsewhere\u2026"),
-                                                              tr("Save the run up to here to another file"), [this] {
-                                                                  window_.actions()["save_recording"].trigger();
-                                                              }}}});
+        frame_.messages.add(
+            {Kind::error,
+             before.isEmpty()
+                 ? tr("%1. Nothing is recorded; choose another file").arg(error)
+                 : tr("%1. The recording ends here, and the run goes on: %2").arg(error, adviceAfter(error)),
+             "record",
+             {before.isEmpty()
+                  ? MessageBar::Button{tr("Record elsewhere\u2026"), tr("Choose another file"),
+                                       [this] { frame_.actions["record_to"].trigger(); }}
+                  : MessageBar::Button{tr("Save elsewhere\u2026"), tr("Save the run up to here to another file"),
+                                       [this] { frame_.actions["save_recording"].trigger(); }}}});
     else if (path.isEmpty() && !before.isEmpty()) {
-        if (window_.shown()) savedBranches_ = window_.shown()->branches.size();
-        messages_.add({Kind::note, tr("Recorded in %1").arg(before), "record"});
+        if (frame_.session.current()) savedBranches_ = frame_.session.current()->branches.size();
+        frame_.messages.add({Kind::note, tr("Recorded in %1").arg(before), "record"});
     }
     emit recordingTo(path);
 }
 
-bool WindowFiles::hasUnsaved() const { return window_.shown() && window_.shown()->branches.size() > savedBranches_; }
+bool WindowFiles::hasUnsaved() const {
+    return frame_.session.current() && frame_.session.current()->branches.size() > savedBranches_;
+}
 
 bool WindowFiles::mayLeave(const std::function<void()>& then) {
-    if (window_.actions().unattended() || !hasUnsaved()) return true;
-    const int count = listedBranches(window_.shown()->branches, savedBranches_);
+    if (frame_.actions.unattended() || !hasUnsaved()) return true;
+    const int count = listedBranches(frame_.session.current()->branches, savedBranches_);
     switch (ask_(tr(count == 1 ? "%1 of this run is not saved." : "%1 of this run are not saved.")
                      .arg(qtText(branchesText(count))))) {
         case Answer::discard:
-            savedBranches_ = window_.shown()->branches.size();
+            savedBranches_ = frame_.session.current()->branches.size();
             return true;
         case Answer::cancel:
             return false;
         case Answer::save:
             break;
     }
-    const QString path = window_.actions().ask("save_recording");
+    const QString path = frame_.actions.ask("save_recording");
     if (path.isEmpty()) return false;
     if (const auto saving = saveRecording(path, then); !saving) sayError(saving.error(), "save");
     return false;
 }
 
 void WindowFiles::sayError(const Error& error, const QString& topic) {
-    messages_.add({Kind::error, qtText(error.message()), topic});
+    frame_.messages.add({Kind::error, qtText(error.message()), topic});
 }
 
 }  // namespace mrose::gui

@@ -8,20 +8,19 @@
 #include <string>
 #include <vector>
 
-#include "debug/open_run.h"
 #include "files/description_watch.h"
+#include "files/laid_over_log.h"
 #include "files/run_opener.h"
+#include "frame/frame.h"
 #include "world/state_hash.h"
 
 class QMimeData;
 
 namespace mrose {
-class MessageBar;
+class FieldView;
 }
 
 namespace mrose::gui {
-
-class MainWindow;
 
 /// What the window does with files: opens runs and opens them again when a description changes, saves, and says what
 /// is wrong with a file. Nothing here waits for a disk, but where it says so.
@@ -29,7 +28,8 @@ class WindowFiles final : public QObject {
     Q_OBJECT
 
 public:
-    WindowFiles(MainWindow& window, MessageBar& messages);
+    WindowFiles(const Frame& frame, FieldView& field);
+    void setLog(LaidOverLog& log) { log_ = &log; }  ///< before anything is opened
 
     /// What a file holds, of whatever kind, is opened; a network is offered to the selected robot.
     void open(const QString& path, OpenRequest how = {}, std::optional<double> at = {});
@@ -51,8 +51,6 @@ public:
     /// Ends what is being opened; false: nothing is.
     bool cancel() { return opener_.cancel(); }
 
-    /// The view as the extension says.
-    Expected<void> savePicture(const QString& path);
     /// The run with its branches, in the background; once it is saved, `then`. Unattended, it waits. Error: such a file
     /// must not be written; unattended, all errors.
     Expected<void> saveRecording(const QString& path, const std::function<void()>& then = {});
@@ -79,6 +77,7 @@ public:
     DescriptionWatch& watch() { return watch_; }
 
 signals:
+    void opens(const OpenRun& run);         ///< it is the window's run from now on
     void recordingTo(const QString& path);  ///< empty: nowhere
 
 private:
@@ -105,8 +104,9 @@ private:
     void sayNotSaved(const Error& error, const QString& action);
     void sayError(const Error& error, const QString& topic);
 
-    MainWindow& window_;
-    MessageBar& messages_;
+    Frame frame_;
+    FieldView& field_;
+    LaidOverLog* log_ = nullptr;
     RunOpener opener_;
     DescriptionWatch watch_;
     static constexpr const char* goneTopic = "gone";

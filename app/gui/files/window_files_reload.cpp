@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "files/window_files.h"
-#include "reality/overlay.h"
+#include "frame/actions.h"
+#include "session/session.h"
 #include "widgets/message_bar.h"
 #include "widgets/qt_text.h"
-#include "window/main_window.h"
 
 namespace mrose::gui {
 namespace {
@@ -23,15 +23,15 @@ void WindowFiles::reload(const QString& why) {
         changedMeanwhile_ = why;
         return;
     }
-    if (window_.overlay().shownRollout()) return window_.overlay().reload(why);
+    if (log_->reload(why)) return;
     OpenRequest request = *opened_;
-    const Shown* const shown = window_.shown();
+    const Shown* const shown = frame_.session.current();
     // A seed of the user's own stays; the scenario's may be what has changed.
     if (shown && shown->frame->state.seed != shown->frame->scenario->parts().seed)
         request.seed = shown->frame->state.seed;
     opener_.open(request, [this, why](Expected<OpenRun> run) {
         if (run && run->recorded()) return takeGrown(*run);
-        const Shown* const now = window_.shown();
+        const Shown* const now = frame_.session.current();
         // A plug-in that crashed or was too slow gets another chance.
         if (run && now && run->files == files_ && *run->setup->value == *now->setup->value && now->faults.empty())
             return sayUnchanged();
@@ -40,10 +40,10 @@ void WindowFiles::reload(const QString& why) {
 }
 
 void WindowFiles::sayUnchanged() {
-    messages_.remove("reload");
+    frame_.messages.remove("reload");
     changedMeanwhile_.clear();
-    messages_.add({MessageBar::Kind::note,
-                   tr("Nothing has changed in what %1 is made from").arg(fileName(opened_->file)), "reload"});
+    frame_.messages.add({MessageBar::Kind::note,
+                         tr("Nothing has changed in what %1 is made from").arg(fileName(opened_->file)), "reload"});
 }
 
 std::vector<WindowFiles::Extent> WindowFiles::extentsOf(const OpenRun& run) {
@@ -61,27 +61,28 @@ void WindowFiles::takeGrown(const OpenRun& run) {
     const QString name = fileName(run.source.file);
     const bool same = extentsOf(run) == extents_;
     if (same)
-        messages_.add(
+        frame_.messages.add(
             {MessageBar::Kind::note, tr("Nothing has changed: %1 goes no further than it did").arg(name), "reload"});
     if (same || !mayLeave([this, run] { takeGrown(run); })) return;
-    const Shown* const shown = window_.shown();
+    const Shown* const shown = frame_.session.current();
     const bool known = shown && shown->branch < extents_.size();
     const ShownPlace place = known ? ShownPlace{shown->branch, shown->tick()} : ShownPlace{};
-    messages_.clear();
+    frame_.messages.clear();
     show(run, run.source.file);
-    window_.overlay().follow(run);
-    for (const std::string& note : run.notes) messages_.add({MessageBar::Kind::note, qtText(note)});
-    if (known && place.branch < run.branches.size()) window_.session().show(place.branch, place.tick);
+    log_->follow(run);
+    for (const std::string& note : run.notes) frame_.messages.add({MessageBar::Kind::note, qtText(note)});
+    if (known && place.branch < run.branches.size()) frame_.session.show(place.branch, place.tick);
     const Nanoseconds end = run.setup->scene().timeOf(run.branches.front().branch.timeline.last());
-    messages_.add({MessageBar::Kind::note,
-                   tr("%1 was read on: it goes up to %2 s now").arg(name).arg(toSeconds(end), 0, 'f', 2), "reload"});
+    frame_.messages.add({MessageBar::Kind::note,
+                         tr("%1 was read on: it goes up to %2 s now").arg(name).arg(toSeconds(end), 0, 'f', 2),
+                         "reload"});
 }
 
 /// What is said of the files' earlier contents is no more.
 void WindowFiles::sayGone(const QString& names, std::size_t count) {
-    messages_.remove("reload");
+    frame_.messages.remove("reload");
     const bool recorded = !extents_.empty();
-    messages_.add(
+    frame_.messages.add(
         {MessageBar::Kind::note,
          (recorded    ? tr("%1 was removed or emptied. All of it is still here, and can be saved")
           : count > 1 ? tr("%1 were removed. The run goes on with what was read from them")
@@ -89,14 +90,14 @@ void WindowFiles::sayGone(const QString& names, std::size_t count) {
              .arg(names),
          goneTopic,
          {recorded ? MessageBar::Button{tr("Save recording\u2026"), tr("Save the run and all its branches"),
-                                        [this] { window_.actions()["save_recording"].trigger(); }}
+                                        [this] { frame_.actions["save_recording"].trigger(); }}
                    : MessageBar::Button{tr("Save state\u2026"), tr("Save a scenario that goes on from the shown tick"),
-                                        [this] { window_.actions()["save_scenario"].trigger(); }}}});
+                                        [this] { frame_.actions["save_scenario"].trigger(); }}}});
 }
 
 /// Branches of two reloads are told apart.
 QString WindowFiles::reloadedName(const QString& why) const {
-    const std::vector<BranchInfo>& branches = window_.shown()->branches;
+    const std::vector<BranchInfo>& branches = frame_.session.current()->branches;
     const auto taken = [&](const QString& name) {
         return std::any_of(branches.begin(), branches.end(),
                            [&](const BranchInfo& branch) { return qtText(branch.name) == name; });
@@ -107,21 +108,21 @@ QString WindowFiles::reloadedName(const QString& why) const {
 }
 
 void WindowFiles::takeReloaded(Expected<OpenRun> run, const QString& why) {
-    const Shown* const shown = window_.shown();
+    const Shown* const shown = frame_.session.current();
     if (!run) {
         if (!extents_.empty()) return sayError(run.error(), "reload");
-        messages_.add({MessageBar::Kind::error,
-                       tr("%1. What was read before goes on; once the file is mended it is read again")
-                           .arg(qtText(run.error().message())),
-                       "reload",
-                       {{tr("Show file"), tr("Open it with the program for such files"),
-                         [file = qtText(run.error().file)] {
-                             QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(file).absoluteFilePath()));
-                         }},
-                        {tr("Reload"), tr("Read it again now"), [this, why] { reload(why); }}}});
+        frame_.messages.add({MessageBar::Kind::error,
+                             tr("%1. What was read before goes on; once the file is mended it is read again")
+                                 .arg(qtText(run.error().message())),
+                             "reload",
+                             {{tr("Show file"), tr("Open it with the program for such files"),
+                               [file = qtText(run.error().file)] {
+                                   QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(file).absoluteFilePath()));
+                               }},
+                              {tr("Reload"), tr("Read it again now"), [this, why] { reload(why); }}}});
         return;
     }
-    messages_.remove("reload");
+    frame_.messages.remove("reload");
     changedMeanwhile_.clear();  // what was not read yet is found by looking again
     files_ = run->files;
     watch_.watch(run->files);
@@ -135,17 +136,17 @@ void WindowFiles::takeReloaded(Expected<OpenRun> run, const QString& why) {
     const auto unattendedWork = [this, of = run_] {
         if (run_ == of) ++savedBranches_;
     };
-    window_.session().branchOff(edit, shown->tick(), [this, unattendedWork] {
+    frame_.session.branchOff(edit, shown->tick(), [this, unattendedWork] {
         QMetaObject::invokeMethod(this, unattendedWork, Qt::QueuedConnection);
     });
-    if (goesOn) window_.session().play();
-    messages_.add({MessageBar::Kind::note,
-                   tr("%1: the run was simulated again up to here; the run before is shown as a ghost").arg(why),
-                   "reload",
-                   {{tr("Undo"), tr("Back to the run before"), [this] {
-                         window_.session().ask(&Debugger::undo);
-                         messages_.remove("reload");
-                     }}}});
+    if (goesOn) frame_.session.play();
+    frame_.messages.add({MessageBar::Kind::note,
+                         tr("%1: the run was simulated again up to here; the run before is shown as a ghost").arg(why),
+                         "reload",
+                         {{tr("Undo"), tr("Back to the run before"), [this] {
+                               frame_.session.ask(&Debugger::undo);
+                               frame_.messages.remove("reload");
+                           }}}});
 }
 
 }  // namespace mrose::gui

@@ -3,7 +3,7 @@
 #include <QDialog>
 #include <vector>
 
-#include "actions/actions.h"
+#include "frame/actions.h"
 #include "widgets/theme.h"
 
 class QGridLayout;

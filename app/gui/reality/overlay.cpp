@@ -7,13 +7,15 @@
 #include <utility>
 
 #include "files/window_files.h"
+#include "frame/actions.h"
+#include "frame/status_line.h"
+#include "frame/window_memory.h"
 #include "io/format.h"
+#include "session/session.h"
 #include "widgets/field_view.h"
 #include "widgets/fixed_text.h"
 #include "widgets/message_bar.h"
 #include "widgets/qt_text.h"
-#include "window/main_window.h"
-#include "window/window_memory.h"
 
 namespace mrose::gui {
 namespace {
@@ -45,8 +47,9 @@ QString planNote(const OverlayWorld& overlay, const OverlayPlan& plan) {
 
 }  // namespace
 
-Overlay::Overlay(MainWindow& window) : QObject(&window), window_(window) {
-    connect(&window, &MainWindow::updated, this, &Overlay::followShown);
+Overlay::Overlay(const Frame& frame, FieldView& field, WindowFiles& files)
+    : QObject(&frame.window), frame_(frame), field_(field), files_(files) {
+    connect(&frame.session, &Session::shown, this, &Overlay::followShown);
 }
 
 Overlay::~Overlay() = default;
@@ -57,7 +60,7 @@ Expected<void> Overlay::openNow(const OverlayRequest& request, const std::option
     openError_.reset();
     post({request, asked, false});
     opener_.settle();
-    window_.session().settle();
+    frame_.session.settle();
     if (openError_) return tl::unexpected(*openError_);
     return {};
 }
@@ -65,7 +68,7 @@ Expected<void> Overlay::openNow(const OverlayRequest& request, const std::option
 /// What is open stays until the other one is there.
 void Overlay::post(const Opening& wanted) {
     setAside();
-    if (!window_.actions().unattended())
+    if (!frame_.actions.unattended())
         QTimer::singleShot(openPatience, this, [this, place = wanted.request.log, number = openings_] {
             if (number == openings_ && opener_.busy()) reportOpening(place);
         });
@@ -81,10 +84,10 @@ void Overlay::post(const Opening& wanted) {
 }
 
 void Overlay::reportOpening(const std::string& place) {
-    window_.messages().add({MessageBar::Kind::progress,
-                            tr("Opening %1").arg(QFileInfo(qtText(place)).fileName()),
-                            openingTopic,
-                            {{tr("Cancel"), tr("Do not open it (Esc)"), [this] { setAside(), readAgain(); }}}});
+    frame_.messages.add({MessageBar::Kind::progress,
+                         tr("Opening %1").arg(QFileInfo(qtText(place)).fileName()),
+                         openingTopic,
+                         {{tr("Cancel"), tr("Do not open it (Esc)"), [this] { setAside(), readAgain(); }}}});
 }
 
 /// The newest wish counts; what has changed in the files is read after it.
@@ -98,24 +101,24 @@ void Overlay::setAside() {
 /// Nothing more is said of it.
 void Overlay::endOpening() {
     ++openings_;
-    window_.messages().remove(openingTopic);
+    frame_.messages.remove(openingTopic);
 }
 
 void Overlay::takeOpened(Expected<OpenedLog> opened, const Opening& opening) {
     endOpening();
     if (!opened) {
-        if (opening.kindUnknown && opening.mayAsk && !window_.actions().unattended())
+        if (opening.kindUnknown && opening.mayAsk && !frame_.actions.unattended())
             emit robotKindUnknown(opening.request, opening.asked);
         else
             sayError(opened.error());
         return readAgain();
     }
-    if (!window_.files().mayLeave([this, opening] { post(opening); })) return readAgain();
+    if (!files_.mayLeave([this, opening] { post(opening); })) return readAgain();
     close();
     begin(std::move(opened->world), opened->plan, std::move(opened->requests));
     if (const QString note = opening.asked ? QString() : planNote(*world_, plan_); !note.isEmpty())
-        window_.messages().add({MessageBar::Kind::note, note, planTopic});
-    window_.memory().addRecent(qtText(world_->place));
+        frame_.messages.add({MessageBar::Kind::note, note, planTopic});
+    frame_.memory.addRecent(qtText(world_->place));
     takeRollout(std::move(opened->run), opened->rollout, {}, Then{});
     compareAll();
 }
@@ -129,7 +132,7 @@ void Overlay::follow(const OpenRun& run) {
     if (run.recorded()) request.kept = run.setup->value;
     const auto alone = [this](const Error& error) {
         const QString why = qtText(error.message());
-        window_.messages().add({MessageBar::Kind::note, tr("The run is shown alone: %1").arg(why), overlayTopic});
+        frame_.messages.add({MessageBar::Kind::note, tr("The run is shown alone: %1").arg(why), overlayTopic});
     };
     const auto job = [this, request, followed = run.setup, alone](const JobQueue::GoesOn& goesOn) -> JobQueue::Answer {
         OpenProgress progress;
@@ -144,9 +147,11 @@ void Overlay::follow(const OpenRun& run) {
 }
 
 /// What is on its way to be shown comes first.
-void Overlay::reload(const QString& why) {
+bool Overlay::reload(const QString& why) {
+    if (!shownRollout_) return false;
     reload_ = why;
     if (!opening()) readAgain();
+    return true;
 }
 
 void Overlay::readAgain() {
@@ -163,11 +168,11 @@ void Overlay::readAgain() {
 void Overlay::takeReopened(Expected<OpenedLog> again, const QString& why) {
     reading_.reset();
     if (!again) {
-        window_.files().takeReloaded(tl::unexpected(again.error()), why);
+        files_.takeReloaded(tl::unexpected(again.error()), why);
         return readAgain();
     }
     if (world_ && again->world->files == world_->files) {
-        window_.files().sayUnchanged();
+        files_.sayUnchanged();
         return readAgain();
     }
     adopt(again->world, std::move(again->requests));
@@ -175,7 +180,7 @@ void Overlay::takeReopened(Expected<OpenedLog> again, const QString& why) {
     compared_.reset();
     reloaded_ = again->run.setup;
     reality_ = again->run.reality;
-    window_.files().takeReloaded(std::move(again->run), why);
+    files_.takeReloaded(std::move(again->run), why);
     lookAtRollout();
     compareAll();
     readAgain();
@@ -183,13 +188,12 @@ void Overlay::takeReopened(Expected<OpenedLog> again, const QString& why) {
 
 void Overlay::close() {
     setAside();
-    window_.messages().remove(planTopic);
-    for (std::size_t note = 0; world_ && note < world_->notes.size(); ++note)
-        window_.messages().remove(noteTopic(note));
+    frame_.messages.remove(planTopic);
+    for (std::size_t note = 0; world_ && note < world_->notes.size(); ++note) frame_.messages.remove(noteTopic(note));
     // The one that is on its way to be shown, too.
-    if (world_) window_.session().setReality(window_.session().newestRun(), nullptr);
+    if (world_) frame_.session.setReality(frame_.session.newestRun(), nullptr);
     adopt(nullptr, {});
-    for (const OverlayModel& model : models_) window_.messages().remove(modelTopic(model.name));
+    for (const OverlayModel& model : models_) frame_.messages.remove(modelTopic(model.name));
     models_.clear();
     loading_.clear();
     robot_.reset();
@@ -229,7 +233,7 @@ void Overlay::adopt(OverlayWorldPointer world, std::vector<RolloutRequest> reque
 
 void Overlay::sayError(const Error& error) {
     openError_ = error;
-    window_.messages().add({MessageBar::Kind::error, qtText(error.message()), overlayTopic});
+    frame_.messages.add({MessageBar::Kind::error, qtText(error.message()), overlayTopic});
 }
 
 void Overlay::begin(OverlayWorldPointer world, const OverlayPlan& plan, std::vector<RolloutRequest> rollouts) {
@@ -237,9 +241,9 @@ void Overlay::begin(OverlayWorldPointer world, const OverlayPlan& plan, std::vec
     for (const std::string& named : world->request.models) loading_.push_back({named});
     bound_ = {DivergenceBound{}.constant, knowsHeldOut(world->world())};
     adopt(std::move(world), std::move(rollouts));
-    window_.messages().remove(overlayTopic);
+    frame_.messages.remove(overlayTopic);
     for (std::size_t note = 0; note < world_->notes.size(); ++note)
-        window_.messages().add({MessageBar::Kind::note, qtText(world_->notes[note]), noteTopic(note)});
+        frame_.messages.add({MessageBar::Kind::note, qtText(world_->notes[note]), noteTopic(note)});
 }
 
 void Overlay::takeFollowed(OverlayWorldPointer world, const BranchSetupPointer& followed) {
@@ -249,7 +253,7 @@ void Overlay::takeFollowed(OverlayWorldPointer world, const BranchSetupPointer& 
     begin(std::move(world), plan, std::move(*rollouts));
     const auto reality = std::make_shared<const Reality>(realityOf(world_->world(), 0, 0));
     coming_ = Coming{followed, {}, {}, {}, reality};
-    if (window_.shown()) followShown();
+    if (frame_.session.current()) followShown();
     compareAll();
 }
 
@@ -257,9 +261,9 @@ Expected<void> Overlay::setPlan(const OverlayPlan& plan) {
     if (!world_ || plan == plan_) return {};
     auto rollouts = plannedRollouts(*world_, plan);
     if (!rollouts) return tl::unexpected(rollouts.error());
-    if (!window_.files().mayLeave([this, plan] { (void)setPlan(plan); })) return {};
+    if (!files_.mayLeave([this, plan] { (void)setPlan(plan); })) return {};
     plan_ = plan;
-    window_.messages().remove(planTopic);
+    frame_.messages.remove(planTopic);
     adopt(world_, std::move(*rollouts));
     show(0);
     compareAll();
@@ -346,7 +350,7 @@ const OverlayRow* Overlay::rowOf(std::size_t rollout, std::size_t robot) const {
 
 bool Overlay::show(std::size_t rollout, std::optional<std::size_t> robot, const Then& then) {
     if (!world_ || rollout >= requests_.size()) return false;
-    if (!window_.files().mayLeave([this, rollout, robot, then] { show(rollout, robot, then); })) return false;
+    if (!files_.mayLeave([this, rollout, robot, then] { show(rollout, robot, then); })) return false;
     setAside();
     const auto job = [this, world = world_, rollout, request = requests_[rollout], robot, then,
                       commandsToLogEnd = playsToLogEnd(plan_, restarts_)](const JobQueue::GoesOn&) -> JobQueue::Answer {
@@ -365,9 +369,9 @@ void Overlay::takeRollout(Expected<OpenRun> run, std::size_t rollout, std::optio
         sayError(run.error());
         return readAgain();
     }
-    window_.messages().remove(overlayTopic);
-    const Shown* const shown = window_.shown();
-    const FieldView& field = window_.field();
+    frame_.messages.remove(overlayTopic);
+    const Shown* const shown = frame_.session.current();
+    const FieldView& field = field_;
     coming_ = Coming{run->setup, rollout, robot, absent_, run->reality, robot.has_value(), {}, then};
     if (robot)
         coming_->selected = world_->world().robots()[*robot].name;
@@ -381,16 +385,16 @@ void Overlay::takeRollout(Expected<OpenRun> run, std::size_t rollout, std::optio
         coming_->near = robot || field.showsPart();
         if (!field.showsAll()) coming_->view = field.transform();
     }
-    window_.files().takeRollout(*run);
-    if (!breakpoints.empty()) window_.session().setBreakpoints(breakpoints);
+    files_.takeRollout(*run);
+    if (!breakpoints.empty()) frame_.session.setBreakpoints(breakpoints);
     reportHits(rollout);
-    if (then.play) window_.session().play();
+    if (then.play) frame_.session.play();
 }
 
 /// A rollout that has been played to its end is followed by the next.
 void Overlay::followShown() {
-    if (coming_ && window_.shown()->setup == coming_->run) finishComing();
-    const Shown& shown = *window_.shown();
+    if (coming_ && frame_.session.current()->setup == coming_->run) finishComing();
+    const Shown& shown = *frame_.session.current();
     if (reloaded_ && shown.setup == reloaded_) {
         compared_ = shown.branch;
         reloaded_ = nullptr;
@@ -406,8 +410,8 @@ void Overlay::followShown() {
     if (shown.event == RunEvent::noBreak) return lookInRollouts();
     if (shown.event != RunEvent::playedOut || !atRolloutEnd()) return;
     if (isLastRollout()) return sayLogEnds();
-    if (window_.files().hasUnsaved())
-        return window_.say(tr("This rollout has branches that are not saved: the next one waits"));
+    if (files_.hasUnsaved())
+        return frame_.status.say(tr("This rollout has branches that are not saved: the next one waits"));
     Then on;
     on.play = true;
     showNext(1, on);
@@ -416,10 +420,10 @@ void Overlay::followShown() {
 /// The run of a rollout is shown.
 void Overlay::finishComing() {
     const Coming come = *std::exchange(coming_, std::nullopt);
-    if (!come.rollout) return window_.session().setReality(window_.shown()->run, come.reality);
-    run_ = window_.shown()->run;
+    if (!come.rollout) return frame_.session.setReality(frame_.session.current()->run, come.reality);
+    run_ = frame_.session.current()->run;
     compared_ = 0;
-    shownBranch_ = window_.shown()->branch;
+    shownBranch_ = frame_.session.current()->branch;
     reloaded_ = nullptr;
     reality_ = come.reality;
     shownRollout_ = come.rollout;
@@ -430,7 +434,7 @@ void Overlay::finishComing() {
     emit changed();
     if (come.then.toDivergence) goToDivergence();
     if (const auto& look = come.then.look)
-        window_.session().goToBreak(*look, look->back ? BreakReach::all : BreakReach::within);
+        frame_.session.goToBreak(*look, look->back ? BreakReach::all : BreakReach::within);
     readAgain();
 }
 
@@ -478,7 +482,7 @@ void Overlay::settle() {
     while (busy()) {
         searching_.settle();
         opener_.settle();
-        window_.session().settle();
+        frame_.session.settle();
         coming_.reset();  // another run came in its place
         computing_.settle();
         driving_.settle();

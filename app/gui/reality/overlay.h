@@ -8,25 +8,32 @@
 
 #include "debug/breakpoints.h"
 #include "debug/rollout_hits.h"
+#include "files/laid_over_log.h"
+#include "frame/frame.h"
 #include "session/job_queue.h"
 #include "widgets/qt_text.h"
 #include "widgets/view_transform.h"
 #include "workflow/overlay_work.h"
 
+namespace mrose {
+class FieldView;
+}
+
 namespace mrose::gui {
 
-class MainWindow;
+class PlotPanel;
+class WindowFiles;
 
 /// Of the messages that speak of a model.
 inline QString modelTopic(const std::string& name) { return "model " + qtText(name); }
 
 /// A real log laid over its simulation: where the simulated robots start, what becomes of each rollout, and which of
 /// them the window shows as its run. Works in the background; changed() is emitted.
-class Overlay final : public QObject {
+class Overlay final : public QObject, public LaidOverLog {
     Q_OBJECT
 
 public:
-    explicit Overlay(MainWindow& window);
+    Overlay(const Frame& frame, FieldView& field, WindowFiles& files);
     ~Overlay() override;
 
     /// Reads the log, shows its first rollout, and compares all of them. No plan: the one that suits it. What is wrong
@@ -36,12 +43,14 @@ public:
     /// The same, asks nothing, and waits until the first rollout is shown. Error: it is said, too.
     Expected<void> openNow(const OverlayRequest& request, const std::optional<OverlayPlan>& asked = {});
     /// A run that plays a log and was opened as such: what really happened is laid beside it, and its log is compared.
-    void follow(const OpenRun& run);
+    void follow(const OpenRun& run) override;
     void setFollows(bool on) { follows_ = on; }  ///< false: runs are opened as they are
     void close();
     /// Log and scenario once more from their files; the shown rollout goes on as a branch.
-    void reload(const QString& why);
+    bool reload(const QString& why) override;
 
+    void openLog(const std::string& place) override { open({place, ""}); }
+    bool isOpen() const override { return world_ != nullptr; }
     const OverlayWorldPointer& world() const { return world_; }  ///< null: no log is open
     const OverlayPlan& plan() const { return plan_; }
     /// Compares anew. Error: no rollout fits in; then nothing has changed.
@@ -58,7 +67,7 @@ public:
 
     /// Motion models, the scenario's own first; the others drive the shown rollout beside it.
     const std::vector<OverlayModel>& models() const { return models_; }
-    void addModel(const std::string& named);
+    void addModel(const std::string& named) override;
     void removeModel(std::size_t model);  ///< the scenario's own stays
     void showModel(std::size_t model, bool on);
 
@@ -129,6 +138,7 @@ public:
 
 signals:
     void changed();
+    void divergencesChanged();  ///< where the shown rollout's robots leave the real ones, or the bound
     void searching(const QString& what, double share);  ///< share 1: it has ended
     /// The user must say what kind of robot drove, as OverlayRequest::robotFile of the same request.
     void robotKindUnknown(const OverlayRequest& request, const std::optional<OverlayPlan>& asked);
@@ -212,7 +222,9 @@ private:
     std::span<const OverlayRow> rowsOf(std::size_t rollout) const;
     void sayError(const Error& error);
 
-    MainWindow& window_;
+    Frame frame_;
+    FieldView& field_;
+    WindowFiles& files_;
     OverlayWorldPointer world_;
     OverlayPlan plan_;
     Bound bound_;

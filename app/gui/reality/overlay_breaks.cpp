@@ -2,11 +2,12 @@
 #include <algorithm>
 
 #include "files/window_files.h"
+#include "frame/actions.h"
+#include "frame/status_line.h"
 #include "reality/overlay.h"
-#include "reality/overlay_marks.h"
+#include "session/session.h"
 #include "widgets/field_view.h"
 #include "widgets/qt_text.h"
-#include "window/main_window.h"
 #include "workflow/rollout_breaks.h"
 
 namespace mrose::gui {
@@ -19,27 +20,28 @@ std::span<const OverlayRow> Overlay::rowsOf(std::size_t rollout) const {
 }
 
 void Overlay::reportDivergences() {
-    markDivergences(window_, *this);
-    if (!world_) return window_.session().changeBreakpoints([](Breakpoints& all) { all.setDivergence({}); });
-    if (!shownRollout_ || !window_.shown()) return;
+    emit divergencesChanged();
+    if (!world_) return frame_.session.changeBreakpoints([](Breakpoints& all) { all.setDivergence({}); });
+    if (!shownRollout_ || !frame_.session.current()) return;
     LeavingRobots leaving = leavingRobots(world_->world(), rowsOf(*shownRollout_));
     leaving.reality = reality_;
     leaving.compared = compared_;
-    window_.session().changeBreakpoints([leaving](Breakpoints& all) {
+    frame_.session.changeBreakpoints([leaving](Breakpoints& all) {
         all.setDivergence({leavesReality(leaving), whoLeaves(leaving)});
     });
     reportHits(*shownRollout_);
 }
 
 void Overlay::select(std::size_t robot) {
-    const std::uint32_t body = bodyNamed(window_.shown()->frame->scene(), world_->world().robots()[robot].name);
-    if (body != noBody) window_.field().setSelected(body);
+    const std::uint32_t body =
+        bodyNamed(frame_.session.current()->frame->scene(), world_->world().robots()[robot].name);
+    if (body != noBody) field_.setSelected(body);
     setRobot(robot);
 }
 
 /// Of the robot that is asked about; where that stays, of the one that leaves first.
 bool Overlay::goToDivergence() {
-    if (!shownRollout_ || window_.shown() == nullptr) return false;
+    if (!shownRollout_ || frame_.session.current() == nullptr) return false;
     const OverlayRow* leaves = shownRow();
     if (leaves == nullptr || !leaves->divergence) {
         const auto rows = rowsOf(*shownRollout_);
@@ -50,9 +52,9 @@ bool Overlay::goToDivergence() {
         leaves = &*first;
     }
     select(leaves->robot);
-    if (window_.field().showsAll() || isAside()) showNear();
-    const std::int64_t tick = window_.shown()->frame->scene().ticksOf(leaves->divergence->time);
-    window_.session().seek(tick, false);
+    if (field_.showsAll() || isAside()) showNear();
+    const std::int64_t tick = frame_.session.current()->frame->scene().ticksOf(leaves->divergence->time);
+    frame_.session.seek(tick, false);
     return true;
 }
 
@@ -63,7 +65,7 @@ bool Overlay::goToOtherDivergence() {
         const auto rows = rowsOf(rollout);
         if (std::none_of(rows.begin(), rows.end(), [](const OverlayRow& row) { return row.divergence.has_value(); }))
             continue;
-        window_.say(tr("Nothing leaves the real trajectory in the one before; in this it does"));
+        frame_.status.say(tr("Nothing leaves the real trajectory in the one before; in this it does"));
         Then then;
         then.toDivergence = true;
         return show(rollout, {}, then);
@@ -74,10 +76,11 @@ bool Overlay::goToOtherDivergence() {
 /// A breakpoint stopped the run: where that is because a robot leaves the real trajectory, it is the one to be asked
 /// about.
 void Overlay::showLeaving() {
-    if (!shownRollout_ || window_.shown()->run != run_ || window_.shown()->branch != compared_) return;
+    if (!shownRollout_ || frame_.session.current()->run != run_ || frame_.session.current()->branch != compared_)
+        return;
     const auto leavesHere = [&](const OverlayRow& row) {
-        return row.divergence &&
-               window_.shown()->frame->scene().ticksOf(row.divergence->time) == window_.shown()->tick();
+        return row.divergence && frame_.session.current()->frame->scene().ticksOf(row.divergence->time) ==
+                                     frame_.session.current()->tick();
     };
     const OverlayRow* const asked = shownRow();
     if (asked == nullptr || !leavesHere(*asked)) {
@@ -92,21 +95,21 @@ void Overlay::showLeaving() {
 bool Overlay::rolloutsFollow() const { return restarts_ && plan_.cut == OverlayPlan::Cut::every; }
 
 /// Whether the window shows one of the rollouts that follow each other.
-bool Overlay::inRollouts() const { return rolloutsFollow() && shownRollout_ && window_.shown()->run == run_; }
+bool Overlay::inRollouts() const { return rolloutsFollow() && shownRollout_ && frame_.session.current()->run == run_; }
 
 /// What the shown rollout knows of them.
 void Overlay::learnHits() {
-    if (inRollouts()) hits_.learn(*shownRollout_, window_.shown()->breakpoints);
+    if (inRollouts()) hits_.learn(*shownRollout_, frame_.session.current()->breakpoints);
 }
 
 /// What the rollouts before one and after it know of them.
 void Overlay::reportHits(std::size_t rollout) {
     const HitsInOtherRuns met = rolloutsFollow() ? hits_.elsewhere(rollout) : HitsInOtherRuns{};
-    window_.session().changeBreakpoints([met](Breakpoints& all) { all.setHitsInOtherRuns(met); });
+    frame_.session.changeBreakpoints([met](Breakpoints& all) { all.setHitsInOtherRuns(met); });
 }
 
 bool Overlay::atRolloutEnd() const {
-    const Shown& shown = *window_.shown();
+    const Shown& shown = *frame_.session.current();
     const Nanoseconds end = requests_[*shownRollout_].steps * WindowOptions{}.step;
     return shown.tick() >= shown.frame->scene().ticksOf(end);
 }
@@ -115,17 +118,17 @@ bool Overlay::isLastRollout() const { return *shownRollout_ + 1 == requests_.siz
 
 void Overlay::sayLogEnds() {
     reportedEnd_ = run_;
-    window_.say(tr("The last rollout of the log is over; it can go on"));
+    frame_.status.say(tr("The last rollout of the log is over; it can go on"));
 }
 
 bool Overlay::playsNext() {
-    const Shown* const shown = window_.shown();
+    const Shown* const shown = frame_.session.current();
     if (shown == nullptr || !inRollouts() || opening() || shown->branch != 0 || !atRolloutEnd()) return false;
     const Nanoseconds end = requests_[*shownRollout_].steps * WindowOptions{}.step;
     if (shown->tick() > shown->frame->scene().ticksOf(end)) return false;
     Then on;
     on.play = true;
-    if (!isLastRollout()) return !window_.files().hasUnsaved() && showNext(1, on);
+    if (!isLastRollout()) return !files_.hasUnsaved() && showNext(1, on);
     if (reportedEnd_ == run_) return false;
     sayLogEnds();
     return true;
@@ -134,9 +137,9 @@ bool Overlay::playsNext() {
 void Overlay::goToBreak(const BreakWish& wish) {
     stopSearching();
     wish_ = wish;
-    if (window_.shown() != nullptr && inRollouts() && !wish.back && atRolloutEnd()) return lookInRollouts();
-    const bool within = window_.shown() != nullptr && inRollouts();
-    window_.session().goToBreak(wish, within ? BreakReach::within : BreakReach::on);
+    if (frame_.session.current() != nullptr && inRollouts() && !wish.back && atRolloutEnd()) return lookInRollouts();
+    const bool within = frame_.session.current() != nullptr && inRollouts();
+    frame_.session.goToBreak(wish, within ? BreakReach::within : BreakReach::on);
 }
 
 void Overlay::stopSearching() {
@@ -152,17 +155,18 @@ void Overlay::lookInRollouts() {
     learnHits();
     RolloutSearch search{*wish_, {}, hits_, {}};
     wish_.reset();
-    if (window_.files().hasUnsaved())
-        return window_.say(
+    if (files_.hasUnsaved())
+        return frame_.status.say(
             tr("This rollout has branches that are not saved: the other rollouts are not looked through"));
     const std::size_t shown = *shownRollout_, count = requests_.size();
     bool diverges = search.wish.text == "divergence";
-    for (const BreakpointState& state : window_.shown()->breakpoints) {
+    for (const BreakpointState& state : frame_.session.current()->breakpoints) {
         search.breakpoints.push_back(state.breakpoint);
         diverges = diverges || (state.breakpoint.enabled && state.breakpoint.text == "divergence");
     }
     if (diverges && share_ < 1)
-        return window_.say(tr("The other rollouts are still being compared: where they leave the log is known then"));
+        return frame_.status.say(
+            tr("The other rollouts are still being compared: where they leave the log is known then"));
     for (std::size_t i = 1; i <= (search.wish.back ? shown : count - 1 - shown); ++i) {
         const std::size_t rollout = search.wish.back ? shown - i : shown + i;
         search.places.push_back(
@@ -170,7 +174,7 @@ void Overlay::lookInRollouts() {
     }
     const QString none = search.wish.back ? tr("No break in this rollout up to here, nor in those before it")
                                           : tr("No break in the rest of this rollout, nor in those after it");
-    if (search.places.empty()) return window_.say(none);
+    if (search.places.empty()) return frame_.status.say(none);
     const QString what = tr("Looking for a break in the other rollouts");
     const auto job = [this, world = world_, search, none, what](const JobQueue::GoesOn& goesOn) -> JobQueue::Answer {
         const auto progress = [&](double share) {
@@ -180,9 +184,9 @@ void Overlay::lookInRollouts() {
         const auto found = rolloutWithBreak(*world, search, progress);
         return [this, found, wish = search.wish, none, what] {
             emit searching(what, 1);
-            if (!found) return window_.say(qtText(found.error().message()));
+            if (!found) return frame_.status.say(qtText(found.error().message()));
             hits_ = found->hits;
-            if (!found->rollout) return reportHits(*shownRollout_), window_.say(none);
+            if (!found->rollout) return reportHits(*shownRollout_), frame_.status.say(none);
             Then then;
             then.look = wish;
             show(*found->rollout, {}, then);

@@ -1,10 +1,12 @@
 // The motion models of an overlay: added, taken away, and how true each of them is.
 #include <algorithm>
 
+#include "frame/actions.h"
+#include "frame/status_line.h"
 #include "reality/overlay.h"
+#include "session/session.h"
 #include "widgets/message_bar.h"
 #include "widgets/qt_text.h"
-#include "window/main_window.h"
 
 namespace mrose::gui {
 
@@ -74,7 +76,7 @@ void Overlay::takeModel(const WantedModel& wanted, Expected<OverlayModel> model)
     } else if (modelNamed(model->name) == nullptr) {
         model->shown = wanted.shown;
         if (!model->note.empty())
-            window_.messages().add(
+            frame_.messages.add(
                 {MessageBar::Kind::note, qtText(model->name + ": " + model->note), modelTopic(model->name)});
         models_.push_back(std::move(*model));
         compareModel(models_.size() - 1);
@@ -86,7 +88,7 @@ void Overlay::takeModel(const WantedModel& wanted, Expected<OverlayModel> model)
 void Overlay::removeModel(std::size_t model) {
     if (model == 0 || model >= models_.size()) return;
     std::erase_if(modelRollouts_, [&](const auto& rollout) { return rollout.name == models_[model].name; });
-    window_.messages().remove(modelTopic(models_[model].name));
+    frame_.messages.remove(modelTopic(models_[model].name));
     models_.erase(models_.begin() + static_cast<std::ptrdiff_t>(model));
     layReality();
     emit changed();

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <numbers>
 
-#include "panels/plot_panel.h"
 #include "reality/overlay.h"
 #include "widgets/qt_text.h"
 #include "widgets/real_robots.h"
-#include "window/main_window.h"
 
 namespace mrose::gui {
 namespace {
@@ -29,31 +27,27 @@ std::vector<PlotLevel> levelsOf(const DivergenceBound& bound, Nanoseconds tickLe
 
 }  // namespace
 
-void markDivergences(MainWindow& window, const Overlay& overlay) {
-    std::vector<Noted> noted;
-    std::vector<PlotLevel> levels;
-    std::optional<std::int64_t> instant;
-    if (overlay.shownRollout() && window.shown() != nullptr) {
-        const Scene& scene = window.shown()->frame->scene();
-        const std::vector<ComparedRobot>& robots = overlay.world()->world().robots();
-        for (std::size_t i = 0; i < robots.size(); ++i) {
-            const OverlayRow* const row = overlay.rowOf(*overlay.shownRollout(), i);
-            if (row == nullptr || !row->divergence) continue;
-            const Divergence& divergence = *row->divergence;
-            noted.push_back({{scene.ticksOf(divergence.time), TimelineMark::Kind::divergence, 0, 0},
-                             qtText(robots[i].name) + ", " + errorText({divergence.position, divergence.heading}),
-                             qtText(robots[i].name),
-                             overlay.shownRobot() != i});
-        }
-        std::stable_sort(noted.begin(), noted.end(),
-                         [](const Noted& a, const Noted& b) { return a.mark.tick < b.mark.tick; });
-        if (const OverlayRow* const row = overlay.shownRow()) {
-            levels = levelsOf(row->bound, scene.tickLength);
-            if (row->divergence) instant = scene.ticksOf(row->divergence->time);
-        }
+OverlayMarks marksOf(const Overlay& overlay, const Scene& scene) {
+    OverlayMarks marks;
+    if (!overlay.shownRollout()) return marks;
+    const std::vector<ComparedRobot>& robots = overlay.world()->world().robots();
+    for (std::size_t i = 0; i < robots.size(); ++i) {
+        const OverlayRow* const row = overlay.rowOf(*overlay.shownRollout(), i);
+        if (row == nullptr || !row->divergence) continue;
+        const Divergence& divergence = *row->divergence;
+        const QString name = qtText(robots[i].name);
+        marks.noted.push_back({{scene.ticksOf(divergence.time), TimelineMark::Kind::divergence, 0, 0},
+                               name + ", " + errorText({divergence.position, divergence.heading}),
+                               name,
+                               overlay.shownRobot() != i});
     }
-    window.note(std::move(noted));
-    window.plots().setReferences(std::move(levels), instant);
+    std::stable_sort(marks.noted.begin(), marks.noted.end(),
+                     [](const Noted& a, const Noted& b) { return a.mark.tick < b.mark.tick; });
+    if (const OverlayRow* const row = overlay.shownRow()) {
+        marks.levels = levelsOf(row->bound, scene.tickLength);
+        if (row->divergence) marks.instant = scene.ticksOf(row->divergence->time);
+    }
+    return marks;
 }
 
 }  // namespace mrose::gui

@@ -2,11 +2,12 @@
 #include <algorithm>
 
 #include "debug/plotted_value.h"
+#include "frame/actions.h"
+#include "frame/status_line.h"
 #include "reality/overlay.h"
-#include "reality/overlay_marks.h"
+#include "session/session.h"
 #include "widgets/field_view.h"
 #include "widgets/qt_text.h"
-#include "window/main_window.h"
 
 namespace mrose::gui {
 
@@ -59,16 +60,16 @@ void Overlay::layReality() {
         }
         laid->models.push_back(std::move(ghost));
     }
-    window_.session().setReality(run_, std::move(laid));
+    frame_.session.setReality(run_, std::move(laid));
 }
 
 /// In another rollout it has another number. A robot that is not in it is selected in the next rollout that has it.
 void Overlay::selectAgain(const std::string& name) {
     if (name.empty()) return;
-    const std::uint32_t body = bodyNamed(window_.shown()->frame->scene(), name);
+    const std::uint32_t body = bodyNamed(frame_.session.current()->frame->scene(), name);
     const bool there = body != noBody;
     absent_ = there ? std::string() : name;
-    window_.field().setSelected(there ? std::optional<std::size_t>(body) : std::nullopt);
+    field_.setSelected(there ? std::optional<std::size_t>(body) : std::nullopt);
 }
 
 void Overlay::setRobot(std::optional<std::size_t> robot) {
@@ -78,7 +79,7 @@ void Overlay::setRobot(std::optional<std::size_t> robot) {
     robot_ = robot;
     if (shownRobot() != before) {
         findCause();
-        markDivergences(window_, *this);
+        emit divergencesChanged();
     }
     emit changed();
 }
@@ -149,21 +150,21 @@ void Overlay::showNear() {
     const Point middle = area.middle();
     const auto half = [&](double size) { return std::max(least / 2, (1 + margin) * (size / 2 + reach)); };
     const Point reaches{half(area.most.x - area.least.x), half(area.most.y - area.least.y)};
-    window_.field().fit({middle - reaches, middle + reaches});
+    field_.fit({middle - reaches, middle + reaches});
 }
 
 /// Whether the rollout of the robot that is asked about lies outside of the view.
 bool Overlay::isAside() const {
     const OverlayRow* const row = shownRow();
     if (row == nullptr) return false;
-    const Area seen = window_.field().transform().shown();
+    const Area seen = field_.transform().shown();
     return row->area.most.x < seen.least.x || row->area.least.x > seen.most.x || row->area.most.y < seen.least.y ||
            row->area.least.y > seen.most.y;
 }
 
 /// As before it: the same part of the place, where the rollout lies in it.
 void Overlay::showAsBefore(const Coming& come) {
-    if (come.view) window_.field().setView(*come.view);
+    if (come.view) field_.setView(*come.view);
     if (come.near || isAside()) showNear();
 }
 

@@ -13,8 +13,8 @@
 #include <lua.hpp>
 
 #include "condition/condition.h"
-#include "panels/error_plot.h"
 #include "panels/plot_panel.h"
+#include "reality/error_plot.h"
 #include "reality/overlay.h"
 #include "scripting/export_script.h"
 #include "scripting/overlay_script.h"

@@ -397,7 +397,9 @@ void Session::deliver() {
         deliveryPending_ = false;
         what = std::exchange(ready_, nullptr);
     }
-    if (what) emit shown(std::move(what));
+    if (!what) return;
+    current_ = what;
+    emit shown(std::move(what));
 }
 
 }  // namespace mrose::gui

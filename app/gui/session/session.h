@@ -87,6 +87,10 @@ public:
     /// What work in any thread threw becomes failed().
     void reportFailure(const Error& error);
 
+    /// What was shown last; null: nothing yet. In the window's thread.
+    const Shown* current() const { return current_.get(); }
+    const std::shared_ptr<const Shown>& currentPointer() const { return current_; }
+
     /// Blocks until all requests so far have been carried out and shown; for scripts and tests.
     void settle();
 
@@ -125,6 +129,8 @@ private:
     void anchor();
     void publish();
     void deliver();
+
+    std::shared_ptr<const Shown> current_;  ///< of the window's thread
 
     // The thread's own.
     using Clock = std::chrono::steady_clock;

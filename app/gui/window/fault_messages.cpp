@@ -4,10 +4,10 @@
 #include <QStringList>
 
 #include "plugin/isolated_controller.h"
+#include "session/session.h"
 #include "widgets/message_bar.h"
 #include "widgets/qt_text.h"
 #include "widgets/timeline_bar.h"
-#include "window/main_window.h"
 
 namespace mrose::gui {
 namespace {
@@ -35,14 +35,14 @@ QString adviceFor(const std::string& fault) {
 
 }  // namespace
 
-FaultMessages::FaultMessages(MainWindow& window, MessageBar& messages)
-    : QObject(&window), window_(window), messages_(messages) {
-    connect(&window, &MainWindow::updated, this, [this] {
+FaultMessages::FaultMessages(Session& session, MessageBar& messages)
+    : QObject(&session), session_(session), messages_(messages) {
+    connect(&session, &Session::shown, this, [this] {
         sinceShown_.start();
         messages_.remove(hangTopic);
         showFaults();
     });
-    connect(&window.session(), &Session::failed, this, [this](const QString& error) {
+    connect(&session, &Session::failed, this, [this](const QString& error) {
         messages_.add({MessageBar::Kind::error, error, failureTopic});
     });
     look_.setInterval(lookEvery);
@@ -52,7 +52,7 @@ FaultMessages::FaultMessages(MainWindow& window, MessageBar& messages)
 
 /// Those up to the shown tick: one that a user dismissed stays so, until there is another.
 void FaultMessages::showFaults() {
-    const Shown& shown = *window_.shown();
+    const Shown& shown = *session_.current();
     if (shown.faults == reported_) return;
     reported_ = shown.faults;
     messages_.remove(faultTopic);
@@ -69,13 +69,12 @@ void FaultMessages::showFaults() {
                    text,
                    faultTopic,
                    {{tr("Go there"), tr("To the tick at which it happened"),
-                     [this, tick = first.tick] { window_.session().seek(tick); }}}});
+                     [this, tick = first.tick] { session_.seek(tick); }}}});
 }
 
 void FaultMessages::lookForHang() {
-    if (!window_.shown() || !sinceShown_.isValid() || sinceShown_.elapsed() < patience || !window_.session().busy())
-        return;
-    const QString plugins = pluginsOf(*window_.shown()->setup);
+    if (!session_.current() || !sinceShown_.isValid() || sinceShown_.elapsed() < patience || !session_.busy()) return;
+    const QString plugins = pluginsOf(*session_.current()->setup);
     if (plugins.isEmpty() || messages_.has(hangTopic)) return;
     messages_.add({MessageBar::Kind::progress,
                    tr("Waiting for a decision of %1; who takes too long is stopped").arg(plugins), hangTopic});

@@ -12,7 +12,7 @@ class MessageBar;
 
 namespace mrose::gui {
 
-class MainWindow;
+class Session;
 
 /// Says which robot's controller or model has failed, which plug-in keeps the run waiting, and what the session had to
 /// give up.
@@ -20,13 +20,13 @@ class FaultMessages final : public QObject {
     Q_OBJECT
 
 public:
-    FaultMessages(MainWindow& window, MessageBar& messages);
+    FaultMessages(Session& session, MessageBar& messages);
 
 private:
     void showFaults();
     void lookForHang();
 
-    MainWindow& window_;
+    Session& session_;
     MessageBar& messages_;
     std::vector<BranchRecord::FirstFault> reported_;
     QTimer look_;

@@ -28,16 +28,23 @@
 #include "actions/window_actions.h"
 #include "export/view_export.h"
 #include "files/window_files.h"
+#include "frame/dock_sizes.h"
+#include "frame/dock_toggle.h"
+#include "frame/focus_ring.h"
+#include "frame/input_keys.h"
+#include "frame/shrinking_area.h"
+#include "frame/theme_palette.h"
+#include "frame/window_memory.h"
 #include "panels/branch_panel.h"
 #include "panels/breakpoint_panel.h"
 #include "panels/command_panel.h"
-#include "panels/error_plot.h"
 #include "panels/plot_panel.h"
 #include "panels/side_view.h"
+#include "reality/error_plot.h"
 #include "reality/overlay.h"
+#include "reality/overlay_marks.h"
 #include "reality/overlay_panel.h"
 #include "session/background_work.h"
-#include "widgets/eliding_label.h"
 #include "widgets/field_view.h"
 #include "widgets/icons.h"
 #include "widgets/inspector.h"
@@ -45,15 +52,7 @@
 #include "widgets/qt_text.h"
 #include "widgets/rollout_strip.h"
 #include "widgets/timeline_bar.h"
-#include "window/dock_sizes.h"
-#include "window/dock_toggle.h"
 #include "window/fault_messages.h"
-#include "window/focus_ring.h"
-#include "window/input_keys.h"
-#include "window/quiet_message.h"
-#include "window/shrinking_area.h"
-#include "window/theme_palette.h"
-#include "window/window_memory.h"
 #include "window/work_progress.h"
 
 namespace mrose::gui {
@@ -71,7 +70,7 @@ QString speedName(double speed) {
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
       actions_(*this),
-      session_(new Session(this)),
+      session_(newSession()),
       view_(new SideView),
       timeline_(new TimelineBar),
       inspector_(new Inspector),
@@ -84,17 +83,16 @@ MainWindow::MainWindow(QWidget* parent)
       clock_(new QLabel),
       factor_(new QLabel),
       cursor_(new QLabel),
-      message_(new ElidingLabel),
+      status_(new StatusLine(*session_, actions_, view_->field())),
       messages_(new MessageBar),
       focusRing_(new FocusRing(*this)),
-      files_(new WindowFiles(*this, *messages_)),
-      memory_(new WindowMemory(*this)),
+      memory_(new WindowMemory(*this, actions_, *session_)),
+      files_(new WindowFiles(frame(), view_->field())),
       background_(new BackgroundWork(this)),
-      overlay_(new Overlay(*this)),
-      progress_(new WorkProgress(*this, *messages_)),
+      overlay_(new Overlay(frame(), view_->field(), *files_)),
+      progress_(new WorkProgress(frame(), *files_, *background_, *overlay_)),
       reality_(new OverlayPanel(*overlay_)),
-      strip_(new RolloutStrip),
-      quiet_(new QuietMessage(view_->field())) {
+      strip_(new RolloutStrip) {
     view_->setObjectName("field");
     timeline_->setObjectName("timeline");
     setWindowTitle("mrose");
@@ -114,13 +112,23 @@ MainWindow::MainWindow(QWidget* parent)
     makeToolBar();
     makeStatusBar();
     connectAll();
-    errors_ = new ErrorPlot(*this);
-    new FaultMessages(*this, *messages_);
+    errors_ = new ErrorPlot(frame(), field(), *plots_, *findChild<QDockWidget*>("plots"), *overlay_);
+    new FaultMessages(*session_, *messages_);
     new DockSizes(*this);
-    new InputKeys(*this);
+    connect(new InputKeys(*this), &InputKeys::takenBack, this, [this](QWidget* input) {
+        if (command_->isAncestorOf(input)) command_->takeBack();
+        field().setFocus(Qt::OtherFocusReason);
+    });
     setTheme(Theme::light());
     field().setEmptyText(tr("Nothing is open: Ctrl+O opens a scenario or a recording, or drop one here"));
     memory_->keepAsNew();
+}
+
+/// The panels show what is shown before anyone else looks at it.
+Session* MainWindow::newSession() {
+    auto* session = new Session(this);
+    connect(session, &Session::shown, this, &MainWindow::update);
+    return session;
 }
 
 void MainWindow::makeActions() {
@@ -151,16 +159,23 @@ void MainWindow::makeActions() {
 }
 
 void MainWindow::connectAll() {
-    connect(session_, &Session::shown, this, &MainWindow::update);
     // Who scrubs is not stopped.
     connect(timeline_, &TimelineBar::tickRequested, session_,
             [this](std::int64_t tick) { session_->seek(tick, false); });
+    files_->setLog(*overlay_);
+    connect(files_, &WindowFiles::opens, this, &MainWindow::prepare);
+    connect(overlay_, &Overlay::divergencesChanged, this, &MainWindow::markDivergences);
+    connect(memory_, &WindowMemory::layoutReset, this, [this] {
+        if (!overlay_->world()) return;
+        showReality();
+        errors_->showDock();
+    });
     connect(&field(), &FieldView::bodySelected, inspector_, &Inspector::setBody);
     connect(&field(), &FieldView::bodySelected, command_, &CommandPanel::setRobot);
     connect(&field(), &FieldView::bodySelected, this, &MainWindow::updateTimeline);
     connect(inspector_, &Inspector::commandActivated, this, [this](qint64 issued) {
         // The state after the decision is the first that shows it.
-        if (shown_) session_->seek(shown_->frame->scene().ticksOf(issued) + 1);
+        if (shown()) session_->seek(shown()->frame->scene().ticksOf(issued) + 1);
         command_->edit();
     });
     connect(command_, &CommandPanel::branchRequested, this, [this](const Edit& edit) {
@@ -175,7 +190,7 @@ void MainWindow::connectAll() {
         session_->ask([=](Debugger& debugger) { debugger.run().setBeside(branch); });
     });
     connect(branches_, &BranchPanel::branchRequested, this, [this](std::uint32_t branch) {
-        if (shown_ && branch != shown_->branch) session_->show(branch, shown_->tick());
+        if (shown() && branch != shown()->branch) session_->show(branch, shown()->tick());
     });
     connect(&field(), &FieldView::bodyMoved, this, &MainWindow::moveBody);
     connect(&field(), &FieldView::dragRefused, this,
@@ -277,9 +292,8 @@ void MainWindow::makeStatusBar() {
     statusBar()->setSizeGripEnabled(false);
     clock_->setMinimumWidth(170);
     cursor_->setMinimumWidth(140);
-    message_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     statusBar()->addWidget(clock_);
-    statusBar()->addWidget(message_, 1);
+    statusBar()->addWidget(status_, 1);
     auto* recording = new QLabel;
     recording->setObjectName("recording");
     recording->hide();
@@ -299,8 +313,9 @@ void MainWindow::setTheme(const Theme& theme) {
     theme_ = theme;
     QApplication::setPalette(paletteOf(theme_));
     focusRing_->setTheme(theme_);
-    const auto draw = [this](auto&... parts) { (parts->setTheme(theme_), ...); };
-    draw(view_, branches_, breakpoints_, timeline_, messages_, inspector_, plots_, reality_, strip_, quiet_);
+    const auto draw = [this](auto*... parts) { (parts->setTheme(theme_), ...); };
+    draw(view_, branches_, breakpoints_, timeline_, messages_, inspector_, plots_, reality_, strip_,
+         &status_->quietMessage());
     const std::initializer_list<std::pair<const char*, Icon>> icons{{"tick_forward", Icon::tickForward},
                                                                     {"tick_back", Icon::tickBack},
                                                                     {"period_forward", Icon::periodForward},
@@ -317,37 +332,40 @@ void MainWindow::setTheme(const Theme& theme) {
 Expected<void> MainWindow::open(const QString& name) { return files_->openNow(OpenRequest{name.toStdString()}); }
 
 std::uint64_t MainWindow::show(const OpenRun& run) {
-    say(reported_ = QString());  // what was said is about what was open before
+    prepare(run);
+    return session_->open(run);
+}
+
+void MainWindow::prepare(const OpenRun& run) {
+    status_->forget();
     title_ = qtText(run.name);
     setWindowTitle(title_ + " \u2013 mrose");
     plannedTicks_ = run.setup->scene().ticksOf(run.setup->scenario->parts().duration);
     field().setSelected(std::nullopt);
     realityMarks_.setNoted({});
     plots_->setReferences({}, {});
-    return session_->open(run);
 }
 
-void MainWindow::update(std::shared_ptr<const Shown> what) {
-    shown_ = std::move(what);
-    view_->setShown(*shown_);
-    inspector_->setFrame(shown_->frame);
-    plots_->setShown(shown_);
+void MainWindow::update() {
+    const Shown& now = *shown();
+    view_->setShown(now);
+    inspector_->setFrame(now.frame);
+    plots_->setShown(shownPointer());
     updateTimeline();
-    branches_->setShown(*shown_);
-    command_->setShown(*shown_);
-    if (shown_->subject) lookAtKick(*shown_->subject);
+    branches_->setShown(now);
+    command_->setShown(now);
+    if (now.subject) lookAtKick(*now.subject);
     // With nothing to be beside, it is off, and does not wait for the next branch.
-    if (!shown_->beside && actions_["side_by_side"].isChecked()) {
+    if (!now.beside && actions_["side_by_side"].isChecked()) {
         actions_["side_by_side"].setChecked(false);
         view_->setSideBySide(false);
     }
     updateStatus();
-    emit updated();
 }
 
 /// The robot that decided to kick, and what it kicked: the object nearest to it.
 void MainWindow::lookAtKick(std::size_t robot) {
-    const FieldFrame& frame = *shown_->frame;
+    const FieldFrame& frame = *shown()->frame;
     const auto away = [&](std::size_t body) {
         return distance(position(frame.poseOf(body)), position(frame.poseOf(robot)));
     };
@@ -359,22 +377,22 @@ void MainWindow::lookAtKick(std::size_t robot) {
 }
 
 void MainWindow::updateTimeline() {
-    if (!shown_) return;
+    if (!shown()) return;
     TimelineBar::Content content;
-    content.first = shown_->first;
-    content.last = shown_->last;
-    content.now = shown_->tick();
-    content.end = std::max(plannedTicks_, shown_->last);
-    content.tickLength = shown_->frame->scene().tickLength;
-    content.marks = shown_->marks;
-    content.scenario = shown_->frame->scenario;
-    for (const BreakpointState& state : shown_->breakpoints)
+    content.first = shown()->first;
+    content.last = shown()->last;
+    content.now = shown()->tick();
+    content.end = std::max(plannedTicks_, shown()->last);
+    content.tickLength = shown()->frame->scene().tickLength;
+    content.marks = shown()->marks;
+    content.scenario = shown()->frame->scenario;
+    for (const BreakpointState& state : shown()->breakpoints)
         content.breakpoints[state.breakpoint.id] = qtText(state.breakpoint.text);
-    if (shown_->branch != 0) content.departed = shown_->branches[shown_->branch].departed;
-    for (const BranchInfo& branch : shown_->branches)
-        if (branch.parent == shown_->branch && branch.departed > 0 && !branch.superseded)
+    if (shown()->branch != 0) content.departed = shown()->branches[shown()->branch].departed;
+    for (const BranchInfo& branch : shown()->branches)
+        if (branch.parent == shown()->branch && branch.departed > 0 && !branch.superseded)
             content.branches.push_back(branch.departed);
-    realityMarks_.addTo(content, *shown_, field().selected());
+    realityMarks_.addTo(content, *shown(), field().selected());
     timeline_->setContent(std::move(content));
 }
 
@@ -383,58 +401,41 @@ void MainWindow::note(std::vector<TimelineBar::Content::Noted> marks) {
     updateTimeline();
 }
 
+void MainWindow::markDivergences() {
+    OverlayMarks marks = shown() != nullptr ? marksOf(*overlay_, shown()->frame->scene()) : OverlayMarks{};
+    note(std::move(marks.noted));
+    plots_->setReferences(std::move(marks.levels), marks.instant);
+}
+
 void MainWindow::updateStatus() {
-    const bool playing = shown_ && shown_->playing;
+    const bool playing = shown() && shown()->playing;
     actions_["play"].setIcon(icon(playing ? Icon::pause : Icon::play, theme_));
     actions_["play"].setText(playing ? tr("&Pause") : tr("&Play"));
     // Keys and scripts ask for it themselves; a button that does nothing looks so.
     auto* bar = findChild<QToolBar*>("time_bar");
     for (QAction* action : bar->actions())
         if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(action)))
-            button->setEnabled(shown_ != nullptr);
-    if (!shown_) return seed_->setText(tr("seed \u2013"));
+            button->setEnabled(shown() != nullptr);
+    if (!shown()) return seed_->setText(tr("seed \u2013"));
     const auto offer = [&](const char* name, const QString& does, bool possible, const QString& what) {
         constexpr int widestName = 400;  // pixels
         QString quoted = fontMetrics().elidedText(what, Qt::ElideMiddle, widestName);
         actions_[name].setText(possible && !what.isEmpty() ? tr("%1: %2").arg(does, quoted.replace('&', "&&")) : does);
     };
-    offer("undo", tr("&Undo"), shown_->canUndo, qtText(shown_->undoName));
-    offer("redo", tr("&Redo"), shown_->canRedo, qtText(shown_->redoName));
-    seed_->setText(tr("seed %1").arg(shown_->frame->state.seed));
-    const Nanoseconds now = shown_->frame->scene().timeOf(shown_->tick());
-    const auto& reality = shown_->frame->reality;
-    clock_->setText(tr("%1   tick %2").arg(clockText(now)).arg(shown_->tick()) +
+    offer("undo", tr("&Undo"), shown()->canUndo, qtText(shown()->undoName));
+    offer("redo", tr("&Redo"), shown()->canRedo, qtText(shown()->redoName));
+    seed_->setText(tr("seed %1").arg(shown()->frame->state.seed));
+    const Nanoseconds now = shown()->frame->scene().timeOf(shown()->tick());
+    const auto& reality = shown()->frame->reality;
+    clock_->setText(tr("%1   tick %2").arg(clockText(now)).arg(shown()->tick()) +
                     (reality ? tr("   log %1").arg(clockText(reality->start + now)) : QString()));
     factor_->setText(
-        playing ? tr("real-time factor %1").arg(shown_->realTimeFactor, 0, 'f', shown_->realTimeFactor < 10 ? 2 : 0)
+        playing ? tr("real-time factor %1").arg(shown()->realTimeFactor, 0, 'f', shown()->realTimeFactor < 10 ? 2 : 0)
                 : tr("paused"));
-    if (const QString message = qtText(shown_->message); message != reported_)
-        say(reported_ = message);
-    else if (shown_->tick() != saidAt_)
-        say(reported_);
 }
 
 void MainWindow::moveBody(std::size_t body, const Pose& pose) {
-    if (!shown_) return;
-    const QString name = qtText(shown_->frame->nameOf(body));
-    const Pose& before = shown_->frame->poseOf(body);
-    const bool turned = before.x == pose.x && before.y == pose.y;
-    Edit edit{(turned ? tr("%1 turned") : tr("%1 moved")).arg(name).toStdString()};
-    edit.change = [body, pose](const Scenario&, WorldState& state) {
-        if (body < state.robots.size()) {
-            RobotState& robot = state.robots[body];
-            const Pose shift = pose * inverse(robot.pose);
-            robot.pose = pose;
-            robot.segment.start = shift * robot.segment.start;
-            robot.segment.direction = {std::cos(robot.segment.start.heading), std::sin(robot.segment.start.heading)};
-        } else {
-            ObjectState& object = state.objects[body - state.robots.size()];
-            object.pose = pose;
-            object.velocity_W = {};
-            object.roll_W = {};
-        }
-    };
-    session_->branchOff(edit);
+    if (shown()) session_->branchOff(mrose::moveBody(*shown()->frame, body, pose));
 }
 
 FieldView& MainWindow::field() const { return view_->field(); }
@@ -443,21 +444,11 @@ FieldView& MainWindow::besideField() const { return view_->beside(); }
 
 void MainWindow::setSideBySide(bool on) {
     view_->setSideBySide(on);
-    if (shown_) view_->setShown(*shown_);
+    if (shown()) view_->setShown(*shown());
 }
 
 QString MainWindow::askText(const QString& title, const QString& label, const QString& suggestion) {
     return QInputDialog::getText(this, title, label, QLineEdit::Normal, suggestion);
-}
-
-void MainWindow::say(const QString& text) {
-    saidAt_ = shown_ ? shown_->tick() : 0;
-    // While a script runs it is not shown, so that pictures are the same at any speed.
-    if (text.isEmpty()) quiet_->hide();
-    if (!text.isEmpty() && text != said_ && !actions_.unattended()) quiet_->say(text);
-    said_ = text;
-    message_->setText(text);
-    message_->setToolTip(text);
 }
 
 Expected<void> MainWindow::saveImage(const QString& path, QWidget* part) {
@@ -482,7 +473,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
 bool MainWindow::event(QEvent* event) {
     if (event->type() != QEvent::StatusTip) return QMainWindow::event(event);
     const QString tip = static_cast<QStatusTipEvent*>(event)->tip();
-    message_->setText(tip.isEmpty() ? said_ : tip);
+    status_->showTip(tip);
     return true;
 }
 

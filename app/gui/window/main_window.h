@@ -4,8 +4,10 @@
 #include <memory>
 #include <optional>
 
-#include "actions/actions.h"
 #include "debug/open_run.h"
+#include "frame/actions.h"
+#include "frame/frame.h"
+#include "frame/status_line.h"
 #include "reality/reality_marks.h"
 #include "session/session.h"
 #include "widgets/theme.h"
@@ -16,7 +18,6 @@ class QToolButton;
 
 namespace mrose {
 class RolloutStrip;
-class ElidingLabel;
 class FieldView;
 class Inspector;
 class MessageBar;
@@ -33,7 +34,6 @@ class FocusRing;
 class Overlay;
 class OverlayPanel;
 class PlotPanel;
-class QuietMessage;
 class SideView;
 class WindowFiles;
 class WindowMemory;
@@ -73,8 +73,8 @@ public:
     void note(std::vector<TimelineBar::Content::Noted> marks);
     /// Asks the user for a line; empty: the user cancelled.
     QString askText(const QString& title, const QString& label, const QString& suggestion = {});
-    const Shown* shown() const { return shown_.get(); }
-    const std::shared_ptr<const Shown>& shownPointer() const { return shown_; }
+    const Shown* shown() const { return session_->current(); }
+    const std::shared_ptr<const Shown>& shownPointer() const { return session_->currentPointer(); }
     Actions& actions() { return actions_; }
     MessageBar& messages() const { return *messages_; }
     WindowFiles& files() const { return *files_; }
@@ -85,14 +85,12 @@ public:
     /// Simulated seconds per second, one of the list from now on; 0: as fast as possible.
     void setSpeed(double speed);
     void setTheme(const Theme& theme);
-    const QString& said() const { return said_; }
-    void say(const QString& text);  ///< in the status bar, and for some seconds over the field
-    QuietMessage& quietMessage() const { return *quiet_; }
+    StatusLine& status() const { return *status_; }
+    const QString& said() const { return status_->said(); }
+    void say(const QString& text) { status_->say(text); }
+    QuietMessage& quietMessage() const { return status_->quietMessage(); }
     /// The window as it is, or a part of it, as PNG, SVG or PDF.
     Expected<void> saveImage(const QString& path, QWidget* part = nullptr);
-
-signals:
-    void updated();  ///< another tick is shown
 
 protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
@@ -106,11 +104,16 @@ private:
     void makeToolBar();
     void makeDocks();
     void makeStatusBar();
-    void update(std::shared_ptr<const Shown> what);
+    Session* newSession();
+    void update();
+    void prepare(const OpenRun& run);
+    void markDivergences();
     void updateTimeline();
     void updateStatus();
     void lookAtKick(std::size_t robot);
     void moveBody(std::size_t body, const Pose& pose);
+
+    Frame frame() { return {*this, *session_, actions_, *messages_, *status_, *memory_}; }
 
     Actions actions_;
     Session* session_;
@@ -124,25 +127,20 @@ private:
     QComboBox* speed_;
     QToolButton* seed_;
     QLabel *clock_, *factor_, *cursor_;
-    ElidingLabel* message_;
+    StatusLine* status_;
     MessageBar* messages_;
     FocusRing* focusRing_;
-    WindowFiles* files_;
     WindowMemory* memory_;
+    WindowFiles* files_;
     BackgroundWork* background_;
     Overlay* overlay_;
     WorkProgress* progress_;
     OverlayPanel* reality_;
     RolloutStrip* strip_;
     ErrorPlot* errors_ = nullptr;
-    QuietMessage* quiet_;
-    std::shared_ptr<const Shown> shown_;
     RealityMarks realityMarks_;
     std::int64_t plannedTicks_ = 0;
     QString title_;
-    std::int64_t saidAt_ = 0;  ///< the tick shown when something was said
-    QString reported_;         ///< the session's last message
-    QString said_;             ///< what the status bar says when no action is pointed at
     Theme theme_ = Theme::light();
 };
 

@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "files/window_files.h"
+#include "frame/actions.h"
 #include "reality/overlay.h"
 #include "session/background_work.h"
 #include "widgets/message_bar.h"
-#include "window/main_window.h"
 
 namespace mrose::gui {
 namespace {
@@ -19,30 +19,30 @@ constexpr int wholeShare = 1000;
 
 }  // namespace
 
-WorkProgress::WorkProgress(MainWindow& window, MessageBar& messages)
-    : QObject(&window), window_(window), messages_(messages) {
-    RunOpener& opener = window.files().opener();
+WorkProgress::WorkProgress(const Frame& frame, WindowFiles& files, BackgroundWork& background, Overlay& overlay)
+    : QObject(&frame.window), frame_(frame), files_(files), background_(background), overlay_(overlay) {
+    RunOpener& opener = files.opener();
     connect(&opener, &RunOpener::progress, this, [this](const QString& what) {
-        messages_.add({MessageBar::Kind::progress,
-                       tr("Opening %1").arg(what),
-                       openingTopic,
-                       {{tr("Cancel"), tr("Do not open it (Esc)"), [this] { window_.files().cancel(); }}}});
+        frame_.messages.add({MessageBar::Kind::progress,
+                             tr("Opening %1").arg(what),
+                             openingTopic,
+                             {{tr("Cancel"), tr("Do not open it (Esc)"), [this] { files_.cancel(); }}}});
     });
-    connect(&opener, &RunOpener::ended, this, [this] { messages_.remove(openingTopic); });
+    connect(&opener, &RunOpener::ended, this, [this] { frame_.messages.remove(openingTopic); });
     patience_.setSingleShot(true);
     patience_.setInterval(workPatience);
     connect(&patience_, &QTimer::timeout, this, &WorkProgress::show);
-    connect(&window.session(), &Session::working, this, [this](const QString& what, double share) {
+    connect(&frame.session, &Session::working, this, [this](const QString& what, double share) {
         onItsWay_ = false;
         work(what, share);
     });
-    connect(&window.background(), &BackgroundWork::progress, this, &WorkProgress::reportBackground);
-    connect(&window.overlay(), &Overlay::searching, this, [this](const QString& what, double share) {
+    connect(&background, &BackgroundWork::progress, this, &WorkProgress::reportBackground);
+    connect(&overlay, &Overlay::searching, this, [this](const QString& what, double share) {
         onItsWay_ = false;
         work(what, share);
     });
-    connect(&window, &MainWindow::updated, this, [this] {
-        const Shown& shown = *window_.shown();
+    connect(&frame.session, &Session::shown, this, [this] {
+        const Shown& shown = *frame_.session.current();
         if (!shown.goal) {
             if (std::exchange(onItsWay_, false)) work({}, 1);
             return;
@@ -58,54 +58,54 @@ WorkProgress::WorkProgress(MainWindow& window, MessageBar& messages)
 void WorkProgress::work(const QString& what, double share) {
     if (share >= 1) {
         patience_.stop();
-        messages_.remove(workTopic);
+        frame_.messages.remove(workTopic);
         work_.clear();
         return;
     }
     if (work_.isEmpty()) patience_.start();
     work_ = what;
     share_ = share;
-    if (messages_.has(workTopic)) show();
+    if (frame_.messages.has(workTopic)) show();
 }
 
 void WorkProgress::show() {
-    messages_.add({MessageBar::Kind::progress,
-                   work_,
-                   workTopic,
-                   {{tr("Cancel"), tr("End this here (Esc)"),
-                     [this] {
-                         if (!window_.session().cancel()) window_.overlay().cancel();
-                     }}},
-                   share_});
+    frame_.messages.add({MessageBar::Kind::progress,
+                         work_,
+                         workTopic,
+                         {{tr("Cancel"), tr("End this here (Esc)"),
+                           [this] {
+                               if (!frame_.session.cancel()) overlay_.cancel();
+                           }}},
+                         share_});
 }
 
 void WorkProgress::reportBackground(const QString& what, double share) {
     if (share >= 1) {
-        messages_.remove(backgroundTopic);
+        frame_.messages.remove(backgroundTopic);
         delete dialog_;
         return;
     }
-    if (window_.actions().unattended()) return;
+    if (frame_.actions.unattended()) return;
     if (!apart_)
-        return messages_.add({MessageBar::Kind::progress,
-                              what,
-                              backgroundTopic,
-                              {{tr("Cancel"), tr("End this here (Esc)"), [this] { window_.background().cancel(); }}},
-                              share});
+        return frame_.messages.add({MessageBar::Kind::progress,
+                                    what,
+                                    backgroundTopic,
+                                    {{tr("Cancel"), tr("End this here (Esc)"), [this] { background_.cancel(); }}},
+                                    share});
     if (!dialog_) {
-        dialog_ = new QProgressDialog(what, tr("Cancel"), 0, wholeShare, &window_);
+        dialog_ = new QProgressDialog(what, tr("Cancel"), 0, wholeShare, &frame_.window);
         dialog_->setMinimumWidth(420);
-        connect(dialog_, &QProgressDialog::canceled, this, [this] { window_.background().cancel(); });
+        connect(dialog_, &QProgressDialog::canceled, this, [this] { background_.cancel(); });
     }
     dialog_->setValue(static_cast<int>(share * wholeShare));
 }
 
 void WorkProgress::cancel() {
-    if (window_.files().cancel()) return;
-    if (window_.background().cancel()) return;
-    if (window_.session().cancel()) return;
-    if (window_.overlay().cancel()) return;
-    messages_.dismiss();
+    if (files_.cancel()) return;
+    if (background_.cancel()) return;
+    if (frame_.session.cancel()) return;
+    if (overlay_.cancel()) return;
+    frame_.messages.dismiss();
 }
 
 }  // namespace mrose::gui

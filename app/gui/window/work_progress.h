@@ -5,15 +5,15 @@
 #include <QString>
 #include <QTimer>
 
-class QProgressDialog;
+#include "frame/frame.h"
 
-namespace mrose {
-class MessageBar;
-}
+class QProgressDialog;
 
 namespace mrose::gui {
 
-class MainWindow;
+class BackgroundWork;
+class Overlay;
+class WindowFiles;
 
 /// Says what takes long, how far it is, and ends it where the user asks for that: opening a file, a job over the run,
 /// the way to a tick, what goes on in the background. What is done at once is not reported.
@@ -21,7 +21,7 @@ class WorkProgress final : public QObject {
     Q_OBJECT
 
 public:
-    WorkProgress(MainWindow& window, MessageBar& messages);
+    WorkProgress(const Frame& frame, WindowFiles& files, BackgroundWork& background, Overlay& overlay);
 
     /// Progress of the next work in the background is reported outside of the window, which is in its pictures.
     void setApart(bool apart) { apart_ = apart; }
@@ -34,8 +34,10 @@ private:
     void show();
     void reportBackground(const QString& what, double share);
 
-    MainWindow& window_;
-    MessageBar& messages_;
+    Frame frame_;
+    WindowFiles& files_;
+    BackgroundWork& background_;
+    Overlay& overlay_;
     QString work_;
     double share_ = 0;
     bool onItsWay_ = false;  ///< what is reported is the way to a tick

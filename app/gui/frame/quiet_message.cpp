@@ -1,4 +1,4 @@
-#include "window/quiet_message.h"
+#include "frame/quiet_message.h"
 
 #include <QEvent>
 #include <algorithm>

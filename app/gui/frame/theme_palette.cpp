@@ -1,4 +1,4 @@
-#include "window/theme_palette.h"
+#include "frame/theme_palette.h"
 
 namespace mrose::gui {
 

@@ -1,4 +1,4 @@
-#include "window/input_keys.h"
+#include "frame/input_keys.h"
 
 #include <QAbstractSpinBox>
 #include <QApplication>
@@ -8,10 +8,6 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QSpinBox>
-
-#include "panels/command_panel.h"
-#include "widgets/field_view.h"
-#include "window/main_window.h"
 
 namespace mrose::gui {
 namespace {
@@ -36,7 +32,7 @@ QLineEdit* lineOf(QWidget* input) {
 
 }  // namespace
 
-InputKeys::InputKeys(MainWindow& window) : QObject(&window), window_(window) {
+InputKeys::InputKeys(QWidget& window) : QObject(&window), window_(window) {
     connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) { follow(now); });
 }
 
@@ -83,8 +79,7 @@ bool InputKeys::eventFilter(QObject* watched, QEvent* event) {
 
 void InputKeys::takeBack() {
     if (QLineEdit* line = lineOf(input_)) line->setText(before_);
-    if (window_.commandPanel().isAncestorOf(input_)) window_.commandPanel().takeBack();
-    window_.field().setFocus(Qt::OtherFocusReason);
+    emit takenBack(input_);
 }
 
 }  // namespace mrose::gui

@@ -1,4 +1,4 @@
-#include "actions/actions.h"
+#include "frame/actions.h"
 
 #include <QMenu>
 #include <QMenuBar>

@@ -10,15 +10,16 @@ class QWidget;
 
 namespace mrose::gui {
 
-class MainWindow;
-
 /// Keys while something is typed in a panel: Escape takes back what is not accepted yet, and keys go to the field
 /// again. In a number Space is no letter, and so plays.
 class InputKeys final : public QObject {
     Q_OBJECT
 
 public:
-    explicit InputKeys(MainWindow& window);
+    explicit InputKeys(QWidget& window);
+
+signals:
+    void takenBack(QWidget* input);  ///< what was typed there is no more
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -28,7 +29,7 @@ private:
     void watchAccepted(const QLineEdit* line);
     void takeBack();
 
-    MainWindow& window_;
+    QWidget& window_;
     QPointer<QWidget> input_;
     QMetaObject::Connection accepted_;
     QString before_;  ///< what stood there when the keys came to it, or was accepted since

@@ -1,4 +1,4 @@
-#include "window/focus_ring.h"
+#include "frame/focus_ring.h"
 
 #include <QAbstractItemView>
 #include <QApplication>

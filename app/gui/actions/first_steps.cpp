@@ -1,4 +1,4 @@
-#include "panels/first_steps.h"
+#include "actions/first_steps.h"
 
 #include <QEvent>
 #include <QGridLayout>
@@ -79,7 +79,7 @@ FirstSteps::FirstSteps(MainWindow& window)
     const std::size_t undo = steps_.size() - 1;
     add({key("shortcuts"), tr("shows all keys")}, {"shortcuts"});
     connect(&window_.commandPanel(), &CommandPanel::branchRequested, this, [this, command] { tick(command); });
-    connect(&window_, &MainWindow::updated, this, [this, branch, kick, undo] {
+    connect(&window_.session(), &Session::shown, this, [this, branch, kick, undo] {
         if (window_.shown()->subject) tick(kick);
         const bool undone = window_.shown()->canRedo;
         if (undone && !couldRedo_) tick(undo);

@@ -1,4 +1,4 @@
-#include "window/dock_toggle.h"
+#include "frame/dock_toggle.h"
 
 #include <QAction>
 #include <QDockWidget>

@@ -1,4 +1,4 @@
-#include "window/dock_sizes.h"
+#include "frame/dock_sizes.h"
 
 #include <QApplication>
 #include <QDockWidget>

@@ -7,12 +7,19 @@
 #include <vector>
 
 #include "assessment/compare.h"
+#include "frame/frame.h"
 #include "panels/plot_panel.h"
 #include "session/job_queue.h"
 
+class QDockWidget;
+
+namespace mrose {
+class FieldView;
+}
+
 namespace mrose::gui {
 
-class MainWindow;
+class Overlay;
 
 /// Position and heading errors of a robot that really drove, of the run first and then of each model.
 std::vector<ValueKey> errorKeysOf(const Reality& reality, const std::string& robot);
@@ -24,7 +31,7 @@ class ErrorPlot final : public QObject {
     Q_OBJECT
 
 public:
-    explicit ErrorPlot(MainWindow& window);
+    ErrorPlot(const Frame& frame, const FieldView& field, PlotPanel& plots, QDockWidget& dock, Overlay& overlay);
 
     void setOn(bool on);  ///< of the log that is open
     /// Shows the plots' dock, unless it was closed.
@@ -41,7 +48,11 @@ private:
     void plot();
     PlotPanel::Foresight foresight(std::optional<std::size_t> robot) const;
 
-    MainWindow& window_;
+    Frame frame_;
+    const FieldView& field_;
+    PlotPanel& plots_;
+    QDockWidget& dock_;
+    Overlay& overlay_;
     bool on_ = true;
     bool changing_ = false;                      ///< what is plotted changes by this alone
     const void* world_ = nullptr;                ///< the log that is open

@@ -1,16 +1,17 @@
-#include "panels/error_plot.h"
+#include "reality/error_plot.h"
 
+#include <QAction>
 #include <QDockWidget>
 #include <QEvent>
 #include <algorithm>
 #include <numbers>
 
+#include "frame/window_memory.h"
 #include "reality/overlay.h"
+#include "session/session.h"
 #include "widgets/field_view.h"
 #include "widgets/message_bar.h"
 #include "widgets/qt_text.h"
-#include "window/main_window.h"
-#include "window/window_memory.h"
 
 namespace mrose::gui {
 namespace {
@@ -60,64 +61,66 @@ std::vector<ValueKey> errorKeysOf(const Reality& reality, const std::string& rob
     return keys;
 }
 
-ErrorPlot::ErrorPlot(MainWindow& window) : QObject(&window), window_(window) {
-    connect(&window.overlay(), &Overlay::changed, this, &ErrorPlot::follow);
-    connect(&window, &MainWindow::updated, this, &ErrorPlot::follow);
-    connect(&window.field(), &FieldView::bodySelected, this, &ErrorPlot::follow);
-    connect(&window.plots(), &PlotPanel::changed, this, [this] {
-        const std::vector<ValueKey>& keys = window_.plots().keys();
+ErrorPlot::ErrorPlot(const Frame& frame, const FieldView& field, PlotPanel& plots, QDockWidget& dock, Overlay& overlay)
+    : QObject(&frame.window), frame_(frame), field_(field), plots_(plots), dock_(dock), overlay_(overlay) {
+    connect(&overlay, &Overlay::changed, this, &ErrorPlot::follow);
+    connect(&frame.session, &Session::shown, this, &ErrorPlot::follow);
+    connect(&field, &FieldView::bodySelected, this, &ErrorPlot::follow);
+    connect(&plots, &PlotPanel::changed, this, [this] {
+        const std::vector<ValueKey>& keys = plots_.keys();
         const auto removed = [&](const ValueKey& key) { return !has(keys, key); };
         if (!changing_ && std::any_of(own_.begin(), own_.end(), removed)) {
             on_ = false;
             own_.clear();
         }
     });
-    auto* dock = window.findChild<QDockWidget*>("plots");
-    dock->installEventFilter(this);
-    connect(dock->toggleViewAction(), &QAction::triggered, this, [this](bool shown) {
+    dock.installEventFilter(this);
+    connect(dock.toggleViewAction(), &QAction::triggered, this, [this](bool shown) {
         if (!shown) return;
-        window_.memory().setErrorPlot(true);
+        frame_.memory.setErrorPlot(true);
         follow();
     });
 }
 
 void ErrorPlot::setOn(bool on) {
     on_ = on;
-    if (on) window_.memory().setErrorPlot(true);
+    if (on) frame_.memory.setErrorPlot(true);
     follow();
 }
 
 void ErrorPlot::showDock() {
-    if (window_.memory().errorPlot()) window_.showPlots();
+    if (!frame_.memory.errorPlot()) return;
+    dock_.show();
+    dock_.raise();
 }
 
 /// The user closed the plots.
 bool ErrorPlot::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::Close && rollout_) window_.memory().setErrorPlot(false);
+    if (event->type() == QEvent::Close && rollout_) frame_.memory.setErrorPlot(false);
     return QObject::eventFilter(watched, event);
 }
 
 void ErrorPlot::follow() {
-    const Overlay& overlay = window_.overlay();
+    const Overlay& overlay = overlay_;
     if (world_ != overlay.world().get()) {
         world_ = overlay.world().get();
         // A log that is read again is the same one.
-        on_ = on_ || window_.shown() == nullptr || window_.shown()->run != run_;
+        on_ = on_ || frame_.session.current() == nullptr || frame_.session.current()->run != run_;
         run_ = 0;
         rollout_ = nullptr;
         computing_.drop();
     }
     // Another rollout may be on its way: until it is there, nothing changes.
-    if (world_ != nullptr && (!overlay.shownRollout() || window_.shown() == nullptr)) return;
-    if (world_ != nullptr && run_ != window_.shown()->run) lookAtRollout();
+    if (world_ != nullptr && (!overlay.shownRollout() || frame_.session.current() == nullptr)) return;
+    if (world_ != nullptr && run_ != frame_.session.current()->run) lookAtRollout();
     plot();
 }
 
 void ErrorPlot::lookAtRollout() {
-    run_ = window_.shown()->run;
+    run_ = frame_.session.current()->run;
     computing_.drop();
     showDock();
-    const Overlay& overlay = window_.overlay();
+    const Overlay& overlay = overlay_;
     const auto job = [this, world = overlay.world(),
                       request = overlay.requests()[*overlay.shownRollout()]](const JobQueue::GoesOn& goesOn) {
         ComparisonOptions options;
@@ -132,15 +135,15 @@ void ErrorPlot::lookAtRollout() {
         });
     };
     computing_.post(job, [this](const Error& error) {
-        window_.messages().add({MessageBar::Kind::error, qtText(error.message()), errorPlotTopic});
+        frame_.messages.add({MessageBar::Kind::error, qtText(error.message()), errorPlotTopic});
     });
 }
 
 /// In Comparison::rollouts.
 std::optional<std::size_t> ErrorPlot::robot() const {
     if (!rollout_) return {};
-    const auto selected = window_.field().selected();
-    const FieldFrame& frame = *window_.shown()->frame;
+    const auto selected = field_.selected();
+    const FieldFrame& frame = *frame_.session.current()->frame;
     std::optional<std::size_t> worst;
     for (std::size_t i = 0; i < rollout_->rollouts.size(); ++i) {
         const ComparedRollout& rollout = rollout_->rollouts[i];
@@ -152,18 +155,18 @@ std::optional<std::size_t> ErrorPlot::robot() const {
 }
 
 void ErrorPlot::plot() {
-    const std::shared_ptr<const Shown> shown = window_.shownPointer();
+    const std::shared_ptr<const Shown> shown = frame_.session.currentPointer();
     const auto which = robot();
     Plotted now{rollout_, shown ? shown->frame->reality : nullptr, which,
-                shown && shown->branch == window_.overlay().comparedBranch(), on_ && window_.memory().errorPlot()};
+                shown && shown->branch == overlay_.comparedBranch(), on_ && frame_.memory.errorPlot()};
     if (plotted_ == now) return;
     plotted_ = now;
     std::vector<ValueKey> wanted;
     if (now.on && which && now.reality)
         wanted = errorKeysOf(*now.reality, rollout_->robots[rollout_->rollouts[*which].robot].name);
     changing_ = true;
-    window_.plots().setForesight(foresight(which));
-    window_.plots().replace(own_, wanted);
+    plots_.setForesight(foresight(which));
+    plots_.replace(own_, wanted);
     changing_ = false;
     own_ = std::move(wanted);
 }
@@ -174,10 +177,10 @@ PlotPanel::Foresight ErrorPlot::foresight(std::optional<std::size_t> which) cons
     const ComparedRollout& rollout = rollout_->rollouts[*which];
     const std::string& name = rollout_->robots[rollout.robot].name;
     const Reality& reality = *plotted_->reality;
-    const Scene& scene = window_.shown()->frame->scene();
-    known.run = window_.shown()->run;
+    const Scene& scene = frame_.session.current()->frame->scene();
+    known.run = frame_.session.current()->run;
     known.end = scene.ticksOf(rollout_->requests.front().steps * WindowOptions{}.step);
-    known.model = qtText(window_.overlay().models().front().name);
+    known.model = qtText(overlay_.models().front().name);
     const auto real = std::find_if(reality.robots.begin(), reality.robots.end(),
                                    [&](const Reality::Robot& robot) { return robot.name == name; });
     for (const ValueKey& key : errorKeysOf(reality, name)) {

@@ -10,11 +10,13 @@
 
 #include "debug/shown.h"
 
+class QMainWindow;
 class QMenu;
 
 namespace mrose::gui {
 
-class MainWindow;
+class Actions;
+class Session;
 
 /// What the window keeps from one start to the next: where its docks are, its size, colours, layers, and the files that
 /// were opened last. Scripts and pictures made without a display have none, so that they come out the same anywhere.
@@ -22,7 +24,7 @@ class WindowMemory final : public QObject {
     Q_OBJECT
 
 public:
-    explicit WindowMemory(MainWindow& window);
+    WindowMemory(QMainWindow& window, Actions& actions, Session& session);
 
     /// The user's settings file.
     static std::unique_ptr<QSettings> ofUser();
@@ -56,10 +58,15 @@ public:
     /// Fills a menu whenever it is about to be shown.
     void fillRecent(QMenu& menu, std::function<void(const QString&)> open);
 
+signals:
+    void layoutReset();  ///< what is opened by what is shown may be opened again
+
 private:
     void changeRecent(const std::function<void()>& change);
 
-    MainWindow& window_;
+    QMainWindow& window_;
+    Actions& actions_;
+    Session& session_;
     std::unique_ptr<QSettings> settings_;
     QSize newSize_;
     QByteArray newState_;

@@ -1,18 +1,18 @@
-#include "window/window_memory.h"
+#include "frame/window_memory.h"
 
 #include <QDir>
 #include <QFileInfo>
 #include <QGuiApplication>
+#include <QMainWindow>
 #include <QMenu>
 #include <QScreen>
 #include <QUrl>
 #include <algorithm>
 #include <optional>
 
-#include "panels/error_plot.h"
-#include "reality/overlay.h"
+#include "frame/actions.h"
+#include "session/session.h"
 #include "widgets/qt_text.h"
-#include "window/main_window.h"
 
 namespace mrose::gui {
 namespace {
@@ -67,7 +67,8 @@ QString tasteKey(const QAction& action) { return "view/" + action.objectName(); 
 
 }  // namespace
 
-WindowMemory::WindowMemory(MainWindow& window) : QObject(&window), window_(window) {}
+WindowMemory::WindowMemory(QMainWindow& window, Actions& actions, Session& session)
+    : QObject(&window), window_(window), actions_(actions), session_(session) {}
 
 std::unique_ptr<QSettings> WindowMemory::ofUser() {
     return std::make_unique<QSettings>(QSettings::IniFormat, QSettings::UserScope, "mrose", "mrose-gui");
@@ -75,7 +76,7 @@ std::unique_ptr<QSettings> WindowMemory::ofUser() {
 
 void WindowMemory::restore(std::unique_ptr<QSettings> settings) {
     settings_ = std::move(settings);
-    forTastes(window_.actions(), [this](QAction& action) {
+    forTastes(actions_, [this](QAction& action) {
         const QVariant kept = settings_->value(tasteKey(action));
         if (kept.isValid() && kept.toBool() != action.isChecked()) action.trigger();
     });
@@ -90,8 +91,7 @@ void WindowMemory::save() {
     if (!settings_) return;
     settings_->setValue(geometryKey, window_.saveGeometry());
     settings_->setValue(stateKey, window_.saveState(layoutVersion));
-    forTastes(window_.actions(),
-              [this](const QAction& action) { settings_->setValue(tasteKey(action), action.isChecked()); });
+    forTastes(actions_, [this](const QAction& action) { settings_->setValue(tasteKey(action), action.isChecked()); });
     settings_->sync();
 }
 
@@ -104,10 +104,8 @@ void WindowMemory::resetLayout() {
     window_.setWindowState(window_.windowState() & ~(Qt::WindowMaximized | Qt::WindowFullScreen));
     window_.resize(settings_ ? withinScreen(newSize_) : newSize_);
     window_.restoreState(newState_, layoutVersion);
-    if (!window_.overlay().world()) return;
-    window_.showReality();
     setErrorPlot(true);
-    window_.errorPlot().showDock();
+    emit layoutReset();
 }
 
 void WindowMemory::setErrorPlot(bool on) {
@@ -174,7 +172,7 @@ void WindowMemory::restoreBreakpoints(const QString& file, std::uint64_t run) {
     std::vector<Breakpoint> breakpoints;
     for (const QString& line : settings_->value(breaksKey(breaksOf_)).toStringList())
         if (const auto breakpoint = breakOf(line)) breakpoints.push_back(*breakpoint);
-    window_.session().setBreakpoints(breakpoints);
+    session_.setBreakpoints(breakpoints);
 }
 
 void WindowMemory::fillRecent(QMenu& menu, std::function<void(const QString&)> open) {

@@ -1,0 +1,34 @@
+#include "frame/status_line.h"
+
+#include "frame/actions.h"
+#include "session/session.h"
+#include "widgets/qt_text.h"
+
+namespace mrose::gui {
+
+StatusLine::StatusLine(Session& session, const Actions& actions, QWidget& over)
+    : session_(session), actions_(actions), quiet_(*new QuietMessage(over)) {
+    setTextInteractionFlags(Qt::TextSelectableByMouse);
+    connect(&session, &Session::shown, this, &StatusLine::follow);
+}
+
+void StatusLine::follow() {
+    if (const QString message = qtText(session_.current()->message); message != reported_)
+        say(reported_ = message);
+    else if (session_.current()->tick() != saidAt_)
+        say(reported_);
+}
+
+void StatusLine::forget() { say(reported_ = QString()); }
+
+void StatusLine::say(const QString& text) {
+    saidAt_ = session_.current() ? session_.current()->tick() : 0;
+    // While a script runs it is not shown, so that pictures are the same at any speed.
+    if (text.isEmpty()) quiet_.hide();
+    if (!text.isEmpty() && text != said_ && !actions_.unattended()) quiet_.say(text);
+    said_ = text;
+    setText(text);
+    setToolTip(text);
+}
+
+}  // namespace mrose::gui

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "debug/branch_record.h"
+#include "debug/branch_setup.h"
+#include "debug/field_frame.h"
+
+namespace mrose {
+
+/// What is changed by hand at a tick. It begins a branch.
+struct Edit {
+    std::string name;  ///< of the branch
+    /// nullopt: the shown tick. Before it: the branch begins there, where the shown branch was then.
+    std::optional<std::int64_t> tick = {};
+    std::function<void(const Scenario&, WorldState&)> change = {};  ///< of the state there; may be empty
+    std::vector<HandOrder> orders = {};
+    /// This robot has observed and decided in that tick as it did, and then gets another command: what its sensors and
+    /// its controller remember is that of after its decision. The tick after must be known.
+    std::optional<std::uint32_t> afterDeciding = {};
+    BranchSetupPointer setup = {};         ///< another one; null: as before
+    std::optional<WorldState> start = {};  ///< in another setup: begins with this state instead of the one that was
+};
+
+/// A body in another place, or turned; an object lies still there.
+Edit moveBody(const FieldFrame& frame, std::size_t body, const Pose& pose);
+/// The shown state with other noise from there on.
+Edit changeNoise();
+/// From the run's start with another seed.
+Edit restartWithSeed(const BranchSetupPointer& setup, std::uint64_t seed);
+/// The shown state in another setup, whose parts keep what they remember where they can; `name` says what is changed.
+Edit changeSetup(const std::string& name, const BranchSetupPointer& from, BranchSetupPointer to);
+
+}  // namespace mrose
