@@ -46,26 +46,26 @@ OpenRequest requestOf(const CommandLine& line) {
 }
 
 /// A log given as FILE or with --log is laid over its simulation; --run and recordings are opened as they are.
-std::optional<OverlayRequest> overlayOf(const CommandLine& line) {
+std::optional<PlayedLogRequest> overlayOf(const CommandLine& line) {
     const std::string place = placeOfLog(line.file);
     const bool isLog = !line.file.empty() && looksLikeLog(place);
     if (line.run || (!isLog && line.log.empty())) return {};
-    return OverlayRequest{isLog ? place : placeOfLog(line.log),
-                          isLog ? "" : line.file,
-                          line.robotFile,
-                          line.robots,
-                          line.models,
-                          line.seed,
-                          line.pluginLimit};
+    return PlayedLogRequest{isLog ? place : placeOfLog(line.log),
+                            isLog ? "" : line.file,
+                            line.robotFile,
+                            line.robots,
+                            line.models,
+                            line.seed,
+                            line.pluginLimit};
 }
 
 /// nullopt: the one that suits the log.
-std::optional<OverlayPlan> planOf(const CommandLine& line) {
+std::optional<RolloutPlan> planOf(const CommandLine& line) {
     if (!line.windows && !line.duration && !line.every && !line.start) return {};
-    OverlayPlan plan;
-    plan.cut = line.windows                   ? OverlayPlan::Cut::windows
-               : line.duration && !line.every ? OverlayPlan::Cut::once
-                                              : OverlayPlan::Cut::every;
+    RolloutPlan plan;
+    plan.cut = line.windows                   ? RolloutPlan::Cut::windows
+               : line.duration && !line.every ? RolloutPlan::Cut::once
+                                              : RolloutPlan::Cut::every;
     plan.start = line.start.value_or(plan.start);
     plan.length = line.every ? *line.every : line.duration.value_or(plan.length);
     if (line.every && line.duration) plan.stretch = line.duration;

@@ -75,8 +75,8 @@ protected:
 
     /// All that a user sees of a log and its run.
     struct State {
-        OverlayWorldPointer world;
-        OverlayPlan plan;
+        PlayedLogPointer world;
+        RolloutPlan plan;
         std::size_t rollouts = 0, rows = 0, models = 0;
         std::optional<std::size_t> rollout;
         std::uint64_t run = 0;
@@ -89,25 +89,25 @@ protected:
     };
     State now() const {
         const Shown& shown = *window.shown();
-        return {overlay.world(),
-                overlay.plan(),
-                overlay.requests().size(),
-                overlay.rows().size(),
-                overlay.models().size(),
-                overlay.shownRollout(),
+        return {overlay.rollouts().log(),
+                overlay.rollouts().plan(),
+                overlay.rollouts().requests().size(),
+                overlay.rollouts().rows().size(),
+                overlay.models().all().size(),
+                overlay.rollouts().shown(),
                 shown.run,
                 shown.tick(),
                 hashOf(shown.frame->state),
                 shown.branches.size(),
                 shown.breakpoints.size(),
-                overlay.comparison(),
+                overlay.rollouts().comparison(),
                 shown.frame->reality.get()};
     }
     /// The shipped log in its third rollout, with a branch, a breakpoint and a second model.
     void work() {
         openLog(shipped());
         overlay.show(2);
-        overlay.addModel("velocity = command");
+        overlay.models().add("velocity = command");
         settleAll();
         seek(40);
         window.session().branchOff({"mine"});
@@ -122,30 +122,30 @@ TEST_F(LogOpeningTest, ShortTrajectoriesAreCutAsEvaluateCutsThem) {
     const std::string file = huskyLog(6);
     dropAndSettle(file);
     EXPECT_THAT(errors(), IsEmpty());
-    ASSERT_TRUE(overlay.world());
-    EXPECT_EQ(overlay.plan(), (OverlayPlan{OverlayPlan::Cut::windows, 0, 1.9}));
+    ASSERT_TRUE(overlay.rollouts().log());
+    EXPECT_EQ(overlay.rollouts().plan(), (RolloutPlan{RolloutPlan::Cut::windows, 0, 1.9}));
     const auto log = readLog(file);
     ASSERT_TRUE(log);
     const auto windows = findWindows(*log);
     ASSERT_TRUE(windows);
-    ASSERT_EQ(overlay.requests().size(), windows->size());
+    ASSERT_EQ(overlay.rollouts().requests().size(), windows->size());
     for (std::size_t i = 0; i < windows->size(); ++i) {
-        const RolloutRequest& request = overlay.requests()[i];
-        const LogSession::Part& part = overlay.world()->world().sessions()[request.session].parts[0];
+        const RolloutRequest& request = overlay.rollouts().requests()[i];
+        const LogSession::Part& part = overlay.rollouts().world().sessions()[request.session].parts[0];
         EXPECT_EQ(part.trajectory, (*windows)[i].trajectory);
         EXPECT_EQ(part.origin + request.start, (*windows)[i].start);
         EXPECT_EQ(request.steps, (*windows)[i].steps());
     }
     EXPECT_THAT(notes(), Contains(HasSubstr("windows of 1.9 s, as mrose evaluate cuts them")));
-    EXPECT_EQ(overlay.shownRollout(), 0u);
-    ASSERT_TRUE(overlay.setPlan({OverlayPlan::Cut::windows, 0, 1}));
+    EXPECT_EQ(overlay.rollouts().shown(), 0u);
+    ASSERT_TRUE(overlay.setPlan({RolloutPlan::Cut::windows, 0, 1}));
     settleAll();
     EXPECT_THAT(notes(), Not(Contains(HasSubstr("as mrose evaluate cuts them")))) << "it is no longer so";
 }
 
 TEST_F(LogOpeningTest, PanelOfALogInPiecesTellsThemApart) {
     ASSERT_NO_FATAL_FAILURE(openLog(huskyLog(6)));
-    EXPECT_EQ(overlay.world()->world().robots()[0].name, "husky");
+    EXPECT_EQ(overlay.rollouts().world().robots()[0].name, "husky");
     // Six times 1.95 s.
     EXPECT_THAT(head(), HasSubstr("6 rollouts of 1 robot, 6 sessions, 0:11 min in all"));
     const QTreeView& list = panel.list();
@@ -159,7 +159,7 @@ TEST_F(LogOpeningTest, PanelOfALogInPiecesTellsThemApart) {
     EXPECT_THAT(panel.causes().text().toStdString(), HasSubstr("husky in session 4 from"));
     EXPECT_THAT(window.windowTitle().toStdString(), HasSubstr("session 4"));
     const std::string whole = makeLog([](Log& log) { log.robots[0].trajectories.resize(1); });
-    ASSERT_NO_FATAL_FAILURE(openLog(whole, {OverlayPlan::Cut::every, 0, 2}));
+    ASSERT_NO_FATAL_FAILURE(openLog(whole, {RolloutPlan::Cut::every, 0, 2}));
     EXPECT_FALSE(list.isColumnHidden(RolloutList::robot));
     EXPECT_TRUE(list.isColumnHidden(RolloutList::session));
     EXPECT_THAT(head(), Not(HasSubstr("sessions")));
@@ -167,11 +167,11 @@ TEST_F(LogOpeningTest, PanelOfALogInPiecesTellsThemApart) {
 
 TEST_F(LogOpeningTest, PlanThatIsAskedForIsKept) {
     const std::string file = huskyLog(6);
-    EXPECT_THAT(refusal({file, ""}, OverlayPlan{}), HasSubstr("no rollout of 10.0 s fits in"));
-    EXPECT_FALSE(overlay.world());
-    EXPECT_EQ(refusal({file, ""}, OverlayPlan{OverlayPlan::Cut::every, 0, 0.5}), "");
-    EXPECT_EQ(overlay.plan().cut, OverlayPlan::Cut::every);
-    EXPECT_EQ(overlay.requests().size(), 6u * 3);
+    EXPECT_THAT(refusal({file, ""}, RolloutPlan{}), HasSubstr("no rollout of 10.0 s fits in"));
+    EXPECT_FALSE(overlay.rollouts().log());
+    EXPECT_EQ(refusal({file, ""}, RolloutPlan{RolloutPlan::Cut::every, 0, 0.5}), "");
+    EXPECT_EQ(overlay.rollouts().plan().cut, RolloutPlan::Cut::every);
+    EXPECT_EQ(overlay.rollouts().requests().size(), 6u * 3);
     EXPECT_THAT(notes(), Not(Contains(HasSubstr("are short"))));
 }
 
@@ -184,8 +184,8 @@ TEST_F(LogOpeningTest, RobotThatStandsOpensToo) {
         }
     });
     ASSERT_NO_FATAL_FAILURE(openLog(file));
-    EXPECT_EQ(overlay.plan().cut, OverlayPlan::Cut::every);
-    EXPECT_THAT(overlay.rows(), Not(IsEmpty()));
+    EXPECT_EQ(overlay.rollouts().plan().cut, RolloutPlan::Cut::every);
+    EXPECT_THAT(overlay.rollouts().rows(), Not(IsEmpty()));
     EXPECT_THAT(notes(), Contains(HasSubstr("starts again every")));
 }
 
@@ -194,7 +194,7 @@ TEST_F(LogOpeningTest, SingleCommandIsEnough) {
         for (Trajectory& trajectory : log.robots[0].trajectories) trajectory.commands.resize(1);
     });
     ASSERT_NO_FATAL_FAILURE(openLog(file));
-    ASSERT_TRUE(overlay.shownRollout());
+    ASSERT_TRUE(overlay.rollouts().shown());
     EXPECT_THAT(errors(), IsEmpty());
     seek(100);
     EXPECT_EQ(window.shown()->tick(), 100);
@@ -202,9 +202,9 @@ TEST_F(LogOpeningTest, SingleCommandIsEnough) {
 
 TEST_F(LogOpeningTest, NetworkOfAnotherKindOfRobotSaysSo) {
     ASSERT_NO_FATAL_FAILURE(openLog(makeLog()));
-    overlay.addModel("create.net");
+    overlay.models().add("create.net");
     settleAll();
-    ASSERT_EQ(overlay.models().size(), 2u);
+    ASSERT_EQ(overlay.models().all().size(), 2u);
     EXPECT_THAT(notes(), Contains(HasSubstr("another kind of robot (irobot-create)")));
 }
 
@@ -213,7 +213,7 @@ TEST_F(LogOpeningTest, WhatDroveInOnesOwnLogIsAsked) {
     const std::string file = ownLog();
     dropAndSettle(file);
     EXPECT_THAT(errors(), IsEmpty());
-    EXPECT_FALSE(overlay.world());
+    EXPECT_FALSE(overlay.rollouts().log());
     ASSERT_NE(dialog(), nullptr);
     ASSERT_TRUE(dialog()->isVisible());
     QListWidget& robots = dialog()->robots();
@@ -233,10 +233,10 @@ TEST_F(LogOpeningTest, WhatDroveInOnesOwnLogIsAsked) {
     QTest::keyClick(&robots, Qt::Key_Return);
     settleAll();
     EXPECT_THAT(errors(), IsEmpty());
-    ASSERT_TRUE(overlay.world());
-    EXPECT_EQ(overlay.world()->request.robotFile, "pioneer1.toml");
-    EXPECT_EQ(overlay.world()->world().parts().scene.typeOf(0).name, "Pioneer 1");
-    EXPECT_EQ(overlay.shownRollout(), 0u);
+    ASSERT_TRUE(overlay.rollouts().log());
+    EXPECT_EQ(overlay.rollouts().log()->request.robotFile, "pioneer1.toml");
+    EXPECT_EQ(overlay.rollouts().world().parts().scene.typeOf(0).name, "Pioneer 1");
+    EXPECT_EQ(overlay.rollouts().shown(), 0u);
     EXPECT_THAT(window.memory().recentFiles(), Contains(qtText(file)));
     // Once more: what was said stands ready.
     overlay.close();
@@ -245,7 +245,7 @@ TEST_F(LogOpeningTest, WhatDroveInOnesOwnLogIsAsked) {
     EXPECT_TRUE(dialog()->robots().currentItem()->text().startsWith("Pioneer"));
     QTest::keyClick(&dialog()->robots(), Qt::Key_Return);
     settleAll();
-    EXPECT_TRUE(overlay.world());
+    EXPECT_TRUE(overlay.rollouts().log());
 }
 
 TEST_F(LogOpeningTest, WhatCannotBeComparedIsRefusedBeforeItIsAskedWhatDrove) {
@@ -257,7 +257,7 @@ TEST_F(LogOpeningTest, WhatCannotBeComparedIsRefusedBeforeItIsAskedWhatDrove) {
         });
         dropAndSettle(path("made.csv"));
         EXPECT_EQ(dialog(), nullptr);
-        EXPECT_FALSE(overlay.world());
+        EXPECT_FALSE(overlay.rollouts().log());
         return errors();
     };
     EXPECT_THAT(opened([](Trajectory& trajectory) {
@@ -274,14 +274,14 @@ TEST_F(LogOpeningTest, EmptyTruthOfOneRobotIsSaidAndTheOthersOpen) {
     const MrclamFolder folder(3);
     folder.write(2, "Groundtruth", "");
     ASSERT_NO_FATAL_FAILURE(openLog(folder.path()));
-    EXPECT_EQ(overlay.world()->world().robots().size(), 2u);
+    EXPECT_EQ(overlay.rollouts().world().robots().size(), 2u);
     EXPECT_THAT(errors(), IsEmpty());
     EXPECT_THAT(notes(), Contains(HasSubstr("Robot2_Groundtruth.dat has no rows: nothing says where robot 2 was.")));
     EXPECT_THAT(notes(), Contains(HasSubstr("Robot \"2\" is not compared: the log has no ground truth of it.")));
     // So it is with a scenario of five.
     EXPECT_THAT(refusal({folder.path(), "mrclam_replay.toml"}), IsEmpty());
     settleAll();
-    EXPECT_EQ(overlay.world()->world().robots().size(), 2u);
+    EXPECT_EQ(overlay.rollouts().world().robots().size(), 2u);
 }
 
 TEST_F(LogOpeningTest, NotesTellOfOtherUnitsAndNameNoFlag) {
@@ -291,7 +291,7 @@ TEST_F(LogOpeningTest, NotesTellOfOtherUnitsAndNameNoFlag) {
         for (Trajectory& trajectory : log.robots[0].trajectories)
             for (StampedPose& stamped : trajectory.poses) stamped.pose.heading *= 180 / std::numbers::pi;
     });
-    OverlayRequest request{file, ""};
+    PlayedLogRequest request{file, ""};
     request.robotFile = "pioneer1.toml";
     ASSERT_EQ(refusal(request), "");
     settleAll();
@@ -332,8 +332,8 @@ TEST_F(LogOpeningTest, RobotFileOfOnesOwnComesIntoTheList) {
     EXPECT_EQ(dialog()->robots().currentRow(), shippedOnes);
     QTest::keyClick(&dialog()->robots(), Qt::Key_Return);
     settleAll();
-    ASSERT_TRUE(overlay.world());
-    EXPECT_EQ(overlay.world()->world().parts().scene.typeOf(0).mass, 9);
+    ASSERT_TRUE(overlay.rollouts().log());
+    EXPECT_EQ(overlay.rollouts().world().parts().scene.typeOf(0).mass, 9);
 }
 
 TEST_F(LogOpeningTest, ScriptsSayWhatDrove) {
@@ -362,14 +362,14 @@ TEST_F(LogOpeningTest, WhatCannotBeOpenedLeavesAllAsItIs) {
         for (Trajectory& trajectory : log->robots[0].trajectories) trajectory.poses.clear();
         ASSERT_TRUE(writeCsv(noTruth, *log));
     }
-    OverlayRequest badRobot{own, ""}, noScenario{shipped(), path("missing.toml")}, otherRobots{shipped(), ""};
+    PlayedLogRequest badRobot{own, ""}, noScenario{shipped(), path("missing.toml")}, otherRobots{shipped(), ""};
     badRobot.robotFile = write("bad.toml", "format = \"mrose robot\"\nversion = 1\nmass_kg = -1\n");
     otherRobots.robots = {"nobody"};
-    OverlayRequest noRobot{own, ""};
+    PlayedLogRequest noRobot{own, ""};
     noRobot.robotFile = "nosuch.toml";
-    OverlayRequest blind{noTruth, ""};
+    PlayedLogRequest blind{noTruth, ""};
     blind.robotFile = "pioneer1.toml";
-    const std::vector<std::pair<OverlayRequest, std::string>> wrong{
+    const std::vector<std::pair<PlayedLogRequest, std::string>> wrong{
         {{path("missing.csv"), ""}, "does not exist"},
         {{write("foreign.csv", "a,b\n1,2\n"), ""}, "is no log"},
         {{write("half.csv", text.substr(0, text.rfind(',')) + "\n"), ""}, "half.csv:"},
@@ -388,7 +388,7 @@ TEST_F(LogOpeningTest, WhatCannotBeOpenedLeavesAllAsItIs) {
         EXPECT_EQ(now(), before) << words;
     }
     window.messages().clear();
-    overlay.open({shipped(), ""}, OverlayPlan{OverlayPlan::Cut::every, 1e5, 10});
+    overlay.open({shipped(), ""}, RolloutPlan{RolloutPlan::Cut::every, 1e5, 10});
     settleAll();
     EXPECT_THAT(errors(), ElementsAre(HasSubstr("expected an earlier start")));
     EXPECT_EQ(now(), before);
@@ -396,7 +396,7 @@ TEST_F(LogOpeningTest, WhatCannotBeOpenedLeavesAllAsItIs) {
     window.files().setQuestion([](const QString&) { return WindowFiles::Answer::discard; });
     overlay.showNext(1);
     settleAll();
-    EXPECT_EQ(overlay.shownRollout(), 3u);
+    EXPECT_EQ(overlay.rollouts().shown(), 3u);
 }
 
 TEST_F(LogOpeningTest, UnsavedBranchesAreAskedAboutOnceTheOtherLogIsThere) {
@@ -417,8 +417,8 @@ TEST_F(LogOpeningTest, UnsavedBranchesAreAskedAboutOnceTheOtherLogIsThere) {
     overlay.open({other, ""});
     settleAll();
     EXPECT_EQ(asked, 2);
-    EXPECT_EQ(overlay.world()->place, other);
-    EXPECT_THAT(overlay.models(), testing::SizeIs(1));
+    EXPECT_EQ(overlay.rollouts().log()->place, other);
+    EXPECT_THAT(overlay.models().all(), testing::SizeIs(1));
 }
 
 TEST_F(LogOpeningTest, FolderOfLogsIsExplained) {
@@ -447,7 +447,7 @@ TEST_F(LogOpeningTest, ColumnsHoldAllThatTheyShow) {
         }
     });
     dropAndSettle(file);
-    ASSERT_GT(overlay.rows().size(), 110u);
+    ASSERT_GT(overlay.rollouts().rows().size(), 110u);
     const QTreeView& list = panel.list();
     const QFontMetrics metrics = list.fontMetrics();
     constexpr int margins = 6;  // of a cell, pixels
@@ -468,7 +468,7 @@ TEST_F(LogOpeningTest, WindowsOfARealHuskyHaveTheFiguresOfEvaluate) {
     if (!looksLikeLog(file)) GTEST_SKIP() << "no Husky windows: set MROSE_DATA";
     dropAndSettle(file);
     EXPECT_THAT(errors(), IsEmpty());
-    ASSERT_NE(overlay.comparison(), nullptr);
+    ASSERT_NE(overlay.rollouts().comparison(), nullptr);
     auto network = loadNetwork(sourceFolder() / "nets" / "husky.net");
     ASSERT_TRUE(network);
     LogOptions options;
@@ -479,9 +479,9 @@ TEST_F(LogOpeningTest, WindowsOfARealHuskyHaveTheFiguresOfEvaluate) {
     const NamedModel named = NamedModel::same("network", model);
     const auto evaluation = evaluate(*log, {&named, 1});
     ASSERT_TRUE(evaluation);
-    EXPECT_EQ(overlay.requests().size(), evaluation->windows.size());
-    EXPECT_EQ(overlay.comparison()->all.counted.p, evaluation->models[0].all.p);
-    EXPECT_EQ(overlay.comparison()->all.counted.hd, evaluation->models[0].all.hd);
+    EXPECT_EQ(overlay.rollouts().requests().size(), evaluation->windows.size());
+    EXPECT_EQ(overlay.rollouts().comparison()->all.counted.p, evaluation->models[0].all.p);
+    EXPECT_EQ(overlay.rollouts().comparison()->all.counted.hd, evaluation->models[0].all.hd);
 }
 
 }  // namespace

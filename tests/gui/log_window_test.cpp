@@ -33,6 +33,7 @@
 #include "widgets/field_view.h"
 #include "widgets/fixed_text.h"
 #include "widgets/qt_text.h"
+#include "workflow/open_model.h"
 #include "workflow/resources.h"
 
 namespace mrose::gui {
@@ -65,9 +66,9 @@ protected:
         const auto at = std::find(keys.begin(), keys.end(), key) - keys.begin();
         return window.plots().view().curves().at(static_cast<std::size_t>(at));
     }
-    std::string robot() { return window.overlay().world()->world().robots().front().name; }
+    std::string robot() { return window.overlay().rollouts().world().robots().front().name; }
     const ComparedRollout& compared() {
-        return window.overlay().comparison()->rollouts.at(*window.overlay().shownRollout());
+        return window.overlay().rollouts().comparison()->rollouts.at(*window.overlay().rollouts().shown());
     }
 };
 
@@ -102,7 +103,7 @@ TEST_F(LogWindowTest, ErrorsOfTheWholeRolloutArePlottedUnasked) {
 
 TEST_F(LogWindowTest, PlottedErrorsFollowRolloutAndModels) {
     ASSERT_NO_FATAL_FAILURE(openLog());
-    window.overlay().addModel("velocity = command");
+    window.overlay().models().add("velocity = command");
     settleAll();
     ASSERT_EQ(window.plots().keys().size(), 4u);
     const ValueKey model{modelPositionErrorQuantity, robot(), "velocity = command"};
@@ -115,10 +116,10 @@ TEST_F(LogWindowTest, PlottedErrorsFollowRolloutAndModels) {
     EXPECT_EQ(added.ahead.back().y(), 100 * error->position);
     window.overlay().show(1);
     settleAll();
-    ASSERT_EQ(window.overlay().shownRollout(), 1u);
+    ASSERT_EQ(window.overlay().rollouts().shown(), 1u);
     EXPECT_EQ(window.plots().keys().size(), 4u);
     EXPECT_EQ(curve({positionErrorQuantity, robot()}).ahead.front().y(), 100 * compared().errors.position.front());
-    window.overlay().removeModel(1);
+    window.overlay().models().remove(1);
     settleAll();
     EXPECT_EQ(window.plots().keys().size(), 2u);
     window.overlay().close();
@@ -133,7 +134,7 @@ TEST_F(LogWindowTest, WhoRemovesTheErrorsDoesNotGetThemAgain) {
     settleAll();
     EXPECT_TRUE(window.plots().keys().empty());
     window.actions()["plot_errors"].trigger();
-    window.overlay().addModel("velocity = command");
+    window.overlay().models().add("velocity = command");
     settleAll();
     EXPECT_EQ(window.plots().keys().size(), 4u) << "asked for again, they follow again";
 }
@@ -160,9 +161,9 @@ TEST_F(LogWindowTest, WhoHasClosedThePlotsDoesNotGetThemAgain) {
 
 TEST_F(LogWindowTest, CurvesAreCalledByWhatDiffersAndAxesByTheirQuantity) {
     ASSERT_NO_FATAL_FAILURE(openLog());
-    window.overlay().addModel("velocity = command");
+    window.overlay().models().add("velocity = command");
     settleAll();
-    const QString own = qtText(window.overlay().models().front().name);
+    const QString own = qtText(window.overlay().models().all().front().name);
     const QString name = qtText(robot());
     EXPECT_EQ(window.plots().view().titles(),
               (QStringList{name + ": error (cm)", name + QString::fromUtf8(": heading_error (\u00b0)")}));
@@ -173,7 +174,7 @@ TEST_F(LogWindowTest, CurvesAreCalledByWhatDiffersAndAxesByTheirQuantity) {
         EXPECT_EQ(list->topLevelItem(i)->text(2), i < 2 ? "cm" : QString::fromUtf8("\u00b0"));
     }
     // What is dashed is named, with its number at the shown instant.
-    const DivergenceBound& bound = window.overlay().shownRow()->bound;
+    const DivergenceBound& bound = window.overlay().rollouts().shownRow()->bound;
     const DivergenceBound::At end = bound.bySteps.empty() ? bound.constant : bound.bySteps[99];
     seek(500);
     settleAll();
@@ -195,19 +196,20 @@ TEST_F(LogWindowTest, CurvesAreCalledByWhatDiffersAndAxesByTheirQuantity) {
 TEST_F(LogWindowTest, PictureOfPlotsNamesLogRolloutModelsAndBound) {
     ASSERT_NO_FATAL_FAILURE(openLog());
     window.overlay().setBound({{0.02, 0.05}, false});
-    window.overlay().addModel("velocity = command");
+    window.overlay().models().add("velocity = command");
     window.overlay().show(2);
     settleAll();
-    ASSERT_TRUE(window.overlay().shownRow() != nullptr && window.overlay().shownRow()->divergence);
+    ASSERT_TRUE(window.overlay().rollouts().shownRow() != nullptr &&
+                window.overlay().rollouts().shownRow()->divergence);
     ASSERT_TRUE(exportPlots(window, qPath("plots.svg")));
     window.background().settle();
     QApplication::processEvents();
     std::ifstream file(path("plots.svg"));
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     const std::string rollout = window.runName().toStdString() + " for 10.0 s, " + robot();
-    for (const std::string& part :
-         {std::string("random.csv"), rollout, window.overlay().models().front().name, std::string("velocity = command"),
-          std::string("bound"), std::string("leaves the real trajectory"), std::string("error (cm)")})
+    for (const std::string& part : {std::string("random.csv"), rollout, window.overlay().models().all().front().name,
+                                    std::string("velocity = command"), std::string("bound"),
+                                    std::string("leaves the real trajectory"), std::string("error (cm)")})
         EXPECT_THAT(text, HasSubstr(part));
     const QString colour = TimelineBar::colourOf(TimelineMark::Kind::divergence, Theme::light()).name();
     EXPECT_GE(qtText(text).count(colour), 6) << "bound and mark of both axes and in the legend";
@@ -216,7 +218,7 @@ TEST_F(LogWindowTest, PictureOfPlotsNamesLogRolloutModelsAndBound) {
 /// Against the comparison and its bound, wherever the run has come to.
 TEST_F(LogWindowTest, TableOfPlotsGoesToTheEndOfTheRolloutAndHasTheBound) {
     ASSERT_NO_FATAL_FAILURE(openLog());
-    window.overlay().addModel("velocity = command");
+    window.overlay().models().add("velocity = command");
     window.overlay().show(2);
     settleAll();
     seek(100);
@@ -233,7 +235,7 @@ TEST_F(LogWindowTest, TableOfPlotsGoesToTheEndOfTheRolloutAndHasTheBound) {
             for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
         }
         const ComparedRollout& rollout = compared();
-        const OverlayRow& row = *window.overlay().shownRow();
+        const RolloutRow& row = *window.overlay().rollouts().shownRow();
         ASSERT_TRUE(row.divergence);
         const Reality& reality = *window.shown()->frame->reality;
         const Scene& scene = window.shown()->frame->scene();
@@ -268,7 +270,7 @@ TEST_F(LogWindowTest, TableOfPlotsGoesToTheEndOfTheRolloutAndHasTheBound) {
     expectTable("constant.csv");
     window.overlay().setBound({{0.02, 0.05}, true});
     settleAll();
-    if (window.overlay().shownRow()->divergence) expectTable("held_out.csv");
+    if (window.overlay().rollouts().shownRow()->divergence) expectTable("held_out.csv");
 }
 
 TEST_F(LogWindowTest, MenusOfferLogsWithoutOneBeingOpen) {
@@ -323,19 +325,19 @@ TEST_F(LogWindowTest, ReportDialoguesSayWhatIsOpen) {
     const auto line = [](const ReportDialog& dialog, const char* name) {
         return dialog.findChild<QLineEdit*>(name)->text();
     };
-    EXPECT_EQ(line(*report, "log").toStdString(), window.overlay().world()->place);
+    EXPECT_EQ(line(*report, "log").toStdString(), window.overlay().rollouts().log()->place);
     const std::filesystem::path network = line(*report, "network").toStdString();
-    EXPECT_EQ(network.filename().string(), window.overlay().models().front().name);
+    EXPECT_EQ(network.filename().string(), window.overlay().models().all().front().name);
     EXPECT_TRUE(std::filesystem::exists(network));
     report->close();
-    OverlayPlan plan;
+    RolloutPlan plan;
     plan.length = 5;
     ASSERT_TRUE(window.overlay().setPlan(plan));
     settleAll();
     window.actions()["export_comparison"].trigger();
     auto* comparison = window.findChild<ReportDialog*>("comparison_dialog");
     EXPECT_EQ(line(*comparison, "every"), "5");
-    EXPECT_EQ(line(*comparison, "log").toStdString(), window.overlay().world()->place);
+    EXPECT_EQ(line(*comparison, "log").toStdString(), window.overlay().rollouts().log()->place);
     // What was written by hand stays.
     auto* every = comparison->findChild<QLineEdit*>("every");
     every->clear();
@@ -366,14 +368,14 @@ TEST_F(LogWindowTest, KeyOffersTheModelsThatShip) {
     QStringList offered;
     for (const QAction* action : menu->actions()) offered << action->text();
     QStringList expected;
-    for (const std::string& name : modelNames(*window.overlay().world())) expected << qtText(name);
+    for (const std::string& name : modelNames(*window.overlay().rollouts().log())) expected << qtText(name);
     expected << QString() << QString::fromUtf8("Other file\u2026");
     EXPECT_EQ(offered, expected);
     menu->actions().front()->trigger();
     menu->close();
     settleAll();
-    ASSERT_EQ(window.overlay().models().size(), 2u);
-    EXPECT_EQ(qtText(window.overlay().models().back().name), expected.front());
+    ASSERT_EQ(window.overlay().models().all().size(), 2u);
+    EXPECT_EQ(qtText(window.overlay().models().all().back().name), expected.front());
 }
 
 TEST_F(LogWindowTest, WhatIsSaidIsSeenOverTheField) {

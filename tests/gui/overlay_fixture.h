@@ -33,14 +33,14 @@ protected:
         }
     }
     void openLog(const std::string& log) { openPlanned(log, {}); }
-    void openLog(const std::string& log, const OverlayPlan& plan) { openPlanned(log, plan); }
-    void openPlanned(const std::string& log, const std::optional<OverlayPlan>& plan) {
+    void openLog(const std::string& log, const RolloutPlan& plan) { openPlanned(log, plan); }
+    void openPlanned(const std::string& log, const std::optional<RolloutPlan>& plan) {
         const auto opened = overlay.openNow({log, ""}, plan);
         ASSERT_TRUE(opened) << opened.error().message();
         settleAll();
-        ASSERT_NE(overlay.comparison(), nullptr);
+        ASSERT_NE(overlay.rollouts().comparison(), nullptr);
     }
-    std::string refusal(const OverlayRequest& request, const std::optional<OverlayPlan>& plan = {}) {
+    std::string refusal(const PlayedLogRequest& request, const std::optional<RolloutPlan>& plan = {}) {
         const auto opened = overlay.openNow(request, plan);
         return opened ? "" : opened.error().message();
     }
@@ -69,8 +69,8 @@ protected:
 /// As `mrose compare` would do it.
 inline Comparison comparedAlone(const Overlay& overlay) {
     ComparisonOptions options;
-    options.seed = overlay.world()->seed;
-    auto comparison = compare(overlay.world()->world(), overlay.requests(), options);
+    options.seed = overlay.rollouts().log()->seed;
+    auto comparison = compare(overlay.rollouts().world(), overlay.rollouts().requests(), options);
     EXPECT_TRUE(comparison) << comparison.error().message();
     return std::move(*comparison);
 }

@@ -13,6 +13,7 @@
 #include "panels/plot_panel.h"
 #include "scripting/window_script.h"
 #include "widgets/timeline_bar.h"
+#include "workflow/open_model.h"
 
 namespace mrose::gui {
 namespace {
@@ -25,7 +26,7 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::Pointwise;
 
-const OverlayPlan twoSeconds{OverlayPlan::Cut::every, 0, 2};
+const RolloutPlan twoSeconds{RolloutPlan::Cut::every, 0, 2};
 
 /// Everything farther apart than it was.
 void stretch(Log& log) {
@@ -49,23 +50,23 @@ protected:
         window.files().reload("made.csv changed");
         settleAll();
     }
-    std::string anyModel() const { return modelNames(*overlay.world()).back(); }
+    std::string anyModel() const { return modelNames(*overlay.rollouts().log()).back(); }
 };
 
 TEST_F(OverlayReloadTest, ModelsMoveInTheWorldThatWasReadLast) {
     ASSERT_NO_FATAL_FAILURE(openLog(makeLog(), twoSeconds));
-    overlay.addModel(anyModel());
+    overlay.models().add(anyModel());
     settleAll();
-    ASSERT_EQ(overlay.models().size(), 2u);
-    overlay.showModel(1, false);
-    const OverlayWorldPointer before = overlay.world();
+    ASSERT_EQ(overlay.models().all().size(), 2u);
+    overlay.models().show(1, false);
+    const PlayedLogPointer before = overlay.rollouts().log();
     makeLog(stretch);
     reload();
-    EXPECT_NE(overlay.world(), before);
-    ASSERT_EQ(overlay.models().size(), 2u);
-    EXPECT_EQ(&overlay.models()[1].world->log(), &overlay.world()->world().log());
-    EXPECT_FALSE(overlay.models()[1].shown) << "as the user left it";
-    overlay.showModel(1, true);
+    EXPECT_NE(overlay.rollouts().log(), before);
+    ASSERT_EQ(overlay.models().all().size(), 2u);
+    EXPECT_EQ(&overlay.models().all()[1].world->log(), &overlay.rollouts().world().log());
+    EXPECT_FALSE(overlay.models().all()[1].shown) << "as the user left it";
+    overlay.models().show(1, true);
     overlay.showNext(1);
     settleAll();
     ASSERT_EQ(reality().models.size(), 1u);
@@ -74,21 +75,21 @@ TEST_F(OverlayReloadTest, ModelsMoveInTheWorldThatWasReadLast) {
 
 TEST_F(OverlayReloadTest, RolloutThatIsGoneLeavesWhatWasReadBefore) {
     ASSERT_NO_FATAL_FAILURE(openLog(makeLog(driveTwice), twoSeconds));
-    const std::size_t last = overlay.requests().size() - 1;
+    const std::size_t last = overlay.rollouts().requests().size() - 1;
     overlay.show(last);
     settleAll();
-    const OverlayWorldPointer before = overlay.world();
+    const PlayedLogPointer before = overlay.rollouts().log();
     makeLog([](Log& log) {
         driveTwice(log);
         log.robots[0].trajectories.pop_back();
     });
     reload();
     EXPECT_THAT(errors(), Contains(HasSubstr("has no rollout from")));
-    EXPECT_EQ(overlay.world(), before);
-    EXPECT_EQ(overlay.shownRollout(), last);
+    EXPECT_EQ(overlay.rollouts().log(), before);
+    EXPECT_EQ(overlay.rollouts().shown(), last);
     makeLog(driveTwice);
     reload();
-    EXPECT_EQ(overlay.world(), before);
+    EXPECT_EQ(overlay.rollouts().log(), before);
     EXPECT_EQ(window.shown()->branches.size(), 1u) << "that is what was read";
     EXPECT_THAT(errors(), IsEmpty());
     makeLog([](Log& log) {
@@ -96,29 +97,31 @@ TEST_F(OverlayReloadTest, RolloutThatIsGoneLeavesWhatWasReadBefore) {
         stretch(log);
     });
     reload();
-    EXPECT_NE(overlay.world(), before);
-    EXPECT_EQ(overlay.shownRollout(), last);
+    EXPECT_NE(overlay.rollouts().log(), before);
+    EXPECT_EQ(overlay.rollouts().shown(), last);
 }
 
 TEST_F(OverlayReloadTest, NothingStaysThatWasKnownOfTheOldLog) {
     ASSERT_NO_FATAL_FAILURE(openLog(makeLog(), twoSeconds));
     overlay.setBound({{0.005, 0.02}, false});
     settleAll();
-    ASSERT_TRUE(overlay.finding());
-    overlay.showCause(0);
+    ASSERT_TRUE(overlay.causes().finding());
+    overlay.causes().show(0);
     makeLog(stretch);
     reload();
-    EXPECT_FALSE(overlay.shownCause());
+    EXPECT_FALSE(overlay.causes().shown());
     const Comparison alone = comparedAlone(overlay);
-    for (const OverlayRow& row : overlay.rows()) EXPECT_EQ(row.position, knownMean(alone.rollouts[row.rollout]));
-    EXPECT_EQ(reality().robots[0].trajectory, &overlay.world()->world().trajectory(0, 0));
+    for (const RolloutRow& row : overlay.rollouts().rows())
+        EXPECT_EQ(row.position, knownMean(alone.rollouts[row.rollout]));
+    EXPECT_EQ(reality().robots[0].trajectory, &overlay.rollouts().world().trajectory(0, 0));
     MainWindow other;
     ASSERT_TRUE(other.overlay().openNow({path("made.csv"), ""}, twoSeconds));
     other.overlay().setBound({{0.005, 0.02}, false});
     other.overlay().settle();
-    ASSERT_TRUE(other.overlay().finding() && other.overlay().finding()->diagnosis);
-    ASSERT_TRUE(overlay.finding() && overlay.finding()->diagnosis);
-    const Diagnosis &fresh = *other.overlay().finding()->diagnosis, &found = *overlay.finding()->diagnosis;
+    ASSERT_TRUE(other.overlay().causes().finding() && other.overlay().causes().finding()->diagnosis);
+    ASSERT_TRUE(overlay.causes().finding() && overlay.causes().finding()->diagnosis);
+    const Diagnosis &fresh = *other.overlay().causes().finding()->diagnosis,
+                    &found = *overlay.causes().finding()->diagnosis;
     EXPECT_EQ(found.divergence.time, fresh.divergence.time);
     ASSERT_EQ(found.trials.size(), fresh.trials.size());
     EXPECT_EQ(found.trials.front().explained, fresh.trials.front().explained);
@@ -126,7 +129,7 @@ TEST_F(OverlayReloadTest, NothingStaysThatWasKnownOfTheOldLog) {
 
 TEST_F(OverlayReloadTest, PlottedErrorsAreThoseOfTheNewRollout) {
     ASSERT_NO_FATAL_FAILURE(openLog(makeLog(), twoSeconds));
-    const ValueKey key{positionErrorQuantity, overlay.world()->world().robots().front().name};
+    const ValueKey key{positionErrorQuantity, overlay.rollouts().world().robots().front().name};
     const auto ahead = [&] {
         gui::settle(window);
         const std::vector<PlotCurve>& curves = window.plots().view().curves();
@@ -196,45 +199,45 @@ TEST_F(OverlayReloadTest, BreakOnDivergenceIsThatOfTheNewRollout) {
 
 TEST_F(OverlayReloadTest, IsReadAgainThoughAnotherRolloutIsPickedMeanwhile) {
     ASSERT_NO_FATAL_FAILURE(openLog(makeLog(), twoSeconds));
-    const OverlayWorldPointer before = overlay.world();
+    const PlayedLogPointer before = overlay.rollouts().log();
     makeLog(stretch);
     window.files().reload("made.csv changed");
     overlay.showNext(1);
     settleAll();
-    EXPECT_NE(overlay.world(), before);
-    EXPECT_EQ(overlay.shownRollout(), 1u);
+    EXPECT_NE(overlay.rollouts().log(), before);
+    EXPECT_EQ(overlay.rollouts().shown(), 1u);
 }
 
 TEST_F(OverlayReloadTest, ModelThatWasCancelledCanBeAddedAgain) {
     ASSERT_NO_FATAL_FAILURE(openLog(makeLog(), twoSeconds));
-    overlay.addModel(anyModel());
+    overlay.models().add(anyModel());
     ASSERT_TRUE(overlay.work());
     EXPECT_TRUE(overlay.cancel());
     settleAll();
     EXPECT_FALSE(overlay.work());
-    ASSERT_EQ(overlay.models().size(), 1u);
-    overlay.addModel(anyModel());
+    ASSERT_EQ(overlay.models().all().size(), 1u);
+    overlay.models().add(anyModel());
     settleAll();
-    EXPECT_EQ(overlay.models().size(), 2u);
+    EXPECT_EQ(overlay.models().all().size(), 2u);
 }
 
 TEST_F(OverlayReloadTest, JudgingAModelIsSeenAndCanBeEnded) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped()));
-    overlay.addModel(anyModel());
-    ASSERT_TRUE(waitFor([&] { return overlay.models().size() == 2 && overlay.work(); }));
-    EXPECT_THAT(overlay.work()->what.toStdString(), HasSubstr(overlay.models()[1].name));
+    overlay.models().add(anyModel());
+    ASSERT_TRUE(waitFor([&] { return overlay.models().all().size() == 2 && overlay.work(); }));
+    EXPECT_THAT(overlay.work()->what.toStdString(), HasSubstr(overlay.models().all()[1].name));
     EXPECT_TRUE(window.actions().perform("cancel", {}));
     EXPECT_FALSE(overlay.work());
     settleAll();
-    ASSERT_TRUE(overlay.models()[1].figures.evaluated);
-    EXPECT_FALSE(*overlay.models()[1].figures.evaluated);
+    ASSERT_TRUE(overlay.models().all()[1].figures.evaluated);
+    EXPECT_FALSE(*overlay.models().all()[1].figures.evaluated);
     // As whatever else went wrong with it is said.
     const QTreeWidgetItem& item = *panel.models().topLevelItem(1);
     EXPECT_EQ(item.text(1), QString::fromUtf8("\u2013"));
-    EXPECT_EQ(item.toolTip(1).toStdString(), overlay.models()[1].figures.compared->error().message());
+    EXPECT_EQ(item.toolTip(1).toStdString(), overlay.models().all()[1].figures.compared->error().message());
     EXPECT_THAT(item.toolTip(1).toStdString(), HasSubstr("cancelled"));
     int asked = 0;
-    const auto ended = evaluatedModel(*overlay.world(), overlay.models()[0], 10 * nanosecondsPerSecond,
+    const auto ended = evaluatedModel(*overlay.rollouts().log(), overlay.models().all()[0], 10 * nanosecondsPerSecond,
                                       [&](double) { return ++asked > 1; });
     EXPECT_FALSE(ended);
     EXPECT_EQ(asked, 1);
@@ -246,10 +249,11 @@ TEST_F(OverlayReloadTest, DiagnosisIsOfTheBoundAndTheRobotThatAreSet) {
     overlay.setBound({{0.01, 0.05}, false});
     int seen = 0, stale = 0;
     QObject::connect(&overlay, &Overlay::changed, &window, [&] {
-        const OverlayRow* const row = overlay.shownRow();
-        if (!overlay.finding() || !overlay.finding()->diagnosis || row == nullptr || !row->divergence) return;
+        const RolloutRow* const row = overlay.rollouts().shownRow();
+        if (!overlay.causes().finding() || !overlay.causes().finding()->diagnosis || row == nullptr || !row->divergence)
+            return;
         ++seen;
-        stale += overlay.finding()->diagnosis->divergence.time != row->divergence->time;
+        stale += overlay.causes().finding()->diagnosis->divergence.time != row->divergence->time;
     });
     settleAll();
     EXPECT_GT(seen, 0);
@@ -265,7 +269,7 @@ TEST_F(OverlayReloadTest, RolloutWithoutTruthSaysSo) {
         });
     });
     ASSERT_NO_FATAL_FAILURE(openLog(blind, twoSeconds));
-    const OverlayRow* const row = overlay.rowOf(0, 0);
+    const RolloutRow* const row = overlay.rollouts().rowOf(0, 0);
     ASSERT_NE(row, nullptr);
     EXPECT_FALSE(row->position);
     EXPECT_FALSE(row->share);
@@ -281,21 +285,21 @@ TEST_F(OverlayReloadTest, PlanThatTheUserRefusesChangesNothing) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped()));
     window.session().branchOff({"mine"});
     settleAll();
-    const std::size_t rollouts = overlay.requests().size();
+    const std::size_t rollouts = overlay.rollouts().requests().size();
     int asked = 0;
     window.files().setQuestion([&](const QString&) {
         ++asked;
         return WindowFiles::Answer::cancel;
     });
-    OverlayPlan plan = overlay.plan();
+    RolloutPlan plan = overlay.rollouts().plan();
     plan.length = 3;
     EXPECT_TRUE(overlay.setPlan(plan));
     settleAll();
     EXPECT_EQ(asked, 1);
-    EXPECT_EQ(overlay.plan(), OverlayPlan{});
-    EXPECT_EQ(overlay.requests().size(), rollouts);
-    EXPECT_EQ(overlay.shownRollout(), 0u);
-    EXPECT_NE(overlay.comparison(), nullptr);
+    EXPECT_EQ(overlay.rollouts().plan(), RolloutPlan{});
+    EXPECT_EQ(overlay.rollouts().requests().size(), rollouts);
+    EXPECT_EQ(overlay.rollouts().shown(), 0u);
+    EXPECT_NE(overlay.rollouts().comparison(), nullptr);
 }
 
 TEST_F(OverlayReloadTest, LogThatIsClosedWhileARolloutOpensLeavesNothingBehind) {
@@ -313,20 +317,20 @@ TEST_F(OverlayReloadTest, LogThatIsClosedWhileARolloutOpensLeavesNothingBehind) 
 TEST_F(OverlayReloadTest, NotesOnModelsGoWithThem) {
     for (const bool close : {false, true}) {
         ASSERT_NO_FATAL_FAILURE(openLog(makeLog()));
-        overlay.addModel("create.net");
+        overlay.models().add("create.net");
         settleAll();
         EXPECT_THAT(notes(), Contains(HasSubstr("another kind of robot")));
         if (close)
             overlay.close();
         else
-            overlay.removeModel(1);
+            overlay.models().remove(1);
         EXPECT_THAT(notes(), Not(Contains(HasSubstr("another kind of robot"))));
     }
 }
 
 TEST_F(OverlayReloadTest, ComparisonThatWasCancelledIsBegunAgainByAButton) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped(), twoSeconds));
-    const std::size_t all = overlay.rows().size();
+    const std::size_t all = overlay.rollouts().rows().size();
     auto* button = panel.findChild<QToolButton*>("compare_or_cancel");
     ASSERT_NE(button, nullptr);
     EXPECT_FALSE(button->isVisible());
@@ -334,11 +338,11 @@ TEST_F(OverlayReloadTest, ComparisonThatWasCancelledIsBegunAgainByAButton) {
     EXPECT_TRUE(overlay.cancel());
     ASSERT_TRUE(button->isVisible());
     EXPECT_EQ(button->text(), "Compare");
-    EXPECT_LT(overlay.rows().size(), all);
+    EXPECT_LT(overlay.rollouts().rows().size(), all);
     QTest::mouseClick(button, Qt::LeftButton);
     settleAll();
-    EXPECT_EQ(overlay.rows().size(), all);
-    EXPECT_NE(overlay.comparison(), nullptr);
+    EXPECT_EQ(overlay.rollouts().rows().size(), all);
+    EXPECT_NE(overlay.rollouts().comparison(), nullptr);
     EXPECT_FALSE(button->isVisible());
 }
 
@@ -346,8 +350,8 @@ TEST_F(OverlayReloadTest, ClosedLogLeavesNothingBehind) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped()));
     overlay.setBound({{0.02, 0.05}, false});
     clickLine(0);
-    ASSERT_TRUE(overlay.shownRow() != nullptr && overlay.shownRow()->divergence);
-    const std::int64_t tick = window.shown()->frame->scene().ticksOf(overlay.shownRow()->divergence->time);
+    ASSERT_TRUE(overlay.rollouts().shownRow() != nullptr && overlay.rollouts().shownRow()->divergence);
+    const std::int64_t tick = window.shown()->frame->scene().ticksOf(overlay.rollouts().shownRow()->divergence->time);
     ASSERT_TRUE(window.shown()->canDiverge);
     window.actions()["close_log"].trigger();
     settleAll();
@@ -367,7 +371,7 @@ TEST_F(OverlayReloadTest, WindowGoesOnWhileTheSessionIsAtWork) {
     });
     overlay.show(1);
     QTimer::singleShot(1000, &window, [&] { released = true; });
-    EXPECT_TRUE(waitFor([&] { return overlay.shownRollout() == 1u; }));
+    EXPECT_TRUE(waitFor([&] { return overlay.rollouts().shown() == 1u; }));
     EXPECT_TRUE(heard) << "the window's thread waited for the session";
 }
 

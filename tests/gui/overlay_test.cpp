@@ -26,6 +26,7 @@
 #include "widgets/field_view.h"
 #include "widgets/qt_text.h"
 #include "widgets/rollout_strip.h"
+#include "workflow/open_model.h"
 #include "workflow/resources.h"
 
 namespace mrose::gui {
@@ -39,9 +40,9 @@ TEST_F(OverlayTest, DroppedLogIsShownAtItsFirstRolloutWithAllOthersInTheList) {
     dropFile(shipped());
     QApplication::processEvents();
     settleAll();
-    ASSERT_TRUE(overlay.world());
+    ASSERT_TRUE(overlay.rollouts().log());
     ASSERT_NE(window.shown(), nullptr);
-    EXPECT_EQ(overlay.shownRollout(), 0u);
+    EXPECT_EQ(overlay.rollouts().shown(), 0u);
     EXPECT_TRUE(window.findChild<QDockWidget*>("reality")->isVisible());
     EXPECT_TRUE(window.rolloutStrip().isVisible());
     ASSERT_TRUE(window.shown()->frame->reality);
@@ -49,7 +50,7 @@ TEST_F(OverlayTest, DroppedLogIsShownAtItsFirstRolloutWithAllOthersInTheList) {
     ASSERT_TRUE(real);
     const Pose& simulated = window.shown()->frame->state.robots[0].pose;
     EXPECT_LT(std::hypot(real->x - simulated.x, real->y - simulated.y), 0.02) << "it begins where the real one was";
-    EXPECT_EQ(panel.list().model()->rowCount(), static_cast<int>(overlay.rows().size()));
+    EXPECT_EQ(panel.list().model()->rowCount(), static_cast<int>(overlay.rollouts().rows().size()));
     EXPECT_THAT(notes(), Contains(HasSubstr("simulated robot")));
     EXPECT_THAT(errors(), IsEmpty());
 }
@@ -57,20 +58,20 @@ TEST_F(OverlayTest, DroppedLogIsShownAtItsFirstRolloutWithAllOthersInTheList) {
 TEST_F(OverlayTest, FiguresAreThoseOfCompareToTheLastBit) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped()));
     const Comparison alone = comparedAlone(overlay);
-    EXPECT_EQ(overlay.comparison()->all.counted.p, alone.all.counted.p);
-    EXPECT_EQ(overlay.comparison()->all.counted.hd, alone.all.counted.hd);
+    EXPECT_EQ(overlay.rollouts().comparison()->all.counted.p, alone.all.counted.p);
+    EXPECT_EQ(overlay.rollouts().comparison()->all.counted.hd, alone.all.counted.hd);
     std::size_t simulated = 0;
     for (const ComparedRollout& rollout : alone.rollouts) {
         if (rollout.use == RolloutUse::absent) continue;
         ++simulated;
-        const OverlayRow* const row = overlay.rowOf(rollout.request, rollout.robot);
+        const RolloutRow* const row = overlay.rollouts().rowOf(rollout.request, rollout.robot);
         ASSERT_NE(row, nullptr);
         EXPECT_EQ(row->position, knownMean(rollout));
         if (rollout.use == RolloutUse::counted) {
             EXPECT_EQ(row->heading, rollout.errors.headingMean);
         }
     }
-    EXPECT_EQ(overlay.rows().size(), simulated);
+    EXPECT_EQ(overlay.rollouts().rows().size(), simulated);
     const std::vector<std::size_t> order = worstFirst(alone);
     for (int line = 0; line < panel.rollouts()->rowCount(); ++line) {
         const ComparedRollout& rollout = alone.rollouts[order[static_cast<std::size_t>(line)]];
@@ -81,8 +82,8 @@ TEST_F(OverlayTest, FiguresAreThoseOfCompareToTheLastBit) {
 TEST_F(OverlayTest, RunOfARolloutIsTheOneThatWasCompared) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped()));
     clickLine(0);
-    const OverlayRow& worst = panel.rollouts()->row(0);
-    EXPECT_EQ(overlay.shownRollout(), worst.rollout);
+    const RolloutRow& worst = panel.rollouts()->row(0);
+    EXPECT_EQ(overlay.rollouts().shown(), worst.rollout);
     const Comparison alone = comparedAlone(overlay);
     const auto rollout = std::find_if(alone.rollouts.begin(), alone.rollouts.end(), [&](const ComparedRollout& c) {
         return c.request == worst.rollout && c.robot == worst.robot;
@@ -102,7 +103,7 @@ TEST_F(OverlayTest, KeyGoesToWhereItLeavesTheRealTrajectory) {
     overlay.setBound({{0.02, 0.05}, false});
     settleAll();
     clickLine(0);
-    const OverlayRow* const row = overlay.shownRow();
+    const RolloutRow* const row = overlay.rollouts().shownRow();
     ASSERT_NE(row, nullptr);
     ASSERT_TRUE(row->divergence);
     window.field().setFocus();
@@ -114,10 +115,10 @@ TEST_F(OverlayTest, KeyGoesToWhereItLeavesTheRealTrajectory) {
     const PoseError error = poseError(*real, state().robots[0].pose);
     EXPECT_TRUE(error.position > 0.02 || error.heading > 0.05);
     EXPECT_EQ(error.position, row->divergence->position);
-    ASSERT_TRUE(overlay.finding());
-    ASSERT_TRUE(overlay.finding()->diagnosis) << overlay.finding()->error.toStdString();
+    ASSERT_TRUE(overlay.causes().finding());
+    ASSERT_TRUE(overlay.causes().finding()->diagnosis) << overlay.causes().finding()->error.toStdString();
     EXPECT_EQ(panel.causes().causes().topLevelItemCount(),
-              static_cast<int>(overlay.finding()->diagnosis->trials.size()));
+              static_cast<int>(overlay.causes().finding()->diagnosis->trials.size()));
     EXPECT_THAT(panel.causes().text().toStdString(), HasSubstr("explains"));
 }
 
@@ -126,7 +127,7 @@ TEST_F(OverlayTest, DivergenceIsMarkedOnTheTimelineAndInThePlots) {
     overlay.setBound({{0.02, 0.05}, false});
     settleAll();
     clickLine(0);
-    const OverlayRow* const row = overlay.shownRow();
+    const RolloutRow* const row = overlay.rollouts().shownRow();
     ASSERT_TRUE(row != nullptr && row->divergence);
     const std::int64_t tick = window.shown()->frame->scene().ticksOf(row->divergence->time);
     const QString said = window.timeline().textAt(window.timeline().pixelOf(tick));
@@ -156,19 +157,19 @@ TEST_F(OverlayTest, CauseThatIsClickedIsLaidBeside) {
     overlay.setBound({{0.02, 0.05}, false});
     settleAll();
     clickLine(0);
-    ASSERT_TRUE(overlay.finding() && overlay.finding()->diagnosis);
+    ASSERT_TRUE(overlay.causes().finding() && overlay.causes().finding()->diagnosis);
     EXPECT_THAT(reality().models, IsEmpty());
     QTreeWidget& causes = panel.causes().causes();
     QTest::mouseClick(causes.viewport(), Qt::LeftButton, {}, causes.visualItemRect(causes.topLevelItem(0)).center());
     settleAll();
     ASSERT_EQ(reality().models.size(), 1u);
-    EXPECT_EQ(reality().models[0].name, overlay.finding()->diagnosis->trials[0].what);
+    EXPECT_EQ(reality().models[0].name, overlay.causes().finding()->diagnosis->trials[0].what);
     ASSERT_FALSE(reality().models[0].poses[0].empty());
     EXPECT_EQ(reality().models[0].poses[0].front(), window.shown()->frame->state.robots[0].pose);
 }
 
 TEST_F(OverlayTest, WindowsAreThoseOfEvaluateWithItsFigures) {
-    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {OverlayPlan::Cut::windows, 0, 10}));
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {RolloutPlan::Cut::windows, 0, 10}));
     const auto log = readLog(shipped());
     ASSERT_TRUE(log);
     auto network = loadNetwork(sourceFolder() / "nets" / "pioneer.net");
@@ -177,28 +178,28 @@ TEST_F(OverlayTest, WindowsAreThoseOfEvaluateWithItsFigures) {
     const NamedModel named = NamedModel::same("network", model);
     const auto evaluation = evaluate(*log, {&named, 1});
     ASSERT_TRUE(evaluation);
-    ASSERT_EQ(overlay.requests().size(), evaluation->windows.size());
-    EXPECT_EQ(overlay.rows().size(), evaluation->windows.size());
-    ASSERT_TRUE(overlay.models().front().figures.evaluated);
-    EXPECT_EQ((*overlay.models().front().figures.evaluated)->p, evaluation->models[0].all.p);
-    EXPECT_EQ((*overlay.models().front().figures.evaluated)->hd, evaluation->models[0].all.hd);
+    ASSERT_EQ(overlay.rollouts().requests().size(), evaluation->windows.size());
+    EXPECT_EQ(overlay.rollouts().rows().size(), evaluation->windows.size());
+    ASSERT_TRUE(overlay.models().all().front().figures.evaluated);
+    EXPECT_EQ((*overlay.models().all().front().figures.evaluated)->p, evaluation->models[0].all.p);
+    EXPECT_EQ((*overlay.models().all().front().figures.evaluated)->hd, evaluation->models[0].all.hd);
 }
 
 TEST_F(OverlayTest, SecondModelDrivesTheSameCommandsBeside) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped()));
-    ASSERT_FALSE(modelNames(*overlay.world()).empty());
-    const auto simple = modelNames(*overlay.world()).back();
+    ASSERT_FALSE(modelNames(*overlay.rollouts().log()).empty());
+    const auto simple = modelNames(*overlay.rollouts().log()).back();
     ASSERT_TRUE(window.actions().perform("add_model", qtText(simple)));
     settleAll();
-    ASSERT_EQ(overlay.models().size(), 2u);
-    const OverlayModel& model = overlay.models()[1];
+    ASSERT_EQ(overlay.models().all().size(), 2u);
+    const JudgedModel& model = overlay.models().all()[1];
     ASSERT_TRUE(model.figures.compared && *model.figures.compared);
     ComparisonOptions options;
-    options.seed = overlay.world()->seed;
-    const auto alone = compare(*model.world, overlay.requests(), options);
+    options.seed = overlay.rollouts().log()->seed;
+    const auto alone = compare(*model.world, overlay.rollouts().requests(), options);
     ASSERT_TRUE(alone);
     EXPECT_EQ((*model.figures.compared)->counted.p, alone->all.counted.p);
-    EXPECT_NE((*model.figures.compared)->counted.p, overlay.comparison()->all.counted.p);
+    EXPECT_NE((*model.figures.compared)->counted.p, overlay.rollouts().comparison()->all.counted.p);
     ASSERT_EQ(reality().models.size(), 1u);
     const auto& first = alone->rollouts.front();
     for (const std::size_t k : {0u, 99u}) {
@@ -212,19 +213,19 @@ TEST_F(OverlayTest, SecondModelDrivesTheSameCommandsBeside) {
 }
 
 TEST_F(OverlayTest, PlayingGoesOnIntoTheNextRollout) {
-    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {OverlayPlan::Cut::every, 0, 2}));
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {RolloutPlan::Cut::every, 0, 2}));
     window.setSpeed(0);
     window.session().play();
-    EXPECT_TRUE(waitFor([&] { return overlay.shownRollout() >= 2u; }));
+    EXPECT_TRUE(waitFor([&] { return overlay.rollouts().shown() >= 2u; }));
     overlay.setRestarts(false);
     window.session().pause();
     settleAll();
     EXPECT_GE(reality().start, 4 * nanosecondsPerSecond);
-    EXPECT_EQ(reality().start, overlay.requests()[*overlay.shownRollout()].start);
+    EXPECT_EQ(reality().start, overlay.rollouts().requests()[*overlay.rollouts().shown()].start);
 }
 
 TEST_F(OverlayTest, BranchThatIsNotSavedHoldsTheNextRolloutBack) {
-    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {OverlayPlan::Cut::every, 0, 2}));
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {RolloutPlan::Cut::every, 0, 2}));
     seek(10);
     window.session().branchOff({"mine"});
     settleAll();
@@ -235,7 +236,7 @@ TEST_F(OverlayTest, BranchThatIsNotSavedHoldsTheNextRolloutBack) {
     });
     clickLine(1);
     EXPECT_TRUE(asked);
-    EXPECT_EQ(overlay.shownRollout(), 0u);
+    EXPECT_EQ(overlay.rollouts().shown(), 0u);
 }
 
 TEST_F(OverlayTest, ClickOnTheStripOpensTheRolloutThere) {
@@ -243,8 +244,8 @@ TEST_F(OverlayTest, ClickOnTheStripOpensTheRolloutThere) {
     RolloutStrip& strip = window.rolloutStrip();
     QTest::mouseClick(&strip, Qt::LeftButton, {}, QPoint(static_cast<int>(strip.pixelOf(3)), strip.height() / 2));
     settleAll();
-    EXPECT_EQ(overlay.shownRollout(), 3u);
-    EXPECT_EQ(reality().start, overlay.requests()[3].start);
+    EXPECT_EQ(overlay.rollouts().shown(), 3u);
+    EXPECT_EQ(reality().start, overlay.rollouts().requests()[3].start);
     const QString told = strip.textAt(strip.pixelOf(3));
     EXPECT_THAT(told.toStdString(), HasSubstr("off on average"));
 }
@@ -279,23 +280,23 @@ TEST_F(OverlayTest, SavedStateOfARolloutGoesOnAsTheRollout) {
 }
 
 TEST_F(OverlayTest, CancelledComparisonKeepsWhatIsDone) {
-    const auto opened = overlay.openNow({shipped(), ""}, OverlayPlan{OverlayPlan::Cut::every, 0, 0.5});
+    const auto opened = overlay.openNow({shipped(), ""}, RolloutPlan{RolloutPlan::Cut::every, 0, 0.5});
     ASSERT_TRUE(opened) << opened.error().message();
     std::vector<std::size_t> done;
     const auto cancel = QObject::connect(&overlay, &Overlay::changed, &window, [&] {
-        if (overlay.rows().empty() || !done.empty()) return;
-        for (const OverlayRow& row : overlay.rows()) done.push_back(row.rollout);
+        if (overlay.rollouts().rows().empty() || !done.empty()) return;
+        for (const RolloutRow& row : overlay.rollouts().rows()) done.push_back(row.rollout);
         EXPECT_TRUE(window.actions().perform("cancel", {}));
     });
     ASSERT_TRUE(waitFor([&] { return !done.empty(); }));
     QObject::disconnect(cancel);
     settleAll();
     EXPECT_EQ(overlay.share(), 1);
-    EXPECT_EQ(overlay.comparison(), nullptr);
+    EXPECT_EQ(overlay.rollouts().comparison(), nullptr);
     std::vector<std::size_t> kept;
-    for (const OverlayRow& row : overlay.rows()) kept.push_back(row.rollout);
+    for (const RolloutRow& row : overlay.rollouts().rows()) kept.push_back(row.rollout);
     EXPECT_EQ(kept, done);
-    EXPECT_LT(kept.size(), overlay.requests().size());
+    EXPECT_LT(kept.size(), overlay.rollouts().requests().size());
     EXPECT_THAT(overlay.error().toStdString(), HasSubstr("Cancelled"));
 }
 
@@ -311,10 +312,10 @@ TEST_F(OverlayTest, EachWrongLogIsAnsweredByOneLineThatSaysWhatToDo) {
     EXPECT_THAT(refusal({shipped(), "soccer.toml"}), HasSubstr("plays no log"));
     write("half.csv", "t,v_cmd,w_cmd,x,y,heading\n0,0.1,0,1,2");
     EXPECT_THAT(refusal({path("half.csv"), ""}), HasSubstr("half.csv"));
-    OverlayPlan late;
+    RolloutPlan late;
     late.start = 5000;
     EXPECT_THAT(refusal({shipped(), ""}, late), HasSubstr("earlier start"));
-    EXPECT_FALSE(overlay.world());
+    EXPECT_FALSE(overlay.rollouts().log());
     for (const std::string& error : errors()) EXPECT_EQ(error.find('\n'), std::string::npos);
 }
 
@@ -324,12 +325,12 @@ TEST_F(OverlayTest, GapInTheTruthIsSaidAndTheRestGoesOn) {
             return stamped.time > 5 * nanosecondsPerSecond && stamped.time < 7 * nanosecondsPerSecond;
         });
     });
-    ASSERT_NO_FATAL_FAILURE(openLog(gap, {OverlayPlan::Cut::every, 0, 4}));
-    EXPECT_THAT(overlay.rows(), Contains(testing::Field(&OverlayRow::use, RolloutUse::gap)));
-    EXPECT_THAT(overlay.rows(), Contains(testing::Field(&OverlayRow::use, RolloutUse::counted)));
-    const auto& rollout = *std::find_if(overlay.rows().begin(), overlay.rows().end(), [](const OverlayRow& row) {
-        return row.use == RolloutUse::gap && row.position;
-    });
+    ASSERT_NO_FATAL_FAILURE(openLog(gap, {RolloutPlan::Cut::every, 0, 4}));
+    EXPECT_THAT(overlay.rollouts().rows(), Contains(testing::Field(&RolloutRow::use, RolloutUse::gap)));
+    EXPECT_THAT(overlay.rollouts().rows(), Contains(testing::Field(&RolloutRow::use, RolloutUse::counted)));
+    const auto& rollout =
+        *std::find_if(overlay.rollouts().rows().begin(), overlay.rollouts().rows().end(),
+                      [](const RolloutRow& row) { return row.use == RolloutUse::gap && row.position; });
     overlay.show(rollout.rollout, rollout.robot);
     settleAll();
     EXPECT_THAT(panel.causes().text().toStdString(), HasSubstr("where the ground truth is known"));
@@ -338,12 +339,12 @@ TEST_F(OverlayTest, GapInTheTruthIsSaidAndTheRestGoesOn) {
                   .data()
                   .toString(),
               "gap in truth");
-    const auto counted = std::count_if(overlay.rows().begin(), overlay.rows().end(),
-                                       [](const OverlayRow& row) { return row.use == RolloutUse::counted; });
+    const auto counted = std::count_if(overlay.rollouts().rows().begin(), overlay.rollouts().rows().end(),
+                                       [](const RolloutRow& row) { return row.use == RolloutUse::counted; });
     QString labels;
     for (const QLabel* label : panel.findChildren<QLabel*>()) labels += label->text() + '\n';
-    EXPECT_THAT(labels.toStdString(),
-                HasSubstr(std::to_string(counted) + " of " + std::to_string(overlay.rows().size()) + " count; "));
+    EXPECT_THAT(labels.toStdString(), HasSubstr(std::to_string(counted) + " of " +
+                                                std::to_string(overlay.rollouts().rows().size()) + " count; "));
 }
 
 TEST_F(OverlayTest, ScriptsAskForFiguresAndOpenTheWorst) {
@@ -373,28 +374,28 @@ protected:
 };
 
 TEST_F(MrclamOverlayTest, WorstWindowLeavesTheRealTrajectoryForAReason) {
-    ASSERT_NO_FATAL_FAILURE(openLog(placeOfLog("MRCLAM_Dataset6"), {OverlayPlan::Cut::every, 0, 10}));
-    EXPECT_EQ(overlay.world()->world().robots().size(), 5u);
+    ASSERT_NO_FATAL_FAILURE(openLog(placeOfLog("MRCLAM_Dataset6"), {RolloutPlan::Cut::every, 0, 10}));
+    EXPECT_EQ(overlay.rollouts().world().robots().size(), 5u);
     const Comparison alone = comparedAlone(overlay);
-    EXPECT_EQ(overlay.comparison()->all.counted.p, alone.all.counted.p);
+    EXPECT_EQ(overlay.rollouts().comparison()->all.counted.p, alone.all.counted.p);
     clickLine(0);
-    ASSERT_TRUE(overlay.shownRow());
-    EXPECT_EQ(overlay.shownRow()->position, knownMean(alone.rollouts[worstFirst(alone).front()]));
-    ASSERT_TRUE(overlay.shownRow()->divergence);
-    ASSERT_TRUE(overlay.finding() && overlay.finding()->diagnosis);
+    ASSERT_TRUE(overlay.rollouts().shownRow());
+    EXPECT_EQ(overlay.rollouts().shownRow()->position, knownMean(alone.rollouts[worstFirst(alone).front()]));
+    ASSERT_TRUE(overlay.rollouts().shownRow()->divergence);
+    ASSERT_TRUE(overlay.causes().finding() && overlay.causes().finding()->diagnosis);
     EXPECT_TRUE(overlay.goToDivergence());
     settleAll();
-    EXPECT_EQ(window.shown()->frame->scene().timeOf(state().tick), overlay.shownRow()->divergence->time);
+    EXPECT_EQ(window.shown()->frame->scene().timeOf(state().tick), overlay.rollouts().shownRow()->divergence->time);
 }
 
 TEST_F(MrclamOverlayTest, ScenarioThatPlaysItGetsItsOverlayToo) {
     open("mrclam_replay.toml");
     settleAll();
-    ASSERT_TRUE(overlay.world());
+    ASSERT_TRUE(overlay.rollouts().log());
     ASSERT_TRUE(window.shown()->frame->reality);
-    EXPECT_FALSE(overlay.shownRollout());
+    EXPECT_FALSE(overlay.rollouts().shown());
     EXPECT_EQ(reality().start, 0);
-    EXPECT_FALSE(overlay.rows().empty());
+    EXPECT_FALSE(overlay.rollouts().rows().empty());
 }
 
 }  // namespace

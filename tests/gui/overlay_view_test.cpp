@@ -17,6 +17,7 @@
 #include "widgets/field_view.h"
 #include "widgets/fixed_text.h"
 #include "widgets/qt_text.h"
+#include "workflow/open_model.h"
 
 namespace mrose::gui {
 namespace {
@@ -32,7 +33,7 @@ protected:
         const Comparison alone = comparedAlone(overlay);
         Area area{{1, 1}, {-1, -1}};
         for (const ComparedRollout& rollout : alone.rollouts) {
-            if (rollout.request != overlay.shownRollout()) continue;
+            if (rollout.request != overlay.rollouts().shown()) continue;
             for (const Pose& pose : rollout.simulated) area.include(Point{pose.x, pose.y});
             for (const Pose& pose : rollout.real.truth)
                 if (std::isfinite(pose.x)) area.include(Point{pose.x, pose.y});
@@ -56,10 +57,10 @@ protected:
 };
 
 TEST_F(OverlayViewTest, SaysWhoseFiguresOfTheModelsAreShown) {
-    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {OverlayPlan::Cut::every, 0, 2}));
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {RolloutPlan::Cut::every, 0, 2}));
     auto* whose = panel.findChild<QComboBox*>("figures");
     ASSERT_NE(whose, nullptr);
-    const auto& [compared, evaluated] = overlay.models().front().figures;
+    const auto& [compared, evaluated] = overlay.models().all().front().figures;
     ASSERT_TRUE(compared && *compared && evaluated && *evaluated);
     const QString with = fixedText((*compared)->counted.p, 2), open = fixedText((*evaluated)->p, 2);
     ASSERT_NE(with, open);
@@ -78,7 +79,7 @@ TEST_F(OverlayViewTest, NamesOfCausesAreWhole) {
     overlay.setBound({{0.02, 0.05}, false});
     settleAll();
     clickLine(0);
-    ASSERT_TRUE(overlay.finding() && overlay.finding()->diagnosis);
+    ASSERT_TRUE(overlay.causes().finding() && overlay.causes().finding()->diagnosis);
     QTreeWidget& causes = panel.causes().causes();
     causes.topLevelItem(0)->setText(0, QString("a cause of many words, more than one line holds, ").repeated(2));
     causes.setColumnWidth(1, causes.columnWidth(1) + 1);
@@ -100,7 +101,7 @@ TEST_F(OverlayViewTest, NamesOfCausesAreWhole) {
 }
 
 TEST_F(OverlayViewTest, PickedRolloutIsSeenFromNearUntilTheUserLooksElsewhere) {
-    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {OverlayPlan::Cut::every, 0, 2}));
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {RolloutPlan::Cut::every, 0, 2}));
     EXPECT_FALSE(field().showsPart()) << "a log that is opened is seen whole";
     clickLine(0);
     ASSERT_TRUE(field().showsPart());
@@ -108,7 +109,7 @@ TEST_F(OverlayViewTest, PickedRolloutIsSeenFromNearUntilTheUserLooksElsewhere) {
     window.resize(1000, 700);
     settleAll();
     expectNear();
-    ASSERT_TRUE(overlay.showNext(overlay.shownRollout() == 0u ? 1 : -1));
+    ASSERT_TRUE(overlay.showNext(overlay.rollouts().shown() == 0u ? 1 : -1));
     settleAll();
     EXPECT_TRUE(field().showsPart()) << "the next rollout as the one before";
     expectNear();
@@ -126,14 +127,14 @@ TEST_F(OverlayViewTest, PickedRolloutIsSeenFromNearUntilTheUserLooksElsewhere) {
 }
 
 TEST_F(OverlayViewTest, ScaleAndTheFollowedRobotGoAlongFromRolloutToRollout) {
-    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {OverlayPlan::Cut::every, 0, 2}));
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {RolloutPlan::Cut::every, 0, 2}));
     window.actions()["follow"].trigger();
     clickLine(0);
     window.session().seek(10);
     settleAll();
     const double near = field().transform().scale();
     ASSERT_GT(near, 1.5 * field().fittedScale(field().size()));
-    const int by = *overlay.shownRollout() + 1 < overlay.requests().size() ? 1 : -1;
+    const int by = *overlay.rollouts().shown() + 1 < overlay.rollouts().requests().size() ? 1 : -1;
     ASSERT_TRUE(overlay.showNext(by));
     settleAll();
     EXPECT_EQ(field().transform().scale(), near);
@@ -150,7 +151,7 @@ TEST_F(OverlayViewTest, ScaleAndTheFollowedRobotGoAlongFromRolloutToRollout) {
 }
 
 TEST_F(OverlayViewTest, RolloutAsideOfWhatTheUserLooksAtIsSeenFromNear) {
-    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {OverlayPlan::Cut::every, 0, 2}));
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {RolloutPlan::Cut::every, 0, 2}));
     field().zoom(3);
     field().panBy({1e6, 0});
     ASSERT_TRUE(overlay.showNext(1));
@@ -159,18 +160,18 @@ TEST_F(OverlayViewTest, RolloutAsideOfWhatTheUserLooksAtIsSeenFromNear) {
 }
 
 TEST_F(OverlayViewTest, KeysWalkThroughTheListAndOpenItsRollouts) {
-    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {OverlayPlan::Cut::every, 0, 2}));
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {RolloutPlan::Cut::every, 0, 2}));
     clickLine(0);
     QTest::keyClick(&list(), Qt::Key_Down);
     QTest::keyClick(&list(), Qt::Key_Down);
     settleAll();
     EXPECT_EQ(list().currentIndex().row(), 2);
-    EXPECT_EQ(overlay.shownRollout(), panel.rollouts()->row(2).rollout);
+    EXPECT_EQ(overlay.rollouts().shown(), panel.rollouts()->row(2).rollout);
     expectNear();
 }
 
 TEST_F(OverlayViewTest, ListIsLeftAloneWhileItsRowsStay) {
-    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {OverlayPlan::Cut::every, 0, 2}));
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {RolloutPlan::Cut::every, 0, 2}));
     clickLine(0);
     int resets = 0;
     QObject::connect(panel.rollouts(), &QAbstractItemModel::modelReset, &window, [&] { ++resets; });
@@ -204,13 +205,13 @@ protected:
         ASSERT_NO_FATAL_FAILURE(openLog(file));
         overlay.setBound({{0.3, 3}, false});
         settleAll();
-        ASSERT_EQ(overlay.world()->world().robots().size(), 2u);
-        ASSERT_FALSE(overlay.rowOf(0, 0)->divergence);
-        ASSERT_TRUE(overlay.rowOf(0, 1)->divergence);
-        leaves = window.shown()->frame->scene().ticksOf(overlay.rowOf(0, 1)->divergence->time);
+        ASSERT_EQ(overlay.rollouts().world().robots().size(), 2u);
+        ASSERT_FALSE(overlay.rollouts().rowOf(0, 0)->divergence);
+        ASSERT_TRUE(overlay.rollouts().rowOf(0, 1)->divergence);
+        leaves = window.shown()->frame->scene().ticksOf(overlay.rollouts().rowOf(0, 1)->divergence->time);
         window.field().setSelected(0);
         settleAll();
-        ASSERT_EQ(overlay.shownRobot(), 0u);
+        ASSERT_EQ(overlay.rollouts().robot(), 0u);
     }
     std::int64_t leaves = 0;
 };
@@ -219,7 +220,7 @@ TEST_F(TwoRobotsTest, KeyGoesToTheOneThatLeavesWhereTheSelectedOneStays) {
     QTest::keyClick(&window, Qt::Key_D);
     settleAll();
     EXPECT_EQ(window.shown()->tick(), leaves);
-    EXPECT_EQ(overlay.shownRobot(), 1u);
+    EXPECT_EQ(overlay.rollouts().robot(), 1u);
     EXPECT_EQ(window.field().selected(), 1u);
 }
 
@@ -280,10 +281,10 @@ protected:
                 for (StampedPose& stamped : trajectory.poses) stamped.pose.y += 5;
             }
         });
-        ASSERT_NO_FATAL_FAILURE(openLog(file, {OverlayPlan::Cut::every, 0, 1}));
-        ASSERT_EQ(overlay.world()->world().robots().size(), 2u);
+        ASSERT_NO_FATAL_FAILURE(openLog(file, {RolloutPlan::Cut::every, 0, 1}));
+        ASSERT_EQ(overlay.rollouts().world().robots().size(), 2u);
         ASSERT_EQ(window.shown()->frame->scene().robots.size(), 2u);
-        ASSERT_GE(overlay.requests().size(), 4u);
+        ASSERT_GE(overlay.rollouts().requests().size(), 4u);
     }
     void next() {
         ASSERT_TRUE(overlay.showNext(1));
@@ -311,7 +312,7 @@ TEST_F(AbsentRobotTest, ConditionOnWhoIsAbsentIsLookedForInOtherRollouts) {
     };
     ASSERT_NO_FATAL_FAILURE(next());
     ASSERT_EQ(window.shown()->frame->scene().robots.size(), 1u);
-    const std::size_t absent = *overlay.shownRollout();
+    const std::size_t absent = *overlay.rollouts().shown();
     EXPECT_THAT(add("robot[3].speed > 0"), HasSubstr("there is no robot 3: there are 2 robots"));
     EXPECT_EQ(add("time > 0.4 and robot[1].x > -1000"), "");
     const BreakpointState state = window.shown()->breakpoints.back();
@@ -321,7 +322,7 @@ TEST_F(AbsentRobotTest, ConditionOnWhoIsAbsentIsLookedForInOtherRollouts) {
     EXPECT_EQ(state.inRun, 0);
     QTest::keyClick(&window, Qt::Key_F6);
     settleAll();
-    EXPECT_GT(*overlay.shownRollout(), absent);
+    EXPECT_GT(*overlay.rollouts().shown(), absent);
     EXPECT_TRUE(window.shown()->breakpoints.back().here);
     EXPECT_FALSE(window.shown()->breakpoints.back().elsewhere);
     const std::string name = window.shown()->frame->nameOf(0);
@@ -332,7 +333,7 @@ TEST_F(AbsentRobotTest, ConditionOnWhoIsAbsentIsLookedForInOtherRollouts) {
 }
 
 TEST_F(OverlayViewTest, EscapeTakesBackOnlyWhatIsNotAccepted) {
-    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {OverlayPlan::Cut::every, 0, 2}));
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {RolloutPlan::Cut::every, 0, 2}));
     window.activateWindow();
     ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
     auto* length = panel.findChild<QDoubleSpinBox*>();
@@ -344,46 +345,49 @@ TEST_F(OverlayViewTest, EscapeTakesBackOnlyWhatIsNotAccepted) {
         settleAll();
     };
     type("3", Qt::Key_Return);
-    ASSERT_EQ(overlay.plan().length, 3);
+    ASSERT_EQ(overlay.rollouts().plan().length, 3);
     ASSERT_TRUE(length->hasFocus());
     QTest::keyClick(window.windowHandle(), Qt::Key_Escape);
     settleAll();
-    EXPECT_EQ(overlay.plan().length, 3);
+    EXPECT_EQ(overlay.rollouts().plan().length, 3);
     EXPECT_TRUE(window.field().hasFocus());
     type("4", Qt::Key_Return);
     type("7", Qt::Key_Escape);
-    EXPECT_EQ(overlay.plan().length, 4);
+    EXPECT_EQ(overlay.rollouts().plan().length, 4);
     EXPECT_EQ(length->value(), 4);
 }
 
 TEST_F(OverlayViewTest, KeyGoesToTheNextRolloutThatDiverges) {
-    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {OverlayPlan::Cut::every, 0, 2}));
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {RolloutPlan::Cut::every, 0, 2}));
     // A bound that some rollouts keep, and others do not.
     std::vector<double> errors;
-    for (const OverlayRow& row : overlay.rows()) errors.push_back(row.position.value_or(0));
+    for (const RolloutRow& row : overlay.rollouts().rows()) errors.push_back(row.position.value_or(0));
     std::sort(errors.begin(), errors.end());
     overlay.setBound({{1.5 * errors[errors.size() / 2], 10}, false});
     settleAll();
-    const auto isLeft = [&](std::size_t rollout) { return overlay.rowOf(rollout, 0)->divergence.has_value(); };
+    const auto isLeft = [&](std::size_t rollout) {
+        return overlay.rollouts().rowOf(rollout, 0)->divergence.has_value();
+    };
     std::size_t from = 0;
-    while (from + 1 < overlay.requests().size() && (isLeft(from) || isLeft(from + 1))) ++from;
-    ASSERT_LT(from + 2, overlay.requests().size()) << "two in a row that are kept";
+    while (from + 1 < overlay.rollouts().requests().size() && (isLeft(from) || isLeft(from + 1))) ++from;
+    ASSERT_LT(from + 2, overlay.rollouts().requests().size()) << "two in a row that are kept";
     ASSERT_TRUE(overlay.show(from));
     settleAll();
     std::size_t wanted = from;
     do {
-        wanted = (wanted + 1) % overlay.requests().size();
+        wanted = (wanted + 1) % overlay.rollouts().requests().size();
     } while (!isLeft(wanted));
     QTest::keyClick(&window, Qt::Key_D);
     settleAll();
-    EXPECT_EQ(overlay.shownRollout(), wanted);
-    EXPECT_EQ(window.shown()->frame->scene().timeOf(state().tick), overlay.rowOf(wanted, 0)->divergence->time);
+    EXPECT_EQ(overlay.rollouts().shown(), wanted);
+    EXPECT_EQ(window.shown()->frame->scene().timeOf(state().tick),
+              overlay.rollouts().rowOf(wanted, 0)->divergence->time);
     EXPECT_TRUE(field().selected());
     overlay.setBound({{100, 10}, false});
     settleAll();
     QTest::keyClick(&window, Qt::Key_D);
     settleAll();
-    EXPECT_EQ(overlay.shownRollout(), wanted) << "none is left";
+    EXPECT_EQ(overlay.rollouts().shown(), wanted) << "none is left";
 }
 
 TEST_F(TwoRobotsTest, BreakOnDivergenceNamesAndSelectsTheOneThatLeaves) {
@@ -392,7 +396,7 @@ TEST_F(TwoRobotsTest, BreakOnDivergenceNamesAndSelectsTheOneThatLeaves) {
     settleAll();
     EXPECT_EQ(window.shown()->tick(), leaves);
     EXPECT_THAT(window.shown()->message, HasSubstr(window.shown()->frame->nameOf(1) + " leaves"));
-    EXPECT_EQ(overlay.shownRobot(), 1u);
+    EXPECT_EQ(overlay.rollouts().robot(), 1u);
 }
 
 TEST_F(TwoRobotsTest, SpeedsOfTheSelectedOneArePlottedByAKey) {
@@ -425,40 +429,41 @@ TEST_F(OverlayViewTest, PanelBehindAnotherComesToTheFront) {
 
 TEST_F(OverlayViewTest, ModelsAreRemovedByKeyAndByName) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped()));
-    const auto names = modelNames(*overlay.world());
+    const auto names = modelNames(*overlay.rollouts().log());
     ASSERT_GE(names.size(), 2u);
-    overlay.addModel(names[0]);
-    overlay.addModel(names[1]);
+    overlay.models().add(names[0]);
+    overlay.models().add(names[1]);
     settleAll();
-    ASSERT_EQ(overlay.models().size(), 3u);
+    ASSERT_EQ(overlay.models().all().size(), 3u);
     QTreeWidget& models = panel.models();
     models.setFocus();
     models.setCurrentItem(models.topLevelItem(1));
     QTest::keyClick(&models, Qt::Key_Delete);
     settleAll();
-    ASSERT_EQ(overlay.models().size(), 2u);
-    EXPECT_EQ(overlay.models()[1].name, names[1]);
+    ASSERT_EQ(overlay.models().all().size(), 2u);
+    EXPECT_EQ(overlay.models().all()[1].name, names[1]);
     EXPECT_EQ(reality().models.size(), 1u);
     const auto unknown = window.actions().perform("remove_model", QString("nonsense"));
     ASSERT_FALSE(unknown);
     EXPECT_THAT(unknown.error().message(), HasSubstr(names[1]));
     EXPECT_TRUE(window.actions().perform("remove_model", qtText(names[1])));
-    EXPECT_EQ(overlay.models().size(), 1u);
+    EXPECT_EQ(overlay.models().all().size(), 1u);
 }
 
 TEST_F(OverlayViewTest, RolloutsOfAStretchAreThoseOfCompare) {
-    OverlayPlan plan{OverlayPlan::Cut::every, 1, 2};
+    RolloutPlan plan{RolloutPlan::Cut::every, 1, 2};
     plan.stretch = 10;
     ASSERT_NO_FATAL_FAILURE(openLog(shipped(), plan));
     StretchOptions options;
     options.start = nanosecondsPerSecond;
     options.every = 2 * nanosecondsPerSecond;
     options.duration = 10 * nanosecondsPerSecond;
-    const auto rollouts = rolloutsOf(overlay.world()->world(), options);
+    const auto rollouts = rolloutsOf(overlay.rollouts().world(), options);
     ASSERT_TRUE(rollouts);
-    ASSERT_EQ(overlay.requests().size(), rollouts->size());
-    EXPECT_EQ(rollouts->size(), 5 * overlay.world()->world().sessions().size());
-    for (std::size_t i = 0; i < rollouts->size(); ++i) EXPECT_EQ(overlay.requests()[i].start, (*rollouts)[i].start);
+    ASSERT_EQ(overlay.rollouts().requests().size(), rollouts->size());
+    EXPECT_EQ(rollouts->size(), 5 * overlay.rollouts().world().sessions().size());
+    for (std::size_t i = 0; i < rollouts->size(); ++i)
+        EXPECT_EQ(overlay.rollouts().requests()[i].start, (*rollouts)[i].start);
 }
 
 }  // namespace

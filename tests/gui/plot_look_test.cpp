@@ -177,19 +177,19 @@ public:
 
 /// With and without a divergence and its cause.
 TEST_F(PlotLookTest, ListOfRolloutsKeepsItsHeightFromRolloutToRollout) {
-    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {OverlayPlan::Cut::every, 0, 2}));
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {RolloutPlan::Cut::every, 0, 2}));
     overlay.setBound({{0.05, 0.3}, false});
     settleAll();
     const int height = panel.list().height();
     int with = 0, without = 0;
     ResizeCount resizes;
     panel.list().installEventFilter(&resizes);
-    for (std::size_t i = 1; i <= overlay.requests().size(); ++i) {
-        const std::size_t rollout = i % overlay.requests().size();
+    for (std::size_t i = 1; i <= overlay.rollouts().requests().size(); ++i) {
+        const std::size_t rollout = i % overlay.rollouts().requests().size();
         ASSERT_TRUE(overlay.show(rollout));
         settleAll();
-        ASSERT_NE(overlay.shownRow(), nullptr);
-        ++(overlay.shownRow()->divergence ? with : without);
+        ASSERT_NE(overlay.rollouts().shownRow(), nullptr);
+        ++(overlay.rollouts().shownRow()->divergence ? with : without);
         EXPECT_EQ(panel.list().height(), height) << rollout;
         const QRect line = panel.list().visualRect(panel.list().currentIndex());
         EXPECT_TRUE(panel.list().viewport()->rect().contains({1, line.top(), 1, line.height()})) << rollout;

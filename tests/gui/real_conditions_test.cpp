@@ -22,7 +22,7 @@ protected:
     }
     /// At each tick of a rollout.
     std::vector<double> errorsOf(std::size_t rollout) const {
-        const auto run = openRollout(*overlay.world(), overlay.requests()[rollout], false);
+        const auto run = openRollout(*overlay.rollouts().log(), overlay.rollouts().requests()[rollout], false);
         EXPECT_TRUE(run);
         const Scene& scene = run->setup->scene();
         WorldState world = run->start;

@@ -147,7 +147,7 @@ TEST_F(ReportExportTest, DialogueAsksForWhatItTakes) {
 /// A window with a log over its simulation: what it shows is what its dialogue offers.
 class ComparisonDialogTest : public ReportExportTest {
 protected:
-    void open(const OverlayRequest& request, const std::optional<OverlayPlan>& plan = {}) {
+    void open(const PlayedLogRequest& request, const std::optional<RolloutPlan>& plan = {}) {
         const auto opened = overlay.openNow(request, plan);
         ASSERT_TRUE(opened) << opened.error().message();
         settleOverlay();
@@ -184,7 +184,7 @@ protected:
     void expectTheWindowsDivergences() {
         const auto json = nlohmann::json::parse(read("report/results.json"));
         std::size_t leaving = 0;
-        for (const OverlayRow& row : overlay.rows()) leaving += row.divergence ? 1 : 0;
+        for (const RolloutRow& row : overlay.rollouts().rows()) leaving += row.divergence ? 1 : 0;
         EXPECT_GT(leaving, 0u);
         EXPECT_EQ(json["divergence"]["all"]["diverging"], leaving) << json["divergence"].dump();
     }
@@ -195,15 +195,15 @@ protected:
 TEST_F(ComparisonDialogTest, TakesOverStartLengthBoundAndModels) {
     const std::string log = shippedLog() + "/random.csv", other = place("other.net");
     std::filesystem::copy_file(sourceFolder() / "nets/create.net", other);
-    ASSERT_NO_FATAL_FAILURE(open({log, ""}, OverlayPlan{OverlayPlan::Cut::every, 1.5, 4, 20.0}));
-    overlay.addModel(other);
+    ASSERT_NO_FATAL_FAILURE(open({log, ""}, RolloutPlan{RolloutPlan::Cut::every, 1.5, 4, 20.0}));
+    overlay.models().add(other);
     overlay.setBound({{0.03, 7 / degrees}, false});
     settleOverlay();
     expectTheOneOf({"compare", "--log", log, "--start", "1.5", "--duration", "20.0", "--every", "4.0",
                     "--bound-position", "0.03", "--bound-heading", "7.0", "--model", other});
     expectTheWindowsDivergences();
     overlay.setBound({{}, true});
-    ASSERT_TRUE(overlay.setPlan({OverlayPlan::Cut::once, 0, 8}));
+    ASSERT_TRUE(overlay.setPlan({RolloutPlan::Cut::once, 0, 8}));
     settleOverlay();
     expectTheOneOf({"compare", "--log", log, "--duration", "8.0", "--model", other});
 }
@@ -211,14 +211,14 @@ TEST_F(ComparisonDialogTest, TakesOverStartLengthBoundAndModels) {
 TEST_F(ComparisonDialogTest, TakesOverWindowsAndWhatDrove) {
     const std::string log = place("own.csv");
     std::filesystem::copy_file(shippedLog() + "/random.csv", log);
-    OverlayRequest request{log, ""};
+    PlayedLogRequest request{log, ""};
     request.robotFile = "pioneer1.toml";
     request.seed = 7;
-    ASSERT_NO_FATAL_FAILURE(open(request, OverlayPlan{OverlayPlan::Cut::windows, 0, 5}));
+    ASSERT_NO_FATAL_FAILURE(open(request, RolloutPlan{RolloutPlan::Cut::windows, 0, 5}));
     expectTheOneOf(
         {"compare", "--log", log, "--robot", "pioneer1.toml", "--duration", "5.0", "--windows", "all", "--seed", "7"});
     const auto json = nlohmann::json::parse(read("report/results.json"));
-    EXPECT_EQ(json["all"]["rollouts"], overlay.rows().size());
+    EXPECT_EQ(json["all"]["rollouts"], overlay.rollouts().rows().size());
 }
 
 TEST_F(ComparisonDialogTest, NumbersThatMakeNoSenseAreSaidAndNothingIsWritten) {

@@ -15,7 +15,7 @@ class RolloutBreaksTest : public RolloutTest {
 protected:
     /// The simulated robot of a rollout as compare() has it, at its start and after each step.
     std::vector<Pose> posesOf(std::size_t rollout) const {
-        for (const ComparedRollout& compared : overlay.comparison()->rollouts) {
+        for (const ComparedRollout& compared : overlay.rollouts().comparison()->rollouts) {
             if (compared.request != rollout || compared.use == RolloutUse::absent) continue;
             std::vector<Pose> poses{compared.real.truth.front()};
             poses.insert(poses.end(), compared.simulated.begin(), compared.simulated.end());
@@ -33,7 +33,7 @@ protected:
     /// One that no rollout before `from` crosses, but one after it.
     double thresholdAfter(std::size_t from) const {
         double highest = -1e9;
-        for (std::size_t rollout = 0; rollout < overlay.requests().size(); ++rollout) {
+        for (std::size_t rollout = 0; rollout < overlay.rollouts().requests().size(); ++rollout) {
             double least = 1e9, most = -1e9;
             for (const Pose& pose : posesOf(rollout)) {
                 least = std::min(least, pose.x);
@@ -50,8 +50,8 @@ protected:
 TEST_F(RolloutBreaksTest, NextBreakIsFoundInARolloutFurtherOnAndTheLastInOneBefore) {
     const double threshold = thresholdAfter(3);
     std::size_t expected = 1;
-    while (expected < overlay.requests().size() && crossing(expected, threshold) == 0) ++expected;
-    ASSERT_LT(expected, overlay.requests().size()) << "a log in which x grows later on";
+    while (expected < overlay.rollouts().requests().size() && crossing(expected, threshold) == 0) ++expected;
+    ASSERT_LT(expected, overlay.rollouts().requests().size()) << "a log in which x grows later on";
     stopOn("robot[1].x > " + std::to_string(threshold));
     press();
     EXPECT_EQ(shownRollout(), expected);
@@ -63,7 +63,7 @@ TEST_F(RolloutBreaksTest, NextBreakIsFoundInARolloutFurtherOnAndTheLastInOneBefo
     EXPECT_GT(state().robots[0].pose.x, threshold);
 
     // From further on, the last of them.
-    std::size_t last = overlay.requests().size() - 1;
+    std::size_t last = overlay.rollouts().requests().size() - 1;
     while (std::ranges::none_of(posesOf(last - 1), [&](const Pose& pose) { return pose.x > threshold; })) --last;
     open(last);
     press(Qt::ShiftModifier);
@@ -110,12 +110,12 @@ TEST_F(RolloutBreaksTest, BreakBeyondTheRolloutsEndIsNone) {
 }
 
 TEST_F(RolloutBreaksTest, DivergencesOfAllRolloutsAreGoneThroughInTheirOrder) {
-    OverlayPlan plan{OverlayPlan::Cut::every, 0, 2};
+    RolloutPlan plan{RolloutPlan::Cut::every, 0, 2};
     ASSERT_TRUE(overlay.setPlan(plan));
     overlay.setBound({{0.01, 0.5}, false});
     settleAll();
     std::vector<std::pair<std::size_t, std::int64_t>> expected, found;
-    for (const OverlayRow& row : overlay.rows())
+    for (const RolloutRow& row : overlay.rollouts().rows())
         if (row.divergence)
             expected.emplace_back(row.rollout, window.shown()->frame->scene().ticksOf(row.divergence->time));
     ASSERT_GE(expected.size(), 3u);
@@ -126,7 +126,7 @@ TEST_F(RolloutBreaksTest, DivergencesOfAllRolloutsAreGoneThroughInTheirOrder) {
         found.emplace_back(shownRollout(), window.shown()->tick());
     }
     EXPECT_EQ(found, expected);
-    open(overlay.requests().size() - 1);
+    open(overlay.rollouts().requests().size() - 1);
     QTest::keyClick(&window, Qt::Key_Home);
     settleAll();
     std::vector<std::pair<std::size_t, std::int64_t>> back;
@@ -135,14 +135,14 @@ TEST_F(RolloutBreaksTest, DivergencesOfAllRolloutsAreGoneThroughInTheirOrder) {
         if (!window.shown()->atBreak) break;
         back.insert(back.begin(), {shownRollout(), window.shown()->tick()});
     }
-    std::erase_if(expected, [&](const auto& one) { return one.first == overlay.requests().size() - 1; });
+    std::erase_if(expected, [&](const auto& one) { return one.first == overlay.rollouts().requests().size() - 1; });
     EXPECT_EQ(back, expected);
 }
 
 TEST_F(RolloutBreaksTest, BranchThatLeavesTheRealTrajectoryStopsOnceThatIsHeld) {
     overlay.setBound({{0.3, 3}, false});
     settleAll();
-    ASSERT_FALSE(overlay.shownRow()->divergence) << "the rollout itself stays";
+    ASSERT_FALSE(overlay.rollouts().shownRow()->divergence) << "the rollout itself stays";
     moveAside(0.94);
     ASSERT_EQ(window.shown()->branch, 1u);
     stopOn("divergence");

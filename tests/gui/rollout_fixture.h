@@ -15,8 +15,8 @@ class RolloutTest : public OverlayTest {
 protected:
     void SetUp() override {
         OverlayTest::SetUp();
-        ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {OverlayPlan::Cut::every, 0, 2}));
-        ASSERT_GE(overlay.requests().size(), 8u);
+        ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {RolloutPlan::Cut::every, 0, 2}));
+        ASSERT_GE(overlay.rollouts().requests().size(), 8u);
     }
 
     void stopOn(const std::string& text) {
@@ -32,14 +32,14 @@ protected:
     void open(std::size_t rollout) {
         ASSERT_TRUE(overlay.show(rollout));
         settleAll();
-        ASSERT_EQ(overlay.shownRollout(), rollout);
+        ASSERT_EQ(overlay.rollouts().shown(), rollout);
     }
     std::string said() const {
         QString all;
         for (const QLabel* label : window.statusBar()->findChildren<QLabel*>()) all += label->text() + '\n';
         return all.toStdString();
     }
-    std::size_t shownRollout() const { return overlay.shownRollout().value(); }
+    std::size_t shownRollout() const { return overlay.rollouts().shown().value(); }
 
     /// By 1 m, at an instant: a branch.
     void moveAside(double seconds) {

@@ -27,10 +27,12 @@ protected:
         window.session().setBreakpoints({breakpoint});
         settleAll();
     }
-    std::int64_t length(std::size_t rollout) const { return ticksOf(0.1 * overlay.requests()[rollout].steps); }
+    std::int64_t length(std::size_t rollout) const {
+        return ticksOf(0.1 * overlay.rollouts().requests()[rollout].steps);
+    }
     /// In which rollout, and at which of its ticks, it is met the n-th time, from 1; nullopt: not so often.
     std::optional<std::pair<std::size_t, std::int64_t>> meeting(int n) const {
-        for (std::size_t rollout = 0; rollout < overlay.requests().size(); ++rollout)
+        for (std::size_t rollout = 0; rollout < overlay.rollouts().requests().size(); ++rollout)
             for (std::int64_t tick = phase; tick <= length(rollout); tick += period)
                 if (--n == 0) return std::pair(rollout, tick);
         return {};
@@ -126,8 +128,8 @@ TEST_F(RolloutHitsTest, DivergencesOfAnotherBoundAreForgotten) {
     breakpoint.from = 1000;
     window.session().setBreakpoints({breakpoint});
     settleAll();
-    const auto leaving = std::count_if(overlay.rows().begin(), overlay.rows().end(),
-                                       [](const OverlayRow& row) { return row.divergence.has_value(); });
+    const auto leaving = std::count_if(overlay.rollouts().rows().begin(), overlay.rollouts().rows().end(),
+                                       [](const RolloutRow& row) { return row.divergence.has_value(); });
     ASSERT_GT(leaving, 2);
     press();
     EXPECT_EQ(counted().all, leaving);
@@ -140,7 +142,7 @@ constexpr const char* overText = "The last rollout of the log is over";
 
 TEST_F(RolloutHitsTest, PlayingEndsOnceWhereTheLogDoes) {
     window.session().setBreakpoints({});
-    const std::size_t last = overlay.requests().size() - 1;
+    const std::size_t last = overlay.rollouts().requests().size() - 1;
     open(last - 1);
     play();
     EXPECT_EQ(place(), std::pair(last, length(last)));
@@ -156,7 +158,7 @@ TEST_F(RolloutHitsTest, PlayingEndsOnceWhereTheLogDoes) {
 /// However one came there.
 TEST_F(RolloutHitsTest, PlayingFromARolloutsEndIsTheNextRollout) {
     window.session().setBreakpoints({});
-    const std::size_t last = overlay.requests().size() - 1;
+    const std::size_t last = overlay.rollouts().requests().size() - 1;
     open(last - 1);
     window.session().seek(length(last - 1));
     settleAll();

@@ -20,36 +20,44 @@ using testing::IsEmpty;
 
 class JobQueueTest : public testing::Test {
 protected:
-    void post(const JobQueue::Job& job) {
-        queue.post(job, [this](const Error& error) { said.push_back(error.message()); });
+    using Answer = Expected<std::string>;
+    template <class Job>
+    void run(Job job) {
+        queue.run(job, [this](const Answer& answer) { said.push_back(answer ? *answer : answer.error().message()); });
     }
-    void postAnswer(const std::string& answer) {
-        post([this, answer](const JobQueue::GoesOn&) { return [this, answer] { said.push_back(answer); }; });
+    void runAnswer(const std::string& answer) {
+        run([answer](const JobQueue::GoesOn&) -> Answer { return answer; });
     }
     JobQueue queue;
     std::vector<std::string> said;
 };
 
 TEST_F(JobQueueTest, JobThatThrowsHasFailedAndTheNextOneIsDone) {
-    post([](const JobQueue::GoesOn&) -> JobQueue::Answer { throwLength(); });
-    postAnswer("the next one");
+    run([](const JobQueue::GoesOn&) -> Answer { throwLength(); });
+    runAnswer("the next one");
     queue.settle();
     EXPECT_THAT(said, ElementsAre("failed: vector::_M_default_append", "the next one"));
 }
 
 TEST_F(JobQueueTest, AnswersThatThrowHaveFailedToo) {
-    post([this](const JobQueue::GoesOn&) -> JobQueue::Answer {
-        queue.report([] { throwLength(); });
-        return [] { throw 7; };
-    });
-    postAnswer("the next one");
+    int taken = 0;
+    queue.run(
+        [this](const JobQueue::GoesOn&) -> Answer {
+            queue.report([] { throwLength(); });
+            return "done";
+        },
+        [&](const Answer& answer) {
+            if (++taken == 2) throw 7;
+            said.push_back(answer ? *answer : answer.error().message());
+        });
+    runAnswer("the next one");
     queue.settle();
     EXPECT_THAT(said, ElementsAre("failed: vector::_M_default_append", "failed for an unknown reason", "the next one"));
 }
 
 TEST_F(JobQueueTest, WhoIsNotWantedAnyMoreSaysNothing) {
     std::promise<void> begun, go;
-    post([&](const JobQueue::GoesOn&) -> JobQueue::Answer {
+    run([&](const JobQueue::GoesOn&) -> Answer {
         begun.set_value();
         go.get_future().wait();
         throwLength();

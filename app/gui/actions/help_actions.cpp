@@ -79,7 +79,7 @@ void addHelpActions(MainWindow& window) {
     QObject::connect(steps, &QAction::toggled, card, &QWidget::setVisible);
     // A log has panels of its own, and leaves the field no room for a card.
     QObject::connect(&window.overlay(), &Overlay::changed, card, [&window, steps, had = false]() mutable {
-        const bool has = window.overlay().world() != nullptr;
+        const bool has = window.overlay().rollouts().log() != nullptr;
         if (has && !std::exchange(had, has)) steps->setChecked(false);
         had = has;
     });

@@ -12,6 +12,7 @@
 #include "reality/robot_dialog.h"
 #include "widgets/field_view.h"
 #include "widgets/qt_text.h"
+#include "workflow/open_model.h"
 #include "window/main_window.h"
 #include "workflow/resources.h"
 
@@ -27,14 +28,14 @@ QString askForLog(MainWindow& window) {
 }
 
 Expected<void> openLogAt(MainWindow& window, const QString& path) {
-    const OverlayRequest request{placeOfLog(path.toStdString()), ""};
+    const PlayedLogRequest request{placeOfLog(path.toStdString()), ""};
     if (window.actions().unattended()) return window.overlay().openNow(request);
     window.overlay().open(request);
     return {};
 }
 
 /// Of a log that does not say it; cancelled, what is open stays.
-void askWhatDrove(MainWindow& window, const OverlayRequest& request, const std::optional<OverlayPlan>& asked) {
+void askWhatDrove(MainWindow& window, const PlayedLogRequest& request, const std::optional<RolloutPlan>& asked) {
     delete window.findChild<RobotDialog*>();
     const QString log = QFileInfo(qtText(request.log)).absoluteFilePath();
     auto* dialog = new RobotDialog(log, &window);
@@ -42,7 +43,7 @@ void askWhatDrove(MainWindow& window, const OverlayRequest& request, const std::
     if (const QString before = window.memory().robotOf(log); !before.isEmpty()) dialog->choose(before);
     QObject::connect(dialog, &RobotDialog::chosen, &window, [&window, request, asked, log](const QString& robotFile) {
         window.memory().keepRobot(log, robotFile);
-        OverlayRequest answered = request;
+        PlayedLogRequest answered = request;
         answered.robotFile = robotFile.toStdString();
         window.overlay().open(answered, asked);
     });
@@ -53,7 +54,7 @@ void layModelOfFile(MainWindow& window) {
     const QString file =
         QFileDialog::getOpenFileName(&window, QObject::tr("Motion network"), window.memory().lastFolder(),
                                      QObject::tr("Networks (*.net);;All files (*)"));
-    if (!file.isEmpty()) window.overlay().addModel(file.toStdString());
+    if (!file.isEmpty()) window.overlay().models().add(file.toStdString());
 }
 
 /// Those that ship, as a menu over the field; other ones are files.
@@ -61,8 +62,8 @@ void offerModels(MainWindow& window) {
     auto* menu = new QMenu(&window);
     menu->setObjectName("models_menu");
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    for (const std::string& known : modelNames(*window.overlay().world()))
-        menu->addAction(qtText(known), &window, [&window, known] { window.overlay().addModel(known); });
+    for (const std::string& known : modelNames(*window.overlay().rollouts().log()))
+        menu->addAction(qtText(known), &window, [&window, known] { window.overlay().models().add(known); });
     menu->addSeparator();
     menu->addAction(QObject::tr("Other file\u2026"), &window, [&window] { layModelOfFile(window); });
     menu->popup(window.field().mapToGlobal(QPoint(40, 40)));
@@ -73,7 +74,7 @@ void offerModels(MainWindow& window) {
 /// is not clear which.
 QString modelToRemove(MainWindow& window) {
     const QTreeWidget& list = window.overlayPanel().models();
-    const auto& models = window.overlay().models();
+    const auto& models = window.overlay().models().all();
     const int line = models.size() == 2 ? 1 : list.indexOfTopLevelItem(list.currentItem());
     if (line > 0 && line < list.topLevelItemCount()) return list.topLevelItem(line)->text(0);
     window.say(models.size() < 2
@@ -83,10 +84,10 @@ QString modelToRemove(MainWindow& window) {
 }
 
 Expected<void> removeModel(MainWindow& window, const std::string& name) {
-    const auto& models = window.overlay().models();
+    const auto& models = window.overlay().models().all();
     std::string names;
     for (std::size_t i = 1; i < models.size(); ++i) {
-        if (models[i].name == name) return window.overlay().removeModel(i), Expected<void>();
+        if (models[i].name == name) return window.overlay().models().remove(i), Expected<void>();
         names += (names.empty() ? "\"" : ", \"") + models[i].name + '"';
     }
     return fail(name, "is not laid over" + (names.empty() ? std::string() : "; expected one of " + names));
@@ -95,18 +96,19 @@ Expected<void> removeModel(MainWindow& window, const std::string& name) {
 void goToDivergence(MainWindow& window) {
     Overlay& overlay = window.overlay();
     if (overlay.goToDivergence()) return;
-    window.say(!overlay.shownRollout() ? QObject::tr("No rollout of the log is shown")
-               : overlay.share() < 1   ? QObject::tr("Nothing leaves the real trajectory as far as they are compared")
-               : overlay.comparison()
+    window.say(!overlay.rollouts().shown() ? QObject::tr("No rollout of the log is shown")
+               : overlay.share() < 1 ? QObject::tr("Nothing leaves the real trajectory as far as they are compared")
+               : overlay.rollouts().comparison()
                    ? QObject::tr("Nothing leaves the real trajectory by more than the bound in any of the rollouts")
                    : QObject::tr("The rollouts are not compared"));
 }
 
 /// The robot of the overlay that a body of the run is.
 std::optional<std::size_t> robotOf(MainWindow& window, std::optional<std::size_t> body) {
-    if (!body || !window.shown() || !window.overlay().world() || *body >= window.shown()->frame->scene().bodyCount())
+    if (!body || !window.shown() || !window.overlay().rollouts().log() ||
+        *body >= window.shown()->frame->scene().bodyCount())
         return {};
-    const std::vector<ComparedRobot>& robots = window.overlay().world()->world().robots();
+    const std::vector<ComparedRobot>& robots = window.overlay().rollouts().world().robots();
     const std::string name = window.shown()->frame->nameOf(*body);
     for (std::size_t robot = 0; robot < robots.size(); ++robot)
         if (robots[robot].name == name) return robot;
@@ -120,9 +122,9 @@ void bindOverlay(MainWindow& window) {
     strip.setObjectName("courses_strip");
     strip.hide();
     QObject::connect(&overlay, &Overlay::changed, &window, [&window, &overlay, &strip] {
-        strip.setVisible(overlay.world() != nullptr);
+        strip.setVisible(overlay.rollouts().log() != nullptr);
         strip.setContent(stripOf(overlay));
-        if (overlay.world()) window.showReality();
+        if (overlay.rollouts().log()) window.showReality();
     });
     QObject::connect(&overlay, &Overlay::robotKindUnknown, &window,
                      [&window](const auto& request, const auto& asked) { askWhatDrove(window, request, asked); });
@@ -131,7 +133,7 @@ void bindOverlay(MainWindow& window) {
         if (frame.reality) strip.setNow(frame.reality->start + frame.scene().timeOf(frame.state.tick));
     });
     QObject::connect(&strip, &RolloutStrip::rolloutRequested, &overlay,
-                     [&overlay](std::size_t rollout) { overlay.show(rollout, overlay.shownRobot()); });
+                     [&overlay](std::size_t rollout) { overlay.show(rollout, overlay.rollouts().robot()); });
     QObject::connect(&window.field(), &FieldView::bodySelected, &overlay,
                      [&window, &overlay](auto body) { overlay.setRobot(robotOf(window, body)); });
     QObject::connect(&window.overlayPanel(), &OverlayPanel::modelFileWanted, &window,
@@ -158,7 +160,7 @@ void addOverlayActions(MainWindow& window) {
     const auto whileOpen = [&](QAction* action) {
         action->setEnabled(false);
         QObject::connect(&window.overlay(), &Overlay::changed, action,
-                         [&window, action] { action->setEnabled(window.overlay().world() != nullptr); });
+                         [&window, action] { action->setEnabled(window.overlay().rollouts().log() != nullptr); });
     };
     whileOpen(actions.add(menu,
                           {"next_course", QObject::tr("&Next rollout"), QKeySequence("Ctrl+PgDown"),
@@ -181,7 +183,7 @@ void addOverlayActions(MainWindow& window) {
                                               return QString();
                                           },
                                           [&](const QString& model) -> Expected<void> {
-                                              window.overlay().addModel(model.toStdString());
+                                              window.overlay().models().add(model.toStdString());
                                               return {};
                                           }}));
     whileOpen(

@@ -46,7 +46,7 @@ Expected<void> needed(std::initializer_list<std::pair<const QLineEdit*, const ch
 }
 
 /// Where the network of an overlay's model lies; empty: it is none.
-QString networkFile(const OverlayModel& model) {
+QString networkFile(const JudgedModel& model) {
     if (!model.name.ends_with(".net")) return {};
     const std::filesystem::path shipped = resourceFolder() / "nets" / model.name;
     std::error_code ignored;
@@ -59,15 +59,15 @@ QString shortest(double number) { return QString::number(number, 'g', QLocale::F
 
 /// Where the simulated robots start, and when they have left the real trajectory.
 void addPlan(std::map<QString, QString>& lines, const Overlay& overlay) {
-    using Cut = OverlayPlan::Cut;
-    const OverlayPlan& plan = overlay.plan();
+    using Cut = RolloutPlan::Cut;
+    const RolloutPlan& plan = overlay.rollouts().plan();
     const QString length = shortest(std::round(10 * plan.length) / 10);
     const bool windows = plan.cut == Cut::windows;
     lines["windows"] = windows ? allWindows : "";
     lines["start"] = windows || plan.start == 0 ? "" : shortest(plan.start);
     lines["every"] = plan.cut == Cut::every ? length : "";
     lines["duration"] = plan.cut != Cut::every ? length : plan.stretch ? shortest(*plan.stretch) : "";
-    const Overlay::Bound& bound = overlay.bound();
+    const LogRollouts::Bound& bound = overlay.rollouts().bound();
     // As people read it: a number of the window's boxes has been divided and is multiplied again.
     const auto read = [&](double number) { return bound.fromHeldOut ? "" : shortest(std::round(1e6 * number) / 1e6); };
     lines["position"] = read(100 * bound.at.position);
@@ -77,13 +77,13 @@ void addPlan(std::map<QString, QString>& lines, const Overlay& overlay) {
 /// What is open, as the lines of the dialogues have it.
 std::map<QString, QString> linesOf(const Overlay& overlay) {
     std::map<QString, QString> lines;
-    if (!overlay.world()) return lines;
-    const OverlayWorld& world = *overlay.world();
+    if (!overlay.rollouts().log()) return lines;
+    const PlayedLog& world = *overlay.rollouts().log();
     lines["log"] = qtText(world.place);
     lines["scenario"] = qtText(world.request.scenario);
     lines["robot"] = qtText(world.request.robotFile);
     QStringList networks, robots;
-    for (const OverlayModel& model : overlay.models()) networks << networkFile(model);
+    for (const JudgedModel& model : overlay.models().all()) networks << networkFile(model);
     lines["network"] = networks.takeFirst();
     networks.removeAll({});
     lines["against"] = lines["models"] = networks.join(", ");
@@ -251,7 +251,7 @@ Expected<std::optional<double>> numberIn(const ReportDialog& dialog, const char*
 }
 
 /// What the comparison's dialogue asks for, as the flags of `mrose compare` do.
-Expected<ComparisonReport> comparisonIn(const ReportDialog& dialog, const OverlayWorldPointer& open) {
+Expected<ComparisonReport> comparisonIn(const ReportDialog& dialog, const PlayedLogPointer& open) {
     const auto line = [&](const char* name) { return dialog.findChild<QLineEdit*>(name); };
     ComparisonReport report{{textOf(line("scenario")), textOf(line("log"))}};
     LogComparisonRequest& what = report.what;
@@ -343,7 +343,7 @@ ReportDialog* showComparisonDialog(MainWindow& window) {
     const auto* folder = addFolder(*dialog);
     dialog->setAction([=, &window]() -> Expected<void> {
         if (auto all = needed({{log, "a log"}, {folder, "a folder"}}); !all) return all;
-        const auto report = comparisonIn(*dialog, window.overlay().world());
+        const auto report = comparisonIn(*dialog, window.overlay().rollouts().log());
         if (!report) return tl::unexpected(report.error());
         return exportComparison(window, *report, folder->text().trimmed(), dialog->replaces());
     });

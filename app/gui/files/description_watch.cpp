@@ -71,10 +71,14 @@ void DescriptionWatch::watchPlaces() {
 
 void DescriptionWatch::check() {
     if (looking_.busy()) return settled_.start();
-    const auto job = [this, known = contents_](const JobQueue::GoesOn& goesOn) -> JobQueue::Answer {
-        return [this, now = contentsNow(known, goesOn)] { take(now); };
-    };
-    looking_.post(job, [this](const Error& error) { emit failed(error); });
+    looking_.run([known = contents_](
+                     const JobQueue::GoesOn& goesOn) -> Expected<Contents> { return contentsNow(known, goesOn); },
+                 [this](const Expected<Contents>& now) {
+                     if (now)
+                         take(*now);
+                     else
+                         emit failed(now.error());
+                 });
 }
 
 /// Of those files that may have another content, and of those that are missed, or were.

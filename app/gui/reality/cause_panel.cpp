@@ -66,7 +66,7 @@ public:
 };
 
 /// How far it is off.
-QString offText(const OverlayRow& row) {
+QString offText(const RolloutRow& row) {
     if (!row.position) return QObject::tr("no ground truth here");
     const QString position = fixedText(100 * *row.position, 1) + " cm";
     if (!row.heading) return QObject::tr("%1 off on average where the ground truth is known").arg(position);
@@ -164,8 +164,8 @@ void CausePanel::makeCauses() {
     causes_->setFixedHeight((shownLines + 1) * line + 6);
     connect(causes_, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item) {
         const auto trial = static_cast<std::size_t>(causes_->indexOfTopLevelItem(item));
-        const bool again = overlay_.shownCause() == trial;
-        overlay_.showCause(again ? std::nullopt : std::optional(trial));
+        const bool again = overlay_.causes().shown() == trial;
+        overlay_.causes().show(again ? std::nullopt : std::optional(trial));
     });
 }
 
@@ -180,18 +180,18 @@ void CausePanel::applyBound() {
 }
 
 void CausePanel::refresh() {
-    const OverlayRow* const row = overlay_.shownRow();
+    const RolloutRow* const row = overlay_.rollouts().shownRow();
     setVisible(row != nullptr);
     filling_ = true;
-    position_->setValue(100 * overlay_.bound().at.position);
-    heading_->setValue(degrees * overlay_.bound().at.heading);
-    heldOut_->setChecked(overlay_.bound().fromHeldOut);
-    position_->setEnabled(!overlay_.bound().fromHeldOut);
-    heading_->setEnabled(!overlay_.bound().fromHeldOut);
+    position_->setValue(100 * overlay_.rollouts().bound().at.position);
+    heading_->setValue(degrees * overlay_.rollouts().bound().at.heading);
+    heldOut_->setChecked(overlay_.rollouts().bound().fromHeldOut);
+    position_->setEnabled(!overlay_.rollouts().bound().fromHeldOut);
+    heading_->setEnabled(!overlay_.rollouts().bound().fromHeldOut);
     filling_ = false;
     if (row == nullptr) return;
-    QString robot = qtText(overlay_.world()->world().robots()[row->robot].name);
-    if (const std::string session = sessionText(overlay_.world()->world().sessions()[row->session]); !session.empty())
+    QString robot = qtText(overlay_.rollouts().world().robots()[row->robot].name);
+    if (const std::string session = sessionText(overlay_.rollouts().world().sessions()[row->session]); !session.empty())
         robot += tr(" in %1").arg(qtText(session));
     const QString start = fixedText(toSeconds(row->start), 1);
     rollout_->setText((overlay_.showsCompared() ? tr("%1 from %2 s: %3") : tr("%1 from %2 s (not this branch): %3"))
@@ -210,7 +210,7 @@ void CausePanel::refresh() {
 
 /// The verdict in a line.
 QString CausePanel::likely() const {
-    const auto& finding = overlay_.finding();
+    const auto& finding = overlay_.causes().finding();
     if (!finding) return {};
     if (!finding->error.isEmpty()) return finding->error;
     if (!finding->diagnosis) return tr("Looking for the cause: %1 %").arg(static_cast<int>(100 * finding->share));
@@ -221,7 +221,7 @@ QString CausePanel::likely() const {
 
 void CausePanel::refreshCauses() {
     cause_->setText(likely());
-    const auto& finding = overlay_.finding();
+    const auto& finding = overlay_.causes().finding();
     const bool known = finding && finding->diagnosis;
     QString onset = known ? qtText(onsetText(*finding->diagnosis)) : QString();
     onset.replace(0, 1, onset.left(1).toUpper());
@@ -242,7 +242,7 @@ void CausePanel::refreshCauses() {
             item->setFont(0, bold);
         }
         causes_->addTopLevelItem(item);
-        if (overlay_.shownCause() == i) item->setSelected(true);
+        if (overlay_.causes().shown() == i) item->setSelected(true);
     }
 }
 

@@ -10,14 +10,12 @@
 #include "reality/overlay.h"
 #include "session/session.h"
 #include "widgets/field_view.h"
-#include "widgets/message_bar.h"
 #include "widgets/qt_text.h"
 
 namespace mrose::gui {
 namespace {
 
 constexpr std::int64_t mostPoints = 2000;  // of a model's rollout: more than there are pixels
-constexpr const char* errorPlotTopic = "error plot";
 
 bool has(const std::vector<ValueKey>& keys, const ValueKey& key) {
     return std::find(keys.begin(), keys.end(), key) != keys.end();
@@ -102,8 +100,8 @@ bool ErrorPlot::eventFilter(QObject* watched, QEvent* event) {
 
 void ErrorPlot::follow() {
     const Overlay& overlay = overlay_;
-    if (world_ != overlay.world().get()) {
-        world_ = overlay.world().get();
+    if (world_ != overlay.rollouts().log().get()) {
+        world_ = overlay.rollouts().log().get();
         // A log that is read again is the same one.
         on_ = on_ || frame_.session.current() == nullptr || frame_.session.current()->run != run_;
         run_ = 0;
@@ -111,7 +109,7 @@ void ErrorPlot::follow() {
         computing_.drop();
     }
     // Another rollout may be on its way: until it is there, nothing changes.
-    if (world_ != nullptr && (!overlay.shownRollout() || frame_.session.current() == nullptr)) return;
+    if (world_ != nullptr && (!overlay.rollouts().shown() || frame_.session.current() == nullptr)) return;
     if (world_ != nullptr && run_ != frame_.session.current()->run) lookAtRollout();
     plot();
 }
@@ -120,23 +118,18 @@ void ErrorPlot::lookAtRollout() {
     run_ = frame_.session.current()->run;
     computing_.drop();
     showDock();
-    const Overlay& overlay = overlay_;
-    const auto job = [this, world = overlay.world(),
-                      request = overlay.requests()[*overlay.shownRollout()]](const JobQueue::GoesOn& goesOn) {
-        ComparisonOptions options;
-        options.seed = world->seed;
-        options.progress = [&](std::span<const ComparedRollout>, double) { return goesOn(); };
-        auto compared = compare(world->world(), {&request, 1}, options);
-        std::shared_ptr<const Comparison> rollout;
-        if (compared) rollout = std::make_shared<const Comparison>(std::move(*compared));
-        return JobQueue::Answer([this, rollout] {
-            rollout_ = rollout;
+    computing_.run(
+        [log = overlay_.rollouts().log(),
+         request = overlay_.rollouts().requests()[*overlay_.rollouts().shown()]](const JobQueue::GoesOn& goesOn) {
+            ComparisonOptions options;
+            options.seed = log->seed;
+            options.progress = [&](std::span<const ComparedRollout>, double) { return goesOn(); };
+            return compare(log->world(), {&request, 1}, options);
+        },
+        [this](Expected<Comparison> compared) {
+            rollout_ = compared ? std::make_shared<const Comparison>(std::move(*compared)) : nullptr;
             plot();
         });
-    };
-    computing_.post(job, [this](const Error& error) {
-        frame_.messages.add({MessageBar::Kind::error, qtText(error.message()), errorPlotTopic});
-    });
 }
 
 /// In Comparison::rollouts.
@@ -180,7 +173,7 @@ PlotPanel::Foresight ErrorPlot::foresight(std::optional<std::size_t> which) cons
     const Scene& scene = frame_.session.current()->frame->scene();
     known.run = frame_.session.current()->run;
     known.end = scene.ticksOf(rollout_->requests.front().steps * WindowOptions{}.step);
-    known.model = qtText(overlay_.models().front().name);
+    known.model = qtText(overlay_.models().all().front().name);
     const auto real = std::find_if(reality.robots.begin(), reality.robots.end(),
                                    [&](const Reality::Robot& robot) { return robot.name == name; });
     for (const ValueKey& key : errorKeysOf(reality, name)) {

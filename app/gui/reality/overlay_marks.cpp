@@ -29,21 +29,21 @@ std::vector<PlotLevel> levelsOf(const DivergenceBound& bound, Nanoseconds tickLe
 
 OverlayMarks marksOf(const Overlay& overlay, const Scene& scene) {
     OverlayMarks marks;
-    if (!overlay.shownRollout()) return marks;
-    const std::vector<ComparedRobot>& robots = overlay.world()->world().robots();
+    if (!overlay.rollouts().shown()) return marks;
+    const std::vector<ComparedRobot>& robots = overlay.rollouts().world().robots();
     for (std::size_t i = 0; i < robots.size(); ++i) {
-        const OverlayRow* const row = overlay.rowOf(*overlay.shownRollout(), i);
+        const RolloutRow* const row = overlay.rollouts().rowOf(*overlay.rollouts().shown(), i);
         if (row == nullptr || !row->divergence) continue;
         const Divergence& divergence = *row->divergence;
         const QString name = qtText(robots[i].name);
         marks.noted.push_back({{scene.ticksOf(divergence.time), TimelineMark::Kind::divergence, 0, 0},
                                name + ", " + errorText({divergence.position, divergence.heading}),
                                name,
-                               overlay.shownRobot() != i});
+                               overlay.rollouts().robot() != i});
     }
     std::stable_sort(marks.noted.begin(), marks.noted.end(),
                      [](const Noted& a, const Noted& b) { return a.mark.tick < b.mark.tick; });
-    if (const OverlayRow* const row = overlay.shownRow()) {
+    if (const RolloutRow* const row = overlay.rollouts().shownRow()) {
         marks.levels = levelsOf(row->bound, scene.tickLength);
         if (row->divergence) marks.instant = scene.ticksOf(row->divergence->time);
     }

@@ -23,6 +23,7 @@
 #include "io/format.h"
 #include "widgets/fixed_text.h"
 #include "widgets/qt_text.h"
+#include "workflow/open_model.h"
 
 namespace mrose::gui {
 namespace {
@@ -43,14 +44,15 @@ QString counted(std::size_t count, const QString& one, const QString& several) {
 
 /// "155 rollouts of 5 robots, 26:00 min"; of a log in parts: "..., 128 sessions, 8:32 min in all".
 QString aboutText(const Overlay& overlay) {
-    const LogWorld& world = overlay.world()->world();
-    const auto stretch = overlay.plan().stretch;
+    const LogWorld& world = overlay.rollouts().world();
+    const auto stretch = overlay.rollouts().plan().stretch;
     Nanoseconds length = 0;
     for (const LogSession& session : world.sessions()) length += std::max<Nanoseconds>(0, session.length);
-    QStringList parts{QObject::tr("%1 of %2")
-                          .arg(counted(overlay.requests().size(), QObject::tr("rollout"), QObject::tr("rollouts")),
-                               counted(world.robots().size(), QObject::tr("robot"), QObject::tr("robots"))) +
-                      (stretch ? QObject::tr(" in %1 s").arg(fixedText(*stretch, 1)) : QString())};
+    QStringList parts{
+        QObject::tr("%1 of %2")
+            .arg(counted(overlay.rollouts().requests().size(), QObject::tr("rollout"), QObject::tr("rollouts")),
+                 counted(world.robots().size(), QObject::tr("robot"), QObject::tr("robots"))) +
+        (stretch ? QObject::tr(" in %1 s").arg(fixedText(*stretch, 1)) : QString())};
     const bool several = world.sessions().size() > 1;
     if (several) parts << counted(world.sessions().size(), QObject::tr("session"), QObject::tr("sessions"));
     parts << minutes(length) + (several ? QObject::tr(" in all") : QString());
@@ -72,9 +74,9 @@ QString figuresText(const Summary& summary, bool open) {
 }
 
 /// "372 of 440 count; 40 with gaps and 28 standing do not"; empty: all do.
-QString countText(const std::vector<OverlayRow>& rows) {
+QString countText(const std::vector<RolloutRow>& rows) {
     const auto with = [&](RolloutUse use) {
-        return std::count_if(rows.begin(), rows.end(), [use](const OverlayRow& row) { return row.use == use; });
+        return std::count_if(rows.begin(), rows.end(), [use](const RolloutRow& row) { return row.use == use; });
     };
     const auto gaps = with(RolloutUse::gap), still = with(RolloutUse::still);
     QStringList others;
@@ -87,7 +89,7 @@ QString countText(const std::vector<OverlayRow>& rows) {
 }
 
 /// Rollouts that are walked through by keys are all seen. The current one stays in sight where room is taken.
-class RolloutView final : public QTreeView {
+class RolloutTable final : public QTreeView {
 protected:
     void resizeEvent(QResizeEvent* event) override {
         const QRect before = visualRect(currentIndex());
@@ -126,7 +128,7 @@ OverlayPanel::OverlayPanel(Overlay& overlay, QWidget* parent)
       startLabel_(new QLabel(tr("from"))),
       restarts_(new QCheckBox(tr("Play on into the next rollout"))),
       progress_(makeProgress()),
-      list_(new RolloutView) {
+      list_(new RolloutTable) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 8, 8, 8);
     layout->setSpacing(6);
@@ -160,9 +162,9 @@ QWidget* OverlayPanel::makePlan() {
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
     auto* line = new QHBoxLayout;
-    cut_->addItem(tr("Restart every"), static_cast<int>(OverlayPlan::Cut::every));
-    cut_->addItem(tr("One rollout of"), static_cast<int>(OverlayPlan::Cut::once));
-    cut_->addItem(tr("Windows of"), static_cast<int>(OverlayPlan::Cut::windows));
+    cut_->addItem(tr("Restart every"), static_cast<int>(RolloutPlan::Cut::every));
+    cut_->addItem(tr("One rollout of"), static_cast<int>(RolloutPlan::Cut::once));
+    cut_->addItem(tr("Windows of"), static_cast<int>(RolloutPlan::Cut::windows));
     cut_->setToolTip(tr("Where the simulated robots start: again and again, once, or as mrose evaluate cuts the log"));
     length_ = secondsBox(0.1, longestLog, tr("How long a rollout is"));
     start_ =
@@ -205,13 +207,13 @@ QWidget* OverlayPanel::makeProgress() {
 /// As wide as their titles and digits, so that all of them are seen at once. Rows come in the order of their rollouts:
 /// those that were there before are measured already.
 void OverlayPanel::fitColumns() {
-    const std::vector<OverlayRow>& rows = overlay_.rows();
+    const std::vector<RolloutRow>& rows = overlay_.rollouts().rows();
     const QFontMetrics metrics = list_->fontMetrics();
     if (fitted_ == 0 || rows.size() < fitted_) {
         fitted_ = 0;
-        const std::size_t sessions = overlay_.world() ? overlay_.world()->world().sessions().size() : 1;
+        const std::size_t sessions = overlay_.rollouts().log() ? overlay_.rollouts().world().sessions().size() : 1;
         list_->setColumnHidden(RolloutList::session, sessions == 1);
-        list_->setColumnHidden(RolloutList::robot, sessions > 1 && overlay_.world()->world().robots().size() == 1);
+        list_->setColumnHidden(RolloutList::robot, sessions > 1 && overlay_.rollouts().world().robots().size() == 1);
     }
     for (int column = 0; column < RolloutList::columns; ++column) {
         if (list_->isColumnHidden(column)) continue;
@@ -259,8 +261,8 @@ QWidget* OverlayPanel::makeModels() {
     connect(remove, &QAction::triggered, this, [this] { emit modelRemovalWanted(); });
     models_->addAction(remove);
     connect(models_, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item) {
-        overlay_.showModel(static_cast<std::size_t>(models_->indexOfTopLevelItem(item)),
-                           item->checkState(0) == Qt::Checked);
+        overlay_.models().show(static_cast<std::size_t>(models_->indexOfTopLevelItem(item)),
+                               item->checkState(0) == Qt::Checked);
     });
     auto* line = new QHBoxLayout;
     auto* add = new QToolButton;
@@ -287,9 +289,9 @@ QWidget* OverlayPanel::makeModels() {
 
 void OverlayPanel::fillModelMenu(QMenu& menu) {
     menu.clear();
-    if (!overlay_.world()) return;
-    for (const std::string& known : modelNames(*overlay_.world()))
-        menu.addAction(qtText(known), this, [this, known] { overlay_.addModel(known); });
+    if (!overlay_.rollouts().log()) return;
+    for (const std::string& known : modelNames(*overlay_.rollouts().log()))
+        menu.addAction(qtText(known), this, [this, known] { overlay_.models().add(known); });
     menu.addSeparator();
     menu.addAction(tr("From a file\u2026"), this, [this] { emit modelFileWanted(); });
 }
@@ -314,14 +316,14 @@ void OverlayPanel::makeList() {
 }
 
 void OverlayPanel::openLine(const QModelIndex& index) {
-    const OverlayRow& row = rollouts_->row(index.row());
+    const RolloutRow& row = rollouts_->row(index.row());
     if (!overlay_.show(row.rollout, row.robot)) selectShown();
 }
 
 void OverlayPanel::applyPlan() {
     if (filling_) return;
-    OverlayPlan plan;
-    plan.cut = static_cast<OverlayPlan::Cut>(cut_->currentData().toInt());
+    RolloutPlan plan;
+    plan.cut = static_cast<RolloutPlan::Cut>(cut_->currentData().toInt());
     plan.length = length_->value();
     plan.start = start_->value();
     if (const auto done = overlay_.setPlan(plan); !done) {
@@ -337,25 +339,25 @@ void OverlayPanel::setTheme(const Theme& theme) {
 }
 
 void OverlayPanel::refresh() {
-    const OverlayWorldPointer& world = overlay_.world();
+    const PlayedLogPointer& world = overlay_.rollouts().log();
     setEnabled(world != nullptr);
     filling_ = true;
     log_->setText(world ? qtText(world->name()) : tr("No log is open"));
     log_->setToolTip(world ? qtText(world->place) : QString());
-    const QString counts = countText(overlay_.rows());
+    const QString counts = countText(overlay_.rollouts().rows());
     about_->setToolTip(
         counts.isEmpty() ? QString() : tr("In P and Hd: a robot must drive, and its ground truth be known throughout"));
     about_->setText(world ? aboutText(overlay_) + (counts.isEmpty() ? "" : '\n' + counts)
                           : tr("File \u2192 Open a real log\u2026"));
-    const OverlayPlan& plan = overlay_.plan();
+    const RolloutPlan& plan = overlay_.rollouts().plan();
     cut_->setCurrentIndex(cut_->findData(static_cast<int>(plan.cut)));
     length_->setValue(plan.length);
     start_->setValue(plan.start);
-    const bool windows = plan.cut == OverlayPlan::Cut::windows;
+    const bool windows = plan.cut == RolloutPlan::Cut::windows;
     start_->setVisible(!windows);
     startLabel_->setVisible(!windows);
-    restarts_->setVisible(plan.cut == OverlayPlan::Cut::every);
-    restarts_->setChecked(overlay_.restarts());
+    restarts_->setVisible(plan.cut == RolloutPlan::Cut::every);
+    restarts_->setChecked(overlay_.rollouts().restarts());
     filling_ = false;
     const auto work = overlay_.work();
     const bool ended = world != nullptr && !work && !overlay_.error().isEmpty();
@@ -372,8 +374,8 @@ void OverlayPanel::refresh() {
 
 /// The line chosen by keys is left alone until another rollout is shown.
 void OverlayPanel::refreshList() {
-    if (listed_ != overlay_.rowsVersion()) fillList();
-    const OverlayRow* const row = overlay_.shownRow();
+    if (listed_ != overlay_.rollouts().rowsVersion()) fillList();
+    const RolloutRow* const row = overlay_.rollouts().shownRow();
     const auto shown = row != nullptr ? std::optional(std::pair(row->rollout, row->robot)) : std::nullopt;
     if (shown == selected_ || overlay_.opening()) return;
     selected_ = shown;
@@ -384,10 +386,10 @@ void OverlayPanel::refreshList() {
 void OverlayPanel::fillList() {
     const int scrolled = list_->verticalScrollBar()->value();
     const QModelIndex current = list_->currentIndex();
-    std::optional<OverlayRow> kept;
+    std::optional<RolloutRow> kept;
     if (current.isValid()) kept = rollouts_->row(current.row());
-    rollouts_->setRows(overlay_.world(), overlay_.rows());
-    listed_ = overlay_.rowsVersion();
+    rollouts_->setRows(overlay_.rollouts().log(), overlay_.rollouts().rows());
+    listed_ = overlay_.rollouts().rowsVersion();
     fitColumns();
     list_->setAutoScroll(false);
     if (kept) select(kept->rollout, kept->robot);
@@ -406,8 +408,8 @@ void OverlayPanel::refreshModels() {
     const QString current = models_->currentItem() != nullptr ? models_->currentItem()->text(0) : QString();
     models_->clear();
     std::size_t colour = 0;
-    for (std::size_t i = 0; i < overlay_.models().size(); ++i) {
-        const OverlayModel& model = overlay_.models()[i];
+    for (std::size_t i = 0; i < overlay_.models().all().size(); ++i) {
+        const JudgedModel& model = overlay_.models().all()[i];
         auto* item = new QTreeWidgetItem({qtText(model.name)});
         const auto set = [&](int column, double value, int decimals) {
             item->setText(column, fixedText(value, decimals));
@@ -456,7 +458,7 @@ void OverlayPanel::refreshModels() {
 
 /// The shown rollout in the list.
 void OverlayPanel::selectShown() {
-    const OverlayRow* const row = overlay_.shownRow();
+    const RolloutRow* const row = overlay_.rollouts().shownRow();
     if (row == nullptr) return list_->selectionModel()->clear();
     select(row->rollout, row->robot);
 }

@@ -29,22 +29,22 @@ std::vector<RolloutStrip::Span> unknownSpans(const std::vector<StampedPose>& pos
 
 RolloutStrip::Content stripOf(const Overlay& overlay) {
     RolloutStrip::Content content;
-    if (!overlay.world()) return content;
-    const LogWorld& world = overlay.world()->world();
-    const std::vector<RolloutRequest>& requests = overlay.requests();
-    const std::size_t session = overlay.shownRollout() ? requests[*overlay.shownRollout()].session : 0;
-    const std::size_t robot = overlay.shownRobot().value_or(0);
+    if (!overlay.rollouts().log()) return content;
+    const LogWorld& world = overlay.rollouts().world();
+    const std::vector<RolloutRequest>& requests = overlay.rollouts().requests();
+    const std::size_t session = overlay.rollouts().shown() ? requests[*overlay.rollouts().shown()].session : 0;
+    const std::size_t robot = overlay.rollouts().robot().value_or(0);
     const QString title = qtText(world.robots()[robot].name);
     const QString sessionName = qtText(sessionText(world.sessions()[session]));
-    content.title =
-        QObject::tr("%1 in %2").arg(title, sessionName.isEmpty() ? qtText(overlay.world()->name()) : sessionName);
+    content.title = QObject::tr("%1 in %2")
+                        .arg(title, sessionName.isEmpty() ? qtText(overlay.rollouts().log()->name()) : sessionName);
     content.length = world.sessions()[session].length;
-    content.shown = overlay.shownRollout();
+    content.shown = overlay.rollouts().shown();
     const Nanoseconds step = WindowOptions{}.step;
     for (std::size_t rollout = 0; rollout < requests.size(); ++rollout) {
         const RolloutRequest& request = requests[rollout];
         if (request.session != session || (request.robot && *request.robot != robot)) continue;
-        const OverlayRow* const row = overlay.rowOf(rollout, robot);
+        const RolloutRow* const row = overlay.rollouts().rowOf(rollout, robot);
         constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
         const double error = row != nullptr ? row->position.value_or(unknown) : unknown;
         RolloutStrip::Cell cell{rollout, request.start, request.start + request.steps * step, error, {}};

@@ -15,7 +15,7 @@ namespace mrose::gui {
 
 /// What a robot file describes, as far as it distinguishes robots.
 struct RobotKind {
-    std::string file;  ///< as OverlayRequest::robotFile has it: a path, or the name of one that ships
+    std::string file;  ///< as PlayedLogRequest::robotFile has it: a path, or the name of one that ships
     std::string name;
     std::shared_ptr<const Shape> shape;
     double length = 0, width = 0;  ///< m, of its outline

@@ -26,7 +26,7 @@ constexpr RolloutColumn rolloutColumns[] = {
 };
 
 /// What lines are sorted by; unknown numbers come last in either order.
-double keyOf(const OverlayRow& row, int column) {
+double keyOf(const RolloutRow& row, int column) {
     const double unknown = std::numeric_limits<double>::quiet_NaN();
     switch (column) {
         case RolloutList::robot:
@@ -57,7 +57,7 @@ QString figure(const std::optional<double>& value, double unit = 1) {
 
 RolloutList::RolloutList(QObject* parent) : QAbstractTableModel(parent) {}
 
-void RolloutList::setRows(OverlayWorldPointer world, std::vector<OverlayRow> rows) {
+void RolloutList::setRows(PlayedLogPointer world, std::vector<RolloutRow> rows) {
     beginResetModel();
     world_ = std::move(world);
     rows_ = std::move(rows);
@@ -99,7 +99,7 @@ int RolloutList::rowCount(const QModelIndex& parent) const {
 
 int RolloutList::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : columns; }
 
-QString RolloutList::text(const OverlayRow& row, int column) const {
+QString RolloutList::text(const RolloutRow& row, int column) const {
     switch (column) {
         case robot:
             return qtText(world_->world().robots()[row.robot].name);
@@ -124,7 +124,7 @@ QString RolloutList::text(const OverlayRow& row, int column) const {
     return QString::fromUtf8(manoeuvre.data(), static_cast<int>(manoeuvre.size()));
 }
 
-QString RolloutList::tip(const OverlayRow& row) const {
+QString RolloutList::tip(const RolloutRow& row) const {
     QString words = tr("A click opens this rollout");
     if (!row.position) words += tr("; there is no ground truth in it");
     if (row.touched) words += tr("; the simulated robot touches something in it");
@@ -134,7 +134,7 @@ QString RolloutList::tip(const OverlayRow& row) const {
 }
 
 QVariant RolloutList::data(const QModelIndex& index, int role) const {
-    const OverlayRow& shown = row(index.row());
+    const RolloutRow& shown = row(index.row());
     switch (role) {
         case Qt::DisplayRole:
             return text(shown, index.column());

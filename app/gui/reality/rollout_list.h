@@ -19,10 +19,10 @@ public:
 
     explicit RolloutList(QObject* parent = nullptr);
 
-    void setRows(OverlayWorldPointer world, std::vector<OverlayRow> rows);
-    const OverlayRow& row(int line) const { return rows_[order_[static_cast<std::size_t>(line)]]; }
+    void setRows(PlayedLogPointer world, std::vector<RolloutRow> rows);
+    const RolloutRow& row(int line) const { return rows_[order_[static_cast<std::size_t>(line)]]; }
     /// What a column shows of a row, wherever that is sorted to.
-    QString text(const OverlayRow& row, int column) const;
+    QString text(const RolloutRow& row, int column) const;
     /// The line of a robot in a rollout; -1: there is none.
     int lineOf(std::size_t rollout, std::size_t robot) const;
 
@@ -33,11 +33,11 @@ public:
     void sort(int column, Qt::SortOrder order) override;
 
 private:
-    QString tip(const OverlayRow& row) const;
+    QString tip(const RolloutRow& row) const;
     void arrange();
 
-    OverlayWorldPointer world_;
-    std::vector<OverlayRow> rows_;
+    PlayedLogPointer world_;
+    std::vector<RolloutRow> rows_;
     std::vector<std::size_t> order_;
     int sortedBy_ = error;
     Qt::SortOrder sense_ = Qt::DescendingOrder;

@@ -13,7 +13,7 @@ std::vector<ValueKey> SpeedPlot::speeds() const {
     if (session_.current() == nullptr || !session_.current()->frame->reality) return {};
     const FieldFrame& frame = *session_.current()->frame;
     std::string robot;
-    if (const auto asked = overlay_.shownRobot()) robot = overlay_.world()->world().robots()[*asked].name;
+    if (const auto asked = overlay_.rollouts().robot()) robot = overlay_.rollouts().world().robots()[*asked].name;
     if (const auto body = field_.selected()) robot = frame.nameOf(*body);
     if (frame.reality->robotNamed(robot) == nullptr) return {};
     std::vector<ValueKey> keys;

@@ -17,7 +17,7 @@ ScriptValue known(double value) { return std::isfinite(value) ? ScriptValue(valu
 ScriptValue known(const std::optional<double>& value) { return value ? ScriptValue(*value) : ScriptValue(); }
 
 ScriptValue causeValue(const Overlay& overlay, bool explained) {
-    const auto& finding = overlay.finding();
+    const auto& finding = overlay.causes().finding();
     if (!finding || !finding->diagnosis || finding->diagnosis->trials.empty()) return {};
     const Diagnosis& diagnosis = *finding->diagnosis;
     const CauseTrial& best = diagnosis.trials[diagnosis.likely.value_or(0)];
@@ -29,25 +29,38 @@ using Ask = ScriptValue (*)(const Overlay& overlay);
 
 const std::map<std::string, Ask>& questions() {
     static const std::map<std::string, Ask> all{
-        {"rollouts", [](const Overlay& o) { return ScriptValue(static_cast<double>(o.requests().size())); }},
+        {"rollouts", [](const Overlay& o) { return ScriptValue(static_cast<double>(o.rollouts().requests().size())); }},
         {"windows",
          [](const Overlay& o) {
-             return ScriptValue(static_cast<double>(o.comparison()->all.of(RolloutUse::counted)));
+             return ScriptValue(static_cast<double>(o.rollouts().comparison()->all.of(RolloutUse::counted)));
          }},
-        {"p", [](const Overlay& o) { return known(o.comparison()->all.counted.p); }},
-        {"hd", [](const Overlay& o) { return known(o.comparison()->all.counted.hd); }},
+        {"p", [](const Overlay& o) { return known(o.rollouts().comparison()->all.counted.p); }},
+        {"hd", [](const Overlay& o) { return known(o.rollouts().comparison()->all.counted.hd); }},
         {"start",
-         [](const Overlay& o) { return o.shownRow() ? ScriptValue(toSeconds(o.shownRow()->start)) : ScriptValue(); }},
+         [](const Overlay& o) {
+             return o.rollouts().shownRow() ? ScriptValue(toSeconds(o.rollouts().shownRow()->start)) : ScriptValue();
+         }},
         {"robot",
          [](const Overlay& o) {
-             return o.shownRow() ? ScriptValue(o.world()->world().robots()[o.shownRow()->robot].name) : ScriptValue();
+             return o.rollouts().shownRow()
+                        ? ScriptValue(o.rollouts().world().robots()[o.rollouts().shownRow()->robot].name)
+                        : ScriptValue();
          }},
-        {"error", [](const Overlay& o) { return o.shownRow() ? known(o.shownRow()->position) : ScriptValue(); }},
-        {"heading", [](const Overlay& o) { return o.shownRow() ? known(o.shownRow()->heading) : ScriptValue(); }},
-        {"path_share", [](const Overlay& o) { return o.shownRow() ? known(o.shownRow()->share) : ScriptValue(); }},
+        {"error",
+         [](const Overlay& o) {
+             return o.rollouts().shownRow() ? known(o.rollouts().shownRow()->position) : ScriptValue();
+         }},
+        {"heading",
+         [](const Overlay& o) {
+             return o.rollouts().shownRow() ? known(o.rollouts().shownRow()->heading) : ScriptValue();
+         }},
+        {"path_share",
+         [](const Overlay& o) {
+             return o.rollouts().shownRow() ? known(o.rollouts().shownRow()->share) : ScriptValue();
+         }},
         {"divergence",
          [](const Overlay& o) {
-             const OverlayRow* const row = o.shownRow();
+             const RolloutRow* const row = o.rollouts().shownRow();
              return row != nullptr && row->divergence ? ScriptValue(toSeconds(row->divergence->time)) : ScriptValue();
          }},
         {"cause", [](const Overlay& o) { return causeValue(o, false); }},
@@ -68,7 +81,7 @@ ScriptValue overlayValue(MainWindow& window, const std::string& name, Expected<v
         return {};
     }
     overlay.settle();
-    if (!overlay.world() || overlay.comparison() == nullptr) {
+    if (!overlay.rollouts().log() || overlay.rollouts().comparison() == nullptr) {
         done = fail("", "no log is laid over this run; open_log() comes first");
         return {};
     }
@@ -76,7 +89,7 @@ ScriptValue overlayValue(MainWindow& window, const std::string& name, Expected<v
 }
 
 Expected<void> openLogByScript(MainWindow& window, const std::string& log, const std::string& robotFile) {
-    OverlayRequest request{placeOfLog(log), ""};
+    PlayedLogRequest request{placeOfLog(log), ""};
     request.robotFile = robotFile;
     return window.overlay().openNow(request);
 }

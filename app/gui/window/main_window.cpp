@@ -166,7 +166,7 @@ void MainWindow::connectAll() {
     connect(files_, &WindowFiles::opens, this, &MainWindow::prepare);
     connect(overlay_, &Overlay::divergencesChanged, this, &MainWindow::markDivergences);
     connect(memory_, &WindowMemory::layoutReset, this, [this] {
-        if (!overlay_->world()) return;
+        if (!overlay_->isOpen()) return;
         showReality();
         errors_->showDock();
     });

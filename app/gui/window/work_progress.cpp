@@ -37,7 +37,7 @@ WorkProgress::WorkProgress(const Frame& frame, WindowFiles& files, BackgroundWor
         work(what, share);
     });
     connect(&background, &BackgroundWork::progress, this, &WorkProgress::reportBackground);
-    connect(&overlay, &Overlay::searching, this, [this](const QString& what, double share) {
+    connect(&overlay.searcher(), &RolloutSearcher::searching, this, [this](const QString& what, double share) {
         onItsWay_ = false;
         work(what, share);
     });

@@ -6,13 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "debug/played_log.h"
 #include "diagnosis/divergence_cause.h"
-#include "workflow/overlay_world.h"
+#include "io/progress.h"
 
 namespace mrose {
 
-/// A motion model by which the robots of an overlay are moved, and how true it is.
-struct OverlayModel {
+/// A motion model by which the robots of an log are moved, and how true it is.
+struct JudgedModel {
     /// As `mrose compare` has it, of the plan's rollouts: with contacts. As `mrose evaluate`, of its windows: through
     /// everything. nullopt: not known yet; an error: why it will not be.
     struct Figures {
@@ -29,19 +30,17 @@ struct OverlayModel {
 };
 
 /// The scenario's own model.
-OverlayModel ownModel(const OverlayWorld& overlay);
-/// `named`: a network's file, or the name of one that ships; or a kinematic model's (modelsToTry()). Error: there is no
-/// such network, or it does not suit the scenario's ticks.
-Expected<OverlayModel> overlayModel(const OverlayWorld& overlay, const std::string& named);
-/// What may be added without any file at hand.
-std::vector<std::string> modelNames(const OverlayWorld& overlay);
-
+JudgedModel ownModel(const PlayedLog& log);
 /// P, Hd and errors as of `mrose evaluate`: windows of that length, and no contacts. Error: as of evaluate().
-Expected<Summary> evaluatedModel(const OverlayWorld& overlay, const OverlayModel& model, Nanoseconds horizon,
+Expected<Summary> evaluatedModel(const PlayedLog& log, const JudgedModel& model, Nanoseconds horizon,
                                  const std::function<bool(double share)>& progress);
 
 /// What a model makes of one rollout, at each tick of the scenario. `goesOn` false: up to there.
-Reality::ModelRollout modelRollout(const OverlayWorld& overlay, const OverlayModel& model,
-                                   const RolloutRequest& rollout, const std::function<bool()>& goesOn);
+Reality::ModelRollout modelRollout(const PlayedLog& log, const JudgedModel& model, const RolloutRequest& rollout,
+                                   const std::function<bool()>& goesOn);
+
+/// How true a model is. What is known of it already is left out: `compared` of the scenario's own.
+JudgedModel::Figures judge(const PlayedLog& log, const JudgedModel& model, const std::vector<RolloutRequest>& requests,
+                           Nanoseconds horizon, const Progress& progress);
 
 }  // namespace mrose

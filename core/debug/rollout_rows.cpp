@@ -1,4 +1,4 @@
-#include "workflow/overlay_rows.h"
+#include "debug/rollout_rows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,9 +18,9 @@ Area areaOf(const ComparedRollout& rollout) {
     return area;
 }
 
-OverlayRow overlayRow(const LogWorld& world, const ComparedRollout& rollout,
+RolloutRow rolloutRow(const LogWorld& world, const ComparedRollout& rollout,
                       const std::vector<RolloutRequest>& requests, const DivergenceOptions& options) {
-    OverlayRow row;
+    RolloutRow row;
     row.rollout = rollout.request;
     row.robot = rollout.robot;
     row.session = requests[rollout.request].session;
@@ -45,32 +45,32 @@ Nanoseconds wholeSteps(double seconds) {
 
 }  // namespace
 
-OverlayPlan suitedPlan(const OverlayWorld& overlay) {
-    OverlayPlan plan;
-    const auto length = windowsThatSuit(overlay.world(), wholeSteps(plan.length));
+RolloutPlan suitedPlan(const PlayedLog& log) {
+    RolloutPlan plan;
+    const auto length = windowsThatSuit(log.world(), wholeSteps(plan.length));
     if (!length) return plan;
     plan.length = std::round(10 * toSeconds(*length)) / 10;  // as one reads it
-    for (const OverlayPlan::Cut cut : {OverlayPlan::Cut::windows, OverlayPlan::Cut::every, OverlayPlan::Cut::once}) {
+    for (const RolloutPlan::Cut cut : {RolloutPlan::Cut::windows, RolloutPlan::Cut::every, RolloutPlan::Cut::once}) {
         plan.cut = cut;
-        if (plannedRollouts(overlay, plan)) break;
+        if (plannedRollouts(log, plan)) break;
     }
     return plan;
 }
 
-Expected<std::vector<RolloutRequest>> plannedRollouts(const OverlayWorld& overlay, const OverlayPlan& plan) {
+Expected<std::vector<RolloutRequest>> plannedRollouts(const PlayedLog& log, const RolloutPlan& plan) {
     const Nanoseconds length = wholeSteps(plan.length);
-    if (plan.cut == OverlayPlan::Cut::windows) return rolloutsOfAllWindows(overlay.world(), length);
+    if (plan.cut == RolloutPlan::Cut::windows) return rolloutsOfAllWindows(log.world(), length);
     StretchOptions options;
     options.start = fromSeconds(plan.start);
-    if (plan.cut == OverlayPlan::Cut::every) {
+    if (plan.cut == RolloutPlan::Cut::every) {
         options.every = length;
         if (plan.stretch) options.duration = wholeSteps(*plan.stretch);
     } else {
         options.duration = length;
     }
-    auto rollouts = rolloutsOf(overlay.world(), options);
+    auto rollouts = rolloutsOf(log.world(), options);
     // Said of what the window has, not of flags.
-    if (!rollouts && plan.cut == OverlayPlan::Cut::every)
+    if (!rollouts && plan.cut == RolloutPlan::Cut::every)
         rollouts.error().cause = "no rollout of " + secondsText(length) + " s fits in from " +
                                  secondsText(options.start) + " s on; expected an earlier start or shorter rollouts";
     else if (!rollouts)
@@ -79,18 +79,49 @@ Expected<std::vector<RolloutRequest>> plannedRollouts(const OverlayWorld& overla
     return rollouts;
 }
 
-std::vector<OverlayRow> overlayRows(const LogWorld& world, std::span<const ComparedRollout> rollouts,
+std::vector<RolloutRow> rolloutRows(const LogWorld& world, std::span<const ComparedRollout> rollouts,
                                     const std::vector<RolloutRequest>& requests, const DivergenceOptions& options) {
     std::vector<Window> windows;
     for (const ComparedRollout& rollout : rollouts) windows.push_back(rollout.real);
     classifyManoeuvres(world.log(), windows, WindowOptions{}.step);
-    std::vector<OverlayRow> rows;
+    std::vector<RolloutRow> rows;
     for (std::size_t i = 0; i < rollouts.size(); ++i) {
         if (rollouts[i].use == RolloutUse::absent) continue;
-        rows.push_back(overlayRow(world, rollouts[i], requests, options));
+        rows.push_back(rolloutRow(world, rollouts[i], requests, options));
         if (rows.back().manoeuvre) rows.back().manoeuvre = windows[i].manoeuvre;
     }
     return rows;
 }
+
+Expected<Comparison> compareRollouts(const PlayedLog& log, const std::vector<RolloutRequest>& requests,
+                                     const DivergenceOptions& bounds,
+                                     const std::function<bool(std::vector<RolloutRow> rows, double share)>& report) {
+    ComparisonOptions options;
+    options.seed = log.seed;
+    options.progress = [&](std::span<const ComparedRollout> part, double share) {
+        return report(rolloutRows(log.world(), part, requests, bounds), share);
+    };
+    return compare(log.world(), requests, options);
+}
+
+Expected<Diagnosis> whyItLeaves(const PlayedLog& log, const CauseQuestion& question, const Progress& progress) {
+    ComparisonOptions options;
+    options.seed = log.seed;
+    options.progress = [&](std::span<const ComparedRollout>, double) { return progress(0); };
+    RolloutRequest alone = question.request;
+    alone.robot = question.row.robot;
+    const auto comparison = compare(log.world(), {&alone, 1}, options);
+    if (!comparison) return tl::unexpected(comparison.error());
+    const ComparedRollout& rollout = comparison->rollouts.front();
+    DiagnosisOptions asked;
+    asked.seed = log.seed;
+    asked.bound = boundFor(log.world(), rollout, question.bounds, WindowOptions{}.step);
+    asked.models = question.models;
+    asked.progress = progress;
+    if (!progress(0)) return fail(log.place, "was not looked through: cancelled");
+    return diagnose(log.world(), alone, rollout, *question.row.divergence, asked);
+}
+
+bool playsToLogEnd(const RolloutPlan& plan, bool restarts) { return plan.cut != RolloutPlan::Cut::every || !restarts; }
 
 }  // namespace mrose

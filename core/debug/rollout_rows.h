@@ -4,14 +4,14 @@
 #include <span>
 #include <vector>
 
+#include "debug/played_log.h"
 #include "diagnosis/compared_divergences.h"
 #include "geometry/area.h"
-#include "workflow/overlay_world.h"
 
 namespace mrose {
 
 /// Where the simulated robots start beside the real ones.
-struct OverlayPlan {
+struct RolloutPlan {
     enum class Cut {
         once,    ///< at one start
         every,   ///< again and again, so that rollouts follow each other
@@ -22,11 +22,11 @@ struct OverlayPlan {
     double length = 10;  ///< s, of a rollout
     /// s, of all rollouts that follow each other; nullopt: to the log's end.
     std::optional<double> stretch = {};
-    bool operator==(const OverlayPlan&) const = default;
+    bool operator==(const RolloutPlan&) const = default;
 };
 
 /// One robot in one rollout, as lists show it.
-struct OverlayRow {
+struct RolloutRow {
     std::size_t rollout = 0, robot = 0;  ///< in Overlay::requests() and LogWorld::robots()
     std::size_t session = 0;             ///< in LogWorld::sessions()
     Nanoseconds start = 0;               ///< on the session's clock
@@ -43,13 +43,31 @@ struct OverlayRow {
 
 /// The default: every 10 s; of a log whose trajectories are too short for that windows that nearly all of them hold,
 /// or, where no such window counts, rollouts as long as that.
-OverlayPlan suitedPlan(const OverlayWorld& overlay);
+RolloutPlan suitedPlan(const PlayedLog& log);
 
 /// The rollouts of a plan. Error: none fits in.
-Expected<std::vector<RolloutRequest>> plannedRollouts(const OverlayWorld& overlay, const OverlayPlan& plan);
+Expected<std::vector<RolloutRequest>> plannedRollouts(const PlayedLog& log, const RolloutPlan& plan);
 
 /// Those of these rollouts whose robots were simulated.
-std::vector<OverlayRow> overlayRows(const LogWorld& world, std::span<const ComparedRollout> rollouts,
+std::vector<RolloutRow> rolloutRows(const LogWorld& world, std::span<const ComparedRollout> rollouts,
                                     const std::vector<RolloutRequest>& requests, const DivergenceOptions& options);
+
+/// The rollouts of a plan driven as `mrose compare` does; rows of those that are done. Error: as of compare().
+Expected<Comparison> compareRollouts(const PlayedLog& log, const std::vector<RolloutRequest>& requests,
+                                     const DivergenceOptions& bounds,
+                                     const std::function<bool(std::vector<RolloutRow> rows, double share)>& report);
+
+/// Of which robot it is asked why it leaves the real trajectory, and what else it might have moved by.
+struct CauseQuestion {
+    RolloutRequest request;
+    RolloutRow row;
+    DivergenceOptions bounds;
+    std::vector<OtherModel> models;
+};
+/// Error: as of compare() and diagnose().
+Expected<Diagnosis> whyItLeaves(const PlayedLog& log, const CauseQuestion& question, const Progress& progress);
+
+/// A robot's commands do not end with a rollout after which no other begins.
+bool playsToLogEnd(const RolloutPlan& plan, bool restarts);
 
 }  // namespace mrose

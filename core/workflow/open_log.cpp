@@ -1,10 +1,9 @@
-#include "workflow/overlay_world.h"
+#include "workflow/open_log.h"
 
 #include <algorithm>
 #include <filesystem>
 
 #include "assessment/log_scenario.h"
-#include "assessment/rollout_value.h"
 #include "io/file.h"
 #include "io/format.h"
 #include "logs/log_reader.h"
@@ -38,7 +37,7 @@ Expected<std::shared_ptr<const Log>> logAt(const std::string& place, const std::
 
 /// `from` is a scenario's name or its value.
 template <class From>
-Expected<LoadedScenario> withoutLogs(const From& from, DiskDescriptions& source, const OverlayRequest& request,
+Expected<LoadedScenario> withoutLogs(const From& from, DiskDescriptions& source, const PlayedLogRequest& request,
                                      std::map<std::string, std::string>& files) {
     const PluginLoader isolated = [&](const std::string& path,
                                       const std::string& options) -> Expected<std::shared_ptr<const Controller>> {
@@ -52,12 +51,11 @@ Expected<LoadedScenario> withoutLogs(const From& from, DiskDescriptions& source,
 }
 
 /// The scenario that the request names, and the log beside it.
-Expected<LoadedScenario> scenarioNamed(OverlayWorld& overlay, std::shared_ptr<const Log>& log,
-                                       const OpenProgress& progress) {
-    const OverlayRequest& request = overlay.request;
+Expected<LoadedScenario> scenarioNamed(PlayedLog& played, std::shared_ptr<const Log>& log, const OpenProgress& progress) {
+    const PlayedLogRequest& request = played.request;
     DiskDescriptions source = openDescriptions(request.log.empty() ? "" : placeOfLog(request.log));
-    auto loaded = request.kept ? withoutLogs(*request.kept, source, request, overlay.files)
-                               : withoutLogs(request.scenario, source, request, overlay.files);
+    auto loaded = request.kept ? withoutLogs(*request.kept, source, request, played.files)
+                               : withoutLogs(request.scenario, source, request, played.files);
     if (!loaded) return loaded;
     if (loaded->parts.players.empty())
         return fail(source.shown(loaded->value.name()),
@@ -68,56 +66,55 @@ Expected<LoadedScenario> scenarioNamed(OverlayWorld& overlay, std::shared_ptr<co
                     "its log \"" + loaded->parts.players.front().excerpt.reference +
                         "\" was not found; expected it in the folder that MROSE_DATA "
                         "names, or another one by --log");
-    overlay.place = fullPath(place->string());
+    played.place = fullPath(place->string());
     const auto networks = networksOf(loaded->parts);
-    auto read = logAt(overlay.place, networks.empty() ? std::nullopt : networks.front()->drive, progress);
+    auto read = logAt(played.place, networks.empty() ? std::nullopt : networks.front()->drive, progress);
     if (!read) return tl::unexpected(read.error());
     log = std::move(*read);
     return loaded;
 }
 
 /// A scenario that suits the log.
-Expected<LoadedScenario> scenarioMade(OverlayWorld& overlay, std::shared_ptr<const Log>& log,
-                                      const OpenProgress& progress, bool* kindUnknown) {
-    const OverlayRequest& request = overlay.request;
+Expected<LoadedScenario> scenarioMade(PlayedLog& played, std::shared_ptr<const Log>& log, const OpenProgress& progress,
+                                      bool* kindUnknown) {
+    const PlayedLogRequest& request = played.request;
     if (!request.robotFile.empty())
         if (const auto there = checkRobotFile(request.robotFile); !there) return tl::unexpected(there.error());
-    overlay.place = fullPath(placeOfLog(request.log));
-    auto read = logAt(overlay.place, {}, progress);
+    played.place = fullPath(placeOfLog(request.log));
+    auto read = logAt(played.place, {}, progress);
     if (!read) return tl::unexpected(read.error());
     log = std::move(*read);
     const auto kinds = robotKinds();
     if (!kinds) return tl::unexpected(kinds.error());
     if (auto playable = checkPlayable(*log, *kinds, request.robots); !playable) return tl::unexpected(playable.error());
     if (kindUnknown != nullptr) *kindUnknown = request.robotFile.empty() && !namesRobotKind(*log, *kinds);
-    const auto made = scenarioOfLog(*log, overlay.place, *kinds, request.robotFile);
+    const auto made = scenarioOfLog(*log, played.place, *kinds, request.robotFile);
     if (!made) return tl::unexpected(made.error());
     DiskDescriptions disk = openDescriptions();
-    auto loaded = withoutLogs(*made, disk, request, overlay.files);
+    auto loaded = withoutLogs(*made, disk, request, played.files);
     if (!loaded) return loaded;
     const auto networks = networksOf(loaded->parts);
     if (networks.empty() || !networks.front()->drive) return loaded;
     // Wheel commands are read by the geometry that the network was learned with.
-    auto again = logAt(overlay.place, networks.front()->drive, progress);
+    auto again = logAt(played.place, networks.front()->drive, progress);
     if (!again) return tl::unexpected(again.error());
     log = std::move(*again);
     return loaded;
 }
 
-void addNotices(OverlayWorld& overlay) {
-    if (overlay.world().log().synthetic)
-        overlay.notes.push_back(
-            "The log comes from a simulated robot: nothing here says how true it is of a real one.");
-    for (const std::vector<std::string>& more : {noticesOf(overlay.world().log()), overlay.world().leftOut()})
-        overlay.notes.insert(overlay.notes.end(), more.begin(), more.end());
-    for (const MotionNetwork* network : networksOf(overlay.world().parts()))
-        for (std::string& notice : noticesOf(*network, overlay.world()))
-            if (std::find(overlay.notes.begin(), overlay.notes.end(), notice) == overlay.notes.end())
-                overlay.notes.push_back(std::move(notice));
+void addNotices(PlayedLog& played) {
+    if (played.world().log().synthetic)
+        played.notes.push_back("The log comes from a simulated robot: nothing here says how true it is of a real one.");
+    for (const std::vector<std::string>& more : {noticesOf(played.world().log()), played.world().leftOut()})
+        played.notes.insert(played.notes.end(), more.begin(), more.end());
+    for (const MotionNetwork* network : networksOf(played.world().parts()))
+        for (std::string& notice : noticesOf(*network, played.world()))
+            if (std::find(played.notes.begin(), played.notes.end(), notice) == played.notes.end())
+                played.notes.push_back(std::move(notice));
 }
 
 /// A log of which only a part of the robots is known to the scenario is no mistake: those that both have are compared.
-std::vector<std::string> sharedRobots(const OverlayRequest& request, const ScenarioParts& parts, const Log& log) {
+std::vector<std::string> sharedRobots(const PlayedLogRequest& request, const ScenarioParts& parts, const Log& log) {
     if (!request.robots.empty()) return request.robots;
     std::vector<std::string> shared, comparable;
     for (const LogPlayer& player : parts.players) {
@@ -131,13 +128,17 @@ std::vector<std::string> sharedRobots(const OverlayRequest& request, const Scena
     return comparable.empty() ? shared : comparable;
 }
 
+bool isSameRollout(const LogWorld& before, const RolloutRequest& was, const LogWorld& now, const RolloutRequest& is) {
+    if (was.start != is.start || was.robot.has_value() != is.robot.has_value()) return false;
+    if (was.robot && before.robots()[*was.robot].name != now.robots()[*is.robot].name) return false;
+    return before.trajectory(was.session, 0).name == now.trajectory(is.session, 0).name;
+}
+
 }  // namespace
 
-std::string OverlayWorld::name() const { return fs::path(place).filename().string(); }
-
-Expected<OverlayWorldPointer> openOverlayWorld(const OverlayRequest& request, const OpenProgress& progress,
-                                               bool* kindUnknown) {
-    OverlayWorld opening{request, {}, {}, nullptr, 1, {}, {}};
+Expected<PlayedLogPointer> openPlayedLog(const PlayedLogRequest& request, const OpenProgress& progress,
+                                         bool* kindUnknown) {
+    PlayedLog opening{request, {}, {}, nullptr, 1, {}, {}};
     std::shared_ptr<const Log> log;
     auto loaded = request.scenario.empty() && !request.kept ? scenarioMade(opening, log, progress, kindUnknown)
                                                             : scenarioNamed(opening, log, progress);
@@ -153,32 +154,41 @@ Expected<OverlayWorldPointer> openOverlayWorld(const OverlayRequest& request, co
     opening.played = std::make_shared<const LogWorld>(std::move(*world));
     for (const LogFile& file : opening.world().log().files) opening.files[file.path] = file.hash;
     addNotices(opening);
-    return std::make_shared<const OverlayWorld>(std::move(opening));
+    return std::make_shared<const PlayedLog>(std::move(opening));
 }
 
-std::string sessionText(const LogSession& session) { return session.name.empty() ? "" : "session " + session.name; }
-
-std::string rolloutName(const OverlayWorld& overlay, const RolloutRequest& rollout) {
-    const std::string session = sessionText(overlay.world().sessions()[rollout.session]);
-    return overlay.name() + (session.empty() ? "" : ", " + session) + ", from " + fixed(toSeconds(rollout.start), 1) +
-           " s";
+Expected<OpenedLog> openLogAsRun(const PlayedLogRequest& request, const std::optional<RolloutPlan>& asked,
+                                 bool restarts, const OpenProgress& progress, bool& kindUnknown) {
+    auto world = openPlayedLog(request, progress, &kindUnknown);
+    if (!world) return tl::unexpected(world.error());
+    const RolloutPlan plan = asked ? *asked : suitedPlan(**world);
+    auto requests = plannedRollouts(**world, plan);
+    if (!requests) return tl::unexpected(requests.error());
+    auto run = openRollout(**world, requests->front(), playsToLogEnd(plan, restarts));
+    if (!run) return tl::unexpected(run.error());
+    return OpenedLog{std::move(*world), plan, std::move(*requests), 0, std::move(*run)};
 }
 
-Expected<OpenRun> openRollout(const OverlayWorld& overlay, const RolloutRequest& rollout, bool commandsToLogEnd) {
-    const LogWorld& world = overlay.world();
-    const Nanoseconds step = WindowOptions{}.step;
-    const Nanoseconds left = world.sessions()[rollout.session].length - rollout.start;
-    const Nanoseconds duration = commandsToLogEnd ? std::max(left, rollout.steps * step) : rollout.steps * step;
-    auto opened =
-        mrose::openRollout(world, *overlay.value, overlay.place, rollout, overlay.seed, rollout.steps * step, duration);
-    if (!opened) return tl::unexpected(opened.error());
-    OpenRun run{rolloutName(overlay, rollout), {}, nullptr, std::move(opened->state), {}, {}, {}, {}};
-    run.source = {overlay.request.scenario.empty() ? overlay.place : overlay.request.scenario, 0, overlay.request.seed,
-                  overlay.place, overlay.request.pluginLimit};
-    run.setup = std::make_shared<const BranchSetup>(BranchSetup{std::move(opened->value), std::move(opened->scenario)});
-    run.reality = std::make_shared<const Reality>(realityOf(world, rollout.session, rollout.start));
-    run.files = overlay.files;
-    return run;
+Expected<OpenedLog> reopen(const PlayedLog& before, const RolloutPlan& plan, const RolloutRequest& shown, bool restarts,
+                           const std::function<bool()>& goesOn) {
+    OpenProgress progress;
+    progress.goesOn = goesOn;
+    auto world = openPlayedLog(before.request, progress);
+    if (!world) return tl::unexpected(world.error());
+    auto requests = plannedRollouts(**world, plan);
+    if (!requests) return tl::unexpected(requests.error());
+    const auto same = std::find_if(requests->begin(), requests->end(), [&](const RolloutRequest& request) {
+        return isSameRollout(before.world(), shown, (*world)->world(), request);
+    });
+    if (same == requests->end()) {
+        const std::string& session = before.world().trajectory(shown.session, 0).name;
+        return fail((*world)->place, "has no rollout from " + secondsText(shown.start) + " s" +
+                                         (session.empty() ? "" : " of \"" + session + '"') + " any more");
+    }
+    auto run = openRollout(**world, *same, playsToLogEnd(plan, restarts));
+    if (!run) return tl::unexpected(run.error());
+    const auto rollout = static_cast<std::size_t>(same - requests->begin());
+    return OpenedLog{std::move(*world), plan, std::move(*requests), rollout, std::move(*run)};
 }
 
 }  // namespace mrose

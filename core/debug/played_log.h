@@ -13,20 +13,20 @@
 namespace mrose {
 
 /// A real log that is to be laid over a simulation of it.
-struct OverlayRequest {
+struct PlayedLogRequest {
     std::string log;             ///< its place, or its name in the folder that MROSE_DATA names; empty: the scenario's
     std::string scenario;        ///< whose robots play it; empty: one that suits the log (scenarioOfLog())
     std::string robotFile = {};  ///< of its robots, where no scenario is given
     std::vector<std::string> robots = {};  ///< only these, by their names in the log; empty: all
-    std::vector<std::string> models = {};  ///< to be laid over as well: overlayModel()
+    std::vector<std::string> models = {};  ///< to be laid over as well: openModel()
     std::optional<std::uint64_t> seed = {};
     double pluginLimit = 2;               ///< s
     ScenarioValuePointer kept = nullptr;  ///< the scenario as a recording has it, instead of any file
 };
 
 /// A log with the scenario that plays it, ready to be opened at any instant. It never changes.
-struct OverlayWorld {
-    OverlayRequest request;
+struct PlayedLog {
+    PlayedLogRequest request;
     std::string place;           ///< of the log
     ScenarioValuePointer value;  ///< without what comes from the log
     std::shared_ptr<const LogWorld> played;
@@ -37,20 +37,15 @@ struct OverlayWorld {
     const LogWorld& world() const { return *played; }
     std::string name() const;  ///< of the log: "MRCLAM_Dataset6"
 };
-using OverlayWorldPointer = std::shared_ptr<const OverlayWorld>;
-
-/// Error: the first thing wrong with log or scenario, or with both together. One is that the log does not say what kind
-/// of robot drove, and that the request does not either: then `kindUnknown`, if given, is true.
-Expected<OverlayWorldPointer> openOverlayWorld(const OverlayRequest& request, const OpenProgress& progress = {},
-                                               bool* kindUnknown = nullptr);
+using PlayedLogPointer = std::shared_ptr<const PlayedLog>;
 
 /// "session 17"; "": the log is in one piece.
 std::string sessionText(const LogSession& session);
 /// "MRCLAM_Dataset6, from 120.0 s": log, session and start.
-std::string rolloutName(const OverlayWorld& overlay, const RolloutRequest& rollout);
+std::string rolloutName(const PlayedLog& log, const RolloutRequest& rollout);
 
 /// One rollout as a run that begins as the comparison's does. With `commandsToLogEnd` its robots get their commands up
 /// to the log's end, and not to the rollout's alone. Error: as of mrose::openRollout().
-Expected<OpenRun> openRollout(const OverlayWorld& overlay, const RolloutRequest& rollout, bool commandsToLogEnd);
+Expected<OpenRun> openRollout(const PlayedLog& log, const RolloutRequest& rollout, bool commandsToLogEnd);
 
 }  // namespace mrose

@@ -1,4 +1,4 @@
-#include "workflow/rollout_breaks.h"
+#include "debug/rollout_breaks.h"
 
 #include <algorithm>
 #include <utility>
@@ -65,9 +65,9 @@ Expected<bool> hasBreak(TimeTravel& run, Breakpoints& breakpoints, const BreakWi
 
 }  // namespace
 
-LeavingRobots leavingRobots(const LogWorld& world, std::span<const OverlayRow> rowsOfRollout) {
+LeavingRobots leavingRobots(const LogWorld& world, std::span<const RolloutRow> rowsOfRollout) {
     LeavingRobots leaving;
-    for (const OverlayRow& row : rowsOfRollout)
+    for (const RolloutRow& row : rowsOfRollout)
         leaving.robots.push_back({world.robots()[row.robot].name, row.bound,
                                   row.divergence ? std::optional(row.divergence->time) : std::nullopt});
     return leaving;
@@ -93,7 +93,7 @@ TickText whoLeaves(const LeavingRobots& leaving) {
     };
 }
 
-Expected<RolloutFound> rolloutWithBreak(const OverlayWorld& overlay, const RolloutSearch& search,
+Expected<RolloutFound> rolloutWithBreak(const PlayedLog& log, const RolloutSearch& search,
                                         const std::function<bool(double share)>& progress) {
     RolloutFound found{{}, search.hits};
     for (std::size_t i = 0; i < search.places.size(); ++i) {
@@ -102,7 +102,7 @@ Expected<RolloutFound> rolloutWithBreak(const OverlayWorld& overlay, const Rollo
             return progress(static_cast<double>(i) / static_cast<double>(search.places.size()));
         };
         if (!goesOn()) return found;
-        const auto opened = openRollout(overlay, place.request, false);
+        const auto opened = openRollout(log, place.request, false);
         if (!opened) continue;
         TimeTravel run(*opened);
         Breakpoints breakpoints;

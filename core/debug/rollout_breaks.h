@@ -10,8 +10,8 @@
 #include "assessment/reality.h"
 #include "debug/breakpoints.h"
 #include "debug/rollout_hits.h"
+#include "debug/rollout_rows.h"
 #include "diagnosis/divergence.h"
-#include "workflow/overlay_rows.h"
 
 namespace mrose {
 
@@ -30,7 +30,7 @@ struct LeavingRobots {
     std::shared_ptr<const Reality> reality;     ///< null: branches do not ask
     std::optional<std::uint32_t> compared = 0;  ///< the branch that is the rollout of the comparison
 };
-LeavingRobots leavingRobots(const LogWorld& world, std::span<const OverlayRow> rowsOfRollout);
+LeavingRobots leavingRobots(const LogWorld& world, std::span<const RolloutRow> rowsOfRollout);
 TickPredicate leavesReality(const LeavingRobots& leaving);
 /// Which of them begin to do so at a tick: "create 5 leaves the real trajectory".
 TickText whoLeaves(const LeavingRobots& leaving);
@@ -53,7 +53,7 @@ struct RolloutFound {
 };
 /// The first of them in which there is one, as of Session::goToBreak(); a rollout that cannot be opened, as where no
 /// robot has ground truth, has none. Error: of the text.
-Expected<RolloutFound> rolloutWithBreak(const OverlayWorld& overlay, const RolloutSearch& search,
+Expected<RolloutFound> rolloutWithBreak(const PlayedLog& log, const RolloutSearch& search,
                                         const std::function<bool(double share)>& progress);
 
 }  // namespace mrose
