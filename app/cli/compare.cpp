@@ -23,11 +23,11 @@ struct CompareFlags {
 
 void printComparison(const Comparison& comparison, const ComparedDivergences& divergences,
                      const std::vector<std::string>& notices) {
-    const Nanoseconds step = comparison.evaluation.options.windows.step;
+    const Nanoseconds step = comparison.log.options.step;
     const RolloutRequest& first = comparison.requests.front();
     const bool one = comparison.requests.size() == 1;
     std::printf("%s beside %s, seed %llu: %s of %s s, %sfrom %s s on\n\n", comparison.scenario.c_str(),
-                comparison.evaluation.source.c_str(), static_cast<unsigned long long>(comparison.seed),
+                comparison.log.source.c_str(), static_cast<unsigned long long>(comparison.seed),
                 one ? "a rollout" : (std::to_string(comparison.requests.size()) + " rollouts").c_str(),
                 secondsText(first.steps * step, 0).c_str(), one ? "" : "the first ",
                 secondsText(first.start, 0).c_str());

@@ -18,7 +18,7 @@ struct EvaluateFlags {
 
 std::string robotList(const Evaluation& evaluation) {
     std::string text;
-    for (const auto& robot : evaluation.robots) text += (text.empty() ? "" : ", ") + robot.name;
+    for (const auto& robot : evaluation.log.robots) text += (text.empty() ? "" : ", ") + robot.name;
     return text;
 }
 
@@ -26,7 +26,7 @@ std::string robotList(const Evaluation& evaluation) {
 void printStates(const Evaluation& evaluation) {
     TextTable table({"", "windows", "P %", "Hd %", "final / path %", "by steps %"});
     bool any = false;
-    for (const ModelEvaluation& model : evaluation.models)
+    for (const Assessment& model : evaluation.models)
         for (const GroupSummary& group : model.groups) {
             if (group.kind != "state") continue;
             any = true;
@@ -36,32 +36,32 @@ void printStates(const Evaluation& evaluation) {
         }
     if (!any) return;
     std::printf("\n%s\nfinal / path: medians; the path is summed over 0.5 s, or over steps of %s s.\n",
-                table.text().c_str(), secondsText(evaluation.options.windows.step, 1).c_str());
+                table.text().c_str(), secondsText(evaluation.log.options.step, 1).c_str());
 }
 
 void printTable(const Evaluation& evaluation, const std::vector<std::string>& notices) {
     int steps = 0;
-    for (const Window& window : evaluation.windows) steps = std::max(steps, window.steps());
-    std::printf("%s, robot %s: %zu windows of %s s, open loop\n\n", evaluation.source.c_str(),
-                robotList(evaluation).c_str(), evaluation.windows.size(),
-                secondsText(evaluation.options.windows.step * steps, 0).c_str());
+    for (const Window& window : evaluation.log.windows) steps = std::max(steps, window.steps());
+    std::printf("%s, robot %s: %zu windows of %s s, open loop\n\n", evaluation.log.source.c_str(),
+                robotList(evaluation).c_str(), evaluation.log.windows.size(),
+                secondsText(evaluation.log.options.step * steps, 0).c_str());
     TextTable table({"", "P %", "Hd %", "median pos. %", "final cm", "final deg"});
-    for (const ModelEvaluation& model : evaluation.models)
+    for (const Assessment& model : evaluation.models)
         table.add({model.name, fixed(model.all.p, 2), fixed(model.all.hd, 2),
                    fixed(model.all.positionMeanOverPath.median, 2), fixed(100 * model.all.positionFinal.median, 2),
                    fixed(model.all.headingFinal.median * 57.29577951308232, 2)});
     const auto addFloor = [&](const std::optional<Floor>& floor, const std::string& what) {
         if (floor && !floor->pairs.empty())
-            table.add({"floor, " + std::to_string(floor->pairs.size()) + " pairs " + what, fixed(floor->pBest, 2),
-                       fixed(floor->hdBest, 2)});
+            table.add({"floor, " + std::to_string(floor->pairs.size()) + " pairs " + what, fixed(floor->best.p, 2),
+                       fixed(floor->best.hd, 2)});
     };
-    addFloor(evaluation.floor, "of like commands");
-    addFloor(evaluation.turningFloor, "that turn, 5 s");
+    addFloor(evaluation.log.floor, "of like commands");
+    addFloor(evaluation.log.turningFloor, "that turn, 5 s");
     std::fputs(table.text().c_str(), stdout);
     std::puts(
         "\nP: time-mean position error over path; Hd: time-mean heading error over rotation, summed over windows.\n"
         "median pos.: of the windows' P; final: median errors at the end of a window.");
-    if (evaluation.floor && !evaluation.floor->pairs.empty())
+    if (evaluation.log.floor && !evaluation.log.floor->pairs.empty())
         std::puts(
             "floor: what the best prediction of its pairs would leave: how far two real runs are apart, over 1.41.");
     printStates(evaluation);

@@ -143,8 +143,7 @@ ComparedSummary summarised(const Comparison& comparison, Belongs belongs) {
     std::vector<std::size_t> chosen;
     for (std::size_t i = 0; i < comparison.counted.size(); ++i)
         if (belongs(comparison.rollouts[comparison.counted[i]])) chosen.push_back(i);
-    summary.counted = summarise(comparison.evaluation.windows, comparison.evaluation.models[0].errors, chosen,
-                                comparison.evaluation.options.windows);
+    summary.counted = summarise(comparison.log.windows, comparison.simulation.errors, chosen, comparison.log.options);
     return summary;
 }
 
@@ -159,10 +158,8 @@ void summariseAll(const LogWorld& world, const WindowOptions& options, Compariso
         simulated.push_back(rollout.simulated);
     }
     classifyManoeuvres(world.log(), windows, options.step);
-    EvaluationOptions evaluationOptions;
-    evaluationOptions.windows = options;
-    comparison.evaluation =
-        evaluated(world.log(), std::move(windows), "simulation", std::move(simulated), evaluationOptions);
+    comparison.log = logWindows(world.log(), std::move(windows), options);
+    comparison.simulation = assess(comparison.log, "simulation", std::move(simulated));
     for (std::size_t robot = 0; robot < comparison.robots.size(); ++robot)
         comparison.summaries.push_back(
             summarised(comparison, [&](const ComparedRollout& rollout) { return rollout.robot == robot; }));

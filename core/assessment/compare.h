@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "assessment/evaluate.h"
+#include "assessment/assess.h"
 #include "assessment/log_world.h"
 #include "assessment/rollout_requests.h"
 
@@ -68,8 +68,9 @@ struct Comparison {
     std::vector<ComparedRollout> rollouts;   ///< by request, then by robot
     std::vector<ComparedSummary> summaries;  ///< by robot
     ComparedSummary all;
-    Evaluation evaluation;             ///< the rollouts that count, as of a model called "simulation"
-    std::vector<std::size_t> counted;  ///< evaluation.windows[i] is of rollouts[counted[i]]
+    LogWindows log;                    ///< the rollouts that count, as windows of the log
+    Assessment simulation;             ///< of these
+    std::vector<std::size_t> counted;  ///< log.windows[i] is of rollouts[counted[i]]
     std::int64_t touches = 0;          ///< pairs of bodies that began to touch, those that are not compared too
     std::int64_t faults = 0;           ///< of controllers and models
     std::string firstFault;

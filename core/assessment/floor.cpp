@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <numbers>
 #include <tuple>
 
@@ -163,18 +162,10 @@ Floor findFloor(const Log& log, const std::vector<std::string>& robots, const Wi
     for (std::size_t i = 0; i < log.robots.size(); ++i)
         if (robots.empty() || std::find(robots.begin(), robots.end(), log.robots[i].robot) != robots.end())
             addRobot(log, i, windows, floor);
-    double position = 0, path = 0, heading = 0, rotation = 0;
-    for (const FloorPair& pair : floor.pairs) {
-        position += pair.positionMean;
-        path += pair.path;
-        heading += pair.headingMean;
-        rotation += pair.rotation;
-    }
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    floor.p = path > 0 ? 100 * position / path : nan;
-    floor.hd = rotation > 0 ? 100 * heading / rotation : nan;
-    floor.pBest = floor.p / std::numbers::sqrt2;
-    floor.hdBest = floor.hd / std::numbers::sqrt2;
+    ErrorSums sums;
+    for (const FloorPair& pair : floor.pairs) sums.add(pair.positionMean, pair.headingMean, pair.path, pair.rotation);
+    floor.spread = sums.percentErrors();
+    floor.best = {floor.spread.p / std::numbers::sqrt2, floor.spread.hd / std::numbers::sqrt2};
     return floor;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "assessment/windows.h"
+#include "motion/percent_errors.h"
 
 namespace mrose {
 
@@ -35,8 +36,8 @@ struct Floor {
     std::size_t tried = 0;         ///< stretches
     std::size_t candidates = 0;    ///< pairs of them within the bounds, sharing stretches
     std::vector<FloorPair> pairs;  ///< chosen of those, best match first: no two share an instant of a robot
-    double p = 0, hd = 0;          ///< %, of the pairs, as the referee defines P and Hd; NaN without pairs
-    double pBest = 0, hdBest = 0;  ///< % / sqrt 2: what the best possible prediction would leave
+    PercentErrors spread;          ///< of the pairs, between the two of each
+    PercentErrors best;            ///< the spread / sqrt 2: what the best possible prediction would leave
 };
 
 /// Stretches are the horizon long: dense starts in trajectories that are long enough, else the trajectory's one

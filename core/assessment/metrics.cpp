@@ -23,35 +23,24 @@ double rms(std::span<const double> values) {
     return values.empty() ? unknownNumber : std::sqrt(sum / static_cast<double>(values.size()));
 }
 
-double percent(double part, double whole) { return whole > 0 ? 100 * part / whole : unknownNumber; }
-
-/// Sums from which P and Hd follow.
-struct Sums {
-    double position = 0, path = 0, heading = 0, rotation = 0;
-
-    void add(const Window& window, const WindowErrors& errors) {
-        position += errors.positionMean;
-        path += window.path;
-        heading += errors.headingMean;
-        rotation += window.rotation;
-    }
-    double p() const { return percent(position, path); }
-    double hd() const { return percent(heading, rotation); }
-};
+void add(ErrorSums& sums, const Window& window, const WindowErrors& errors) {
+    sums.add(errors.positionMean, errors.headingMean, window.path, window.rotation);
+}
 
 /// The windows are drawn by number alone, so that models are resampled alike.
 void bootstrap(std::span<const Window> windows, std::span<const WindowErrors> errors,
                std::span<const std::size_t> chosen, Summary& summary) {
     std::vector<double> p, hd;
     for (int draw = 0; draw < bootstrapDraws; ++draw) {
-        Sums sums;
+        ErrorSums sums;
         for (std::uint32_t i = 0; i < chosen.size(); ++i) {
             const double unit = uniformNoise({0, draw, i, 0});
             const std::size_t index = chosen[static_cast<std::size_t>(unit * static_cast<double>(chosen.size()))];
-            sums.add(windows[index], errors[index]);
+            add(sums, windows[index], errors[index]);
         }
-        if (std::isfinite(sums.p())) p.push_back(sums.p());
-        if (std::isfinite(sums.hd())) hd.push_back(sums.hd());
+        const PercentErrors drawn = sums.percentErrors();
+        if (std::isfinite(drawn.p)) p.push_back(drawn.p);
+        if (std::isfinite(drawn.hd)) hd.push_back(drawn.hd);
     }
     summary.p95 = {quantile(p, 0.025), quantile(p, 0.975)};
     summary.hd95 = {quantile(hd, 0.025), quantile(hd, 0.975)};
@@ -113,10 +102,10 @@ Distribution distribution(std::vector<double> values) {
 
 Summary summarise(std::span<const Window> windows, std::span<const WindowErrors> errors,
                   std::span<const std::size_t> chosen, const WindowOptions& options) {
-    Sums sums;
+    ErrorSums sums;
     std::vector<std::size_t> driving;
     for (const std::size_t i : chosen) {
-        sums.add(windows[i], errors[i]);
+        add(sums, windows[i], errors[i]);
         const double part = windows[i].steps() * toSeconds(options.step) / 10;
         if (windows[i].path >= options.leastPath * part && windows[i].path > 0) driving.push_back(i);
     }
@@ -124,8 +113,8 @@ Summary summarise(std::span<const Window> windows, std::span<const WindowErrors>
     s.windows = chosen.size();
     s.path = sums.path;
     s.rotation = sums.rotation;
-    s.p = sums.p();
-    s.hd = sums.hd();
+    s.p = sums.percentErrors().p;
+    s.hd = sums.percentErrors().hd;
     bootstrap(windows, errors, chosen, s);
     s.positionMeanOverPath =
         overWindows(driving, [&](std::size_t i) { return percent(errors[i].positionMean, windows[i].path); });

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "assessment/windows.h"
+#include "motion/percent_errors.h"
 
 namespace mrose {
 
@@ -43,8 +44,7 @@ struct Interval {
 struct Summary {
     std::size_t windows = 0;
     double path = 0, rotation = 0;  ///< m, rad: sums over the windows
-    double p = 0;                   ///< %: sum of time-mean position errors / sum of paths
-    double hd = 0;                  ///< %: sum of time-mean |heading errors| / sum of rotations
+    double p = 0, hd = 0;           ///< %: PercentErrors
     Interval p95, hd95;             ///< %: 95 % bootstrap intervals, windows drawn with replacement
     Distribution positionMeanOverPath, positionFinalOverPath;  ///< %, of windows with at least 0.3 m per 10 s
     Distribution positionFinalOverPathBySteps;                 ///< %, likewise, over the longer Window::pathBySteps

@@ -114,12 +114,12 @@ std::string windowKey(int dataset, const std::string& robot, Nanoseconds start) 
     return std::to_string(dataset) + "," + robot + "," + secondsText(start);
 }
 
-std::string windowsCsv(const Evaluation& evaluation) {
+std::string windowsCsv(const LogWindows& log) {
     std::string text = "dataset,robot,t_start,path_m,rotation_rad,trajectory\n";
-    for (std::size_t i = 0; i < evaluation.windows.size(); ++i) {
-        const Window& w = evaluation.windows[i];
-        text += windowKey(evaluation.dataset, evaluation.robots[w.robot].name, w.start) + "," + fixed(w.path, 4) + "," +
-                fixed(w.rotation, 4) + "," + evaluation.trajectories[i] + "\n";
+    for (std::size_t i = 0; i < log.windows.size(); ++i) {
+        const Window& w = log.windows[i];
+        text += windowKey(log.dataset, log.robots[w.robot].name, w.start) + "," + fixed(w.path, 4) + "," +
+                fixed(w.rotation, 4) + "," + log.trajectories[i] + "\n";
     }
     return text;
 }

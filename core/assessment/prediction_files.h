@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "assessment/evaluate.h"
+#include "assessment/assess.h"
 #include "assessment/rollout.h"
 #include "io/error.h"
 
@@ -30,7 +30,7 @@ Expected<std::vector<WindowRequest>> parseWindows(std::string_view content, cons
 std::string windowKey(int dataset, const std::string& robot, Nanoseconds start);
 
 /// dataset,robot,t_start,path_m,rotation_rad as the referee prints them, and the trajectory.
-std::string windowsCsv(const Evaluation& evaluation);
+std::string windowsCsv(const LogWindows& log);
 
 /// The starts asked for, `robots[i]` the index into log.robots of the robot of `starts[i]`; they point into `log`.
 /// Error with the request's line in `fileName`: another data set, an unknown robot, no truth at the start or in more

@@ -9,8 +9,8 @@ namespace mrose {
 namespace {
 
 /// After so many steps of the comparison; nullopt: unknown.
-std::optional<bool> isBeyond(const TimeTravel& run, std::uint32_t branch, const Reality& reality,
-                             const LeavingRobots::Robot& robot, std::int64_t steps) {
+std::optional<PoseError> errorAfter(const TimeTravel& run, std::uint32_t branch, const Reality& reality,
+                                    const LeavingRobots::Robot& robot, std::int64_t steps) {
     const Scene& scene = run.record(branch).setup().scene();
     const Nanoseconds now = steps * WindowOptions{}.step;
     const Reality::Robot* const real = reality.robotNamed(robot.name);
@@ -18,21 +18,19 @@ std::optional<bool> isBeyond(const TimeTravel& run, std::uint32_t branch, const 
     const auto truth = real != nullptr ? real->poseAt(now) : std::nullopt;
     const auto simulated = run.posesAt(branch, scene.ticksOf(now));
     if (!truth || !simulated || body >= simulated->size()) return {};
-    const PoseError error = poseError(*truth, (*simulated)[body]);
-    const DivergenceBound::At& bound = robot.bound.at(static_cast<std::size_t>(steps - 1));
-    return error.position > bound.position || error.heading > bound.heading;
+    return poseError(*truth, (*simulated)[body]);
 }
 
 bool hasLeft(const TimeTravel& run, std::uint32_t branch, std::int64_t tick, const Reality& reality,
              const LeavingRobots::Robot& robot) {
+    using State = DivergenceRule::State;
     const Nanoseconds step = WindowOptions{}.step;
-    std::optional<std::int64_t> latest;
+    DivergenceRule rule(robot.bound.held);
     for (std::int64_t k = run.record(branch).setup().scene().timeOf(tick) / step; k >= 1; --k) {
-        const auto beyond = isBeyond(run, branch, reality, robot, k);
-        if (!beyond) continue;
-        if (!*beyond) return false;
-        if (!latest) latest = k;
-        if ((*latest - k) * step >= robot.bound.held) return true;
+        const auto error = errorAfter(run, branch, reality, robot, k);
+        if (!error) continue;
+        const State state = rule.add(k * step, *error, robot.bound.at(static_cast<std::size_t>(k - 1)));
+        if (state != State::beyond) return state == State::left;
     }
     return false;
 }

@@ -84,7 +84,7 @@ DivergenceBound boundFor(const LogWorld& world, const ComparedRollout& rollout, 
 
 Expected<ComparedDivergences> divergencesOf(const LogWorld& world, const Comparison& comparison,
                                             const DivergenceOptions& options) {
-    const Nanoseconds step = comparison.evaluation.options.windows.step;
+    const Nanoseconds step = comparison.log.options.step;
     ComparedDivergences found;
     found.bound = options.bound;
     found.fromHeldOut = options.fromHeldOut && knowsHeldOut(world);

@@ -10,41 +10,39 @@ constexpr double timesTypical = 3;
 /// Between the instants over which path and rotation are summed: a wobble inflates shorter ones.
 constexpr Nanoseconds travelStep = 500'000'000;
 
-bool isKnown(const WindowErrors& errors, std::size_t k) {
-    return std::isfinite(errors.position[k]) && std::isfinite(errors.heading[k]);
-}
-
-bool isBeyond(const WindowErrors& errors, std::size_t k, const DivergenceBound::At& bound) {
-    return errors.position[k] > bound.position || errors.heading[k] > bound.heading;
-}
-
 }  // namespace
+
+DivergenceRule::State DivergenceRule::add(Nanoseconds time, const PoseError& error, const DivergenceBound::At& bound) {
+    if (error.position <= bound.position && error.heading <= bound.heading) {
+        since_.reset();
+        return State::within;
+    }
+    if (!since_) since_ = time;
+    return std::abs(time - *since_) >= held_ ? State::left : State::beyond;
+}
 
 std::optional<Divergence> firstDivergence(const ComparedRollout& rollout, Nanoseconds step,
                                           const DivergenceBound& bound) {
     const WindowErrors& errors = rollout.errors;
-    const auto timeOf = [&](std::size_t k) { return static_cast<Nanoseconds>(k + 1) * step; };
-    std::optional<std::size_t> first;
+    DivergenceRule rule(bound.held);
     Nanoseconds within = 0;
     for (std::size_t k = 0; k < errors.position.size(); ++k) {
-        if (!isKnown(errors, k)) continue;
-        if (!isBeyond(errors, k, bound.at(k))) {
-            first.reset();
-            within = timeOf(k);
-            continue;
-        }
-        if (!first) first = k;
-        if (timeOf(k) - timeOf(*first) < bound.held) continue;
-        const double position = errors.position[*first], heading = errors.heading[*first];
-        const DivergenceBound::At& at = bound.at(*first);
-        return Divergence{timeOf(*first),
+        const Nanoseconds time = static_cast<Nanoseconds>(k + 1) * step;
+        if (!std::isfinite(errors.position[k]) || !std::isfinite(errors.heading[k])) continue;
+        const auto state = rule.add(time, {errors.position[k], errors.heading[k]}, bound.at(k));
+        if (state == DivergenceRule::State::within) within = time;
+        if (state != DivergenceRule::State::left) continue;
+        const std::size_t first = static_cast<std::size_t>(rule.since() / step) - 1;
+        const double position = errors.position[first], heading = errors.heading[first];
+        const DivergenceBound::At& at = bound.at(first);
+        return Divergence{rule.since(),
                           within,
                           position,
                           heading,
                           at,
                           position > at.position,
                           heading > at.heading,
-                          timeOf(*first) - within > step};
+                          rule.since() - within > step};
     }
     return std::nullopt;
 }

@@ -6,6 +6,7 @@
 
 #include "assessment/compare.h"
 #include "motion/motion_network.h"
+#include "quantities/real_robots.h"
 
 namespace mrose {
 
@@ -28,6 +29,26 @@ struct DivergenceBound {
     }
 };
 
+/// The rule, over the instants whose errors are known, one after the other forwards or backwards in time. Instants
+/// without ground truth are not added: they neither prove nor disprove anything.
+class DivergenceRule {
+public:
+    explicit DivergenceRule(Nanoseconds held) : held_(held) {}
+
+    enum class State {
+        within,  ///< its bound at this instant
+        beyond,  ///< one of its bounds at this instant
+        left     ///< beyond at this instant and all between it and `since`, which is at least so far away
+    };
+    State add(Nanoseconds time, const PoseError& error, const DivergenceBound::At& bound);
+    /// Where the stretch beyond begins that the last instant belongs to.
+    Nanoseconds since() const { return *since_; }
+
+private:
+    Nanoseconds held_;
+    std::optional<Nanoseconds> since_;
+};
+
 /// Where a simulated robot leaves the real trajectory.
 struct Divergence {
     Nanoseconds time = 0;    ///< since the start: the first instant beyond the bound, from which on it is held
@@ -38,10 +59,8 @@ struct Divergence {
     bool unknownBefore = false;                  ///< the truth is not known between `within` and `time`
 };
 
-/// The first instant from which on either error is beyond its bound for at least `held`, at every instant at which the
-/// ground truth is known (instants without it neither prove nor disprove anything). Instants are those of the steps:
-/// `step` is that of the comparison. nullopt: it stays on the real trajectory, as far as is known; or it was not
-/// simulated.
+/// The first instant at which the rule begins to hold. Instants are those of the steps: `step` is that of the
+/// comparison. nullopt: it stays on the real trajectory, as far as is known; or it was not simulated.
 std::optional<Divergence> firstDivergence(const ComparedRollout& rollout, Nanoseconds step,
                                           const DivergenceBound& bound);
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "learning/parallel_for.h"
+#include "motion/percent_errors.h"
 
 namespace mrose {
 namespace {
@@ -147,7 +148,7 @@ double RolloutBatch::lossAndGradient(const MlpGradient& engine, std::span<const 
 OpenLoopError openLoopError(const RolloutBatch& batch, std::span<const Pose> predicted, Nanoseconds period) {
     const std::size_t length = batch.length();
     const auto halfSecond = static_cast<std::size_t>(std::max<Nanoseconds>(1, nanosecondsPerSecond / 2 / period));
-    double position = 0, heading = 0, path = 0, rotation = 0;
+    ErrorSums sums;
     OpenLoopError result;
     for (std::size_t chain = 0; chain < batch.chains(); ++chain) {
         double chainPath = 0, chainRotation = 0;
@@ -161,14 +162,12 @@ OpenLoopError openLoopError(const RolloutBatch& batch, std::span<const Pose> pre
             positionSum += std::hypot(p.x - q.x, p.y - q.y);
             headingSum += std::abs(p.heading - q.heading);
         }
-        position += positionSum / static_cast<double>(length);
-        heading += headingSum / static_cast<double>(length);
-        path += chainPath;
-        rotation += chainRotation;
+        sums.add(positionSum / static_cast<double>(length), headingSum / static_cast<double>(length), chainPath,
+                 chainRotation);
         ++result.windows;
     }
-    if (path > 0) result.position = 100 * position / path;
-    if (rotation > 0) result.heading = 100 * heading / rotation;
+    if (sums.path > 0) result.position = sums.percentErrors().p;
+    if (sums.rotation > 0) result.heading = sums.percentErrors().hd;
     return result;
 }
 

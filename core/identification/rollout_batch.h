@@ -61,7 +61,7 @@ private:
     std::vector<std::pair<int, int>> feedback_;  ///< input that reads a velocity, output that predicts it
 };
 
-/// P and Hd, as the referee of the MRCLAM windows defines them, in %.
+/// P and Hd, in %; 0 where nothing drove or turned.
 struct OpenLoopError {
     double position = 0, heading = 0;
     std::int64_t windows = 0;

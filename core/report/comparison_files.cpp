@@ -17,7 +17,7 @@ bool hasSessions(const Comparison& comparison) { return comparison.sessions.size
 
 /// What begins a row about a rollout.
 std::string keyOf(const Comparison& comparison, const ComparedRollout& rollout) {
-    return windowKey(comparison.evaluation.dataset, comparison.robots[rollout.robot].realName, rollout.real.start);
+    return windowKey(comparison.log.dataset, comparison.robots[rollout.robot].realName, rollout.real.start);
 }
 
 std::string sessionCell(const Comparison& comparison, const ComparedRollout& rollout) {
@@ -119,8 +119,8 @@ std::string comparisonJson(const Comparison& comparison, const std::vector<std::
         robots.push_back(std::move(robot));
     }
     nlohmann::ordered_json result{{"scenario", comparison.scenario},
-                                  {"log", comparison.evaluation.source},
-                                  {"dataset", comparison.evaluation.dataset},
+                                  {"log", comparison.log.source},
+                                  {"dataset", comparison.log.dataset},
                                   {"seed", comparison.seed},
                                   {"notices", notices},
                                   {"all", json(comparison.all)},
@@ -133,7 +133,7 @@ std::string comparisonJson(const Comparison& comparison, const std::vector<std::
 }
 
 std::string errorsCsv(const Comparison& comparison) {
-    const Nanoseconds step = comparison.evaluation.options.windows.step;
+    const Nanoseconds step = comparison.log.options.step;
     std::string text =
         "dataset,robot,t_start,t,x,y,heading,real_x,real_y,real_heading,position_error_m,heading_error_rad,simulated";
     text += hasSessions(comparison) ? ",trajectory\n" : "\n";
@@ -153,7 +153,7 @@ std::string errorsCsv(const Comparison& comparison) {
 }
 
 std::string rolloutsCsv(const Comparison& comparison, const ComparedDivergences* divergences) {
-    const Nanoseconds step = comparison.evaluation.options.windows.step;
+    const Nanoseconds step = comparison.log.options.step;
     std::string text =
         "rollout,dataset,robot,t_start,start_s,duration_s,use,path_m,rotation_rad,position_mean_m,position_final_m,"
         "heading_mean_rad,heading_final_rad,touches,touched_s,simulated";

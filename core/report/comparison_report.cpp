@@ -24,7 +24,7 @@ std::string lengthText(const Comparison& comparison) {
     const auto [least, most] =
         std::minmax_element(comparison.requests.begin(), comparison.requests.end(),
                             [](const RolloutRequest& a, const RolloutRequest& b) { return a.steps < b.steps; });
-    const Nanoseconds step = comparison.evaluation.options.windows.step;
+    const Nanoseconds step = comparison.log.options.step;
     const std::string longest = secondsText(most->steps * step, 0);
     return (least->steps == most->steps ? longest : secondsText(least->steps * step, 0) + " to " + longest) + " s";
 }
@@ -41,7 +41,7 @@ std::string page(const Comparison& comparison, const ReportContext& context) {
     text += element("p", "sub",
                     cat(counted(comparison.requests.size(), "rollout", "rollouts"), " of ", lengthText(comparison),
                         ", ", counted(comparison.robots.size(), "robot", "robots"), ", log <code>",
-                        escaped(comparison.evaluation.source), "</code> · ", escaped(context.program)));
+                        escaped(comparison.log.source), "</code> · ", escaped(context.program)));
     for (const std::string& notice : context.notices) text += element("p", "notice", escaped(notice));
     return text;
 }
@@ -232,7 +232,7 @@ std::string pictures(const Comparison& comparison, const Environment& environmen
 }
 
 std::string definitions(const Comparison& comparison) {
-    const WindowOptions& options = comparison.evaluation.options.windows;
+    const WindowOptions& options = comparison.log.options;
     std::string list;
     list +=
         definition("rollout",
@@ -260,15 +260,15 @@ std::string definitions(const Comparison& comparison) {
 std::string provenance(const Comparison& comparison, const ReportContext& context) {
     HtmlTable facts({"", ""}, "words");
     facts.row({"scenario", escaped(comparison.scenario)});
-    facts.row({"log", cat(escaped(comparison.evaluation.source), " (", escaped(comparison.evaluation.format), ")")});
+    facts.row({"log", cat(escaped(comparison.log.source), " (", escaped(comparison.log.format), ")")});
     facts.row({"seed", std::to_string(comparison.seed)});
     for (const auto& [key, value] : context.modelFacts) facts.row({escaped(key), escaped(value)});
     facts.row({"made by", cat("<code>", escaped(context.commandLine), "</code>")});
     std::string text = cat(heading("Where this comes from"), tableCard(facts.text()));
     if (!comparison.counted.empty())
-        text += cat(heading("What was wrong with the log"), tableCard(defectTable(comparison.evaluation)));
-    text += cat("<details><summary>", counted(comparison.evaluation.files.size(), "file", "files"),
-                " with hashes</summary>\n", fileTable(comparison.evaluation.files), "</details>\n");
+        text += cat(heading("What was wrong with the log"), tableCard(defectTable(comparison.log)));
+    text += cat("<details><summary>", counted(comparison.log.files.size(), "file", "files"), " with hashes</summary>\n",
+                fileTable(comparison.log.files), "</details>\n");
     return text;
 }
 
@@ -322,7 +322,7 @@ std::string comparisonHtml(const Comparison& comparison, const Scene& scene, con
             divergences == nullptr ? "" : divergenceSection(comparison, *divergences),
             pictures(comparison, scene.environment, divergences), heading("What the words mean"),
             definitions(comparison), provenance(comparison, context));
-    return reportPage(cat(escaped(comparison.scenario), " beside ", escaped(comparison.evaluation.source)), body);
+    return reportPage(cat(escaped(comparison.scenario), " beside ", escaped(comparison.log.source)), body);
 }
 
 Expected<void> checkComparisonFolder(const std::filesystem::path& folder, bool overwrite) {

@@ -43,14 +43,14 @@ Points fromOrigin(Points points) {
     return points;
 }
 
-std::vector<double> perWindow(const Evaluation& evaluation, const ModelEvaluation& model, Channel channel) {
+std::vector<double> perWindow(const Evaluation& evaluation, const Assessment& model, Channel channel) {
     std::vector<double> values;
     for (std::size_t i = 0; i < model.errors.size(); ++i) {
-        const double path = evaluation.windows[i].path;
+        const double path = evaluation.log.windows[i].path;
         if (channel == Channel::heading)
             values.push_back(degrees * model.errors[i].headingFinal);
-        else if (path >= evaluation.options.windows.leastPath * evaluation.windows[i].steps() *
-                             toSeconds(evaluation.options.windows.step) / 10)
+        else if (path >= evaluation.log.options.leastPath * evaluation.log.windows[i].steps() *
+                             toSeconds(evaluation.log.options.step) / 10)
             values.push_back(100 * model.errors[i].positionMean / path);
     }
     std::sort(values.begin(), values.end());
@@ -98,13 +98,13 @@ std::string lengthText(double metres) {
 /// Between heading arrows: a second, less where windows are short.
 Nanoseconds arrowInterval(const Evaluation& evaluation) {
     int most = 0;
-    for (const Window& window : evaluation.windows) most = std::max(most, window.steps());
-    const Nanoseconds longest = most * evaluation.options.windows.step;
+    for (const Window& window : evaluation.log.windows) most = std::max(most, window.steps());
+    const Nanoseconds longest = most * evaluation.log.options.step;
     return longest >= 5 * nanosecondsPerSecond ? nanosecondsPerSecond : nanosecondsPerSecond / 5;
 }
 
 std::size_t arrowStride(const Evaluation& evaluation) {
-    const Nanoseconds every = arrowInterval(evaluation) / evaluation.options.windows.step;
+    const Nanoseconds every = arrowInterval(evaluation) / evaluation.log.options.step;
     return static_cast<std::size_t>(std::max<Nanoseconds>(1, every));
 }
 
@@ -145,7 +145,7 @@ std::vector<std::size_t> drawnModels(const Evaluation& evaluation) {
 }
 
 std::string sinceDriveStart(const Evaluation& evaluation, std::size_t window) {
-    return fixed(toSeconds(evaluation.windows[window].start - evaluation.driveStarts[window]), 1);
+    return fixed(toSeconds(evaluation.log.windows[window].start - evaluation.log.driveStarts[window]), 1);
 }
 
 std::string modelName(const Evaluation& evaluation, std::size_t model) {
@@ -185,7 +185,7 @@ std::string errorOverTimeFigure(const Evaluation& evaluation, Channel channel) {
     const auto& first = evaluation.models.front().overTime;
     const Points p90 = over(first, channel, &Distribution::p90);
     double top = highest(p90);
-    for (const ModelEvaluation& model : evaluation.models)
+    for (const Assessment& model : evaluation.models)
         top = std::max(top, highest(over(model.overTime, channel, &Distribution::median)));
     const bool position = channel == Channel::position;
     SvgPlot plot({}, {0, first.empty() ? 1 : first.back().time}, {0, 1.06 * top},
@@ -202,7 +202,7 @@ std::string errorOverTimeFigure(const Evaluation& evaluation, Channel channel) {
 std::string cumulativeFigure(const Evaluation& evaluation, Channel channel) {
     double right = 0;
     std::vector<std::vector<double>> values;
-    for (const ModelEvaluation& model : evaluation.models) {
+    for (const Assessment& model : evaluation.models) {
         values.push_back(perWindow(evaluation, model, channel));
         std::vector<double> reordered = values.back();
         right = std::max(right, 1.15 * quantile(reordered, 0.9));
@@ -230,14 +230,14 @@ double highestBar(const Evaluation& evaluation) {
 
 std::string barsFigure(const Evaluation& evaluation, std::size_t robot, double top) {
     const auto isHis = [&](const Window& window) { return window.robot == robot; };
-    const auto first = std::find_if(evaluation.windows.begin(), evaluation.windows.end(), isHis);
-    const double before = static_cast<double>(first - evaluation.windows.begin()) + 0.5;
+    const auto first = std::find_if(evaluation.log.windows.begin(), evaluation.log.windows.end(), isHis);
+    const double before = static_cast<double>(first - evaluation.log.windows.begin()) + 0.5;
     SvgPlot plot({.width = 1110, .height = 136, .left = 54, .right = 8, .top = 8, .bottom = 44},
-                 {before, before + static_cast<double>(evaluation.robots[robot].windows)}, {0, top},
-                 cat("Errors of robot ", evaluation.robots[robot].name));
+                 {before, before + static_cast<double>(evaluation.log.robots[robot].windows)}, {0, top},
+                 cat("Errors of robot ", evaluation.log.robots[robot].name));
     plot.axes("window", "error (cm)");
-    for (std::size_t i = 0; i < evaluation.windows.size(); ++i) {
-        const Window& w = evaluation.windows[i];
+    for (std::size_t i = 0; i < evaluation.log.windows.size(); ++i) {
+        const Window& w = evaluation.log.windows[i];
         if (!isHis(w)) continue;
         const double error = 100 * evaluation.models.front().errors[i].positionMean;
         plot.bar(static_cast<double>(i) + 0.6, 0.8, error, cat("k", std::to_string(static_cast<int>(w.manoeuvre))),
@@ -272,7 +272,7 @@ std::string pathFigure(const PathFigure& figure) {
 }
 
 std::string pathFigure(const Evaluation& evaluation, std::size_t index) {
-    const Window& window = evaluation.windows[index];
+    const Window& window = evaluation.log.windows[index];
     PathFigure figure{window.truth, window.measuredPose, {}, drawnModels(evaluation), arrowStride(evaluation)};
     for (const std::size_t i : figure.models) figure.predicted.push_back(evaluation.models[i].predicted[index]);
     return pathFigure(figure);

@@ -56,7 +56,7 @@ std::string turningFloorText(const Floor& floor) {
 }
 
 std::string definitions(const Evaluation& evaluation) {
-    const WindowOptions& options = evaluation.options.windows;
+    const WindowOptions& options = evaluation.log.options;
     std::string list;
     list += definition(
         "window",

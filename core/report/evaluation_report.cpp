@@ -20,7 +20,7 @@ constexpr const char* reportFiles[] = {"results.csv", "results.json", "windows.c
 
 std::string robotsText(const Evaluation& evaluation) {
     std::vector<std::string> names;
-    for (const auto& robot : evaluation.robots)
+    for (const auto& robot : evaluation.log.robots)
         if (robot.windows > 0) names.push_back(escaped(robot.name));
     std::string text = names.size() == 1 ? "robot " : "robots ";
     for (std::size_t i = 0; i < names.size(); ++i)
@@ -31,9 +31,9 @@ std::string robotsText(const Evaluation& evaluation) {
 /// "10 s", or "1.0 to 1.9 s" where windows differ in length.
 std::string durationText(const Evaluation& evaluation) {
     const auto [least, most] =
-        std::minmax_element(evaluation.windows.begin(), evaluation.windows.end(),
+        std::minmax_element(evaluation.log.windows.begin(), evaluation.log.windows.end(),
                             [](const Window& a, const Window& b) { return a.steps() < b.steps(); });
-    const Nanoseconds step = evaluation.options.windows.step;
+    const Nanoseconds step = evaluation.log.options.step;
     const std::string longest = secondsText(most->steps() * step, 0);
     return least->steps() == most->steps() ? cat(longest, " s")
                                            : cat(secondsText(least->steps() * step, 0), " to ", longest, " s");
@@ -42,8 +42,8 @@ std::string durationText(const Evaluation& evaluation) {
 std::string header(const Evaluation& evaluation, const ReportContext& context) {
     const std::string badge = context.synthetic ? "<span class=\"badge\">synthetic data</span>" : "";
     std::string text = element("h1", "", cat("How true is ", escaped(evaluation.models.front().name), "?", badge));
-    std::string what = cat(std::to_string(evaluation.windows.size()), " windows of ", durationText(evaluation), ", ",
-                           robotsText(evaluation), ", log <code>", escaped(evaluation.source), "</code>");
+    std::string what = cat(std::to_string(evaluation.log.windows.size()), " windows of ", durationText(evaluation),
+                           ", ", robotsText(evaluation), ", log <code>", escaped(evaluation.log.source), "</code>");
     if (!context.program.empty()) what += cat(" · ", escaped(context.program));
     text += element("p", "sub", what);
     if (context.synthetic)
@@ -55,7 +55,7 @@ std::string header(const Evaluation& evaluation, const ReportContext& context) {
 
 std::string typicalWindow(const Evaluation& evaluation, const Summary& s) {
     std::vector<double> paths;
-    for (const Window& window : evaluation.windows) paths.push_back(window.path);
+    for (const Window& window : evaluation.log.windows) paths.push_back(window.path);
     return cat(
         "At the end of a typical window (median), after ", fixed(quantile(paths, 0.5), 2), "\u00a0m of path, it is ",
         fixed(100 * s.positionFinal.median, 1), "\u00a0cm from where the robot really was and points ",
@@ -72,18 +72,18 @@ std::string comparison(const Evaluation& evaluation) {
     if (baseline != evaluation.models.end())
         text += cat(" The best of the others by P, ", escaped(baseline->name), ", leaves ",
                     percentText(baseline->all.p), " and ", percentText(baseline->all.hd), ".");
-    if (evaluation.floor && !evaluation.floor->pairs.empty())
-        text += cat(" Where it got near-identical commands twice (", std::to_string(evaluation.floor->pairs.size()),
+    if (evaluation.log.floor && !evaluation.log.floor->pairs.empty())
+        text += cat(" Where it got near-identical commands twice (", std::to_string(evaluation.log.floor->pairs.size()),
                     " <a href=\"#floor\">pairs</a>), the real robot’s own runs are a P of ",
-                    percentText(evaluation.floor->p),
+                    percentText(evaluation.log.floor->spread.p),
                     " apart (the spread), so that the best prediction possible would be off by about ",
-                    percentText(evaluation.floor->pBest), " there (the floor); this one is off by ",
+                    percentText(evaluation.log.floor->best.p), " there (the floor); this one is off by ",
                     percentText(evaluation.models.front().onFloor.p), ".");
     return text;
 }
 
 std::string headline(const Evaluation& evaluation) {
-    const ModelEvaluation& model = evaluation.models.front();
+    const Assessment& model = evaluation.models.front();
     return element("p", "lead",
                    cat("Given a start and the commands alone, the prediction’s position is off by <b>",
                        percentText(model.all.p), "</b> of the path driven (P) and its heading by <b>",
@@ -112,10 +112,10 @@ std::string errorSection(const Evaluation& evaluation) {
 std::string barsSection(const Evaluation& evaluation) {
     std::string figures;
     const double top = highestBar(evaluation);
-    for (std::size_t i = 0; i < evaluation.robots.size(); ++i)
-        if (evaluation.robots[i].windows > 0)
+    for (std::size_t i = 0; i < evaluation.log.robots.size(); ++i)
+        if (evaluation.log.robots[i].windows > 0)
             figures += element("div", "bars",
-                               cat(element("h3", "", cat("Robot ", escaped(evaluation.robots[i].name))),
+                               cat(element("h3", "", cat("Robot ", escaped(evaluation.log.robots[i].name))),
                                    barsFigure(evaluation, i, top)));
     return cat(heading("Every window"),
                paragraph("The first model’s time-mean position error in each window, in the log’s order, coloured by "
@@ -125,18 +125,18 @@ std::string barsSection(const Evaluation& evaluation) {
 }
 
 std::string pathCard(const Evaluation& evaluation, const ShownWindow& shown) {
-    const Window& w = evaluation.windows[shown.window];
+    const Window& w = evaluation.log.windows[shown.window];
     std::string reason = shown.reason;
     if (reason[0] >= 'a' && reason[0] <= 'z') reason[0] = static_cast<char>(reason[0] - 'a' + 'A');
     // Names matter only where there are several.
     const auto several = [&](auto differs) {
-        return std::any_of(evaluation.windows.begin(), evaluation.windows.end(), differs);
+        return std::any_of(evaluation.log.windows.begin(), evaluation.log.windows.end(), differs);
     };
     std::string which = cat("window\u00a0", std::to_string(shown.window + 1));
     if (several([&](const Window& other) { return other.robot != w.robot; }))
-        which += cat(" · robot\u00a0", escaped(evaluation.robots[w.robot].name));
+        which += cat(" · robot\u00a0", escaped(evaluation.log.robots[w.robot].name));
     if (several([&](const Window& other) { return other.robot == w.robot && other.trajectory != w.trajectory; }))
-        which += cat(" · trajectory\u00a0", escaped(evaluation.trajectories[shown.window]));
+        which += cat(" · trajectory\u00a0", escaped(evaluation.log.trajectories[shown.window]));
     const std::string what =
         cat(which, " · from\u00a0", sinceDriveStart(evaluation, shown.window), "\u00a0s<br/>", name(w.manoeuvre),
             " · path\u00a0", fixed(w.path, 2), "\u00a0m · rotation\u00a0", fixed(w.rotation, 2), "\u00a0rad");
@@ -155,12 +155,12 @@ std::string pathSection(const Evaluation& evaluation, const ReportContext& conte
 }
 
 std::string floorSection(const Evaluation& evaluation) {
-    if (!evaluation.floor) return {};
+    if (!evaluation.log.floor) return {};
     std::string text = cat("<h2 id=\"floor\">Spread and floor: how differently near-identical commands turn out</h2>\n",
-                           paragraph(floorText(*evaluation.floor)));
-    if (evaluation.turningFloor) text += paragraph(turningFloorText(*evaluation.turningFloor));
-    const bool any =
-        !evaluation.floor->pairs.empty() || (evaluation.turningFloor && !evaluation.turningFloor->pairs.empty());
+                           paragraph(floorText(*evaluation.log.floor)));
+    if (evaluation.log.turningFloor) text += paragraph(turningFloorText(*evaluation.log.turningFloor));
+    const bool any = !evaluation.log.floor->pairs.empty() ||
+                     (evaluation.log.turningFloor && !evaluation.log.turningFloor->pairs.empty());
     if (any)
         text += cat(
             paragraph("Both depend on how these stretches turn and how long they are: compare the rows of this table "
@@ -189,7 +189,7 @@ std::string provenance(const Evaluation& evaluation, const ReportContext& contex
     HtmlTable facts({"", ""}, "words");
     facts.row({"model", escaped(evaluation.models.front().name)});
     for (const auto& [key, value] : context.modelFacts) facts.row({escaped(key), escaped(value)});
-    facts.row({"evaluated on", cat(escaped(evaluation.source), " (", escaped(evaluation.format), ")",
+    facts.row({"evaluated on", cat(escaped(evaluation.log.source), " (", escaped(evaluation.log.format), ")",
                                    context.synthetic ? ", synthetic" : "")});
     if (!context.commandLine.empty()) facts.row({"made by", cat("<code>", escaped(context.commandLine), "</code>")});
     text += tableCard(facts.text());
@@ -198,17 +198,17 @@ std::string provenance(const Evaluation& evaluation, const ReportContext& contex
     text +=
         cat(heading("The log that it was evaluated on"),
             paragraph("What was found wrong with it while reading; nothing of this is hidden in the numbers above."),
-            tableCard(defectTable(evaluation)));
-    if (!evaluation.files.empty())
-        text += cat("<details><summary>", std::to_string(evaluation.files.size()),
-                    " files with their hashes</summary>\n", fileTable(evaluation.files), "</details>\n");
+            tableCard(defectTable(evaluation.log)));
+    if (!evaluation.log.files.empty())
+        text += cat("<details><summary>", std::to_string(evaluation.log.files.size()),
+                    " files with their hashes</summary>\n", fileTable(evaluation.log.files), "</details>\n");
     return text;
 }
 
 }  // namespace
 
 std::string reportHtml(const Evaluation& evaluation, const ReportContext& context) {
-    const std::string title = cat(escaped(evaluation.models.front().name), " on ", escaped(evaluation.source),
+    const std::string title = cat(escaped(evaluation.models.front().name), " on ", escaped(evaluation.log.source),
                                   context.synthetic ? " (synthetic)" : "");
     const std::string body = cat(
         header(evaluation, context), headline(evaluation), tiles(evaluation.models.front().all),
@@ -224,10 +224,10 @@ Expected<void> checkReportFolder(const std::filesystem::path& folder, bool overw
 
 Expected<void> writeReport(const Evaluation& evaluation, const ReportContext& context,
                            const std::filesystem::path& folder) {
-    if (evaluation.models.empty() || evaluation.windows.empty())
+    if (evaluation.models.empty() || evaluation.log.windows.empty())
         return fail(folder.string(), "nothing was evaluated that a report could show");
-    const std::string contents[] = {resultsCsv(evaluation), resultsJson(evaluation, context), windowsCsv(evaluation),
-                                    reportHtml(evaluation, context)};
+    const std::string contents[] = {resultsCsv(evaluation), resultsJson(evaluation, context),
+                                    windowsCsv(evaluation.log), reportHtml(evaluation, context)};
     std::vector<NamedFile> files;
     for (std::size_t i = 0; i < std::size(contents); ++i) files.push_back({reportFiles[i], contents[i]});
     return writeReportFiles(folder, std::move(files));

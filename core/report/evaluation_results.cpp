@@ -37,7 +37,7 @@ namespace {
 
 Json json(const PercentErrors& e) { return {{"P_percent", e.p}, {"Hd_percent", e.hd}}; }
 
-Json json(const ModelEvaluation& model) {
+Json json(const Assessment& model) {
     Json groups = Json::array(), overTime = Json::array(), relative = Json::array();
     for (const GroupSummary& group : model.groups)
         groups.push_back({{"by", group.kind}, {"name", group.name}, {"summary", json(group.summary)}});
@@ -79,7 +79,7 @@ Json json(const std::vector<LogFile>& files) {
 Json json(const Floor& floor, const Evaluation& evaluation) {
     Json pairs = Json::array();
     for (const FloorPair& pair : floor.pairs)
-        pairs.push_back({{"robot", evaluation.robots[pair.first.robot].name},
+        pairs.push_back({{"robot", evaluation.log.robots[pair.first.robot].name},
                          {"first_t_start", secondsText(pair.first.start)},
                          {"second_t_start", secondsText(pair.second.start)},
                          {"command_difference_of_bound", pair.commandDifference},
@@ -97,10 +97,10 @@ Json json(const Floor& floor, const Evaluation& evaluation) {
             {"stretches_tried", floor.tried},
             {"candidates", floor.candidates},
             {"pair_count", floor.pairs.size()},
-            {"P_percent", floor.p},
-            {"Hd_percent", floor.hd},
-            {"P_best_percent", floor.pBest},
-            {"Hd_best_percent", floor.hdBest},
+            {"P_percent", floor.spread.p},
+            {"Hd_percent", floor.spread.hd},
+            {"P_best_percent", floor.best.p},
+            {"Hd_best_percent", floor.best.hd},
             {"pairs", std::move(pairs)}};
 }
 
@@ -110,10 +110,10 @@ Json floorJson(const std::optional<Floor>& floor, const Evaluation& evaluation) 
 
 Json windowsJson(const Evaluation& evaluation) {
     Json list = Json::array();
-    for (std::size_t i = 0; i < evaluation.windows.size(); ++i) {
-        const Window& w = evaluation.windows[i];
+    for (std::size_t i = 0; i < evaluation.log.windows.size(); ++i) {
+        const Window& w = evaluation.log.windows[i];
         Json errors = Json::array();
-        for (const ModelEvaluation& model : evaluation.models) {
+        for (const Assessment& model : evaluation.models) {
             const WindowErrors& e = model.errors[i];
             errors.push_back({{"position_mean_m", e.positionMean},
                               {"position_final_m", e.positionFinal},
@@ -121,10 +121,10 @@ Json windowsJson(const Evaluation& evaluation) {
                               {"heading_final_rad", e.headingFinal}});
         }
         list.push_back({{"window", i + 1},
-                        {"robot", evaluation.robots[w.robot].name},
-                        {"trajectory", evaluation.trajectories[i]},
+                        {"robot", evaluation.log.robots[w.robot].name},
+                        {"trajectory", evaluation.log.trajectories[i]},
                         {"t_start", secondsText(w.start)},
-                        {"duration_s", w.steps() * toSeconds(evaluation.options.windows.step)},
+                        {"duration_s", w.steps() * toSeconds(evaluation.log.options.step)},
                         {"manoeuvre", name(w.manoeuvre)},
                         {"steady", w.steady},
                         {"path_m", w.path},
@@ -137,10 +137,11 @@ Json windowsJson(const Evaluation& evaluation) {
 
 Json logJson(const Evaluation& evaluation, bool synthetic) {
     Json robots = Json::array();
-    for (const auto& robot : evaluation.robots)
+    for (const auto& robot : evaluation.log.robots)
         robots.push_back({{"name", robot.name}, {"windows", robot.windows}, {"defects", json(robot.defects)}});
-    return {{"source", evaluation.source}, {"format", evaluation.format},     {"dataset", evaluation.dataset},
-            {"synthetic", synthetic},      {"files", json(evaluation.files)}, {"robots", std::move(robots)}};
+    return {{"source", evaluation.log.source},     {"format", evaluation.log.format},
+            {"dataset", evaluation.log.dataset},   {"synthetic", synthetic},
+            {"files", json(evaluation.log.files)}, {"robots", std::move(robots)}};
 }
 
 }  // namespace
@@ -150,13 +151,13 @@ std::string resultsCsv(const Evaluation& evaluation) {
         "model,window,dataset,robot,trajectory,t_start,manoeuvre,steady,path_m,path_by_steps_m,rotation_rad,"
         "position_mean_m,position_final_m,heading_mean_rad,heading_final_rad,final_along_m,final_left_m,"
         "final_heading_signed_rad\n";
-    for (const ModelEvaluation& model : evaluation.models)
-        for (std::size_t i = 0; i < evaluation.windows.size(); ++i) {
-            const Window& w = evaluation.windows[i];
+    for (const Assessment& model : evaluation.models)
+        for (std::size_t i = 0; i < evaluation.log.windows.size(); ++i) {
+            const Window& w = evaluation.log.windows[i];
             const WindowErrors& e = model.errors[i];
-            text += cat(csvCell(model.name), ",", std::to_string(i + 1), ",", std::to_string(evaluation.dataset), ",",
-                        csvCell(evaluation.robots[w.robot].name), ",", csvCell(evaluation.trajectories[i]), ",",
-                        secondsText(w.start), ",", name(w.manoeuvre), w.steady ? ",1" : ",0");
+            text += cat(csvCell(model.name), ",", std::to_string(i + 1), ",", std::to_string(evaluation.log.dataset),
+                        ",", csvCell(evaluation.log.robots[w.robot].name), ",", csvCell(evaluation.log.trajectories[i]),
+                        ",", secondsText(w.start), ",", name(w.manoeuvre), w.steady ? ",1" : ",0");
             for (const double value : {w.path, w.pathBySteps, w.rotation, e.positionMean, e.positionFinal,
                                        e.headingMean, e.headingFinal, e.along, e.left, e.headingFinalSigned})
                 text += cat(",", fixed(value, 6));
@@ -168,8 +169,8 @@ std::string resultsCsv(const Evaluation& evaluation) {
 std::string resultsJson(const Evaluation& evaluation, const ReportContext& context) {
     Json facts = Json::object(), models = Json::array();
     for (const auto& [key, value] : context.modelFacts) facts[key] = value;
-    for (const ModelEvaluation& model : evaluation.models) models.push_back(json(model));
-    const WindowOptions& windows = evaluation.options.windows;
+    for (const Assessment& model : evaluation.models) models.push_back(json(model));
+    const WindowOptions& windows = evaluation.log.options;
     const Json all{{"program", context.program},
                    {"command_line", context.commandLine},
                    {"notices", context.notices},
@@ -182,8 +183,8 @@ std::string resultsJson(const Evaluation& evaluation, const ReportContext& conte
                      {"least_path_m", windows.leastPath},
                      {"least_rotation_rad", windows.leastRotation}}},
                    {"models", std::move(models)},
-                   {"floor", floorJson(evaluation.floor, evaluation)},
-                   {"turning_floor", floorJson(evaluation.turningFloor, evaluation)},
+                   {"floor", floorJson(evaluation.log.floor, evaluation)},
+                   {"turning_floor", floorJson(evaluation.log.turningFloor, evaluation)},
                    {"windows", windowsJson(evaluation)}};
     // Names may hold bytes that are no UTF-8: replaced, as in the report.
     return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -53,7 +53,7 @@ struct PairedTable {
               return HtmlTable(header, "even");
           }()) {
         for (std::size_t i = 0; i < leading.size(); ++i) table.group("", 1);
-        for (const ModelEvaluation& model : evaluation.models) table.group(escaped(model.name), 2);
+        for (const Assessment& model : evaluation.models) table.group(escaped(model.name), 2);
     }
 
     void row(std::vector<std::string> cells, const std::vector<double>& first, const std::vector<double>& second,
@@ -101,7 +101,7 @@ std::string groupTable(const Evaluation& evaluation) {
     for (std::size_t g = 0; g < groups.size(); ++g) {
         if (g == 0 || groups[g].kind != groups[g - 1].kind) paired.table.part(cat("by ", escaped(groups[g].kind)));
         std::vector<double> p, hd;
-        for (const ModelEvaluation& model : evaluation.models) {
+        for (const Assessment& model : evaluation.models) {
             p.push_back(model.groups[g].summary.p);
             hd.push_back(model.groups[g].summary.hd);
         }
@@ -118,7 +118,7 @@ std::string relativeTable(const Evaluation& evaluation) {
     const auto& horizons = evaluation.models.front().relative;
     for (std::size_t h = 0; h < horizons.size(); ++h) {
         std::vector<double> position, heading;
-        for (const ModelEvaluation& model : evaluation.models) {
+        for (const Assessment& model : evaluation.models) {
             position.push_back(100 * model.relative[h].position);
             heading.push_back(degrees * model.relative[h].heading);
         }
@@ -129,7 +129,7 @@ std::string relativeTable(const Evaluation& evaluation) {
 }
 
 std::string floorTable(const Evaluation& evaluation) {
-    const bool both = evaluation.turningFloor.has_value();
+    const bool both = evaluation.log.turningFloor.has_value();
     std::vector<std::string> header{"", "P %", "Hd %"};
     if (both) header.insert(header.end(), {"P %", "Hd %"});
     HtmlTable table(header);
@@ -138,24 +138,23 @@ std::string floorTable(const Evaluation& evaluation) {
                    floor.options.leastTurnRate > 0 ? ", turning" : "");
     };
     table.group("", 1);
-    table.group(title(*evaluation.floor), 2);
-    if (both) table.group(title(*evaluation.turningFloor), 2);
+    table.group(title(*evaluation.log.floor), 2);
+    if (both) table.group(title(*evaluation.log.turningFloor), 2);
     const auto row = [&](const std::string& label, const PercentErrors& first, const PercentErrors& second) {
         std::vector<std::string> cells{label, fixed(first.p, 2), fixed(first.hd, 2)};
         if (both) cells.insert(cells.end(), {fixed(second.p, 2), fixed(second.hd, 2)});
         table.row(cells);
     };
-    const Floor& floor = *evaluation.floor;
-    const Floor& turning = both ? *evaluation.turningFloor : floor;
-    row("spread: two real runs of near-identical commands, apart", {floor.p, floor.hd}, {turning.p, turning.hd});
-    row("floor: the best possible prediction (spread / √2)", {floor.pBest, floor.hdBest},
-        {turning.pBest, turning.hdBest});
+    const Floor& floor = *evaluation.log.floor;
+    const Floor& turning = both ? *evaluation.log.turningFloor : floor;
+    row("spread: two real runs of near-identical commands, apart", floor.spread, turning.spread);
+    row("floor: the best possible prediction (spread / √2)", floor.best, turning.best);
     for (std::size_t i = 0; i < evaluation.models.size(); ++i)
         row(modelName(evaluation, i), evaluation.models[i].onFloor, evaluation.models[i].onTurningFloor);
     return table.text();
 }
 
-std::string defectTable(const Evaluation& evaluation) {
+std::string defectTable(const LogWindows& log) {
     HtmlTable table({"", "windows", "out of order", "duplicate", "blips", "pose outliers", "unpaired", "heading wraps",
                      "number", "longest s", "number", "longest s"});
     table.group("", 2);
@@ -163,7 +162,7 @@ std::string defectTable(const Evaluation& evaluation) {
     table.group("samples", 4);
     table.group("command gaps", 2);
     table.group("truth gaps", 2);
-    for (const auto& robot : evaluation.robots) {
+    for (const LogWindows::Robot& robot : log.robots) {
         if (robot.windows == 0) continue;
         const LogDefects& d = robot.defects;
         std::vector<std::string> cells{cat("robot ", escaped(robot.name)), std::to_string(robot.windows)};
@@ -180,8 +179,8 @@ std::string defectTable(const Evaluation& evaluation) {
 
 std::string windowTable(const Evaluation& evaluation, std::size_t window) {
     HtmlTable table({"", "mean<br/>cm", "mean<br/>% path", "end<br/>cm", "end<br/>°"}, "small");
-    const double path = evaluation.windows[window].path;
-    for (const ModelEvaluation& model : evaluation.models) {
+    const double path = evaluation.log.windows[window].path;
+    for (const Assessment& model : evaluation.models) {
         const WindowErrors& e = model.errors[window];
         table.row({escaped(model.name), fixed(100 * e.positionMean, 1),
                    path > 0 ? fixed(100 * e.positionMean / path, 1) : "–", fixed(100 * e.positionFinal, 1),

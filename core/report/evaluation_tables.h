@@ -19,7 +19,7 @@ std::string relativeTable(const Evaluation& evaluation);
 std::string floorTable(const Evaluation& evaluation);
 
 /// What was wrong with the log, one row per robot.
-std::string defectTable(const Evaluation& evaluation);
+std::string defectTable(const LogWindows& log);
 
 /// Errors of one window, one row per model.
 std::string windowTable(const Evaluation& evaluation, std::size_t window);

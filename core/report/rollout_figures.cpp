@@ -26,7 +26,7 @@ std::vector<PlotPoint> medianErrors(const Comparison& comparison, std::size_t ro
         for (std::size_t k = 0; k < errors.size(); ++k)
             if (std::isfinite(errors[k])) known[k].push_back(errors[k]);
     }
-    const double step = toSeconds(comparison.evaluation.options.windows.step);
+    const double step = toSeconds(comparison.log.options.step);
     std::vector<PlotPoint> points{{0, 0}};
     for (std::size_t k = 0; k < known.size(); ++k)
         points.push_back({static_cast<double>(k + 1) * step, (position ? 100 : degrees) * quantile(known[k], 0.5)});
@@ -38,7 +38,7 @@ std::vector<PlotPoint> medianErrors(const Comparison& comparison, std::size_t ro
 Nanoseconds arrowInterval(const Comparison& comparison, int most) {
     int steps = 0;
     for (const RolloutRequest& request : comparison.requests) steps = std::max(steps, request.steps);
-    const Nanoseconds longest = steps * comparison.evaluation.options.windows.step;
+    const Nanoseconds longest = steps * comparison.log.options.step;
     constexpr Nanoseconds second = nanosecondsPerSecond;
     for (const Nanoseconds interval :
          {second / 5, second, 2 * second, 5 * second, 10 * second, 20 * second, 30 * second})
@@ -57,7 +57,7 @@ std::optional<std::size_t> stepLeft(const Comparison& comparison, std::size_t ro
                                     const ComparedDivergences* divergences) {
     const RolloutDivergence* const diverging = divergences == nullptr ? nullptr : divergences->of(rollout);
     if (diverging == nullptr) return std::nullopt;
-    return static_cast<std::size_t>(diverging->divergence.time / comparison.evaluation.options.windows.step) - 1;
+    return static_cast<std::size_t>(diverging->divergence.time / comparison.log.options.step) - 1;
 }
 
 void drawBound(SvgPlot& plot, double bound, PlotPoint most, const char* text) {
@@ -124,8 +124,7 @@ std::string rolloutFigure(const Comparison& comparison, std::size_t request, con
         drawn.push_back(std::move(shown));
     }
     const RolloutRequest& shown = comparison.requests[request];
-    const Nanoseconds step = comparison.evaluation.options.windows.step,
-                      between = arrowInterval(comparison, sceneArrows);
+    const Nanoseconds step = comparison.log.options.step, between = arrowInterval(comparison, sceneArrows);
     return drawRollouts(environment,
                         {.title = comparison.scenario + ", rollout " + std::to_string(request + 1),
                          .subtitle = secondsText(shown.steps * step, 0) + " s of driving, from " +
@@ -137,7 +136,7 @@ std::string rolloutFigure(const Comparison& comparison, std::size_t request, con
 
 std::string robotFigure(const Comparison& comparison, std::size_t index, const ComparedDivergences* divergences) {
     const ComparedRollout& rollout = comparison.rollouts[index];
-    const Nanoseconds every = arrowInterval(comparison, cardArrows) / comparison.evaluation.options.windows.step;
+    const Nanoseconds every = arrowInterval(comparison, cardArrows) / comparison.log.options.step;
     return pathFigure({.real = rollout.real.truth,
                        .start = rollout.real.measuredPose,
                        .predicted = {rollout.simulated},

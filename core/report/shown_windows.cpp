@@ -38,15 +38,15 @@ public:
 std::vector<ShownWindow> shownWindows(const Evaluation& evaluation, const std::vector<std::size_t>& chosen) {
     const auto& errors = evaluation.models.front().errors;
     Indices all, driving;
-    for (std::size_t i = 0; i < evaluation.windows.size(); ++i) {
-        const Window& w = evaluation.windows[i];
+    for (std::size_t i = 0; i < evaluation.log.windows.size(); ++i) {
+        const Window& w = evaluation.log.windows[i];
         all.push_back(i);
-        const double part = w.steps() * toSeconds(evaluation.options.windows.step) / 10;
-        if (w.path > 0 && w.path >= evaluation.options.windows.leastPath * part) driving.push_back(i);
+        const double part = w.steps() * toSeconds(evaluation.log.options.step) / 10;
+        if (w.path > 0 && w.path >= evaluation.log.options.leastPath * part) driving.push_back(i);
     }
     const auto byHeading = ranked(all, [&](std::size_t i) { return errors[i].headingFinal; });
     const auto byPosition = driving.empty() ? byHeading : ranked(driving, [&](std::size_t i) {
-        return errors[i].positionMean / evaluation.windows[i].path;
+        return errors[i].positionMean / evaluation.log.windows[i].path;
     });
     Choice choice;
     choice.add(atQuantile(byPosition, 0.1), "10th percentile");
@@ -58,11 +58,11 @@ std::vector<ShownWindow> shownWindows(const Evaluation& evaluation, const std::v
     for (int kind = 0; kind < manoeuvreCount; ++kind) {
         Indices ofKind;
         for (const std::size_t i : byPosition)
-            if (evaluation.windows[i].manoeuvre == static_cast<Manoeuvre>(kind)) ofKind.push_back(i);
+            if (evaluation.log.windows[i].manoeuvre == static_cast<Manoeuvre>(kind)) ofKind.push_back(i);
         if (!ofKind.empty()) choice.add(atQuantile(ofKind, 0.5), cat("median of ", name(static_cast<Manoeuvre>(kind))));
     }
     for (const std::size_t i : chosen)
-        if (i < evaluation.windows.size()) choice.add(i, "chosen");
+        if (i < evaluation.log.windows.size()) choice.add(i, "chosen");
     return std::move(choice.shown);
 }
 

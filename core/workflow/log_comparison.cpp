@@ -21,7 +21,7 @@ std::vector<std::string> noticesAbout(const LogWorld& world, const Comparison& c
         notices.push_back("The log comes from a simulated robot: nothing here says how true it is of a real one.");
     for (const std::vector<std::string>& more : {noticesOf(world.log()), world.leftOut()})
         notices.insert(notices.end(), more.begin(), more.end());
-    const Nanoseconds length = comparison.requests.front().steps * comparison.evaluation.options.windows.step;
+    const Nanoseconds length = comparison.requests.front().steps * comparison.log.options.step;
     if (asked && length < *asked)
         notices.push_back("The ground truth ends " + secondsText(length) +
                           " s after the start: compared up to there, not " + secondsText(*asked, 0) + " s.");
@@ -114,7 +114,7 @@ Expected<LogComparison> compareLog(const LogComparisonRequest& request, const Lo
     if (!requests) return tl::unexpected(requests.error());
     auto comparison = compare(*world, *requests, options);
     if (!comparison) return errorOf(comparison.error(), source.shown(loaded->value.name()));
-    const Nanoseconds step = comparison->evaluation.options.windows.step;
+    const Nanoseconds step = comparison->log.options.step;
     std::optional<Nanoseconds> asked;
     if (request.windows.empty() && !request.every && !cut)
         asked = request.duration ? fromSeconds(*request.duration) : world->parts().duration / step * step;

@@ -68,7 +68,7 @@ Expected<LogEvaluation> evaluateLog(const LogEvaluationRequest& request, const s
     options.withFloor = request.withFloor;
     auto evaluation = evaluate(*log, views, options, goesOn);
     if (!evaluation) return tl::unexpected(evaluation.error());
-    auto chosen = chosenWindows(request.shown, evaluation->windows.size());
+    auto chosen = chosenWindows(request.shown, evaluation->log.windows.size());
     if (!chosen) return tl::unexpected(chosen.error());
     ReportContext context = reportContext(network, request.network, *log, commandLine);
     context.notices = noticesOf(*log);

@@ -78,7 +78,7 @@ TEST(Compare, SaysWhatIsLeftOutAndWhy) {
     EXPECT_EQ(comparison.all.rollouts(), 24u);
     EXPECT_EQ(comparison.all.of(RolloutUse::counted), 16u);
     EXPECT_EQ(comparison.counted.size(), 16u);
-    EXPECT_EQ(comparison.evaluation.windows.size(), 16u);
+    EXPECT_EQ(comparison.log.windows.size(), 16u);
     for (const ComparedRollout& rollout : comparison.rollouts) {
         EXPECT_EQ(rollout.simulated.empty(), rollout.use == RolloutUse::absent);
         if (rollout.robot != 1 || rollout.use != RolloutUse::gap) continue;
@@ -149,13 +149,13 @@ void expectTheSameFigures(const Log& log, const std::vector<std::shared_ptr<cons
     ASSERT_TRUE(evaluation) << evaluation.error().message();
     const auto world = LogWorld::create(playersOf(log, models), std::make_shared<const Log>(log));
     ASSERT_TRUE(world) << world.error().message();
-    const auto comparison = compare(*world, rolloutsOfWindows(*world, evaluation->windows));
+    const auto comparison = compare(*world, rolloutsOfWindows(*world, evaluation->log.windows));
     ASSERT_TRUE(comparison) << comparison.error().message();
     ASSERT_EQ(comparison->touches, 0);
-    EXPECT_EQ(comparison->all.of(RolloutUse::counted), evaluation->windows.size());
-    const Evaluation& ours = comparison->evaluation;
+    EXPECT_EQ(comparison->all.of(RolloutUse::counted), evaluation->log.windows.size());
+    const Evaluation ours{comparison->log, {comparison->simulation}};
     EXPECT_EQ(resultsCsv(ours), resultsCsv(*evaluation));
-    EXPECT_EQ(windowsCsv(ours), windowsCsv(*evaluation));
+    EXPECT_EQ(windowsCsv(comparison->log), windowsCsv(evaluation->log));
     EXPECT_EQ(comparison->all.counted.p, evaluation->models[0].all.p);
     EXPECT_EQ(comparison->all.counted.hd, evaluation->models[0].all.hd);
     EXPECT_EQ(comparison->all.positionFinal.median, evaluation->models[0].all.positionFinal.median);

@@ -25,8 +25,8 @@ TEST(Floor, EqualOutcomesOfEqualCommandsLeaveNothing) {
     ASSERT_EQ(floor.pairs.size(), 1u);
     EXPECT_EQ(floor.tried, 2u);
     EXPECT_EQ(floor.horizon, 10 * second);
-    EXPECT_NEAR(floor.p, 0, 1e-9);
-    EXPECT_NEAR(floor.hd, 0, 1e-9);
+    EXPECT_NEAR(floor.spread.p, 0, 1e-9);
+    EXPECT_NEAR(floor.spread.hd, 0, 1e-9);
     EXPECT_NEAR(floor.pairs[0].commandDifference, 0, 1e-12);
 }
 
@@ -35,8 +35,8 @@ TEST(Floor, OutcomesOfOtherSizeDifferByTheirClosedForm) {
     const Floor floor = findFloor(logOf({run("a", straight), run("b", straight, 1.1)}), {}, {});
     ASSERT_EQ(floor.pairs.size(), 1u);
     // 0.02 m/s apart, mean over 0.1 ... 10 s; the paths are 2 and 2.2 m.
-    EXPECT_NEAR(floor.p, 100 * 0.02 * 5.05 / 2.1, 1e-9);
-    EXPECT_NEAR(floor.pBest, floor.p / std::sqrt(2), 1e-12);
+    EXPECT_NEAR(floor.spread.p, 100 * 0.02 * 5.05 / 2.1, 1e-9);
+    EXPECT_NEAR(floor.best.p, floor.spread.p / std::sqrt(2), 1e-12);
     EXPECT_NEAR(floor.pairs[0].positionFinal, 0.2, 1e-9);
 }
 
@@ -46,7 +46,7 @@ TEST(Floor, CountsNoPairBeyondTheBounds) {
     // 7 s at 4 mrad/s: 28 mrad apart at the end.
     EXPECT_EQ(findFloor(log, {}, {}, {.rotationBound = 0.0279}).pairs.size(), 0u);
     EXPECT_EQ(findFloor(log, {}, {}, {.rotationBound = 0.0281}).pairs.size(), 1u);
-    EXPECT_TRUE(std::isnan(findFloor(log, {}, {}, {.rotationBound = 0.0279}).p));
+    EXPECT_TRUE(std::isnan(findFloor(log, {}, {}, {.rotationBound = 0.0279}).spread.p));
 }
 
 TEST(Floor, ADifferenceThatCancelsByTheEndCountsToo) {
@@ -84,10 +84,10 @@ TEST(Floor, PutsModelsBesideItOnTheSameStretches) {
     const NamedModel named = NamedModel::same("fast", model);
     const auto evaluation = evaluate(logOf({run("a", straight), run("b", straight, 1.1)}), {&named, 1});
     ASSERT_TRUE(evaluation);
-    ASSERT_TRUE(evaluation->floor && evaluation->turningFloor);
+    ASSERT_TRUE(evaluation->log.floor && evaluation->log.turningFloor);
     // 0.01 m/s off on either side, and on the other one's scale.
     EXPECT_NEAR(evaluation->models[0].onFloor.p, 100 * 0.01 * 5.05 / 2.1, 1e-6);
-    EXPECT_TRUE(evaluation->turningFloor->pairs.empty());
+    EXPECT_TRUE(evaluation->log.turningFloor->pairs.empty());
     EXPECT_TRUE(std::isnan(evaluation->models[0].onTurningFloor.p));
 }
 

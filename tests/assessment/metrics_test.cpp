@@ -29,7 +29,7 @@ TEST(Metrics, ATrueModelHasNoError) {
 
 TEST(Metrics, AGainThatIsTwentyPercentTooHighGivesItsClosedForm) {
     const Log log = logOf({obedientTrajectory(0, 60 * second, straightOn)});
-    const ModelEvaluation model = evaluated(log, HeldCommandModel{100'000'000, 1.2}).models[0];
+    const Assessment model = evaluated(log, HeldCommandModel{100'000'000, 1.2}).models[0];
     // Error 0.02 t, its mean over t = 0.1 ... 10 is 0.02 * 5.05; path 1 m.
     EXPECT_NEAR(model.all.p, 100 * 0.02 * 5.05, 1e-7);
     EXPECT_NEAR(model.all.p95.low, model.all.p95.high, 1e-7);
@@ -59,7 +59,7 @@ public:
 TEST(Metrics, HeadingErrorsAreWrappedAndDividedByRotation) {
     // A robot that turns on the spot at 1 rad/s, predicted to turn at 0.5: the error 0.5 t passes half a turn.
     const Log log = logOf({obedientTrajectory(0, 60 * second, [](double) { return Command{0, 1}; })});
-    const ModelEvaluation model = evaluated(log, Turning{}).models[0];
+    const Assessment model = evaluated(log, Turning{}).models[0];
     double sum = 0;
     for (int k = 1; k <= 100; ++k) {
         const double error = std::fmod(0.05 * k, 2 * std::numbers::pi);

@@ -43,7 +43,7 @@ TEST(WindowFile, WhatIsWrittenIsReadBack) {
     const NamedModel named = NamedModel::same("model", model);
     const auto evaluation = evaluate(log, {&named, 1}, {.withFloor = false});
     ASSERT_TRUE(evaluation);
-    const std::string text = windowsCsv(*evaluation);
+    const std::string text = windowsCsv(evaluation->log);
     EXPECT_TRUE(text.starts_with(
         "dataset,robot,t_start,path_m,rotation_rad,trajectory\n0,r,3.5,1.0000,0.1000,a\n0,r,13.5,1.0000,0.1000,a\n"))
         << text;
@@ -51,7 +51,7 @@ TEST(WindowFile, WhatIsWrittenIsReadBack) {
     ASSERT_TRUE(back);
     const auto requested = requestedStarts(log, *back, 100, "w");
     ASSERT_TRUE(requested);
-    const auto direct = rolloutStarts(log, evaluation->windows);
+    const auto direct = rolloutStarts(log, evaluation->log.windows);
     ASSERT_EQ(requested->starts.size(), direct.size());
     for (std::size_t i = 0; i < direct.size(); ++i) {
         EXPECT_EQ(requested->starts[i].time, direct[i].time);

@@ -57,7 +57,7 @@ TEST_P(Referee, HasTheSameWindows) {
     ASSERT_TRUE(evaluation) << evaluation.error().message();
     const auto theirs = ask("windows");
     ASSERT_TRUE(theirs);
-    const auto requests = parseWindows(*theirs, "referee"), ours = parseWindows(windowsCsv(*evaluation), "ours");
+    const auto requests = parseWindows(*theirs, "referee"), ours = parseWindows(windowsCsv(evaluation->log), "ours");
     ASSERT_TRUE(requests && ours);
     ASSERT_EQ(requests->size(), ours->size());
     for (std::size_t i = 0; i < ours->size(); ++i) {
@@ -73,9 +73,9 @@ TEST_P(Referee, FindsTheSameErrors) {
     const auto evaluation = evaluate(log_, {&named, 1}, {.robots = robots_, .withFloor = false});
     ASSERT_TRUE(evaluation) << evaluation.error().message();
     std::vector<std::size_t> indices;
-    for (const Window& window : evaluation->windows) indices.push_back(window.robot);
+    for (const Window& window : evaluation->log.windows) indices.push_back(window.robot);
     const auto file = std::filesystem::temp_directory_path() / ("mrose_referee_" + std::to_string(getpid()) + ".csv");
-    ASSERT_TRUE(writeFileAtomically(file, predictionsCsv(log_, rolloutStarts(log_, evaluation->windows), indices,
+    ASSERT_TRUE(writeFileAtomically(file, predictionsCsv(log_, rolloutStarts(log_, evaluation->log.windows), indices,
                                                          evaluation->models[0].predicted, 100'000'000)));
     const auto verdict = ask("score", "'" + file.string() + "'");
     std::filesystem::remove(file);

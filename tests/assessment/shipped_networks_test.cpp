@@ -26,8 +26,8 @@ std::shared_ptr<const LearnedMotion> shipped(const char* file) {
     return network ? std::make_shared<const LearnedMotion>(*network) : nullptr;
 }
 
-ModelEvaluation openLoop(const std::shared_ptr<const LearnedMotion>& motion, const Log& log,
-                         const std::vector<std::string>& robots = {}) {
+Assessment openLoop(const std::shared_ptr<const LearnedMotion>& motion, const Log& log,
+                    const std::vector<std::string>& robots = {}) {
     std::map<std::string, LearnedModel> models;
     for (const RobotLog& robot : log.robots) models.try_emplace(robot.robot, motion, robot.robot);
     const NamedModel named{"shipped", [&](const std::string& robot) { return &models.at(robot); }};
@@ -39,7 +39,7 @@ ModelEvaluation openLoop(const std::shared_ptr<const LearnedMotion>& motion, con
     return evaluation->models[0];
 }
 
-Summary partOf(const ModelEvaluation& evaluation, const std::string& name) {
+Summary partOf(const Assessment& evaluation, const std::string& name) {
     for (const GroupSummary& group : evaluation.groups)
         if (group.name == name) return group.summary;
     ADD_FAILURE() << "no windows of " << name;
@@ -102,7 +102,7 @@ TEST(ShippedNetworks, PioneerMeetsItsBoundsOnDrivesItHasNotSeen) {
     for (const SyntheticPart& part : set->parts) {
         const auto log = generateLog(part, 2);
         ASSERT_TRUE(log);
-        const ModelEvaluation evaluation = openLoop(pioneer, *log);
+        const Assessment evaluation = openLoop(pioneer, *log);
         windows += evaluation.all.windows;
         error += evaluation.all.p * evaluation.all.path;
         path += evaluation.all.path;

@@ -33,6 +33,22 @@ std::optional<Divergence> divergenceOf(const std::vector<double>& position, cons
     return firstDivergence(rolloutOff(position, heading), apart, bound);
 }
 
+TEST(DivergenceRule, IsTheSameForwardsAndBackwards) {
+    using State = DivergenceRule::State;
+    const DivergenceBound::At bound{0.1, 10 * degree};
+    // Beyond from 0.2 s on, by the heading at 0.5 s; the truth is not known at 0.3 and 0.4 s.
+    DivergenceRule forwards(300 * ms);
+    EXPECT_EQ(forwards.add(100 * ms, {0.1, 10 * degree}, bound), State::within) << "the bound itself is within";
+    EXPECT_EQ(forwards.add(200 * ms, {0.11, 0}, bound), State::beyond);
+    EXPECT_EQ(forwards.add(500 * ms, {0, 11 * degree}, bound), State::left);
+    EXPECT_EQ(forwards.since(), 200 * ms);
+    DivergenceRule backwards(300 * ms);
+    EXPECT_EQ(backwards.add(500 * ms, {0, 11 * degree}, bound), State::beyond);
+    EXPECT_EQ(backwards.add(200 * ms, {0.11, 0}, bound), State::left);
+    EXPECT_EQ(backwards.since(), 500 * ms);
+    EXPECT_EQ(backwards.add(100 * ms, {0.1, 10 * degree}, bound), State::within);
+}
+
 TEST(FirstDivergence, IsTheFirstInstantFromWhichTheBoundIsExceededForSoLong) {
     const auto found = divergenceOf({0, 0.05, 0.2, 0.09, 0.11, 0.12, 0.13, 0.3, 0.4});
     ASSERT_TRUE(found);

@@ -479,7 +479,7 @@ TEST_F(LogOpeningTest, WindowsOfARealHuskyHaveTheFiguresOfEvaluate) {
     const NamedModel named = NamedModel::same("network", model);
     const auto evaluation = evaluate(*log, {&named, 1});
     ASSERT_TRUE(evaluation);
-    EXPECT_EQ(overlay.rollouts().requests().size(), evaluation->windows.size());
+    EXPECT_EQ(overlay.rollouts().requests().size(), evaluation->log.windows.size());
     EXPECT_EQ(overlay.rollouts().comparison()->all.counted.p, evaluation->models[0].all.p);
     EXPECT_EQ(overlay.rollouts().comparison()->all.counted.hd, evaluation->models[0].all.hd);
 }

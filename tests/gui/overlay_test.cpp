@@ -178,8 +178,8 @@ TEST_F(OverlayTest, WindowsAreThoseOfEvaluateWithItsFigures) {
     const NamedModel named = NamedModel::same("network", model);
     const auto evaluation = evaluate(*log, {&named, 1});
     ASSERT_TRUE(evaluation);
-    ASSERT_EQ(overlay.rollouts().requests().size(), evaluation->windows.size());
-    EXPECT_EQ(overlay.rollouts().rows().size(), evaluation->windows.size());
+    ASSERT_EQ(overlay.rollouts().requests().size(), evaluation->log.windows.size());
+    EXPECT_EQ(overlay.rollouts().rows().size(), evaluation->log.windows.size());
     ASSERT_TRUE(overlay.models().all().front().figures.evaluated);
     EXPECT_EQ((*overlay.models().all().front().figures.evaluated)->p, evaluation->models[0].all.p);
     EXPECT_EQ((*overlay.models().all().front().figures.evaluated)->hd, evaluation->models[0].all.hd);

@@ -127,7 +127,7 @@ TEST_F(Report, NoticesComeBeforeTheNumbers) {
 
 TEST_F(Report, NumbersWindowsAlikeEverywhere) {
     context_.chosen = {1};
-    const std::string html = reportHtml(evaluation_, context_), start = secondsText(evaluation_.windows[1].start);
+    const std::string html = reportHtml(evaluation_, context_), start = secondsText(evaluation_.log.windows[1].start);
     EXPECT_THAT(html, HasSubstr("window\u00a02 · from\u00a0" + start));
     EXPECT_THAT(html, HasSubstr("<title>window 2, from " + start));
     EXPECT_THAT(resultsCsv(evaluation_), HasSubstr(",2,0,r<2>,a," + start));
@@ -151,10 +151,10 @@ TEST_F(Report, CountsFromTheStartOfTheDriveAndFilesFromThatOfTheLog) {
     const NamedModel model = NamedModel::same("m", right_);
     const auto evaluation = evaluate(log, {&model, 1});
     ASSERT_TRUE(evaluation);
-    for (std::size_t i = 0; i < evaluation->windows.size(); ++i)
-        EXPECT_EQ(evaluation->driveStarts[i], evaluation->trajectories[i] == "b" ? 0 : unixTime - 4 * second);
+    for (std::size_t i = 0; i < evaluation->log.windows.size(); ++i)
+        EXPECT_EQ(evaluation->log.driveStarts[i], evaluation->log.trajectories[i] == "b" ? 0 : unixTime - 4 * second);
     const std::string html = reportHtml(*evaluation, {});
-    const Nanoseconds first = evaluation->windows[0].start;
+    const Nanoseconds first = evaluation->log.windows[0].start;
     EXPECT_GE(first, unixTime);
     EXPECT_THAT(html, HasSubstr("<title>window 1, from " + fixed(toSeconds(first - unixTime) + 4, 1) + " s"));
     EXPECT_THAT(html, Not(HasSubstr("12484440")));
@@ -177,11 +177,11 @@ TEST_F(Report, DrawsTheBestOfTheOthers) {
 
 /// Of a handful of windows intervals and tails say nothing.
 TEST_F(Report, FewWindowsHaveNeitherIntervalNorTail) {
-    ASSERT_LT(evaluation_.windows.size(), 20u);
-    ASSERT_GE(evaluation_.windows.size(), 10u);
+    ASSERT_LT(evaluation_.log.windows.size(), 20u);
+    ASSERT_GE(evaluation_.log.windows.size(), 10u);
     const std::string some = reportHtml(evaluation_, context_);
     EXPECT_THAT(some, Not(HasSubstr("interval ")));
-    EXPECT_THAT(some, HasSubstr("of " + std::to_string(evaluation_.windows.size()) + ": too few for an interval"));
+    EXPECT_THAT(some, HasSubstr("of " + std::to_string(evaluation_.log.windows.size()) + ": too few for an interval"));
     EXPECT_THAT(some, HasSubstr("one window in ten"));
     EXPECT_THAT(some, HasSubstr("90th percentile "));
     const NamedModel model = NamedModel::same("m", right_);
@@ -194,10 +194,10 @@ TEST_F(Report, FewWindowsHaveNeitherIntervalNorTail) {
 }
 
 TEST_F(Report, NamesSpreadAndFloorApart) {
-    ASSERT_TRUE(evaluation_.floor);
-    evaluation_.floor->pairs.resize(1);
-    evaluation_.floor->p = 4.5678;
-    evaluation_.floor->pBest = 3.2301;
+    ASSERT_TRUE(evaluation_.log.floor);
+    evaluation_.log.floor->pairs.resize(1);
+    evaluation_.log.floor->spread.p = 4.5678;
+    evaluation_.log.floor->best.p = 3.2301;
     const std::string html = reportHtml(evaluation_, context_);
     EXPECT_THAT(html, HasSubstr("4.57\u00a0% apart (the spread)"));
     EXPECT_THAT(html, HasSubstr("3.23\u00a0% there (the floor)"));
@@ -257,27 +257,28 @@ TEST_F(Report, JsonAndCsvHoldWhatWasMeasured) {
     ASSERT_EQ(json["models"].size(), 2u);
     EXPECT_EQ(json["models"][1]["name"], "fast, too");
     EXPECT_EQ(json["models"][1]["all"]["P_percent"].get<double>(), evaluation_.models[1].all.p);
-    EXPECT_EQ(json["windows"].size(), evaluation_.windows.size());
+    EXPECT_EQ(json["windows"].size(), evaluation_.log.windows.size());
     EXPECT_EQ(json["windows"][2]["errors_by_model"][1]["position_final_m"].get<double>(),
               evaluation_.models[1].errors[2].positionFinal);
     EXPECT_EQ(json["log"]["files"][0]["xxh3"], "00ff00ff00ff00ff");
-    EXPECT_EQ(json["floor"]["pair_count"].get<std::size_t>(), evaluation_.floor->pairs.size());
+    EXPECT_EQ(json["floor"]["pair_count"].get<std::size_t>(), evaluation_.log.floor->pairs.size());
 
     const std::string csv = resultsCsv(evaluation_);
-    EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), 1 + 2 * evaluation_.windows.size());
+    EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')),
+              1 + 2 * evaluation_.log.windows.size());
     EXPECT_THAT(csv, HasSubstr("\n\"fast, too\",1,0,r<2>,a,3.5,"));
 }
 
 TEST_F(Report, ResultsTellSteadyWindowsAndBothPaths) {
-    evaluation_.windows[1].steady = true;
-    evaluation_.windows[1].pathBySteps += 0.5;
+    evaluation_.log.windows[1].steady = true;
+    evaluation_.log.windows[1].pathBySteps += 0.5;
     const std::string csv = resultsCsv(evaluation_);
-    const Window& w = evaluation_.windows[1];
+    const Window& w = evaluation_.log.windows[1];
     const auto cells = [&](const Window& window, const std::string& steady) {
         return ",r<2>,a," + secondsText(window.start) + "," + std::string(name(window.manoeuvre)) + "," + steady + "," +
                fixed(window.path, 6) + "," + fixed(window.pathBySteps, 6) + ",";
     };
-    EXPECT_THAT(csv, HasSubstr(cells(evaluation_.windows[0], "0")));
+    EXPECT_THAT(csv, HasSubstr(cells(evaluation_.log.windows[0], "0")));
     EXPECT_THAT(csv, HasSubstr(cells(w, "1")));
     const auto windows = nlohmann::json::parse(resultsJson(evaluation_, context_))["windows"];
     EXPECT_EQ(windows[0]["steady"], false);
