@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "io/file.h"
-#include "io/number_text.h"
+#include "io/format.h"
 #include "io/value_bytes.h"
 #include "recording/origin.h"
 #include "scenarios.h"

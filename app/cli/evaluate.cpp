@@ -4,6 +4,7 @@
 
 #include "common.h"
 #include "io/format.h"
+#include "report/evaluation_files.h"
 #include "report/evaluation_report.h"
 #include "workflow/log_evaluation.h"
 #include "world/seconds_text.h"

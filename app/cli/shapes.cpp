@@ -5,6 +5,7 @@
 #include "drawing/content_text.h"
 #include "drawing/scene_drawing.h"
 #include "io/file.h"
+#include "io/format.h"
 #include "io/made_folder.h"
 #include "scenario/description_file.h"
 #include "scenarios.h"

@@ -57,7 +57,8 @@ std::map<std::string, Nanoseconds> driveStarts(const Log& log) {
 }  // namespace
 
 LogWindows logWindows(const Log& log, std::vector<Window> windows, const WindowOptions& options) {
-    LogWindows result{log.source, log.format, log.dataset, log.files, {}, options, std::move(windows), {}, {}};
+    LogWindows result{log.source,         log.format, log.dataset, log.synthetic, log.files, {}, options,
+                      std::move(windows), {},         {}};
     for (const RobotLog& robot : log.robots) result.robots.push_back({robot.robot, robot.defects, 0});
     const auto starts = driveStarts(log);
     for (const Window& window : result.windows) {

@@ -15,6 +15,7 @@ namespace mrose {
 struct LogWindows {
     std::string source, format;
     int dataset = 0;
+    bool synthetic = false;  ///< made by a simulated robot: pages say so wherever it could be mistaken
     std::vector<LogFile> files;
     struct Robot {
         std::string name;
@@ -28,6 +29,9 @@ struct LogWindows {
     /// By window: the first stamp of its drive, that is of all trajectories of that name. Pages count from there.
     std::vector<Nanoseconds> driveStarts;
     std::optional<Floor> floor = {}, turningFloor = {};  ///< where they were looked for
+
+    /// What its robots, and where they drove, are called beside what is predicted of them.
+    const char* real() const { return synthetic ? "logged" : "real"; }
 };
 LogWindows logWindows(const Log& log, std::vector<Window> windows, const WindowOptions& options);
 

@@ -48,6 +48,9 @@ Expected<std::vector<RolloutRequest>> rolloutsOf(const LogWorld& world, const St
     }
     if (!rollouts.empty()) return rollouts;
     const std::string end = "the ground truth ends " + secondsText(longest) + " s after the log's start";
+    if (longest < options.step)
+        return fail(world.log().source, end + "; expected a log that goes on for at least " +
+                                            secondsText(options.step) + " s once all of its robots are there");
     if (options.start + options.step > longest)
         return fail(world.log().source,
                     end + "; expected an earlier --start than " + secondsText(options.start) + " s");

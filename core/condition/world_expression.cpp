@@ -1,7 +1,7 @@
 #include "condition/world_expression.h"
 
 #include "condition/lua_paths.h"
-#include "io/number_text.h"
+#include "io/format.h"
 
 namespace mrose {
 namespace {

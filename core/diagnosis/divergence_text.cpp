@@ -21,8 +21,8 @@ std::string inDegrees(double radians) { return fixed(degrees * radians, 1) + "°
 
 }  // namespace
 
-std::string divergenceText(const Divergence& divergence) {
-    std::string text = "leaves the real trajectory after " + secondsText(divergence.time) +
+std::string divergenceText(const Divergence& divergence, const std::string& real) {
+    std::string text = "leaves the " + real + " trajectory after " + secondsText(divergence.time) +
                        " s: " + centimetres(divergence.position) + " and " + inDegrees(divergence.heading) +
                        " off, beyond ";
     if (divergence.byPosition) text += centimetres(divergence.bound.position);
@@ -33,7 +33,7 @@ std::string divergenceText(const Divergence& divergence) {
     return text;
 }
 
-std::string onsetText(const Diagnosis& diagnosis) {
+std::string onsetText(const Diagnosis& diagnosis, const std::string& real) {
     if (!diagnosis.onset) return {};
     const ErrorOnset& onset = *diagnosis.onset;
     std::vector<std::string> parts;
@@ -50,7 +50,7 @@ std::string onsetText(const Diagnosis& diagnosis) {
     if (parts.empty()) return {};
     std::string text = onset.explained >= 0.5 ? "most of it" : "a part of it";
     text += " (" + fixed(100 * onset.explained, 0) + " %) arose from " + secondsText(onset.from) + " to " +
-            secondsText(onset.to) + " s, when the real robot ";
+            secondsText(onset.to) + " s, when the " + real + " robot ";
     for (std::size_t i = 0; i < parts.size(); ++i)
         text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
     return text + " than the simulated one";
@@ -99,16 +99,13 @@ std::string causeText(const Diagnosis& diagnosis) {
                             : "none of these; the best, " + trial.what + ", explains " + explains;
 }
 
-std::string boundText(const ComparedDivergences& divergences) {
+std::string boundText(const ComparedDivergences& divergences, const std::string& real) {
+    const std::string leaves = "A robot leaves the " + real + " trajectory where it is off by more than ";
     const std::string held = " for " + secondsText(divergences.bound.held) + " s.";
     if (divergences.fromHeldOut)
-        return "A robot leaves the real trajectory where it is off by more than three times what its network's "
-               "held-out "
-               "errors make of the path and rotation so far," +
-               held;
-    return "A robot leaves the real trajectory where it is off by more than " +
-           centimetres(divergences.bound.constant.position) + " or " + inDegrees(divergences.bound.constant.heading) +
-           held;
+        return leaves + "three times what its network's held-out errors make of the path and rotation so far," + held;
+    return leaves + centimetres(divergences.bound.constant.position) + " or " +
+           inDegrees(divergences.bound.constant.heading) + held;
 }
 
 }  // namespace mrose

@@ -1,6 +1,5 @@
 #include "drawing/markup.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "io/format.h"
@@ -20,10 +19,6 @@ std::size_t sequenceLength(std::string_view text) {
     for (std::size_t i = 1; i < length; ++i)
         if ((static_cast<unsigned char>(text[i]) & 0xC0) != 0x80) return 0;
     return length;
-}
-
-std::string attribute(std::string_view cssClass) {
-    return cssClass.empty() ? std::string{} : cat(" class=\"", cssClass, "\"");
 }
 
 }  // namespace
@@ -54,39 +49,25 @@ std::string escaped(std::string_view text) {
     return result;
 }
 
-std::string element(std::string_view tag, std::string_view cssClass, std::string_view content) {
-    return cat("<", tag, attribute(cssClass), ">", content, "</", tag, ">\n");
+Attributes::Attribute::Attribute(std::string_view name, std::string_view value)
+    : markup(cat(" ", name, "=\"", escaped(value), "\"")) {}
+Attributes::Attribute::Attribute(std::string_view name, double pixels) : Attribute(name, px(pixels)) {}
+
+Attributes& Attributes::operator+=(std::initializer_list<Attribute> attributes) {
+    for (const Attribute& attribute : attributes) markup_ += attribute.markup;
+    return *this;
 }
 
-HtmlTable::HtmlTable(std::vector<std::string> header, std::string cssClass)
-    : header_(std::move(header)), cssClass_(std::move(cssClass)) {}
-
-void HtmlTable::group(std::string_view content, std::size_t columns) {
-    groups_ += cat("<th colspan=\"", std::to_string(columns), "\">", content, "</th>");
+Attributes& Attributes::operator+=(const Attributes& more) {
+    markup_ += more.markup_;
+    return *this;
 }
 
-void HtmlTable::part(std::string_view content) {
-    rows_ += cat("<tr class=\"part\"><th colspan=\"", std::to_string(header_.size()), "\">", content, "</th></tr>\n");
-}
+Attributes operator+(Attributes first, const Attributes& second) { return first += second; }
 
-void HtmlTable::row(const std::vector<std::string>& cells, std::string_view cssClass) {
-    rows_ += cat("<tr", attribute(cssClass), ">");
-    for (std::size_t i = 0; i < cells.size(); ++i)
-        rows_ += i == 0 ? cat("<th scope=\"row\">", cells[i], "</th>") : cat("<td>", cells[i], "</td>");
-    rows_ += "</tr>\n";
-}
-
-std::string HtmlTable::text() const {
-    std::string head = groups_.empty() ? "" : cat("<tr class=\"groups\">", groups_, "</tr>\n");
-    const bool titled = std::any_of(header_.begin(), header_.end(), [](const std::string& h) { return !h.empty(); });
-    if (titled) {
-        head += "<tr>";
-        for (const std::string& cell : header_) head += cat("<th scope=\"col\">", cell, "</th>");
-        head += "</tr>";
-    }
-    if (!head.empty()) head = cat("<thead>\n", head, "</thead>");
-    return cat("<div class=\"scroll\"><table", attribute(cssClass_), ">", head, "<tbody>\n", rows_,
-               "</tbody></table></div>\n");
+std::string element(std::string_view tag, const Attributes& attributes, std::string_view content) {
+    return content.empty() ? cat("<", tag, attributes.markup(), "/>\n")
+                           : cat("<", tag, attributes.markup(), ">", content, "</", tag, ">\n");
 }
 
 }  // namespace mrose

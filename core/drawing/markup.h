@@ -1,8 +1,8 @@
 #pragma once
 
+#include <initializer_list>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace mrose {
 
@@ -18,27 +18,29 @@ std::string cat(const Parts&... parts) {
 /// UTF-8 replaced.
 std::string escaped(std::string_view text);
 
-/// <tag class="...">content</tag>; the content is markup.
-std::string element(std::string_view tag, std::string_view cssClass, std::string_view content);
-
 /// Pixels in a picture: "12.50"; 0 of what is not finite.
 std::string px(double pixels);
 
-/// A table with a header row. Cells are markup; the first column is a row header, the others are numbers aligned right
-/// unless said otherwise.
-class HtmlTable {
+/// Attributes of an element, in order. Text is escaped, numbers are pixels.
+class Attributes {
 public:
-    explicit HtmlTable(std::vector<std::string> header, std::string cssClass = {});
-
-    /// Columns under one heading: its markup and how many they are; to be called for all columns in order.
-    void group(std::string_view content, std::size_t columns);
-    void part(std::string_view content);  ///< a row that heads those below it
-    void row(const std::vector<std::string>& cells, std::string_view cssClass = {});
-    std::string text() const;
+    struct Attribute {
+        Attribute(std::string_view name, std::string_view value);
+        Attribute(std::string_view name, const char* value) : Attribute(name, std::string_view(value)) {}
+        Attribute(std::string_view name, double pixels);
+        std::string markup;
+    };
+    Attributes(std::initializer_list<Attribute> attributes = {}) { *this += attributes; }
+    Attributes& operator+=(std::initializer_list<Attribute> attributes);
+    Attributes& operator+=(const Attributes& more);
+    const std::string& markup() const { return markup_; }
 
 private:
-    std::vector<std::string> header_;
-    std::string cssClass_, groups_, rows_;
+    std::string markup_;
 };
+Attributes operator+(Attributes first, const Attributes& second);
+
+/// <tag ...>content</tag>, the content markup; <tag .../> where it is empty.
+std::string element(std::string_view tag, const Attributes& attributes, std::string_view content = {});
 
 }  // namespace mrose

@@ -70,12 +70,12 @@ void addMiss(SvgDrawing& drawing, const DrawnRollout& rollout) {
 
 std::vector<Entry> legend(const RolloutPicture& picture, bool anyLeaves) {
     using Symbol = Entry::Symbol;
-    std::vector<Entry> entries{{Symbol::line, realStyle, "real path"},
+    std::vector<Entry> entries{{Symbol::line, realStyle, picture.real + " path"},
                                {Symbol::line, simulatedStyle, "simulated path"},
                                {Symbol::dot, startStyle, "start"},
                                {Symbol::pointer, {.fill = simulated}, "heading, " + picture.arrowInterval},
                                {Symbol::line, missStyle, "error at the end"}};
-    if (anyLeaves) entries.push_back({Symbol::dot, leavesStyle, "leaves the real trajectory"});
+    if (anyLeaves) entries.push_back({Symbol::dot, leavesStyle, "leaves the " + picture.real + " trajectory"});
     return entries;
 }
 

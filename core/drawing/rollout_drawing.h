@@ -24,6 +24,7 @@ struct RolloutPicture {
     std::string title, subtitle;
     std::size_t arrowEvery = 10;  ///< poses, between the heading arrows along a path
     std::string arrowInterval;    ///< that in words: "every second"
+    std::string real = "real";    ///< what the real robots and paths are called
 };
 
 /// Robots on their ways through an environment, with a scale bar and a legend: a picture that speaks for itself. Real

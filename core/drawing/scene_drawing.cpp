@@ -8,7 +8,6 @@
 #include "drawing/scene_marks.h"
 #include "drawing/svg_drawing.h"
 #include "io/format.h"
-#include "io/number_text.h"
 
 namespace mrose {
 namespace {

@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include "drawing/label_placement.h"
-#include "drawing/markup.h"
-#include "geometry/point.h"
+#include "drawing/svg.h"
 #include "io/format.h"
 
 namespace mrose {
@@ -14,7 +13,8 @@ namespace {
 // Pixels.
 constexpr double margin = 28, titleHeight = 66, footHeight = 46, leastWidth = 420;
 constexpr double titleSize = 20, textSize = 14, legendLine = 24, sampleWidth = 34, entryGap = 22;
-constexpr std::string_view ink = "#222222", quiet = "#666666";
+constexpr double arrowHead = 10, headShare = 1 / 1.3;  // of its length is how wide it is
+constexpr std::string_view ink = "#222222", quiet = "#666666", ground = "#ffffff";
 
 std::string hexadecimal(const Colour& colour) {
     constexpr std::string_view digits = "0123456789abcdef";
@@ -24,18 +24,10 @@ std::string hexadecimal(const Colour& colour) {
     return text;
 }
 
-std::string attribute(std::string_view key, std::string_view value) { return cat(" ", key, "=\"", value, "\""); }
-
 /// The largest of 1, 2 and 5 times a power of ten up to `most`.
 double roundLength(double most) {
     const double power = std::pow(10, std::floor(std::log10(most)));
     return most >= 5 * power ? 5 * power : most >= 2 * power ? 2 * power : power;
-}
-
-std::string textAt(double x, double y, double size, std::string_view fill, std::string_view more,
-                   std::string_view text) {
-    return cat("<text x=\"", px(x), "\" y=\"", px(y), "\" font-size=\"", px(size), "\" fill=\"", fill, "\"", more, ">",
-               escaped(text), "</text>\n");
 }
 
 /// About how wide a text is; letters differ.
@@ -44,183 +36,127 @@ double textWidth(std::string_view text, double size) {
     return 0.6 * size * static_cast<double>(letters);
 }
 
-Point rotated(const Point& vector, double angle) { return Placement({0, 0, angle}).rotate(vector); }
+std::string plainText(const Point& at, std::string_view text, double size = textSize, std::string_view fill = ink) {
+    return svgText(at, text, {{"font-size", size}, {"fill", fill}});
+}
+
+/// `at` is the middle of its base line.
+std::string labelText(const Point& at, std::string_view text) {
+    return svgHaloText(at, text, {{"font-size", textSize}, {"text-anchor", "middle"}}, ink, ground, 4);
+}
+
+/// `scale`: pixels in a metre.
+Attributes look(const SvgDrawing::Style& style, double scale) {
+    Attributes look{{"fill", style.fill ? hexadecimal(*style.fill) : "none"}};
+    if (style.stroke) {
+        look += {{"stroke", hexadecimal(*style.stroke)},
+                 {"stroke-width", style.strokeWidth * (style.strokeInMetres ? scale : 1)}};
+        if (style.dashed || style.dotted) look += {{"stroke-dasharray", style.dashed ? "4 3" : "1 4"}};
+        look += {{"stroke-linejoin", "round"}};
+    }
+    if (style.opacity < 1) look += {{"opacity", style.opacity}};
+    return look;
+}
+
+/// An arrow head about a point; `turn` is clockwise, as the page has it from above.
+std::string pointerAt(const Point& at, double turn, double size, const Attributes& look) {
+    const Placement placed({at.x, at.y, turn});
+    Polygon corners;
+    for (const Point& corner : {Point{0.6, 0}, Point{-0.4, -0.42}, Point{-0.2, 0}, Point{-0.4, 0.42}})
+        corners.push_back(placed.place(size * corner));
+    return svgPath(SvgPath(corners, true), look);
+}
+
+std::string arrowFromTo(const Point& from, const Point& to, std::string_view colour) {
+    const double size = length(to - from), head = std::min(arrowHead, size / 2);
+    if (size < 1) return {};
+    const SvgArrow arrow(from, to, head, headShare * head);
+    const auto line = [](std::string_view stroke, double wide) {
+        return Attributes{{"fill", "none"}, {"stroke", stroke}, {"stroke-width", wide}};
+    };
+    return svgPath(arrow.shaft, line(ground, 4.5)) +
+           svgPath(arrow.head, {{"fill", ground}, {"stroke", ground}, {"stroke-width", 3.0}}) +
+           svgPath(arrow.shaft, line(colour, 2)) + svgPath(arrow.head, {{"fill", colour}});
+}
+
+std::string sample(const SvgDrawing::LegendEntry& entry, const Point& at) {
+    using Symbol = SvgDrawing::LegendEntry::Symbol;
+    const Attributes style = look(entry.style, 1);
+    const Point ends[] = {at, at + Point{sampleWidth, 0}}, middle = 0.5 * (ends[0] + ends[1]);
+    return entry.symbol == Symbol::line  ? svgPath(SvgPath(ends), style)
+           : entry.symbol == Symbol::dot ? svgCircle(middle, 6, style)
+                                         : pointerAt(middle, 0, 15, style);
+}
 
 }  // namespace
 
 /// Where metres lie on the page.
-class SvgDrawing::Page {
-public:
-    Page(const Point& least, const Point& most, const Frame& frame) : least_(least) {
-        const Point size = most - least;
-        scale_ = frame.longestSide / std::max({size.x, size.y, 1e-3});
+struct SvgDrawing::Page {
+    Point least;
+    double scale = 1, top = 0, shownWidth = 0, shownHeight = 0;  ///< pixels in a metre; pixels
+    double width = 0;                                            ///< within the margins
+    std::string legend = {};
+
+    Page(const Area& area, const Frame& frame) : least(area.least) {
+        const Point size = area.most - area.least;
+        scale = frame.longestSide / std::max({size.x, size.y, 1e-3});
+        shownWidth = size.x * scale;
+        shownHeight = size.y * scale;
         // A narrow picture has room for its words all the same.
-        shownWidth_ = size.x * scale_;
-        width_ =
-            std::max({shownWidth_, leastWidth, textWidth(frame.title, titleSize), textWidth(frame.subtitle, textSize)});
-        height_ = size.y * scale_;
-        legend_ = legend(frame.legend);
+        width =
+            std::max({shownWidth, leastWidth, textWidth(frame.title, titleSize), textWidth(frame.subtitle, textSize)});
+        top = titleHeight;
+        if (!frame.legend.empty()) addLegend(frame.legend);
     }
 
-    double width() const { return width_ + 2 * margin; }
-    double height() const { return bottom() + margin + footHeight; }
-    double top() const { return titleHeight + legendHeight_; }
-    double bottom() const { return top() + height_; }
-    double scale() const { return scale_; }
-    double left() const { return margin; }
-    double right() const { return margin + shownWidth_; }
-    double x(const Point& p) const { return margin + (p.x - least_.x) * scale_; }
-    double y(const Point& p) const { return bottom() - (p.y - least_.y) * scale_; }
-
-    std::string style(const Style& style) const {
-        std::string text = attribute("fill", style.fill ? hexadecimal(*style.fill) : "none");
-        if (style.stroke) {
-            text += attribute("stroke", hexadecimal(*style.stroke)) +
-                    attribute("stroke-width", px(style.strokeWidth * (style.strokeInMetres ? scale_ : 1)));
-            if (style.dashed) text += attribute("stroke-dasharray", "4 3");
-            if (style.dotted) text += attribute("stroke-dasharray", "1 4");
-        }
-        if (style.opacity < 1) text += attribute("opacity", px(style.opacity));
-        return text;
+    double pageWidth() const { return width + 2 * margin; }
+    double pageHeight() const { return top + shownHeight + margin + footHeight; }
+    PageBox box() const { return {margin, top, margin + shownWidth, top + shownHeight}; }
+    Point onPage(const Point& p) const {
+        return {margin + (p.x - least.x) * scale, top + shownHeight - (p.y - least.y) * scale};
     }
-
-    std::string mark(const Mark& mark) const {
-        switch (mark.kind) {
-            case Mark::Kind::path:
-                return path(mark);
-            case Mark::Kind::circle:
-                return circle(mark.points[0], mark.size * scale_, mark.style);
-            case Mark::Kind::dot:
-                return circle(mark.points[0], mark.size, mark.style);
-            case Mark::Kind::arrow:
-                return arrow(mark);
-            case Mark::Kind::pointer:
-                // y points down on the page.
-                return pointer(onPage(mark.points[0]), -mark.heading, mark.size, mark.style);
-            case Mark::Kind::label:
-                return label(onPage(mark.points[0]) + Point{0, mark.size}, mark.text);
-            case Mark::Kind::labelBeside:
-                break;
-        }
-        return {};
-    }
-
-    Point onPage(const Point& p) const { return {x(p), y(p)}; }
-    PageBox box() const { return {left(), top(), right(), bottom()}; }
-    std::string_view legendText() const { return legend_; }
-
-    /// `at` is the middle of its base line.
-    std::string label(const Point& at, std::string_view text) const {
-        constexpr std::string_view halo =
-            " text-anchor=\"middle\" stroke=\"#ffffff\" stroke-width=\"4\" stroke-linejoin=\"round\" "
-            "paint-order=\"stroke\"";
-        return textAt(at.x, at.y, textSize, ink, halo, text);
-    }
-
-    /// What follows is seen within the picture only.
-    std::string beginClip() const {
-        const std::string x = px(left()), y = px(top()), width = px(shownWidth_), height = px(height_);
-        return cat("<svg x=\"", x, "\" y=\"", y, "\" width=\"", width, "\" height=\"", height, "\" viewBox=\"", x, " ",
-                   y, " ", width, " ", height, "\">\n");
+    Polygon onPage(std::span<const Point> points) const {
+        Polygon placed;
+        for (const Point& point : points) placed.push_back(onPage(point));
+        return placed;
     }
 
     std::string grid(double step) const {
-        std::string text;
-        const double right = least_.x + shownWidth_ / scale_, highest = least_.y + height_ / scale_;
-        for (double i = std::ceil(least_.x / step); i * step <= right; ++i)
-            text += cat("M", px(x({i * step, 0})), " ", px(top()), "V", px(bottom()));
-        for (double i = std::ceil(least_.y / step); i * step <= highest; ++i)
-            text += cat("M", px(left()), " ", px(y({0, i * step})), "H", px(this->right()));
-        return cat("<path d=\"", text, "\" fill=\"none\" stroke=\"#e6e6e6\"/>\n");
+        SvgPath lines;
+        const PageBox shown = box();
+        const Point most = least + Point{shownWidth / scale, shownHeight / scale};
+        for (double i = std::ceil(least.x / step); i * step <= most.x; ++i) {
+            const double x = onPage(Point{i * step, 0}).x;
+            lines.moveTo({x, shown.top}).lineTo({x, shown.bottom});
+        }
+        for (double i = std::ceil(least.y / step); i * step <= most.y; ++i) {
+            const double y = onPage(Point{0, i * step}).y;
+            lines.moveTo({shown.left, y}).lineTo({shown.right, y});
+        }
+        return svgPath(lines, {{"fill", "none"}, {"stroke", "#e6e6e6"}});
     }
 
     std::string scaleBar(double length) const {
-        const double from = margin, to = margin + length * scale_, y = height() - 24;
-        std::string unit = length < 0.01 ? fixed(length * 1000, 0) + " mm"
-                           : length < 1  ? fixed(length * 100, 0) + " cm"
-                                         : fixed(length, 0) + " m";
-        return cat("<path d=\"M", px(from), " ", px(y - 4), "v8m0 -4H", px(to), "m0 -4v8\" fill=\"none\" stroke=\"",
-                   ink, "\" stroke-width=\"1.5\"/>\n") +
-               textAt(to + 8, y + 5, textSize, ink, "", unit);
+        const Point from{margin, pageHeight() - 24}, to = from + Point{length * scale, 0};
+        const std::string unit = length < 0.01 ? fixed(length * 1000, 0) + " mm"
+                                 : length < 1  ? fixed(length * 100, 0) + " cm"
+                                               : fixed(length, 0) + " m";
+        return svgPath(svgBar(from, to, 4, 4), {{"fill", "none"}, {"stroke", ink}, {"stroke-width", 1.5}}) +
+               plainText(to + Point{8, 5}, unit);
     }
 
 private:
-    std::string path(const Mark& mark) const {
-        std::string d;
-        for (const Point& p : mark.points) d += cat(d.empty() ? "M" : "L", px(x(p)), " ", px(y(p)));
-        return cat("<path d=\"", d, mark.closed ? "Z" : "", "\"", style(mark.style), " stroke-linejoin=\"round\"/>\n");
-    }
-
-    std::string circle(const Point& centre, double radius, const Style& look) const {
-        return circleAt(onPage(centre), radius, look);
-    }
-
-    std::string circleAt(const Point& centre, double radius, const Style& look) const {
-        return cat("<circle cx=\"", px(centre.x), "\" cy=\"", px(centre.y), "\" r=\"", px(radius), "\"", style(look),
-                   "/>\n");
-    }
-
-    /// `turn` is clockwise, as the page has it from above.
-    std::string pointer(const Point& at, double turn, double size, const Style& look) const {
-        std::string d;
-        for (const Point& corner : {Point{0.6, 0}, Point{-0.4, -0.42}, Point{-0.2, 0}, Point{-0.4, 0.42}}) {
-            const Point p = at + size * rotated(corner, turn);
-            d += cat(d.empty() ? "M" : "L", px(p.x), " ", px(p.y));
-        }
-        return cat("<path d=\"", d, "Z\"", style(look), " stroke-linejoin=\"round\"/>\n");
-    }
-
-    std::string sample(const LegendEntry& entry, const Point& at) const {
-        const Point middle = at + Point{sampleWidth / 2, 0};
-        switch (entry.symbol) {
-            case LegendEntry::Symbol::line:
-                return cat("<path d=\"M", px(at.x), " ", px(at.y), "h", px(sampleWidth), "\"", style(entry.style),
-                           "/>\n");
-            case LegendEntry::Symbol::dot:
-                return circleAt(middle, 6, entry.style);
-            case LegendEntry::Symbol::pointer:
-                break;
-        }
-        return pointer(middle, 0, 15, entry.style);
-    }
-
     /// Below the title, in as many lines as it takes.
-    std::string legend(const std::vector<LegendEntry>& entries) {
-        std::string text;
-        if (entries.empty()) return text;
+    void addLegend(const std::vector<LegendEntry>& entries) {
         Point at{margin, titleHeight + 2};
         for (const LegendEntry& entry : entries) {
             const double wide = sampleWidth + 8 + textWidth(entry.text, textSize);
-            if (at.x > margin && at.x + wide > margin + width_) at = {margin, at.y + legendLine};
-            text += sample(entry, at) + textAt(at.x + sampleWidth + 8, at.y + 5, textSize, ink, "", entry.text);
+            if (at.x > margin && at.x + wide > margin + width) at = {margin, at.y + legendLine};
+            legend += sample(entry, at) + plainText(at + Point{sampleWidth + 8, 5}, entry.text);
             at.x += wide + entryGap;
         }
-        legendHeight_ = at.y + legendLine - titleHeight;
-        return text;
+        top = at.y + legendLine;
     }
-
-    std::string arrow(const Mark& mark) const {
-        const Point from{x(mark.points[0]), y(mark.points[0])}, to{x(mark.points[1]), y(mark.points[1])};
-        const double size = length(to - from);
-        if (size < 1) return {};
-        const Point along = (1 / size) * (to - from), aside{-along.y, along.x};
-        const double head = std::min(10.0, size / 2);
-        const Point neck = to - head * along, left = neck + head / 2.6 * aside, right = neck - head / 2.6 * aside;
-        const std::string shaft = cat("M", px(from.x), " ", px(from.y), "L", px(neck.x), " ", px(neck.y));
-        const std::string tip = cat("M", px(to.x), " ", px(to.y), "L", px(left.x), " ", px(left.y), "L", px(right.x),
-                                    " ", px(right.y), "Z");
-        const auto part = [](const std::string& d, const std::string& fill, const std::string& stroke, double wide) {
-            return cat("<path d=\"", d, "\" fill=\"", fill, "\" stroke=\"", stroke, "\" stroke-width=\"", px(wide),
-                       "\"/>");
-        };
-        const std::string colour = hexadecimal(*mark.style.stroke), halo = "#ffffff";
-        return part(shaft, "none", halo, 4.5) + part(tip, halo, halo, 3) + part(shaft, "none", colour, 2) +
-               part(tip, colour, "none", 0) + '\n';
-    }
-
-    Point least_;
-    double scale_ = 1, shownWidth_ = 0, width_ = 0, height_ = 0, legendHeight_ = 0;
-    std::string legend_;
 };
 
 void SvgDrawing::grow(const Point& point, double by) {
@@ -228,88 +164,97 @@ void SvgDrawing::grow(const Point& point, double by) {
     most_ = {std::max(most_.x, point.x + by), std::max(most_.y, point.y + by)};
 }
 
+void SvgDrawing::avoid(const Style& style, std::span<const Point> points) {
+    if (style.labelsAvoid) avoided_.emplace_back(points.begin(), points.end());
+}
+
 void SvgDrawing::outline(std::span<const Point> points, bool closed, const Style& style) {
+    if (points.empty()) return;
     for (const Point& point : points) grow(point, style.strokeInMetres ? style.strokeWidth / 2 : 0);
-    if (!points.empty())
-        marks_.push_back(
-            {.kind = Mark::Kind::path, .points = {points.begin(), points.end()}, .closed = closed, .style = style});
+    avoid(style, points);
+    marks_.push_back([corners = Polygon(points.begin(), points.end()), closed, style](const Page& page) {
+        return svgPath(SvgPath(page.onPage(corners), closed), look(style, page.scale));
+    });
 }
 
 void SvgDrawing::circle(const Point& centre, double radius, const Style& style) {
     grow(centre, radius + (style.strokeInMetres ? style.strokeWidth / 2 : 0));
-    marks_.push_back({.kind = Mark::Kind::circle, .points = {centre}, .size = radius, .style = style});
+    marks_.push_back(
+        [=](const Page& page) { return svgCircle(page.onPage(centre), radius * page.scale, look(style, page.scale)); });
 }
 
 void SvgDrawing::dot(const Point& centre, double pixels, const Style& style) {
-    grow(centre, 0);
-    marks_.push_back({.kind = Mark::Kind::dot, .points = {centre}, .size = pixels, .style = style});
+    grow(centre);
+    avoid(style, {&centre, 1});
+    marks_.push_back([=](const Page& page) { return svgCircle(page.onPage(centre), pixels, look(style, page.scale)); });
 }
 
 void SvgDrawing::arrow(const Point& from, const Point& to, const Colour& colour) {
-    grow(from, 0);
-    grow(to, 0);
-    marks_.push_back({.kind = Mark::Kind::arrow, .points = {from, to}, .style = {.stroke = colour}});
+    grow(from);
+    grow(to);
+    marks_.push_back(
+        [=](const Page& page) { return arrowFromTo(page.onPage(from), page.onPage(to), hexadecimal(colour)); });
 }
 
 void SvgDrawing::pointer(const Point& at, double heading, double pixels, const Colour& colour) {
-    grow(at, 0);
-    constexpr Colour halo{255, 255, 255};
-    marks_.push_back({.kind = Mark::Kind::pointer,
-                      .points = {at},
-                      .size = pixels,
-                      .heading = heading,
-                      .style = {.fill = colour, .stroke = halo}});
+    grow(at);
+    const Style style{.fill = colour, .stroke = Colour{255, 255, 255}};
+    // y points down on the page.
+    marks_.push_back([=](const Page& page) { return pointerAt(page.onPage(at), -heading, pixels, look(style, 1)); });
 }
 
 void SvgDrawing::label(const Point& at, double below, std::string_view text) {
-    marks_.push_back({.kind = Mark::Kind::label, .points = {at}, .size = below, .text = std::string(text)});
+    marks_.push_back([=, text = std::string(text)](const Page& page) {
+        return labelText(page.onPage(at) + Point{0, below}, text);
+    });
 }
 
 void SvgDrawing::labelBeside(const Point& at, std::string_view text) {
-    marks_.push_back({.kind = Mark::Kind::labelBeside, .points = {at}, .text = std::string(text)});
+    labelsBeside_.push_back({at, std::string(text)});
 }
 
 /// Those that find their places themselves, one after another.
 std::string SvgDrawing::labels(const Page& page) const {
     constexpr double every = 6;  // pixels, along lines
     std::vector<Point> avoided;
-    for (const Mark& mark : marks_) {
-        if (!mark.style.labelsAvoid) continue;
-        for (std::size_t i = 0; i < mark.points.size(); ++i) {
-            const Point to = page.onPage(mark.points[i]), from = i > 0 ? page.onPage(mark.points[i - 1]) : to;
+    for (const std::vector<Point>& line : avoided_)
+        for (std::size_t i = 0; i < line.size(); ++i) {
+            const Point to = page.onPage(line[i]), from = i > 0 ? page.onPage(line[i - 1]) : to;
             const int parts = 1 + static_cast<int>(distance(from, to) / every);
             for (int k = 1; k <= parts; ++k) avoided.push_back(from + (k / static_cast<double>(parts)) * (to - from));
         }
-    }
     std::string text;
     std::vector<PageBox> taken;
-    for (const Mark& mark : marks_) {
-        if (mark.kind != Mark::Kind::labelBeside) continue;
-        taken.push_back(placeLabel(page.onPage(mark.points[0]), textWidth(mark.text, textSize), textSize, avoided,
-                                   taken, page.box()));
-        text += page.label({taken.back().centre().x, taken.back().bottom - 0.15 * textSize}, mark.text);
+    for (const LabelBeside& label : labelsBeside_) {
+        taken.push_back(
+            placeLabel(page.onPage(label.at), textWidth(label.text, textSize), textSize, avoided, taken, page.box()));
+        text += labelText({taken.back().centre().x, taken.back().bottom - 0.15 * textSize}, label.text);
     }
     return text;
 }
 
 std::string SvgDrawing::text(const Frame& frame) const {
     const bool empty = most_.x < least_.x;
-    const Area area = frame.shown.value_or(empty ? Area{{}, {1, 1}} : Area{least_, most_});
-    const Page page(area.least, area.most, frame);
-    const double bar = roundLength(std::min(page.width() / 4, 220.0) / page.scale());
-    std::string text = cat("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"", px(page.width()), "\" height=\"",
-                           px(page.height()), "\" viewBox=\"0 0 ", px(page.width()), " ", px(page.height()),
-                           "\" font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\">\n<title>",
-                           escaped(frame.title), "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n");
-    text += textAt(margin, 30, titleSize, ink, " font-weight=\"bold\"", frame.title);
-    text += textAt(margin, 51, textSize, quiet, "", frame.subtitle);
-    text += page.legendText();
+    const Page page(frame.shown.value_or(empty ? Area{{}, {1, 1}} : Area{least_, most_}), frame);
+    const std::string width = px(page.pageWidth()), height = px(page.pageHeight());
+    const double bar = roundLength(std::min(page.pageWidth() / 4, 220.0) / page.scale);
+    std::string marks;
+    for (const auto& mark : marks_) marks += mark(page);
+    marks += labels(page);
+    std::string text = element("title", {}, escaped(frame.title));
+    text += element("rect", {{"width", "100%"}, {"height", "100%"}, {"fill", ground}});
+    text += svgText({margin, 30}, frame.title, {{"font-size", titleSize}, {"fill", ink}, {"font-weight", "bold"}});
+    text += plainText({margin, 51}, frame.subtitle, textSize, quiet);
+    text += page.legend;
     if (frame.grid) text += page.grid(bar);
-    if (frame.shown) text += page.beginClip();
-    for (const Mark& mark : marks_) text += page.mark(mark);
-    text += labels(page);
-    if (frame.shown) text += "</svg>\n";
-    return text + page.scaleBar(bar) + "</svg>\n";
+    text += frame.shown ? svgClip({margin, page.top}, page.shownWidth, page.shownHeight, marks) : marks;
+    return element("svg",
+                   {{"xmlns", "http://www.w3.org/2000/svg"},
+                    {"width", width},
+                    {"height", height},
+                    {"viewBox", cat("0 0 ", width, " ", height)},
+                    {"font-family", "DejaVu Sans, Helvetica, Arial, sans-serif"}},
+                   text + page.scaleBar(bar));
 }
 
 }  // namespace mrose

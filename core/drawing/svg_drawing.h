@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -56,21 +57,20 @@ public:
     std::string text(const Frame& frame) const;
 
 private:
-    struct Mark {
-        enum class Kind { path, circle, dot, arrow, pointer, label, labelBeside } kind = Kind::path;
-        std::vector<Point> points;
-        bool closed = false;
-        double size = 0, heading = 0;
-        Style style = {};
-        std::string text = {};
+    struct Page;
+    struct LabelBeside {
+        Point at;
+        std::string text;
     };
-    class Page;
 
     std::string labels(const Page& page) const;
     void outline(std::span<const Point> points, bool closed, const Style& style);
-    void grow(const Point& point, double by);
+    void grow(const Point& point, double by = 0);
+    void avoid(const Style& style, std::span<const Point> points);
 
-    std::vector<Mark> marks_;
+    std::vector<std::function<std::string(const Page&)>> marks_;
+    std::vector<LabelBeside> labelsBeside_;
+    std::vector<std::vector<Point>> avoided_;  ///< lines and points that those keep off
     Point least_{1e9, 1e9}, most_{-1e9, -1e9};
 };
 

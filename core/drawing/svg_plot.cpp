@@ -1,24 +1,16 @@
 #include "drawing/svg_plot.h"
 
 #include <cmath>
-#include <numbers>
+#include <optional>
 
-#include "drawing/markup.h"
 #include "io/format.h"
 
 namespace mrose {
 namespace {
 
-bool isFinite(const PlotPoint& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
+bool isFinite(const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
-std::string classed(std::string_view tag, std::string_view cssClass) {
-    return cat("<", tag, " class=\"", cssClass, "\"");
-}
-
-std::string textAt(double x, double y, std::string_view cssClass, std::string_view text, std::string_view more = {}) {
-    return cat(classed("text", cssClass), " x=\"", px(x), "\" y=\"", px(y), "\"", more, ">", escaped(text),
-               "</text>\n");
-}
+Attributes classed(std::string_view cssClass) { return {{"class", cssClass}}; }
 
 PlotRange usable(PlotRange range) {
     if (!std::isfinite(range.low) || !std::isfinite(range.high) || range.high <= range.low)
@@ -58,108 +50,116 @@ SvgPlot SvgPlot::equalScale(const Layout& layout, PlotRange x, PlotRange y, std:
     return plot;
 }
 
-void SvgPlot::gridLine(bool vertical, double value) {
-    const std::string at = px(vertical ? pixelX(value) : pixelY(value));
-    grid_ +=
-        vertical
-            ? cat("<line class=\"grid\" x1=\"", at, "\" x2=\"", at, "\" y1=\"0\" y2=\"", px(innerHeight()), "\"/>\n")
-            : cat("<line class=\"grid\" y1=\"", at, "\" y2=\"", at, "\" x1=\"0\" x2=\"", px(innerWidth()), "\"/>\n");
+Point SvgPlot::pixel(const Point& at) const {
+    return {layout_.left + (at.x - x_.low) / (x_.high - x_.low) * innerWidth(),
+            layout_.top + (y_.high - at.y) / (y_.high - y_.low) * innerHeight()};
 }
 
 void SvgPlot::axes(std::string_view xTitle, std::string_view yTitle) {
-    const double bottom = layout_.top + innerHeight(), right = layout_.left + innerWidth();
+    const Point corner = pixel({x_.low, y_.low});
     const Ticks xTicks = niceTicks(x_, static_cast<int>(innerWidth() / 70));
     for (const double value : xTicks.values) {
-        gridLine(true, value);
-        around_ += textAt(layout_.left + pixelX(value), bottom + 17, "tick middle", fixed(value, xTicks.decimals));
+        const Point foot = pixel({value, y_.low});
+        grid_.moveTo(foot).lineTo(pixel({value, y_.high}));
+        around_ += svgText(foot + Point{0, 17}, fixed(value, xTicks.decimals), classed("tick middle"));
     }
     const Ticks yTicks = niceTicks(y_, std::max(2, static_cast<int>(innerHeight() / 42)));
     for (const double value : yTicks.values) {
-        gridLine(false, value);
-        around_ += textAt(layout_.left - 8, layout_.top + pixelY(value) + 4, "tick end", fixed(value, yTicks.decimals));
+        const Point foot = pixel({x_.low, value});
+        grid_.moveTo(foot).lineTo(pixel({x_.high, value}));
+        around_ += svgText(foot + Point{-8, 4}, fixed(value, yTicks.decimals), classed("tick end"));
     }
-    around_ += cat("<path class=\"axis\" d=\"M", px(layout_.left), " ", px(layout_.top), "V", px(bottom), "H",
-                   px(right), "\"/>\n");
-    if (!xTitle.empty()) around_ += textAt(layout_.left + innerWidth() / 2, layout_.height - 8, "title middle", xTitle);
-    const double middle = layout_.top + innerHeight() / 2;
-    around_ += textAt(14, middle, "title middle", yTitle, cat(" transform=\"rotate(-90 14 ", px(middle), ")\""));
+    const Point ends[] = {pixel({x_.low, y_.high}), corner, pixel({x_.high, y_.low})};
+    around_ += svgPath(SvgPath(ends), classed("axis"));
+    if (!xTitle.empty())
+        around_ += svgText({corner.x + innerWidth() / 2, layout_.height - 8}, xTitle, classed("title middle"));
+    const Point left{14, corner.y - innerHeight() / 2};
+    around_ +=
+        svgText(left, yTitle, {{"class", "title middle"}, {"transform", cat("rotate(-90 14 ", px(left.y), ")")}});
 }
 
 void SvgPlot::grid(double step) {
     if (!(step > 0)) return;
-    for (auto i = std::ceil(x_.low / step); i * step < x_.high; ++i) gridLine(true, i * step);
-    for (auto i = std::ceil(y_.low / step); i * step < y_.high; ++i) gridLine(false, i * step);
+    for (auto i = std::ceil(x_.low / step); i * step < x_.high; ++i)
+        grid_.moveTo(pixel({i * step, y_.low})).lineTo(pixel({i * step, y_.high}));
+    for (auto i = std::ceil(y_.low / step); i * step < y_.high; ++i)
+        grid_.moveTo(pixel({x_.low, i * step})).lineTo(pixel({x_.high, i * step}));
 }
 
-std::string SvgPlot::path(std::span<const PlotPoint> points, bool staircase) const {
-    std::string d;
-    bool lifted = true;
-    for (const PlotPoint& point : points) {
-        const bool draws = isFinite(point);
-        if (draws) {
-            const std::string x = px(pixelX(point.x)), y = px(pixelY(point.y));
-            d += lifted ? cat("M", x, " ", y) : staircase ? cat("H", x, "V", y) : cat("L", x, " ", y);
+SvgPath SvgPlot::path(std::span<const Point> points, bool staircase) const {
+    SvgPath path;
+    std::optional<Point> last;
+    for (const Point& point : points) {
+        if (isFinite(point) && !last) path.moveTo(pixel(point));
+        if (isFinite(point) && last) {
+            if (staircase) path.lineTo(pixel({point.x, last->y}));
+            path.lineTo(pixel(point));
         }
-        lifted = !draws;
+        last = isFinite(point) ? std::optional(point) : std::nullopt;
     }
-    return d;
+    return path;
 }
 
-void SvgPlot::line(std::span<const PlotPoint> points, std::string_view cssClass) {
-    if (const std::string d = path(points, false); !d.empty())
-        marks_ += cat(classed("path", cat("line ", cssClass)), " d=\"", d, "\"/>\n");
+void SvgPlot::add(const SvgPath& path, std::string_view cssClass) {
+    if (!path.text().empty()) marks_ += svgPath(path, classed(cssClass));
 }
 
-void SvgPlot::steps(std::span<const PlotPoint> points, std::string_view cssClass) {
-    if (const std::string d = path(points, true); !d.empty())
-        marks_ += cat(classed("path", cat("line ", cssClass)), " d=\"", d, "\"/>\n");
+void SvgPlot::line(std::span<const Point> points, std::string_view cssClass) {
+    add(path(points), cat("line ", cssClass));
 }
 
-void SvgPlot::band(std::span<const PlotPoint> low, std::span<const PlotPoint> high, std::string_view cssClass) {
-    std::vector<PlotPoint> outline(low.begin(), low.end());
+void SvgPlot::steps(std::span<const Point> points, std::string_view cssClass) {
+    add(path(points, true), cat("line ", cssClass));
+}
+
+void SvgPlot::band(std::span<const Point> low, std::span<const Point> high, std::string_view cssClass) {
+    std::vector<Point> outline(low.begin(), low.end());
     outline.insert(outline.end(), high.rbegin(), high.rend());
-    if (const std::string d = path(outline, false); !d.empty())
-        marks_ += cat(classed("path", cssClass), " d=\"", d, "Z\"/>\n");
+    if (SvgPath around = path(outline); !around.text().empty()) add(around.close(), cssClass);
 }
 
 void SvgPlot::bar(double x, double width, double height, std::string_view cssClass, std::string_view tooltip) {
-    const double left = pixelX(x), right = pixelX(x + width), top = pixelY(height), base = pixelY(0);
-    marks_ += cat(classed("rect", cssClass), " x=\"", px(left), "\" y=\"", px(top), "\" width=\"", px(right - left),
-                  "\" height=\"", px(std::max(0.0, base - top)), "\"><title>", escaped(tooltip), "</title></rect>\n");
+    const Point top = pixel({x, height}), foot = pixel({x + width, 0});
+    marks_ += element("rect",
+                      {{"class", cssClass},
+                       {"x", top.x},
+                       {"y", top.y},
+                       {"width", foot.x - top.x},
+                       {"height", std::max(0.0, foot.y - top.y)}},
+                      element("title", {}, escaped(tooltip)));
 }
 
-void SvgPlot::circle(PlotPoint centre, double pixels, std::string_view cssClass) {
-    if (!isFinite(centre)) return;
-    marks_ += cat(classed("circle", cssClass), " cx=\"", px(pixelX(centre.x)), "\" cy=\"", px(pixelY(centre.y)),
-                  "\" r=\"", px(pixels), "\"/>\n");
+void SvgPlot::circle(const Point& centre, double pixels, std::string_view cssClass) {
+    if (isFinite(centre)) marks_ += svgCircle(pixel(centre), pixels, classed(cssClass));
 }
 
-void SvgPlot::arrow(PlotPoint from, double direction, double pixels, std::string_view cssClass) {
+void SvgPlot::arrow(const Point& from, double direction, double pixels, std::string_view cssClass) {
     if (!isFinite(from) || !std::isfinite(direction)) return;
-    // y points down on the page, so that a counter-clockwise turn is a negative one there.
-    const std::string turn = px(-direction * 180 / std::numbers::pi), tip = px(pixels), neck = px(pixels - 4.5);
-    marks_ += cat(classed("path", cssClass), " transform=\"translate(", px(pixelX(from.x)), " ", px(pixelY(from.y)),
-                  ") rotate(", turn, ")\" d=\"M0 0H", neck, "M", neck, " -2.8L", tip, " 0L", neck, " 2.8Z\"/>\n");
+    const Point start = pixel(from);
+    // y points down on the page.
+    SvgArrow arrow(start, start + pixels * Point{std::cos(direction), -std::sin(direction)}, 4.5, 5.6);
+    add(arrow.shaft += arrow.head, cssClass);
 }
 
-void SvgPlot::label(PlotPoint at, double dx, double dy, std::string_view text, std::string_view cssClass) {
-    if (isFinite(at)) marks_ += textAt(pixelX(at.x) + dx, pixelY(at.y) + dy, cssClass, text);
+void SvgPlot::label(const Point& at, double dx, double dy, std::string_view text, std::string_view cssClass) {
+    if (isFinite(at)) marks_ += svgText(pixel(at) + Point{dx, dy}, text, classed(cssClass));
 }
 
 void SvgPlot::scaleBar(double length, std::string_view text) {
-    const double y = layout_.height - 10, left = layout_.left + 6, right = left + length / unitsPerPixel();
-    around_ += cat("<path class=\"axis\" d=\"M", px(left), " ", px(y - 4), "V", px(y), "H", px(right), "V", px(y - 4),
-                   "\"/>\n");
-    around_ += textAt(right + 7, y, "tick", text);
+    const Point left{layout_.left + 6, layout_.height - 10}, right = left + Point{length / unitsPerPixel(), 0};
+    around_ += svgPath(svgBar(left, right, 4, 0), classed("axis"));
+    around_ += svgText(right + Point{7, 0}, text, classed("tick"));
 }
 
 std::string SvgPlot::text() const {
-    const std::string width = px(layout_.width), height = px(layout_.height);
-    const std::string inner =
-        cat("<svg x=\"", px(layout_.left), "\" y=\"", px(layout_.top), "\" width=\"", px(innerWidth()), "\" height=\"",
-            px(innerHeight()), "\">\n", grid_, marks_, "</svg>\n");
-    return cat("<svg class=\"plot\" role=\"img\" viewBox=\"0 0 ", width, " ", height, "\" style=\"max-width:", width,
-               "px\" aria-label=\"", escaped(description_), "\">\n", inner, around_, "</svg>\n");
+    const std::string width = px(layout_.width), grid = svgPath(grid_, classed("grid"));
+    return element("svg",
+                   {{"class", "plot"},
+                    {"role", "img"},
+                    {"viewBox", cat("0 0 ", width, " ", px(layout_.height))},
+                    {"style", cat("max-width:", width, "px")},
+                    {"aria-label", description_}},
+                   svgClip({layout_.left, layout_.top}, innerWidth(), innerHeight(), cat(grid, marks_)) + around_);
 }
 
 }  // namespace mrose

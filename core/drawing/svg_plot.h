@@ -5,11 +5,9 @@
 #include <string_view>
 #include <vector>
 
-namespace mrose {
+#include "drawing/svg.h"
 
-struct PlotPoint {
-    double x = 0, y = 0;
-};
+namespace mrose {
 
 struct PlotRange {
     double low = 0, high = 1;
@@ -43,14 +41,14 @@ public:
     void axes(std::string_view xTitle, std::string_view yTitle);
     void grid(double step);  ///< lines at the multiples of `step`, no labels
 
-    void line(std::span<const PlotPoint> points, std::string_view cssClass);
-    void steps(std::span<const PlotPoint> points, std::string_view cssClass);  ///< a staircase: up at each point
-    void band(std::span<const PlotPoint> low, std::span<const PlotPoint> high, std::string_view cssClass);
+    void line(std::span<const Point> points, std::string_view cssClass);
+    void steps(std::span<const Point> points, std::string_view cssClass);  ///< a staircase: up at each point
+    void band(std::span<const Point> low, std::span<const Point> high, std::string_view cssClass);
     void bar(double x, double width, double height, std::string_view cssClass, std::string_view tooltip);
-    void circle(PlotPoint centre, double pixels, std::string_view cssClass);
+    void circle(const Point& centre, double pixels, std::string_view cssClass);
     /// An arrow of the given length in pixels from a point, in a direction in the plot's own coordinates.
-    void arrow(PlotPoint from, double direction, double pixels, std::string_view cssClass);
-    void label(PlotPoint at, double dx, double dy, std::string_view text, std::string_view cssClass);
+    void arrow(const Point& from, double direction, double pixels, std::string_view cssClass);
+    void label(const Point& at, double dx, double dy, std::string_view text, std::string_view cssClass);
     /// A bar of `length` (in x) at the lower left with its text beside it.
     void scaleBar(double length, std::string_view text);
 
@@ -60,15 +58,15 @@ public:
 private:
     double innerWidth() const { return layout_.width - layout_.left - layout_.right; }
     double innerHeight() const { return layout_.height - layout_.top - layout_.bottom; }
-    double pixelX(double x) const { return (x - x_.low) / (x_.high - x_.low) * innerWidth(); }
-    double pixelY(double y) const { return (y_.high - y) / (y_.high - y_.low) * innerHeight(); }
-    std::string path(std::span<const PlotPoint> points, bool staircase) const;
-    void gridLine(bool vertical, double value);
+    Point pixel(const Point& at) const;
+    SvgPath path(std::span<const Point> points, bool staircase = false) const;
+    void add(const SvgPath& path, std::string_view cssClass);
 
     Layout layout_;
     PlotRange x_, y_;
     std::string description_;
-    std::string grid_, marks_, around_;  ///< grid and marks are clipped to the frame
+    SvgPath grid_;
+    std::string marks_, around_;  ///< grid and marks are clipped to the frame
 };
 
 }  // namespace mrose

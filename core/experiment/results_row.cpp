@@ -6,7 +6,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "io/number_text.h"
+#include "io/format.h"
 #include "quantities/catalogue.h"
 #include "world/seconds_text.h"
 #include "world/state_hash.h"

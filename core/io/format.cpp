@@ -5,6 +5,24 @@
 #include <cmath>
 
 namespace mrose {
+namespace {
+
+constexpr double leastPlain = 1e-3, mostPlain = 1e15;
+
+template <class Float>
+std::string shortest(Float value) {
+    char text[40];
+    const Float size = value < 0 ? -value : value;
+    // to_chars itself prefers 1e+05 where that is the shorter text.
+    const bool plain = size >= Float(leastPlain) && size < Float(mostPlain);
+    const auto end = plain ? std::to_chars(text, text + sizeof text, value, std::chars_format::fixed).ptr
+                           : std::to_chars(text, text + sizeof text, value).ptr;
+    std::string result(text, end);
+    if (result.find_first_of(".en") == std::string::npos) result += ".0";
+    return result;
+}
+
+}  // namespace
 
 std::string fixed(double value, int decimals) {
     if (!std::isfinite(value)) return "–";
@@ -15,12 +33,14 @@ std::string fixed(double value, int decimals) {
     return onlyZeros && result.front() == '-' ? result.substr(1) : result;
 }
 
-std::string exact(double value) {
-    if (!std::isfinite(value)) return "null";
-    std::array<char, 40> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
-    return {text.data(), end.ptr};
+std::string numberText(double value) { return shortest(value); }
+std::string numberText(float value) { return shortest(value); }
+
+std::string counted(std::size_t count, const std::string& one, const std::string& many) {
+    return std::to_string(count) + ' ' + (count == 1 ? one : many);
 }
+
+std::string counted(std::size_t count, const std::string& one) { return counted(count, one, one + 's'); }
 
 std::string csvCell(const std::string& text) {
     if (text.find_first_of(",\"\r\n") == std::string::npos) return text;

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "io/format.h"
 #include "io/nearest_word.h"
-#include "io/number_text.h"
 #include "io/toml_text.h"
 
 namespace mrose {

@@ -7,7 +7,7 @@
 
 #include <toml++/toml.h>
 
-#include "io/number_text.h"
+#include "io/format.h"
 
 namespace mrose {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "io/number_text.h"
+#include "io/format.h"
 #include "io/toml_table.h"
 #include "io/toml_text.h"
 

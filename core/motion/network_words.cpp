@@ -1,6 +1,6 @@
 #include "motion/network_words.h"
 
-#include "io/number_text.h"
+#include "io/format.h"
 
 namespace mrose {
 

@@ -1,5 +1,5 @@
 #include "io/file.h"
-#include "io/number_text.h"
+#include "io/format.h"
 #include "io/toml_text.h"
 #include "learning/network_file.h"
 #include "motion/motion_network.h"

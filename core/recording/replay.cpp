@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-#include "io/number_text.h"
+#include "io/format.h"
 #include "recording/difference_text.h"
 #include "recording/playback.h"
 #include "recording/tick_decisions.h"

@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drawing/content_text.h"
-#include "drawing/markup.h"
 #include "io/format.h"
 #include "report/comparison_files.h"
-#include "report/divergence_report.h"
-#include "report/evaluation_tables.h"
-#include "report/page.h"
-#include "report/rollout_figures.h"
+#include "report/divergence_section.h"
+#include "report/error_figures.h"
+#include "report/path_figures.h"
 #include "world/seconds_text.h"
 
 namespace mrose {
@@ -19,31 +16,22 @@ namespace {
 constexpr const char* comparisonFiles[] = {"errors.csv", "rollouts.csv", "results.json", "report.html"};
 constexpr std::size_t listedRollouts = 12, shownRobots = 8;
 
-/// "10 s", or "8 to 10 s".
-std::string lengthText(const Comparison& comparison) {
-    const auto [least, most] =
-        std::minmax_element(comparison.requests.begin(), comparison.requests.end(),
-                            [](const RolloutRequest& a, const RolloutRequest& b) { return a.steps < b.steps; });
-    const Nanoseconds step = comparison.log.options.step;
-    const std::string longest = secondsText(most->steps * step, 0);
-    return (least->steps == most->steps ? longest : secondsText(least->steps * step, 0) + " to " + longest) + " s";
-}
-
 std::string startText(const Comparison& comparison, const ComparedRollout& rollout) {
     const RolloutRequest& request = comparison.requests[rollout.request];
     const std::string& session = comparison.sessions[request.session];
     return secondsText(request.start) + " s" + (session.empty() ? "" : " of " + session);
 }
 
-std::string page(const Comparison& comparison, const ReportContext& context) {
-    const std::string badge = context.synthetic ? "<span class=\"badge\">synthetic data</span>" : "";
-    std::string text = element("h1", "", cat(escaped(comparison.scenario), " beside the log", badge));
-    text += element("p", "sub",
-                    cat(counted(comparison.requests.size(), "rollout", "rollouts"), " of ", lengthText(comparison),
-                        ", ", counted(comparison.robots.size(), "robot", "robots"), ", log <code>",
-                        escaped(comparison.log.source), "</code> · ", escaped(context.program)));
-    for (const std::string& notice : context.notices) text += element("p", "notice", escaped(notice));
-    return text;
+std::string header(const Comparison& comparison, const ReportContext& context) {
+    const auto [least, most] =
+        std::minmax_element(comparison.requests.begin(), comparison.requests.end(),
+                            [](const RolloutRequest& a, const RolloutRequest& b) { return a.steps < b.steps; });
+    const Nanoseconds step = comparison.log.options.step;
+    return pageHead(
+        cat(escaped(comparison.scenario), " beside the log"),
+        cat(counted(comparison.requests.size(), "rollout"), " of ", lengthText(least->steps * step, most->steps * step),
+            ", ", counted(comparison.robots.size(), "robot")),
+        comparison.log, context, context.notices);
 }
 
 /// Nothing where it is not known: what is wrong then stands beside it.
@@ -63,8 +51,8 @@ std::string endText(const Distribution& position, const Distribution& heading) {
 std::string lead(const Comparison& comparison) {
     const ComparedSummary& all = comparison.all;
     std::string text =
-        "Each simulated robot starts where the real one was and as fast, and gets the real one's commands at the same "
-        "instants. ";
+        cat("Each simulated robot starts where the ", comparison.log.real(), " one was and as fast, and gets the ",
+            comparison.log.real(), " one's commands at the same instants. ");
     if (all.of(RolloutUse::counted) > 0)
         text += cat("Its position is then off by <b>", percentText(all.counted.p),
                     "</b> of the path driven (P) and its heading by <b>", percentText(all.counted.hd),
@@ -162,7 +150,8 @@ std::string rolloutTable(const Comparison& comparison, std::size_t request) {
     }
     return element(
         "div", "",
-        cat(element("h3", "", "Simulated position and heading, off the real ones by"), table.text(), absent));
+        cat(element("h3", "", cat("Simulated position and heading, off the ", comparison.log.real(), " ones by")),
+            table.text(), absent));
 }
 
 /// Rollouts whose pictures show most: all robots of a single one; the worst, the 90th percentile and the median of
@@ -191,10 +180,11 @@ std::string robotCard(const Comparison& comparison, std::size_t index, const Com
                     fixed(degrees * errors.headingFinal, 1), "°");
     if (rollout.use == RolloutUse::gap) what += " · gap in the ground truth";
     if (const auto* const left = divergences == nullptr ? nullptr : divergences->of(index))
-        what += cat(" · leaves the real trajectory after ", secondsText(left->divergence.time), "\u00a0s");
+        what += cat(" · leaves the ", comparison.log.real(), " trajectory after ", secondsText(left->divergence.time),
+                    "\u00a0s");
     if (rollout.touched) what += cat(" · touched after ", secondsText(*rollout.touched), "\u00a0s");
     return card(escaped(comparison.robots[rollout.robot].name),
-                cat(element("p", "soft", what), robotFigure(comparison, index, divergences)));
+                cat(element("p", "soft", what), pathFigure(comparison, index, divergences)));
 }
 
 std::string pictures(const Comparison& comparison, const Environment& environment,
@@ -212,14 +202,13 @@ std::string pictures(const Comparison& comparison, const Environment& environmen
                     element("div", "scene",
                             cat(rolloutFigure(comparison, request, environment, divergences),
                                 rolloutTable(comparison, request)))),
-            heading("Real beside simulated paths"),
+            heading(cat(capitalised(comparison.log.real()), " beside simulated paths")),
             paragraph(cat("Both axes have the same scale; the bar below each picture, which is also the grid’s "
                           "spacing, says which. ",
                           shown.size() == worst.size()
                               ? ""
                               : "From the worst rollout down to a good one, by the mean position error.")),
-            robotFigureLegend(comparison, divergences != nullptr && !divergences->rollouts.empty()),
-            element("div", "paths", cards));
+            pathLegend(comparison, divergences), element("div", "paths", cards));
     if (worst.size() > shown.size())
         text += cat(heading("The worst rollouts"),
                     paragraph(cat("The ", std::to_string(std::min(worst.size(), listedRollouts)), " of ",
@@ -234,10 +223,10 @@ std::string pictures(const Comparison& comparison, const Environment& environmen
 std::string definitions(const Comparison& comparison) {
     const WindowOptions& options = comparison.log.options;
     std::string list;
-    list +=
-        definition("rollout",
-                   "A drive in a world of its own. It begins with pose and velocity of the real robots, measured from "
-                   "the ground truth up to the start, and with the commands before it; nothing is aligned later.");
+    list += definition(
+        "rollout", cat("A drive in a world of its own. It begins with pose and velocity of the ", comparison.log.real(),
+                       " robots, measured from "
+                       "the ground truth up to the start, and with the commands before it; nothing is aligned later."));
     list +=
         definition("counted", cat("Ground truth throughout, and at least ", fixed(options.leastPath, 2), " m or ",
                                   fixed(options.leastRotation, 2),
@@ -267,9 +256,7 @@ std::string provenance(const Comparison& comparison, const ReportContext& contex
     std::string text = cat(heading("Where this comes from"), tableCard(facts.text()));
     if (!comparison.counted.empty())
         text += cat(heading("What was wrong with the log"), tableCard(defectTable(comparison.log)));
-    text += cat("<details><summary>", counted(comparison.log.files.size(), "file", "files"), " with hashes</summary>\n",
-                fileTable(comparison.log.files), "</details>\n");
-    return text;
+    return text + foldedFiles(comparison.log.files);
 }
 
 }  // namespace
@@ -288,16 +275,16 @@ std::vector<std::string> remarksOn(const Comparison& comparison) {
         if (!text.empty())
             remarks.push_back(comparison.robots[i].name + ": " +
                               std::to_string(s.rollouts() - s.of(RolloutUse::counted)) + " of " +
-                              counted(s.rollouts(), "rollout", "rollouts") + " left out of P and Hd: " + text + '.');
+                              counted(s.rollouts(), "rollout") + " left out of P and Hd: " + text + '.');
     }
     if (comparison.all.of(RolloutUse::counted) == 0)
         remarks.push_back("No rollout counts for P and Hd; expected another --start, or --every for shorter ones.");
     if (comparison.all.touched > 0)
         remarks.push_back(
-            "In " + counted(comparison.all.touched, "rollout", "rollouts") +
+            "In " + counted(comparison.all.touched, "rollout") +
             " contact took a robot off its way: from there on it is the collision that is compared, too.");
     if (comparison.faults > 0)
-        remarks.push_back(counted(static_cast<std::size_t>(comparison.faults), "fault", "faults") + ", the first of " +
+        remarks.push_back(counted(static_cast<std::size_t>(comparison.faults), "fault") + ", the first of " +
                           comparison.firstFault + '.');
     return remarks;
 }
@@ -307,7 +294,7 @@ std::string comparisonHtml(const Comparison& comparison, const Scene& scene, con
     std::string remarks;
     for (const std::string& remark : remarksOn(comparison)) remarks += element("li", "", escaped(remark));
     const std::string body =
-        cat(page(comparison, context), lead(comparison),
+        cat(header(comparison, context), lead(comparison),
             comparison.counted.empty()
                 ? ""
                 : cat(tiles(comparison.all.counted),
@@ -315,10 +302,10 @@ std::string comparisonHtml(const Comparison& comparison, const Scene& scene, con
             heading("By robot"), tableCard(robotTable(comparison)),
             remarks.empty() ? "" : element("ul", "soft", remarks), heading("Error against time"),
             paragraph("One line for each robot: the median of its rollouts at that time, where ground truth is known."),
-            errorLinesLegend(comparison, divergences),
+            robotLegend(comparison, divergences),
             element("div", "pair",
-                    cat(card("Position", errorLinesFigure(comparison, ErrorKind::position, divergences)),
-                        card("Heading", errorLinesFigure(comparison, ErrorKind::heading, divergences)))),
+                    cat(card("Position", errorOverTimeFigure(comparison, Channel::position, divergences)),
+                        card("Heading", errorOverTimeFigure(comparison, Channel::heading, divergences)))),
             divergences == nullptr ? "" : divergenceSection(comparison, *divergences),
             pictures(comparison, scene.environment, divergences), heading("What the words mean"),
             definitions(comparison), provenance(comparison, context));

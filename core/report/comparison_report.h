@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "diagnosis/compared_divergences.h"
-#include "report/evaluation_report.h"
+#include "report/page.h"
 #include "scene/scene.h"
 
 namespace mrose {

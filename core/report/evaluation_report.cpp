@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "assessment/prediction_files.h"
-#include "drawing/markup.h"
 #include "io/format.h"
-#include "report/evaluation_figures.h"
-#include "report/evaluation_prose.h"
-#include "report/evaluation_tables.h"
-#include "report/page.h"
+#include "report/error_figures.h"
+#include "report/evaluation_files.h"
+#include "report/floor_section.h"
+#include "report/legend.h"
+#include "report/path_figures.h"
 #include "report/shown_windows.h"
 #include "world/seconds_text.h"
 
@@ -17,6 +17,132 @@ namespace mrose {
 namespace {
 
 constexpr const char* reportFiles[] = {"results.csv", "results.json", "windows.csv", "report.html"};
+
+std::string withInterval(double value, const Interval& interval, std::size_t windows) {
+    if (windows < leastForInterval) return fixed(value, 2);
+    return cat(fixed(value, 2), "<small>", fixed(interval.low, 2), "–", fixed(interval.high, 2), "</small>");
+}
+
+void addThree(std::vector<std::string>& cells, const Distribution& d, double unit, int decimals) {
+    for (const double value : {d.median, d.mean}) cells.push_back(fixed(unit * value, decimals));
+    cells.push_back(p90Text(d, unit, decimals));
+}
+
+std::string signedText(double value, int decimals) {
+    const std::string text = fixed(std::abs(value), decimals);
+    return cat(value > 0 ? "+" : value < 0 ? "−" : "", text);
+}
+
+/// The values with the smallest one in bold, where there are several.
+std::vector<std::string> smallestBold(const std::vector<double>& values, int decimals) {
+    std::vector<std::string> cells;
+    const auto better = [](double a, double b) { return !std::isnan(a) && (std::isnan(b) || a < b); };
+    const auto best = std::min_element(values.begin(), values.end(), better) - values.begin();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const std::string text = fixed(values[i], decimals);
+        const bool bold = values.size() > 1 && static_cast<std::ptrdiff_t>(i) == best && std::isfinite(values[i]);
+        cells.push_back(bold ? cat("<b>", text, "</b>") : text);
+    }
+    return cells;
+}
+
+/// A pair of columns per model under the model's name.
+struct PairedTable {
+    PairedTable(const Evaluation& evaluation, std::vector<std::string> leading, const std::string& first,
+                const std::string& second)
+        : table([&] {
+              std::vector<std::string> header = leading;
+              for (std::size_t i = 0; i < evaluation.models.size(); ++i) {
+                  header.push_back(first);
+                  header.push_back(second);
+              }
+              return HtmlTable(header, "even");
+          }()) {
+        for (std::size_t i = 0; i < leading.size(); ++i) table.group("", 1);
+        for (const Assessment& model : evaluation.models) table.group(escaped(model.name), 2);
+    }
+
+    void row(std::vector<std::string> cells, const std::vector<double>& first, const std::vector<double>& second,
+             int decimals) {
+        const auto left = smallestBold(first, decimals), right = smallestBold(second, decimals);
+        for (std::size_t i = 0; i < left.size(); ++i) {
+            cells.push_back(left[i]);
+            cells.push_back(right[i]);
+        }
+        table.row(cells);
+    }
+
+    HtmlTable table;
+};
+
+std::string modelTable(const Evaluation& evaluation) {
+    HtmlTable table({"", "P %", "Hd %", "median", "mean", "p90", "median", "mean", "p90", "median", "mean", "p90",
+                     "along cm", "left cm", "turn °"},
+                    "dense");
+    table.group("", 3);
+    table.group("time-mean / path, %", 3);
+    table.group("position at the end, cm", 3);
+    table.group("heading at the end, °", 3);
+    table.group("mean offset at the end", 3);
+    for (std::size_t i = 0; i < evaluation.models.size(); ++i) {
+        const Summary& s = evaluation.models[i].all;
+        std::vector<std::string> cells{seriesName(evaluation.models[i], i), withInterval(s.p, s.p95, s.windows),
+                                       withInterval(s.hd, s.hd95, s.windows)};
+        addThree(cells, s.positionMeanOverPath, 1, 2);
+        addThree(cells, s.positionFinal, 100, 2);
+        addThree(cells, s.headingFinal, degrees, 2);
+        cells.push_back(signedText(100 * s.along.mean, 2));
+        cells.push_back(signedText(100 * s.left.mean, 2));
+        cells.push_back(signedText(degrees * s.headingSigned.mean, 2));
+        table.row(cells);
+    }
+    return table.text();
+}
+
+std::string groupTable(const Evaluation& evaluation) {
+    PairedTable paired(evaluation, {"", "windows", "path m", "rotation rad"}, "P %", "Hd %");
+    const auto& groups = evaluation.models.front().groups;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        if (g == 0 || groups[g].kind != groups[g - 1].kind) paired.table.part(cat("by ", escaped(groups[g].kind)));
+        std::vector<double> p, hd;
+        for (const Assessment& model : evaluation.models) {
+            p.push_back(model.groups[g].summary.p);
+            hd.push_back(model.groups[g].summary.hd);
+        }
+        const Summary& s = groups[g].summary;
+        paired.row({cat(groups[g].kind == "robot" ? "robot " : "", escaped(groups[g].name)), std::to_string(s.windows),
+                    fixed(s.path, 1), fixed(s.rotation, 1)},
+                   p, hd, 2);
+    }
+    return paired.table.text();
+}
+
+std::string relativeTable(const Evaluation& evaluation) {
+    PairedTable paired(evaluation, {"horizon", "pieces"}, "cm", "°");
+    const auto& horizons = evaluation.models.front().relative;
+    for (std::size_t h = 0; h < horizons.size(); ++h) {
+        std::vector<double> position, heading;
+        for (const Assessment& model : evaluation.models) {
+            position.push_back(100 * model.relative[h].position);
+            heading.push_back(degrees * model.relative[h].heading);
+        }
+        paired.row({cat(secondsText(fromSeconds(horizons[h].horizon), 0), " s"), std::to_string(horizons[h].pieces)},
+                   position, heading, 2);
+    }
+    return paired.table.text();
+}
+
+std::string windowTable(const Evaluation& evaluation, std::size_t window) {
+    HtmlTable table({"", "mean<br/>cm", "mean<br/>% path", "end<br/>cm", "end<br/>°"}, "small");
+    const double path = evaluation.log.windows[window].path;
+    for (const Assessment& model : evaluation.models) {
+        const WindowErrors& e = model.errors[window];
+        table.row({escaped(model.name), fixed(100 * e.positionMean, 1),
+                   path > 0 ? fixed(100 * e.positionMean / path, 1) : "–", fixed(100 * e.positionFinal, 1),
+                   fixed(degrees * e.headingFinal, 1)});
+    }
+    return table.text();
+}
 
 std::string robotsText(const Evaluation& evaluation) {
     std::vector<std::string> names;
@@ -28,29 +154,19 @@ std::string robotsText(const Evaluation& evaluation) {
     return text;
 }
 
-/// "10 s", or "1.0 to 1.9 s" where windows differ in length.
-std::string durationText(const Evaluation& evaluation) {
-    const auto [least, most] =
-        std::minmax_element(evaluation.log.windows.begin(), evaluation.log.windows.end(),
-                            [](const Window& a, const Window& b) { return a.steps() < b.steps(); });
-    const Nanoseconds step = evaluation.log.options.step;
-    const std::string longest = secondsText(most->steps() * step, 0);
-    return least->steps() == most->steps() ? cat(longest, " s")
-                                           : cat(secondsText(least->steps() * step, 0), " to ", longest, " s");
-}
-
 std::string header(const Evaluation& evaluation, const ReportContext& context) {
-    const std::string badge = context.synthetic ? "<span class=\"badge\">synthetic data</span>" : "";
-    std::string text = element("h1", "", cat("How true is ", escaped(evaluation.models.front().name), "?", badge));
-    std::string what = cat(std::to_string(evaluation.log.windows.size()), " windows of ", durationText(evaluation),
-                           ", ", robotsText(evaluation), ", log <code>", escaped(evaluation.log.source), "</code>");
-    if (!context.program.empty()) what += cat(" · ", escaped(context.program));
-    text += element("p", "sub", what);
-    if (context.synthetic)
-        text += element("p", "notice",
-                        "The log comes from a simulated robot. Nothing here says how true the model is of a real one.");
-    for (const std::string& notice : context.notices) text += element("p", "notice", escaped(notice));
-    return text;
+    const LogWindows& log = evaluation.log;
+    const auto [least, most] = std::minmax_element(
+        log.windows.begin(), log.windows.end(), [](const Window& a, const Window& b) { return a.steps() < b.steps(); });
+    std::vector<std::string> notices = context.notices;
+    if (log.synthetic)
+        notices.insert(notices.begin(),
+                       "The log comes from a simulated robot. Nothing here says how true the model is of a real one.");
+    return pageHead(cat("How true is ", escaped(evaluation.models.front().name), "?"),
+                    cat(counted(log.windows.size(), "window"), " of ",
+                        lengthText(least->steps() * log.options.step, most->steps() * log.options.step), ", ",
+                        robotsText(evaluation)),
+                    log, context, notices);
 }
 
 std::string typicalWindow(const Evaluation& evaluation, const Summary& s) {
@@ -74,8 +190,8 @@ std::string comparison(const Evaluation& evaluation) {
                     percentText(baseline->all.p), " and ", percentText(baseline->all.hd), ".");
     if (evaluation.log.floor && !evaluation.log.floor->pairs.empty())
         text += cat(" Where it got near-identical commands twice (", std::to_string(evaluation.log.floor->pairs.size()),
-                    " <a href=\"#floor\">pairs</a>), the real robot’s own runs are a P of ",
-                    percentText(evaluation.log.floor->spread.p),
+                    " <a href=\"#floor\">", evaluation.log.floor->pairs.size() == 1 ? "pair" : "pairs", "</a>), the ",
+                    evaluation.log.real(), " robot’s own runs are a P of ", percentText(evaluation.log.floor->spread.p),
                     " apart (the spread), so that the best prediction possible would be off by about ",
                     percentText(evaluation.log.floor->best.p), " there (the floor); this one is off by ",
                     percentText(evaluation.models.front().onFloor.p), ".");
@@ -91,22 +207,22 @@ std::string headline(const Evaluation& evaluation) {
                        typicalWindow(evaluation, model.all), comparison(evaluation)));
 }
 
+using Figure = std::string (*)(const Evaluation&, Channel);
+std::string pairOf(const Evaluation& evaluation, Figure figure) {
+    return cat(modelLegend(evaluation), element("div", "pair",
+                                                card("Position", figure(evaluation, Channel::position)) +
+                                                    card("Heading", figure(evaluation, Channel::heading))));
+}
+
 std::string errorSection(const Evaluation& evaluation) {
     return cat(
         heading("Error against time"),
         paragraph("Lines are medians over the windows. Of the first model, the dark band holds the middle half of "
                   "the windows (25–75 %), the light one 10–90 %."),
-        modelLegend(evaluation),
-        element("div", "pair",
-                cat(card("Position", errorOverTimeFigure(evaluation, Channel::position)),
-                    card("Heading", errorOverTimeFigure(evaluation, Channel::heading)))),
-        heading("How errors are distributed over the windows"),
+        pairOf(evaluation, errorOverTimeFigure), heading("How errors are distributed over the windows"),
         paragraph("For each error, the part of the windows that stay below it: further left is better. Curves that "
                   "leave the frame on the right have larger errors still."),
-        modelLegend(evaluation),
-        element("div", "pair",
-                cat(card("Position", cumulativeFigure(evaluation, Channel::position)),
-                    card("Heading", cumulativeFigure(evaluation, Channel::heading)))));
+        pairOf(evaluation, cumulativeFigure));
 }
 
 std::string barsSection(const Evaluation& evaluation) {
@@ -126,8 +242,6 @@ std::string barsSection(const Evaluation& evaluation) {
 
 std::string pathCard(const Evaluation& evaluation, const ShownWindow& shown) {
     const Window& w = evaluation.log.windows[shown.window];
-    std::string reason = shown.reason;
-    if (reason[0] >= 'a' && reason[0] <= 'z') reason[0] = static_cast<char>(reason[0] - 'a' + 'A');
     // Names matter only where there are several.
     const auto several = [&](auto differs) {
         return std::any_of(evaluation.log.windows.begin(), evaluation.log.windows.end(), differs);
@@ -138,35 +252,21 @@ std::string pathCard(const Evaluation& evaluation, const ShownWindow& shown) {
     if (several([&](const Window& other) { return other.robot == w.robot && other.trajectory != w.trajectory; }))
         which += cat(" · trajectory\u00a0", escaped(evaluation.log.trajectories[shown.window]));
     const std::string what =
-        cat(which, " · from\u00a0", sinceDriveStart(evaluation, shown.window), "\u00a0s<br/>", name(w.manoeuvre),
+        cat(which, " · from\u00a0", sinceDriveStart(evaluation.log, shown.window), "\u00a0s<br/>", name(w.manoeuvre),
             " · path\u00a0", fixed(w.path, 2), "\u00a0m · rotation\u00a0", fixed(w.rotation, 2), "\u00a0rad");
-    return card(escaped(reason), cat(element("p", "soft", what), pathFigure(evaluation, shown.window),
-                                     windowTable(evaluation, shown.window)));
+    return card(
+        escaped(capitalised(shown.reason)),
+        cat(element("p", "soft", what), pathFigure(evaluation, shown.window), windowTable(evaluation, shown.window)));
 }
 
 std::string pathSection(const Evaluation& evaluation, const ReportContext& context) {
     std::string cards;
     for (const ShownWindow& shown : shownWindows(evaluation, context.chosen)) cards += pathCard(evaluation, shown);
     return cat(
-        heading("Real against predicted paths"),
+        heading(cat(capitalised(evaluation.log.real()), " against predicted paths")),
         paragraph("Both axes have the same scale; the bar below each picture, which is also the grid’s spacing, says "
                   "which. Windows are ranked by the first model’s time-mean position error over the path."),
         pathLegend(evaluation), element("div", "paths", cards));
-}
-
-std::string floorSection(const Evaluation& evaluation) {
-    if (!evaluation.log.floor) return {};
-    std::string text = cat("<h2 id=\"floor\">Spread and floor: how differently near-identical commands turn out</h2>\n",
-                           paragraph(floorText(*evaluation.log.floor)));
-    if (evaluation.log.turningFloor) text += paragraph(turningFloorText(*evaluation.log.turningFloor));
-    const bool any = !evaluation.log.floor->pairs.empty() ||
-                     (evaluation.log.turningFloor && !evaluation.log.turningFloor->pairs.empty());
-    if (any)
-        text += cat(
-            paragraph("Both depend on how these stretches turn and how long they are: compare the rows of this table "
-                      "with each other and not with those of the whole log."),
-            tableCard(floorTable(evaluation)));
-    return text;
 }
 
 std::string tablesSection(const Evaluation& evaluation) {
@@ -190,26 +290,55 @@ std::string provenance(const Evaluation& evaluation, const ReportContext& contex
     facts.row({"model", escaped(evaluation.models.front().name)});
     for (const auto& [key, value] : context.modelFacts) facts.row({escaped(key), escaped(value)});
     facts.row({"evaluated on", cat(escaped(evaluation.log.source), " (", escaped(evaluation.log.format), ")",
-                                   context.synthetic ? ", synthetic" : "")});
+                                   evaluation.log.synthetic ? ", synthetic" : "")});
     if (!context.commandLine.empty()) facts.row({"made by", cat("<code>", escaped(context.commandLine), "</code>")});
     text += tableCard(facts.text());
     if (!context.trainingLogs.empty())
         text += cat(element("h2", "", "Learned from"), tableCard(fileTable(context.trainingLogs)));
-    text +=
-        cat(heading("The log that it was evaluated on"),
-            paragraph("What was found wrong with it while reading; nothing of this is hidden in the numbers above."),
-            tableCard(defectTable(evaluation.log)));
-    if (!evaluation.log.files.empty())
-        text += cat("<details><summary>", std::to_string(evaluation.log.files.size()),
-                    " files with their hashes</summary>\n", fileTable(evaluation.log.files), "</details>\n");
-    return text;
+    return cat(text, heading("The log that it was evaluated on"),
+               paragraph("What was found wrong with it while reading; nothing of this is hidden in the numbers above."),
+               tableCard(defectTable(evaluation.log)), foldedFiles(evaluation.log.files));
+}
+
+std::string definitions(const Evaluation& evaluation) {
+    const WindowOptions& options = evaluation.log.options;
+    std::string list;
+    list += definition(
+        "window",
+        cat("A stretch of ", secondsText(options.horizon, 0),
+            " s with ground truth throughout in which the robot drives at least ", fixed(options.leastPath, 2),
+            " m or turns at least ", fixed(options.leastRotation, 2),
+            " rad (in proportion to its length). Windows of one robot do not overlap. Trajectories too short to "
+            "be cut are one window each: their end, or all of them."));
+    list +=
+        definition("prediction",
+                   "Open loop: it knows pose and velocity at the start, measured from truth at or before it, and each "
+                   "command once it is issued. Nothing is aligned afterwards.");
+    list += definition("P", cat("Sum over the windows of the position error’s time-mean (every ",
+                                secondsText(options.step), " s), divided by the sum of the path lengths."));
+    list += definition("Hd",
+                       "Sum over the windows of the absolute heading error’s time-mean, divided by the sum of the "
+                       "absolute rotations.");
+    list += definition("from", "Seconds since the first stamp of the drive. Files have the log’s own clock.");
+    list += definition("path, rotation", "Summed over steps of 0.5 s, because a robot’s wobble inflates shorter ones.");
+    list += definition("interval", "Bootstrap: the middle 95 % of 1000 drawings of as many windows, with replacement.");
+    list +=
+        definition("offset at the end", cat("Mean of the signed error in the ", evaluation.log.real(),
+                                            " robot’s frame: ahead of it, to its left, "
+                                            "turned counter-clockwise. It shows a bias that absolute errors hide."));
+    list += definition("hard switch",
+                       "Somewhere in the window v or w goes within 0.1 s from full (0.7 of the robot’s "
+                       "largest command) to zero (0.1 of it) or to the other sign (0.25 on both sides), held "
+                       "0.3 s before and after.");
+    list += definition("straight, turning", "Other windows: commanded rotation below and above 0.5 rad in 10 s.");
+    return element("dl", "", list);
 }
 
 }  // namespace
 
 std::string reportHtml(const Evaluation& evaluation, const ReportContext& context) {
     const std::string title = cat(escaped(evaluation.models.front().name), " on ", escaped(evaluation.log.source),
-                                  context.synthetic ? " (synthetic)" : "");
+                                  evaluation.log.synthetic ? " (synthetic)" : "");
     const std::string body = cat(
         header(evaluation, context), headline(evaluation), tiles(evaluation.models.front().all),
         heading("Models side by side"), tableCard(modelTable(evaluation)), errorSection(evaluation),

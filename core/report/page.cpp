@@ -1,9 +1,11 @@
 #include "report/page.h"
 
-#include "drawing/markup.h"
+#include <algorithm>
+
 #include "io/format.h"
 #include "io/made_folder.h"
 #include "report/page_style.h"
+#include "world/seconds_text.h"
 
 namespace mrose {
 namespace {
@@ -25,12 +27,30 @@ std::string percentilesText(const Distribution& d, double unit, std::string_view
     return cat("mean ", fixed(unit * d.mean, 1), ", 90th percentile ", p90Text(d, unit, 1), unitText);
 }
 
+std::string attribute(std::string_view cssClass) {
+    return cssClass.empty() ? std::string{} : cat(" class=\"", cssClass, "\"");
+}
+
 }  // namespace
+
+std::string element(std::string_view tag, std::string_view cssClass, std::string_view content) {
+    return cat("<", tag, attribute(cssClass), ">", content, "</", tag, ">\n");
+}
 
 std::string reportPage(std::string_view title, std::string_view body) {
     return cat("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/>\n",
                "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>", title,
                "</title>\n<style>", reportStyle, "</style></head>\n<body><main>\n", body, "</main></body></html>\n");
+}
+
+std::string pageHead(std::string_view title, std::string_view subtitle, const LogWindows& log,
+                     const ReportContext& context, const std::vector<std::string>& notices) {
+    const char* const badge = log.synthetic ? "<span class=\"badge\">synthetic data</span>" : "";
+    const std::string program = context.program.empty() ? "" : cat(" · ", escaped(context.program));
+    std::string text = element("h1", "", cat(title, badge)) +
+                       element("p", "sub", cat(subtitle, ", log <code>", escaped(log.source), "</code>", program));
+    for (const std::string& notice : notices) text += element("p", "notice", escaped(notice));
+    return text;
 }
 
 std::string heading(std::string_view content) { return element("h2", "", content); }
@@ -51,7 +71,16 @@ std::string p90Text(const Distribution& d, double unit, int decimals) {
     return d.count < leastForPercentile ? "" : fixed(unit * d.p90, decimals);
 }
 
+std::string capitalised(std::string text) {
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text;
+}
+
 std::string percentText(double value) { return cat(fixed(value, 2), "\u00a0%"); }
+
+std::string lengthText(Nanoseconds shortest, Nanoseconds longest) {
+    return cat(shortest == longest ? "" : cat(secondsText(shortest, 0), " to "), secondsText(longest, 0), " s");
+}
 
 std::string tiles(const Summary& s) {
     return element("div", "tiles",
@@ -61,6 +90,73 @@ std::string tiles(const Summary& s) {
                             percentilesText(s.positionFinal, 100, " cm")),
                        tile("heading at the end, median", cat(fixed(degrees * s.headingFinal.median, 1), "°"), "",
                             percentilesText(s.headingFinal, degrees, "°"))));
+}
+
+HtmlTable::HtmlTable(std::vector<std::string> header, std::string cssClass)
+    : header_(std::move(header)), cssClass_(std::move(cssClass)) {}
+
+void HtmlTable::group(std::string_view content, std::size_t columns) {
+    groups_ += cat("<th colspan=\"", std::to_string(columns), "\">", content, "</th>");
+}
+
+void HtmlTable::part(std::string_view content) {
+    rows_ += cat("<tr class=\"part\"><th colspan=\"", std::to_string(header_.size()), "\">", content, "</th></tr>\n");
+}
+
+void HtmlTable::row(const std::vector<std::string>& cells) {
+    rows_ += "<tr>";
+    for (std::size_t i = 0; i < cells.size(); ++i)
+        rows_ += i == 0 ? cat("<th scope=\"row\">", cells[i], "</th>") : cat("<td>", cells[i], "</td>");
+    rows_ += "</tr>\n";
+}
+
+std::string HtmlTable::text() const {
+    std::string head = groups_.empty() ? "" : cat("<tr class=\"groups\">", groups_, "</tr>\n");
+    const bool titled = std::any_of(header_.begin(), header_.end(), [](const std::string& h) { return !h.empty(); });
+    if (titled) {
+        head += "<tr>";
+        for (const std::string& cell : header_) head += cat("<th scope=\"col\">", cell, "</th>");
+        head += "</tr>";
+    }
+    if (!head.empty()) head = cat("<thead>\n", head, "</thead>");
+    return cat("<div class=\"scroll\"><table", attribute(cssClass_), ">", head, "<tbody>\n", rows_,
+               "</tbody></table></div>\n");
+}
+
+std::string defectTable(const LogWindows& log) {
+    HtmlTable table({"", "windows", "out of order", "duplicate", "blips", "pose outliers", "unpaired", "heading wraps",
+                     "number", "longest s", "number", "longest s"});
+    table.group("", 2);
+    table.group("stamps", 2);
+    table.group("samples", 4);
+    table.group("command gaps", 2);
+    table.group("truth gaps", 2);
+    for (const LogWindows::Robot& robot : log.robots) {
+        if (robot.windows == 0) continue;
+        const LogDefects& d = robot.defects;
+        std::vector<std::string> cells{cat("robot ", escaped(robot.name)), std::to_string(robot.windows)};
+        for (const auto count : {d.outOfOrder, d.duplicates, d.blips, d.poseOutliers, d.unpaired, d.headingWraps})
+            cells.push_back(std::to_string(count));
+        cells.push_back(std::to_string(d.commandGaps));
+        cells.push_back(fixed(d.longestCommandGap, 2));
+        cells.push_back(std::to_string(d.poseGaps));
+        cells.push_back(fixed(d.longestPoseGap, 2));
+        table.row(cells);
+    }
+    return table.text();
+}
+
+std::string fileTable(const std::vector<LogFile>& files) {
+    HtmlTable table({"file", "XXH3"}, "files");
+    for (const LogFile& file : files)
+        table.row({cat("<code>", escaped(file.path), "</code>"), cat("<code>", escaped(file.hash), "</code>")});
+    return table.text();
+}
+
+std::string foldedFiles(const std::vector<LogFile>& files) {
+    if (files.empty()) return {};
+    return cat("<details><summary>", counted(files.size(), "file"), " with hashes</summary>\n", fileTable(files),
+               "</details>\n");
 }
 
 Expected<void> checkReportFolder(const std::filesystem::path& folder, std::span<const char* const> names,

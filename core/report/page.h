@@ -4,18 +4,37 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include "assessment/metrics.h"
+#include "assessment/assess.h"
+#include "drawing/markup.h"
 #include "io/error.h"
 #include "io/file.h"
 
 namespace mrose {
 
+/// What a report says beside the numbers. All of it is plain text.
+struct ReportContext {
+    std::string program;               ///< "mrose 0.1.0"
+    std::string commandLine;           ///< that made the report
+    std::vector<std::string> notices;  ///< sentences that a reader must know before the numbers
+    /// About the first model, which the report is about: "file", "inputs", "dead time", "seed", ... in this order.
+    std::vector<std::pair<std::string, std::string>> modelFacts;
+    std::vector<LogFile> trainingLogs;  ///< of the first model
+    std::vector<std::size_t> chosen;    ///< further windows whose paths are shown, indices into LogWindows::windows
+};
+
 // What reports are put together from; all contents are markup.
+
+/// <tag class="...">content</tag>.
+std::string element(std::string_view tag, std::string_view cssClass, std::string_view content);
 
 /// A whole page that needs nothing else, with its style sheet.
 std::string reportPage(std::string_view title, std::string_view body);
+/// Title, a line below it, and sentences (plain text) that must be read before the numbers.
+std::string pageHead(std::string_view title, std::string_view subtitle, const LogWindows& log,
+                     const ReportContext& context, const std::vector<std::string>& notices);
 
 std::string heading(std::string_view content);
 std::string paragraph(std::string_view content);
@@ -24,8 +43,29 @@ std::string definition(std::string_view term, std::string_view meaning);
 std::string card(std::string_view title, std::string_view content);
 std::string tableCard(std::string_view content);
 
+/// A table with a header row. Cells are markup; the first column is a row header, the others are numbers aligned right
+/// unless said otherwise.
+class HtmlTable {
+public:
+    explicit HtmlTable(std::vector<std::string> header, std::string cssClass = {});
+
+    /// Columns under one heading: its markup and how many they are; to be called for all columns in order.
+    void group(std::string_view content, std::size_t columns);
+    void part(std::string_view content);  ///< a row that heads those below it
+    void row(const std::vector<std::string>& cells);
+    std::string text() const;
+
+private:
+    std::vector<std::string> header_;
+    std::string cssClass_, groups_, rows_;
+};
+
+/// "Real" of "real".
+std::string capitalised(std::string text);
 /// "2.65 %", never broken between the number and its unit.
 std::string percentText(double value);
+/// "10 s", or "1.0 to 1.9 s" where they differ in length.
+std::string lengthText(Nanoseconds shortest, Nanoseconds longest);
 
 /// Of fewer windows a bootstrap's interval or a 90th percentile says nothing, and pages leave it out.
 constexpr std::size_t leastForInterval = 20, leastForPercentile = 10;
@@ -35,6 +75,13 @@ std::string p90Text(const Distribution& distribution, double unit, int decimals)
 
 /// P, Hd and the errors at the end, large.
 std::string tiles(const Summary& summary);
+
+/// What was wrong with the log, one row per robot.
+std::string defectTable(const LogWindows& log);
+/// Files with their hashes.
+std::string fileTable(const std::vector<LogFile>& files);
+/// The same, to be unfolded; nothing of none.
+std::string foldedFiles(const std::vector<LogFile>& files);
 
 /// Error unless files of these names could be written into `folder`, which need not be there, or where one is there
 /// already, without `overwrite`. Nothing is made.

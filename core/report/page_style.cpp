@@ -71,7 +71,7 @@ svg text { font-family: system-ui, "Segoe UI", "DejaVu Sans", sans-serif; fill: 
 text.tick { font-size: 13px; fill: var(--soft); font-variant-numeric: tabular-nums; }
 text.title { font-size: 14px; fill: var(--ink); }
 text.middle { text-anchor: middle; } text.end { text-anchor: end; }
-line.grid { stroke: var(--grid); stroke-width: 1; }
+path.grid { stroke: var(--grid); stroke-width: 1; fill: none; }
 path.axis { stroke: var(--soft); stroke-width: 1.2; fill: none; }
 .line { fill: none; stroke: var(--c); stroke-width: 1.8; stroke-linejoin: round; stroke-linecap: round; }
 .s0 { --c: var(--c0); stroke-width: 2.4; } .s1 { --c: var(--c1); stroke-dasharray: 7 4; } .s2 { --c: var(--c2); stroke-dasharray: 2 4; }

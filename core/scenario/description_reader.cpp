@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "io/number_text.h"
+#include "io/format.h"
 
 namespace mrose {
 namespace {

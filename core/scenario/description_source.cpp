@@ -1,7 +1,7 @@
 #include "scenario/description_source.h"
 
 #include "io/file.h"
-#include "io/number_text.h"
+#include "io/format.h"
 #include "logs/log_reader.h"
 #include "scenario/log_excerpt.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "io/bytes.h"
-#include "io/number_text.h"
+#include "io/format.h"
 #include "logs/csv_reader.h"
 #include "logs/pose_grid.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/number_text.h"
+#include "io/format.h"
 #include "motion/kinematic.h"
 #include "scenario/delayed_network.h"
 #include "scenario/description_reader.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "io/number_text.h"
+#include "io/format.h"
 #include "world/state_difference.h"
 
 namespace mrose {

@@ -24,12 +24,10 @@ NamedModel named(const RobotModels& models) {
             }};
 }
 
-ReportContext reportContext(const MotionNetwork& network, const std::string& path, const Log& log,
-                            const std::string& commandLine) {
+ReportContext reportContext(const MotionNetwork& network, const std::string& path, const std::string& commandLine) {
     ReportContext context;
     context.program = "mrose " MROSE_VERSION;
     context.commandLine = commandLine;
-    context.synthetic = log.synthetic;
     for (const auto& source : network.training.logs) context.trainingLogs.push_back({source.path, source.hash});
     const auto fact = [&](const char* name, std::string value) {
         context.modelFacts.emplace_back(name, std::move(value));

@@ -21,8 +21,7 @@ struct RobotModels {
 NamedModel named(const RobotModels& models);
 
 /// What a report by that command says about a network.
-ReportContext reportContext(const MotionNetwork& network, const std::string& path, const Log& log,
-                            const std::string& commandLine);
+ReportContext reportContext(const MotionNetwork& network, const std::string& path, const std::string& commandLine);
 
 RobotModels learnedModels(const std::shared_ptr<const LearnedMotion>& motion, const Log& log);
 

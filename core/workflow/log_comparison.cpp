@@ -121,7 +121,6 @@ Expected<LogComparison> compareLog(const LogComparisonRequest& request, const Lo
     ReportContext context;
     context.program = "mrose " MROSE_VERSION;
     context.commandLine = commandLine;
-    context.synthetic = log->synthetic;
     context.notices = noticesAbout(*world, *comparison, asked);
     if (cut)
         context.notices.push_back("The log's trajectories are short: compared in windows of " +

@@ -70,7 +70,7 @@ Expected<LogEvaluation> evaluateLog(const LogEvaluationRequest& request, const s
     if (!evaluation) return tl::unexpected(evaluation.error());
     auto chosen = chosenWindows(request.shown, evaluation->log.windows.size());
     if (!chosen) return tl::unexpected(chosen.error());
-    ReportContext context = reportContext(network, request.network, *log, commandLine);
+    ReportContext context = reportContext(network, request.network, commandLine);
     context.notices = noticesOf(*log);
     for (std::string& notice : noticesOf(network, *log, request.heldOut)) context.notices.push_back(std::move(notice));
     context.chosen = std::move(*chosen);

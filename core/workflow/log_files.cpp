@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "assessment/rollout.h"
-#include "io/number_text.h"
+#include "io/format.h"
 #include "logs/log_reader.h"
 #include "workflow/resources.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/number_text.h"
+#include "io/format.h"
 #include "scenario/start_check.h"
 
 namespace mrose {

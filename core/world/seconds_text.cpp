@@ -1,6 +1,6 @@
 #include "world/seconds_text.h"
 
-#include "io/number_text.h"
+#include "io/format.h"
 
 namespace mrose {
 

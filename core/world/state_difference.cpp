@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "io/number_text.h"
+#include "io/format.h"
 #include "world/state_fields.h"
 
 namespace mrose {

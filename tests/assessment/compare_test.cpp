@@ -10,7 +10,7 @@
 #include "assessment/test_models.h"
 #include "logs/log_reader.h"
 #include "report/comparison_files.h"
-#include "report/evaluation_report.h"
+#include "report/evaluation_files.h"
 #include "support/test_data.h"
 
 namespace mrose {

@@ -89,6 +89,14 @@ TEST(SuitedWindows, RobotThatStandsHasNone) {
     EXPECT_THAT(rollouts.error().message(), testing::HasSubstr("3 in which the robot hardly moves"));
 }
 
+TEST(Stretches, OfALogThatIsTooShortAskForALongerOne) {
+    const LogWorld world = worldOf({60 * ms});
+    for (const Nanoseconds start : {Nanoseconds{0}, second})
+        EXPECT_EQ(rolloutsOf(world, {start, {}, {}}).error().message(),
+                  "drives: the ground truth ends 0.06 s after the log's start; expected a log that goes on for at "
+                  "least 0.1 s once all of its robots are there");
+}
+
 TEST(LogScenario, RobotIsNotNamedTwice) { EXPECT_EQ(worldOf({tenSeconds}).robots()[0].name, "husky"); }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/workshop.h"
-#include "io/number_text.h"
+#include "io/format.h"
 #include "support/places.h"
 #include "support/referee.h"
 #include "support/test_data.h"

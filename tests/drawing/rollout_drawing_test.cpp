@@ -30,11 +30,13 @@ std::string drawn(const std::vector<DrawnRollout>& rollouts) {
     return drawRollouts({.name = "e"}, {"t", "s", 10, "every second"}, rollouts);
 }
 
-/// The d of every path with this stroke, before the scale bar, the legend's samples left out.
+/// The d of every path with this stroke, the legend's samples left out.
 std::vector<std::string> pathsOf(const std::string& svg, const std::string& stroke) {
     std::vector<std::string> found;
-    const std::regex path("<path d=\"(M[^\"h]*)\" fill=\"none\" stroke=\"" + stroke + "\"");
-    for (std::sregex_iterator it(svg.begin(), svg.end(), path), end; it != end; ++it) found.push_back((*it)[1]);
+    const std::regex path("<path d=\"(M[^\"]*)\" fill=\"none\" stroke=\"" + stroke + "\"");
+    for (std::sregex_iterator it(svg.begin() + static_cast<long>(svg.find("<svg x=")), svg.end(), path), end; it != end;
+         ++it)
+        found.push_back((*it)[1]);
     return found;
 }
 
@@ -58,9 +60,8 @@ TEST(RolloutDrawing, RealAndSimulatedPathsAreBothSeenAndInterruptedByGaps) {
 
 TEST(RolloutDrawing, NamesStandBesideStartsAndErrorsBesideEnds) {
     const std::string svg = drawn(twoRollouts());
-    EXPECT_EQ(occurrences(svg, ">one</text>"), 1u);
-    EXPECT_EQ(occurrences(svg, ">two &lt;2&gt;</text>"), 1u);
-    EXPECT_EQ(occurrences(svg, ">40.0 cm</text>"), 1u);
+    for (const char* label : {"one", "two &lt;2&gt;", "40.0 cm"})
+        EXPECT_EQ(occurrences(svg, std::string(">") + label + "</text>"), 2u) << label << ", above its halo";
     EXPECT_EQ(svg.find("never said"), std::string::npos) << "there is no simulation whose error it were";
     for (const char* word : {"real path", "simulated path", "start", "heading, every second", "error at the end"})
         EXPECT_EQ(occurrences(svg, std::string(">") + word + "</text>"), 1u) << word;

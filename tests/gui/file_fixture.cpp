@@ -6,7 +6,7 @@
 
 #include "files/window_files.h"
 #include "io/file.h"
-#include "io/number_text.h"
+#include "io/format.h"
 #include "scenario/scenario_file.h"
 #include "simulation/step.h"
 #include "support/game_text.h"

@@ -18,7 +18,7 @@
 #include "frame/window_memory.h"
 #include "gui/overlay_fixture.h"
 #include "io/file.h"
-#include "io/number_text.h"
+#include "io/format.h"
 #include "logs/log_reader.h"
 #include "motion/learned_model.h"
 #include "reality/robot_dialog.h"

@@ -69,8 +69,8 @@ TEST_F(PlotExportTest, TableHasTheVeryNumbersOfBothBranches) {
         const auto expect = [&](std::size_t column, const WorldState& at) {
             const Pose& red = at.robots[0].pose;
             const Pose& ball = at.objects[0].pose;
-            EXPECT_EQ(row[column], exact(red.x)) << tick;
-            EXPECT_EQ(row[column + 1], exact(speedOf(at.robots[1]))) << tick;
+            EXPECT_EQ(row[column], numberText(red.x)) << tick;
+            EXPECT_EQ(row[column + 1], numberText(speedOf(at.robots[1]))) << tick;
             EXPECT_NEAR(std::stod(row[column + 3]), 2 * std::hypot(red.x - ball.x, red.y - ball.y), 1e-12) << tick;
         };
         expect(2, branch);

@@ -1,6 +1,6 @@
 #include "plugin/test_plugins.h"
 
-#include "io/number_text.h"
+#include "io/format.h"
 #include "support/places.h"
 
 namespace mrose {

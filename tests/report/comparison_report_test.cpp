@@ -74,11 +74,13 @@ TEST(ComparisonReport, NeedsNothingElseAndShowsEveryRolloutThatIsAsked) {
 
 TEST(ComparisonReport, PathsAreInterruptedWhereTheTruthIsNotKnown) {
     const std::string html = Compared(std::nullopt).html();
-    const auto real = html.find("class=\"line real\"", html.find("Real and predicted path"));
-    const auto path = html.substr(real, html.find("/>", real) - real);
-    EXPECT_EQ(countOf(path, "M"), 2u);
-    const auto simulated = html.find("class=\"line s0\"", real);
-    EXPECT_EQ(countOf(html.substr(simulated, html.find("/>", simulated) - simulated), "M"), 1u);
+    const std::string figure = html.substr(html.find("Real and predicted path"));
+    const auto piecesOf = [&](const char* line) {
+        const std::string upTo = figure.substr(0, figure.find(line));
+        return countOf(upTo.substr(upTo.rfind("<path")), "M");
+    };
+    EXPECT_EQ(piecesOf("class=\"line real\""), 2u);
+    EXPECT_EQ(piecesOf("class=\"line s0\""), 1u);
 }
 
 /// The robot is in no ground truth at the second rollout's start: the picture of that rollout says so.
@@ -101,7 +103,7 @@ TEST(ComparisonReport, SaysWhoIsAbsent) {
         EXPECT_EQ(stillOpen(html), std::vector<std::string>{"closed html"});
         EXPECT_EQ(countOf(html, "; no ground truth then of a &lt;b&gt;</text>"), absent ? 1u : 0u);
         EXPECT_EQ(countOf(html, "<b>a &lt;b&gt;</b> is not in this rollout"), absent ? 1u : 0u);
-        EXPECT_EQ(countOf(html, ">a &lt;b&gt;</text>"), absent ? 0u : 1u) << "beside its start";
+        EXPECT_EQ(countOf(html, ">a &lt;b&gt;</text>"), absent ? 0u : 2u) << "above its halo beside its start";
     }
 }
 
@@ -156,7 +158,7 @@ TEST(ComparisonReport, ShowsWhereTheRobotsLeaveTheRealTrajectoryAndWhy) {
         EXPECT_EQ(countOf(html, "It leaves the real trajectory after "), diagnosed);
         // A ring in each legend and robot's picture, in the error plots of a single rollout alone.
         const std::size_t pictures = countOf(html, "aria-label=\"Real and predicted path\"");
-        EXPECT_EQ(countOf(html, "<circle class=\"leaves\""), 1 + pictures + (many ? 0 : 2))
+        EXPECT_EQ(countOf(html, "class=\"leaves\""), 1 + pictures + (many ? 0 : 2))
             << "in the plot of positions, and its legend";
         EXPECT_EQ(countOf(html, ">bound</text>"), 1u) << "of the positions; headings stay far below theirs";
         EXPECT_EQ(countOf(comparisonHtml(comparison, scene, {}), "leaves the real trajectory"), 0u);

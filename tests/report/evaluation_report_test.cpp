@@ -13,7 +13,8 @@
 #include "drawing/svg_plot.h"
 #include "io/file.h"
 #include "io/format.h"
-#include "report/evaluation_figures.h"
+#include "report/evaluation_files.h"
+#include "report/path_figures.h"
 #include "world/seconds_text.h"
 
 namespace mrose {
@@ -109,8 +110,13 @@ TEST_F(Report, NeedsNothingFromElsewhere) {
 
 TEST_F(Report, SaysSyntheticWhereverTheLogIs) {
     EXPECT_THAT(reportHtml(evaluation_, context_), Not(HasSubstr("simulated robot")));
-    context_.synthetic = true;
+    EXPECT_THAT(reportHtml(evaluation_, context_), HasSubstr("Real against predicted paths"));
+    evaluation_.log.synthetic = true;
     const std::string html = reportHtml(evaluation_, context_);
+    EXPECT_THAT(html, HasSubstr("Logged against predicted paths"));
+    EXPECT_THAT(html, HasSubstr("logged path</span>"));
+    EXPECT_THAT(html, Not(HasSubstr("real path")));
+    EXPECT_THAT(html, Not(HasSubstr("real robot")));
     EXPECT_THAT(html, HasSubstr("synthetic data</span>"));
     EXPECT_THAT(html, HasSubstr("(synthetic)</title>"));
     EXPECT_THAT(html, HasSubstr("The log comes from a simulated robot"));
@@ -191,6 +197,24 @@ TEST_F(Report, FewWindowsHaveNeitherIntervalNorTail) {
     const std::string few = reportHtml(*evaluate(shorter, {&model, 1}), {});
     EXPECT_THAT(few, Not(HasSubstr("one window in ten")));
     EXPECT_THAT(few, Not(HasSubstr(", 90th percentile ")));
+}
+
+TEST_F(Report, OneIsNoPlural) {
+    const Log shorter = logOf({obedientTrajectory(0, 25 * second, wandering)});
+    const NamedModel model = NamedModel::same("m", right_);
+    Evaluation one = *evaluate(shorter, {&model, 1});
+    ASSERT_EQ(one.log.windows.size(), 2u);
+    EXPECT_THAT(reportHtml(one, {}), HasSubstr("2 windows of 10 s"));
+    one.log.windows.pop_back();
+    one.models[0].errors.pop_back();
+    one.log.files = {{"a", "b"}};
+    one.log.floor->pairs.resize(1);
+    const std::string html = reportHtml(one, {});
+    EXPECT_THAT(html, HasSubstr("1 window of 10 s"));
+    EXPECT_THAT(html, HasSubstr("1 file with hashes"));
+    EXPECT_THAT(html, HasSubstr("(1 <a href=\"#floor\">pair</a>)"));
+    EXPECT_THAT(html, HasSubstr("10 s, 1 pair<"));
+    EXPECT_THAT(html, HasSubstr("</b> of them, best match first, shares no instant and is counted."));
 }
 
 TEST_F(Report, NamesSpreadAndFloorApart) {
@@ -308,7 +332,7 @@ TEST(SvgPlot, EqualScaleHasSquarePixelsAndContainsTheRanges) {
     SvgPlot plot = SvgPlot::equalScale({.width = 200, .height = 100, .left = 0, .right = 0, .top = 0, .bottom = 0},
                                        {0, 1}, {0, 1}, "");
     EXPECT_NEAR(plot.unitsPerPixel(), 0.01, 1e-15);
-    const PlotPoint corners[] = {{0, 0}, {1, 1}, {std::nan(""), 0}};
+    const Point corners[] = {{0, 0}, {1, 1}, {std::nan(""), 0}};
     plot.line(corners, "x");
     EXPECT_THAT(plot.text(), HasSubstr("M50.00 100.00L150.00 0.00\""));
 }

@@ -219,7 +219,7 @@ public:
 
     std::string text(bool foresees) const {
         std::string text = secondsText(tick_ * table_.tickLength, 2) + ',' + std::to_string(tick_);
-        const auto add = [&](double number) { text += std::isfinite(number) ? ',' + exact(number) : ","; };
+        const auto add = [&](double number) { text += std::isfinite(number) ? ',' + numberText(number) : ","; };
         for (const LineageColumns& lineage : table_.lineages)
             for (std::size_t column = 0; column < lineage.columns.size(); ++column)
                 add(ahead_ && &lineage == &table_.lineages.front() ? foreseen(table_.ahead[column])

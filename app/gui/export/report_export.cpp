@@ -5,7 +5,7 @@
 #include "diagnosis/compared_divergences.h"
 #include "export/export_outcome.h"
 #include "io/file.h"
-#include "io/number_text.h"
+#include "io/format.h"
 #include "report/comparison_report.h"
 #include "shared/shell_quoted.h"
 #include "widgets/qt_text.h"

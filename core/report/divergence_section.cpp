@@ -1,9 +1,8 @@
-#include "report/divergence_report.h"
+#include "report/divergence_section.h"
 
 #include <cctype>
 
 #include "diagnosis/divergence_text.h"
-#include "drawing/markup.h"
 #include "io/format.h"
 #include "report/page.h"
 #include "world/seconds_text.h"
@@ -58,9 +57,10 @@ std::string diagnosisCard(const Comparison& comparison, const RolloutDivergence&
     const ComparedRollout& rollout = comparison.rollouts[diverging.rollout];
     std::string text;
     if (comparison.requests.size() > 1) text += element("p", "soft", rolloutText(comparison, rollout));
-    text += element("p", "", cat("It ", unbroken(divergenceText(diverging.divergence)), "."));
+    text += element("p", "", cat("It ", unbroken(divergenceText(diverging.divergence, comparison.log.real())), "."));
     if (diverging.diagnosis && diverging.diagnosis->onset)
-        text += element("p", "soft", cat("It is ", unbroken(onsetText(*diverging.diagnosis)), "."));
+        text +=
+            element("p", "soft", cat("It is ", unbroken(onsetText(*diverging.diagnosis, comparison.log.real())), "."));
     if (diverging.diagnosis)
         text += cat(element("p", "", cat("Likely cause: ", unbroken(causeText(*diverging.diagnosis)), ".")),
                     trialTable(*diverging.diagnosis));
@@ -70,7 +70,8 @@ std::string diagnosisCard(const Comparison& comparison, const RolloutDivergence&
 }  // namespace
 
 std::string divergenceSection(const Comparison& comparison, const ComparedDivergences& divergences) {
-    std::string text = cat(heading("Where they leave the real trajectory"), paragraph(escaped(boundText(divergences))));
+    std::string text = cat(heading(cat("Where they leave the ", comparison.log.real(), " trajectory")),
+                           paragraph(escaped(boundText(divergences, comparison.log.real()))));
     if (divergences.rollouts.empty()) return text + paragraph("None of them does.");
     const bool many = comparison.requests.size() > 1;
     if (many) text += tableCard(summaryTable(comparison, divergences));
@@ -80,11 +81,11 @@ std::string divergenceSection(const Comparison& comparison, const ComparedDiverg
     for (const std::size_t i : worstOf(comparison, divergences, shownDivergences))
         if (divergences.rollouts[i].diagnosis || !many) cards += diagnosisCard(comparison, divergences.rollouts[i]);
     if (cards.empty()) return text;
-    text +=
-        paragraph(cat(many ? "The rollouts with the largest mean errors among them. " : "",
-                      "Each was run again up to shortly after it left the real trajectory, with one thing changed at a "
-                      "time; a change explains the part of the error (its root mean square, position and heading "
-                      "in units of their bounds) that is gone with it."));
+    text += paragraph(cat(many ? "The rollouts with the largest mean errors among them. " : "",
+                          "Each was run again up to shortly after it left the ", comparison.log.real(),
+                          " trajectory, with one thing changed at a "
+                          "time; a change explains the part of the error (its root mean square, position and heading "
+                          "in units of their bounds) that is gone with it."));
     return text + element("div", "paths", cards);
 }
 

@@ -1,4 +1,4 @@
-#include "io/number_text.h"
+#include "io/format.h"
 
 #include <bit>
 #include <clocale>

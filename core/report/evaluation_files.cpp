@@ -1,6 +1,7 @@
+#include "report/evaluation_files.h"
+
 #include "drawing/markup.h"
 #include "io/format.h"
-#include "report/evaluation_report.h"
 #include "report/results_json.h"
 #include "world/seconds_text.h"
 
@@ -76,10 +77,10 @@ Json json(const std::vector<LogFile>& files) {
     return list;
 }
 
-Json json(const Floor& floor, const Evaluation& evaluation) {
+Json json(const Floor& floor, const LogWindows& log) {
     Json pairs = Json::array();
     for (const FloorPair& pair : floor.pairs)
-        pairs.push_back({{"robot", evaluation.log.robots[pair.first.robot].name},
+        pairs.push_back({{"robot", log.robots[pair.first.robot].name},
                          {"first_t_start", secondsText(pair.first.start)},
                          {"second_t_start", secondsText(pair.second.start)},
                          {"command_difference_of_bound", pair.commandDifference},
@@ -104,14 +105,13 @@ Json json(const Floor& floor, const Evaluation& evaluation) {
             {"pairs", std::move(pairs)}};
 }
 
-Json floorJson(const std::optional<Floor>& floor, const Evaluation& evaluation) {
-    return floor ? json(*floor, evaluation) : Json();
-}
+Json floorJson(const std::optional<Floor>& floor, const LogWindows& log) { return floor ? json(*floor, log) : Json(); }
 
 Json windowsJson(const Evaluation& evaluation) {
+    const LogWindows& log = evaluation.log;
     Json list = Json::array();
-    for (std::size_t i = 0; i < evaluation.log.windows.size(); ++i) {
-        const Window& w = evaluation.log.windows[i];
+    for (std::size_t i = 0; i < log.windows.size(); ++i) {
+        const Window& w = log.windows[i];
         Json errors = Json::array();
         for (const Assessment& model : evaluation.models) {
             const WindowErrors& e = model.errors[i];
@@ -121,10 +121,10 @@ Json windowsJson(const Evaluation& evaluation) {
                               {"heading_final_rad", e.headingFinal}});
         }
         list.push_back({{"window", i + 1},
-                        {"robot", evaluation.log.robots[w.robot].name},
-                        {"trajectory", evaluation.log.trajectories[i]},
+                        {"robot", log.robots[w.robot].name},
+                        {"trajectory", log.trajectories[i]},
                         {"t_start", secondsText(w.start)},
-                        {"duration_s", w.steps() * toSeconds(evaluation.log.options.step)},
+                        {"duration_s", w.steps() * toSeconds(log.options.step)},
                         {"manoeuvre", name(w.manoeuvre)},
                         {"steady", w.steady},
                         {"path_m", w.path},
@@ -135,29 +135,29 @@ Json windowsJson(const Evaluation& evaluation) {
     return list;
 }
 
-Json logJson(const Evaluation& evaluation, bool synthetic) {
+Json logJson(const LogWindows& log) {
     Json robots = Json::array();
-    for (const auto& robot : evaluation.log.robots)
+    for (const auto& robot : log.robots)
         robots.push_back({{"name", robot.name}, {"windows", robot.windows}, {"defects", json(robot.defects)}});
-    return {{"source", evaluation.log.source},     {"format", evaluation.log.format},
-            {"dataset", evaluation.log.dataset},   {"synthetic", synthetic},
-            {"files", json(evaluation.log.files)}, {"robots", std::move(robots)}};
+    return {{"source", log.source},       {"format", log.format},     {"dataset", log.dataset},
+            {"synthetic", log.synthetic}, {"files", json(log.files)}, {"robots", std::move(robots)}};
 }
 
 }  // namespace
 
 std::string resultsCsv(const Evaluation& evaluation) {
+    const LogWindows& log = evaluation.log;
     std::string text =
         "model,window,dataset,robot,trajectory,t_start,manoeuvre,steady,path_m,path_by_steps_m,rotation_rad,"
         "position_mean_m,position_final_m,heading_mean_rad,heading_final_rad,final_along_m,final_left_m,"
         "final_heading_signed_rad\n";
     for (const Assessment& model : evaluation.models)
-        for (std::size_t i = 0; i < evaluation.log.windows.size(); ++i) {
-            const Window& w = evaluation.log.windows[i];
+        for (std::size_t i = 0; i < log.windows.size(); ++i) {
+            const Window& w = log.windows[i];
             const WindowErrors& e = model.errors[i];
-            text += cat(csvCell(model.name), ",", std::to_string(i + 1), ",", std::to_string(evaluation.log.dataset),
-                        ",", csvCell(evaluation.log.robots[w.robot].name), ",", csvCell(evaluation.log.trajectories[i]),
-                        ",", secondsText(w.start), ",", name(w.manoeuvre), w.steady ? ",1" : ",0");
+            text += cat(csvCell(model.name), ",", std::to_string(i + 1), ",", std::to_string(log.dataset), ",",
+                        csvCell(log.robots[w.robot].name), ",", csvCell(log.trajectories[i]), ",", secondsText(w.start),
+                        ",", name(w.manoeuvre), w.steady ? ",1" : ",0");
             for (const double value : {w.path, w.pathBySteps, w.rotation, e.positionMean, e.positionFinal,
                                        e.headingMean, e.headingFinal, e.along, e.left, e.headingFinalSigned})
                 text += cat(",", fixed(value, 6));
@@ -174,7 +174,7 @@ std::string resultsJson(const Evaluation& evaluation, const ReportContext& conte
     const Json all{{"program", context.program},
                    {"command_line", context.commandLine},
                    {"notices", context.notices},
-                   {"log", logJson(evaluation, context.synthetic)},
+                   {"log", logJson(evaluation.log)},
                    {"model_facts", std::move(facts)},
                    {"training_logs", json(context.trainingLogs)},
                    {"windows_rule",
@@ -183,8 +183,8 @@ std::string resultsJson(const Evaluation& evaluation, const ReportContext& conte
                      {"least_path_m", windows.leastPath},
                      {"least_rotation_rad", windows.leastRotation}}},
                    {"models", std::move(models)},
-                   {"floor", floorJson(evaluation.log.floor, evaluation)},
-                   {"turning_floor", floorJson(evaluation.log.turningFloor, evaluation)},
+                   {"floor", floorJson(evaluation.log.floor, evaluation.log)},
+                   {"turning_floor", floorJson(evaluation.log.turningFloor, evaluation.log)},
                    {"windows", windowsJson(evaluation)}};
     // Names may hold bytes that are no UTF-8: replaced, as in the report.
     return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
