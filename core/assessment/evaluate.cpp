@@ -4,15 +4,12 @@
 #include <cmath>
 #include <map>
 
+#include "geometry/point.h"
 #include "io/format.h"
 #include "world/seconds_text.h"
 
 namespace mrose {
 namespace {
-
-bool isFinite(const Pose& pose) {
-    return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.heading);
-}
 
 Expected<PercentErrors> errorsOnFloor(const NamedModel& named, const Log& log, const std::optional<Floor>& floor,
                                       Nanoseconds step) {
@@ -94,7 +91,8 @@ Expected<std::vector<std::vector<Pose>>> rollOut(const NamedModel& named, const 
         auto poses = rollOut(*model, chosen, options);
         if (!poses) return fail(named.name, poses.error().cause);
         for (std::size_t k = 0; k < indices.size(); ++k) {
-            if (!std::all_of((*poses)[k].begin(), (*poses)[k].end(), isFinite))
+            if (!std::all_of((*poses)[k].begin(), (*poses)[k].end(),
+                             [](const Pose& pose) { return isFinite(position(pose)) && std::isfinite(pose.heading); }))
                 return fail(named.name, "predicts no finite pose for robot " + robotName + " from " +
                                             secondsText(chosen[k].time) + " s on");
             result[indices[k]] = std::move((*poses)[k]);

@@ -106,8 +106,7 @@ Summary summarise(std::span<const Window> windows, std::span<const WindowErrors>
     std::vector<std::size_t> driving;
     for (const std::size_t i : chosen) {
         add(sums, windows[i], errors[i]);
-        const double part = windows[i].steps() * toSeconds(options.step) / 10;
-        if (windows[i].path >= options.leastPath * part && windows[i].path > 0) driving.push_back(i);
+        if (drives(windows[i], options)) driving.push_back(i);
     }
     Summary s;
     s.windows = chosen.size();

@@ -162,6 +162,10 @@ bool measureTravel(Window& window, const WindowOptions& options) {
     return window.path >= options.leastPath * part || window.rotation >= options.leastRotation * part;
 }
 
+bool drives(const Window& window, const WindowOptions& options) {
+    return window.path > 0 && window.path >= options.leastPath * (window.steps() * toSeconds(options.step) / 10);
+}
+
 void classifyManoeuvres(const Log& log, std::span<Window> windows, Nanoseconds step) {
     std::vector<CommandScale> scales;
     for (const RobotLog& robot : log.robots) scales.push_back(commandScale(robot));

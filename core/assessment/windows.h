@@ -49,6 +49,9 @@ Expected<void> checkOverlap(const std::string& robot, const Trajectory& trajecto
 /// Fills in what the truth of a stretch says: path, rotation, pathBySteps. False: the robot hardly moves in it.
 bool measureTravel(Window& window, const WindowOptions& options);
 
+/// Whether it goes so far that an error can be divided by its path.
+bool drives(const Window& window, const WindowOptions& options);
+
 /// Fills in the manoeuvres, which follow from the commands of the log.
 void classifyManoeuvres(const Log& log, std::span<Window> windows, Nanoseconds step);
 

@@ -53,18 +53,6 @@ Attributes::Attribute::Attribute(std::string_view name, std::string_view value)
     : markup(cat(" ", name, "=\"", escaped(value), "\"")) {}
 Attributes::Attribute::Attribute(std::string_view name, double pixels) : Attribute(name, px(pixels)) {}
 
-Attributes& Attributes::operator+=(std::initializer_list<Attribute> attributes) {
-    for (const Attribute& attribute : attributes) markup_ += attribute.markup;
-    return *this;
-}
-
-Attributes& Attributes::operator+=(const Attributes& more) {
-    markup_ += more.markup_;
-    return *this;
-}
-
-Attributes operator+(Attributes first, const Attributes& second) { return first += second; }
-
 std::string element(std::string_view tag, const Attributes& attributes, std::string_view content) {
     return content.empty() ? cat("<", tag, attributes.markup(), "/>\n")
                            : cat("<", tag, attributes.markup(), ">", content, "</", tag, ">\n");

@@ -30,15 +30,19 @@ public:
         Attribute(std::string_view name, double pixels);
         std::string markup;
     };
-    Attributes(std::initializer_list<Attribute> attributes = {}) { *this += attributes; }
-    Attributes& operator+=(std::initializer_list<Attribute> attributes);
-    Attributes& operator+=(const Attributes& more);
+    Attributes(std::initializer_list<Attribute> attributes = {}) {
+        for (const Attribute& attribute : attributes) markup_ += attribute.markup;
+    }
+    Attributes& operator+=(const Attributes& more) {
+        markup_ += more.markup_;
+        return *this;
+    }
+    friend Attributes operator+(Attributes first, const Attributes& second) { return first += second; }
     const std::string& markup() const { return markup_; }
 
 private:
     std::string markup_;
 };
-Attributes operator+(Attributes first, const Attributes& second);
 
 /// <tag ...>content</tag>, the content markup; <tag .../> where it is empty.
 std::string element(std::string_view tag, const Attributes& attributes, std::string_view content = {});

@@ -23,34 +23,26 @@ const SvgDrawing::Style startStyle{.fill = white, .stroke = quietMark, .strokeWi
 constexpr Colour leaving{213, 94, 0};
 const SvgDrawing::Style leavesStyle{.fill = white, .stroke = leaving, .strokeWidth = 3, .labelsAvoid = true};
 
-bool isKnown(const Pose& pose) { return std::isfinite(pose.x) && std::isfinite(pose.y); }
+bool isKnown(const Pose& pose) { return isFinite(position(pose)); }
 
 /// With half a metre to spare, 3 m wide and high at least; nullopt where there are no paths.
 std::optional<Area> areaRound(std::span<const DrawnRollout> rollouts) {
     constexpr double margin = 0.5, least = 3;
-    Point low{1e9, 1e9}, high{-1e9, -1e9};
+    Area area{{1, 1}, {-1, -1}};
     for (const DrawnRollout& rollout : rollouts)
         for (const std::vector<Pose>* const poses : {&rollout.real, &rollout.simulated})
-            for (const Pose& pose : *poses) {
-                if (!isKnown(pose)) continue;
-                low = {std::min(low.x, pose.x), std::min(low.y, pose.y)};
-                high = {std::max(high.x, pose.x), std::max(high.y, pose.y)};
-            }
-    if (high.x < low.x) return std::nullopt;
-    const Point middle = 0.5 * (low + high), size = high - low;
+            for (const Pose& pose : *poses)
+                if (isKnown(pose)) area.include(position(pose));
+    if (area.empty()) return std::nullopt;
+    const Point middle = area.middle(), size = area.most - area.least;
     const Point half{std::max(least / 2, size.x / 2 + margin), std::max(least / 2, size.y / 2 + margin)};
     return Area{middle - half, middle + half};
 }
 
 void addPath(SvgDrawing& drawing, const std::vector<Pose>& poses, const SvgDrawing::Style& style) {
-    const auto end = poses.end();
-    for (auto from = std::find_if(poses.begin(), end, isKnown); from != end;) {
-        const auto to = std::find_if_not(from, end, isKnown);
-        Polygon points;
-        std::transform(from, to, std::back_inserter(points), [](const Pose& pose) { return position(pose); });
-        drawing.line(points, style);
-        from = std::find_if(to, end, isKnown);
-    }
+    Polygon points;
+    for (const Pose& pose : poses) points.push_back(position(pose));
+    drawing.line(points, style);
 }
 
 /// Along the way and at the end; not at the start, where there is a mark.

@@ -27,15 +27,11 @@ double front(const Shape& shape) {
 }
 
 std::string sizeText(const Shape& shape) {
-    Point least{1e9, 1e9}, most{-1e9, -1e9};
+    Area area{{1, 1}, {-1, -1}};
     for (const ConvexPiece& piece : shape.pieces)
-        for (std::size_t i = 0; i < piece.count; ++i) {
-            const Point reach{piece.radius, piece.radius};
-            const Point low = piece.corners[i] - reach, high = piece.corners[i] + reach;
-            least = {std::min(least.x, low.x), std::min(least.y, low.y)};
-            most = {std::max(most.x, high.x), std::max(most.y, high.y)};
-        }
-    return fixed(most.x - least.x, 3) + " m long, " + fixed(most.y - least.y, 3) + " m wide";
+        for (std::size_t i = 0; i < piece.count; ++i) area.include(piece.corners[i], piece.radius);
+    const Point size = area.most - area.least;
+    return fixed(size.x, 3) + " m long, " + fixed(size.y, 3) + " m wide";
 }
 
 void addReference(SvgDrawing& drawing, const Shape& shape) {

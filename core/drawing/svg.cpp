@@ -3,7 +3,12 @@
 namespace mrose {
 
 SvgPath::SvgPath(std::span<const Point> points, bool closed) {
-    for (const Point& point : points) add(text_.empty() ? 'M' : 'L', point);
+    bool lifted = true;
+    for (const Point& point : points) {
+        const bool draws = isFinite(point);
+        if (draws) add(lifted ? 'M' : 'L', point);
+        lifted = !draws;
+    }
     if (closed) close();
 }
 

@@ -15,7 +15,7 @@ namespace mrose {
 class SvgPath {
 public:
     SvgPath() = default;
-    /// Through all points, and back to the first where it is closed.
+    /// Through all points, and back to the first where it is closed. What is not finite interrupts it.
     explicit SvgPath(std::span<const Point> points, bool closed = false);
 
     SvgPath& moveTo(const Point& to) { return add('M', to); }

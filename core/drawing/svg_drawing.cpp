@@ -159,18 +159,14 @@ private:
     }
 };
 
-void SvgDrawing::grow(const Point& point, double by) {
-    least_ = {std::min(least_.x, point.x - by), std::min(least_.y, point.y - by)};
-    most_ = {std::max(most_.x, point.x + by), std::max(most_.y, point.y + by)};
-}
-
 void SvgDrawing::avoid(const Style& style, std::span<const Point> points) {
     if (style.labelsAvoid) avoided_.emplace_back(points.begin(), points.end());
 }
 
 void SvgDrawing::outline(std::span<const Point> points, bool closed, const Style& style) {
-    if (points.empty()) return;
-    for (const Point& point : points) grow(point, style.strokeInMetres ? style.strokeWidth / 2 : 0);
+    if (std::none_of(points.begin(), points.end(), isFinite)) return;
+    for (const Point& point : points)
+        if (isFinite(point)) drawn_.include(point, style.strokeInMetres ? style.strokeWidth / 2 : 0);
     avoid(style, points);
     marks_.push_back([corners = Polygon(points.begin(), points.end()), closed, style](const Page& page) {
         return svgPath(SvgPath(page.onPage(corners), closed), look(style, page.scale));
@@ -178,26 +174,26 @@ void SvgDrawing::outline(std::span<const Point> points, bool closed, const Style
 }
 
 void SvgDrawing::circle(const Point& centre, double radius, const Style& style) {
-    grow(centre, radius + (style.strokeInMetres ? style.strokeWidth / 2 : 0));
+    drawn_.include(centre, radius + (style.strokeInMetres ? style.strokeWidth / 2 : 0));
     marks_.push_back(
         [=](const Page& page) { return svgCircle(page.onPage(centre), radius * page.scale, look(style, page.scale)); });
 }
 
 void SvgDrawing::dot(const Point& centre, double pixels, const Style& style) {
-    grow(centre);
+    drawn_.include(centre);
     avoid(style, {&centre, 1});
     marks_.push_back([=](const Page& page) { return svgCircle(page.onPage(centre), pixels, look(style, page.scale)); });
 }
 
 void SvgDrawing::arrow(const Point& from, const Point& to, const Colour& colour) {
-    grow(from);
-    grow(to);
+    drawn_.include(from);
+    drawn_.include(to);
     marks_.push_back(
         [=](const Page& page) { return arrowFromTo(page.onPage(from), page.onPage(to), hexadecimal(colour)); });
 }
 
 void SvgDrawing::pointer(const Point& at, double heading, double pixels, const Colour& colour) {
-    grow(at);
+    drawn_.include(at);
     const Style style{.fill = colour, .stroke = Colour{255, 255, 255}};
     // y points down on the page.
     marks_.push_back([=](const Page& page) { return pointerAt(page.onPage(at), -heading, pixels, look(style, 1)); });
@@ -219,7 +215,9 @@ std::string SvgDrawing::labels(const Page& page) const {
     std::vector<Point> avoided;
     for (const std::vector<Point>& line : avoided_)
         for (std::size_t i = 0; i < line.size(); ++i) {
-            const Point to = page.onPage(line[i]), from = i > 0 ? page.onPage(line[i - 1]) : to;
+            if (!isFinite(line[i])) continue;
+            const Point to = page.onPage(line[i]),
+                        from = i > 0 && isFinite(line[i - 1]) ? page.onPage(line[i - 1]) : to;
             const int parts = 1 + static_cast<int>(distance(from, to) / every);
             for (int k = 1; k <= parts; ++k) avoided.push_back(from + (k / static_cast<double>(parts)) * (to - from));
         }
@@ -234,8 +232,7 @@ std::string SvgDrawing::labels(const Page& page) const {
 }
 
 std::string SvgDrawing::text(const Frame& frame) const {
-    const bool empty = most_.x < least_.x;
-    const Page page(frame.shown.value_or(empty ? Area{{}, {1, 1}} : Area{least_, most_}), frame);
+    const Page page(frame.shown.value_or(drawn_.empty() ? Area{{}, {1, 1}} : drawn_), frame);
     const std::string width = px(page.pageWidth()), height = px(page.pageHeight());
     const double bar = roundLength(std::min(page.pageWidth() / 4, 220.0) / page.scale);
     std::string marks;

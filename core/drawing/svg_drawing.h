@@ -41,6 +41,7 @@ public:
     };
 
     void polygon(std::span<const Point> corners, const Style& style) { outline(corners, true, style); }
+    /// What is not finite interrupts it.
     void line(std::span<const Point> points, const Style& style) { outline(points, false, style); }
     void circle(const Point& centre, double radius, const Style& style);
     /// A pixel size however large the picture is.
@@ -65,13 +66,12 @@ private:
 
     std::string labels(const Page& page) const;
     void outline(std::span<const Point> points, bool closed, const Style& style);
-    void grow(const Point& point, double by = 0);
     void avoid(const Style& style, std::span<const Point> points);
 
     std::vector<std::function<std::string(const Page&)>> marks_;
     std::vector<LabelBeside> labelsBeside_;
     std::vector<std::vector<Point>> avoided_;  ///< lines and points that those keep off
-    Point least_{1e9, 1e9}, most_{-1e9, -1e9};
+    Area drawn_{{1, 1}, {-1, -1}};
 };
 
 }  // namespace mrose

@@ -1,14 +1,11 @@
 #include "drawing/svg_plot.h"
 
 #include <cmath>
-#include <optional>
 
 #include "io/format.h"
 
 namespace mrose {
 namespace {
-
-bool isFinite(const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
 Attributes classed(std::string_view cssClass) { return {{"class", cssClass}}; }
 
@@ -86,18 +83,10 @@ void SvgPlot::grid(double step) {
         grid_.moveTo(pixel({x_.low, i * step})).lineTo(pixel({x_.high, i * step}));
 }
 
-SvgPath SvgPlot::path(std::span<const Point> points, bool staircase) const {
-    SvgPath path;
-    std::optional<Point> last;
-    for (const Point& point : points) {
-        if (isFinite(point) && !last) path.moveTo(pixel(point));
-        if (isFinite(point) && last) {
-            if (staircase) path.lineTo(pixel({point.x, last->y}));
-            path.lineTo(pixel(point));
-        }
-        last = isFinite(point) ? std::optional(point) : std::nullopt;
-    }
-    return path;
+SvgPath SvgPlot::path(std::span<const Point> points) const {
+    std::vector<Point> pixels;
+    for (const Point& point : points) pixels.push_back(pixel(point));
+    return SvgPath(pixels);
 }
 
 void SvgPlot::add(const SvgPath& path, std::string_view cssClass) {
@@ -109,7 +98,12 @@ void SvgPlot::line(std::span<const Point> points, std::string_view cssClass) {
 }
 
 void SvgPlot::steps(std::span<const Point> points, std::string_view cssClass) {
-    add(path(points, true), cat("line ", cssClass));
+    std::vector<Point> corners;
+    for (const Point& point : points) {
+        if (!corners.empty()) corners.push_back({point.x, corners.back().y});
+        corners.push_back(point);
+    }
+    line(corners, cssClass);
 }
 
 void SvgPlot::band(std::span<const Point> low, std::span<const Point> high, std::string_view cssClass) {

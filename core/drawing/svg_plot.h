@@ -59,7 +59,7 @@ private:
     double innerWidth() const { return layout_.width - layout_.left - layout_.right; }
     double innerHeight() const { return layout_.height - layout_.top - layout_.bottom; }
     Point pixel(const Point& at) const;
-    SvgPath path(std::span<const Point> points, bool staircase = false) const;
+    SvgPath path(std::span<const Point> points) const;
     void add(const SvgPath& path, std::string_view cssClass);
 
     Layout layout_;

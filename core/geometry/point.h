@@ -18,6 +18,7 @@ inline Point operator*(double factor, const Point& a) { return {factor * a.x, fa
 inline double dot(const Point& a, const Point& b) { return a.x * b.x + a.y * b.y; }
 inline double cross(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
 inline double length(const Point& a) { return std::sqrt(dot(a, a)); }
+inline bool isFinite(const Point& a) { return std::isfinite(a.x) && std::isfinite(a.y); }
 inline double distance(const Point& a, const Point& b) { return length(b - a); }
 
 /// A frame with its heading's cosine and sine at hand, for placing many points.

@@ -1,17 +1,15 @@
 #include "report/comparison_files.h"
 
-#include <cmath>
-
 #include "assessment/prediction_files.h"
-#include "drawing/markup.h"
 #include "io/format.h"
+#include "report/page.h"
 #include "report/results_json.h"
 #include "world/seconds_text.h"
 
 namespace mrose {
 namespace {
 
-std::string known(double value, int decimals) { return std::isfinite(value) ? fixed(value, decimals) : ""; }
+using Json = nlohmann::ordered_json;
 
 bool hasSessions(const Comparison& comparison) { return comparison.sessions.size() > 1; }
 
@@ -25,7 +23,7 @@ std::string sessionCell(const Comparison& comparison, const ComparedRollout& rol
                                    : "";
 }
 
-nlohmann::ordered_json json(const ComparedSummary& summary) {
+Json json(const ComparedSummary& summary) {
     return {{"rollouts", summary.rollouts()},
             {"windows", summary.of(RolloutUse::counted)},
             {"still", summary.of(RolloutUse::still)},
@@ -38,37 +36,33 @@ nlohmann::ordered_json json(const ComparedSummary& summary) {
             {"summary", mrose::json(summary.counted)}};
 }
 
-nlohmann::ordered_json json(double value) {
-    return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
+Json json(const ComparedDivergences::Summary& summary) {
+    return {{"rollouts", summary.rollouts}, {"diverging", summary.diverging}, {"median_s", summary.medianTime}};
 }
 
-nlohmann::ordered_json json(const ComparedDivergences::Summary& summary) {
-    return {{"rollouts", summary.rollouts}, {"diverging", summary.diverging}, {"median_s", json(summary.medianTime)}};
-}
-
-nlohmann::ordered_json json(const CauseTrial& trial) {
+Json json(const CauseTrial& trial) {
     return {{"kind", name(trial.kind)}, {"what", trial.what}, {"explained", trial.explained}};
 }
 
-nlohmann::ordered_json json(const Comparison& comparison, const RolloutDivergence& diverging) {
+Json json(const Comparison& comparison, const RolloutDivergence& diverging) {
     const ComparedRollout& rollout = comparison.rollouts[diverging.rollout];
     const Divergence& divergence = diverging.divergence;
-    nlohmann::ordered_json result{{"rollout", rollout.request + 1},
-                                  {"name", comparison.robots[rollout.robot].name},
-                                  {"robot", comparison.robots[rollout.robot].realName},
-                                  {"start_s", toSeconds(comparison.requests[rollout.request].start)},
-                                  {"time_s", toSeconds(divergence.time)},
-                                  {"within_until_s", toSeconds(divergence.within)},
-                                  {"position_m", divergence.position},
-                                  {"heading_rad", divergence.heading},
-                                  {"bound_m", divergence.bound.position},
-                                  {"bound_rad", divergence.bound.heading},
-                                  {"by_position", divergence.byPosition},
-                                  {"by_heading", divergence.byHeading}};
+    Json result{{"rollout", rollout.request + 1},
+                {"name", comparison.robots[rollout.robot].name},
+                {"robot", comparison.robots[rollout.robot].realName},
+                {"start_s", toSeconds(comparison.requests[rollout.request].start)},
+                {"time_s", toSeconds(divergence.time)},
+                {"within_until_s", toSeconds(divergence.within)},
+                {"position_m", divergence.position},
+                {"heading_rad", divergence.heading},
+                {"bound_m", divergence.bound.position},
+                {"bound_rad", divergence.bound.heading},
+                {"by_position", divergence.byPosition},
+                {"by_heading", divergence.byHeading}};
     if (!diverging.diagnosis) return result;
     const Diagnosis& diagnosis = *diverging.diagnosis;
-    result["cause"] = diagnosis.likely ? json(diagnosis.trials[*diagnosis.likely]) : nlohmann::ordered_json();
-    result["tried"] = nlohmann::ordered_json::array();
+    result["cause"] = diagnosis.likely ? json(diagnosis.trials[*diagnosis.likely]) : Json();
+    result["tried"] = Json::array();
     if (diagnosis.onset)
         result["onset"] = {{"from_s", toSeconds(diagnosis.onset->from)}, {"to_s", toSeconds(diagnosis.onset->to)},
                            {"ahead_m", diagnosis.onset->ahead},          {"left_m", diagnosis.onset->left},
@@ -77,22 +71,22 @@ nlohmann::ordered_json json(const Comparison& comparison, const RolloutDivergenc
     return result;
 }
 
-nlohmann::ordered_json json(const Comparison& comparison, const ComparedDivergences& divergences) {
-    nlohmann::ordered_json result{{"bound",
-                                   {{"from_held_out", divergences.fromHeldOut},
-                                    {"position_m", divergences.bound.constant.position},
-                                    {"heading_rad", divergences.bound.constant.heading},
-                                    {"held_s", toSeconds(divergences.bound.held)}}},
-                                  {"all", json(divergences.all)}};
+Json json(const Comparison& comparison, const ComparedDivergences& divergences) {
+    Json result{{"bound",
+                 {{"from_held_out", divergences.fromHeldOut},
+                  {"position_m", divergences.bound.constant.position},
+                  {"heading_rad", divergences.bound.constant.heading},
+                  {"held_s", toSeconds(divergences.bound.held)}}},
+                {"all", json(divergences.all)}};
     if (divergences.fromHeldOut)
         for (const char* constant : {"position_m", "heading_rad"}) result["bound"].erase(constant);
-    result["robots"] = nlohmann::ordered_json::array();
+    result["robots"] = Json::array();
     for (std::size_t i = 0; i < comparison.robots.size(); ++i) {
-        nlohmann::ordered_json robot{{"name", comparison.robots[i].name}, {"robot", comparison.robots[i].realName}};
+        Json robot{{"name", comparison.robots[i].name}, {"robot", comparison.robots[i].realName}};
         robot.update(json(divergences.robots[i]));
         result["robots"].push_back(std::move(robot));
     }
-    result["rollouts"] = nlohmann::ordered_json::array();
+    result["rollouts"] = Json::array();
     for (const RolloutDivergence& diverging : divergences.rollouts)
         result["rollouts"].push_back(json(comparison, diverging));
     return result;
@@ -112,24 +106,24 @@ std::string divergenceCells(const RolloutDivergence* diverging) {
 
 std::string comparisonJson(const Comparison& comparison, const std::vector<std::string>& notices,
                            const ComparedDivergences* divergences) {
-    nlohmann::ordered_json robots = nlohmann::ordered_json::array();
+    Json robots = Json::array();
     for (std::size_t i = 0; i < comparison.robots.size(); ++i) {
-        nlohmann::ordered_json robot{{"name", comparison.robots[i].name}, {"robot", comparison.robots[i].realName}};
+        Json robot{{"name", comparison.robots[i].name}, {"robot", comparison.robots[i].realName}};
         robot.update(json(comparison.summaries[i]));
         robots.push_back(std::move(robot));
     }
-    nlohmann::ordered_json result{{"scenario", comparison.scenario},
-                                  {"log", comparison.log.source},
-                                  {"dataset", comparison.log.dataset},
-                                  {"seed", comparison.seed},
-                                  {"notices", notices},
-                                  {"all", json(comparison.all)},
-                                  {"robots", std::move(robots)},
-                                  {"touches", comparison.touches},
-                                  {"faults", comparison.faults},
-                                  {"first_fault", comparison.firstFault}};
+    Json result{{"scenario", comparison.scenario},
+                {"log", comparison.log.source},
+                {"dataset", comparison.log.dataset},
+                {"seed", comparison.seed},
+                {"notices", notices},
+                {"all", json(comparison.all)},
+                {"robots", std::move(robots)},
+                {"touches", comparison.touches},
+                {"faults", comparison.faults},
+                {"first_fault", comparison.firstFault}};
     if (divergences != nullptr) result["divergence"] = json(comparison, *divergences);
-    return result.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    return result.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string errorsCsv(const Comparison& comparison) {
@@ -144,9 +138,9 @@ std::string errorsCsv(const Comparison& comparison) {
         for (std::size_t k = 0; k < rollout.simulated.size(); ++k) {
             const Pose &simulated = rollout.simulated[k], &real = rollout.real.truth[k + 1];
             text += cat(key, ",", secondsText(static_cast<Nanoseconds>(k + 1) * step), ",", fixed(simulated.x, 7), ",",
-                        fixed(simulated.y, 7), ",", fixed(simulated.heading, 7), ",", known(real.x, 7), ",",
-                        known(real.y, 7), ",", known(real.heading, 7), ",", known(rollout.errors.position[k], 7), ",",
-                        known(rollout.errors.heading[k], 7), end);
+                        fixed(simulated.y, 7), ",", fixed(simulated.heading, 7), ",", knownText(real.x, 7), ",",
+                        knownText(real.y, 7), ",", knownText(real.heading, 7), ",",
+                        knownText(rollout.errors.position[k], 7), ",", knownText(rollout.errors.heading[k], 7), end);
         }
     }
     return text;
@@ -163,13 +157,14 @@ std::string rolloutsCsv(const Comparison& comparison, const ComparedDivergences*
         const ComparedRollout& rollout = comparison.rollouts[i];
         const RolloutRequest& request = comparison.requests[rollout.request];
         const WindowErrors& errors = rollout.errors;
-        const auto cell = [&](double value) { return rollout.simulated.empty() ? "" : known(value, 7); };
-        text += cat(std::to_string(rollout.request + 1), ",", keyOf(comparison, rollout), ",",
-                    secondsText(request.start), ",", secondsText(request.steps * step), ",", name(rollout.use), ",",
-                    known(rollout.real.path, 4), ",", known(rollout.real.rotation, 4), ",", cell(errors.positionMean),
-                    ",", cell(errors.positionFinal), ",", cell(errors.headingMean), ",", cell(errors.headingFinal), ",",
-                    std::to_string(rollout.touches), ",", rollout.touched ? secondsText(*rollout.touched) : "", ",",
-                    csvCell(comparison.robots[rollout.robot].name), sessionCell(comparison, rollout));
+        const auto cell = [&](double value) { return rollout.simulated.empty() ? "" : knownText(value, 7); };
+        text +=
+            cat(std::to_string(rollout.request + 1), ",", keyOf(comparison, rollout), ",", secondsText(request.start),
+                ",", secondsText(request.steps * step), ",", name(rollout.use), ",", knownText(rollout.real.path, 4),
+                ",", knownText(rollout.real.rotation, 4), ",", cell(errors.positionMean), ",",
+                cell(errors.positionFinal), ",", cell(errors.headingMean), ",", cell(errors.headingFinal), ",",
+                std::to_string(rollout.touches), ",", rollout.touched ? secondsText(*rollout.touched) : "", ",",
+                csvCell(comparison.robots[rollout.robot].name), sessionCell(comparison, rollout));
         if (divergences != nullptr) text += divergenceCells(divergences->of(i));
         text += '\n';
     }

@@ -23,9 +23,7 @@ std::string startText(const Comparison& comparison, const ComparedRollout& rollo
 }
 
 std::string header(const Comparison& comparison, const ReportContext& context) {
-    const auto [least, most] =
-        std::minmax_element(comparison.requests.begin(), comparison.requests.end(),
-                            [](const RolloutRequest& a, const RolloutRequest& b) { return a.steps < b.steps; });
+    const auto [least, most] = std::ranges::minmax_element(comparison.requests, {}, &RolloutRequest::steps);
     const Nanoseconds step = comparison.log.options.step;
     return pageHead(
         cat(escaped(comparison.scenario), " beside the log"),
@@ -33,9 +31,6 @@ std::string header(const Comparison& comparison, const ReportContext& context) {
             ", ", counted(comparison.robots.size(), "robot")),
         comparison.log, context, context.notices);
 }
-
-/// Nothing where it is not known: what is wrong then stands beside it.
-std::string knownText(double value, int decimals) { return std::isfinite(value) ? fixed(value, decimals) : ""; }
 
 /// cm, over the instants that are known.
 std::string meanText(const ComparedRollout& rollout) {
@@ -54,9 +49,7 @@ std::string lead(const Comparison& comparison) {
         cat("Each simulated robot starts where the ", comparison.log.real(), " one was and as fast, and gets the ",
             comparison.log.real(), " one's commands at the same instants. ");
     if (all.of(RolloutUse::counted) > 0)
-        text += cat("Its position is then off by <b>", percentText(all.counted.p),
-                    "</b> of the path driven (P) and its heading by <b>", percentText(all.counted.hd),
-                    "</b> of the rotation turned (Hd), on average over time. ",
+        text += cat("Its position is then ", offText(all.counted),
                     endText(all.counted.positionFinal, all.counted.headingFinal));
     else if (all.positionFinal.count > 0)
         text += endText(all.positionFinal, all.headingFinal);
@@ -82,15 +75,13 @@ std::vector<std::string> summaryRow(const std::string& name, const ComparedSumma
 }
 
 std::string robotTable(const Comparison& comparison) {
-    HtmlTable table({"", "all", "counted", "still", "gap", "absent", "P %", "Hd %", "median", "p90", "median", "p90",
-                     "begun", "rollouts"},
+    HtmlTable table({{"", {""}},
+                     {"rollouts", {"all", "counted", "still", "gap", "absent"}},
+                     {"of the counted", {"P %", "Hd %"}},
+                     {"of all, cm at the end", {"median", "p90"}},
+                     {"of all, ° at the end", {"median", "p90"}},
+                     {"touches", {"begun", "rollouts"}}},
                     "dense");
-    table.group("", 1);
-    table.group("rollouts", 5);
-    table.group("of the counted", 2);
-    table.group("of all, cm at the end", 2);
-    table.group("of all, ° at the end", 2);
-    table.group("touches", 2);
     for (std::size_t i = 0; i < comparison.robots.size(); ++i)
         table.row(summaryRow(escaped(comparison.robots[i].name), comparison.summaries[i]));
     if (comparison.robots.size() > 1) table.row(summaryRow("all", comparison.all));
@@ -113,12 +104,11 @@ std::string whyNot(RolloutUse use) {
 }
 
 std::string worstTable(const Comparison& comparison, const std::vector<std::size_t>& worst) {
-    HtmlTable table({"rank", "robot", "rollout", "from", "path m", "mean cm ▼", "% of path", "cm", "°", "touches", ""},
+    HtmlTable table({{"", {"rank", "robot", "rollout", "from", "path m"}},
+                     {"error over time", {"mean cm ▼", "% of path"}},
+                     {"error at the end", {"cm", "°"}},
+                     {"", {"touches", ""}}},
                     "dense");
-    table.group("", 5);
-    table.group("error over time", 2);
-    table.group("error at the end", 2);
-    table.group("", 2);
     for (std::size_t i = 0; i < std::min(worst.size(), listedRollouts); ++i) {
         const ComparedRollout& rollout = comparison.rollouts[worst[i]];
         const WindowErrors& errors = rollout.errors;
@@ -135,7 +125,7 @@ std::string worstTable(const Comparison& comparison, const std::vector<std::size
 
 /// All robots of one rollout: how far off, and who is not in the picture and why.
 std::string rolloutTable(const Comparison& comparison, std::size_t request) {
-    HtmlTable table({"", "path m", "mean cm", "end cm", "end °"}, "dense");
+    HtmlTable table({{"", {"", "path m", "mean cm", "end cm", "end °"}}}, "dense");
     std::string absent;
     for (const ComparedRollout& rollout : comparison.rollouts) {
         if (rollout.request != request) continue;
@@ -235,11 +225,7 @@ std::string definitions(const Comparison& comparison) {
     list += definition("still", "The robot hardly moves: its errors are too little to be divided by its path.");
     list += definition("gap", "The ground truth has a gap of 0.2 s or more; the errors at other instants are known.");
     list += definition("absent", "No ground truth at the start: the robot is not in the world in this rollout.");
-    list += definition("P", cat("Sum over the rollouts of the position error’s time-mean (every ",
-                                secondsText(options.step), " s), divided by the sum of the path lengths."));
-    list += definition("Hd",
-                       "Sum over the rollouts of the absolute heading error’s time-mean, divided by the sum of the "
-                       "absolute rotations.");
+    list += errorDefinitions(options, "rollouts");
     list += definition("touches",
                        "How often a robot began to touch another body or a wall in the simulation, and in how many "
                        "rollouts that took it off its way. From then on its motion is no longer its model’s alone.");
@@ -247,7 +233,7 @@ std::string definitions(const Comparison& comparison) {
 }
 
 std::string provenance(const Comparison& comparison, const ReportContext& context) {
-    HtmlTable facts({"", ""}, "words");
+    HtmlTable facts({{"", {"", ""}}}, "words");
     facts.row({"scenario", escaped(comparison.scenario)});
     facts.row({"log", cat(escaped(comparison.log.source), " (", escaped(comparison.log.format), ")")});
     facts.row({"seed", std::to_string(comparison.seed)});
@@ -303,9 +289,8 @@ std::string comparisonHtml(const Comparison& comparison, const Scene& scene, con
             remarks.empty() ? "" : element("ul", "soft", remarks), heading("Error against time"),
             paragraph("One line for each robot: the median of its rollouts at that time, where ground truth is known."),
             robotLegend(comparison, divergences),
-            element("div", "pair",
-                    cat(card("Position", errorOverTimeFigure(comparison, Channel::position, divergences)),
-                        card("Heading", errorOverTimeFigure(comparison, Channel::heading, divergences)))),
+            figurePair(errorOverTimeFigure(comparison, Channel::position, divergences),
+                       errorOverTimeFigure(comparison, Channel::heading, divergences)),
             divergences == nullptr ? "" : divergenceSection(comparison, *divergences),
             pictures(comparison, scene.environment, divergences), heading("What the words mean"),
             definitions(comparison), provenance(comparison, context));
@@ -318,12 +303,10 @@ Expected<void> checkComparisonFolder(const std::filesystem::path& folder, bool o
 
 Expected<void> writeComparison(const Comparison& comparison, const Scene& scene, const ReportContext& context,
                                const std::filesystem::path& folder, const ComparedDivergences* divergences) {
-    const std::string contents[] = {errorsCsv(comparison), rolloutsCsv(comparison, divergences),
-                                    comparisonJson(comparison, context.notices, divergences),
-                                    comparisonHtml(comparison, scene, context, divergences)};
-    std::vector<NamedFile> files;
-    for (std::size_t i = 0; i < std::size(contents); ++i) files.push_back({comparisonFiles[i], contents[i]});
-    return writeReportFiles(folder, std::move(files));
+    return writeReportFiles(folder, {{comparisonFiles[0], errorsCsv(comparison)},
+                                     {comparisonFiles[1], rolloutsCsv(comparison, divergences)},
+                                     {comparisonFiles[2], comparisonJson(comparison, context.notices, divergences)},
+                                     {comparisonFiles[3], comparisonHtml(comparison, scene, context, divergences)}});
 }
 
 }  // namespace mrose

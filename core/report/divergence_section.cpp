@@ -29,7 +29,7 @@ std::string rolloutText(const Comparison& comparison, const ComparedRollout& rol
 }
 
 std::string summaryTable(const Comparison& comparison, const ComparedDivergences& divergences) {
-    HtmlTable table({"", "rollouts", "leave it", "median s"}, "dense");
+    HtmlTable table({{"", {"", "rollouts", "leave it", "median s"}}}, "dense");
     const auto add = [&](const std::string& name, const ComparedDivergences::Summary& s) {
         table.row({name, std::to_string(s.rollouts), std::to_string(s.diverging),
                    s.diverging == 0 ? "" : fixed(s.medianTime, 1)});
@@ -41,7 +41,7 @@ std::string summaryTable(const Comparison& comparison, const ComparedDivergences
 }
 
 std::string trialTable(const Diagnosis& diagnosis) {
-    HtmlTable table({"changed alone", "explains"}, "small");
+    HtmlTable table({{"", {"changed alone", "explains"}}}, "small");
     const std::span<const CauseTrial> useful = usefulTrials(diagnosis);
     for (std::size_t i = 0; i < useful.size(); ++i) {
         const bool likely = diagnosis.likely == i;

@@ -41,13 +41,11 @@ Point extent(const std::vector<Points>& lines) {
 
 std::vector<double> perWindow(const LogWindows& log, const Assessment& model, Channel channel) {
     std::vector<double> values;
-    for (std::size_t i = 0; i < model.errors.size(); ++i) {
-        const double path = log.windows[i].path;
+    for (std::size_t i = 0; i < model.errors.size(); ++i)
         if (channel == Channel::heading)
             values.push_back(degrees * model.errors[i].headingFinal);
-        else if (path >= log.options.leastPath * log.windows[i].steps() * toSeconds(log.options.step) / 10)
-            values.push_back(100 * model.errors[i].positionMean / path);
-    }
+        else if (drives(log.windows[i], log.options))
+            values.push_back(100 * model.errors[i].positionMean / log.windows[i].path);
     std::sort(values.begin(), values.end());
     return values;
 }

@@ -1,6 +1,5 @@
 #include "report/evaluation_files.h"
 
-#include "drawing/markup.h"
 #include "io/format.h"
 #include "report/results_json.h"
 #include "world/seconds_text.h"

@@ -48,19 +48,13 @@ std::vector<std::string> smallestBold(const std::vector<double>& values, int dec
 
 /// A pair of columns per model under the model's name.
 struct PairedTable {
-    PairedTable(const Evaluation& evaluation, std::vector<std::string> leading, const std::string& first,
-                const std::string& second)
+    PairedTable(const Evaluation& evaluation, const std::vector<std::string>& leading,
+                const std::vector<std::string>& pair)
         : table([&] {
-              std::vector<std::string> header = leading;
-              for (std::size_t i = 0; i < evaluation.models.size(); ++i) {
-                  header.push_back(first);
-                  header.push_back(second);
-              }
-              return HtmlTable(header, "even");
-          }()) {
-        for (std::size_t i = 0; i < leading.size(); ++i) table.group("", 1);
-        for (const Assessment& model : evaluation.models) table.group(escaped(model.name), 2);
-    }
+              std::vector<HtmlTable::Group> groups{{"", leading}};
+              for (const Assessment& model : evaluation.models) groups.push_back({escaped(model.name), pair});
+              return HtmlTable(groups, "even");
+          }()) {}
 
     void row(std::vector<std::string> cells, const std::vector<double>& first, const std::vector<double>& second,
              int decimals) {
@@ -76,14 +70,13 @@ struct PairedTable {
 };
 
 std::string modelTable(const Evaluation& evaluation) {
-    HtmlTable table({"", "P %", "Hd %", "median", "mean", "p90", "median", "mean", "p90", "median", "mean", "p90",
-                     "along cm", "left cm", "turn °"},
+    const std::vector<std::string> three{"median", "mean", "p90"};
+    HtmlTable table({{"", {"", "P %", "Hd %"}},
+                     {"time-mean / path, %", three},
+                     {"position at the end, cm", three},
+                     {"heading at the end, °", three},
+                     {"mean offset at the end", {"along cm", "left cm", "turn °"}}},
                     "dense");
-    table.group("", 3);
-    table.group("time-mean / path, %", 3);
-    table.group("position at the end, cm", 3);
-    table.group("heading at the end, °", 3);
-    table.group("mean offset at the end", 3);
     for (std::size_t i = 0; i < evaluation.models.size(); ++i) {
         const Summary& s = evaluation.models[i].all;
         std::vector<std::string> cells{seriesName(evaluation.models[i], i), withInterval(s.p, s.p95, s.windows),
@@ -100,7 +93,7 @@ std::string modelTable(const Evaluation& evaluation) {
 }
 
 std::string groupTable(const Evaluation& evaluation) {
-    PairedTable paired(evaluation, {"", "windows", "path m", "rotation rad"}, "P %", "Hd %");
+    PairedTable paired(evaluation, {"", "windows", "path m", "rotation rad"}, {"P %", "Hd %"});
     const auto& groups = evaluation.models.front().groups;
     for (std::size_t g = 0; g < groups.size(); ++g) {
         if (g == 0 || groups[g].kind != groups[g - 1].kind) paired.table.part(cat("by ", escaped(groups[g].kind)));
@@ -118,7 +111,7 @@ std::string groupTable(const Evaluation& evaluation) {
 }
 
 std::string relativeTable(const Evaluation& evaluation) {
-    PairedTable paired(evaluation, {"horizon", "pieces"}, "cm", "°");
+    PairedTable paired(evaluation, {"horizon", "pieces"}, {"cm", "°"});
     const auto& horizons = evaluation.models.front().relative;
     for (std::size_t h = 0; h < horizons.size(); ++h) {
         std::vector<double> position, heading;
@@ -133,7 +126,7 @@ std::string relativeTable(const Evaluation& evaluation) {
 }
 
 std::string windowTable(const Evaluation& evaluation, std::size_t window) {
-    HtmlTable table({"", "mean<br/>cm", "mean<br/>% path", "end<br/>cm", "end<br/>°"}, "small");
+    HtmlTable table({{"", {"", "mean<br/>cm", "mean<br/>% path", "end<br/>cm", "end<br/>°"}}}, "small");
     const double path = evaluation.log.windows[window].path;
     for (const Assessment& model : evaluation.models) {
         const WindowErrors& e = model.errors[window];
@@ -156,8 +149,7 @@ std::string robotsText(const Evaluation& evaluation) {
 
 std::string header(const Evaluation& evaluation, const ReportContext& context) {
     const LogWindows& log = evaluation.log;
-    const auto [least, most] = std::minmax_element(
-        log.windows.begin(), log.windows.end(), [](const Window& a, const Window& b) { return a.steps() < b.steps(); });
+    const auto [least, most] = std::ranges::minmax_element(log.windows, {}, &Window::steps);
     std::vector<std::string> notices = context.notices;
     if (log.synthetic)
         notices.insert(notices.begin(),
@@ -183,11 +175,11 @@ std::string typicalWindow(const Evaluation& evaluation, const Summary& s) {
 
 std::string comparison(const Evaluation& evaluation) {
     std::string text;
-    const auto baseline = std::min_element(evaluation.models.begin() + 1, evaluation.models.end(),
-                                           [](const auto& a, const auto& b) { return a.all.p < b.all.p; });
-    if (baseline != evaluation.models.end())
-        text += cat(" The best of the others by P, ", escaped(baseline->name), ", leaves ",
-                    percentText(baseline->all.p), " and ", percentText(baseline->all.hd), ".");
+    if (const std::vector<std::size_t> drawn = drawnModels(evaluation); drawn.size() > 1) {
+        const Assessment& baseline = evaluation.models[drawn[1]];
+        text += cat(" The best of the others by P, ", escaped(baseline.name), ", leaves ", percentText(baseline.all.p),
+                    " and ", percentText(baseline.all.hd), ".");
+    }
     if (evaluation.log.floor && !evaluation.log.floor->pairs.empty())
         text += cat(" Where it got near-identical commands twice (", std::to_string(evaluation.log.floor->pairs.size()),
                     " <a href=\"#floor\">", evaluation.log.floor->pairs.size() == 1 ? "pair" : "pairs", "</a>), the ",
@@ -201,17 +193,8 @@ std::string comparison(const Evaluation& evaluation) {
 std::string headline(const Evaluation& evaluation) {
     const Assessment& model = evaluation.models.front();
     return element("p", "lead",
-                   cat("Given a start and the commands alone, the prediction’s position is off by <b>",
-                       percentText(model.all.p), "</b> of the path driven (P) and its heading by <b>",
-                       percentText(model.all.hd), "</b> of the rotation turned (Hd), on average over time. ",
+                   cat("Given a start and the commands alone, the prediction’s position is ", offText(model.all),
                        typicalWindow(evaluation, model.all), comparison(evaluation)));
-}
-
-using Figure = std::string (*)(const Evaluation&, Channel);
-std::string pairOf(const Evaluation& evaluation, Figure figure) {
-    return cat(modelLegend(evaluation), element("div", "pair",
-                                                card("Position", figure(evaluation, Channel::position)) +
-                                                    card("Heading", figure(evaluation, Channel::heading))));
 }
 
 std::string errorSection(const Evaluation& evaluation) {
@@ -219,10 +202,14 @@ std::string errorSection(const Evaluation& evaluation) {
         heading("Error against time"),
         paragraph("Lines are medians over the windows. Of the first model, the dark band holds the middle half of "
                   "the windows (25–75 %), the light one 10–90 %."),
-        pairOf(evaluation, errorOverTimeFigure), heading("How errors are distributed over the windows"),
+        modelLegend(evaluation),
+        figurePair(errorOverTimeFigure(evaluation, Channel::position),
+                   errorOverTimeFigure(evaluation, Channel::heading)),
+        heading("How errors are distributed over the windows"),
         paragraph("For each error, the part of the windows that stay below it: further left is better. Curves that "
                   "leave the frame on the right have larger errors still."),
-        pairOf(evaluation, cumulativeFigure));
+        modelLegend(evaluation),
+        figurePair(cumulativeFigure(evaluation, Channel::position), cumulativeFigure(evaluation, Channel::heading)));
 }
 
 std::string barsSection(const Evaluation& evaluation) {
@@ -286,7 +273,7 @@ std::string tablesSection(const Evaluation& evaluation) {
 
 std::string provenance(const Evaluation& evaluation, const ReportContext& context) {
     std::string text = heading("Where this comes from");
-    HtmlTable facts({"", ""}, "words");
+    HtmlTable facts({{"", {"", ""}}}, "words");
     facts.row({"model", escaped(evaluation.models.front().name)});
     for (const auto& [key, value] : context.modelFacts) facts.row({escaped(key), escaped(value)});
     facts.row({"evaluated on", cat(escaped(evaluation.log.source), " (", escaped(evaluation.log.format), ")",
@@ -314,11 +301,7 @@ std::string definitions(const Evaluation& evaluation) {
         definition("prediction",
                    "Open loop: it knows pose and velocity at the start, measured from truth at or before it, and each "
                    "command once it is issued. Nothing is aligned afterwards.");
-    list += definition("P", cat("Sum over the windows of the position error’s time-mean (every ",
-                                secondsText(options.step), " s), divided by the sum of the path lengths."));
-    list += definition("Hd",
-                       "Sum over the windows of the absolute heading error’s time-mean, divided by the sum of the "
-                       "absolute rotations.");
+    list += errorDefinitions(options, "windows");
     list += definition("from", "Seconds since the first stamp of the drive. Files have the log’s own clock.");
     list += definition("path, rotation", "Summed over steps of 0.5 s, because a robot’s wobble inflates shorter ones.");
     list += definition("interval", "Bootstrap: the middle 95 % of 1000 drawings of as many windows, with replacement.");
@@ -355,11 +338,10 @@ Expected<void> writeReport(const Evaluation& evaluation, const ReportContext& co
                            const std::filesystem::path& folder) {
     if (evaluation.models.empty() || evaluation.log.windows.empty())
         return fail(folder.string(), "nothing was evaluated that a report could show");
-    const std::string contents[] = {resultsCsv(evaluation), resultsJson(evaluation, context),
-                                    windowsCsv(evaluation.log), reportHtml(evaluation, context)};
-    std::vector<NamedFile> files;
-    for (std::size_t i = 0; i < std::size(contents); ++i) files.push_back({reportFiles[i], contents[i]});
-    return writeReportFiles(folder, std::move(files));
+    return writeReportFiles(folder, {{reportFiles[0], resultsCsv(evaluation)},
+                                     {reportFiles[1], resultsJson(evaluation, context)},
+                                     {reportFiles[2], windowsCsv(evaluation.log)},
+                                     {reportFiles[3], reportHtml(evaluation, context)}});
 }
 
 }  // namespace mrose

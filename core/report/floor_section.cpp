@@ -56,16 +56,14 @@ std::string turningFloorText(const Floor& floor) {
 std::string floorTable(const Evaluation& evaluation) {
     const LogWindows& log = evaluation.log;
     const bool both = log.turningFloor.has_value();
-    std::vector<std::string> header{"", "P %", "Hd %"};
-    if (both) header.insert(header.end(), {"P %", "Hd %"});
-    HtmlTable table(header);
-    const auto title = [](const Floor& floor) {
-        return cat(secondsText(floor.horizon, 0), " s, ", counted(floor.pairs.size(), "pair"),
-                   floor.options.leastTurnRate > 0 ? ", turning" : "");
+    const auto group = [](const Floor& floor) {
+        return HtmlTable::Group{cat(secondsText(floor.horizon, 0), " s, ", counted(floor.pairs.size(), "pair"),
+                                    floor.options.leastTurnRate > 0 ? ", turning" : ""),
+                                {"P %", "Hd %"}};
     };
-    table.group("", 1);
-    table.group(title(*log.floor), 2);
-    if (both) table.group(title(*log.turningFloor), 2);
+    std::vector<HtmlTable::Group> groups{{"", {""}}, group(*log.floor)};
+    if (both) groups.push_back(group(*log.turningFloor));
+    HtmlTable table(groups);
     const auto row = [&](const std::string& label, const PercentErrors& first, const PercentErrors& second) {
         std::vector<std::string> cells{label, fixed(first.p, 2), fixed(first.hd, 2)};
         if (both) cells.insert(cells.end(), {fixed(second.p, 2), fixed(second.hd, 2)});

@@ -1,6 +1,6 @@
 #include "report/page.h"
 
-#include <algorithm>
+#include <cmath>
 
 #include "io/format.h"
 #include "io/made_folder.h"
@@ -67,6 +67,10 @@ std::string card(std::string_view title, std::string_view content) {
 
 std::string tableCard(std::string_view content) { return element("div", "card", content); }
 
+std::string figurePair(std::string_view position, std::string_view heading) {
+    return element("div", "pair", card("Position", position) + card("Heading", heading));
+}
+
 std::string p90Text(const Distribution& d, double unit, int decimals) {
     return d.count < leastForPercentile ? "" : fixed(unit * d.p90, decimals);
 }
@@ -74,6 +78,21 @@ std::string p90Text(const Distribution& d, double unit, int decimals) {
 std::string capitalised(std::string text) {
     if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
     return text;
+}
+
+std::string knownText(double value, int decimals) { return std::isfinite(value) ? fixed(value, decimals) : ""; }
+
+std::string offText(const Summary& summary) {
+    return cat("off by <b>", percentText(summary.p), "</b> of the path driven (P) and its heading by <b>",
+               percentText(summary.hd), "</b> of the rotation turned (Hd), on average over time. ");
+}
+
+std::string errorDefinitions(const WindowOptions& options, std::string_view windows) {
+    return definition("P", cat("Sum over the ", windows, " of the position error’s time-mean (every ",
+                               secondsText(options.step), " s), divided by the sum of the path lengths.")) +
+           definition("Hd", cat("Sum over the ", windows,
+                                " of the absolute heading error’s time-mean, divided by the sum of the absolute "
+                                "rotations."));
 }
 
 std::string percentText(double value) { return cat(fixed(value, 2), "\u00a0%"); }
@@ -92,15 +111,23 @@ std::string tiles(const Summary& s) {
                             percentilesText(s.headingFinal, degrees, "°"))));
 }
 
-HtmlTable::HtmlTable(std::vector<std::string> header, std::string cssClass)
-    : header_(std::move(header)), cssClass_(std::move(cssClass)) {}
-
-void HtmlTable::group(std::string_view content, std::size_t columns) {
-    groups_ += cat("<th colspan=\"", std::to_string(columns), "\">", content, "</th>");
+HtmlTable::HtmlTable(const std::vector<Group>& groups, std::string cssClass) : cssClass_(std::move(cssClass)) {
+    std::string headings, columns, headingWords, columnWords;
+    for (const Group& group : groups) {
+        headingWords += group.heading;
+        headings += cat("<th colspan=\"", std::to_string(group.columns.size()), "\">", group.heading, "</th>");
+        for (const std::string& column : group.columns) {
+            columnWords += column;
+            columns += cat("<th scope=\"col\">", column, "</th>");
+            ++columns_;
+        }
+    }
+    if (!headingWords.empty()) head_ = cat("<tr class=\"groups\">", headings, "</tr>\n");
+    if (!columnWords.empty()) head_ += cat("<tr>", columns, "</tr>");
 }
 
 void HtmlTable::part(std::string_view content) {
-    rows_ += cat("<tr class=\"part\"><th colspan=\"", std::to_string(header_.size()), "\">", content, "</th></tr>\n");
+    rows_ += cat("<tr class=\"part\"><th colspan=\"", std::to_string(columns_), "\">", content, "</th></tr>\n");
 }
 
 void HtmlTable::row(const std::vector<std::string>& cells) {
@@ -111,26 +138,17 @@ void HtmlTable::row(const std::vector<std::string>& cells) {
 }
 
 std::string HtmlTable::text() const {
-    std::string head = groups_.empty() ? "" : cat("<tr class=\"groups\">", groups_, "</tr>\n");
-    const bool titled = std::any_of(header_.begin(), header_.end(), [](const std::string& h) { return !h.empty(); });
-    if (titled) {
-        head += "<tr>";
-        for (const std::string& cell : header_) head += cat("<th scope=\"col\">", cell, "</th>");
-        head += "</tr>";
-    }
-    if (!head.empty()) head = cat("<thead>\n", head, "</thead>");
+    const std::string head = head_.empty() ? "" : cat("<thead>\n", head_, "</thead>");
     return cat("<div class=\"scroll\"><table", attribute(cssClass_), ">", head, "<tbody>\n", rows_,
                "</tbody></table></div>\n");
 }
 
 std::string defectTable(const LogWindows& log) {
-    HtmlTable table({"", "windows", "out of order", "duplicate", "blips", "pose outliers", "unpaired", "heading wraps",
-                     "number", "longest s", "number", "longest s"});
-    table.group("", 2);
-    table.group("stamps", 2);
-    table.group("samples", 4);
-    table.group("command gaps", 2);
-    table.group("truth gaps", 2);
+    HtmlTable table({{"", {"", "windows"}},
+                     {"stamps", {"out of order", "duplicate"}},
+                     {"samples", {"blips", "pose outliers", "unpaired", "heading wraps"}},
+                     {"command gaps", {"number", "longest s"}},
+                     {"truth gaps", {"number", "longest s"}}});
     for (const LogWindows::Robot& robot : log.robots) {
         if (robot.windows == 0) continue;
         const LogDefects& d = robot.defects;
@@ -147,7 +165,7 @@ std::string defectTable(const LogWindows& log) {
 }
 
 std::string fileTable(const std::vector<LogFile>& files) {
-    HtmlTable table({"file", "XXH3"}, "files");
+    HtmlTable table({{"", {"file", "XXH3"}}}, "files");
     for (const LogFile& file : files)
         table.row({cat("<code>", escaped(file.path), "</code>"), cat("<code>", escaped(file.hash), "</code>")});
     return table.text();

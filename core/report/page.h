@@ -41,27 +41,34 @@ std::string paragraph(std::string_view content);
 /// A term of a list of definitions, and what it means.
 std::string definition(std::string_view term, std::string_view meaning);
 std::string card(std::string_view title, std::string_view content);
+/// A figure of positions and one of headings.
+std::string figurePair(std::string_view position, std::string_view heading);
 std::string tableCard(std::string_view content);
 
 /// A table with a header row. Cells are markup; the first column is a row header, the others are numbers aligned right
 /// unless said otherwise.
 class HtmlTable {
 public:
-    explicit HtmlTable(std::vector<std::string> header, std::string cssClass = {});
+    /// Columns under one heading.
+    struct Group {
+        std::string heading;
+        std::vector<std::string> columns;
+    };
+    explicit HtmlTable(const std::vector<Group>& groups, std::string cssClass = {});
 
-    /// Columns under one heading: its markup and how many they are; to be called for all columns in order.
-    void group(std::string_view content, std::size_t columns);
     void part(std::string_view content);  ///< a row that heads those below it
     void row(const std::vector<std::string>& cells);
     std::string text() const;
 
 private:
-    std::vector<std::string> header_;
-    std::string cssClass_, groups_, rows_;
+    std::size_t columns_ = 0;
+    std::string cssClass_, head_, rows_;
 };
 
 /// "Real" of "real".
 std::string capitalised(std::string text);
+/// With so many decimals; nothing of what is not finite.
+std::string knownText(double value, int decimals);
 /// "2.65 %", never broken between the number and its unit.
 std::string percentText(double value);
 /// "10 s", or "1.0 to 1.9 s" where they differ in length.
@@ -69,6 +76,11 @@ std::string lengthText(Nanoseconds shortest, Nanoseconds longest);
 
 /// Of fewer windows a bootstrap's interval or a 90th percentile says nothing, and pages leave it out.
 constexpr std::size_t leastForInterval = 20, leastForPercentile = 10;
+
+/// "off by 2.65 % of the path driven (P) and its heading by ...".
+std::string offText(const Summary& summary);
+/// What P and Hd mean, as summed over `windows`: what they are called here.
+std::string errorDefinitions(const WindowOptions& options, std::string_view windows);
 
 /// The distribution's 90th percentile, or nothing where it is of too few.
 std::string p90Text(const Distribution& distribution, double unit, int decimals);

@@ -39,10 +39,8 @@ std::vector<ShownWindow> shownWindows(const Evaluation& evaluation, const std::v
     const auto& errors = evaluation.models.front().errors;
     Indices all, driving;
     for (std::size_t i = 0; i < evaluation.log.windows.size(); ++i) {
-        const Window& w = evaluation.log.windows[i];
         all.push_back(i);
-        const double part = w.steps() * toSeconds(evaluation.log.options.step) / 10;
-        if (w.path > 0 && w.path >= evaluation.log.options.leastPath * part) driving.push_back(i);
+        if (drives(evaluation.log.windows[i], evaluation.log.options)) driving.push_back(i);
     }
     const auto byHeading = ranked(all, [&](std::size_t i) { return errors[i].headingFinal; });
     const auto byPosition = driving.empty() ? byHeading : ranked(driving, [&](std::size_t i) {

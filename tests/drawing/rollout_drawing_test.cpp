@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/markup.h"
+
 namespace mrose {
 namespace {
 
@@ -40,31 +42,26 @@ std::vector<std::string> pathsOf(const std::string& svg, const std::string& stro
     return found;
 }
 
-std::size_t occurrences(const std::string& text, const std::string& what) {
-    std::size_t count = 0;
-    for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++count;
-    return count;
-}
-
 TEST(RolloutDrawing, RealAndSimulatedPathsAreBothSeenAndInterruptedByGaps) {
     const std::string svg = drawn(twoRollouts());
     const auto real = pathsOf(svg, "#f0a828"), simulated = pathsOf(svg, "#005b9c");
-    ASSERT_EQ(real.size(), 3u) << "two pieces of the first, one of the second";
+    ASSERT_EQ(real.size(), 2u);
     ASSERT_EQ(simulated.size(), 1u);
-    EXPECT_LT(svg.find(real[2]), svg.find(simulated[0])) << "the narrow one above the broad one";
-    EXPECT_EQ(occurrences(real[0], "L"), 20u);
-    EXPECT_EQ(occurrences(real[1], "L"), 15u);
-    EXPECT_EQ(occurrences(simulated[0], "L"), 40u);
+    EXPECT_LT(svg.find(real[1]), svg.find(simulated[0])) << "the narrow one above the broad one";
+    EXPECT_EQ(countOf(real[0], "M"), 2u) << "two pieces";
+    EXPECT_EQ(countOf(real[0], "L"), 20u + 15u);
+    EXPECT_EQ(countOf(real[1], "M"), 1u);
+    EXPECT_EQ(countOf(simulated[0], "L"), 40u);
     EXPECT_EQ(svg.find("nan"), std::string::npos);
 }
 
 TEST(RolloutDrawing, NamesStandBesideStartsAndErrorsBesideEnds) {
     const std::string svg = drawn(twoRollouts());
     for (const char* label : {"one", "two &lt;2&gt;", "40.0 cm"})
-        EXPECT_EQ(occurrences(svg, std::string(">") + label + "</text>"), 2u) << label << ", above its halo";
+        EXPECT_EQ(countOf(svg, std::string(">") + label + "</text>"), 2u) << label << ", above its halo";
     EXPECT_EQ(svg.find("never said"), std::string::npos) << "there is no simulation whose error it were";
     for (const char* word : {"real path", "simulated path", "start", "heading, every second", "error at the end"})
-        EXPECT_EQ(occurrences(svg, std::string(">") + word + "</text>"), 1u) << word;
+        EXPECT_EQ(countOf(svg, std::string(">") + word + "</text>"), 1u) << word;
     EXPECT_NE(svg.find("m</text>"), std::string::npos) << "the scale bar";
 }
 

@@ -7,29 +7,10 @@
 #include <gtest/gtest.h>
 
 #include "drawing/svg_drawing.h"
+#include "support/markup.h"
 
 namespace mrose {
 namespace {
-
-/// The names of elements that were opened and not closed, or a sign of what is no XML.
-std::vector<std::string> openElements(const std::string& xml) {
-    std::vector<std::string> open;
-    const std::regex tag("<(/?)([a-z]+)((?: [a-zA-Z-]+=\"[^\"<>]*\")*)(/?)>|[<>]|&(?!(amp|lt|gt|quot|#39);)");
-    for (std::sregex_iterator it(xml.begin(), xml.end(), tag), end; it != end; ++it) {
-        const std::smatch& match = *it;
-        if (!match[2].matched) return {"stray " + match.str() + " before " + match.suffix().str().substr(0, 40)};
-        if (match[1].length() == 0 && match[4].length() == 0) open.push_back(match[2]);
-        if (match[1].length() > 0 && (open.empty() || open.back() != match[2])) return {"closed " + match[2].str()};
-        if (match[1].length() > 0) open.pop_back();
-    }
-    return open;
-}
-
-std::size_t countOf(const std::string& text, const std::string& what) {
-    std::size_t count = 0;
-    for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++count;
-    return count;
-}
 
 /// All numbers of the first attribute of that name behind `from`.
 std::vector<double> numbersOf(const std::string& svg, const std::string& from, const std::string& attribute) {
@@ -66,7 +47,7 @@ TEST(SceneDrawing, EveryPictureIsOneWellFormedSvgElement) {
         for (const std::string& svg :
              {drawShape(wedge(), options), drawRobot(robot, options), drawEnvironment(environment, options),
               drawScene(scene, "s", options), drawEnvironment({}), drawScene({}, "")}) {
-            EXPECT_EQ(openElements(svg), std::vector<std::string>());
+            EXPECT_EQ(markupError(svg), "");
             EXPECT_EQ(svg.find("nan"), std::string::npos);
             EXPECT_TRUE(svg.starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\""));
         }

@@ -10,6 +10,7 @@
 #include "io/file.h"
 #include "io/format.h"
 #include "report/comparison_files.h"
+#include "support/markup.h"
 #include "support/temporary_folder.h"
 
 namespace mrose {
@@ -35,32 +36,11 @@ struct Compared {
     std::string html() const { return comparisonHtml(comparison, scene, {.program = "p", .commandLine = "c"}); }
 };
 
-std::size_t countOf(const std::string& text, const std::string& what) {
-    std::size_t count = 0;
-    for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++count;
-    return count;
-}
-
-/// Elements that were opened and not closed, or a sign of what is no markup.
-std::vector<std::string> stillOpen(const std::string& html) {
-    std::vector<std::string> open;
-    const std::regex tag("<(/?)([a-z0-9]+)((?: [a-zA-Z-]+=\"[^\"<>]*\")*)(/?)>");
-    const std::string body = html.substr(html.find("<body>"));
-    for (std::sregex_iterator it(body.begin(), body.end(), tag), end; it != end; ++it) {
-        const std::smatch& match = *it;
-        if (match[1].length() == 0 && match[4].length() == 0) open.push_back(match[2]);
-        if (match[1].length() > 0 && (open.empty() || open.back() != match[2])) return {"closed " + match[2].str()};
-        if (match[1].length() > 0) open.pop_back();
-    }
-    return open;
-}
-
 TEST(ComparisonReport, NeedsNothingElseAndShowsEveryRolloutThatIsAsked) {
     for (const std::optional<Nanoseconds> every : {std::optional<Nanoseconds>{}, std::optional(3 * second)}) {
         const Compared compared(every);
         const std::string html = compared.html();
-        // </html> closes what stands before <body>.
-        EXPECT_EQ(stillOpen(html), std::vector<std::string>{"closed html"});
+        EXPECT_EQ(markupError(html), "");
         EXPECT_EQ(html.find("src="), std::string::npos);
         EXPECT_EQ(html.find("http"), html.find("http://www.w3.org/2000/svg")) << "a name, no address";
         EXPECT_EQ(html.find("<b> & "), std::string::npos);
@@ -100,7 +80,7 @@ TEST(ComparisonReport, SaysWhoIsAbsent) {
         const Comparison comparison = *compare(*world, *requests);
         const std::string html = comparisonHtml(comparison, scene, {.program = "p", .commandLine = "c"});
         const bool absent = start > 10 * second;
-        EXPECT_EQ(stillOpen(html), std::vector<std::string>{"closed html"});
+        EXPECT_EQ(markupError(html), "");
         EXPECT_EQ(countOf(html, "; no ground truth then of a &lt;b&gt;</text>"), absent ? 1u : 0u);
         EXPECT_EQ(countOf(html, "<b>a &lt;b&gt;</b> is not in this rollout"), absent ? 1u : 0u);
         EXPECT_EQ(countOf(html, ">a &lt;b&gt;</text>"), absent ? 0u : 2u) << "above its halo beside its start";
@@ -150,7 +130,7 @@ TEST(ComparisonReport, ShowsWhereTheRobotsLeaveTheRealTrajectoryAndWhy) {
         EXPECT_NEAR(toSeconds(first.time), 0.1 / 0.04, 0.15) << "0.04 m/s too fast";
 
         const std::string html = comparisonHtml(comparison, scene, {.program = "p", .commandLine = "c"}, &*found);
-        EXPECT_EQ(stillOpen(html), std::vector<std::string>{"closed html"});
+        EXPECT_EQ(markupError(html), "");
         for (const char* undefined : {"nan", "inf<"}) EXPECT_EQ(html.find(undefined), std::string::npos) << undefined;
         EXPECT_EQ(countOf(html, "Likely cause: motion model right.net, which explains "), diagnosed);
         EXPECT_EQ(countOf(html, "<b>motion model right.net</b>"), diagnosed);

@@ -15,6 +15,7 @@
 #include "io/format.h"
 #include "report/evaluation_files.h"
 #include "report/path_figures.h"
+#include "support/markup.h"
 #include "world/seconds_text.h"
 
 namespace mrose {
@@ -22,34 +23,6 @@ namespace {
 
 using testing::HasSubstr;
 using testing::Not;
-
-/// What is wrong with the nesting of tags and the escaping of text, nothing if all is well. The report is written so
-/// that it is XML but for its first line.
-std::string markupError(std::string_view text) {
-    if (!text.starts_with("<!DOCTYPE html>")) return "no doctype";
-    std::vector<std::string> open;
-    for (std::size_t at = 15; at < text.size();) {
-        const std::size_t tag = text.find('<', at);
-        for (std::size_t a = text.find('&', at); a < std::min(tag, text.size()); a = text.find('&', a + 1))
-            if (text.find(';', a) - a > 6) return "a bare & at " + std::to_string(a);
-        if (tag == std::string_view::npos) break;
-        const std::size_t end = text.find('>', tag);
-        if (end == std::string_view::npos) return "a tag without end";
-        const std::string_view inside = text.substr(tag + 1, end - tag - 1);
-        if (std::count(inside.begin(), inside.end(), '"') % 2 != 0)
-            return "an open attribute in " + std::string(inside);
-        const std::string name(inside.substr(0, inside.find_first_of(" /", 1)));
-        at = end + 1;
-        if (inside[0] == '/') {
-            if (open.empty() || "/" + open.back() != inside) return "unexpected <" + std::string(inside) + ">";
-            open.pop_back();
-        } else if (inside.back() != '/') {
-            open.push_back(name);
-            if (name == "style") at = text.find("</style>", at);
-        }
-    }
-    return open.empty() ? "" : "<" + open.back() + "> stays open";
-}
 
 Command wandering(double t) { return {0.2, std::fmod(t, 20) < 5 ? 0.4 : std::fmod(t, 20) < 15 ? 0.0 : -0.4}; }
 
