@@ -1,5 +1,7 @@
 #include "drawing/svg.h"
 
+#include <numbers>
+
 namespace mrose {
 
 SvgPath::SvgPath(std::span<const Point> points, bool closed) {
@@ -56,12 +58,14 @@ std::string svgText(const Point& at, std::string_view text, const Attributes& lo
 
 std::string svgHaloText(const Point& at, std::string_view text, const Attributes& look, std::string_view fill,
                         std::string_view halo, double haloWidth) {
-    const Attributes around{{"fill", halo},
-                            {"stroke", halo},
-                            {"stroke-width", haloWidth},
-                            {"stroke-linejoin", "round"},
-                            {"aria-hidden", "true"}};
-    return svgText(at, text, look + around) + svgText(at, text, look + Attributes{{"fill", fill}});
+    constexpr int copies = 8;
+    std::string around;
+    for (int i = 0; i < copies; ++i) {
+        const Placement side({0, 0, 2 * std::numbers::pi * i / copies});
+        around += svgText(at + side.rotate({haloWidth, 0}), text, {});
+    }
+    return element("g", look + Attributes{{"fill", halo}, {"aria-hidden", "true"}}, around) +
+           svgText(at, text, look + Attributes{{"fill", fill}});
 }
 
 std::string svgClip(const Point& corner, double width, double height, std::string_view content) {

@@ -44,7 +44,8 @@ std::string svgPath(const SvgPath& path, const Attributes& look);
 std::string svgCircle(const Point& centre, double radius, const Attributes& look);
 /// `at` is where its base line begins, unless `look` says otherwise.
 std::string svgText(const Point& at, std::string_view text, const Attributes& look);
-/// Upon a copy with strokes of that colour and width, since not every viewer knows SVG's paint-order.
+/// Upon copies of that colour, so far aside all round: not every viewer knows SVG's paint-order, nor how wide a stroke
+/// of letters is.
 std::string svgHaloText(const Point& at, std::string_view text, const Attributes& look, std::string_view fill,
                         std::string_view halo, double haloWidth);
 /// Content of which only what lies in a rectangle is seen.

@@ -42,7 +42,7 @@ std::string plainText(const Point& at, std::string_view text, double size = text
 
 /// `at` is the middle of its base line.
 std::string labelText(const Point& at, std::string_view text) {
-    return svgHaloText(at, text, {{"font-size", textSize}, {"text-anchor", "middle"}}, ink, ground, 4);
+    return svgHaloText(at, text, {{"font-size", textSize}, {"text-anchor", "middle"}}, ink, ground, 2);
 }
 
 /// `scale`: pixels in a metre.

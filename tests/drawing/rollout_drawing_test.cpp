@@ -58,7 +58,7 @@ TEST(RolloutDrawing, RealAndSimulatedPathsAreBothSeenAndInterruptedByGaps) {
 TEST(RolloutDrawing, NamesStandBesideStartsAndErrorsBesideEnds) {
     const std::string svg = drawn(twoRollouts());
     for (const char* label : {"one", "two &lt;2&gt;", "40.0 cm"})
-        EXPECT_EQ(countOf(svg, std::string(">") + label + "</text>"), 2u) << label << ", above its halo";
+        EXPECT_EQ(countOf(svg, std::string("fill=\"#222222\">") + label + "</text>"), 1u) << label;
     EXPECT_EQ(svg.find("never said"), std::string::npos) << "there is no simulation whose error it were";
     for (const char* word : {"real path", "simulated path", "start", "heading, every second", "error at the end"})
         EXPECT_EQ(countOf(svg, std::string(">") + word + "</text>"), 1u) << word;
