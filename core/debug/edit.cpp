@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "io/format.h"
 #include "scenario/carry_over.h"
 
 namespace mrose {
@@ -24,6 +25,34 @@ Edit moveBody(const FieldFrame& frame, std::size_t body, const Pose& pose) {
             object.roll_W = {};
         }
     };
+    return edit;
+}
+
+Command decidedCommand(const FieldFrame& frame, std::size_t robot) {
+    const RobotInsight& insight = frame.insights[robot];
+    if (insight.decision.command) return *insight.decision.command;
+    return frame.scenario->commandsOf(frame.state, robot).at(frame.now());
+}
+
+Edit changeDecision(const FieldFrame& frame, std::size_t robot, const OtherDecision& other) {
+    const RobotInsight& decided = frame.insights[robot];
+    HandOrder order;
+    order.robot = static_cast<std::uint32_t>(robot);
+    order.first = decided.tick;
+    order.end = decided.tick + other.periods * frame.scene().periodTicks(robot);
+    order.command = other.command;
+    order.kicks = other.kicks;
+    const Command before = decidedCommand(frame, robot);
+    std::string changed;
+    const auto add = [&](const std::string& what) { changed += (changed.empty() ? "" : ", ") + what; };
+    if (other.command.v != before.v) add(fixed(other.command.v, 2) + " m/s");
+    if (other.command.w != before.w) add(fixed(other.command.w, 2) + " rad/s");
+    if (other.kicks != decided.decision.kicks)
+        add(other.kicks.empty() ? "no kick" : "kick " + fixed(100 * other.kicks.front().power, 0) + " %");
+    Edit edit{frame.nameOf(robot) + ": " + (changed.empty() ? "as decided" : changed)};
+    edit.tick = decided.tick;
+    edit.orders = {order};
+    edit.afterDeciding = order.robot;
     return edit;
 }
 

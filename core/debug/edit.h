@@ -28,6 +28,17 @@ struct Edit {
 
 /// A body in another place, or turned; an object lies still there.
 Edit moveBody(const FieldFrame& frame, std::size_t body, const Pose& pose);
+/// What a robot is to do instead of what it decided last, for so many control periods; its sensors and its controller
+/// have seen and remember what they did. Without an insight there is no such edit: `frame.insights[robot].tick` >= 0.
+struct OtherDecision {
+    Command command;
+    std::vector<Kick> kicks = {};
+    int periods = 1;
+};
+Edit changeDecision(const FieldFrame& frame, std::size_t robot, const OtherDecision& other);
+/// What it decided, or the command that was in force.
+Command decidedCommand(const FieldFrame& frame, std::size_t robot);
+
 /// The shown state with other noise from there on.
 Edit changeNoise();
 /// From the run's start with another seed.

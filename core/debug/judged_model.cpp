@@ -24,7 +24,7 @@ std::string ownName(const PlayedLog& log) {
 
 /// Half of the work, the first or the second.
 Progress halfOf(const Progress& progress, double from) {
-    return [&progress, from](double share) { return progress(from + share / 2); };
+    return [&progress, from](double share) { return !progress || progress(from + share / 2); };
 }
 
 }  // namespace
@@ -76,7 +76,7 @@ JudgedModel::Figures judge(const PlayedLog& log, const JudgedModel& model, const
     if (!own) {
         ComparisonOptions options;
         options.seed = log.seed;
-        options.progress = [&](std::span<const ComparedRollout>, double share) { return progress(share / 2); };
+        options.progress = [&](std::span<const ComparedRollout>, double share) { return !progress || progress(share / 2); };
         figures.compared =
             compare(*model.world, requests, options).map([](const Comparison& comparison) { return comparison.all; });
     }

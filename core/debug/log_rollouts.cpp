@@ -92,6 +92,13 @@ const RolloutRow* LogRollouts::leavingAt(const std::function<bool(Nanoseconds ti
     return leaving != rows.end() ? &*leaving : nullptr;
 }
 
+const RolloutRow* LogRollouts::worstLeft() const {
+    const RolloutRow* worst = nullptr;
+    for (const RolloutRow& row : rows_)
+        if (row.divergence && (worst == nullptr || row.position > worst->position)) worst = &row;
+    return worst;
+}
+
 std::optional<std::size_t> LogRollouts::nextLeft() const {
     for (std::size_t i = 1; shown_ && i < requests_.size(); ++i) {
         const std::size_t rollout = (*shown_ + i) % requests_.size();

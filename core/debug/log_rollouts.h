@@ -65,6 +65,8 @@ public:
     const RolloutRow* leavingRow() const;
     /// The same of one that leaves at an instant since the start.
     const RolloutRow* leavingAt(const std::function<bool(Nanoseconds time)>& isThen) const;
+    /// Of all rollouts the robot with the largest mean error that leaves it; null: none does.
+    const RolloutRow* worstLeft() const;
     /// The next rollout after the shown one, after the last the first, in which a robot leaves.
     std::optional<std::size_t> nextLeft() const;
 

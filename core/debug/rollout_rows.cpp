@@ -107,7 +107,7 @@ Expected<Comparison> compareRollouts(const PlayedLog& log, const std::vector<Rol
 Expected<Diagnosis> whyItLeaves(const PlayedLog& log, const CauseQuestion& question, const Progress& progress) {
     ComparisonOptions options;
     options.seed = log.seed;
-    options.progress = [&](std::span<const ComparedRollout>, double) { return progress(0); };
+    options.progress = [&](std::span<const ComparedRollout>, double) { return !progress || progress(0); };
     RolloutRequest alone = question.request;
     alone.robot = question.row.robot;
     const auto comparison = compare(log.world(), {&alone, 1}, options);
@@ -118,7 +118,7 @@ Expected<Diagnosis> whyItLeaves(const PlayedLog& log, const CauseQuestion& quest
     asked.bound = boundFor(log.world(), rollout, question.bounds, WindowOptions{}.step);
     asked.models = question.models;
     asked.progress = progress;
-    if (!progress(0)) return fail(log.place, "was not looked through: cancelled");
+    if (progress && !progress(0)) return fail(log.place, "was not looked through: cancelled");
     return diagnose(log.world(), alone, rollout, *question.row.divergence, asked);
 }
 

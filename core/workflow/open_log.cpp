@@ -51,7 +51,8 @@ Expected<LoadedScenario> withoutLogs(const From& from, DiskDescriptions& source,
 }
 
 /// The scenario that the request names, and the log beside it.
-Expected<LoadedScenario> scenarioNamed(PlayedLog& played, std::shared_ptr<const Log>& log, const OpenProgress& progress) {
+Expected<LoadedScenario> scenarioNamed(PlayedLog& played, std::shared_ptr<const Log>& log,
+                                       const OpenProgress& progress) {
     const PlayedLogRequest& request = played.request;
     DiskDescriptions source = openDescriptions(request.log.empty() ? "" : placeOfLog(request.log));
     auto loaded = request.kept ? withoutLogs(*request.kept, source, request, played.files)
@@ -158,8 +159,8 @@ Expected<PlayedLogPointer> openPlayedLog(const PlayedLogRequest& request, const 
 }
 
 Expected<OpenedLog> openLogAsRun(const PlayedLogRequest& request, const std::optional<RolloutPlan>& asked,
-                                 bool restarts, const OpenProgress& progress, bool& kindUnknown) {
-    auto world = openPlayedLog(request, progress, &kindUnknown);
+                                 bool restarts, const OpenProgress& progress, bool* kindUnknown) {
+    auto world = openPlayedLog(request, progress, kindUnknown);
     if (!world) return tl::unexpected(world.error());
     const RolloutPlan plan = asked ? *asked : suitedPlan(**world);
     auto requests = plannedRollouts(**world, plan);

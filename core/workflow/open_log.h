@@ -23,8 +23,8 @@ struct OpenedLog {
 };
 /// Its first rollout; `asked`: none, then the plan that suits it. Error, and `kindUnknown`: as of openPlayedLog();
 /// no rollout of the plan fits in; the first one cannot be opened.
-Expected<OpenedLog> openLogAsRun(const PlayedLogRequest& request, const std::optional<RolloutPlan>& asked,
-                                 bool restarts, const OpenProgress& progress, bool& kindUnknown);
+Expected<OpenedLog> openLogAsRun(const PlayedLogRequest& request, const std::optional<RolloutPlan>& asked = {},
+                                 bool restarts = true, const OpenProgress& progress = {}, bool* kindUnknown = nullptr);
 
 /// A log and its scenario once more from their files, with the rollout that was shown.
 /// The rollout of `shown`'s start, of trajectory and robot by their names. Error: a file; there is no such rollout now.

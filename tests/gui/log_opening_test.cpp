@@ -106,7 +106,7 @@ protected:
     /// The shipped log in its third rollout, with a branch, a breakpoint and a second model.
     void work() {
         openLog(shipped());
-        overlay.show(2);
+        overlay.shown().show(2);
         overlay.models().add("velocity = command");
         settleAll();
         seek(40);
@@ -154,7 +154,7 @@ TEST_F(LogOpeningTest, PanelOfALogInPiecesTellsThemApart) {
     list.model()->sort(RolloutList::session, Qt::AscendingOrder);
     for (int line = 0; line < 6; ++line)
         EXPECT_EQ(list.model()->index(line, RolloutList::session).data().toString(), QString::number(line));
-    overlay.show(4, 0);
+    overlay.shown().show(4, 0);
     settleAll();
     EXPECT_THAT(panel.causes().text().toStdString(), HasSubstr("husky in session 4 from"));
     EXPECT_THAT(window.windowTitle().toStdString(), HasSubstr("session 4"));
@@ -394,7 +394,7 @@ TEST_F(LogOpeningTest, WhatCannotBeOpenedLeavesAllAsItIs) {
     EXPECT_EQ(now(), before);
     // And all of it still works.
     window.files().setQuestion([](const QString&) { return WindowFiles::Answer::discard; });
-    overlay.showNext(1);
+    overlay.shown().showNext(1);
     settleAll();
     EXPECT_EQ(overlay.rollouts().shown(), 3u);
 }

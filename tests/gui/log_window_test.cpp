@@ -114,7 +114,7 @@ TEST_F(LogWindowTest, PlottedErrorsFollowRolloutAndModels) {
     const auto error = reality.modelError(reality.models.front(), 0, window.shown()->frame->scene().timeOf(last));
     ASSERT_TRUE(error);
     EXPECT_EQ(added.ahead.back().y(), 100 * error->position);
-    window.overlay().show(1);
+    window.overlay().shown().show(1);
     settleAll();
     ASSERT_EQ(window.overlay().rollouts().shown(), 1u);
     EXPECT_EQ(window.plots().keys().size(), 4u);
@@ -130,7 +130,7 @@ TEST_F(LogWindowTest, PlottedErrorsFollowRolloutAndModels) {
 TEST_F(LogWindowTest, WhoRemovesTheErrorsDoesNotGetThemAgain) {
     ASSERT_NO_FATAL_FAILURE(openLog());
     window.actions()["clear_plots"].trigger();
-    window.overlay().show(1);
+    window.overlay().shown().show(1);
     settleAll();
     EXPECT_TRUE(window.plots().keys().empty());
     window.actions()["plot_errors"].trigger();
@@ -145,7 +145,7 @@ TEST_F(LogWindowTest, WhoHasClosedThePlotsDoesNotGetThemAgain) {
     ASSERT_NO_FATAL_FAILURE(openLog());
     ASSERT_TRUE(dock("plots").isVisible());
     dock("plots").close();
-    window.overlay().show(1);
+    window.overlay().shown().show(1);
     settleAll();
     EXPECT_FALSE(dock("plots").isVisible());
     MainWindow later;
@@ -197,7 +197,7 @@ TEST_F(LogWindowTest, PictureOfPlotsNamesLogRolloutModelsAndBound) {
     ASSERT_NO_FATAL_FAILURE(openLog());
     window.overlay().setBound({{0.02, 0.05}, false});
     window.overlay().models().add("velocity = command");
-    window.overlay().show(2);
+    window.overlay().shown().show(2);
     settleAll();
     ASSERT_TRUE(window.overlay().rollouts().shownRow() != nullptr &&
                 window.overlay().rollouts().shownRow()->divergence);
@@ -219,7 +219,7 @@ TEST_F(LogWindowTest, PictureOfPlotsNamesLogRolloutModelsAndBound) {
 TEST_F(LogWindowTest, TableOfPlotsGoesToTheEndOfTheRolloutAndHasTheBound) {
     ASSERT_NO_FATAL_FAILURE(openLog());
     window.overlay().models().add("velocity = command");
-    window.overlay().show(2);
+    window.overlay().shown().show(2);
     settleAll();
     seek(100);
     settleAll();
@@ -293,7 +293,7 @@ TEST_F(LogWindowTest, FirstStepsTellOfLogsAndGoAwayForThem) {
     ASSERT_NO_FATAL_FAILURE(openLog());
     EXPECT_FALSE(card->isVisible() || card->folded());
     window.actions()["first_steps"].setChecked(true);
-    window.overlay().show(1);
+    window.overlay().shown().show(1);
     settleAll();
     EXPECT_TRUE(card->isVisible() || card->folded()) << "asked for, it stays";
 }

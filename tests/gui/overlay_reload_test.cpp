@@ -67,7 +67,7 @@ TEST_F(OverlayReloadTest, ModelsMoveInTheWorldThatWasReadLast) {
     EXPECT_EQ(&overlay.models().all()[1].world->log(), &overlay.rollouts().world().log());
     EXPECT_FALSE(overlay.models().all()[1].shown) << "as the user left it";
     overlay.models().show(1, true);
-    overlay.showNext(1);
+    overlay.shown().showNext(1);
     settleAll();
     ASSERT_EQ(reality().models.size(), 1u);
     EXPECT_EQ(reality().models[0].poses[0].front(), state().robots[0].pose);
@@ -76,7 +76,7 @@ TEST_F(OverlayReloadTest, ModelsMoveInTheWorldThatWasReadLast) {
 TEST_F(OverlayReloadTest, RolloutThatIsGoneLeavesWhatWasReadBefore) {
     ASSERT_NO_FATAL_FAILURE(openLog(makeLog(driveTwice), twoSeconds));
     const std::size_t last = overlay.rollouts().requests().size() - 1;
-    overlay.show(last);
+    overlay.shown().show(last);
     settleAll();
     const PlayedLogPointer before = overlay.rollouts().log();
     makeLog([](Log& log) {
@@ -202,7 +202,7 @@ TEST_F(OverlayReloadTest, IsReadAgainThoughAnotherRolloutIsPickedMeanwhile) {
     const PlayedLogPointer before = overlay.rollouts().log();
     makeLog(stretch);
     window.files().reload("made.csv changed");
-    overlay.showNext(1);
+    overlay.shown().showNext(1);
     settleAll();
     EXPECT_NE(overlay.rollouts().log(), before);
     EXPECT_EQ(overlay.rollouts().shown(), 1u);
@@ -305,7 +305,7 @@ TEST_F(OverlayReloadTest, PlanThatTheUserRefusesChangesNothing) {
 TEST_F(OverlayReloadTest, LogThatIsClosedWhileARolloutOpensLeavesNothingBehind) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped(), twoSeconds));
     const std::uint64_t before = window.shown()->run;
-    overlay.showNext(1);
+    overlay.shown().showNext(1);
     ASSERT_TRUE(waitFor([&] { return window.session().newestRun() != before; }));
     window.actions()["close_log"].trigger();
     settleAll();
@@ -369,7 +369,7 @@ TEST_F(OverlayReloadTest, WindowGoesOnWhileTheSessionIsAtWork) {
         while (!released && std::chrono::steady_clock::now() < end) std::this_thread::yield();
         heard = released.load();
     });
-    overlay.show(1);
+    overlay.shown().show(1);
     QTimer::singleShot(1000, &window, [&] { released = true; });
     EXPECT_TRUE(waitFor([&] { return overlay.rollouts().shown() == 1u; }));
     EXPECT_TRUE(heard) << "the window's thread waited for the session";

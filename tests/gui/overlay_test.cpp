@@ -331,7 +331,7 @@ TEST_F(OverlayTest, GapInTheTruthIsSaidAndTheRestGoesOn) {
     const auto& rollout =
         *std::find_if(overlay.rollouts().rows().begin(), overlay.rollouts().rows().end(),
                       [](const RolloutRow& row) { return row.use == RolloutUse::gap && row.position; });
-    overlay.show(rollout.rollout, rollout.robot);
+    overlay.shown().show(rollout.rollout, rollout.robot);
     settleAll();
     EXPECT_THAT(panel.causes().text().toStdString(), HasSubstr("where the ground truth is known"));
     EXPECT_EQ(panel.rollouts()
@@ -383,7 +383,7 @@ TEST_F(MrclamOverlayTest, WorstWindowLeavesTheRealTrajectoryForAReason) {
     EXPECT_EQ(overlay.rollouts().shownRow()->position, knownMean(alone.rollouts[worstFirst(alone).front()]));
     ASSERT_TRUE(overlay.rollouts().shownRow()->divergence);
     ASSERT_TRUE(overlay.causes().finding() && overlay.causes().finding()->diagnosis);
-    EXPECT_TRUE(overlay.goToDivergence());
+    EXPECT_TRUE(overlay.shown().goToDivergence());
     settleAll();
     EXPECT_EQ(window.shown()->frame->scene().timeOf(state().tick), overlay.rollouts().shownRow()->divergence->time);
 }

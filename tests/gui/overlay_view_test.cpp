@@ -109,14 +109,14 @@ TEST_F(OverlayViewTest, PickedRolloutIsSeenFromNearUntilTheUserLooksElsewhere) {
     window.resize(1000, 700);
     settleAll();
     expectNear();
-    ASSERT_TRUE(overlay.showNext(overlay.rollouts().shown() == 0u ? 1 : -1));
+    ASSERT_TRUE(overlay.shown().showNext(overlay.rollouts().shown() == 0u ? 1 : -1));
     settleAll();
     EXPECT_TRUE(field().showsPart()) << "the next rollout as the one before";
     expectNear();
     field().zoom(0.5);
     EXPECT_FALSE(field().showsPart());
     const Area chosen = field().transform().shown();
-    ASSERT_TRUE(overlay.showNext(1));
+    ASSERT_TRUE(overlay.shown().showNext(1));
     settleAll();
     EXPECT_EQ(field().transform().shown().least, chosen.least) << "what the user looks at stays";
     EXPECT_EQ(field().transform().shown().most, chosen.most);
@@ -135,7 +135,7 @@ TEST_F(OverlayViewTest, ScaleAndTheFollowedRobotGoAlongFromRolloutToRollout) {
     const double near = field().transform().scale();
     ASSERT_GT(near, 1.5 * field().fittedScale(field().size()));
     const int by = *overlay.rollouts().shown() + 1 < overlay.rollouts().requests().size() ? 1 : -1;
-    ASSERT_TRUE(overlay.showNext(by));
+    ASSERT_TRUE(overlay.shown().showNext(by));
     settleAll();
     EXPECT_EQ(field().transform().scale(), near);
     ASSERT_EQ(field().selected(), 0u);
@@ -145,7 +145,7 @@ TEST_F(OverlayViewTest, ScaleAndTheFollowedRobotGoAlongFromRolloutToRollout) {
     EXPECT_NEAR(middle.y, robot.y, 1e-9);
     window.actions()["follow"].trigger();
     window.actions()["fit"].trigger();
-    ASSERT_TRUE(overlay.showNext(-by));
+    ASSERT_TRUE(overlay.shown().showNext(-by));
     settleAll();
     EXPECT_TRUE(field().showsAll()) << "all of the place stays all of it";
 }
@@ -154,7 +154,7 @@ TEST_F(OverlayViewTest, RolloutAsideOfWhatTheUserLooksAtIsSeenFromNear) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {RolloutPlan::Cut::every, 0, 2}));
     field().zoom(3);
     field().panBy({1e6, 0});
-    ASSERT_TRUE(overlay.showNext(1));
+    ASSERT_TRUE(overlay.shown().showNext(1));
     settleAll();
     expectNear();
 }
@@ -287,7 +287,7 @@ protected:
         ASSERT_GE(overlay.rollouts().requests().size(), 4u);
     }
     void next() {
-        ASSERT_TRUE(overlay.showNext(1));
+        ASSERT_TRUE(overlay.shown().showNext(1));
         settleAll();
     }
 };
@@ -326,7 +326,7 @@ TEST_F(AbsentRobotTest, ConditionOnWhoIsAbsentIsLookedForInOtherRollouts) {
     EXPECT_TRUE(window.shown()->breakpoints.back().here);
     EXPECT_FALSE(window.shown()->breakpoints.back().elsewhere);
     const std::string name = window.shown()->frame->nameOf(0);
-    ASSERT_TRUE(overlay.show(absent));
+    ASSERT_TRUE(overlay.shown().show(absent));
     settleAll();
     EXPECT_EQ(add(("contact " + name).c_str()), "");
     EXPECT_THAT(add("contact nobody"), HasSubstr("there is no body 'nobody'"));
@@ -371,7 +371,7 @@ TEST_F(OverlayViewTest, KeyGoesToTheNextRolloutThatDiverges) {
     std::size_t from = 0;
     while (from + 1 < overlay.rollouts().requests().size() && (isLeft(from) || isLeft(from + 1))) ++from;
     ASSERT_LT(from + 2, overlay.rollouts().requests().size()) << "two in a row that are kept";
-    ASSERT_TRUE(overlay.show(from));
+    ASSERT_TRUE(overlay.shown().show(from));
     settleAll();
     std::size_t wanted = from;
     do {

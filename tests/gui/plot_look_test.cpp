@@ -154,7 +154,7 @@ TEST_F(PlotLookTest, SpeedsFollowTheRobotUntilOneIsRemoved) {
     select(1);
     EXPECT_EQ(bodies(), (Count{{first, 1}, {second, 6}}));
     EXPECT_EQ(plots().keys().front().quantity, "x") << "they stand where they stood";
-    ASSERT_TRUE(overlay.show(0, 0));
+    ASSERT_TRUE(overlay.shown().show(0, 0));
     settleAll();
     EXPECT_EQ(window.field().selected(), 0u);
     EXPECT_EQ(bodies(), (Count{{first, 7}}));
@@ -186,7 +186,7 @@ TEST_F(PlotLookTest, ListOfRolloutsKeepsItsHeightFromRolloutToRollout) {
     panel.list().installEventFilter(&resizes);
     for (std::size_t i = 1; i <= overlay.rollouts().requests().size(); ++i) {
         const std::size_t rollout = i % overlay.rollouts().requests().size();
-        ASSERT_TRUE(overlay.show(rollout));
+        ASSERT_TRUE(overlay.shown().show(rollout));
         settleAll();
         ASSERT_NE(overlay.rollouts().shownRow(), nullptr);
         ++(overlay.rollouts().shownRow()->divergence ? with : without);

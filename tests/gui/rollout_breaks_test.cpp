@@ -158,7 +158,7 @@ TEST_F(RolloutBreaksTest, BranchThatLeavesTheRealTrajectoryStopsOnceThatIsHeld) 
 
 TEST_F(RolloutBreaksTest, EscapeEndsTheSearch) {
     stopOn("robot[1].x > 1000");
-    overlay.goToBreak({});
+    overlay.shown().goToBreak({});
     window.session().settle();
     QApplication::processEvents();
     overlay.cancel();

@@ -30,7 +30,7 @@ protected:
         settleAll();
     }
     void open(std::size_t rollout) {
-        ASSERT_TRUE(overlay.show(rollout));
+        ASSERT_TRUE(overlay.shown().show(rollout));
         settleAll();
         ASSERT_EQ(overlay.rollouts().shown(), rollout);
     }

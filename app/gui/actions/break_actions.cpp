@@ -40,17 +40,17 @@ void addWays(MainWindow& window, const QString& menu) {
     actions.add(menu,
                 {"break_forward", QObject::tr("&Run to the next break"), QKeySequence("F6"),
                  QObject::tr("As fast as possible to where a breakpoint stops next, in the log's next rollouts, too")},
-                [&](bool) { window.overlay().goToBreak({}); });
+                [&](bool) { window.overlay().shown().goToBreak({}); });
     actions.add(menu,
                 {"break_back", QObject::tr("&Back to the last break"), QKeySequence("Shift+F6"),
                  QObject::tr("To where a breakpoint was met last before now, in the log's earlier rollouts, too")},
-                [&](bool) { window.overlay().goToBreak({true}); });
+                [&](bool) { window.overlay().shown().goToBreak({true}); });
     actions.add(menu,
                 {"break_last", QObject::tr("When did it last &hold?"), QKeySequence("F7"),
                  QObject::tr("To where the breakpoint chosen in the list was met last before now")},
                 Actions::Asking{[&] {
                                     if (const auto chosen = chosenBreak(window))
-                                        window.overlay().goToBreak({true, chosen->text});
+                                        window.overlay().shown().goToBreak({true, chosen->text});
                                     return QString();
                                 },
                                 [&](const QString& text) -> Expected<void> {
@@ -59,7 +59,7 @@ void addWays(MainWindow& window, const QString& menu) {
                                                                        shown->frame->reality);
                                             !fits)
                                             return fail("", wrongWith(fits.error()));
-                                    window.overlay().goToBreak({true, text.toStdString()});
+                                    window.overlay().shown().goToBreak({true, text.toStdString()});
                                     return {};
                                 }});
 }

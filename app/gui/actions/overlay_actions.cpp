@@ -12,8 +12,8 @@
 #include "reality/robot_dialog.h"
 #include "widgets/field_view.h"
 #include "widgets/qt_text.h"
-#include "workflow/open_model.h"
 #include "window/main_window.h"
+#include "workflow/open_model.h"
 #include "workflow/resources.h"
 
 namespace mrose::gui {
@@ -95,7 +95,7 @@ Expected<void> removeModel(MainWindow& window, const std::string& name) {
 
 void goToDivergence(MainWindow& window) {
     Overlay& overlay = window.overlay();
-    if (overlay.goToDivergence()) return;
+    if (overlay.shown().goToDivergence()) return;
     window.say(!overlay.rollouts().shown() ? QObject::tr("No rollout of the log is shown")
                : overlay.share() < 1 ? QObject::tr("Nothing leaves the real trajectory as far as they are compared")
                : overlay.rollouts().comparison()
@@ -133,9 +133,9 @@ void bindOverlay(MainWindow& window) {
         if (frame.reality) strip.setNow(frame.reality->start + frame.scene().timeOf(frame.state.tick));
     });
     QObject::connect(&strip, &RolloutStrip::rolloutRequested, &overlay,
-                     [&overlay](std::size_t rollout) { overlay.show(rollout, overlay.rollouts().robot()); });
+                     [&overlay](std::size_t rollout) { overlay.shown().show(rollout, overlay.rollouts().robot()); });
     QObject::connect(&window.field(), &FieldView::bodySelected, &overlay,
-                     [&window, &overlay](auto body) { overlay.setRobot(robotOf(window, body)); });
+                     [&window, &overlay](auto body) { overlay.shown().setRobot(robotOf(window, body)); });
     QObject::connect(&window.overlayPanel(), &OverlayPanel::modelFileWanted, &window,
                      [&window] { layModelOfFile(window); });
     QObject::connect(&window.overlayPanel(), &OverlayPanel::modelRemovalWanted, &window,
@@ -165,11 +165,11 @@ void addOverlayActions(MainWindow& window) {
     whileOpen(actions.add(menu,
                           {"next_course", QObject::tr("&Next rollout"), QKeySequence("Ctrl+PgDown"),
                            QObject::tr("The rollout after the shown one")},
-                          [&](bool) { window.overlay().showNext(1); }));
+                          [&](bool) { window.overlay().shown().showNext(1); }));
     whileOpen(actions.add(menu,
                           {"previous_course", QObject::tr("&Previous rollout"), QKeySequence("Ctrl+PgUp"),
                            QObject::tr("The rollout before the shown one")},
-                          [&](bool) { window.overlay().showNext(-1); }));
+                          [&](bool) { window.overlay().shown().showNext(-1); }));
     whileOpen(actions.add(menu,
                           {"go_to_divergence", QObject::tr("&Where it diverges"), QKeySequence("D"),
                            QObject::tr("To the first divergence of the shown rollout, or of the next that has one")},

@@ -63,7 +63,7 @@ void addTimeActions(MainWindow& window) {
                 [&](bool) {
                     if (window.shown() && window.shown()->playing)
                         session.pause();
-                    else if (!window.overlay().playsNext())
+                    else if (!window.overlay().shown().playsNext())
                         session.play();
                 });
     actions.addSeparator(menu);

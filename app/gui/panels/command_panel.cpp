@@ -28,11 +28,6 @@ QDoubleSpinBox* numberBox(double most, double step, int digits, const QString& u
 }
 
 /// In force before anything else is decided: the last one issued.
-Command commandInForce(const FieldFrame& frame, std::size_t robot) {
-    const CommandView commands = frame.scenario->commandsOf(frame.state, robot);
-    return commands.at(frame.scene().timeOf(frame.state.tick));
-}
-
 }  // namespace
 
 CommandPanel::CommandPanel(QWidget* parent)
@@ -127,7 +122,7 @@ void CommandPanel::fill() {
     const FieldFrame& frame = *shown_.frame;
     filledFrom_ = decided.tick;
     filledFor_ = body_;
-    const Command command = decided.decision.command ? *decided.decision.command : commandInForce(frame, *body_);
+    const Command command = decidedCommand(frame, *body_);
     v_->setValue(command.v);
     w_->setValue(command.w);
     kick_->clear();
@@ -160,33 +155,18 @@ void CommandPanel::apply() {
     for (QDoubleSpinBox* box : {v_, w_, power_}) box->interpretText();
     periods_->interpretText();
     const FieldFrame& frame = *shown_.frame;
-    HandOrder order;
-    order.robot = static_cast<std::uint32_t>(*body_);
-    order.first = decided->tick;
-    order.end = decided->tick + periods_->value() * frame.scene().periodTicks(*body_);
-    order.command = {v_->value(), w_->value()};
+    OtherDecision other{{v_->value(), w_->value()}, decided->decision.kicks, periods_->value()};
     // What was not typed over keeps all its digits.
-    const Command before = decided->decision.command ? *decided->decision.command : commandInForce(frame, *body_);
-    if (std::abs(v_->value() - before.v) < 0.5e-3) order.command.v = before.v;
-    if (std::abs(w_->value() - before.w) < 0.5e-3) order.command.w = before.w;
-    const std::vector<Kick>& kicks = decided->decision.kicks;
-    const int kickBefore = kicks.empty() ? 0 : static_cast<int>(kicks.front().manipulator) + 1;
+    const Command before = decidedCommand(frame, *body_);
+    if (std::abs(v_->value() - before.v) < 0.5e-3) other.command.v = before.v;
+    if (std::abs(w_->value() - before.w) < 0.5e-3) other.command.w = before.w;
+    const int kickBefore = other.kicks.empty() ? 0 : static_cast<int>(other.kicks.front().manipulator) + 1;
     const bool sameKick = kick_->currentIndex() == kickBefore &&
-                          (kicks.empty() || std::abs(power_->value() - 100 * kicks.front().power) <= 0.5);
-    if (sameKick)
-        order.kicks = kicks;
-    else if (kick_->currentIndex() > 0)
-        order.kicks.push_back({static_cast<std::uint32_t>(kick_->currentIndex() - 1), power_->value() / 100});
-    QStringList changed;
-    if (order.command.v != before.v) changed << tr("%1 m/s").arg(v_->value(), 0, 'f', 2);
-    if (order.command.w != before.w) changed << tr("%1 rad/s").arg(w_->value(), 0, 'f', 2);
-    if (!sameKick) changed << (order.kicks.empty() ? tr("no kick") : tr("kick %1 %").arg(power_->value(), 0, 'f', 0));
-    if (changed.isEmpty()) changed << tr("as decided");
-    Edit edit{(qtText(frame.nameOf(*body_)) + ": " + changed.join(", ")).toStdString()};
-    edit.tick = decided->tick;
-    edit.orders = {order};
-    edit.afterDeciding = order.robot;
-    emit branchRequested(edit);
+                          (other.kicks.empty() || std::abs(power_->value() - 100 * other.kicks.front().power) <= 0.5);
+    if (!sameKick) other.kicks.clear();
+    if (!sameKick && kick_->currentIndex() > 0)
+        other.kicks.push_back({static_cast<std::uint32_t>(kick_->currentIndex() - 1), power_->value() / 100});
+    emit branchRequested(changeDecision(frame, *body_, other));
 }
 
 }  // namespace mrose::gui

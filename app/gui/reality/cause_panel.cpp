@@ -106,7 +106,7 @@ CausePanel::CausePanel(Overlay& overlay, QWidget* parent)
     auto* where = new QHBoxLayout;
     goThere_->setText(tr("Go there"));
     goThere_->setToolTip(tr("To the instant at which it leaves the real trajectory (D)"));
-    connect(goThere_, &QToolButton::clicked, this, [this] { overlay_.goToDivergence(); });
+    connect(goThere_, &QToolButton::clicked, this, [this] { overlay_.shown().goToDivergence(); });
     // What is not there leaves its room free: nothing moves from rollout to rollout.
     for (QWidget* part : {static_cast<QWidget*>(goThere_), static_cast<QWidget*>(causes_)}) {
         QSizePolicy policy = part->sizePolicy();
@@ -194,8 +194,9 @@ void CausePanel::refresh() {
     if (const std::string session = sessionText(overlay_.rollouts().world().sessions()[row->session]); !session.empty())
         robot += tr(" in %1").arg(qtText(session));
     const QString start = fixedText(toSeconds(row->start), 1);
-    rollout_->setText((overlay_.showsCompared() ? tr("%1 from %2 s: %3") : tr("%1 from %2 s (not this branch): %3"))
-                          .arg(robot, start, offText(*row)));
+    rollout_->setText(
+        (overlay_.shown().showsCompared() ? tr("%1 from %2 s: %3") : tr("%1 from %2 s (not this branch): %3"))
+            .arg(robot, start, offText(*row)));
     const auto& divergence = row->divergence;
     goThere_->setVisible(divergence.has_value());
     if (!divergence)

@@ -151,7 +151,7 @@ void ErrorPlot::plot() {
     const std::shared_ptr<const Shown> shown = frame_.session.currentPointer();
     const auto which = robot();
     Plotted now{rollout_, shown ? shown->frame->reality : nullptr, which,
-                shown && shown->branch == overlay_.comparedBranch(), on_ && frame_.memory.errorPlot()};
+                shown && shown->branch == overlay_.shown().comparedBranch(), on_ && frame_.memory.errorPlot()};
     if (plotted_ == now) return;
     plotted_ = now;
     std::vector<ValueKey> wanted;

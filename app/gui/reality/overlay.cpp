@@ -51,14 +51,17 @@ Overlay::Overlay(const Frame& frame, FieldView& field, WindowFiles& files)
       models_(frame, rollouts_, computing_),
       causes_(rollouts_, models_),
       searcher_(rollouts_),
-      view_(frame.session, field, rollouts_),
-      opener_(frame) {
-    connect(&frame.session, &Session::shown, this, &Overlay::followShown);
+      opener_(frame),
+      shown_(frame, field, files, {rollouts_, models_, causes_, searcher_, opener_}) {
+    connect(&shown_, &ShownRollout::changed, this, &Overlay::changed);
+    connect(&shown_, &ShownRollout::divergencesChanged, this, &Overlay::divergencesChanged);
+    connect(&shown_, &ShownRollout::opens, this, &Overlay::setAside);
+    connect(&shown_, &ShownRollout::taken, this, &Overlay::readAgain);
+    connect(&shown_, &ShownRollout::failed, this, &Overlay::sayError);
+    connect(&shown_, &ShownRollout::done, this, [this] { frame_.messages.remove(overlayTopic); });
     connect(&models_, &LaidModels::changed, this, &Overlay::changed);
-    connect(&models_, &LaidModels::laid, this, &Overlay::layReality);
     connect(&models_, &LaidModels::failed, this, &Overlay::sayError);
     connect(&causes_, &CauseFinder::changed, this, &Overlay::changed);
-    connect(&causes_, &CauseFinder::laid, this, &Overlay::layReality);
     connect(&opener_, &LogOpener::cancelled, this, [this] { setAside(), readAgain(); });
 }
 
@@ -79,7 +82,7 @@ void Overlay::post(const Opening& opening) {
     auto kindUnknown = std::make_shared<bool>(false);
     opener_.open(
         [opening, kindUnknown, restarts = rollouts_.restarts()](const JobQueue::GoesOn& goesOn) {
-            return openLogAsRun(opening.request, opening.asked, restarts, whileWanted(goesOn), *kindUnknown);
+            return openLogAsRun(opening.request, opening.asked, restarts, whileWanted(goesOn), kindUnknown.get());
         },
         [this, opening, kindUnknown](Expected<OpenedLog> opened) { take(std::move(opened), opening, *kindUnknown); });
     opener_.reportOpening(opening.request.log);
@@ -108,7 +111,7 @@ void Overlay::take(Expected<OpenedLog> opened, const Opening& opening, bool kind
     if (const QString note = opening.asked ? QString() : planNote(log, rollouts_.plan()); !note.isEmpty())
         frame_.messages.add({MessageBar::Kind::note, note, planTopic});
     frame_.memory.addRecent(qtText(log.place));
-    takeRollout(std::move(opened->run), opened->rollout, {}, Then{});
+    shown_.take(std::move(opened->run), opened->rollout);
     compareAll();
 }
 
@@ -156,12 +159,9 @@ void Overlay::takeReopened(Expected<OpenedLog> again, const QString& why) {
         return readAgain();
     }
     replace(again->world, rollouts_.plan(), std::move(again->requests));
-    rollouts_.setShown(again->rollout);
-    compared_.reset();
-    reloaded_ = again->run.setup;
-    reality_ = again->run.reality;
+    shown_.takeReopened(again->rollout, again->run);
     files_.takeReloaded(std::move(again->run), why);
-    lookAtRollout();
+    shown_.look();
     compareAll();
     readAgain();
 }
@@ -176,12 +176,10 @@ void Overlay::close() {
     replace(nullptr, rollouts_.plan(), {});
     models_.clear();
     rollouts_.setRobot({});
-    view_.forget();
     reload_.reset();
     reading_.reset();
     share_ = 1;
-    run_ = 0;
-    reportDivergences();
+    shown_.reportDivergences();
     emit changed();
 }
 
@@ -189,10 +187,9 @@ void Overlay::close() {
 void Overlay::replace(PlayedLogPointer log, const RolloutPlan& plan, std::vector<RolloutRequest> rollouts) {
     computing_.drop();
     searcher_.stop();
-    coming_.reset();
-    reality_ = nullptr;
     const bool other = log && log != rollouts_.log();
     rollouts_.replace(std::move(log), plan, std::move(rollouts));
+    shown_.forget();
     models_.forgetDriven();
     causes_.forget();
     if (other) models_.enter({});
@@ -220,8 +217,7 @@ void Overlay::takeFollowed(PlayedLogPointer log, const BranchSetupPointer& follo
     auto rollouts = plannedRollouts(*log, plan);
     if (!rollouts) return sayError(rollouts.error());
     begin(std::move(log), plan, std::move(*rollouts));
-    coming_ = Coming{followed, {}, {}, std::make_shared<const Reality>(realityOf(rollouts_.world(), 0, 0))};
-    if (frame_.session.current()) followShown();
+    shown_.takeFollowed(followed, std::make_shared<const Reality>(realityOf(rollouts_.world(), 0, 0)));
     compareAll();
 }
 
@@ -232,7 +228,7 @@ Expected<void> Overlay::setPlan(const RolloutPlan& plan) {
     if (!files_.mayLeave([this, plan] { (void)setPlan(plan); })) return {};
     frame_.messages.remove(planTopic);
     replace(rollouts_.log(), plan, std::move(*rollouts));
-    show(0);
+    shown_.show(0);
     compareAll();
     return {};
 }
@@ -242,7 +238,7 @@ void Overlay::setBound(const LogRollouts::Bound& bound) {
     rollouts_.setBound(bound);
     searcher_.hits().forget("divergence");
     if (isOpen() && rollouts_.comparison() == nullptr) compareAll();
-    reportDivergences();
+    shown_.reportDivergences();
     causes_.find();
     emit changed();
 }
@@ -253,24 +249,13 @@ void Overlay::setRestarts(bool on) {
     emit changed();
 }
 
-void Overlay::setRobot(std::optional<std::size_t> robot) {
-    // The selection goes and comes back with the run.
-    if (robot == rollouts_.robotSet() || coming_) return;
-    const auto before = rollouts_.robot();
-    rollouts_.setRobot(robot);
-    if (rollouts_.robot() != before) {
-        causes_.find();
-        emit divergencesChanged();
-    }
-    emit changed();
-}
-
 void Overlay::compareAll() {
     if (!isOpen()) return;
     computing_.drop();
     rollouts_.forgetRows();
     searcher_.hits().forget("divergence");
     share_ = 0;
+    shown_.setCompared(false);
     error_.clear();
     emit changed();
     computing_.run(
@@ -289,7 +274,7 @@ void Overlay::takeRows(const std::vector<RolloutRow>& rows, double share) {
     share_ = std::min(share, 0.999);
     rollouts_.addRows(rows);
     if (!causes_.finding() && rollouts_.shownRow() != nullptr) {
-        reportDivergences();
+        shown_.reportDivergences();
         causes_.find();
     }
     emit changed();
@@ -297,6 +282,7 @@ void Overlay::takeRows(const std::vector<RolloutRow>& rows, double share) {
 
 void Overlay::takeComparison(Expected<Comparison> comparison) {
     share_ = 1;
+    shown_.setCompared(true);
     if (comparison) {
         models_.setOwnFigures(comparison->all);
         rollouts_.setComparison(std::move(*comparison));
@@ -314,231 +300,6 @@ std::optional<LaidModels::Work> Overlay::work() const {
     return models_.work();
 }
 
-/// What the models make of the shown rollout, and why it leaves the real one.
-void Overlay::lookAtRollout() {
-    causes_.forget();
-    models_.drive();
-    if (!rollouts_.shown()) return;
-    layReality();
-    reportDivergences();
-    causes_.find();
-}
-
-/// What really happened, with the rollouts of the models that are shown and of a cause.
-void Overlay::layReality() {
-    if (!reality_ || !rollouts_.shown()) return;
-    auto laid = std::make_shared<Reality>(*reality_);
-    laid->models = models_.drivenRollouts();
-    if (auto rerun = causes_.shownRerun()) laid->models.push_back(std::move(*rerun));
-    frame_.session.setReality(run_, std::move(laid));
-}
-
-void Overlay::reportDivergences() {
-    emit divergencesChanged();
-    if (!isOpen()) return frame_.session.changeBreakpoints([](Breakpoints& all) { all.setDivergence({}); });
-    if (!rollouts_.shown() || frame_.session.current() == nullptr) return;
-    LeavingRobots leaving = leavingRobots(rollouts_.world(), rollouts_.rowsOf(*rollouts_.shown()));
-    leaving.reality = reality_;
-    leaving.compared = compared_;
-    frame_.session.changeBreakpoints([leaving, met = searcher_.hitsElsewhere(*rollouts_.shown())](Breakpoints& all) {
-        all.setDivergence({leavesReality(leaving), whoLeaves(leaving)});
-        all.setHitsInOtherRuns(met);
-    });
-}
-
-bool Overlay::goToDivergence() {
-    if (!rollouts_.shown() || frame_.session.current() == nullptr) return false;
-    if (const RolloutRow* const leaves = rollouts_.leavingRow()) {
-        const Nanoseconds time = leaves->divergence->time;
-        view_.select(leaves->robot);
-        setRobot(leaves->robot);
-        view_.showNearer();
-        frame_.session.seek(frame_.session.current()->frame->scene().ticksOf(time), false);
-        return true;
-    }
-    const auto next = rollouts_.nextLeft();
-    if (!next) return false;
-    frame_.status.say(tr("Nothing leaves the real trajectory in the one before; in this it does"));
-    Then then;
-    then.toDivergence = true;
-    return show(*next, {}, then);
-}
-
-/// A breakpoint stopped the run: where that is because a robot leaves the real trajectory, it is the one to be asked
-/// about.
-void Overlay::showLeaving() {
-    const Shown& shown = *frame_.session.current();
-    if (shown.run != run_ || shown.branch != compared_) return;
-    const Scene& scene = shown.frame->scene();
-    const RolloutRow* const leaving =
-        rollouts_.leavingAt([&](Nanoseconds time) { return scene.ticksOf(time) == shown.tick(); });
-    if (leaving == nullptr) return;
-    if (leaving != rollouts_.shownRow()) {
-        const std::size_t robot = leaving->robot;
-        view_.select(robot);
-        setRobot(robot);
-    }
-    view_.showNearIfAside();
-}
-
-bool Overlay::show(std::size_t rollout, std::optional<std::size_t> robot, const Then& then) {
-    if (!isOpen() || rollout >= rollouts_.requests().size()) return false;
-    if (!files_.mayLeave([this, rollout, robot, then] { show(rollout, robot, then); })) return false;
-    setAside();
-    opener_.open(
-        [log = rollouts_.log(), request = rollouts_.requests()[rollout],
-         toLogEnd = playsToLogEnd(rollouts_.plan(), rollouts_.restarts())](const JobQueue::GoesOn&) {
-            return openRollout(*log, request, toLogEnd);
-        },
-        [this, rollout, robot, then](Expected<OpenRun> run) { takeRollout(std::move(run), rollout, robot, then); });
-    return true;
-}
-
-bool Overlay::showNext(int by, const Then& then) {
-    if (!rollouts_.shown()) return false;
-    const auto next = static_cast<std::int64_t>(*rollouts_.shown()) + by;
-    if (next < 0 || next >= static_cast<std::int64_t>(rollouts_.requests().size())) return false;
-    show(static_cast<std::size_t>(next), {}, then);
-    return true;
-}
-
-void Overlay::takeRollout(Expected<OpenRun> run, std::size_t rollout, std::optional<std::size_t> robot,
-                          const Then& then) {
-    if (!run) {
-        sayError(run.error());
-        return readAgain();
-    }
-    frame_.messages.remove(overlayTopic);
-    const Shown* const shown = frame_.session.current();
-    const bool sameLog = shown != nullptr && shown->run == run_;
-    coming_ = Coming{run->setup, rollout, robot, run->reality, view_.keep(robot, sameLog), then};
-    // Breakpoints go along from rollout to rollout.
-    std::vector<Breakpoint> breakpoints;
-    if (sameLog)
-        for (const BreakpointState& state : shown->breakpoints) breakpoints.push_back(state.breakpoint);
-    if (sameLog && inRollouts()) searcher_.hits().learn(*rollouts_.shown(), shown->breakpoints);
-    files_.takeRollout(*run);
-    if (!breakpoints.empty()) frame_.session.setBreakpoints(breakpoints);
-    frame_.session.changeBreakpoints(
-        [met = searcher_.hitsElsewhere(rollout)](Breakpoints& all) { all.setHitsInOtherRuns(met); });
-    if (then.play) frame_.session.play();
-}
-
-/// A rollout that has been played to its end is followed by the next.
-void Overlay::followShown() {
-    if (coming_ && frame_.session.current()->setup == coming_->run) finishComing();
-    const Shown& shown = *frame_.session.current();
-    if (reloaded_ && shown.setup == reloaded_) {
-        compared_ = shown.branch;
-        reloaded_ = nullptr;
-        reportDivergences();
-        shownBranch_.reset();
-    }
-    if (rollouts_.shown() && shown.run == run_ && shownBranch_ != shown.branch) {
-        shownBranch_ = shown.branch;
-        emit changed();
-    }
-    if (shown.event == RunEvent::broke) showLeaving();
-    if (!inRollouts() || opening()) return;
-    if (shown.event == RunEvent::noBreak) return lookInOthers();
-    if (shown.event != RunEvent::playedOut || !atRolloutEnd()) return;
-    if (rollouts_.showsLast()) return sayLogEnds();
-    if (files_.hasUnsaved())
-        return frame_.status.say(tr("This rollout has branches that are not saved: the next one waits"));
-    Then on;
-    on.play = true;
-    showNext(1, on);
-}
-
-/// The run of a rollout is shown.
-void Overlay::finishComing() {
-    const Coming come = *std::exchange(coming_, std::nullopt);
-    const Shown& shown = *frame_.session.current();
-    if (!come.rollout) return frame_.session.setReality(shown.run, come.reality);
-    run_ = shown.run;
-    compared_ = 0;
-    shownBranch_ = shown.branch;
-    reloaded_ = nullptr;
-    reality_ = come.reality;
-    rollouts_.setShown(come.rollout);
-    if (come.robot) rollouts_.setRobot(come.robot);
-    view_.selectAgain(come.view);
-    lookAtRollout();
-    view_.showAgain(come.view);
-    emit changed();
-    if (come.then.toDivergence) goToDivergence();
-    if (const auto& look = come.then.look)
-        frame_.session.goToBreak(*look, look->back ? BreakReach::all : BreakReach::within);
-    readAgain();
-}
-
-/// Whether the window shows one of the rollouts that follow each other.
-bool Overlay::inRollouts() const {
-    return rollouts_.follow() && rollouts_.shown() && frame_.session.current()->run == run_;
-}
-
-bool Overlay::atRolloutEnd() const {
-    const Shown& shown = *frame_.session.current();
-    return shown.tick() >= shown.frame->scene().ticksOf(rollouts_.length(*rollouts_.shown()));
-}
-
-void Overlay::sayLogEnds() {
-    reportedEnd_ = run_;
-    frame_.status.say(tr("The last rollout of the log is over; it can go on"));
-}
-
-bool Overlay::playsNext() {
-    const Shown* const shown = frame_.session.current();
-    if (shown == nullptr || !inRollouts() || opening() || shown->branch != 0) return false;
-    if (shown->tick() != shown->frame->scene().ticksOf(rollouts_.length(*rollouts_.shown()))) return false;
-    Then on;
-    on.play = true;
-    if (!rollouts_.showsLast()) return !files_.hasUnsaved() && showNext(1, on);
-    if (reportedEnd_ == run_) return false;
-    sayLogEnds();
-    return true;
-}
-
-void Overlay::goToBreak(const BreakWish& wish) {
-    searcher_.wish(wish);
-    const bool within = frame_.session.current() != nullptr && inRollouts();
-    if (within && !wish.back && atRolloutEnd()) return lookInOthers();
-    frame_.session.goToBreak(wish, within ? BreakReach::within : BreakReach::on);
-}
-
-/// There is none in the shown rollout: in those after it, or before it.
-void Overlay::lookInOthers() {
-    if (!searcher_.wished()) return;
-    const BreakWish wish = *searcher_.wished();
-    const std::vector<BreakpointState>& states = frame_.session.current()->breakpoints;
-    if (inRollouts()) searcher_.hits().learn(*rollouts_.shown(), states);
-    std::vector<Breakpoint> breakpoints;
-    bool diverges = wish.text == "divergence";
-    for (const BreakpointState& state : states) {
-        breakpoints.push_back(state.breakpoint);
-        diverges = diverges || (state.breakpoint.enabled && state.breakpoint.text == "divergence");
-    }
-    const auto give = [this](const QString& why) {
-        searcher_.stop();
-        frame_.status.say(why);
-    };
-    if (files_.hasUnsaved())
-        return give(tr("This rollout has branches that are not saved: the other rollouts are not looked through"));
-    if (diverges && share_ < 1)
-        return give(tr("The other rollouts are still being compared: where they leave the log is known then"));
-    searcher_.look(std::move(breakpoints), [this, wish](const Expected<std::optional<std::size_t>>& found) {
-        if (!found) return frame_.status.say(qtText(found.error().message()));
-        if (!*found) {
-            reportDivergences();
-            return frame_.status.say(wish.back ? tr("No break in this rollout up to here, nor in those before it")
-                                               : tr("No break in the rest of this rollout, nor in those after it"));
-        }
-        Then then;
-        then.look = wish;
-        show(**found, {}, then);
-    });
-}
-
 bool Overlay::cancel() {
     // What is waited for, before what is done beside it.
     if (searcher_.busy()) return searcher_.stop(), true;
@@ -551,6 +312,7 @@ bool Overlay::cancel() {
     causes_.giveUp();
     if (share_ < 1 && isOpen()) error_ = tr("Cancelled: not all rollouts are compared");
     share_ = 1;
+    shown_.setCompared(true);
     emit changed();
     return true;
 }
@@ -562,7 +324,7 @@ void Overlay::settle() {
         searcher_.settle();
         opener_.settle();
         frame_.session.settle();
-        coming_.reset();  // another run came in its place
+        shown_.setAside();  // another run came in its place
         computing_.settle();
         models_.settle();
         causes_.settle();

@@ -317,7 +317,7 @@ void OverlayPanel::makeList() {
 
 void OverlayPanel::openLine(const QModelIndex& index) {
     const RolloutRow& row = rollouts_->row(index.row());
-    if (!overlay_.show(row.rollout, row.robot)) selectShown();
+    if (!overlay_.shown().show(row.rollout, row.robot)) selectShown();
 }
 
 void OverlayPanel::applyPlan() {
