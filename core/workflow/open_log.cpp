@@ -171,9 +171,7 @@ Expected<OpenedLog> openLogAsRun(const PlayedLogRequest& request, const std::opt
 }
 
 Expected<OpenedLog> reopen(const PlayedLog& before, const RolloutPlan& plan, const RolloutRequest& shown, bool restarts,
-                           const std::function<bool()>& goesOn) {
-    OpenProgress progress;
-    progress.goesOn = goesOn;
+                           const OpenProgress& progress) {
     auto world = openPlayedLog(before.request, progress);
     if (!world) return tl::unexpected(world.error());
     auto requests = plannedRollouts(**world, plan);

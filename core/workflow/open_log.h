@@ -29,6 +29,6 @@ Expected<OpenedLog> openLogAsRun(const PlayedLogRequest& request, const std::opt
 /// A log and its scenario once more from their files, with the rollout that was shown.
 /// The rollout of `shown`'s start, of trajectory and robot by their names. Error: a file; there is no such rollout now.
 Expected<OpenedLog> reopen(const PlayedLog& before, const RolloutPlan& plan, const RolloutRequest& shown, bool restarts,
-                           const std::function<bool()>& goesOn);
+                           const OpenProgress& progress);
 
 }  // namespace mrose

@@ -95,13 +95,13 @@ protected:
 };
 
 TEST_F(ThrownTest, InBackgroundWorkItIsTheOutcome) {
-    EXPECT_EQ(outcomeOf([](const BackgroundWork::Progress&) -> BackgroundWork::Outcome { throwLength(); }),
+    EXPECT_EQ(outcomeOf([](const Progress&) -> BackgroundWork::Outcome { throwLength(); }),
               "failed: vector::_M_default_append");
-    EXPECT_EQ(outcomeOf([](const BackgroundWork::Progress&) -> BackgroundWork::Outcome { return true; }), "no error");
+    EXPECT_EQ(outcomeOf([](const Progress&) -> BackgroundWork::Outcome { return true; }), "no error");
 }
 
 TEST_F(ThrownTest, WhatTheWindowThrowsWhenAskedIsOfWhoAsked) {
-    EXPECT_EQ(outcomeOf([this](const BackgroundWork::Progress&) -> BackgroundWork::Outcome {
+    EXPECT_EQ(outcomeOf([this](const Progress&) -> BackgroundWork::Outcome {
                   const auto answer = askWindow<bool>(
                       window, []() -> bool { throwLength(); }, [] { return true; });
                   return answer.value_or(false);

@@ -23,7 +23,6 @@
 namespace mrose::gui {
 namespace {
 
-using Progress = BackgroundWork::Progress;
 using Outcome = BackgroundWork::Outcome;
 
 // Of the picture, in pixels of which 96 are an inch: as wide as a page's text.

@@ -21,7 +21,6 @@ constexpr double computing = 0.95;
 /// Of a comparison's; the rest are causes.
 constexpr double comparing = 0.5;
 
-using Progress = BackgroundWork::Progress;
 using Outcome = BackgroundWork::Outcome;
 
 Expected<void> freeFolder(Expected<void> check) {

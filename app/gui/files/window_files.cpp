@@ -69,14 +69,15 @@ QString adviceAfter(const QString& cause) {
 
 }  // namespace
 
-WindowFiles::WindowFiles(const Frame& frame, FieldView& field) : QObject(&frame.window), frame_(frame), field_(field) {
+WindowFiles::WindowFiles(const Frame& frame, FieldView& field)
+    : QObject(&frame.window), frame_(frame), field_(field), opener_(frame, "opening") {
     ask_ = [this](const QString& what) { return askUser(frame_.window, what); };
     connect(&frame.session, &Session::recordingChanged, this, &WindowFiles::recordingChanged);
     // Later: what was opened is taken first.
     const auto readAgain = [this] {
         if (!changedMeanwhile_.isEmpty()) reload(std::exchange(changedMeanwhile_, {}));
     };
-    connect(&opener_, &RunOpener::ended, this, readAgain, Qt::QueuedConnection);
+    connect(&opener_, &Opener::ended, this, readAgain, Qt::QueuedConnection);
     const auto namesOf = [](const std::vector<std::string>& files) {
         QStringList names;
         for (const std::string& file : files) names << nameOf(qtText(file));
@@ -108,12 +109,17 @@ void WindowFiles::open(const QString& path, OpenRequest how, std::optional<doubl
 
 void WindowFiles::open(const OpenRequest& request, std::optional<double> at) {
     if (!mayLeave([this, request, at] { open(request, at); })) return;
-    opener_.open(request, [this, at](Expected<OpenRun> run) { (void)take(std::move(run), at); });
+    openRunOf(request, [this, at](Expected<OpenRun> run) { (void)take(std::move(run), at); });
+}
+
+void WindowFiles::openRunOf(const OpenRequest& request, std::function<void(Expected<OpenRun>)> take) {
+    opener_.open(
+        request.file, [request](const OpenProgress& progress) { return openRun(request, progress); }, std::move(take));
 }
 
 Expected<void> WindowFiles::openNow(const OpenRequest& request, std::optional<double> at) {
     Expected<void> done;
-    opener_.open(request, [&, at](Expected<OpenRun> run) { done = take(std::move(run), at); });
+    openRunOf(request, [&, at](Expected<OpenRun> run) { done = take(std::move(run), at); });
     opener_.settle();
     return done;
 }

@@ -10,7 +10,7 @@
 
 #include "files/description_watch.h"
 #include "files/laid_over_log.h"
-#include "files/run_opener.h"
+#include "files/opener.h"
 #include "frame/frame.h"
 #include "world/state_hash.h"
 
@@ -73,7 +73,7 @@ public:
 
     /// How the run that is open was opened; nothing is open: nothing.
     const std::optional<OpenRequest>& opened() const { return opened_; }
-    RunOpener& opener() { return opener_; }
+    Opener& opener() { return opener_; }
     DescriptionWatch& watch() { return watch_; }
 
 signals:
@@ -81,6 +81,7 @@ signals:
     void recordingTo(const QString& path);  ///< empty: nowhere
 
 private:
+    void openRunOf(const OpenRequest& request, std::function<void(Expected<OpenRun>)> take);
     Expected<void> take(Expected<OpenRun> run, std::optional<double> at);
     void offerModel(const QString& path);
     void listTrials(const QString& path);
@@ -107,7 +108,7 @@ private:
     Frame frame_;
     FieldView& field_;
     LaidOverLog* log_ = nullptr;
-    RunOpener opener_;
+    Opener opener_;
     DescriptionWatch watch_;
     static constexpr const char* goneTopic = "gone";
     std::optional<OpenRequest> opened_;

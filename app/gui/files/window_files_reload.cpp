@@ -29,7 +29,7 @@ void WindowFiles::reload(const QString& why) {
     // A seed of the user's own stays; the scenario's may be what has changed.
     if (shown && shown->frame->state.seed != shown->frame->scenario->parts().seed)
         request.seed = shown->frame->state.seed;
-    opener_.open(request, [this, why](Expected<OpenRun> run) {
+    openRunOf(request, [this, why](Expected<OpenRun> run) {
         if (run && run->recorded()) return takeGrown(*run);
         const Shown* const now = frame_.session.current();
         // A plug-in that crashed or was too slow gets another chance.

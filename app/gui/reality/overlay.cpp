@@ -36,12 +36,6 @@ QString planNote(const PlayedLog& log, const RolloutPlan& plan) {
     return QObject::tr("%1: the simulation starts once").arg(why);
 }
 
-OpenProgress whileWanted(const JobQueue::GoesOn& goesOn) {
-    OpenProgress progress;
-    progress.goesOn = goesOn;
-    return progress;
-}
-
 }  // namespace
 
 Overlay::Overlay(const Frame& frame, FieldView& field, WindowFiles& files)
@@ -51,7 +45,7 @@ Overlay::Overlay(const Frame& frame, FieldView& field, WindowFiles& files)
       models_(frame, rollouts_, computing_),
       causes_(rollouts_, models_),
       searcher_(rollouts_),
-      opener_(frame),
+      opener_(frame, "opening log"),
       shown_(frame, field, files, {rollouts_, models_, causes_, searcher_, opener_}) {
     connect(&shown_, &ShownRollout::changed, this, &Overlay::changed);
     connect(&shown_, &ShownRollout::divergencesChanged, this, &Overlay::divergencesChanged);
@@ -62,7 +56,7 @@ Overlay::Overlay(const Frame& frame, FieldView& field, WindowFiles& files)
     connect(&models_, &LaidModels::changed, this, &Overlay::changed);
     connect(&models_, &LaidModels::failed, this, &Overlay::sayError);
     connect(&causes_, &CauseFinder::changed, this, &Overlay::changed);
-    connect(&opener_, &LogOpener::cancelled, this, [this] { setAside(), readAgain(); });
+    connect(&opener_, &Opener::cancelled, this, [this] { setAside(), readAgain(); });
 }
 
 void Overlay::open(const PlayedLogRequest& request, const std::optional<RolloutPlan>& asked) { post({request, asked}); }
@@ -81,22 +75,21 @@ void Overlay::post(const Opening& opening) {
     setAside();
     auto kindUnknown = std::make_shared<bool>(false);
     opener_.open(
-        [opening, kindUnknown, restarts = rollouts_.restarts()](const JobQueue::GoesOn& goesOn) {
-            return openLogAsRun(opening.request, opening.asked, restarts, whileWanted(goesOn), kindUnknown.get());
+        opening.request.log,
+        [opening, kindUnknown, restarts = rollouts_.restarts()](const OpenProgress& progress) {
+            return openLogAsRun(opening.request, opening.asked, restarts, progress, kindUnknown.get());
         },
         [this, opening, kindUnknown](Expected<OpenedLog> opened) { take(std::move(opened), opening, *kindUnknown); });
-    opener_.reportOpening(opening.request.log);
 }
 
 /// The newest wish counts; what has changed in the files is read after it.
 void Overlay::setAside() {
-    opener_.drop();
+    opener_.cancel();
     if (reading_ && !reload_) reload_ = reading_;
     reading_.reset();
 }
 
 void Overlay::take(Expected<OpenedLog> opened, const Opening& opening, bool kindUnknown) {
-    opener_.drop();
     if (!opened) {
         if (kindUnknown && opening.mayAsk && !frame_.actions.unattended())
             emit robotKindUnknown(opening.request, opening.asked);
@@ -123,7 +116,8 @@ void Overlay::follow(const OpenRun& run) {
     request.pluginLimit = run.source.pluginLimit;
     if (run.recorded()) request.kept = run.setup->value;
     opener_.open(
-        [request](const JobQueue::GoesOn& goesOn) { return openPlayedLog(request, whileWanted(goesOn)); },
+        request.log.empty() ? request.scenario : request.log,
+        [request](const OpenProgress& progress) { return openPlayedLog(request, progress); },
         [this, followed = run.setup](Expected<PlayedLogPointer> log) {
             if (log) return takeFollowed(std::move(*log), followed);
             const QString why = qtText(log.error().message());
@@ -142,10 +136,13 @@ bool Overlay::reload(const QString& why) {
 void Overlay::readAgain() {
     if (!reload_ || !rollouts_.shown()) return;
     reading_ = std::exchange(reload_, std::nullopt);
-    opener_.open([log = rollouts_.log(), plan = rollouts_.plan(), shown = rollouts_.requests()[*rollouts_.shown()],
-                  restarts = rollouts_.restarts()](
-                     const JobQueue::GoesOn& goesOn) { return reopen(*log, plan, shown, restarts, goesOn); },
-                 [this, why = *reading_](Expected<OpenedLog> again) { takeReopened(std::move(again), why); });
+    opener_.open(
+        rollouts_.log()->place,
+        [log = rollouts_.log(), plan = rollouts_.plan(), shown = rollouts_.requests()[*rollouts_.shown()],
+         restarts = rollouts_.restarts()](const OpenProgress& progress) {
+            return reopen(*log, plan, shown, restarts, progress);
+        },
+        [this, why = *reading_](Expected<OpenedLog> again) { takeReopened(std::move(again), why); });
 }
 
 void Overlay::takeReopened(Expected<OpenedLog> again, const QString& why) {
@@ -304,7 +301,7 @@ bool Overlay::cancel() {
     // What is waited for, before what is done beside it.
     if (searcher_.busy()) return searcher_.stop(), true;
     if (!opener_.busy() && !computing_.busy() && !models_.busy() && !causes_.busy()) return false;
-    opener_.drop();
+    opener_.cancel();
     computing_.drop();
     reload_.reset();
     reading_.reset();

@@ -6,6 +6,7 @@
 #include "files/laid_over_log.h"
 #include "frame/frame.h"
 #include "reality/shown_rollout.h"
+#include "workflow/open_log.h"
 
 namespace mrose::gui {
 
@@ -91,7 +92,7 @@ private:
     LaidModels models_;
     CauseFinder causes_;
     RolloutSearcher searcher_;
-    LogOpener opener_;
+    Opener opener_;
     ShownRollout shown_;
     double share_ = 1;
     QString error_;

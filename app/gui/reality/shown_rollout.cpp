@@ -124,10 +124,13 @@ bool ShownRollout::show(std::size_t rollout, std::optional<std::size_t> robot, c
     if (!rollouts_.log() || rollout >= rollouts_.requests().size()) return false;
     if (!files_.mayLeave([this, rollout, robot, then] { show(rollout, robot, then); })) return false;
     emit opens();
-    opener_.open([log = rollouts_.log(), request = rollouts_.requests()[rollout],
-                  toLogEnd = playsToLogEnd(rollouts_.plan(), rollouts_.restarts())](
-                     const JobQueue::GoesOn&) { return openRollout(*log, request, toLogEnd); },
-                 [this, rollout, robot, then](Expected<OpenRun> run) { take(std::move(run), rollout, robot, then); });
+    opener_.open(
+        rollouts_.log()->place,
+        [log = rollouts_.log(), request = rollouts_.requests()[rollout],
+         toLogEnd = playsToLogEnd(rollouts_.plan(), rollouts_.restarts())](const OpenProgress&) {
+            return openRollout(*log, request, toLogEnd);
+        },
+        [this, rollout, robot, then](Expected<OpenRun> run) { take(std::move(run), rollout, robot, then); });
     return true;
 }
 

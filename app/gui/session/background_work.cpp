@@ -17,33 +17,32 @@ BackgroundWork::BackgroundWork(QObject* parent) : QObject(parent) {
     connect(&reporting_, &QTimer::timeout, this, [this] { emit progress(what_, share_); });
 }
 
-BackgroundWork::~BackgroundWork() {
-    cancelled_ = true;
-    if (thread_) thread_->wait();
-}
-
 Expected<void> BackgroundWork::start(const QString& what, Job job, Done done) {
     if (running_) return fail("", "\"" + what_.toStdString() + "\" is under way; wait for its end, or end it (Esc)");
     what_ = what;
-    done_ = std::move(done);
     running_ = true;
     share_ = 0;
     cancelled_ = false;
-    outcome_.reset();
     reporting_.start();
     atWork_ = true;
-    // A thread of Qt's: jobs may wait for other programs.
-    thread_.reset(QThread::create([this, job = std::move(job)] {
-        const auto progress = [this](double share) {
-            share_ = share;
-            return !cancelled_ && !quit_;
-        };
-        outcome_ = caught([&] { return job(progress); });
-        atWork_ = false;
-        atWork_.notify_all();
-        QMetaObject::invokeMethod(this, &BackgroundWork::finish, Qt::QueuedConnection);
-    }));
-    thread_->start();
+    queue_.run(
+        [this, job = std::move(job)](const JobQueue::GoesOn&) {
+            const Outcome outcome = caught([&] {
+                return job([this](double share) {
+                    share_ = share;
+                    return !cancelled_ && !quit_;
+                });
+            });
+            atWork_ = false;
+            atWork_.notify_all();
+            return outcome;
+        },
+        [this, done = std::move(done)](const Outcome& outcome) {
+            reporting_.stop();
+            running_ = false;
+            emit progress(what_, 1);
+            done(outcome);
+        });
     return {};
 }
 
@@ -56,16 +55,6 @@ bool BackgroundWork::cancel() {
 void BackgroundWork::quit() {
     quit_ = true;
     atWork_.wait(true);
-}
-
-void BackgroundWork::finish() {
-    thread_->wait();
-    reporting_.stop();
-    running_ = false;
-    emit progress(what_, 1);
-    const Done done = std::exchange(done_, {});
-    const Outcome outcome = std::move(*outcome_);
-    done(outcome);
 }
 
 void BackgroundWork::settle() {

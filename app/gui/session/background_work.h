@@ -2,7 +2,6 @@
 
 #include <QObject>
 #include <QString>
-#include <QThread>
 #include <QTimer>
 #include <atomic>
 #include <functional>
@@ -10,25 +9,24 @@
 #include <memory>
 #include <optional>
 
-#include "io/error.h"
 #include "session/awaited.h"
+#include "session/job_queue.h"
 
 namespace mrose::gui {
 
-/// One piece of long work in a thread of its own, while window and session go on.
+/// One piece of long work at a time beside window and session, named, with its progress.
 class BackgroundWork final : public QObject {
     Q_OBJECT
 
 public:
-    /// Called now and then with the share that is done; false: it is to end.
-    using Progress = std::function<bool(double share)>;
     /// False: it was ended before its end, and left nothing behind.
     using Outcome = Expected<bool>;
+    /// Asks its progress now and then whether it is to go on.
     using Job = std::function<Outcome(const Progress&)>;
     using Done = std::function<void(const Outcome&)>;
 
     explicit BackgroundWork(QObject* parent = nullptr);
-    ~BackgroundWork() override;
+    ~BackgroundWork() override { cancelled_ = true; }
 
     /// `done` is called in the window's thread; what the job throws is its outcome's error. Error: something else is
     /// under way.
@@ -45,17 +43,13 @@ signals:
     void progress(const QString& what, double share);  ///< share 1: it has ended
 
 private:
-    void finish();
-
     QString what_;
-    Done done_;
     bool running_ = false;
     QTimer reporting_;
-    std::optional<Outcome> outcome_;  ///< set by the thread before it ends
     std::atomic<double> share_ = 0;
     std::atomic<bool> cancelled_ = false, quit_ = false;
     std::atomic<bool> atWork_ = false;  ///< the job has not returned
-    std::unique_ptr<QThread> thread_;
+    JobQueue queue_;
 };
 
 /// Asks in the window's thread from another one, and waits for the answer; nullopt where it is not to go on. The

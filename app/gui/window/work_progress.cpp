@@ -14,21 +14,13 @@ namespace {
 
 /// What is done sooner needs no word.
 constexpr int workPatience = 300;  // ms
-constexpr const char *openingTopic = "opening", *workTopic = "work", *backgroundTopic = "background";
+constexpr const char *workTopic = "work", *backgroundTopic = "background";
 constexpr int wholeShare = 1000;
 
 }  // namespace
 
 WorkProgress::WorkProgress(const Frame& frame, WindowFiles& files, BackgroundWork& background, Overlay& overlay)
     : QObject(&frame.window), frame_(frame), files_(files), background_(background), overlay_(overlay) {
-    RunOpener& opener = files.opener();
-    connect(&opener, &RunOpener::progress, this, [this](const QString& what) {
-        frame_.messages.add({MessageBar::Kind::progress,
-                             tr("Opening %1").arg(what),
-                             openingTopic,
-                             {{tr("Cancel"), tr("Do not open it (Esc)"), [this] { files_.cancel(); }}}});
-    });
-    connect(&opener, &RunOpener::ended, this, [this] { frame_.messages.remove(openingTopic); });
     patience_.setSingleShot(true);
     patience_.setInterval(workPatience);
     connect(&patience_, &QTimer::timeout, this, &WorkProgress::show);
