@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
-#include <filesystem>
 #include <utility>
 
 #include <unistd.h>
 
-#include "io/file.h"
+#include "io/shell_quoted.h"
 
 namespace mrose::cli {
 namespace {
@@ -49,34 +47,21 @@ void addOverwrite(CLI::App& sub, CommonFlags& flags) {
     sub.add_flag("--overwrite", flags.overwrite, "Replace outputs that are there already");
 }
 
-Expected<void> checkNotRead(const std::string& output, const std::vector<std::string>& inputs) {
-    for (const std::string& input : inputs) {
-        std::error_code unknown;
-        if (std::filesystem::equivalent(output, input, unknown))
-            return fail(output, "is read by this command; expected another file for what it writes");
-    }
-    return {};
-}
-
-Expected<void> checkOutput(const std::string& output, const std::vector<std::string>& inputs, bool overwrite) {
-    if (auto other = checkNotRead(output, inputs); !other) return other;
-    return checkWritable(output, overwrite);
-}
-
 int report(const Error& error) {
     std::fprintf(stderr, "mrose: %s\n", error.message().c_str());
     return failure;
 }
 
-int report(Error error, const std::string& file) {
-    if (error.file.empty()) error.file = file;
-    return report(error);
+void reportNotes(const std::vector<std::string>& notes) {
+    for (const std::string& note : notes) report({"", 0, 0, "note", note});
 }
 
 int reportInterrupted() {
     std::fprintf(stderr, "mrose: interrupted; nothing written\n");
     return interruptedStatus();
 }
+
+bool goesOn(double) { return !wasInterrupted(); }
 
 std::string commandLine() { return givenCommandLine; }
 

@@ -13,9 +13,6 @@
 #include "io/error.h"
 #include "shared/flag_checks.h"
 #include "shared/interrupts.h"
-#include "shared/shell_quoted.h"
-#include "workflow/log_files.h"
-#include "workflow/notices.h"
 
 namespace mrose::cli {
 
@@ -56,18 +53,16 @@ void addSeed(CLI::App& sub, CommonFlags& flags);
 void addThreads(CLI::App& sub, CommonFlags& flags);
 void addOverwrite(CLI::App& sub, CommonFlags& flags);
 
-/// That an output is none of the files that the command reads.
-Expected<void> checkNotRead(const std::string& output, const std::vector<std::string>& inputs);
-/// The same, and that it can be written: is not there, or `overwrite`.
-Expected<void> checkOutput(const std::string& output, const std::vector<std::string>& inputs, bool overwrite);
-
 /// One line on standard error; returns ExitStatus::failure.
 int report(const Error& error);
-/// The same of what names no file of its own.
-int report(Error error, const std::string& file);
+/// A line on standard error for each sentence.
+void reportNotes(const std::vector<std::string>& notes);
 
 /// Of what leaves nothing when it is interrupted: says so; returns interruptedStatus().
 int reportInterrupted();
+
+/// Progress that nothing is shown of: whether the program was not interrupted.
+bool goesOn(double share);
 
 /// The command line as it can be typed again.
 std::string commandLine();

@@ -1,5 +1,3 @@
-#include "assessment/compare.h"
-
 #include <cstdio>
 
 #include "common.h"
@@ -8,21 +6,19 @@
 #include "plugins.h"
 #include "report/comparison_files.h"
 #include "report/comparison_report.h"
-#include "workflow/log_comparison.h"
+#include "workflow/compare_log.h"
 #include "world/seconds_text.h"
 
 namespace mrose::cli {
 namespace {
 
 struct CompareFlags {
-    LogComparisonRequest what;
+    CompareRequest what;
     std::string folder;
-    PluginFlags plugins;
-    DivergenceRequest divergence;
 };
 
-void printComparison(const Comparison& comparison, const ComparedDivergences& divergences,
-                     const std::vector<std::string>& notices) {
+void printComparison(const LogComparison& compared) {
+    const Comparison& comparison = compared.comparison;
     const Nanoseconds step = comparison.log.options.step;
     const RolloutRequest& first = comparison.requests.front();
     const bool one = comparison.requests.size() == 1;
@@ -44,20 +40,47 @@ void printComparison(const Comparison& comparison, const ComparedDivergences& di
         "\nwindows: rollouts with ground truth throughout in which the robot moves; P: time-mean position error over "
         "path,\nHd: time-mean heading error over rotation, summed over these windows. final: median errors at the end "
         "of the\nrollouts. touches: how often the simulated robot began to touch something.");
-    printDivergences(comparison, divergences);
-    std::vector<std::string> notes = notices;
+    printDivergences(comparison, compared.divergences);
+    std::vector<std::string> notes = compared.context.notices;
     for (std::string& remark : remarksOn(comparison)) notes.push_back(std::move(remark));
     if (!notes.empty()) std::puts("");
     for (const std::string& note : notes) std::printf("Note: %s\n", note.c_str());
 }
 
-int deliver(const LogComparison& compared, const ComparedDivergences& divergences, const CompareFlags& flags,
-            const CommonFlags& common) {
-    const auto& [world, comparison, context] = compared;
+/// Shows how far the search for causes is.
+class CausesDisplay {
+public:
+    explicit CausesDisplay(bool quiet) : line_(quiet) {}
+
+    bool operator()(double share) {
+        const int percent = static_cast<int>(100 * share);
+        const int apart = line_.terminal() ? 1 : 25;
+        if (percent / apart != shown_ / apart || shown_ < 0) line_.show("causes: " + std::to_string(percent) + " %");
+        shown_ = percent;
+        return !wasInterrupted();
+    }
+    void clear() { line_.clear(); }
+
+private:
+    ProgressLine line_;
+    int shown_ = -1;  ///< %
+};
+
+int compareScenario(const CompareFlags& flags, const CommonFlags& common) {
+    if (!flags.folder.empty())
+        if (const auto writable = checkComparisonFolder(flags.folder, common.overwrite); !writable)
+            return report(writable.error());
+    watchInterrupts();
+    CausesDisplay causes(common.quiet);
+    const auto compared = compareLog(flags.what, {goesOn, std::ref(causes)});
+    causes.clear();
+    if (wasInterrupted()) return reportInterrupted();
+    if (!compared) return report(compared.error());
+    const auto& [world, comparison, divergences, context] = *compared;
     if (common.json)
         std::fputs(comparisonJson(comparison, context.notices, &divergences).c_str(), stdout);
     else
-        printComparison(comparison, divergences, context.notices);
+        printComparison(*compared);
     if (flags.folder.empty()) return success;
     if (const auto written = writeComparison(comparison, world.parts().scene, context, flags.folder, &divergences);
         !written)
@@ -67,23 +90,11 @@ int deliver(const LogComparison& compared, const ComparedDivergences& divergence
     return success;
 }
 
-int compareScenario(const CompareFlags& flags, const CommonFlags& common) {
-    if (!flags.folder.empty())
-        if (const auto writable = checkComparisonFolder(flags.folder, common.overwrite); !writable)
-            return report(writable.error());
-    const auto compared = compareLog(flags.what, {pluginLoader(flags.plugins), watchPlugins}, commandLine());
-    if (!compared) return report(compared.error());
-    watchInterrupts();
-    const auto divergences = findDivergences(compared->world, compared->comparison, flags.divergence, common.quiet);
-    if (!divergences) return report(divergences.error(), compared->comparison.scenario);
-    if (divergences->cancelled) return reportInterrupted();
-    return deliver(*compared, *divergences, flags, common);
-}
-
 }  // namespace
 
 Subcommand addCompare(CLI::App& app, CommonFlags& common) {
     auto flags = std::make_shared<CompareFlags>();
+    flags->what.command = commandLine();
     CLI::App* sub = addSubcommand(
         app, common, "compare", "Put simulated robots beside the real ones whose log they play, with their errors",
         "  mrose compare --log MRCLAM_Dataset6\n"
@@ -130,8 +141,8 @@ Subcommand addCompare(CLI::App& app, CommonFlags& common) {
         ->excludes(every);
     sub->add_option("--report", flags->folder, "Folder for report.html, errors.csv, rollouts.csv and results.json")
         ->check(someName());
-    addDivergenceFlags(*sub, flags->divergence);
-    addPluginFlags(*sub, flags->plugins);
+    addDivergenceFlags(*sub, flags->what.divergence);
+    addPluginFlags(*sub, flags->what.plugins);
     sub->callback([sub, flags, &common] {
         if (sub->count("--seed") > 0) flags->what.seed = common.seed;
     });

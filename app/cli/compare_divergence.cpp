@@ -62,24 +62,6 @@ void addDivergenceFlags(CLI::App& sub, DivergenceRequest& flags) {
         ->excludes(causes);
 }
 
-Expected<ComparedDivergences> findDivergences(const LogWorld& world, const Comparison& comparison,
-                                              const DivergenceRequest& flags, bool quiet) {
-    auto options = divergenceOptions(world, flags);
-    if (!options) return tl::unexpected(options.error());
-    ProgressLine line(quiet);
-    int shown = -1;
-    options->progress = [&](double share) {
-        const int percent = static_cast<int>(100 * share);
-        const int apart = line.terminal() ? 1 : 25;
-        if (percent / apart != shown / apart || shown < 0) line.show("causes: " + std::to_string(percent) + " %");
-        shown = percent;
-        return !wasInterrupted();
-    };
-    auto found = divergencesOf(world, comparison, *options);
-    line.clear();
-    return found;
-}
-
 void printDivergences(const Comparison& comparison, const ComparedDivergences& divergences) {
     std::printf("\n%s\n", boundText(divergences).c_str());
     if (divergences.rollouts.empty()) {

@@ -1,19 +1,17 @@
-#include "assessment/evaluate.h"
-
 #include <cstdio>
 
 #include "common.h"
 #include "io/format.h"
 #include "report/evaluation_files.h"
 #include "report/evaluation_report.h"
-#include "workflow/log_evaluation.h"
+#include "workflow/evaluate_network.h"
 #include "world/seconds_text.h"
 
 namespace mrose::cli {
 namespace {
 
 struct EvaluateFlags {
-    LogEvaluationRequest what;
+    EvaluateRequest what;
     std::string folder;
 };
 
@@ -70,12 +68,12 @@ void printTable(const Evaluation& evaluation, const std::vector<std::string>& no
     for (const std::string& notice : notices) std::printf("Note: %s\n", notice.c_str());
 }
 
-int evaluateNetwork(const EvaluateFlags& flags, const CommonFlags& common) {
+int runEvaluate(const EvaluateFlags& flags, const CommonFlags& common) {
     if (!flags.folder.empty())
         if (const auto writable = checkReportFolder(flags.folder, common.overwrite); !writable)
             return report(writable.error());
     watchInterrupts();
-    const auto evaluated = evaluateLog(flags.what, commandLine(), [](double) { return !wasInterrupted(); });
+    const auto evaluated = evaluateNetwork(flags.what, goesOn);
     if (wasInterrupted()) return reportInterrupted();
     if (!evaluated) return report(evaluated.error());
     const auto& [evaluation, context] = *evaluated;
@@ -94,6 +92,7 @@ int evaluateNetwork(const EvaluateFlags& flags, const CommonFlags& common) {
 
 Subcommand addEvaluate(CLI::App& app, CommonFlags& common) {
     auto flags = std::make_shared<EvaluateFlags>();
+    flags->what.command = commandLine();
     CLI::App* sub =
         addSubcommand(app, common, "evaluate", "Say how true a learned robot is: open-loop predictions against a log",
                       "  mrose evaluate create.net --log MRCLAM_Dataset7 --robots 1,2 --report report\n"
@@ -120,7 +119,7 @@ Subcommand addEvaluate(CLI::App& app, CommonFlags& common) {
                   "Only the part of the log that mrose train --hold-out kept from learning");
     sub->add_flag_callback(
         "--no-floor", [flags] { flags->what.withFloor = false; }, "Do not compare near-identical commands");
-    return {sub, [flags, &common] { return evaluateNetwork(*flags, common); }};
+    return {sub, [flags, &common] { return runEvaluate(*flags, common); }};
 }
 
 }  // namespace mrose::cli

@@ -1,118 +1,55 @@
-#include <algorithm>
 #include <cstdio>
-#include <filesystem>
 
 #include "common.h"
-#include "io/file.h"
-#include "io/made_folder.h"
-#include "logs/csv_writer.h"
-#include "synthetic/log_generator.h"
+#include "workflow/generate_logs.h"
 
 namespace mrose::cli {
 namespace {
 
-struct GenerateFlags {
-    std::string out, set, pattern;
-    std::optional<double> duration;
-    std::optional<int> trajectories, repeats;
+/// Shows how far driving is.
+class DrivingDisplay {
+public:
+    explicit DrivingDisplay(bool quiet) : line_(quiet), shown_(line_.terminal() ? -1 : 0) {}
+
+    bool operator()(double share) {
+        const int percent = static_cast<int>(100 * share);
+        const bool worth = line_.terminal() ? percent > shown_ : percent >= shown_ + 25 && percent < 100;
+        if (worth) line_.show("driving: " + std::to_string(shown_ = percent) + " %");
+        return !wasInterrupted();
+    }
+    void clear() { line_.clear(); }
+
+private:
+    ProgressLine line_;
+    int shown_;  ///< %
 };
 
-constexpr double longestLog = 1e6;  // s, of all trajectories of a file
-
-struct GeneratedFile {
-    std::filesystem::path path;
-    Log log;
-};
-
-bool shapedByItself(DrivePattern pattern) { return pattern == DrivePattern::jink || pattern == DrivePattern::ellipse; }
-
-std::vector<SyntheticPart> partsOf(const GenerateFlags& flags) {
-    std::vector<SyntheticPart> parts;
-    for (const SyntheticSet& set : syntheticSets())
-        if (set.name == flags.set) parts = set.parts;
-    for (int i = 0; i < patternCount; ++i)
-        if (name(DrivePattern(i)) == flags.pattern) parts = {{DrivePattern(i)}};
-    for (SyntheticPart& part : parts) {
-        if (!shapedByItself(part.pattern)) part.duration = flags.duration.value_or(part.duration);
-        part.trajectories = flags.trajectories.value_or(part.trajectories);
-        part.repeats = flags.repeats.value_or(part.repeats);
-    }
-    return parts;
-}
-
-double secondsOf(const SyntheticPart& part) {
-    const double each = part.duration < 0 ? patternDuration(part.pattern) : part.duration;
-    return each * part.trajectories * part.repeats;
-}
-
-/// The folder, made; error where a file could not be written into it, or is there already.
-Expected<MadeFolder> prepare(const std::filesystem::path& folder, const std::vector<SyntheticPart>& parts,
-                             bool overwrite) {
-    for (const SyntheticPart& part : parts)
-        if (secondsOf(part) > longestLog)
-            return fail({}, "more than 1,000,000 s of driving in one file", 0, "--trajectories");
-    auto made = MadeFolder::make(folder);
-    if (!made) return made;
-    for (const SyntheticPart& part : parts) {
-        const auto path = folder / (std::string(name(part.pattern)) + ".csv");
-        if (const auto writable = checkWritable(path, overwrite); !writable) return tl::unexpected(writable.error());
-    }
-    return made;
-}
-
-/// All logs; fewer when it was interrupted.
-std::vector<GeneratedFile> drive(const std::vector<SyntheticPart>& parts, const GenerateFlags& flags,
-                                 const CommonFlags& common) {
-    ProgressLine line(common.quiet);
-    double seconds = 0, before = 0;
-    for (const SyntheticPart& part : parts) seconds += secondsOf(part);
-    int shown = line.terminal() ? -1 : 0;
-    std::vector<GeneratedFile> files;
-    for (const SyntheticPart& part : parts) {
-        auto log = generateLog(part, common.seed, [&](double done) {
-            const int percent = static_cast<int>(100 * (before + done * secondsOf(part)) / seconds);
-            const bool worth = line.terminal() ? percent > shown : percent >= shown + 25 && percent < 100;
-            if (worth) line.show("driving: " + std::to_string(shown = percent) + " %");
-            return !wasInterrupted();
-        });
-        if (!log) break;
-        before += secondsOf(part);
-        files.push_back(
-            {std::filesystem::path(flags.out) / (std::string(name(part.pattern)) + ".csv"), std::move(*log)});
-    }
-    return files;
-}
-
-void print(const std::vector<GeneratedFile>& files, const std::vector<SyntheticPart>& parts,
-           const CommonFlags& common) {
+void print(const std::vector<GeneratedLog>& logs, const CommonFlags& common) {
     nlohmann::json json{{"synthetic", true}, {"seed", common.seed}, {"files", nlohmann::json::array()}};
-    for (std::size_t i = 0; i < files.size(); ++i) {
-        const std::string path = files[i].path.string();
-        const std::size_t count = files[i].log.robots.front().trajectories.size();
+    for (const GeneratedLog& log : logs) {
+        const std::string path = log.file.string();
         if (!common.json && !common.quiet)
-            std::printf("%s: synthetic, %zu trajector%s, %.0f s\n", path.c_str(), count, count == 1 ? "y" : "ies",
-                        secondsOf(parts[i]));
+            std::printf("%s: synthetic, %zu trajector%s, %.0f s\n", path.c_str(), log.trajectories,
+                        log.trajectories == 1 ? "y" : "ies", log.seconds);
         json["files"].push_back({{"file", path},
-                                 {"pattern", name(parts[i].pattern)},
-                                 {"trajectories", count},
-                                 {"repeats", parts[i].repeats},
-                                 {"seconds", secondsOf(parts[i])}});
+                                 {"pattern", name(log.pattern)},
+                                 {"trajectories", log.trajectories},
+                                 {"repeats", log.repeats},
+                                 {"seconds", log.seconds}});
     }
     if (common.json) std::puts(json.dump(2).c_str());
 }
 
-int generate(const GenerateFlags& flags, const CommonFlags& common) {
-    if (flags.set.empty() == flags.pattern.empty())
-        return report({"", 0, 0, "--set, --pattern", "exactly one of them says what to drive"});
-    const std::vector<SyntheticPart> parts = partsOf(flags);
-    const auto folder = prepare(flags.out, parts, common.overwrite);
-    if (!folder) return report(folder.error());
+int runGenerate(GenerateRequest request, const CommonFlags& common) {
+    request.seed = common.seed;
+    request.overwrite = common.overwrite;
     watchInterrupts();
-    const std::vector<GeneratedFile> files = drive(parts, flags, common);
-    if (files.size() < parts.size()) return reportInterrupted();
-    for (const GeneratedFile& file : files)
-        if (const auto written = writeCsv(file.path, file.log); !written) return report(written.error());
-    print(files, parts, common);
+    DrivingDisplay display(common.quiet);
+    const auto logs = generateLogs(request, std::ref(display));
+    display.clear();
+    if (!logs && wasInterrupted()) return reportInterrupted();
+    if (!logs) return report(logs.error());
+    print(*logs, common);
     return success;
 }
 
@@ -138,7 +75,7 @@ std::string setsText() {
 }  // namespace
 
 Subcommand addGenerate(CLI::App& app, CommonFlags& common) {
-    auto flags = std::make_shared<GenerateFlags>();
+    auto request = std::make_shared<GenerateRequest>();
     CLI::App* sub = addSubcommand(
         app, common, "generate", "Write synthetic logs, driven by the reference robot (no real robot drove them)",
         "  mrose generate --set training -o training\n"
@@ -150,18 +87,18 @@ Subcommand addGenerate(CLI::App& app, CommonFlags& common) {
             "The folder is made if need be.");
     addSeed(*sub, common);
     addOverwrite(*sub, common);
-    sub->add_option("-o,--output", flags->out, "The folder to write to")->required()->check(someName());
-    sub->add_option("--set", flags->set, "What to drive: " + CLI::detail::join(setNames(), ", "))
+    sub->add_option("-o,--output", request->folder, "The folder to write to")->required()->check(someName());
+    sub->add_option("--set", request->set, "What to drive: " + CLI::detail::join(setNames(), ", "))
         ->check(CLI::IsMember(setNames()));
-    sub->add_option("--pattern", flags->pattern, "One drive pattern only: " + CLI::detail::join(patternNames(), ", "))
+    sub->add_option("--pattern", request->pattern, "One drive pattern only: " + CLI::detail::join(patternNames(), ", "))
         ->check(CLI::IsMember(patternNames()));
-    sub->add_option("--trajectories", flags->trajectories, "Different trajectories in each file")
+    sub->add_option("--trajectories", request->trajectories, "Different trajectories in each file")
         ->check(CLI::Range(1, 100'000));
-    sub->add_option("--duration", flags->duration,
+    sub->add_option("--duration", request->duration,
                     "Length of a trajectory in s; the jink and the ellipse take as long as they take")
         ->check(numberRange(5.0, 36'000.0));
-    sub->add_option("--repeats", flags->repeats, "Runs of each trajectory's commands")->check(CLI::Range(1, 1000));
-    return {sub, [flags, &common] { return generate(*flags, common); }};
+    sub->add_option("--repeats", request->repeats, "Runs of each trajectory's commands")->check(CLI::Range(1, 1000));
+    return {sub, [request, &common] { return runGenerate(*request, common); }};
 }
 
 }  // namespace mrose::cli

@@ -2,7 +2,6 @@
 
 #include "plugin/load_plugin.h"
 #include "plugin/plugin_host.h"
-#include "workflow/plugin_process.h"
 
 namespace mrose::cli {
 namespace {
@@ -17,18 +16,15 @@ Expected<std::shared_ptr<const Controller>> load(const std::string& path, const 
 
 }  // namespace
 
-void addPluginFlags(CLI::App& sub, PluginFlags& flags) {
-    sub.add_flag("--isolate", flags.isolate,
+void addPluginFlags(CLI::App& sub, PluginUse& plugins) {
+    plugins.isolate = false;
+    plugins.load = load;
+    plugins.loaded = watchPlugins;
+    sub.add_flag("--isolate", plugins.isolate,
                  "Give each plug-in a process of its own: when it crashes or hangs, only its robot stops");
-    sub.add_option("--plugin-limit", flags.limit, "How long a plug-in may take for a decision, in s")
+    sub.add_option("--plugin-limit", plugins.limit, "How long a plug-in may take for a decision, in s")
         ->check(numberRange(0.01, 1e6))
         ->capture_default_str();
-}
-
-PluginLoader pluginLoader(const PluginFlags& flags) {
-    return [flags](const std::string& path, const std::string& options) {
-        return flags.isolate ? startPluginProcess(path, options, flags.limit) : load(path, options, flags.limit);
-    };
 }
 
 Subcommand addPluginHost(CLI::App& app) {

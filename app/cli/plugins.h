@@ -2,19 +2,12 @@
 
 #include "common.h"
 #include "plugin_watch.h"
-#include "scenario/scenario_file.h"
+#include "workflow/plugins.h"
 
 namespace mrose::cli {
 
-/// How controllers in shared libraries are run.
-struct PluginFlags {
-    bool isolate = false;
-    double limit = 10;  ///< s
-};
-void addPluginFlags(CLI::App& sub, PluginFlags& flags);
-
-/// Loads plug-ins into this program and watches them, or into processes of their own.
-PluginLoader pluginLoader(const PluginFlags& flags);
+/// Flags of how plug-ins are run. Those that are loaded into this program are watched.
+void addPluginFlags(CLI::App& sub, PluginUse& plugins);
 
 /// The subcommand that serves an isolated plug-in; not for people.
 Subcommand addPluginHost(CLI::App& app);

@@ -1,43 +1,127 @@
+#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 
 #include "common.h"
-#include "identification/robot_identification.h"
-#include "io/file.h"
-#include "io/format.h"
-#include "learning_logs.h"
-#include "robot_traits.h"
-#include "train_flags.h"
-#include "workflow/notices.h"
-#include "workflow/resources.h"
+#include "report/program_json.h"
+#include "workflow/train_network.h"
 
 namespace mrose::cli {
 namespace {
 
-/// Every robot's name once, in the order of the logs.
-std::vector<std::string> robotNames(const std::vector<Log>& logs) {
-    std::vector<std::string> names;
-    for (const Log& log : logs)
-        for (const RobotLog& robot : log.robots)
-            if (std::find(names.begin(), names.end(), robot.robot) == names.end()) names.push_back(robot.robot);
-    return names;
+struct TrainFlags {
+    TrainRequest request;
+    std::string model, method = "irprop+", loss, holdOutBy;
+
+    /// With what these words mean.
+    TrainRequest whole(const CommonFlags& common) const {
+        TrainRequest whole = request;
+        const auto indexOf = [](const auto& names, const std::string& word) {
+            return std::find(names.begin(), names.end(), word) - names.begin();
+        };
+        if (!model.empty()) whole.recipe = NetworkRecipe(indexOf(networkRecipeNames, model));
+        whole.method = TrainingMethod(indexOf(trainingMethodNames, method));
+        if (!loss.empty()) whole.loss = loss == "rollout" ? LearningLoss::rollout : LearningLoss::oneStep;
+        if (!holdOutBy.empty()) whole.logs.holdOutBy = holdOutBy == "groups" ? HoldOutBy::groups : HoldOutBy::time;
+        whole.seed = common.seed;
+        whole.overwrite = common.overwrite;
+        whole.command = commandLine();
+        return whole;
+    }
+};
+
+void addWhat(CLI::App& sub, TrainFlags& flags) {
+    sub.add_option("LOG", flags.request.logs.sources,
+                   "Logs to learn from: MRCLAM folders, Husky windows, CSV files or folders of them")
+        ->required();
+    sub.add_option("-o,--output", flags.request.output, "The network file to write")->required()->check(someName());
+    sub.add_option(
+           "--model", flags.model,
+           "What the network reads: see below. Default: velocity for robots that measure their own, history for "
+           "others")
+        ->check(CLI::IsMember({"history", "state", "velocity", "paper"}));
+    sub.add_option("--robots", flags.request.logs.robots, "Learn from these robots only, by name: 1,2")->delimiter(',');
+    sub.add_option("--type,--robot-type", flags.request.robotKind,
+                   "Kind of robot, whose traits learning must know: its name, as irobot-create, or a robot file with "
+                   "[kind]; default: what the log says");
+    sub.add_option("--hold-out", flags.request.logs.holdOut,
+                   "Share of the logs that nothing is learned from: mrose evaluate --held-out judges by it alone")
+        ->check(numberRange(0.001, 0.5));
+    sub.add_option("--hold-out-by", flags.holdOutBy,
+                   "Held out are whole groups of trajectories, or blocks of time of long ones, with a guard before and "
+                   "after them as long as what the model reads back and a rollout; default: groups where each log has "
+                   "enough of them, else time")
+        ->check(CLI::IsMember({"groups", "time"}))
+        ->needs("--hold-out");
+    sub.add_option("--hold-out-part", flags.request.logs.holdOutPart,
+                   "Which share that is, for cross-validation: 0, 1, ...")
+        ->needs("--hold-out")
+        ->check(CLI::Range(0, 1000))
+        ->capture_default_str();
 }
 
-/// A robot that measures its own velocity is predicted from it, any other one from its commands.
-std::string modelFor(const std::vector<Log>& logs) {
-    for (const Log& log : logs)
-        for (const RobotLog& robot : log.robots)
-            for (const Trajectory& trajectory : robot.trajectories)
-                if (trajectory.measuredVelocity.empty()) return "history";
-    return "velocity";
+void addHow(CLI::App& sub, TrainFlags& flags) {
+    sub.add_option("--method", flags.method, "Learning method; lm fits single steps only")
+        ->check(CLI::IsMember(std::vector<std::string>(trainingMethodNames.begin(), trainingMethodNames.end())))
+        ->capture_default_str();
+    sub.add_option("--loss", flags.loss, "What is minimised; default: one-step for paper, else rollout")
+        ->check(CLI::IsMember({"one-step", "rollout"}));
+    sub.add_option("--chain", flags.request.chain,
+                   "Periods of a rollout that is learned from; default 20, 10 for velocity")
+        ->check(CLI::Range(1, 1000));
+    sub.add_option("--hidden", flags.request.hidden, "Hidden units of each member; default: the model's")
+        ->check(CLI::Range(1, 1024));
+    sub.add_option(
+           "--members", flags.request.members,
+           "Networks, each learned with another part of the logs held out, whose mean is saved as one; default 4 "
+           "(velocity: 8, state and paper: 1)")
+        ->check(CLI::Range(1, 64));
+    sub.add_option("--folds", flags.request.folds, "Parts that the logs are divided into, held out in turn")
+        ->check(CLI::Range(2, 64))
+        ->capture_default_str();
+    sub.add_option("--epochs", flags.request.epochs, "At most so many epochs; default: the model's")
+        ->check(CLI::Range(1, 10'000'000));
+    sub.add_option("--patience", flags.request.patience,
+                   "Stop after so many epochs without a better held-out error; default 300, but all for state")
+        ->check(CLI::Range(1, 10'000'000));
+    sub.add_option(
+           "--phases", flags.request.phases,
+           "Phases of the period at which the logs are read: more patterns from the same logs; default 5, 1 for "
+           "state")
+        ->check(CLI::Range(1, 20));
 }
+
+/// Instead of what is identified from the logs.
+void addResponseTimes(CLI::App& sub, TrainFlags& flags) {
+    sub.add_option("--dead-time-v", flags.request.deadTimeV, "Dead time of v in s, instead of the one identified")
+        ->check(numberRange(0.0, 2.0));
+    sub.add_option("--dead-time-w", flags.request.deadTimeW, "Dead time of w in s, instead of the one identified")
+        ->check(numberRange(0.0, 2.0));
+    sub.add_option("--lag-v", flags.request.lagV, "Lag of v in s, instead of the one identified")
+        ->check(numberRange(0.0, 2.0));
+    sub.add_option("--lag-w", flags.request.lagW, "Lag of w in s, instead of the one identified")
+        ->check(numberRange(0.0, 2.0));
+}
+
+/// What the models are, for the help.
+constexpr const char* modelsText =
+    "Models:\n"
+    "  history: commands of the last tenths of a second -> motion; learned on rollouts\n"
+    "  state: velocity, and commands around the dead time -> motion and velocity; learned on rollouts, for robots of\n"
+    "    limited acceleration\n"
+    "  velocity: velocity, and commands in coarse bins -> motion and velocity; learned on rollouts, for robots that\n"
+    "    measure their velocity\n"
+    "  paper: (v, w, v_cmd, w_cmd) -> (dx, dy, dphi, v', w'); learned on single steps\n";
 
 /// Shows how learning goes, and how long it still takes at most.
 class TrainingDisplay {
 public:
     explicit TrainingDisplay(bool quiet) : line_(quiet) {}
 
+    bool prepares(double share) {
+        if (share >= 1) begin_ = std::chrono::steady_clock::now();
+        return !wasInterrupted();
+    }
     bool operator()(const NetworkProgress& p) {
         const double done = p.member + static_cast<double>(p.epoch) / p.epochs;
         const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin_;
@@ -56,28 +140,14 @@ public:
 
 private:
     ProgressLine line_;
-    int shownTenth_ = -1;  ///< of all epochs
-    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+    int shownTenth_ = -1;                          ///< of all epochs
+    std::chrono::steady_clock::time_point begin_;  ///< of learning
 };
 
-void printSummary(const TrainedNetwork& summary, const TrainFlags& flags, const CommonFlags& common, double seconds) {
-    const MotionNetwork& n = summary.network;
-    if (common.json) {
-        std::puts(nlohmann::json{{"network", flags.out},
-                                 {"patterns", n.training.patterns},
-                                 {"epochs", n.training.epochs},
-                                 {"seconds", seconds},
-                                 {"held_out_windows", n.heldOut.windows},
-                                 {"held_out_position_percent", n.heldOut.position},
-                                 {"held_out_heading_percent", n.heldOut.heading},
-                                 {"kept_from_learning", keptFromLearning(n.heldOut.part)},
-                                 {"interrupted", summary.cancelled}}
-                      .dump(2)
-                      .c_str());
-        return;
-    }
-    std::printf("%s%s: %d inputs, %d hidden units; learned from %lld patterns in %s (%lld epochs)\n", flags.out.c_str(),
-                summary.cancelled ? " (interrupted: the best network so far)" : "", n.mlp.shape.inputs,
+void printSummary(const TrainedNetwork& trained, const std::string& file, double seconds) {
+    const MotionNetwork& n = trained.network;
+    std::printf("%s%s: %d inputs, %d hidden units; learned from %lld patterns in %s (%lld epochs)\n", file.c_str(),
+                trained.cancelled ? " (interrupted: the best network so far)" : "", n.mlp.shape.inputs,
                 n.mlp.shape.hidden, static_cast<long long>(n.training.patterns), durationText(seconds).c_str(),
                 static_cast<long long>(n.training.epochs));
     std::printf(
@@ -89,113 +159,28 @@ void printSummary(const TrainedNetwork& summary, const TrainFlags& flags, const 
                     keptFromLearning(n.heldOut.part).c_str());
 }
 
-using Identified = MotionNetwork::Identified;
-
-template <class Value>
-double medianOf(const std::vector<Identified>& robots, Value value) {
-    std::vector<double> values;
-    for (const Identified& robot : robots) values.push_back(value(robot));
-    std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
-    return values[values.size() / 2];
-}
-
-/// Those identified, median of the robots, unless the command line says otherwise.
-ResponseTimes responseTimes(const std::vector<Identified>& robots, const TrainFlags& flags) {
-    constexpr double quickest = 0.03;  // s: no drive forgets a push faster, whatever the fit says
-    ResponseTimes t;
-    t.deadTimeV = flags.deadTimeV.value_or(medianOf(robots, [](const Identified& i) { return i.dynamic.v.deadTime; }));
-    t.deadTimeW = flags.deadTimeW.value_or(medianOf(robots, [](const Identified& i) { return i.dynamic.w.deadTime; }));
-    t.lagV = flags.lagV.value_or(medianOf(robots, [](const Identified& i) { return i.dynamic.v.lag; }));
-    t.lagW = flags.lagW.value_or(medianOf(robots, [](const Identified& i) { return i.dynamic.w.lag; }));
-    t.recoveryV =
-        flags.lagV.value_or(std::max(quickest, medianOf(robots, [](const Identified& i) { return i.v.lag; })));
-    t.recoveryW =
-        flags.lagW.value_or(std::max(quickest, medianOf(robots, [](const Identified& i) { return i.w.lag; })));
-    return t;
-}
-
-/// What is learned from, and what is known of the network beforehand.
-struct TrainingData {
-    HoldOut holdOut;
-    std::vector<Log> logs;  ///< without what is held out
-    MotionNetwork blueprint;
-};
-
-Expected<TrainingData> trainingData(const LearningLogs& opened, const TrainFlags& flags, const RobotTraits& traits) {
-    TrainingData data;
-    data.holdOut = opened.holdOut;
-    auto logs = opened.learned();
-    if (!logs) return tl::unexpected(logs.error());
-    data.logs = std::move(*logs);
-    auto identified = identifyRobots(data.logs);
-    if (!identified) return tl::unexpected(identified.error());
-    data.blueprint = recipeOf(flags.model).blueprint(traits, robotNames(data.logs), responseTimes(*identified, flags));
-    data.blueprint.identified = std::move(*identified);
-    return data;
-}
-
-/// With a guard around blocks of time that are held out: what a pattern reads back and the length of a rollout. How far
-/// the network reads depends on what is identified, and that on what is held out; so the guard grows until it suffices.
-Expected<TrainingData> guardedTrainingData(LearningLogs opened, const RobotTraits& traits, const TrainFlags& flags,
-                                           const NetworkTrainerOptions& options) {
-    for (;;) {
-        auto data = trainingData(opened, flags, traits);
-        if (!data || !opened.holdOut.byTime()) return data;
-        const int chain = options.loss == LearningLoss::rollout ? options.rolloutLength : 1;
-        const double reach = toSeconds(InputReader(data->blueprint).lookBack() + chain * data->blueprint.period);
-        if (reach <= opened.holdOut.guard) return data;
-        opened.holdOut.guard = std::ceil(10 * reach) / 10;
+int runTrain(const TrainRequest& request, const CommonFlags& common) {
+    if (const auto fits = checkTogether(request); !fits) {
+        report(fits.error());
+        return usage;
     }
-}
-
-int train(TrainFlags flags, const CommonFlags& common) {
     const auto begin = std::chrono::steady_clock::now();
-    std::vector<std::string> read;
-    for (const std::string& log : flags.logs) read.push_back(placeOfLog(log));
-    if (const auto writable = checkOutput(flags.out, read, common.overwrite); !writable)
-        return report(writable.error());
-    const HoldOutBy holdOutBy = flags.holdOutBy.empty()       ? HoldOutBy::whatSuits
-                                : flags.holdOutBy == "groups" ? HoldOutBy::groups
-                                                              : HoldOutBy::time;
-    const auto opened = openLearningLogs({flags.logs, flags.robots, flags.holdOut, flags.holdOutPart, holdOutBy});
-    if (!opened) return report(opened.error());
-    if (!common.quiet && !common.json)
-        for (const Log& log : opened->logs)
-            for (const std::string& missing : log.incomplete) std::printf("Note: %s\n", missing.c_str());
-    const auto traits = traitsOf(flags.type, opened->logs.front());
-    if (!traits) return report(traits.error());
-    if (flags.model.empty()) flags.model = modelFor(opened->logs);
-    const NetworkTrainerOptions options = trainerOptions(flags, common);
     watchInterrupts();
-
-    auto data = guardedTrainingData(*opened, *traits, flags, options);
-    if (!data) return report(data.error(), flags.logs.front());
-    MotionNetwork& blueprint = data->blueprint;
-    SampleOptions sampleOptions;
-    sampleOptions.heldOut = data->holdOut;
-    sampleOptions.folds = flags.folds;
-    sampleOptions.phases = flags.phases > 0 ? flags.phases : recipeOf(flags.model).phases;
-    auto samples = motionSamples(data->logs, blueprint, sampleOptions);
-    if (!samples) return report(samples.error(), flags.logs.front());
-    const std::vector<TrackerOffset> trackers = removeTrackerOffsets(*samples);
-    for (std::size_t i = 0; i < trackers.size() && i < blueprint.identified.size(); ++i)
-        blueprint.identified[i].tracker = trackers[i];
-    blueprint.drive = opened->drive;
-    blueprint.heldOut.part = data->holdOut;
-    blueprint.synthetic =
-        std::any_of(opened->logs.begin(), opened->logs.end(), [](const Log& log) { return log.synthetic; });
-    blueprint.training.command = commandLine();
-    for (const Log& log : opened->logs)
-        for (const LogFile& file : log.files) blueprint.training.logs.push_back({file.path, file.hash});
-
     TrainingDisplay display(common.quiet);
-    const auto summary = trainNetwork(blueprint, *samples, options, std::ref(display));
-    if (!summary) return report(summary.error(), flags.logs.front());
-    if (const auto saved = saveNetwork(summary->network, flags.out); !saved) return report(saved.error());
+    TrainProgress progress{{}, std::ref(display), [&](double share) { return display.prepares(share); }};
+    if (!common.quiet && !common.json)
+        progress.opened = [](const std::vector<std::string>& notes) {
+            for (const std::string& note : notes) std::printf("Note: %s\n", note.c_str());
+        };
+    const auto trained = trainNetwork(request, progress);
+    if (!trained && wasInterrupted()) return reportInterrupted();
+    if (!trained) return report(trained.error());
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
-    printSummary(*summary, flags, common, spent.count());
-    if (summary->cancelled) return interruptedStatus();
-    return success;
+    if (common.json)
+        std::puts(trainingJson(*trained, request.output, spent.count()).c_str());
+    else
+        printSummary(*trained, request.output, spent.count());
+    return trained->cancelled ? interruptedStatus() : success;
 }
 
 }  // namespace
@@ -215,14 +200,10 @@ Subcommand addTrain(CLI::App& app, CommonFlags& common) {
     addSeed(*sub, common);
     addThreads(*sub, common);
     addOverwrite(*sub, common);
-    addTrainFlags(*sub, *flags);
-    return {sub, [flags, &common] {
-                if (const auto fits = checkTogether(*flags); !fits) {
-                    report(fits.error());
-                    return static_cast<int>(usage);
-                }
-                return train(*flags, common);
-            }};
+    addWhat(*sub, *flags);
+    addHow(*sub, *flags);
+    addResponseTimes(*sub, *flags);
+    return {sub, [flags, &common] { return runTrain(flags->whole(common), common); }};
 }
 
 }  // namespace mrose::cli

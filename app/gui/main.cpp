@@ -28,7 +28,7 @@
 #include "widgets/qt_text.h"
 #include "widgets/timeline_bar.h"
 #include "window/main_window.h"
-#include "workflow/plugin_process.h"
+#include "workflow/plugins.h"
 #include "workflow/resources.h"
 
 namespace {

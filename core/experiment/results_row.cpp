@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstdio>
 #include <numbers>
 #include <numeric>
 
@@ -15,12 +14,6 @@ namespace mrose {
 namespace {
 
 constexpr std::size_t endCell = 2, firstNumber = 3, faultsCell = 7;
-
-std::string hexadecimal(std::uint64_t value) {
-    char text[17];
-    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
-    return text;
-}
 
 /// A cell that may hold commas and quotes, on one line.
 std::string cell(const std::string& text) {

@@ -5,6 +5,8 @@
 #include <limits>
 #include <string>
 
+#include "io/format.h"
+
 namespace mrose {
 namespace {
 
@@ -181,6 +183,14 @@ Expected<HoldOut> holdOutOf(std::span<const Log> logs, double share, int part, H
         if (!hasBothParts(log, time) || (by == HoldOutBy::time && !hasBlocks(log, time)))
             return tl::unexpected(tooShort(log, time, by));
     return time;
+}
+
+std::string keptFromLearning(const HoldOut& part) {
+    if (!part.holdsAny()) return {};
+    const std::string every = "one in " + std::to_string(part.every);
+    if (!part.byTime()) return every + " of the groups of trajectories";
+    return every + " of the blocks of about " + fixed(part.block, 0) + " s; nor was learned from " +
+           fixed(part.guard, 1) + " s before and after each";
 }
 
 }  // namespace mrose

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -34,5 +35,8 @@ enum class HoldOutBy {
 /// How to hold out about `share` of each log, the `part`-th of the ways to do that. No guard yet. Error: a log of which
 /// that cannot be held out.
 Expected<HoldOut> holdOutOf(std::span<const Log> logs, double share, int part, HoldOutBy by);
+
+/// What no part of learning has seen, in words: "one in 5 of the groups of trajectories"; "" where it has seen all.
+std::string keptFromLearning(const HoldOut& part);
 
 }  // namespace mrose

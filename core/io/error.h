@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
 #include <tl/expected.hpp>
 
@@ -23,6 +24,12 @@ using Expected = tl::expected<T, Error>;
 
 inline tl::unexpected<Error> fail(std::string file, std::string cause, int line = 0, std::string key = {}) {
     return tl::unexpected<Error>(Error{std::move(file), line, 0, std::move(key), std::move(cause)});
+}
+
+/// An error that names no file is of this one.
+inline tl::unexpected<Error> atFile(Error error, const std::string& file) {
+    if (error.file.empty()) error.file = file;
+    return tl::unexpected<Error>(std::move(error));
 }
 
 }  // namespace mrose

@@ -1,6 +1,5 @@
 #include "io/file.h"
 
-#include <cstdio>
 #include <deque>
 #include <system_error>
 
@@ -8,6 +7,7 @@
 #include <unistd.h>
 #include <xxhash.h>
 
+#include "io/format.h"
 #include "io/pending_file.h"
 #include "io/system_file.h"
 
@@ -70,11 +70,6 @@ Expected<void> checkWritable(const std::filesystem::path& path, bool overwrite) 
     return {};
 }
 
-std::string contentHash(std::string_view bytes) {
-    char text[17];
-    std::snprintf(text, sizeof text, "%016llx",
-                  static_cast<unsigned long long>(XXH3_64bits(bytes.data(), bytes.size())));
-    return text;
-}
+std::string contentHash(std::string_view bytes) { return hexadecimal(XXH3_64bits(bytes.data(), bytes.size())); }
 
 }  // namespace mrose

@@ -2,7 +2,9 @@
 
 #include <array>
 #include <charconv>
+#include <cinttypes>
 #include <cmath>
+#include <cstdio>
 
 namespace mrose {
 namespace {
@@ -35,6 +37,12 @@ std::string fixed(double value, int decimals) {
 
 std::string numberText(double value) { return shortest(value); }
 std::string numberText(float value) { return shortest(value); }
+
+std::string hexadecimal(std::uint64_t value) {
+    char text[17];
+    std::snprintf(text, sizeof text, "%016" PRIx64, value);
+    return text;
+}
 
 std::string counted(std::size_t count, const std::string& one, const std::string& many) {
     return std::to_string(count) + ' ' + (count == 1 ? one : many);

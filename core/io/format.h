@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <numbers>
 #include <string>
 
@@ -16,6 +17,9 @@ std::string fixed(double value, int decimals);
 /// locale.
 std::string numberText(double value);
 std::string numberText(float value);
+
+/// 16 hexadecimal digits.
+std::string hexadecimal(std::uint64_t value);
 
 /// "1 wall", "4 walls".
 std::string counted(std::size_t count, const std::string& one, const std::string& many);

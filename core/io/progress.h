@@ -8,4 +8,7 @@ namespace mrose {
 /// Empty: progress is not reported.
 using Progress = std::function<bool(double share)>;
 
+/// Whether a work that has come so far is to go on.
+inline bool mayGoOn(const Progress& progress, double share) { return !progress || progress(share); }
+
 }  // namespace mrose

@@ -40,4 +40,18 @@ Expected<std::shared_ptr<const LearnedMotion>> openNetwork(const std::string& pa
     return std::make_shared<const LearnedMotion>(std::move(*network));
 }
 
+RobotModels learnedModels(const std::shared_ptr<const LearnedMotion>& motion, const Log& log) {
+    RobotModels models{motion->network().form == MotionNetwork::Form::state ? "paper's network" : "network", {}};
+    for (const RobotLog& robot : log.robots)
+        models.byRobot.emplace(robot.robot, std::make_unique<LearnedModel>(motion, robot.robot));
+    return models;
+}
+
+NamedModel named(const RobotModels& models) {
+    return {models.name, [&models](const std::string& robot) -> const MotionModel* {
+                const auto found = models.byRobot.find(robot);
+                return found == models.byRobot.end() ? nullptr : found->second.get();
+            }};
+}
+
 }  // namespace mrose

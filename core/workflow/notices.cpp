@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "io/format.h"
 #include "logs/csv_format.h"
 #include "logs/unit_doubts.h"
 #include "motion/learned_model.h"
@@ -46,14 +45,6 @@ std::string ofKnownLog(const MotionNetwork& network, const Log& log, const std::
 }
 
 }  // namespace
-
-std::string keptFromLearning(const HoldOut& part) {
-    if (!part.holdsAny()) return {};
-    const std::string every = "one in " + std::to_string(part.every);
-    if (!part.byTime()) return every + " of the groups of trajectories";
-    return every + " of the blocks of about " + fixed(part.block, 0) + " s; nor was learned from " +
-           fixed(part.guard, 1) + " s before and after each";
-}
 
 std::vector<const MotionNetwork*> networksOf(const ScenarioParts& parts) {
     std::vector<const MotionNetwork*> networks;

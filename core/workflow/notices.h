@@ -13,9 +13,6 @@ namespace mrose {
 /// The kind of robot that drove in a log, by the robot files that ship; "" where the log does not say it.
 std::string robotKind(const Log& log);
 
-/// What no part of learning has seen, in words: "one in 5 of the groups of trajectories"; "" where it has seen all.
-std::string keptFromLearning(const HoldOut& part);
-
 /// What must be known of a log before its figures are believed, a sentence each: what is missing of it, what looks like
 /// other units.
 std::vector<std::string> noticesOf(const Log& log);

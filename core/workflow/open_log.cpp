@@ -9,8 +9,7 @@
 #include "logs/log_reader.h"
 #include "scenario/scenario_file.h"
 #include "workflow/notices.h"
-#include "workflow/opening.h"
-#include "workflow/plugin_process.h"
+#include "workflow/plugins.h"
 #include "workflow/resources.h"
 
 namespace mrose {

@@ -3,15 +3,13 @@
 #include <filesystem>
 
 #include "io/caught.h"
-#include "io/file.h"
 #include "io/file_lock.h"
 #include "recording/playback.h"
 #include "recording/recording.h"
 #include "scenario/scenario_file.h"
-#include "scenario/variation.h"
 #include "workflow/file_kind.h"
-#include "workflow/opening.h"
-#include "workflow/plugin_process.h"
+#include "workflow/open_scenario.h"
+#include "workflow/plugins.h"
 #include "workflow/resources.h"
 #include "world/seconds_text.h"
 
@@ -55,34 +53,32 @@ private:
 };
 
 /// Plug-ins run in processes of their own, so that one which hangs or crashes stops its robot and not the window.
-PluginLoader isolating(const OpenRequest& request, const OpenProgress& progress,
-                       std::map<std::string, std::string>& files) {
-    return [&request, &progress, &files](const std::string& path,
-                                         const std::string& options) -> Expected<std::shared_ptr<const Controller>> {
+PluginLoader isolating(const OpenRequest& request, const OpenProgress& progress) {
+    return [&request, &progress](const std::string& path,
+                                 const std::string& options) -> Expected<std::shared_ptr<const Controller>> {
         if (!progress.goesOn()) return fail(path, "was not opened: cancelled");
         progress.reads(path);
-        if (const auto content = readFile(path)) files[path] = contentHash(*content);
         return startPluginProcess(path, options, request.pluginLimit);
     };
 }
 
-Expected<OpenRun> openScenario(const OpenRequest& request, const OpenProgress& progress) {
+Expected<OpenRun> openToRun(const OpenRequest& request, const OpenProgress& progress) {
     WatchedDescriptions source(openDescriptions(request.log), progress);
-    std::map<std::string, std::string> files;
-    auto loaded = loadScenario(request.file, source, {isolating(request, progress, files)});
-    if (!loaded) return tl::unexpected(loaded.error());
-    for (const auto& [path, hash] : source.hashes()) files[path] = hash;
-    std::vector<std::string> notes = startsApartText(*loaded);
-    loaded = varied(*loaded, request.trial);
-    if (!loaded) return tl::unexpected(loaded.error());
-    for (std::string& sentence : startsOutsideText(loaded->parts.scene)) notes.push_back(std::move(sentence));
-    auto scenario = std::make_shared<const Scenario>(std::move(loaded->parts));
+    ScenarioRequest wanted{request.file};
+    wanted.trial = request.trial;
+    wanted.plugins.isolate = false;  // who loads it does that
+    wanted.plugins.load = [load = isolating(request, progress)](const std::string& path, const std::string& options,
+                                                                double) { return load(path, options); };
+    auto opened = openScenario(wanted, source);
+    if (!opened) return tl::unexpected(opened.error());
+    auto& [loaded, plugins, scenario, notes] = *opened;
     OpenRun run{scenario->parts().name, request, nullptr, scenario->initialState(), {}, {}, std::move(notes), {}};
     if (request.seed) run.start = scenario->initialState(*request.seed);
     if (request.trial > 0) run.name += ", trial " + std::to_string(request.trial);
     run.setup = std::make_shared<const BranchSetup>(
-        BranchSetup{std::make_shared<const ScenarioValue>(std::move(loaded->value)), std::move(scenario)});
-    run.files = std::move(files);
+        BranchSetup{std::make_shared<const ScenarioValue>(std::move(loaded.value)), std::move(scenario)});
+    run.files = std::move(plugins);
+    for (const auto& [path, hash] : source.hashes()) run.files[path] = hash;
     return run;
 }
 
@@ -168,7 +164,7 @@ Expected<OpenRun> openRecorded(const OpenRequest& request, const OpenProgress& p
         run.notes.push_back(std::move(sentence));
     if (request.trial > 0 || request.seed)
         run.notes.push_back(request.file + ": is a recording; trial and seed are those that it was made with");
-    const PluginLoader load = findingLoader(request.file, isolating(request, progress, run.files));
+    const PluginLoader load = findingLoader(request.file, isolating(request, progress));
     auto branches = branchesOf(*recording, load, run.notes);
     if (!branches) {
         branches.error().file = request.file + (branches.error().file.empty() ? "" : ": ") + branches.error().file;
@@ -178,18 +174,17 @@ Expected<OpenRun> openRecorded(const OpenRequest& request, const OpenProgress& p
     run.shown = recording->shown;
     run.setup = run.branches.front().setup;
     run.start = run.branches.front().start;
-    run.files.clear();  // it holds all that it was made from
     return run;
 }
 
 Expected<OpenRun> openAny(const OpenRequest& request, const OpenProgress& progress) {
     std::error_code ignored;
-    if (!std::filesystem::exists(request.file, ignored)) return openScenario(request, progress);  // it may ship
+    if (!std::filesystem::exists(request.file, ignored)) return openToRun(request, progress);  // it may ship
     const auto kind = fileKind(request.file);
     if (!kind) return tl::unexpected(kind.error());
     switch (*kind) {
         case FileKind::scenario:
-            return openScenario(request, progress);
+            return openToRun(request, progress);
         case FileKind::recording:
             return openRecorded(request, progress);
         case FileKind::network:

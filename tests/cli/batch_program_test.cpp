@@ -2,8 +2,8 @@
 #include <csignal>
 #include <set>
 
-#include "cli/game_folder.h"
 #include "plugin/test_plugins.h"
+#include "support/game_folder.h"
 #include "support/places.h"
 
 namespace mrose {

@@ -8,11 +8,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cli/workshop.h"
 #include "io/format.h"
 #include "support/places.h"
 #include "support/referee.h"
 #include "support/test_data.h"
+#include "support/workshop.h"
 
 namespace mrose {
 namespace {

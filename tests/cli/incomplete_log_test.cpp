@@ -2,11 +2,11 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "cli/workshop.h"
 #include "logs/csv_reader.h"
 #include "logs/csv_writer.h"
 #include "support/mrclam_folder.h"
 #include "support/places.h"
+#include "support/workshop.h"
 
 namespace mrose {
 namespace {

@@ -5,9 +5,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "cli/workshop.h"
 #include "motion/motion_network.h"
 #include "support/places.h"
+#include "support/workshop.h"
 
 namespace mrose {
 namespace {

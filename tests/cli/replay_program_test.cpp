@@ -4,11 +4,11 @@
 #include <functional>
 #include <map>
 
-#include "cli/game_folder.h"
 #include "io/file.h"
 #include "recording/recording_writer.h"
 #include "scenario/scenario_file.h"
 #include "simulation/step.h"
+#include "support/game_folder.h"
 #include "support/places.h"
 
 namespace mrose {

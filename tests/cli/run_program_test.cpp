@@ -4,12 +4,12 @@
 #include <csignal>
 #include <thread>
 
-#include "cli/game_folder.h"
 #include "io/file.h"
 #include "recording/recording.h"
 #include "scenario/scenario_file.h"
 #include "scenario/state_scenario.h"
 #include "simulation/step.h"
+#include "support/game_folder.h"
 #include "support/places.h"
 
 namespace mrose {

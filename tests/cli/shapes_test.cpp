@@ -3,9 +3,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cli/workshop.h"
 #include "io/file.h"
 #include "support/places.h"
+#include "support/workshop.h"
 
 namespace mrose {
 namespace {

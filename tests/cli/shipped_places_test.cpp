@@ -1,7 +1,7 @@
 // Where a program finds what ships: wherever it was built, and where it is installed.
-#include "cli/workshop.h"
 #include "io/file.h"
 #include "support/places.h"
+#include "support/workshop.h"
 
 namespace mrose {
 namespace {

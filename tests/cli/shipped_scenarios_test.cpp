@@ -1,7 +1,7 @@
 // The scenarios that ship, as a new user tries them.
 #include <set>
 
-#include "cli/game_folder.h"
+#include "support/game_folder.h"
 #include "support/test_data.h"
 
 namespace mrose {

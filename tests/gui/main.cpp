@@ -8,7 +8,7 @@
 
 #include "application.h"
 #include "plugin/plugin_host.h"
-#include "workflow/plugin_process.h"
+#include "workflow/plugins.h"
 
 int main(int argc, char** argv) {
     // The window's plug-ins live in processes of its program, which is this one here.

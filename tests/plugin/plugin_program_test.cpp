@@ -8,13 +8,13 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "cli/workshop.h"
 #include "io/file.h"
 #include "plugin/test_plugins.h"
 #include "recording/recording.h"
 #include "support/places.h"
 #include "support/run_program.h"
 #include "support/temporary_folder.h"
+#include "support/workshop.h"
 
 namespace mrose {
 namespace {

@@ -251,15 +251,14 @@ Expected<std::optional<double>> numberIn(const ReportDialog& dialog, const char*
 }
 
 /// What the comparison's dialogue asks for, as the flags of `mrose compare` do.
-Expected<ComparisonReport> comparisonIn(const ReportDialog& dialog, const PlayedLogPointer& open) {
+Expected<CompareRequest> comparisonIn(const ReportDialog& dialog, const PlayedLogPointer& open) {
     const auto line = [&](const char* name) { return dialog.findChild<QLineEdit*>(name); };
-    ComparisonReport report{{textOf(line("scenario")), textOf(line("log"))}};
-    LogComparisonRequest& what = report.what;
+    CompareRequest what{textOf(line("scenario")), textOf(line("log"))};
     what.robots = listFrom(line("robots"));
     what.robotFile = textOf(line("robot"));
     what.windows = textOf(line("windows"));
     if (open && open->place == what.log) what.seed = open->request.seed;
-    report.divergence.models = listFrom(line("models"));
+    what.divergence.models = listFrom(line("models"));
     std::optional<double> start, heading, position;
     constexpr double longest = 1e7;  // s
     struct Asked {
@@ -279,9 +278,9 @@ Expected<ComparisonReport> comparisonIn(const ReportDialog& dialog, const Played
     if (!what.windows.empty() && (start || what.every))
         return fail("", "windows begin where they are: leave out where to begin and how often");
     what.start = start.value_or(0);
-    if (position) report.divergence.position = *position / 100;
-    report.divergence.heading = heading;
-    return report;
+    if (position) what.divergence.position = *position / 100;
+    what.divergence.heading = heading;
+    return what;
 }
 
 }  // namespace
@@ -303,7 +302,7 @@ ReportDialog* showReportDialog(MainWindow& window) {
     const auto* folder = addFolder(*dialog);
     dialog->setAction([=, &window]() -> Expected<void> {
         if (auto all = needed({{log, "a log"}, {network, "a network"}, {folder, "a folder"}}); !all) return all;
-        LogEvaluationRequest request{textOf(network), textOf(log), listFrom(robots), listFrom(against)};
+        EvaluateRequest request{textOf(network), textOf(log), listFrom(robots), listFrom(against)};
         return exportReport(window, request, folder->text().trimmed(), dialog->replaces());
     });
     fillIn(window, *dialog);

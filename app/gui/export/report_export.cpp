@@ -2,15 +2,13 @@
 
 #include <QDir>
 
-#include "diagnosis/compared_divergences.h"
 #include "export/export_outcome.h"
 #include "io/file.h"
 #include "io/format.h"
+#include "io/shell_quoted.h"
 #include "report/comparison_report.h"
-#include "shared/shell_quoted.h"
 #include "widgets/qt_text.h"
 #include "window/main_window.h"
-#include "workflow/plugin_process.h"
 
 namespace mrose::gui {
 namespace {
@@ -39,15 +37,15 @@ std::string listOf(const std::vector<std::string>& names) {
 }
 
 /// The command that writes the same.
-std::string commandOf(const LogEvaluationRequest& request, const std::string& folder) {
+std::string commandOf(const EvaluateRequest& request, const std::string& folder) {
     std::string text = "mrose evaluate " + shellQuoted(request.network) + " --log " + shellQuoted(request.log);
     if (!request.robots.empty()) text += " --robots " + shellQuoted(listOf(request.robots));
     for (const std::string& other : request.against) text += " --against " + shellQuoted(other);
     return text + " --report " + shellQuoted(folder);
 }
 
-std::string commandOf(const ComparisonReport& report, const std::string& folder) {
-    const auto& [request, divergence] = report;
+std::string commandOf(const CompareRequest& request, const std::string& folder) {
+    const DivergenceRequest& divergence = request.divergence;
     std::string text = "mrose compare";
     const auto add = [&text](const char* flag, const std::string& value) {
         if (!value.empty()) text += flag + (' ' + shellQuoted(value));
@@ -82,56 +80,41 @@ Outcome makeAndWrite(const std::function<Expected<Made>(const Progress&)>& make,
     return true;
 }
 
-struct ComparisonWithCauses {
-    LogComparison compared;
-    ComparedDivergences divergences;
-};
-
-Expected<ComparisonWithCauses> compareWithCauses(const ComparisonReport& report, const LogComparisonPlugins& plugins,
-                                                 const std::string& folder, const Progress& progress) {
-    auto compared = compareLog(report.what, plugins, commandOf(report, folder),
-                               [&](double share) { return progress(comparing * share); });
-    if (!compared) return tl::unexpected(compared.error());
-    auto options = divergenceOptions(compared->world, report.divergence);
-    if (!options) return tl::unexpected(options.error());
-    options->progress = [&](double share) { return progress(comparing + (1 - comparing) * share); };
-    auto divergences = divergencesOf(compared->world, compared->comparison, *options);
-    if (!divergences) return tl::unexpected(divergences.error());
-    return ComparisonWithCauses{std::move(*compared), std::move(*divergences)};
-}
-
 QString pageIn(const QString& folder) { return QDir(folder).filePath("report.html"); }
 
 }  // namespace
 
-Expected<void> exportReport(MainWindow& window, const LogEvaluationRequest& request, const QString& folder,
-                            bool overwrite) {
+Expected<void> exportReport(MainWindow& window, EvaluateRequest request, const QString& folder, bool overwrite) {
     const std::string path = folder.toStdString();
     if (auto can = freeFolder(checkReportFolder(path, overwrite)); !can) return can;
+    request.command = commandOf(request, path);
     return exportInBackground(
         window, {QObject::tr("Evaluating %1").arg(qtText(request.network)), pageIn(folder)},
         [request, path](const Progress& progress) {
-            return makeAndWrite<LogEvaluation>(
-                [&](const Progress& goesOn) { return evaluateLog(request, commandOf(request, path), goesOn); },
-                [&](const LogEvaluation& made) { return writeReport(made.evaluation, made.context, path); }, progress);
+            return makeAndWrite<NetworkEvaluation>(
+                [&](const Progress& part) { return evaluateNetwork(request, part); },
+                [&](const NetworkEvaluation& made) { return writeReport(made.evaluation, made.context, path); },
+                progress);
         });
 }
 
-Expected<void> exportComparison(MainWindow& window, const ComparisonReport& report, const QString& folder,
-                                bool overwrite) {
+Expected<void> exportComparison(MainWindow& window, CompareRequest request, const QString& folder, bool overwrite) {
     const std::string path = folder.toStdString();
     if (auto can = freeFolder(checkComparisonFolder(path, overwrite)); !can) return can;
-    const LogComparisonPlugins plugins{[](const std::string& file, const std::string& options) {
-        return startPluginProcess(file, options, pluginLimit);
-    }};
+    request.command = commandOf(request, path);
+    request.plugins.limit = pluginLimit;
     return exportInBackground(
-        window, {QObject::tr("Comparing %1").arg(qtText(report.what.log)), pageIn(folder)},
-        [report, path, plugins](const Progress& progress) {
-            return makeAndWrite<ComparisonWithCauses>(
-                [&](const Progress& goesOn) { return compareWithCauses(report, plugins, path, goesOn); },
-                [&](const ComparisonWithCauses& made) {
-                    return writeComparison(made.compared.comparison, made.compared.world.parts().scene,
-                                           made.compared.context, path, &made.divergences);
+        window, {QObject::tr("Comparing %1").arg(qtText(request.log)), pageIn(folder)},
+        [request, path](const Progress& progress) {
+            return makeAndWrite<LogComparison>(
+                [&](const Progress& part) {
+                    return compareLog(request,
+                                      {[&](double share) { return part(comparing * share); },
+                                       [&](double share) { return part(comparing + (1 - comparing) * share); }});
+                },
+                [&](const LogComparison& made) {
+                    return writeComparison(made.comparison, made.world.parts().scene, made.context, path,
+                                           &made.divergences);
                 },
                 progress);
         });

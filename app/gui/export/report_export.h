@@ -3,9 +3,8 @@
 #include <QString>
 
 #include "io/error.h"
-#include "workflow/divergence_request.h"
-#include "workflow/log_comparison.h"
-#include "workflow/log_evaluation.h"
+#include "workflow/compare_log.h"
+#include "workflow/evaluate_network.h"
 
 namespace mrose::gui {
 
@@ -13,15 +12,9 @@ class MainWindow;
 
 /// Writes the report that `mrose evaluate --report` writes, in the background; see exportInBackground(). Error: a
 /// report is there already, without `overwrite`; the folder cannot be written.
-Expected<void> exportReport(MainWindow& window, const LogEvaluationRequest& request, const QString& folder,
-                            bool overwrite = false);
-/// What `mrose compare` is asked for.
-struct ComparisonReport {
-    LogComparisonRequest what;
-    DivergenceRequest divergence = {};
-};
+Expected<void> exportReport(MainWindow& window, EvaluateRequest request, const QString& folder, bool overwrite = false);
 /// That of `mrose compare --report`.
-Expected<void> exportComparison(MainWindow& window, const ComparisonReport& report, const QString& folder,
+Expected<void> exportComparison(MainWindow& window, CompareRequest request, const QString& folder,
                                 bool overwrite = false);
 
 }  // namespace mrose::gui

@@ -78,7 +78,7 @@ Expected<void> checkTexts(ScriptValues values, const char* usage) {
 
 Expected<void> report(MainWindow& window, ScriptValues values) {
     if (auto fit = checkTexts(values, "a log, a network and a folder"); !fit) return fit;
-    LogEvaluationRequest request{std::get<std::string>(values[1]), std::get<std::string>(values[0])};
+    EvaluateRequest request{std::get<std::string>(values[1]), std::get<std::string>(values[0])};
     for (std::size_t place = 3; place < values.size(); ++place) {
         const std::string* other = valueAt<std::string>(values, place);
         if (other == nullptr) return expectedAt("a network", place);
@@ -89,13 +89,13 @@ Expected<void> report(MainWindow& window, ScriptValues values) {
 
 Expected<void> comparison(MainWindow& window, ScriptValues values) {
     if (auto fit = checkTexts(values, "a scenario, a log and a folder"); !fit) return fit;
-    ComparisonReport report{{std::get<std::string>(values[0]), std::get<std::string>(values[1])}};
+    CompareRequest request{std::get<std::string>(values[0]), std::get<std::string>(values[1])};
     if (!absent(values, 3)) {
         const double* every = valueAt<double>(values, 3);
         if (every == nullptr || !(*every >= 0.1 && *every <= 1e7)) return expectedAt("a number of seconds", 3);
-        report.what.every = *every;
+        request.every = *every;
     }
-    return exportComparison(window, report, qtText(std::get<std::string>(values[2])));
+    return exportComparison(window, request, qtText(std::get<std::string>(values[2])));
 }
 
 }  // namespace

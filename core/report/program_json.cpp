@@ -1,0 +1,125 @@
+#include "report/program_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "identification/held_out_part.h"
+#include "io/format.h"
+#include "world/state_hash.h"
+
+namespace mrose {
+namespace {
+
+using Printed = nlohmann::json;  // sorted by key
+
+Printed printed(const MeasuredRange& range) {
+    return range.empty() ? Printed(nullptr) : Printed{range.least, range.most};
+}
+
+Printed printed(const ChannelDelay& c) {
+    if (!c.identified) return {{"identified", false}, {"reason", c.reason}};
+    return {{"identified", true},
+            {"dead_time_s", c.deadTime},
+            {"dead_time_error_s", c.deadTimeError},
+            {"lag_s", c.lag},
+            {"lag_error_s", c.lagError},
+            {"jitter_s", c.jitter},
+            {"jitter_error_s", c.jitterError},
+            {"explained", c.explained},
+            {"quality", c.quality()}};
+}
+
+Printed printed(const RobotInspection& robot) {
+    Printed defects;
+    for (const DefectCount& count : defectCounts()) defects[count.key] = robot.defects.*count.count;
+    defects["longest_command_gap_s"] = robot.defects.longestCommandGap;
+    defects["longest_pose_gap_s"] = robot.defects.longestPoseGap;
+    return {{"robot", robot.robot},
+            {"trajectories", robot.trajectories},
+            {"commands",
+             {{"count", robot.commands},
+              {"seconds", robot.commandTime},
+              {"rate_hz", robot.commandRate()},
+              {"v_mps", printed(robot.v)},
+              {"w_radps", printed(robot.w)}}},
+            {"poses",
+             {{"count", robot.poses},
+              {"seconds", robot.poseTime},
+              {"rate_hz", robot.poseRate()},
+              {"x_m", printed(robot.x)},
+              {"y_m", printed(robot.y)}}},
+            {"defects", defects},
+            {"delays", {{"v", printed(robot.delays.v)}, {"w", printed(robot.delays.w)}}}};
+}
+
+}  // namespace
+
+std::string inspectionJson(const LogInspection& inspection) {
+    Printed json{{"source", inspection.source},
+                 {"format", inspection.format},
+                 {"synthetic", inspection.synthetic},
+                 {"incomplete", inspection.incomplete}};
+    for (const LogFile& file : inspection.files) json["files"].push_back({{"path", file.path}, {"xxh3", file.hash}});
+    for (const RobotInspection& robot : inspection.robots) json["robots"].push_back(printed(robot));
+    return json.dump(2);
+}
+
+std::string trainingJson(const TrainedNetwork& trained, const std::string& file, double seconds) {
+    const MotionNetwork& n = trained.network;
+    return Printed{{"network", file},
+                   {"patterns", n.training.patterns},
+                   {"epochs", n.training.epochs},
+                   {"seconds", seconds},
+                   {"held_out_windows", n.heldOut.windows},
+                   {"held_out_position_percent", n.heldOut.position},
+                   {"held_out_heading_percent", n.heldOut.heading},
+                   {"kept_from_learning", keptFromLearning(n.heldOut.part)},
+                   {"interrupted", trained.cancelled}}
+        .dump(2);
+}
+
+std::string runJson(const Scenario& scenario, const RunResult& result, const RunNames& names) {
+    const RunStatistics& statistics = result.statistics;
+    Printed json{{"touches", statistics.touches},
+                 {"kicks", statistics.kicks},
+                 {"hits", statistics.hits},
+                 {"faults", statistics.faults},
+                 {"first_fault", statistics.firstFault}};
+    for (std::size_t g = 0; g < statistics.goals.size(); ++g)
+        json["goals"][scenario.scene().environment.goals[g].name] = statistics.goals[g];
+    for (std::size_t i = 0; i < statistics.driven.size(); ++i)
+        json["driven_m"][scenario.scene().robots[i].name] = statistics.driven[i];
+    json["scenario"] = scenario.parts().name;
+    json["trial"] = names.trial;
+    json["seed"] = result.state.seed;
+    json["end"] = name(result.end);
+    // divided, as in the rows of a batch: toSeconds() multiplies, and 60 s would be 60.00000000000001
+    json["time_s"] = static_cast<double>(result.state.tick * scenario.scene().tickLength) / nanosecondsPerSecond;
+    json["world_hash"] = hexadecimal(hashOf(result.state).world);
+    if (names.rewindChecked && result.end != RunEnd::rewind) json["ticks_taken_twice"] = statistics.ticks;
+    if (!names.recording.empty()) json["recording"] = names.recording;
+    return json.dump(2);
+}
+
+std::string batchJson(const BatchSummary& summary, const std::string& folder) {
+    Printed json{{"runs", summary.runs},
+                 {"done", summary.results.rows},
+                 {"resumed", summary.resumed},
+                 {"ended_by_condition", summary.results.ended},
+                 {"faulty", summary.results.faulty},
+                 {"complete", summary.complete}};
+    if (summary.complete) json["results"] = folder + "/results.csv";
+    return json.dump(2);
+}
+
+std::string replayJson(const Recording& recording, const ReplayReport& report) {
+    const auto& difference = report.difference;
+    Printed json{{"ticks", report.ticks},
+                 {"branches", recording.branches.size()},
+                 {"same", !difference && !report.cancelled},
+                 {"damage", recording.damage}};
+    if (difference)
+        json["difference"] = {{"branch", difference->branch}, {"tick", difference->tick}, {"what", difference->what}};
+    return json.dump(2);
+}
+
+}  // namespace mrose

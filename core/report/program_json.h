@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+
+#include "experiment/batch.h"
+#include "experiment/run.h"
+#include "identification/log_inspection.h"
+#include "identification/network_trainer.h"
+#include "recording/recording.h"
+#include "recording/replay.h"
+
+namespace mrose {
+
+// Results as `mrose SUBCOMMAND --json` prints them, those of evaluate and compare apart. Keys end in their unit, what
+// is not defined is null.
+
+std::string inspectionJson(const LogInspection& inspection);
+
+/// `file`: the network's; `seconds`: how long it took.
+std::string trainingJson(const TrainedNetwork& trained, const std::string& file, double seconds);
+
+/// What is said of a run beside its result.
+struct RunNames {
+    std::uint32_t trial = 0;
+    bool rewindChecked = false;
+    std::string recording = {};  ///< "": none that is whole
+};
+std::string runJson(const Scenario& scenario, const RunResult& result, const RunNames& names);
+
+/// `folder`: of results.csv.
+std::string batchJson(const BatchSummary& summary, const std::string& folder);
+
+std::string replayJson(const Recording& recording, const ReplayReport& report);
+
+}  // namespace mrose

@@ -1,0 +1,108 @@
+#include "workflow/open_scenario.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+
+#include "io/file.h"
+#include "io/format.h"
+#include "scenario/start_check.h"
+#include "scenario/variation.h"
+#include "workflow/resources.h"
+
+namespace mrose {
+namespace {
+
+/// Metres, to the millimetre.
+std::string millimetresText(double metres) { return numberText(std::round(1000 * metres) / 1000); }
+
+/// Of a scenario that goes on from a saved state: a sentence where a robot's start line is not where it stands in it.
+std::vector<std::string> startsApartText(const LoadedScenario& loaded) {
+    constexpr double apart = 0.0005, turned = 0.001;  // m, rad
+    const ScenarioParts& parts = loaded.parts;
+    if (parts.saved == nullptr || !parts.players.empty()) return {};
+    const auto asWritten = loadScenario(loaded.value, {.playLogs = false});
+    if (!asWritten) return {};
+    std::string names;
+    for (std::size_t i = 0; i < parts.scene.robots.size(); ++i) {
+        const SceneRobot &robot = parts.scene.robots[i], &written = asWritten->parts.scene.robots[i];
+        const bool same = distance(position(robot.start), position(written.start)) < apart &&
+                          std::abs(wrapAngle(robot.start.heading - written.start.heading)) < turned;
+        if (!same) names += (names.empty() ? "" : ", ") + robot.name;
+    }
+    if (names.empty()) return {};
+    return {loaded.value.name() + ": the start lines of " + names +
+            " are not where initial_state has them, which holds; without initial_state the run begins at the start "
+            "lines"};
+}
+
+/// A file that is named by an override is seen from the current folder, otherwise as the scenario's own are.
+Value seenFromHere(const ScenarioOverride& given) {
+    constexpr std::array files{"network", "type", "environment", "shape", "initial_state", "log", "library"};
+    const std::string key = given.path.substr(given.path.find_last_of('.') + 1);
+    const std::string* const name = given.value.asText();
+    std::error_code ignored;
+    const bool here =
+        name && std::filesystem::exists(*name, ignored) && std::find(files.begin(), files.end(), key) != files.end();
+    return here ? Value(std::filesystem::absolute(*name, ignored).lexically_normal().string()) : given.value;
+}
+
+/// With what is overridden; plug-ins are loaded once, when it is.
+Expected<LoadedScenario> loadOverridden(const ScenarioRequest& request, DescriptionSource& source,
+                                        const PluginLoader& plugins) {
+    if (request.overrides.empty()) return loadScenario(request.file, source, {plugins});
+    auto loaded = loadScenario(request.file, source);
+    if (!loaded) return loaded;
+    for (const std::string& assignment : request.overrides) {
+        const auto given = parseOverride(assignment);
+        if (!given) return tl::unexpected(given.error());
+        auto changed = loaded->value.with(given->path, seenFromHere(*given));
+        if (!changed) return tl::unexpected(changed.error());
+        loaded->value = std::move(*changed);
+    }
+    return loadScenario(loaded->value, source, {plugins});
+}
+
+}  // namespace
+
+Expected<OpenedScenario> openScenario(const ScenarioRequest& request) {
+    DiskDescriptions source = openDescriptions(request.log);
+    return openScenario(request, source);
+}
+
+Expected<OpenedScenario> openScenario(const ScenarioRequest& request, DescriptionSource& source) {
+    std::map<std::string, std::string> hashes;
+    const PluginLoader load = pluginLoader(request.plugins);
+    auto loaded = loadOverridden(request, source, [&](const std::string& path, const std::string& options) {
+        if (const auto content = readFile(path)) hashes[path] = contentHash(*content);
+        return load(path, options);
+    });
+    if (!loaded) return tl::unexpected(loaded.error());
+    if (request.plugins.loaded) request.plugins.loaded(loaded->parts);
+    std::vector<std::string> notes = startsApartText(*loaded);
+    loaded = varied(*loaded, request.trial);
+    if (!loaded) return tl::unexpected(loaded.error());
+    for (std::string& sentence : startsOutsideText(loaded->parts.scene)) notes.push_back(std::move(sentence));
+    auto scenario = std::make_shared<const Scenario>(loaded->parts);
+    return OpenedScenario{std::move(*loaded), std::move(hashes), std::move(scenario), std::move(notes)};
+}
+
+std::vector<std::string> startsOutsideText(const Scene& scene) {
+    constexpr std::size_t most = 10;
+    const std::vector<std::size_t> outside = startsOutside(scene);
+    std::vector<std::string> sentences;
+    for (std::size_t i = 0; i < std::min(outside.size(), most); ++i) {
+        const std::size_t body = outside[i];
+        const bool robot = body < scene.robots.size();
+        const std::size_t object = body - scene.robots.size();
+        const Pose& start = robot ? scene.robots[body].start : scene.objects[object].start;
+        const std::string name = robot ? scene.robots[body].name : scene.objects[object].name;
+        sentences.push_back('"' + name + "\" starts at (" + millimetresText(start.x) + ", " + millimetresText(start.y) +
+                            "), outside of what the environment's walls and floor area span");
+    }
+    if (outside.size() > most) sentences.push_back("so do " + std::to_string(outside.size() - most) + " more");
+    return sentences;
+}
+
+}  // namespace mrose

@@ -1,0 +1,198 @@
+#include "workflow/train_network.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "identification/recipes.h"
+#include "identification/robot_identification.h"
+#include "workflow/outputs.h"
+#include "workflow/resources.h"
+
+namespace mrose {
+namespace {
+
+/// What a network reads, and what its training defaults to.
+struct Recipe {
+    MotionNetwork (*blueprint)(const RobotTraits&, std::vector<std::string>, const ResponseTimes&);
+    LearningLoss loss;
+    int hidden, members, epochs, patience;
+    int phases;  ///< of the period at which the logs are read
+    int chain;   ///< periods
+    double velocityWeight = RolloutLoss{}.velocityWeight;
+};
+
+const Recipe& recipeOf(NetworkRecipe recipe) {
+    static const std::array<Recipe, networkRecipeNames.size()> recipes{
+        {{historyBlueprint, LearningLoss::rollout, 32, 4, 1000, 300, 5, 20},
+         {stateBlueprint, LearningLoss::rollout, 24, 1, 4000, 4000, 1, 20},
+         {velocityBlueprint, LearningLoss::rollout, 32, 8, 1000, 300, 5, 10, 0.3},
+         {paperBlueprint, LearningLoss::oneStep, 40, 1, 2000, 300, 5, 20}}};
+    return recipes[static_cast<std::size_t>(recipe)];
+}
+
+int givenOr(int given, int otherwise) { return given > 0 ? given : otherwise; }
+
+NetworkTrainerOptions trainerOptions(const TrainRequest& request, const Recipe& recipe) {
+    NetworkTrainerOptions options;
+    options.method = request.method;
+    options.loss = request.loss.value_or(recipe.loss);
+    options.hidden = givenOr(request.hidden, recipe.hidden);
+    options.members = givenOr(request.members, recipe.members);
+    options.epochs = givenOr(request.epochs, recipe.epochs);
+    options.patience = givenOr(request.patience, recipe.patience);
+    options.rolloutLength = givenOr(request.chain, recipe.chain);
+    options.rolloutLoss.velocityWeight = recipe.velocityWeight;
+    options.seed = request.seed;
+    return options;
+}
+
+/// Every robot's name once, in the order of the logs.
+std::vector<std::string> robotNames(const std::vector<Log>& logs) {
+    std::vector<std::string> names;
+    for (const Log& log : logs)
+        for (const RobotLog& robot : log.robots)
+            if (std::find(names.begin(), names.end(), robot.robot) == names.end()) names.push_back(robot.robot);
+    return names;
+}
+
+/// A robot that measures its own velocity is predicted from it, any other one from its commands.
+NetworkRecipe recipeFor(const std::vector<Log>& logs) {
+    for (const Log& log : logs)
+        for (const RobotLog& robot : log.robots)
+            for (const Trajectory& trajectory : robot.trajectories)
+                if (trajectory.measuredVelocity.empty()) return NetworkRecipe::history;
+    return NetworkRecipe::velocity;
+}
+
+using Identified = MotionNetwork::Identified;
+
+template <class Value>
+double medianOf(const std::vector<Identified>& robots, Value value) {
+    std::vector<double> values;
+    for (const Identified& robot : robots) values.push_back(value(robot));
+    std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
+    return values[values.size() / 2];
+}
+
+/// Those identified, median of the robots, unless the request says otherwise.
+ResponseTimes responseTimes(const std::vector<Identified>& robots, const TrainRequest& request) {
+    constexpr double quickest = 0.03;  // s: no drive forgets a push faster, whatever the fit says
+    ResponseTimes t;
+    t.deadTimeV =
+        request.deadTimeV.value_or(medianOf(robots, [](const Identified& i) { return i.dynamic.v.deadTime; }));
+    t.deadTimeW =
+        request.deadTimeW.value_or(medianOf(robots, [](const Identified& i) { return i.dynamic.w.deadTime; }));
+    t.lagV = request.lagV.value_or(medianOf(robots, [](const Identified& i) { return i.dynamic.v.lag; }));
+    t.lagW = request.lagW.value_or(medianOf(robots, [](const Identified& i) { return i.dynamic.w.lag; }));
+    t.recoveryV =
+        request.lagV.value_or(std::max(quickest, medianOf(robots, [](const Identified& i) { return i.v.lag; })));
+    t.recoveryW =
+        request.lagW.value_or(std::max(quickest, medianOf(robots, [](const Identified& i) { return i.w.lag; })));
+    return t;
+}
+
+/// What is learned from, and what is known of the network beforehand.
+struct TrainingData {
+    HoldOut holdOut;
+    std::vector<Log> logs;  ///< without what is held out
+    MotionNetwork blueprint;
+};
+
+Expected<TrainingData> trainingData(const LearningLogs& opened, const TrainRequest& request, const Recipe& recipe,
+                                    const RobotTraits& traits) {
+    TrainingData data;
+    data.holdOut = opened.holdOut;
+    auto logs = opened.learned();
+    if (!logs) return tl::unexpected(logs.error());
+    data.logs = std::move(*logs);
+    auto identified = identifyRobots(data.logs);
+    if (!identified) return tl::unexpected(identified.error());
+    data.blueprint = recipe.blueprint(traits, robotNames(data.logs), responseTimes(*identified, request));
+    data.blueprint.identified = std::move(*identified);
+    return data;
+}
+
+/// With a guard around blocks of time that are held out: what a pattern reads back and the length of a rollout. How far
+/// the network reads depends on what is identified, and that on what is held out; so the guard grows until it suffices.
+Expected<TrainingData> guardedTrainingData(LearningLogs opened, const TrainRequest& request, const Recipe& recipe,
+                                           const RobotTraits& traits, const NetworkTrainerOptions& options) {
+    for (;;) {
+        auto data = trainingData(opened, request, recipe, traits);
+        if (!data || !opened.holdOut.byTime()) return data;
+        const int chain = options.loss == LearningLoss::rollout ? options.rolloutLength : 1;
+        const double reach = toSeconds(InputReader(data->blueprint).lookBack() + chain * data->blueprint.period);
+        if (reach <= opened.holdOut.guard) return data;
+        opened.holdOut.guard = std::ceil(10 * reach) / 10;
+    }
+}
+
+/// What the network's file says of where it comes from.
+void addOrigin(MotionNetwork& network, const LearningLogs& opened, const TrainRequest& request) {
+    network.drive = opened.drive;
+    network.training.command = request.command;
+    for (const Log& log : opened.logs) {
+        network.synthetic = network.synthetic || log.synthetic;
+        for (const LogFile& file : log.files) network.training.logs.push_back({file.path, file.hash});
+    }
+}
+
+std::vector<std::string> missingOf(const std::vector<Log>& logs) {
+    std::vector<std::string> notes;
+    for (const Log& log : logs) notes.insert(notes.end(), log.incomplete.begin(), log.incomplete.end());
+    return notes;
+}
+
+Expected<TrainedNetwork> learnFrom(const LearningLogs& opened, const TrainRequest& request,
+                                   const TrainProgress& progress) {
+    const auto traits = traitsOf(request.robotKind, opened.logs.front());
+    if (!traits) return tl::unexpected(traits.error());
+    const std::string& first = request.logs.sources.front();
+    const Recipe& recipe = recipeOf(request.recipe.value_or(recipeFor(opened.logs)));
+    const NetworkTrainerOptions options = trainerOptions(request, recipe);
+    if (!mayGoOn(progress.prepares, 0)) return fail(first, "was not learned from: cancelled");
+    auto data = guardedTrainingData(opened, request, recipe, *traits, options);
+    if (!data) return atFile(data.error(), first);
+    MotionNetwork& blueprint = data->blueprint;
+    SampleOptions sampling;
+    sampling.heldOut = data->holdOut;
+    sampling.folds = request.folds;
+    sampling.phases = givenOr(request.phases, recipe.phases);
+    auto samples = motionSamples(data->logs, blueprint, sampling);
+    if (!samples) return atFile(samples.error(), first);
+    const std::vector<TrackerOffset> trackers = removeTrackerOffsets(*samples);
+    for (std::size_t i = 0; i < trackers.size() && i < blueprint.identified.size(); ++i)
+        blueprint.identified[i].tracker = trackers[i];
+    blueprint.heldOut.part = data->holdOut;
+    addOrigin(blueprint, opened, request);
+    if (!mayGoOn(progress.prepares, 1)) return fail(first, "was not learned from: cancelled");
+    auto trained = trainNetwork(blueprint, *samples, options, progress.learns);
+    if (!trained) return atFile(trained.error(), first);
+    return trained;
+}
+
+}  // namespace
+
+Expected<void> checkTogether(const TrainRequest& request) {
+    const bool paper = request.recipe == NetworkRecipe::paper;
+    const LearningLoss loss = request.loss.value_or(paper ? LearningLoss::oneStep : LearningLoss::rollout);
+    if (request.method == TrainingMethod::levenbergMarquardt && loss == LearningLoss::rollout)
+        return fail({}, "fits single steps only; it needs --loss one-step", 0, "--method lm");
+    return {};
+}
+
+Expected<TrainedNetwork> trainNetwork(const TrainRequest& request, const TrainProgress& progress) {
+    if (auto fits = checkTogether(request); !fits) return tl::unexpected(fits.error());
+    std::vector<std::string> read;
+    for (const std::string& log : request.logs.sources) read.push_back(placeOfLog(log));
+    if (!request.output.empty())
+        if (auto can = checkOutput(request.output, read, request.overwrite); !can) return tl::unexpected(can.error());
+    const auto opened = openLearningLogs(request.logs);
+    if (!opened) return tl::unexpected(opened.error());
+    if (progress.opened) progress.opened(missingOf(opened->logs));
+    auto trained = learnFrom(*opened, request, progress);
+    if (!trained || request.output.empty()) return trained;
+    if (auto saved = saveNetwork(trained->network, request.output); !saved) return tl::unexpected(saved.error());
+    return trained;
+}
+
+}  // namespace mrose

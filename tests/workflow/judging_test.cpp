@@ -1,0 +1,138 @@
+// Networks and scenarios against logs: evaluate, predict, compare.
+#include <algorithm>
+#include <sstream>
+
+#include "support/places.h"
+#include "support/workshop.h"
+#include "workflow/compare_log.h"
+#include "workflow/evaluate_network.h"
+#include "workflow/expect_error.h"
+#include "workflow/predict_windows.h"
+
+namespace mrose {
+namespace {
+
+using Judging = Workshop;
+
+bool isSaid(const std::vector<std::string>& notices, const std::string& part) {
+    return std::any_of(notices.begin(), notices.end(),
+                       [&](const std::string& notice) { return notice.find(part) != std::string::npos; });
+}
+
+TEST_F(Judging, NetworkIsJudgedBesideOthersAndKinematics) {
+    EvaluateRequest request{network(), log()};
+    request.against = {network()};
+    request.withFloor = false;
+    request.shown = {2};
+    request.command = "as I say";
+    const auto judged = evaluateNetwork(request);
+    ASSERT_TRUE(judged) << judged.error().message();
+    ASSERT_EQ(judged->evaluation.models.size(), 5u);
+    EXPECT_EQ(judged->evaluation.models[0].name, "a.net");
+    EXPECT_EQ(judged->evaluation.models[0].all.p, judged->evaluation.models[1].all.p);
+    EXPECT_FALSE(judged->evaluation.log.floor);
+    EXPECT_EQ(judged->context.commandLine, "as I say");
+    EXPECT_EQ(judged->context.chosen, std::vector<std::size_t>{1});
+    EXPECT_TRUE(isSaid(judged->context.notices, "learned from this log"));
+    request.shown = {999};
+    expectError(evaluateNetwork(request), "", {"--show: there is no window 999 of "});
+}
+
+TEST_F(Judging, EvaluationIsEndedByItsProgress) {
+    double most = 0;
+    const auto judged = evaluateNetwork({network(), log()}, [&](double share) {
+        most = share;
+        return false;
+    });
+    EXPECT_FALSE(judged);
+    EXPECT_LT(most, 1);
+}
+
+TEST_F(Judging, WindowsArePredictedStepByStep) {
+    PredictRequest request{network(), log(), windows()};
+    const auto before = listing();
+    const auto predicted = predictWindows(request);
+    ASSERT_TRUE(predicted) << predicted.error().message();
+    EXPECT_EQ(predicted->windows, 4u);
+    EXPECT_EQ(std::count(predicted->csv.begin(), predicted->csv.end(), '\n'), 1 + 4 * 100);
+    EXPECT_TRUE(isSaid(predicted->notices, "learned from this log"));
+    EXPECT_EQ(listing(), before) << "no output was asked for";
+    request.output = path("p.csv");
+    ASSERT_TRUE(predictWindows(request));
+    EXPECT_EQ(read("p.csv"), predicted->csv);
+    expectError(predictWindows(request), path("p.csv"), {"is there already"});
+    request.overwrite = true;
+    request.output = request.windows;
+    expectError(predictWindows(request), request.windows, {"is read by this command"});
+}
+
+TEST_F(Judging, PredictionIsEndedByItsProgress) {
+    PredictRequest request{network(), log(), windows(), path("p.csv")};
+    for (const double end : {0.0, 1.0})
+        expectError(predictWindows(request, [end](double share) { return share < end; }), log(), {"cancelled"});
+    EXPECT_EQ(read("p.csv"), "");
+}
+
+/// The log that ships, played by a scenario that is made for it.
+CompareRequest shippedPioneer() {
+    CompareRequest request{"", (sourceFolder() / "resources/logs/pioneer").string()};
+    request.robotFile = "pioneer1.toml";
+    request.duration = 10;
+    return request;
+}
+
+TEST_F(Judging, ScenarioIsPutBesideItsLogWithDivergencesAndCauses) {
+    CompareRequest request = shippedPioneer();
+    request.divergence.position = 0.001;
+    request.divergence.held = 0;
+    double driven = 0, diagnosed = 0;
+    const auto compared = compareLog(request, {[&](double share) {
+                                                   EXPECT_EQ(diagnosed, 0)
+                                                       << "causes are looked for in what was driven";
+                                                   driven = share;
+                                                   return true;
+                                               },
+                                               [&](double share) {
+                                                   diagnosed = share;
+                                                   return true;
+                                               }});
+    ASSERT_TRUE(compared) << compared.error().message();
+    EXPECT_EQ(driven, 1);
+    EXPECT_GT(diagnosed, 0.5);
+    EXPECT_EQ(compared->comparison.requests.size(), 1u);
+    EXPECT_TRUE(isSaid(compared->context.notices, "comes from a simulated robot"));
+    ASSERT_EQ(compared->divergences.rollouts.size(), 1u);
+    EXPECT_TRUE(compared->divergences.rollouts[0].diagnosis);
+    request.divergence.noCauses = true;
+    const auto without = compareLog(request);
+    ASSERT_TRUE(without) << without.error().message();
+    ASSERT_EQ(without->divergences.rollouts.size(), 1u);
+    EXPECT_FALSE(without->divergences.rollouts[0].diagnosis);
+}
+
+TEST_F(Judging, ComparisonIsEndedWhileItDrivesAndWhileItLooksForCauses) {
+    CompareRequest request = shippedPioneer();
+    request.divergence.position = 0.001;
+    request.divergence.held = 0;
+    const auto never = [](double) { return false; };
+    expectError(compareLog(request, {never, {}}), request.log, {"was not compared: cancelled"});
+    expectError(compareLog(request, {{}, never}), request.log, {"was not compared: cancelled"});
+}
+
+TEST_F(Judging, WhatDoesNotFitAComparisonIsNamed) {
+    CompareRequest request = shippedPioneer();
+    request.divergence.models = {path("none.net")};
+    bool driven = false;
+    expectError(compareLog(request, {[&](double) { return driven = true; }, {}}), path("none.net"));
+    EXPECT_FALSE(driven) << "before any work";
+    request = shippedPioneer();
+    request.robotFile = "none.toml";
+    expectError(compareLog(request), "--robot none.toml", {"does not exist"});
+    request = shippedPioneer();
+    request.windows = allWindows;
+    request.duration = 0.55;
+    expectError(compareLog(request), "", {"--duration: 0.55 s is no whole number of steps"});
+}
+
+}  // namespace
+}  // namespace mrose

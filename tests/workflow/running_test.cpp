@@ -1,0 +1,205 @@
+// Scenarios: opened, run, recorded, replayed, tried many times.
+#include <atomic>
+
+#include <gmock/gmock.h>
+
+#include "support/game_folder.h"
+#include "support/places.h"
+#include "workflow/expect_error.h"
+#include "workflow/replay_recording.h"
+#include "workflow/run_batch.h"
+#include "workflow/run_scenario.h"
+#include "world/state_hash.h"
+
+namespace mrose {
+namespace {
+
+class Running : public GameFolder {
+protected:
+    RunRequest request(double duration = 1) {
+        RunRequest request{{game()}};
+        request.duration = duration;
+        return request;
+    }
+    static std::uint64_t hashAfter(const RunRequest& request) {
+        const auto run = runScenario(request);
+        EXPECT_TRUE(run) << run.error().message();
+        return run ? hashOf(run->result.state).world : 0;
+    }
+};
+
+TEST_F(Running, SeedTrialAndOverridesDecideTheRun) {
+    const std::uint64_t plain = hashAfter(request());
+    EXPECT_EQ(hashAfter(request()), plain);
+    RunRequest other = request();
+    other.seed = 6;
+    const std::uint64_t seeded = hashAfter(other);
+    EXPECT_NE(seeded, plain);
+    other = request();
+    other.scenario.overrides = {"seed=6"};
+    EXPECT_EQ(hashAfter(other), seeded);
+    other = request();
+    other.scenario.trial = 3;
+    EXPECT_NE(hashAfter(other), plain);
+    other = request();
+    other.checkRewind = true;
+    EXPECT_EQ(hashAfter(other), plain);
+}
+
+TEST_F(Running, OverridesThatFitNothingAreNamed) {
+    RunRequest wrong = request();
+    wrong.scenario.overrides = {"robot[9].network=x"};
+    expectError(runScenario(wrong), game(), {"robot[9].network: names nothing that there is"});
+    wrong.scenario.overrides = {"seed"};
+    expectError(runScenario(wrong), "seed", {"seed: expected PATH=VALUE"});
+}
+
+TEST_F(Running, WhatIsWrongWithTheScenarioHasItsPlace) {
+    game();
+    const std::string wrong = write("wrong.toml", read("it's a game.toml") + "colour = \"red\"\n");
+    const auto run = runScenario({{wrong}});
+    expectError(run, wrong, {"colour: is not a known key"});
+    EXPECT_GT(run.error().line, 1);
+    RunRequest condition = request();
+    condition.until = "robot[7].speed > 0";
+    expectError(runScenario(condition), "--until", {"robot"});
+}
+
+TEST_F(Running, NotesAreKnownBeforeItBegins) {
+    game();
+    RunRequest far = request(0.1);
+    far.scenario.file =
+        write("far.toml", replaced(read("it's a game.toml"), "x_m = 1.0, y_m = 1.0", "x_m = 1, y_m = 9.5"));
+    RunWatch watch;
+    std::vector<std::string> notes;
+    watch.opened = [&](const OpenedScenario& opened) { notes = opened.notes; };
+    watch.begins = [&](const WorldState& initial, std::int64_t ticks, const std::function<void()>&) {
+        EXPECT_EQ(initial.tick, 0);
+        EXPECT_EQ(ticks, 5);
+        EXPECT_EQ(notes.size(), 1u);
+    };
+    const auto run = runScenario(far, watch);
+    ASSERT_TRUE(run) << run.error().message();
+    ASSERT_EQ(run->opened.notes.size(), 1u);
+    EXPECT_THAT(notes[0], testing::StartsWith("\"two\" starts at (1.0, 9.5)"));
+}
+
+TEST_F(Running, IsEndedByItsWatchAndKeepsWhatWasRecorded) {
+    RunRequest recorded = request(100);
+    recorded.recording = path("game.mcap");
+    recorded.command = "as I say";
+    RunWatch watch;
+    watch.each = [](const WorldState& state) { return state.tick < 30; };
+    const auto run = runScenario(recorded, watch);
+    ASSERT_TRUE(run) << run.error().message();
+    EXPECT_EQ(run->result.end, RunEnd::stopped);
+    EXPECT_EQ(run->result.state.tick, 30);
+    EXPECT_TRUE(run->recorded);
+    const auto opened = openRecording(path("game.mcap"));
+    ASSERT_TRUE(opened) << opened.error().message();
+    EXPECT_EQ(opened->branches[0].timeline.last(), 30);
+    EXPECT_EQ(opened->header.commandLine, "as I say");
+    EXPECT_TRUE(opened->damage.empty());
+    expectError(runScenario(recorded), path("game.mcap"), {"is there already"});
+    recorded.overwrite = true;
+    recorded.recording = game();
+    expectError(runScenario(recorded), game(), {"is read by this command"});
+}
+
+TEST_F(Running, LostRecordingIsSaidAndTheRunGoesOn) {
+    RunRequest recorded = request(4);
+    recorded.recording = path("game.mcap");
+    RunWatch watch;
+    std::function<void()> flush;
+    int lost = 0;
+    watch.begins = [&](const WorldState&, std::int64_t, const std::function<void()>& writes) { flush = writes; };
+    watch.lost = [&](const Error& error) {
+        ++lost;
+        EXPECT_THAT(error.message(), testing::HasSubstr("; the run goes on, and its recording ends here"));
+    };
+    watch.each = [&](const WorldState& state) {
+        if (state.tick == 10) std::filesystem::remove(path("game.mcap"));
+        flush();
+        return true;
+    };
+    const auto run = runScenario(recorded, watch);
+    ASSERT_TRUE(run) << run.error().message();
+    EXPECT_EQ(run->result.end, RunEnd::duration);
+    EXPECT_EQ(lost, 1);
+    EXPECT_TRUE(run->lost);
+    EXPECT_FALSE(run->recorded);
+}
+
+TEST_F(Running, RecordingIsReplayedAndEndedByItsWatch) {
+    RunRequest recorded = request();
+    recorded.recording = path("game.mcap");
+    ASSERT_TRUE(runScenario(recorded));
+    for (const bool decide : {false, true}) {
+        const auto replayed = replayRecording({recorded.recording, decide});
+        ASSERT_TRUE(replayed) << replayed.error().message();
+        EXPECT_EQ(replayed->report.ticks, 50);
+        EXPECT_FALSE(replayed->report.difference);
+        EXPECT_FALSE(replayed->report.cancelled);
+        EXPECT_TRUE(replayed->notes.empty());
+    }
+    ReplayWatch watch;
+    watch.progress = [](std::int64_t, std::int64_t) { return false; };
+    const auto ended = replayRecording({recorded.recording}, watch);
+    ASSERT_TRUE(ended) << ended.error().message();
+    EXPECT_TRUE(ended->report.cancelled);
+    expectError(replayRecording({game()}), game());
+    const std::string whole = read("game.mcap"), cut = write("cut.mcap", whole.substr(0, whole.size() * 2 / 3));
+    if (const auto part = replayRecording({cut})) {
+        ASSERT_EQ(part->notes.size(), 1u);
+        EXPECT_EQ(part->notes[0].file, cut);
+        EXPECT_THAT(part->notes[0].cause, testing::HasSubstr("; kept: "));
+    }
+}
+
+TEST_F(Running, BatchIsEndedAndGoesOn) {
+    BatchRequest batch{{game()}, path("games")};
+    batch.duration = 0.5;
+    batch.trials = 6;
+    batch.until = "time > 99";
+    batch.scenario.overrides = {"robot[\"two\"].start.heading_deg=45"};
+    BatchWatch watch;
+    std::atomic<int> begun = 0;
+    watch.runBegins = [&](const RunKey&) { ++begun; };
+    watch.goesOn = [&] { return begun < 3; };
+    const auto ended = runBatch(batch, watch);
+    ASSERT_TRUE(ended) << ended.error().message();
+    EXPECT_FALSE(ended->complete);
+    const auto whole = runBatch(batch);
+    ASSERT_TRUE(whole) << whole.error().message();
+    EXPECT_TRUE(whole->complete);
+    EXPECT_EQ(whole->runs, 6);
+    EXPECT_EQ(whole->resumed, ended->results.rows);
+    const auto rows = csvRows(read("games/results.csv"));
+    ASSERT_EQ(rows.size(), 6u);
+    EXPECT_EQ(
+        rows[1].at("command"),
+        "mrose run '" + replaced(game(), "it's", "it'\\''s") +
+            "' --set 'robot[\"two\"].start.heading_deg=45' --isolate --duration 0.5 --until 'time > 99' --trial 2 "
+            "--seed 5");
+    batch.duration = 0.6;
+    const auto other = runBatch(batch);
+    ASSERT_FALSE(other);
+    EXPECT_THAT(other.error().message(), testing::HasSubstr("--duration"));
+}
+
+TEST_F(Running, BatchOfSeveralSeedsAndAWrongCondition) {
+    BatchRequest batch{{game()}, path("games")};
+    batch.duration = 0.1;
+    batch.trials = 2;
+    batch.seeds = {{3, 5}};
+    const auto summary = runBatch(batch);
+    ASSERT_TRUE(summary) << summary.error().message();
+    EXPECT_EQ(summary->runs, 6);
+    batch.folder = path("others");
+    batch.until = "speed(";
+    expectError(runBatch(batch), "--until");
+    EXPECT_FALSE(std::filesystem::exists(path("others")));
+}
+
+}  // namespace
+}  // namespace mrose
