@@ -14,7 +14,6 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::IsEmpty;
 
 [[noreturn]] void throwLength() { throw std::length_error("vector::_M_default_append"); }
 
@@ -55,18 +54,20 @@ TEST_F(JobQueueTest, AnswersThatThrowHaveFailedToo) {
     EXPECT_THAT(said, ElementsAre("failed: vector::_M_default_append", "failed for an unknown reason", "the next one"));
 }
 
-TEST_F(JobQueueTest, WhoIsNotWantedAnyMoreSaysNothing) {
+TEST_F(JobQueueTest, WhoIsNotWantedAnyMoreSaysNothingAndHoldsNobodyUp) {
     std::promise<void> begun, go;
-    run([&](const JobQueue::GoesOn&) -> Answer {
+    run([&begun, going = go.get_future().share()](const JobQueue::GoesOn&) -> Answer {
         begun.set_value();
-        go.get_future().wait();
+        going.wait();
         throwLength();
     });
     begun.get_future().wait();
     queue.drop();
-    go.set_value();
+    EXPECT_FALSE(queue.busy());
+    runAnswer("the next one");
     queue.settle();
-    EXPECT_THAT(said, IsEmpty());
+    EXPECT_THAT(said, ElementsAre("the next one")) << "while the dropped one still waits";
+    go.set_value();
 }
 
 class ThrownTest : public WindowTest {
