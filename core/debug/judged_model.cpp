@@ -76,7 +76,9 @@ JudgedModel::Figures judge(const PlayedLog& log, const JudgedModel& model, const
     if (!own) {
         ComparisonOptions options;
         options.seed = log.seed;
-        options.progress = [&](std::span<const ComparedRollout>, double share) { return !progress || progress(share / 2); };
+        options.progress = [&](std::span<const ComparedRollout>, double share) {
+            return !progress || progress(share / 2);
+        };
         figures.compared =
             compare(*model.world, requests, options).map([](const Comparison& comparison) { return comparison.all; });
     }
