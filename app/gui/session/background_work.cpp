@@ -27,7 +27,7 @@ Expected<void> BackgroundWork::start(const QString& what, Job job, Done done) {
     atWork_ = true;
     queue_.run(
         [this, job = std::move(job)](const JobQueue::GoesOn&) {
-            const Outcome outcome = caught([&] {
+            Outcome outcome = caught([&] {
                 return job([this](double share) {
                     share_ = share;
                     return !cancelled_ && !quit_;
