@@ -4,6 +4,8 @@
 #include <csignal>
 #include <thread>
 
+#include <gmock/gmock.h>
+
 #include "io/file.h"
 #include "recording/recording.h"
 #include "scenario/scenario_file.h"
