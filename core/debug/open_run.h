@@ -25,7 +25,7 @@ struct OpenRequest {
     double pluginLimit = 2;                  ///< s, for each decision of a plug-in
 };
 
-/// What the window is given to show.
+/// What a debugger is given to go through.
 struct OpenRun {
     std::string name;  ///< for the title
     OpenRequest source;

@@ -41,7 +41,7 @@ struct RolloutSearch {
     std::vector<Breakpoint> breakpoints;
     RolloutHits hits;  ///< that are known: counts go on from those before
     struct Place {
-        std::size_t rollout = 0;  ///< in Overlay::requests()
+        std::size_t rollout = 0;  ///< in LogRollouts::requests()
         RolloutRequest request;
         TickPredicate diverged;
     };
@@ -51,7 +51,7 @@ struct RolloutFound {
     std::optional<std::size_t> rollout;  ///< nullopt: there is none in any of them, or `progress` ended it
     RolloutHits hits;                    ///< with those of the rollouts that were passed forward
 };
-/// The first of them in which there is one, as of Session::goToBreak(); a rollout that cannot be opened, as where no
+/// The first of them in which there is one, as of Debugger::goToBreak(); a rollout that cannot be opened, as where no
 /// robot has ground truth, has none. Error: of the text.
 Expected<RolloutFound> rolloutWithBreak(const PlayedLog& log, const RolloutSearch& search,
                                         const std::function<bool(double share)>& progress);

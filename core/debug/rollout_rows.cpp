@@ -69,7 +69,7 @@ Expected<std::vector<RolloutRequest>> plannedRollouts(const PlayedLog& log, cons
         options.duration = length;
     }
     auto rollouts = rolloutsOf(log.world(), options);
-    // Said of what the window has, not of flags.
+    // Said of the plan, not of flags.
     if (!rollouts && plan.cut == RolloutPlan::Cut::every)
         rollouts.error().cause = "no rollout of " + secondsText(length) + " s fits in from " +
                                  secondsText(options.start) + " s on; expected an earlier start or shorter rollouts";

@@ -27,7 +27,7 @@ struct RolloutPlan {
 
 /// One robot in one rollout, as lists show it.
 struct RolloutRow {
-    std::size_t rollout = 0, robot = 0;  ///< in Overlay::requests() and LogWorld::robots()
+    std::size_t rollout = 0, robot = 0;  ///< in LogRollouts::requests() and LogWorld::robots()
     std::size_t session = 0;             ///< in LogWorld::sessions()
     Nanoseconds start = 0;               ///< on the session's clock
     RolloutUse use = RolloutUse::counted;

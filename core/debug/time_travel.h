@@ -22,8 +22,8 @@
 namespace mrose {
 
 /// A run and its branches, gone through in both directions. A branch's lineage is its own ticks and, before it
-/// departed, those of the branches that it came from. It knows no window, no thread and no clock: the session
-/// (session.h) drives it, and so can a test.
+/// departed, those of the branches that it came from. A debugger (debugger.h)
+/// drives it.
 class TimeTravel {
 public:
     /// Of `mostTrackBytes` all branches together keep where bodies were, for trails and ghosts; of the largest track

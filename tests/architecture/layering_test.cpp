@@ -162,17 +162,24 @@ TEST(Layering, QtStaysInWidgetsAndWindow) {
             EXPECT_FALSE(file.layer != "app/gui" && isQt(include.name)) << where(file, include);
 }
 
-/// What steps a run in its own thread is separate from what is seen: tested, and usable, without a window.
-TEST(Layering, SessionDoesNotKnowTheWindow) {
+/// Each of the window's parts can be used, and tested, without those above it.
+TEST(Layering, PartsOfTheWindowIncludeOnlyThoseBelowThem) {
+    const std::map<std::string, std::set<std::string>> below{{"session", {}},
+                                                             {"frame", {"session"}},
+                                                             {"panels", {"session", "frame"}},
+                                                             {"files", {"session", "frame", "panels"}},
+                                                             {"reality", {"session", "frame", "panels", "files"}}};
     const std::filesystem::path window = sourceFolder() / "app" / "gui";
-    const std::vector<SourceFile> files = sourceFiles({"app/gui/session"});
-    EXPECT_FALSE(files.empty());
-    for (const SourceFile& file : files)
-        for (const Include& include : file.includes) {
-            const std::string other = includedLayer(include);
-            const bool ofWindow = !other.empty() && std::filesystem::is_directory(window / other);
-            EXPECT_TRUE(!ofWindow || other == "session") << where(file, include);
-        }
+    for (const auto& [folder, allowed] : below) {
+        const std::vector<SourceFile> files = sourceFiles({"app/gui/" + folder});
+        EXPECT_FALSE(files.empty()) << folder;
+        for (const SourceFile& file : files)
+            for (const Include& include : file.includes) {
+                const std::string other = includedLayer(include);
+                const bool ofWindow = !other.empty() && std::filesystem::is_directory(window / other);
+                EXPECT_TRUE(!ofWindow || other == folder || allowed.count(other)) << where(file, include);
+            }
+    }
 }
 
 TEST(Layering, LibrariesStayWhereTheyBelong) {

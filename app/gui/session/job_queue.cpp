@@ -76,6 +76,7 @@ Progress JobQueue::progress(const GoesOn& goesOn, std::function<void(double shar
 void JobQueue::report(Answer answer) {
     {
         const std::lock_guard lock(mutex_);
+        if (Worker::current->since != dropped_) return;
         answers_.push_back({Worker::current->since, std::move(answer), Worker::current->failed});
     }
     QMetaObject::invokeMethod(this, &JobQueue::deliver, Qt::QueuedConnection);
