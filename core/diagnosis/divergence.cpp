@@ -14,11 +14,12 @@ constexpr Nanoseconds travelStep = 500'000'000;
 
 DivergenceRule::State DivergenceRule::add(Nanoseconds time, const PoseError& error, const DivergenceBound::At& bound) {
     if (error.position <= bound.position && error.heading <= bound.heading) {
-        since_.reset();
+        beyond_ = false;
         return State::within;
     }
-    if (!since_) since_ = time;
-    return std::abs(time - *since_) >= held_ ? State::left : State::beyond;
+    if (!beyond_) since_ = time;
+    beyond_ = true;
+    return std::abs(time - since_) >= held_ ? State::left : State::beyond;
 }
 
 std::optional<Divergence> firstDivergence(const ComparedRollout& rollout, Nanoseconds step,

@@ -42,11 +42,11 @@ public:
     };
     State add(Nanoseconds time, const PoseError& error, const DivergenceBound::At& bound);
     /// Where the stretch beyond begins that the last instant belongs to.
-    Nanoseconds since() const { return *since_; }
+    Nanoseconds since() const { return since_; }
 
 private:
-    Nanoseconds held_;
-    std::optional<Nanoseconds> since_;
+    Nanoseconds held_, since_ = 0;
+    bool beyond_ = false;
 };
 
 /// Where a simulated robot leaves the real trajectory.
