@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "debug/placement.h"
 #include "widgets/field_drawing.h"
 #include "widgets/field_readout.h"
 
@@ -74,7 +75,7 @@ void drawKnob(const FieldCanvas& canvas, const FieldFrame& frame, std::size_t ro
 
 void drawMoved(const FieldCanvas& canvas, const FieldFrame& frame, std::size_t body, const Pose& to) {
     const Shape& shape = frame.scene().shapeOf(body);
-    const QColor colour = whatIsAt(frame, body, to).empty() ? canvas.theme.accent : canvas.theme.warning;
+    const QColor colour = hindranceAt(frame, body, to).empty() ? canvas.theme.accent : canvas.theme.warning;
     canvas.painter.setBrush(withAlpha(colour, 60));
     canvas.painter.setPen(roundPen(colour, 1.6));
     canvas.parts(shape, to);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "debug/placement.h"
 #include "widgets/field_readout.h"
 #include "widgets/layer_sample.h"
 #include "widgets/qt_text.h"
@@ -125,8 +126,7 @@ void FieldPainter::frame(const FieldFrame& frame, const FieldFocus& focus, Label
 std::pair<QRectF, FieldLabel> FieldPainter::moved(const FieldFrame& frame, std::size_t body, const Pose& pose) const {
     FieldLabel label;
     label.text = poseText(frame, body, pose);
-    if (const std::string on = whatIsAt(frame, body, pose); !on.empty())
-        label.text += QObject::tr("   on %1").arg(qtText(on));
+    if (const std::string why = hindranceAt(frame, body, pose); !why.empty()) label.text += "   " + qtText(why);
     label.colour = canvas_.theme.onFloor;
     const QSizeF size = plateSize(canvas_, label), all = canvas_.view.size();
     const QPointF at = canvas_.at(position(pose));

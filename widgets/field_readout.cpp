@@ -20,15 +20,6 @@ QString fixed(double value, int decimals) {
     return text.startsWith('-') && text.toDouble() == 0 ? text.mid(1) : text;
 }
 
-bool overlap(const Shape& a, const Placement& ofA, const Shape& b, const Placement& ofB) {
-    for (const ConvexPiece& piece : a.pieces) {
-        const ConvexPiece here = placed(piece, ofA);
-        for (const ConvexPiece& other : b.pieces)
-            if (mrose::distance(here, placed(other, ofB)) < 0) return true;
-    }
-    return false;
-}
-
 QString nameOfBody(const FieldFrame& frame, std::uint32_t body) {
     return body < frame.scene().bodyCount() ? qtText(frame.nameOf(body)) : QObject::tr("the place");
 }
@@ -96,21 +87,6 @@ QString noteText(const FieldFrame& frame, std::size_t robot, const Annotation& n
     return bodyNamed(frame.scene(), note.label) == noBody
                ? label
                : QObject::tr("%1\u2019s %2").arg(qtText(frame.nameOf(robot)), label);
-}
-
-std::string whatIsAt(const FieldFrame& frame, std::size_t body, const Pose& pose) {
-    const Scene& scene = frame.scene();
-    const Shape& shape = scene.shapeOf(body);
-    const Placement there(pose);
-    for (std::size_t other = 0; other < scene.bodyCount(); ++other) {
-        const Shape& its = scene.shapeOf(other);
-        const Pose& at = frame.poseOf(other);
-        if (other == body || distance(position(pose), position(at)) > shape.reach + its.reach) continue;
-        if (overlap(shape, there, its, Placement(at))) return frame.nameOf(other);
-    }
-    for (const Obstacle& obstacle : scene.environment.obstacles)
-        if (overlap(shape, there, obstacle.shape, {})) return obstacle.name;
-    return {};
 }
 
 }  // namespace mrose

@@ -26,7 +26,4 @@ QString signReadout(const FieldFrame& frame, const Point& at, double reach);
 /// What a note on the field is called. One with a body's name is where its robot thinks that one to be: "red 3's ball".
 QString noteText(const FieldFrame& frame, std::size_t robot, const Annotation& note);
 
-/// The name of what a body would lie on there, another body or what stands still; empty: of nothing.
-std::string whatIsAt(const FieldFrame& frame, std::size_t body, const Pose& pose);
-
 }  // namespace mrose

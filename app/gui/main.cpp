@@ -11,12 +11,14 @@
 #include "command_line.h"
 #include "export/film.h"
 #include "export/sequence_export.h"
+#include "export/view_export.h"
 #include "files/window_files.h"
 #include "frame/window_memory.h"
 #include "io/file.h"
 #include "logs/log_reader.h"
 #include "panels/plot_panel.h"
 #include "panels/shortcut_sheet.h"
+#include "panels/time_bar.h"
 #include "plugin/plugin_host.h"
 #include "qt_messages.h"
 #include "reality/overlay.h"
@@ -79,7 +81,7 @@ Expected<void> openNow(MainWindow& window, const CommandLine& line) {
 
 /// How the run is looked at, once it is there.
 void look(MainWindow& window, const CommandLine& line) {
-    if (line.speed) window.setSpeed(*line.speed);
+    if (line.speed) window.timeBar().setSpeed(*line.speed);
     if (line.layers.empty()) return;
     for (const FieldLayerText& layer : fieldLayerTexts) {
         const std::string name = std::string(layer.action).substr(std::string("layer_").size());
@@ -115,11 +117,11 @@ void runToEnd(MainWindow& window, const CommandLine& line) {
     if (line.speed.value_or(0) > 0) {
         window.session().ask([=](Debugger& debugger) { debugger.stopAt(end); });
         window.session().play();
-        settle(window);
+        settle(window.scripted());
         while (window.shown()->playing) letPass(20);
     } else {
         window.session().seek(end, true);
-        settle(window);
+        settle(window.scripted());
     }
     if (line.breaks.empty()) return;
     const Shown& shown = *window.shown();
@@ -131,7 +133,7 @@ void runToEnd(MainWindow& window, const CommandLine& line) {
 Expected<bool> script(MainWindow& window, const std::string& path) {
     const auto text = readFile(path);
     if (!text) return tl::unexpected(text.error());
-    const auto outcome = runScript(window, *text, path,
+    const auto outcome = runScript(window.scripted(), *text, path,
                                    {[](const std::string& words) { std::puts(words.c_str()), std::fflush(stdout); },
                                     [](const std::string& words) { std::fprintf(stderr, "%s\n", words.c_str()); }});
     if (!outcome) return tl::unexpected(outcome.error());
@@ -144,14 +146,14 @@ Expected<bool> script(MainWindow& window, const std::string& path) {
 /// Its recording whole, and said what went wrong with it.
 Expected<void> finishRecording(MainWindow& window) {
     window.files().record({});
-    settle(window);
+    settle(window.scripted());
     if (const QString& error = window.files().recordingError(); !error.isEmpty()) return fail("", error.toStdString());
     return {};
 }
 
 /// What is asked for of the end; the exit status.
 int finish(MainWindow& window, const CommandLine& line, bool held) {
-    settle(window);
+    settle(window.scripted());
     if (const auto recorded = finishRecording(window); !recorded) return report(recorded.error());
     if (line.printHash && window.shown()) std::printf("state %s\n", stateText(*window.shown()).c_str());
     return held ? 0 : 1;
@@ -175,7 +177,7 @@ void begin(MainWindow& window, const CommandLine& line) {
         window.session().ask([end](Debugger& debugger) { debugger.stopAt(end); });
     }
     if (!line.file.empty() || !line.log.empty()) return;
-    showFirstSteps(window);
+    showFirstSteps(window.actions());
     window.session().play();
 }
 
@@ -213,7 +215,7 @@ int runAlone(MainWindow& window, const CommandLine& line) {
     window.actions().setUnattended(true);
     if (const auto opened = openNow(window, line); !opened) return report(opened.error());
     window.QWidget::show();
-    settle(window);
+    settle(window.scripted());
     if (!line.models.empty())
         if (const std::string wrong = firstError(window); !wrong.empty()) return report({"", 0, 0, "", wrong});
     if (line.run && !line.log.empty() && window.shown()->setup->scenario->parts().players.empty())
@@ -240,13 +242,13 @@ int runAlone(MainWindow& window, const CommandLine& line) {
         held = *done;
     }
     if (line.script.empty()) window.overlay().settle();
-    settle(window);
+    settle(window.scripted());
     for (const MessageBar::Message& message : window.messages().messages())
         std::fprintf(stderr, "mrose-gui: %s\n", message.text.toStdString().c_str());
     if (!line.screenshot.empty())
-        if (const auto saved = window.saveImage(qtText(line.screenshot)); !saved) return report(saved.error());
+        if (const auto saved = writeWidget(window, qtText(line.screenshot)); !saved) return report(saved.error());
     if (!line.film.empty())
-        if (const auto made = exportFilm(window, qtText(line.film)); !made) return report(made.error());
+        if (const auto made = exportFilm(window.exports(), qtText(line.film)); !made) return report(made.error());
     return finish(window, line, held);
 }
 

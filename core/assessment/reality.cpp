@@ -1,10 +1,27 @@
 #include "assessment/reality.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "logs/pose_grid.h"
 
 namespace mrose {
+namespace {
+
+using Stretches = std::vector<Reality::Robot::Stretch>;
+constexpr Nanoseconds forGood = std::numeric_limits<Nanoseconds>::max();
+
+/// What lies in stretches of both.
+Stretches common(const Stretches& a, const Stretches& b) {
+    Stretches both;
+    for (std::size_t i = 0, j = 0; i < a.size() && j < b.size(); a[i].to < b[j].to ? ++i : ++j) {
+        const Nanoseconds from = std::max(a[i].from, b[j].from), to = std::min(a[i].to, b[j].to);
+        if (from < to) both.push_back({from, to});
+    }
+    return both;
+}
+
+}  // namespace
 
 std::optional<Pose> Reality::Robot::poseAt(Nanoseconds now) const {
     const Nanoseconds time = origin + now;
@@ -37,6 +54,19 @@ std::vector<Reality::Robot::Stretch> Reality::Robot::unknownBetween(Nanoseconds 
         end(std::min(poses[i].time - origin, to), i == 0 || poses[i].time - poses[i - 1].time >= truthGap);
     end(to, true);
     return stretches;
+}
+
+std::vector<Reality::Robot::Stretch> Reality::unknownOf(const Robot* robot) const {
+    if (robot != nullptr) {
+        const std::vector<StampedPose>& poses = robot->trajectory->poses;
+        const Nanoseconds end = poses.empty() ? 0 : std::max<Nanoseconds>(0, poses.back().time - robot->origin);
+        Stretches unknown = robot->unknownBetween(0, end);
+        unknown.push_back({end, forGood});
+        return unknown;
+    }
+    Stretches unknown{{0, forGood}};
+    for (const Robot& one : robots) unknown = common(unknown, unknownOf(&one));
+    return unknown;
 }
 
 std::optional<Pose> Reality::ModelRollout::poseAt(std::size_t robot, Nanoseconds now) const {

@@ -1,5 +1,6 @@
 // How branches of a run begin, what they take over from before, and how edits are taken back.
 #include <algorithm>
+#include <utility>
 
 #include "debug/time_travel.h"
 #include "recording/tick_decisions.h"
@@ -60,10 +61,13 @@ Expected<void> TimeTravel::branchOff(const Edit& edit) {
     if (edit.change) edit.change(*setup->scenario, state);
     if (const std::string wrong = validate(*setup->scenario, state); !wrong.empty())
         return tl::unexpected(Error{"", 0, 0, "", "the state does not fit the scenario: " + wrong});
+    // As in any editor what was undone cannot be done again after something else.
+    for (const std::uint32_t branch : std::exchange(undone_, {}))
+        if (!isFrom(branch_, branch)) origins_[branch].removed = true;
     const bool otherSetup = setup != records_[parent].setupPointer();
-    const std::uint32_t made =
-        history_.beginBranch(parent, state, merges ? together(branches()[branch_].name, edit.name) : edit.name,
-                             otherSetup ? setup->value : nullptr);
+    const std::uint32_t made = history_.beginBranch(
+        parent, state, merges ? together(branches()[branch_].name, edit.name) : freeName(edit.name),
+        otherSetup ? setup->value : nullptr);
     std::vector<HandOrder> orders = merges ? records_[branch_].orders() : std::vector<HandOrder>{};
     orders.insert(orders.end(), edit.orders.begin(), edit.orders.end());
     records_.emplace_back(setup, state, std::move(orders));
@@ -78,7 +82,6 @@ Expected<void> TimeTravel::branchOff(const Edit& edit) {
     at.moveTo(made, {std::move(state)}, follows);
     branch_ = made;
     shown_ = std::move(at);
-    undone_.clear();
     setBeside(parent);
     return {};
 }
@@ -129,9 +132,53 @@ bool TimeTravel::superseded(std::uint32_t branch) const {
     return std::none_of(branches().begin(), branches().end(), departsFromIt);
 }
 
-std::size_t TimeTravel::branchesToShow() const {
+bool TimeTravel::isFrom(std::uint32_t branch, std::uint32_t ancestor) const {
+    while (branch != ancestor && branches()[branch].parent != branch) branch = branches()[branch].parent;
+    return branch == ancestor;
+}
+
+/// "red 1 moved (2)" where there is one of that name.
+std::string TimeTravel::freeName(const std::string& name) const {
+    const auto taken = [&](const std::string& some) {
+        for (std::uint32_t branch = 0; branch < branches().size(); ++branch)
+            if (branches()[branch].name == some && !hidden(branch)) return true;
+        return false;
+    };
+    std::string free = name;
+    for (int number = 2; taken(free); ++number) free = name + " (" + std::to_string(number) + ')';
+    return free;
+}
+
+bool TimeTravel::hidden(std::uint32_t branch) const {
+    for (std::uint32_t at = branch;; at = branches()[at].parent) {
+        if (origins_[at].removed) return true;
+        if (branches()[at].parent == at) return superseded(branch);
+    }
+}
+
+bool TimeTravel::undone(std::uint32_t branch) const {
+    return std::find(undone_.begin(), undone_.end(), branch) != undone_.end();
+}
+
+bool TimeTravel::remove(std::uint32_t branch) {
+    if (branch == 0 || branch >= branches().size() || hidden(branch)) return false;
+    if (isFrom(branch_, branch) && !show(branches()[branch].parent, tick())) return false;
+    origins_[branch].removed = true;
+    std::erase_if(undone_, [&](std::uint32_t other) { return hidden(other); });
+    if (beside_ && hidden(beside_->branch)) beside_.reset();
+    return true;
+}
+
+std::size_t TimeTravel::removeOthers() {
     std::size_t count = 0;
-    for (std::uint32_t branch = 0; branch < branches().size(); ++branch) count += superseded(branch) ? 0 : 1;
+    for (std::uint32_t branch = 1; branch < branches().size(); ++branch)
+        if (!isFrom(branch_, branch) && remove(branch)) ++count;
+    return count;
+}
+
+std::size_t TimeTravel::restore() {
+    std::size_t count = 0;
+    for (Origin& origin : origins_) count += std::exchange(origin.removed, false) ? 1 : 0;
     return count;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "debug/kick_cause.h"
 #include "debug/play_end.h"
 #include "io/format.h"
 #include "world/seconds_text.h"
@@ -93,7 +94,7 @@ void Debugger::show(std::uint32_t branch, std::int64_t tick) {
 bool Debugger::branchOff(const Edit& edit) {
     stop();
     const auto done = run_->branchOff(edit);
-    if (!done) message_ = done.error().message();
+    message_ = done ? edit.note : done.error().message();
     return done.has_value();
 }
 
@@ -106,9 +107,7 @@ void Debugger::sayBranched() {
 
 void Debugger::undo() {
     const std::string what = run_->undoName();
-    if (run_->undo())
-        stop("Undone: " + what + ". The branch stays in the list; " + secondsAt(run_->tick()) +
-             " s is shown as it was before");
+    if (run_->undo()) stop("Undone: " + what + "; " + secondsAt(run_->tick()) + " s is shown as it was before");
 }
 
 void Debugger::redo() {
@@ -116,8 +115,24 @@ void Debugger::redo() {
     if (run_->redo()) stop("Done again: " + what);
 }
 
+void Debugger::removeBranch(std::uint32_t branch) {
+    const std::string name = branch < run_->branches().size() ? run_->branches()[branch].name : "";
+    stop(run_->remove(branch) ? "Deleted: " + name + ", with what departed from it"
+                              : "The run itself cannot be deleted");
+}
+
+void Debugger::removeOtherBranches() {
+    const std::size_t count = run_->removeOthers();
+    stop(count > 0 ? "Deleted: " + counted(count, "branch", "branches") : "There are no other branches");
+}
+
+void Debugger::restoreBranches() {
+    const std::size_t count = run_->restore();
+    stop(count > 0 ? "Brought back: " + counted(count, "branch", "branches") : "Nothing was deleted");
+}
+
 void Debugger::showCauseOfKick() {
-    const auto cause = run_->causeOfKick();
+    const auto cause = causeOfKick(*run_);
     stop(cause ? "" : "No kick up to here: let it play, or go to a kick on the timeline");
     if (!cause) return;
     // The state after the decision is the first that shows it.
@@ -238,7 +253,7 @@ void Debugger::simulateToBreak(std::int64_t end, const Watch& watch) {
     stop("No break up to " + secondsText(run_->setup().scene().timeOf(run_->tick()), 0) + " s; it can go on");
 }
 
-Shown Debugger::takeShown(const TimeTravel::FrameOptions& options) {
+Shown Debugger::takeShown(const FrameOptions& options) {
     Shown what = shownOf(*run_, options);
     std::size_t known = 0;  // marks of branches never grow but at their ends
     for (std::uint32_t i = 0; i < run_->branches().size(); ++i) known += run_->record(i).marks().size();

@@ -62,6 +62,9 @@ public:
     void sayBranched();
     void undo();
     void redo();
+    void removeBranch(std::uint32_t branch);
+    void removeOtherBranches();
+    void restoreBranches();
     /// To where the controller decided on the last kick; Shown::subject is its robot.
     void showCauseOfKick();
     /// To where a breakpoint stops next, or to where one was met last. RunEvent::noBreak: there was none.
@@ -87,7 +90,7 @@ public:
     Expected<bool> judge() { return breakpoints_.learn(*run_); }
 
     /// All of the shown tick. What is reported once is not in the next.
-    Shown takeShown(const TimeTravel::FrameOptions& options = {});
+    Shown takeShown(const FrameOptions& options = {});
 
 private:
     bool stopsHere(const Progress& goesOn);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "debug/placement.h"
 #include "io/format.h"
 #include "scenario/carry_over.h"
 
@@ -25,6 +26,19 @@ Edit moveBody(const FieldFrame& frame, std::size_t body, const Pose& pose) {
             object.roll_W = {};
         }
     };
+    return edit;
+}
+
+Expected<Edit> putBody(const FieldFrame& frame, std::size_t body, const Pose& pose) {
+    const std::string why = hindranceAt(frame, body, pose), name = frame.nameOf(body);
+    const auto place = freePlaceNear(frame, body, pose);
+    if (!place)
+        return fail("", name + " stays where it was: there it would stand " + why + ", and no place near it is free");
+    Edit edit = moveBody(frame, body, *place);
+    const double aside = distance(position(*place), position(pose));
+    if (!why.empty())
+        edit.note =
+            name + " stands " + fixed(100 * aside, 0) + " cm beside: where it was put it would have stood " + why;
     return edit;
 }
 

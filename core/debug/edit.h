@@ -24,10 +24,13 @@ struct Edit {
     std::optional<std::uint32_t> afterDeciding = {};
     BranchSetupPointer setup = {};         ///< another one; null: as before
     std::optional<WorldState> start = {};  ///< in another setup: begins with this state instead of the one that was
+    std::string note = {};                 ///< said of it instead of the usual; may be empty
 };
 
 /// A body in another place, or turned; an object lies still there.
 Edit moveBody(const FieldFrame& frame, std::size_t body, const Pose& pose);
+/// The same at the nearest place where nothing is in its way, which the note says. Error: there is none near.
+Expected<Edit> putBody(const FieldFrame& frame, std::size_t body, const Pose& pose);
 /// What a robot is to do instead of what it decided last, for so many control periods; its sensors and its controller
 /// have seen and remember what they did. Without an insight there is no such edit: `frame.insights[robot].tick` >= 0.
 struct OtherDecision {

@@ -45,11 +45,11 @@ Expected<void> RunRecorder::writeTick(const Timeline& timeline, std::uint32_t pl
     return writer_.state();
 }
 
-/// A branch in which nothing has happened yet may still be superseded, and is written in the end.
+/// A branch in which nothing has happened yet may still be taken back, and is written in the end.
 Expected<bool> RunRecorder::follow(const TimeTravel& run, std::int64_t ticks) {
     for (std::uint32_t branch = 0; branch < run.branches().size(); ++branch) {
         const Timeline& timeline = run.branches()[branch].timeline;
-        if (timeline.first() == timeline.last()) continue;
+        if (timeline.first() == timeline.last() || (run.hidden(branch) && !opened(branch))) continue;
         if (auto done = open(run, branch); !done) return tl::unexpected(done.error());
         const std::uint32_t place = *places_[branch];
         for (; branches_[place].at.state.tick < timeline.last(); --ticks) {
@@ -73,7 +73,7 @@ Expected<void> RunRecorder::finish(const TimeTravel& run) {
         if (!*more) break;
     }
     for (std::uint32_t branch = 0; branch < run.branches().size(); ++branch)
-        if (!run.superseded(branch))
+        if (!run.hidden(branch))
             if (auto done = open(run, branch); !done) return done;
     for (std::uint32_t place = 0; place < branches_.size(); ++place) writer_.keep(branches_[place].at.state, place);
     if (opened(run.branch())) writer_.keepShown({*places_[run.branch()], run.tick()});
@@ -86,7 +86,7 @@ Expected<bool> saveRun(const std::filesystem::path& path, const TimeTravel& run,
     std::vector<std::shared_ptr<const Scenario>> scenarios;
     std::vector<std::uint32_t> places(run.branches().size());  // a parent comes before what departs from it
     for (std::uint32_t branch = 0; branch < run.branches().size(); ++branch) {
-        if (run.superseded(branch)) continue;
+        if (run.hidden(branch)) continue;
         places[branch] = static_cast<std::uint32_t>(branches.size());
         branches.push_back(run.branches()[branch]);
         branches.back().parent = places[branches.back().parent];

@@ -18,8 +18,8 @@ std::vector<BranchInfo> branchInfos(const TimeTravel& run) {
     };
     for (std::uint32_t i = 0; i < run.branches().size(); ++i) {
         const Branch& branch = run.branches()[i];
-        BranchInfo info{branch.name,      branch.parent, branch.tick, branch.timeline.first(), branch.timeline.last(),
-                        run.superseded(i)};
+        BranchInfo info{branch.name,   branch.parent, branch.tick, branch.timeline.first(), branch.timeline.last(),
+                        run.hidden(i), run.undone(i)};
         std::int64_t until = run.tick();
         for (std::uint32_t at = i;; at = run.branches()[at].parent) {
             const BranchInfo::Events events = count(at, until);
@@ -37,16 +37,16 @@ std::vector<BranchInfo> branchInfos(const TimeTravel& run) {
 
 int listedBranches(const std::vector<BranchInfo>& branches, std::size_t first) {
     int count = 0;
-    for (std::size_t i = first; i < branches.size(); ++i) count += branches[i].superseded ? 0 : 1;
+    for (std::size_t i = first; i < branches.size(); ++i) count += branches[i].hidden ? 0 : 1;
     return count;
 }
 
 std::string branchesText(int count) { return count == 1 ? "1 branch" : std::to_string(count) + " branches"; }
 
-Shown shownOf(const TimeTravel& run, const TimeTravel::FrameOptions& options) {
+Shown shownOf(const TimeTravel& run, const FrameOptions& options) {
     Shown what;
-    what.frame = std::make_shared<const FieldFrame>(run.frame(options));
-    if (auto beside = run.besideFrame(options)) {
+    what.frame = std::make_shared<const FieldFrame>(frameOf(run, options));
+    if (auto beside = besideFrame(run, options)) {
         what.beside = std::make_shared<const FieldFrame>(std::move(*beside));
         what.besideBranch = run.beside();
     }

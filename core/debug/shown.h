@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "debug/breakpoints.h"
+#include "debug/run_frame.h"
 #include "debug/time_travel.h"
 #include "world/state_hash.h"
 
@@ -17,7 +18,8 @@ struct BranchInfo {
     std::string name;
     std::uint32_t parent = 0;
     std::int64_t departed = 0, first = 0, last = 0;  ///< ticks
-    bool superseded = false;                         ///< another one took its place: not to be listed
+    bool hidden = false;                             ///< as TimeTravel has it: not to be listed
+    bool undone = false;                             ///< and can be done again
     /// What happened in it, and before it in those that it came from, up to the shown tick.
     struct Events {
         int kicks = 0, contacts = 0;
@@ -70,6 +72,6 @@ int listedBranches(const std::vector<BranchInfo>& branches, std::size_t first = 
 std::string branchesText(int count);
 
 /// What a run itself says of its shown tick; what only its debugger knows is left empty.
-Shown shownOf(const TimeTravel& run, const TimeTravel::FrameOptions& options);
+Shown shownOf(const TimeTravel& run, const FrameOptions& options);
 
 }  // namespace mrose

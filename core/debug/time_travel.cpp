@@ -7,9 +7,6 @@
 namespace mrose {
 namespace {
 
-/// Predicted paths have a point every so many ticks.
-constexpr std::int64_t predictedEvery = 5;
-
 /// Of a branch beside that ended long ago not all comes at once, so that no tick is long.
 constexpr std::int64_t mostBeside = 4;
 
@@ -173,25 +170,6 @@ Expected<void> TimeTravel::walk(Cursor& cursor, std::uint32_t branch, std::int64
     return {};
 }
 
-std::optional<TimeTravel::KickCause> TimeTravel::causeOfKick() const {
-    std::int64_t until = tick();
-    for (std::uint32_t at = branch();; at = branches()[at].parent) {
-        const BranchRecord& record = records_[at];
-        for (auto mark = record.marks().rbegin(); mark != record.marks().rend(); ++mark) {
-            if (mark->kind != TimelineMark::Kind::kick || mark->tick > until) continue;
-            const Nanoseconds end = record.setup().scene().timeOf(mark->tick);
-            for (std::uint32_t from = at;; from = branches()[from].parent) {
-                const std::vector<KickOrder>& orders = records_[from].kickOrders();
-                for (auto order = orders.rbegin(); order != orders.rend(); ++order)
-                    if (order->robot == mark->body && order->due < end) return KickCause{*order, mark->tick};
-                if (branches()[from].parent == from) break;
-            }
-        }
-        if (branches()[at].parent == at) return {};
-        until = std::min(until, branches()[at].tick);
-    }
-}
-
 void TimeTravel::setBeside(std::optional<std::uint32_t> branch) {
     beside_.reset();
     if (!branch || *branch >= branches().size()) return;
@@ -248,74 +226,6 @@ std::vector<BranchRecord::FirstFault> TimeTravel::faults(std::uint32_t branch, s
         until = std::min(until, branches()[branch].tick);
         branch = parent;
     }
-}
-
-FieldFrame TimeTravel::frame(const FrameOptions& options) const { return frameOf(shown_, options); }
-
-std::optional<FieldFrame> TimeTravel::besideFrame(const FrameOptions& options) const {
-    if (!beside_) return {};
-    FrameOptions own = options;
-    own.ghosts = false;
-    return frameOf(beside_->at, own);
-}
-
-FieldFrame TimeTravel::frameOf(const Cursor& cursor, const FrameOptions& options) const {
-    FieldFrame frame = cursor.frame(scenarioOf(cursor.branch()));
-    frame.reality = reality_;
-    for (const BranchRecord::FirstFault& fault : faults(cursor.branch(), cursor.tick()))
-        frame.failed.push_back(fault.robot);
-    addTrails(cursor.branch(), cursor.tick(), options.trailTicks, frame.trails);
-    if (options.ahead > 0 && frame.scene().bodyCount() <= options.mostBodiesAhead) {
-        frame.predicted = predictedPaths(cursor, options.ahead);
-        frame.predictedStep = predictedEvery * frame.scene().tickLength;
-    }
-    if (options.ghosts) frame.ghosts = ghostsOf(cursor, options.trailTicks);
-    return frame;
-}
-
-/// Of a branch, and before it of those that it came from, where they have the same bodies.
-void TimeTravel::addTrails(std::uint32_t branch, std::int64_t tick, std::size_t ticks, Trails& trails) const {
-    const Branch& way = branches()[branch];
-    const PoseTrack& track = records_[branch].track();
-    const auto since = static_cast<std::size_t>(std::max<std::int64_t>(0, tick - way.tick));
-    if (way.parent != branch && since < ticks &&
-        scenarioOf(branch)->scene().bodyCount() == scenarioOf(way.parent)->scene().bodyCount())
-        addTrails(way.parent, way.tick, ticks - since, trails);
-    track.addTrails(tick, ticks, trails);
-}
-
-std::vector<std::vector<Pose>> TimeTravel::predictedPaths(const Cursor& cursor, Nanoseconds ahead) const {
-    const Scenario& scenario = *scenarioOf(cursor.branch());
-    WorldState state = cursor.state();
-    std::vector<std::vector<Pose>> paths(state.robots.size());
-    StepBuffers buffers;
-    const std::int64_t end = cursor.tick() + scenario.scene().ticksOf(ahead);
-    for (;;) {
-        for (std::size_t robot = 0; robot < paths.size(); ++robot) paths[robot].push_back(state.robots[robot].pose);
-        if (state.tick >= end) return paths;
-        for (std::int64_t i = 0; i < predictedEvery; ++i) step(scenario, state, buffers, {{}, false});
-    }
-}
-
-/// The branch from which the shown one departed, those that departed from it, and the one beside: what was changed is
-/// seen with what was before.
-std::vector<Ghost> TimeTravel::ghostsOf(const Cursor& cursor, std::size_t trailTicks) const {
-    std::vector<Ghost> ghosts;
-    const std::uint32_t own = cursor.branch();
-    for (std::uint32_t other = 0; other < branches().size(); ++other) {
-        const bool related = other != own && !superseded(other) &&
-                             (branches()[own].parent == other || branches()[other].parent == own || beside() == other);
-        const PoseTrack& track = records_[other].track();
-        const bool sameClock = scenarioOf(other)->scene().tickLength == scenarioOf(own)->scene().tickLength;
-        const std::int64_t departed = std::max(branches()[other].tick, branches()[own].tick);
-        if (!related || !sameClock || cursor.tick() < std::max(departed, track.first()) || cursor.tick() > track.last())
-            continue;
-        const std::int64_t then = cursor.tick();
-        const auto since = static_cast<std::size_t>(std::max<std::int64_t>(0, then - departed));
-        Ghost& ghost = ghosts.emplace_back(Ghost{branches()[other].name, scenarioOf(other), track.posesAt(then), {}});
-        track.addTrails(then, std::min(trailTicks, since), ghost.trails);
-    }
-    return ghosts;
 }
 
 }  // namespace mrose

@@ -83,6 +83,11 @@ public:
     /// place. Error: its tick cannot be reached, or the state does not fit; then nothing has changed.
     Expected<void> branchOff(const Edit& edit);
     void rename(std::uint32_t branch, const std::string& name) { history_.rename(branch, name); }
+    /// A branch and all that departed from it are no more listed, saved or shown as ghosts; if the shown one is among
+    /// them, its parent is shown. The run itself stays. False: there is no such branch.
+    bool remove(std::uint32_t branch);
+    std::size_t removeOthers();  ///< all but what the shown one came from; how many
+    std::size_t restore();       ///< all that was removed, or undone and then left; how many
     /// From a branch back to where one stood before its last edit, and again there; false where there is nothing.
     bool undo();
     bool redo();
@@ -93,21 +98,16 @@ public:
     std::string redoName() const { return canRedo() ? origins_[undone_.back()].edit : ""; }
     /// The shown branch took the place of one that had fewer edits at its beginning.
     bool edited() const { return origins_[branch()].replaced.has_value(); }
-    /// Another one took its place before anything happened in it: it is kept for undo() alone.
-    bool superseded(std::uint32_t branch) const;
-    std::size_t branchesToShow() const;  ///< those that are not superseded
-
-    /// The decision that led to a kick: where, and when it came about.
-    struct KickCause {
-        KickOrder order;
-        std::int64_t kicked = 0;  ///< tick of the state after it
-    };
-    /// Of the last kick up to the shown tick; nullopt: there was none.
-    std::optional<KickCause> causeOfKick() const;
+    /// Removed, or undone before the last edit, or another one took its place before anything happened in it: kept for
+    /// restore() or undo() alone.
+    bool hidden(std::uint32_t branch) const;
+    bool undone(std::uint32_t branch) const;  ///< redo() makes it again
 
     /// Another branch to be shown beside, at the same tick; nullopt: none. Of itself it is the one shown before.
     void setBeside(std::optional<std::uint32_t> branch);
     std::optional<std::uint32_t> beside() const;
+    const Cursor& cursor() const { return shown_; }                                  ///< the shown tick
+    const Cursor* besideCursor() const { return beside_ ? &beside_->at : nullptr; }  ///< at it or the nearest
 
     /// What really happened beside it; null: not known.
     const std::shared_ptr<const Reality>& reality() const { return reality_; }
@@ -118,19 +118,6 @@ public:
     /// The same of the shown branch's lineage, up to a tick.
     Expected<void> learnUpTo(std::int64_t tick);
 
-    struct FrameOptions {
-        std::size_t trailTicks = 500;
-        Nanoseconds ahead = 2 * nanosecondsPerSecond;
-        std::size_t mostBodiesAhead = 64;  ///< of more no path is predicted
-        bool ghosts = true;
-    };
-    FieldFrame frame(const FrameOptions& options) const;
-    FieldFrame frame() const { return frame(FrameOptions{}); }
-    /// Of another place in the shown branch's lineage than the shown tick.
-    FieldFrame frameOf(const Cursor& cursor, const FrameOptions& options) const;
-    /// Of the branch beside, at this tick or the nearest of its own; nullopt where there is none.
-    std::optional<FieldFrame> besideFrame(const FrameOptions& options) const;
-
 private:
     const Timeline& timelineOf(std::uint32_t branch) const { return history_.branches()[branch].timeline; }
     /// Its lineage begins with ticks of its parent's.
@@ -139,6 +126,9 @@ private:
     bool sharesMemories(std::uint32_t branch) const;
     bool begins(std::uint32_t branch) const { return timelineOf(branch).first() == timelineOf(branch).last(); }
     bool mergesInto(const Edit& edit) const;
+    bool superseded(std::uint32_t branch) const;
+    bool isFrom(std::uint32_t branch, std::uint32_t ancestor) const;
+    std::string freeName(const std::string& name) const;
     void takeOver(std::uint32_t branch);
     void addTouches(std::uint32_t branch, std::int64_t from, std::int64_t to, TouchCounter& touches);
     std::vector<BranchRecord::InsightAtStart> insightsAtStartOf(std::uint32_t branch,
@@ -152,9 +142,6 @@ private:
     void goOnWith(std::uint32_t branch, std::int64_t most);
     void followBeside();
     void keepTracksSmall();
-    void addTrails(std::uint32_t branch, std::int64_t tick, std::size_t ticks, Trails& trails) const;
-    std::vector<std::vector<Pose>> predictedPaths(const Cursor& cursor, Nanoseconds ahead) const;
-    std::vector<Ghost> ghostsOf(const Cursor& cursor, std::size_t trailTicks) const;
 
     History history_;
     std::deque<BranchRecord> records_;  ///< of each branch
@@ -175,6 +162,7 @@ private:
         std::int64_t arrived = 0;                       ///< the tick that shows its effect
         std::optional<std::uint32_t> replaced = {};     ///< whose place it took
         std::optional<std::uint32_t> replacement = {};  ///< which took its place
+        bool removed = false;
     };
     std::vector<Origin> origins_;  ///< of each branch
     std::vector<std::uint32_t> undone_;

@@ -46,6 +46,13 @@ std::string listed(std::vector<std::string> names) {
 
 }  // namespace
 
+std::filesystem::path logOfFile(const std::filesystem::path& file) {
+    std::error_code ignored;
+    if (file.extension() != ".dat" || !std::filesystem::is_regular_file(file, ignored)) return file;
+    const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+    return isMrclamFolder(folder) ? folder : file;
+}
+
 std::string logsWithin(const std::filesystem::path& folder) {
     std::vector<std::string> names;
     std::error_code ignored;

@@ -22,6 +22,10 @@ struct LogOptions {
 /// Whether a place holds a log of some format, as far as its beginning shows: without reading it.
 bool looksLikeLog(const std::filesystem::path& source);
 
+/// The log that a file is of: of an MRCLAM folder any of its .dat files stands for the folder. Otherwise the file
+/// itself.
+std::filesystem::path logOfFile(const std::filesystem::path& file);
+
 /// What to say of a folder that is no log but holds some, as folders or as CSV files: "is not a log itself; it holds a
 /// and b: open one of them". "": it holds none.
 std::string logsWithin(const std::filesystem::path& folder);

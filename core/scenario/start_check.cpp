@@ -57,7 +57,7 @@ std::optional<StartOverlap> findStartOverlap(const Scene& scene, double toleranc
     return std::nullopt;
 }
 
-std::vector<std::size_t> startsOutside(const Scene& scene) {
+std::optional<SceneSpan> spanOf(const Scene& scene) {
     constexpr double far = std::numeric_limits<double>::infinity();
     Point low{far, far}, high{-far, -far};
     const auto include = [&](const Point& p, double reach) {
@@ -67,13 +67,16 @@ std::vector<std::size_t> startsOutside(const Scene& scene) {
     for (const Obstacle& obstacle : scene.environment.obstacles)
         for (const ConvexPiece& piece : obstacle.shape.pieces)
             for (std::size_t i = 0; obstacle.wall && i < piece.count; ++i) include(piece.corners[i], piece.radius);
-    std::vector<std::size_t> outside;
-    if (low.x > high.x) return outside;
+    if (low.x > high.x) return {};
     for (const Point& corner : scene.environment.floor.area) include(corner, 0);
-    for (std::size_t body = 0; body < scene.bodyCount(); ++body) {
-        const Pose& start = startPoseOf(scene, body);
-        if (start.x < low.x || start.x > high.x || start.y < low.y || start.y > high.y) outside.push_back(body);
-    }
+    return SceneSpan{low, high};
+}
+
+std::vector<std::size_t> startsOutside(const Scene& scene) {
+    std::vector<std::size_t> outside;
+    const auto span = spanOf(scene);
+    for (std::size_t body = 0; span && body < scene.bodyCount(); ++body)
+        if (!span->contains(position(startPoseOf(scene, body)))) outside.push_back(body);
     return outside;
 }
 

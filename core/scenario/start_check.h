@@ -20,8 +20,15 @@ struct StartOverlap {
 /// too.
 std::optional<StartOverlap> findStartOverlap(const Scene& scene, double tolerance = 1e-4);
 
-/// Bodies that start outside the rectangle, along the axes, that the walls and the floor's area span: most are a
-/// mistake. None where there is no wall.
+/// The rectangle, along the axes, that the walls and the floor's area span.
+struct SceneSpan {
+    Point low, high;
+    bool contains(const Point& p) const { return p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y; }
+};
+/// nullopt where there is no wall.
+std::optional<SceneSpan> spanOf(const Scene& scene);
+
+/// Bodies that start outside it: most are a mistake.
 std::vector<std::size_t> startsOutside(const Scene& scene);
 
 }  // namespace mrose

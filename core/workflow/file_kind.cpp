@@ -72,7 +72,7 @@ Expected<FileKind> fileKind(const std::string& path) {
         return fail(path, "describes " + std::string(format == "mrose environment" ? "an " : "a ") + format.substr(6) +
                               "; open a scenario that names it");
     if (bytes->starts_with("trial,seed,")) return FileKind::results;
-    if (looksLikeLog(path)) return FileKind::log;
+    if (looksLikeLog(logOfFile(path))) return FileKind::log;
     // Its reader says what is wrong with it, and where.
     if (std::filesystem::path(path).extension() == ".toml") return FileKind::scenario;
     if (std::filesystem::path(path).extension() == ".net") return FileKind::network;

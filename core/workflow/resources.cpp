@@ -2,6 +2,8 @@
 
 #include <cstdlib>
 
+#include "logs/log_reader.h"
+
 namespace mrose {
 namespace {
 
@@ -36,7 +38,7 @@ Expected<RobotKinds> robotKinds() { return readRobotKinds(resourceFolder() / "re
 
 std::string placeOfLog(const std::string& name) {
     std::error_code ignored;
-    if (name.empty() || std::filesystem::exists(name, ignored)) return name;
+    if (name.empty() || std::filesystem::exists(name, ignored)) return logOfFile(name).string();
     for (const std::filesystem::path& folder : dataFolders())
         if (std::filesystem::exists(folder / name, ignored)) return (folder / name).string();
     return name;

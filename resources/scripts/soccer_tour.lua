@@ -17,9 +17,9 @@ say(selected .. " decided at " .. time .. " s to kick at tick " .. kick)
 -- Another place for it at that moment begins a branch; the run stays as it was.
 local decided, name = tick, selected
 local x, y = robot[name].x, robot[name].y
-drag(name, x - 0.3, y + 0.3)
+drag(name, x + 0.3, y + 0.3)
 expect(branches == 2 and branch ~= "the run", "a branch begins")
-expect(robot[name].x == x - 0.3, "the robot stands where it was dropped")
+expect(robot[name].x == x + 0.3, "the robot stands where it was dropped")
 
 -- Both go on, side by side.
 side_by_side(true)

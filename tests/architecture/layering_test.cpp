@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <regex>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -164,11 +165,11 @@ TEST(Layering, QtStaysInWidgetsAndWindow) {
 
 /// Each of the window's parts can be used, and tested, without those above it.
 TEST(Layering, PartsOfTheWindowIncludeOnlyThoseBelowThem) {
-    const std::map<std::string, std::set<std::string>> below{{"session", {}},
-                                                             {"frame", {"session"}},
-                                                             {"panels", {"session", "frame"}},
-                                                             {"files", {"session", "frame", "panels"}},
-                                                             {"reality", {"session", "frame", "panels", "files"}}};
+    const std::vector<std::string> order{"session", "frame",   "panels",    "files", "reality",
+                                         "export",  "actions", "scripting", "window"};
+    std::map<std::string, std::set<std::string>> below;
+    for (auto folder = order.begin(); folder != order.end(); ++folder)
+        below[*folder] = std::set<std::string>(order.begin(), folder);
     const std::filesystem::path window = sourceFolder() / "app" / "gui";
     for (const auto& [folder, allowed] : below) {
         const std::vector<SourceFile> files = sourceFiles({"app/gui/" + folder});
@@ -180,6 +181,15 @@ TEST(Layering, PartsOfTheWindowIncludeOnlyThoseBelowThem) {
                 EXPECT_TRUE(!ofWindow || other == folder || allowed.count(other)) << where(file, include);
             }
     }
+}
+
+/// Its parts know what they need of one another, and not the window that they are parts of.
+TEST(Layering, TheWindowIsNamedInItsOwnFilesAndMain) {
+    const std::regex window(R"(\bMainWindow\b)");
+    for (const SourceFile& file : sourceFiles({"app", "widgets", "core"}))
+        EXPECT_TRUE(!std::regex_search(file.text, window) || file.path == "app/gui/main.cpp" ||
+                    file.path.starts_with("app/gui/window/main_window."))
+            << file.path;
 }
 
 TEST(Layering, LibrariesStayWhereTheyBelong) {

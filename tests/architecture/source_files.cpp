@@ -32,8 +32,8 @@ std::string headerName(const std::filesystem::path& path) {
 SourceFile parseSource(const std::string& path, std::string_view text) {
     static const std::regex include(R"(^\s*#\s*include\s*([<"])([^>"]+)[>"].*)");
     static const std::regex directive(R"(^\s*#\s*(\w+)\s*(\w*).*)");
-    SourceFile file{path, layerOf(path), path.ends_with(".h"), 0, false, {}, {}};
-    std::istringstream stream{std::string(text)};
+    SourceFile file{path, layerOf(path), path.ends_with(".h"), 0, false, {}, {}, std::string(text)};
+    std::istringstream stream{file.text};
     bool anyDirective = false;
     for (std::string line; std::getline(stream, line);) {
         ++file.lines;

@@ -24,6 +24,7 @@ struct SourceFile {
 
     /// "learning/rprop.h" for core/learning/rprop.cpp where that header exists beside it; otherwise empty.
     std::string ownHeader;
+    std::string text;
 };
 
 SourceFile parseSource(const std::string& path, std::string_view text);

@@ -3,7 +3,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "debug/time_travel.h"
+#include "debug/run_frame.h"
 #include "scenario/scenario_file.h"
 #include "support/scenes.h"
 #include "widgets/field_view.h"
@@ -36,7 +36,7 @@ struct Run {
     }
 
     TimeTravel travel;
-    TimeTravel::FrameOptions options;
+    FrameOptions options;
 };
 
 Run& few() {
@@ -56,7 +56,7 @@ FieldLayers allButScans() {
 }
 
 void makeFrame(benchmark::State& state, Run& run) {
-    for (auto _ : state) benchmark::DoNotOptimize(run.travel.frame(run.options));
+    for (auto _ : state) benchmark::DoNotOptimize(frameOf(run.travel, run.options));
 }
 
 /// One tick further each time, as while playing: what is kept from frame to frame is not all that is measured.
@@ -71,7 +71,7 @@ void paint(benchmark::State& state, Run& run, bool selected, bool scans = false)
     std::vector<std::shared_ptr<const FieldFrame>> frames;
     (void)run.travel.seek(run.travel.last() - ticks);
     for (int i = 0; i < ticks; ++i) {
-        frames.push_back(std::make_shared<const FieldFrame>(run.travel.frame(run.options)));
+        frames.push_back(std::make_shared<const FieldFrame>(frameOf(run.travel, run.options)));
         (void)run.travel.forward();
     }
     view.setFrame(frames.front());

@@ -15,7 +15,7 @@
 #include <sys/resource.h>
 
 #include "behaviour/command_player.h"
-#include "debug/time_travel.h"
+#include "debug/run_frame.h"
 #include "motion/learned_model.h"
 #include "panels/plot_panel.h"
 #include "support/scenes.h"
@@ -152,14 +152,14 @@ int benchFrames(const OpenRun& run, std::int64_t last) {
     view.setLayers(allLayersButScans());
     view.show();
     QApplication::processEvents();
-    TimeTravel::FrameOptions options;
+    FrameOptions options;
     options.trailTicks = 2000;
     std::vector<double> making, painting, both;
     for (const std::int64_t tick : someTicks(last)) {
         if (!travel.seek(tick)) return 1;
         std::shared_ptr<const FieldFrame> frame;
         making.push_back(
-            processorMilliseconds([&] { frame = std::make_shared<const FieldFrame>(travel.frame(options)); }));
+            processorMilliseconds([&] { frame = std::make_shared<const FieldFrame>(frameOf(travel, options)); }));
         view.setFrame(frame);
         view.setSelected(std::size_t{3});
         painting.push_back(processorMilliseconds([&] { view.repaint(); }));
@@ -179,7 +179,7 @@ int benchWindow(const OpenRun& run, std::int64_t last) {
     window.show(run);
     window.session().settle();
     window.field().setLayers(allLayersButScans());
-    TimeTravel::FrameOptions options;
+    FrameOptions options;
     options.trailTicks = 2000;
     window.session().setFrameOptions(options);
     window.field().setSelected(std::size_t{3});

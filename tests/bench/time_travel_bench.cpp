@@ -50,7 +50,7 @@ int bench(double minutes) {
         if (auto done = travel.seek(tick - 1); !done) return 1;
         back.push_back(seconds(Clock::now() - from));
         from = Clock::now();
-        const FieldFrame frame = travel.frame();
+        const FieldFrame frame = frameOf(travel);
         frames.push_back(seconds(Clock::now() - from));
     }
     const auto tell = [](const char* what, std::vector<double>& times) {

@@ -135,7 +135,7 @@ TEST_F(DebuggerTest, LongWaysEndWhereTheyAreNotToGoOn) {
 TEST_F(DebuggerTest, EditsBeginBranchesWhichAreTakenBack) {
     debugger.goTo(50, false);
     const Pose aside{1, 1, 0.5};
-    ASSERT_TRUE(debugger.branchOff(moveBody(debugger.run().frame(), 1, aside)));
+    ASSERT_TRUE(debugger.branchOff(moveBody(frameOf(debugger.run()), 1, aside)));
     EXPECT_EQ(debugger.run().state().robots[1].pose.x, 1);
     debugger.goTo(90, false);
     Shown shown = debugger.takeShown();

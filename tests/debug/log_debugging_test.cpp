@@ -119,7 +119,7 @@ TEST(LogDebugging, DebuggerStopsWhereTheComparisonSaysAndGoesBack) {
     const StateHash there = hashOf(debugger.run().state());
     const std::int64_t tick = debugger.run().tick();
     debugger.stepBy(-30);
-    ASSERT_TRUE(debugger.branchOff(changeDecision(debugger.run().frame(), 0, {.command = {0, 0}, .periods = 3})));
+    ASSERT_TRUE(debugger.branchOff(changeDecision(frameOf(debugger.run()), 0, {.command = {0, 0}, .periods = 3})));
     debugger.goTo(tick, false);
     EXPECT_FALSE(hashOf(debugger.run().state()) == there);
     debugger.undo();

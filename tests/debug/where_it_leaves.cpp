@@ -31,7 +31,7 @@ int main(int count, char** words) {
     debugger.stepBy(-50);
     const Scene& scene = debugger.run().setup().scene();
     const std::uint32_t body = bodyNamed(scene, rollouts.world().robots()[row->robot].name);
-    debugger.branchOff(changeDecision(debugger.run().frame(), body, {.command = {0, 0}, .periods = 5}));
+    debugger.branchOff(changeDecision(frameOf(debugger.run()), body, {.command = {0, 0}, .periods = 5}));
     debugger.goTo(debugger.run().tick() + 100, false);
     std::printf("%s\n", debugger.run().branches().back().name.c_str());
 }

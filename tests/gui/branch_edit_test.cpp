@@ -1,11 +1,15 @@
 // Edits made one after the other, taken back and made again; and what a branch takes over from before it began.
 #include <QAction>
+#include <QTreeWidget>
 #include <algorithm>
 
 #include <gmock/gmock.h>
 
+#include "debug/placement.h"
 #include "debug/shown.h"
+#include "frame/status_line.h"
 #include "gui/window_fixture.h"
+#include "panels/branch_panel.h"
 #include "panels/command_panel.h"
 
 namespace mrose::gui {
@@ -169,7 +173,7 @@ TEST(BranchTravel, BackIsExactAtTheRootOfANestedBranch) {
     while (made.tick() < 61) ASSERT_TRUE(made.forward());
     const auto nudge = [](const Scenario&, WorldState& state) { state.robots[2].pose.x += 0.01; };
     ASSERT_TRUE(made.seek(60));
-    const std::vector<RobotInsight> memories = made.frame().insights;
+    const std::vector<RobotInsight> memories = frameOf(made).insights;
     ASSERT_TRUE(std::any_of(memories.begin(), memories.end(), [](const RobotInsight& one) { return one.tick >= 0; }));
     ASSERT_TRUE(made.branchOff({"one", {}, nudge}));
     ASSERT_TRUE(made.branchOff({"two", {}, nudge}));
@@ -183,7 +187,7 @@ TEST(BranchTravel, BackIsExactAtTheRootOfANestedBranch) {
     TimeTravel run(nested);
     ASSERT_TRUE(run.show(2, 60));
     ASSERT_EQ(run.owner(), 2u);
-    expectSameMemories(run.frame().insights, memories);
+    expectSameMemories(frameOf(run).insights, memories);
 }
 
 /// Contacts do not begin anew because a branch begins.
@@ -234,6 +238,41 @@ TEST_F(BranchEditTest, BranchThatBeginsNearTheEndPlaysOn) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return state().tick > end && !window.shown()->playing; }, 60'000));
     EXPECT_EQ(state().tick, wanted);
     EXPECT_THAT(message(), HasSubstr("10 s of this branch"));
+}
+
+TEST_F(BranchEditTest, DeleteInTheListDeletesABranch) {
+    seek(300);
+    move(3, 0.3, 0);
+    seek(320);
+    auto* list = window.branchPanel().findChild<QTreeWidget*>();
+    list->setFocus();
+    ASSERT_EQ(list->currentItem()->text(0), "red 4 moved");
+    QTest::keyClick(list, Qt::Key_Delete);
+    settle();
+    EXPECT_EQ(listed(), 1);
+    EXPECT_EQ(window.shown()->branch, 0u);
+    EXPECT_EQ(message(), "Deleted: red 4 moved, with what departed from it");
+    EXPECT_TRUE(window.field().layers().has(FieldLayer::ghosts));
+    EXPECT_TRUE(window.shown()->frame->ghosts.empty());
+    window.actions()["restore_branches"].trigger();
+    settle();
+    EXPECT_EQ(listed(), 2);
+    window.actions()["delete_other_branches"].trigger();
+    settle();
+    EXPECT_EQ(listed(), 1);
+}
+
+TEST_F(BranchEditTest, BodiesThatAreDroppedOnOthersAreSetBesideThem) {
+    seek(300);
+    const Pose on = window.shown()->frame->poseOf(1);
+    emit window.field().bodyMoved(0, on);
+    settle();
+    EXPECT_THAT(message(), HasSubstr("where it was put it would have stood on red 2"));
+    EXPECT_EQ(hindranceAt(*window.shown()->frame, 0, window.shown()->frame->poseOf(0)), "");
+    emit window.field().bodyMoved(0, {1000, 0, 0});
+    settle();
+    EXPECT_EQ(listed(), 2);
+    EXPECT_THAT(window.status().said().toStdString(), HasSubstr("stays where it was"));
 }
 
 }  // namespace

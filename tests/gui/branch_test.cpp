@@ -7,6 +7,7 @@
 #include "gui/window_fixture.h"
 #include "panels/branch_panel.h"
 #include "panels/command_panel.h"
+#include "panels/side_view.h"
 #include "scenario/carry_over.h"
 #include "support/places.h"
 #include "widgets/qt_text.h"
@@ -239,17 +240,17 @@ TEST_F(BranchTest, SwappedModelIsThatOfAScenarioThatNamesIt) {
 TEST_F(BranchTest, PanelListsNamesAndComparesBranches) {
     seek(100);
     const QPointF at = pixelOf(8);
-    drag(at, at + QPointF(40, 0));
+    drag(at, at + QPointF(0, -60));
     auto trees = window.branchPanel().findChildren<QTreeWidget*>();
     QTreeWidget* list = trees[0];
     ASSERT_EQ(list->topLevelItemCount(), 1);
     ASSERT_EQ(list->topLevelItem(0)->childCount(), 1);
     EXPECT_EQ(list->topLevelItem(0)->child(0)->text(0), "ball moved");
-    list->topLevelItem(0)->child(0)->setText(0, "ball to the right");
+    list->topLevelItem(0)->child(0)->setText(0, "ball farther up");
     settle();
-    EXPECT_EQ(window.shown()->branches[1].name, "ball to the right");
-    // The ball lies 40 pixels off.
-    const double apart = 40 / window.field().transform().scale();
+    EXPECT_EQ(window.shown()->branches[1].name, "ball farther up");
+    // The ball lies 60 pixels off.
+    const double apart = 60 / window.field().transform().scale();
     const QList<QTreeWidgetItem*> rows = trees[1]->findItems("ball apart", Qt::MatchExactly);
     ASSERT_EQ(rows.size(), 1);
     EXPECT_EQ(rows[0]->text(1), QString::number(100 * apart, 'f', 1) + " cm");
@@ -265,7 +266,7 @@ TEST_F(BranchTest, PanelListsNamesAndComparesBranches) {
 TEST_F(BranchTest, WhatLiesBesideGoesOn) {
     const Scenario& scenario = *window.shown()->frame->scenario;
     seek(100);
-    drag(pixelOf(8), pixelOf(8) + QPointF(40, 0));
+    drag(pixelOf(8), pixelOf(8) + QPointF(0, -60));
     key(Qt::Key_Z, Qt::ControlModifier);
     ASSERT_EQ(window.shown()->branches[1].last, 100);
     seek(180);
@@ -273,12 +274,12 @@ TEST_F(BranchTest, WhatLiesBesideGoesOn) {
     EXPECT_EQ(window.shown()->beside->state.tick, 180);
     EXPECT_EQ(window.shown()->hash, hashOf(runAlone(scenario, 180, 0, -1, {})));
     WorldState expected = runAlone(scenario, 100, 0, -1, {});
-    expected.objects[0].pose.x += 40 / window.field().transform().scale();
+    expected.objects[0].pose.y += 60 / window.field().transform().scale();
     expected.objects[0].velocity_W = {};
     expected.objects[0].roll_W = {};
     StepBuffers buffers;
     while (expected.tick < 180) step(scenario, expected, buffers);
-    EXPECT_NEAR(window.shown()->beside->state.objects[0].pose.x, expected.objects[0].pose.x, 1e-6);
+    EXPECT_NEAR(window.shown()->beside->state.objects[0].pose.y, expected.objects[0].pose.y, 1e-6);
 }
 
 TEST_F(BranchTest, ChoosingABranchThatEndsEarlierSaysSo) {
@@ -341,20 +342,20 @@ TEST_F(BranchTest, BothBranchesAreSeenSideBySide) {
     seek(100);
     window.field().setLayers(FieldLayers::none());
     drag(pixelOf(8), pixelOf(8) + QPointF(40, 0));
-    EXPECT_FALSE(window.besideField().isVisible());
+    EXPECT_FALSE(window.view().beside().isVisible());
     key(Qt::Key_S);
-    ASSERT_TRUE(window.besideField().isVisible());
+    ASSERT_TRUE(window.view().beside().isVisible());
     const auto ballPixel = [&](FieldView& field, const Pose& ball) {
         return field.grab().toImage().pixelColor(field.transform().toPixels({ball.x, ball.y}).toPoint());
     };
     const Pose here = state().objects[0].pose, there = window.shown()->beside->state.objects[0].pose;
-    EXPECT_NEAR(window.field().transform().scale(), window.besideField().transform().scale(), 1e-9);
+    EXPECT_NEAR(window.field().transform().scale(), window.view().beside().transform().scale(), 1e-9);
     const QColor ball = ballPixel(window.field(), here);
-    EXPECT_EQ(ballPixel(window.besideField(), there), ball);
-    EXPECT_NE(ballPixel(window.besideField(), here), ball);
+    EXPECT_EQ(ballPixel(window.view().beside(), there), ball);
+    EXPECT_NE(ballPixel(window.view().beside(), here), ball);
     window.field().zoom(2);
     window.field().grab();
-    EXPECT_NEAR(window.field().transform().scale(), window.besideField().transform().scale(), 1e-9);
+    EXPECT_NEAR(window.field().transform().scale(), window.view().beside().transform().scale(), 1e-9);
 }
 
 TEST_F(BranchTest, SideBySideStaysOffUntilThereIsAnotherBranch) {
@@ -364,10 +365,10 @@ TEST_F(BranchTest, SideBySideStaysOffUntilThereIsAnotherBranch) {
     EXPECT_FALSE(sideBySide.isChecked());
     drag(pixelOf(2), pixelOf(2) + QPointF(30, 20));
     ASSERT_EQ(window.shown()->branches.size(), 2u);
-    EXPECT_FALSE(window.besideField().isVisible()) << "what was asked for in vain does not come later";
+    EXPECT_FALSE(window.view().beside().isVisible()) << "what was asked for in vain does not come later";
     key(Qt::Key_S);
     EXPECT_TRUE(sideBySide.isChecked());
-    EXPECT_TRUE(window.besideField().isVisible());
+    EXPECT_TRUE(window.view().beside().isVisible());
     ASSERT_TRUE(window.open("soccer.toml"));
     settle();
     EXPECT_FALSE(sideBySide.isChecked());

@@ -327,7 +327,7 @@ TEST_F(BreakpointTest, SeekingArrivesWhereItWasToldToAndOnlyPlayingStops) {
     EXPECT_EQ(tick(), 200);
     std::string wrong;
     const ScriptOutput output{[](const std::string&) {}, [&](const std::string& text) { wrong += text; }};
-    const auto outcome = runScript(window, "seek(0) seek(4)", "test", output);
+    const auto outcome = runScript(window.scripted(), "seek(0) seek(4)", "test", output);
     ASSERT_TRUE(outcome) << outcome.error().message();
     EXPECT_EQ(tick(), 200);
     window.session().seek(0);
@@ -446,11 +446,12 @@ TEST_F(BreakpointTest, ScriptsSetAndReachThem) {
     const std::string text = "add_break('" + std::string(fast) +
                              "')\nbreak_forward(2)\nsay(tick)\nbreak_back()\nsay(tick)\n" +
                              "seek(20)\nbreak_last('time < 1')\nsay(tick, message)\ntoggle_break(2)";
-    const auto outcome = runScript(window, text, "s.lua", {[&](const std::string& said) { words += said + '\n'; }, {}});
+    const auto outcome =
+        runScript(window.scripted(), text, "s.lua", {[&](const std::string& said) { words += said + '\n'; }, {}});
     ASSERT_TRUE(outcome) << outcome.error().message();
     EXPECT_EQ(words.substr(0, words.find('\n')), std::to_string(ticks[1]));
     EXPECT_NE(words.find("\n49 Back at 0.98 s: time < 1\n"), std::string::npos) << words;
-    const auto wrong = runScript(window, "add_break('tik > 1')", "s.lua", {[](const std::string&) {}, {}});
+    const auto wrong = runScript(window.scripted(), "add_break('tik > 1')", "s.lua", {[](const std::string&) {}, {}});
     ASSERT_FALSE(wrong);
     EXPECT_EQ(wrong.error().message(), "s.lua:1: add_break(): unknown name 'tik'; did you mean tick? (at character 1)");
 }

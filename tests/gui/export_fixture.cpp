@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <algorithm>
 
+#include "export/view_export.h"
 #include "io/file.h"
 #include "session/background_work.h"
 #include "widgets/message_bar.h"
@@ -40,10 +41,10 @@ std::string ExportTest::perform(const char* action, const QString& argument) {
     return alone([&] { return window.actions().perform(action, argument); });
 }
 
-QImage ExportTest::pictureOf(MainWindow& window, QWidget& part) {
+QImage ExportTest::pictureOf(QWidget& part) {
     const TemporaryFolder place;
     const QString file = qtText((place.path() / "a.png").string());
-    EXPECT_TRUE(window.saveImage(file, &part));
+    EXPECT_TRUE(writeWidget(part, file));
     return QImage(file).convertToFormat(QImage::Format_RGB32);
 }
 

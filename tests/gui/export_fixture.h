@@ -36,7 +36,7 @@ protected:
         return done ? "" : done.error().message();
     }
     /// The field of a window that goes through some ticks, at the last of them.
-    static QImage pictureOf(MainWindow& window, QWidget& part);
+    static QImage pictureOf(QWidget& part);
 
     TemporaryFolder folder;
 };

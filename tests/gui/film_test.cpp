@@ -1,10 +1,15 @@
 // Films by ffmpeg.
+#include <QDialogButtonBox>
+#include <QLabel>
 #include <QProcess>
+#include <QPushButton>
 #include <QStandardPaths>
+#include <algorithm>
 
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
+#include "export/film_dialog.h"
 #include "export/sequence_export.h"
 #include "gui/export_fixture.h"
 #include "session/background_work.h"
@@ -41,7 +46,7 @@ protected:
         settings.from = 0.5;
         settings.to = to;
         settings.size = size;
-        return alone([&] { return exportFilm(window, path(name), settings); });
+        return alone([&] { return exportFilm(window.exports(), path(name), settings); });
     }
 
     QByteArray searched = qgetenv("PATH");
@@ -63,7 +68,7 @@ TEST_F(FilmTest, HasTheFramesThatWereAskedFor) {
     SequenceSettings settings;
     settings.from = settings.to = 0.98;
     settings.size = {641, 403};
-    ASSERT_EQ(alone([&] { return exportFrames(window, path("one"), settings); }), "");
+    ASSERT_EQ(alone([&] { return exportFrames(window.exports(), path("one"), settings); }), "");
     const QImage frame(path("last.png")), picture(path("one/frame_0000.png"));
     ASSERT_EQ(frame.size(), QSize(640, 402));
     double apart = 0;
@@ -113,7 +118,7 @@ TEST_F(FilmTest, CancellingLeavesNothing) {
     pretend("exec sleep 1000");
     SequenceSettings settings;
     settings.to = 30;
-    ASSERT_TRUE(exportFilm(window, path("game.mp4"), settings));
+    ASSERT_TRUE(exportFilm(window.exports(), path("game.mp4"), settings));
     ASSERT_TRUE(QTest::qWaitFor([&] { return files().size() == 2; }, 60'000));
     window.actions()["cancel"].trigger();
     finish();
@@ -149,6 +154,26 @@ TEST_F(FilmTest, CommandLineMakesOneOfWhatWasRun) {
     EXPECT_EQ(outputOf("ffprobe", {"-v", "error", "-count_frames", "-show_entries", "stream=nb_read_frames", "-of",
                                    "csv=p=0", path("game.mp4")}),
               "11");
+}
+
+TEST_F(FilmTest, WithoutFfmpegTheDialogueSaysSoBeforeAnyNameIsAskedFor) {
+    qputenv("PATH", "/nowhere");
+    FilmDialog* const dialog = showFilmDialog(window.exports(), true);
+    const auto says = [&](const char* words) {
+        const auto labels = dialog->findChildren<QLabel*>();
+        return std::any_of(labels.begin(), labels.end(), [&](QLabel* label) { return label->text().contains(words); });
+    };
+    const auto* button = dialog->findChild<QDialogButtonBox*>()->buttons().last();
+    const auto exports = [&] {
+        for (const QAbstractButton* one : dialog->findChild<QDialogButtonBox*>()->buttons())
+            if (one->text().contains("xport")) button = one;
+        return button->isEnabled();
+    };
+    EXPECT_TRUE(says("sudo apt install ffmpeg"));
+    EXPECT_FALSE(exports());
+    dialog->setFilm(false);
+    EXPECT_FALSE(says("ffmpeg"));
+    EXPECT_TRUE(exports());
 }
 
 }  // namespace

@@ -166,7 +166,7 @@ TEST_F(HelpTest, PointingAtAnActionLeavesTheMessageThere) {
             if (label->isVisible()) shown << label->text();
         return shown.join('|');
     };
-    window.say("red 1 kicked");
+    window.frame().say("red 1 kicked");
     const QString before = message();
     ASSERT_TRUE(before.contains("red 1 kicked") && before.contains("tick 0")) << before.toStdString();
     QStatusTipEvent points("Play or pause"), leaves("");
@@ -311,12 +311,12 @@ TEST_F(HelpTest, WhatCameToNothingIsNotTickedOff) {
 
 TEST_F(HelpTest, ClosedFirstStepsStayAwayUntilTheyAreAskedFor) {
     auto* card = window.findChild<FirstSteps*>();
-    showFirstSteps(window);
+    showFirstSteps(window.actions());
     ASSERT_TRUE(card->isVisible());
     QTest::mouseClick(card->findChild<QToolButton*>(), Qt::LeftButton);
     EXPECT_FALSE(card->isVisible());
     MainWindow next;
-    showFirstSteps(next);
+    showFirstSteps(next.actions());
     EXPECT_FALSE(next.actions()["first_steps"].isChecked());
     next.actions()["first_steps"].trigger();
     EXPECT_TRUE(next.actions()["first_steps"].isChecked());

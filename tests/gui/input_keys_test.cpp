@@ -5,6 +5,7 @@
 #include <QLineEdit>
 #include <QSpinBox>
 
+#include "frame/status_line.h"
 #include "gui/window_fixture.h"
 #include "panels/breakpoint_panel.h"
 #include "panels/command_panel.h"
@@ -83,8 +84,8 @@ TEST_F(InputKeysTest, SpaceInANumberPlaysAndLeavesIt) {
 }
 
 TEST_F(InputKeysTest, EscapeLeavesEveryInputOfAPanel) {
-    window.showPlots();
-    window.showReality();
+    window.frame().showDock("plots");
+    window.frame().showDock("reality");
     settle();
     int inputs = 0;
     for (const char* name : {"branches", "breakpoints", "command", "reality", "plots"}) {
@@ -109,6 +110,53 @@ TEST_F(InputKeysTest, EscapeLeavesEveryInputOfAPanel) {
         }
     }
     EXPECT_GE(inputs, 5);
+}
+
+TEST_F(InputKeysTest, ReturnInTheListOfKicksTriesTheCommand) {
+    auto* kick = window.commandPanel().findChild<QComboBox*>();
+    press(Qt::Key_E);
+    kick->setFocus();
+    kick->setCurrentIndex(1);
+    press(Qt::Key_Return);
+    ASSERT_EQ(window.shown()->branches.size(), 2u);
+    EXPECT_NE(window.shown()->branches[1].name.find("kick 100 %"), std::string::npos)
+        << window.shown()->branches[1].name;
+}
+
+TEST_F(InputKeysTest, WhatNeedsAPausePausesAndSaysSo) {
+    const auto boxes = window.commandPanel().findChildren<QDoubleSpinBox*>();
+    const auto begin = [&](std::optional<std::size_t> robot) {
+        window.field().setSelected(robot);
+        window.field().setFocus();
+        window.session().play();
+        settle();
+        ASSERT_TRUE(window.shown()->playing);
+    };
+    begin(1);
+    press(Qt::Key_E);
+    EXPECT_FALSE(window.shown()->playing);
+    EXPECT_TRUE(boxes[0]->hasFocus());
+    EXPECT_TRUE(window.status().said().startsWith("Stopped, since commands")) << window.status().said().toStdString();
+    begin(1);
+    QTest::keyClick(window.windowHandle(), Qt::Key_Left, Qt::AltModifier);
+    settle();
+    QTest::keyRelease(window.windowHandle(), Qt::Key_Alt);
+    settle();
+    EXPECT_FALSE(window.shown()->playing);
+    EXPECT_EQ(window.shown()->branches.size(), 2u) << "and does it";
+    begin({});
+    press(Qt::Key_E);
+    EXPECT_TRUE(window.status().said().startsWith("Select a robot first")) << window.status().said().toStdString();
+}
+
+TEST_F(InputKeysTest, ShortMessagesAreSeenWhileTheRunPlays) {
+    window.session().play();
+    settle();
+    window.frame().say("seen");
+    const std::int64_t tick = window.shown()->tick();
+    while (window.shown()->tick() < tick + 5) QTest::qWait(20);
+    EXPECT_EQ(window.status().said(), "seen");
+    EXPECT_TRUE(window.status().quietMessage().isVisible());
 }
 
 }  // namespace

@@ -340,7 +340,7 @@ TEST_F(LogOpeningTest, ScriptsSayWhatDrove) {
     const std::string file = ownLog();
     const auto run = [&](const std::string& script) {
         const auto done =
-            runScript(window, script, "s.lua",
+            runScript(window.scripted(), script, "s.lua",
                       {[](const std::string&) {}, [](const std::string& mistake) { ADD_FAILURE() << mistake; }});
         return done ? "" : done.error().message();
     };

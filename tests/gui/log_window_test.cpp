@@ -52,7 +52,7 @@ protected:
     void settleAll() {
         for (int i = 0; i < 3; ++i) {
             window.overlay().settle();
-            gui::settle(window);
+            gui::settle(window.scripted());
         }
     }
     void openLog() {
@@ -153,7 +153,7 @@ TEST_F(LogWindowTest, WhoHasClosedThePlotsDoesNotGetThemAgain) {
     later.QWidget::show();
     ASSERT_TRUE(later.overlay().openNow({shipped(), ""}));
     later.overlay().settle();
-    gui::settle(later);
+    gui::settle(later.scripted());
     EXPECT_FALSE(later.findChild<QDockWidget*>("plots")->isVisible());
     later.actions()["plot_errors"].trigger();
     EXPECT_TRUE(later.findChild<QDockWidget*>("plots")->isVisible());
@@ -201,12 +201,12 @@ TEST_F(LogWindowTest, PictureOfPlotsNamesLogRolloutModelsAndBound) {
     settleAll();
     ASSERT_TRUE(window.overlay().rollouts().shownRow() != nullptr &&
                 window.overlay().rollouts().shownRow()->divergence);
-    ASSERT_TRUE(exportPlots(window, qPath("plots.svg")));
+    ASSERT_TRUE(exportPlots(window.exports(), qPath("plots.svg")));
     window.background().settle();
     QApplication::processEvents();
     std::ifstream file(path("plots.svg"));
     const std::string text{std::istreambuf_iterator<char>(file), {}};
-    const std::string rollout = window.runName().toStdString() + " for 10.0 s, " + robot();
+    const std::string rollout = window.session().runName() + " for 10.0 s, " + robot();
     for (const std::string& part : {std::string("random.csv"), rollout, window.overlay().models().all().front().name,
                                     std::string("velocity = command"), std::string("bound"),
                                     std::string("leaves the real trajectory"), std::string("error (cm)")})
@@ -224,7 +224,7 @@ TEST_F(LogWindowTest, TableOfPlotsGoesToTheEndOfTheRolloutAndHasTheBound) {
     seek(100);
     settleAll();
     const auto expectTable = [&](const std::string& name) {
-        ASSERT_TRUE(exportValues(window, qPath(name)));
+        ASSERT_TRUE(exportValues(window.exports(), qPath(name)));
         window.background().settle();
         QApplication::processEvents();
         std::ifstream file(path(name));
@@ -389,10 +389,10 @@ TEST_F(LogWindowTest, WhatIsSaidIsSeenOverTheField) {
     EXPECT_TRUE(quiet->isVisible());
     EXPECT_TRUE(quiet->text().contains("Nothing leaves")) << quiet->text().toStdString();
     EXPECT_TRUE(window.field().rect().contains(quiet->geometry()));
-    window.say("");
+    window.frame().say("");
     EXPECT_FALSE(quiet->isVisible());
     window.actions().setUnattended(true);
-    window.say("nobody reads this");
+    window.frame().say("nobody reads this");
     EXPECT_FALSE(quiet->isVisible()) << "pictures of a script are the same at any speed";
     window.actions().setUnattended(false);
 }

@@ -131,7 +131,7 @@ TEST_F(OverlayReloadTest, PlottedErrorsAreThoseOfTheNewRollout) {
     ASSERT_NO_FATAL_FAILURE(openLog(makeLog(), twoSeconds));
     const ValueKey key{positionErrorQuantity, overlay.rollouts().world().robots().front().name};
     const auto ahead = [&] {
-        gui::settle(window);
+        gui::settle(window.scripted());
         const std::vector<PlotCurve>& curves = window.plots().view().curves();
         const auto position =
             std::find_if(curves.begin(), curves.end(), [](const auto& curve) { return !curve.ghost; });
@@ -162,7 +162,7 @@ TEST_F(OverlayReloadTest, PlottedErrorsAreThoseOfTheNewRollout) {
     window.plots().remove({headingErrorQuantity, key.body});
     makeLog();
     reload();
-    gui::settle(window);
+    gui::settle(window.scripted());
     EXPECT_THAT(window.plots().keys(), ElementsAre(key));
 }
 

@@ -19,6 +19,7 @@
 #include "logs/log_reader.h"
 #include "motion/learned_model.h"
 #include "panels/plot_panel.h"
+#include "panels/time_bar.h"
 #include "reality/overlay_panel.h"
 #include "recording/recording.h"
 #include "scripting/window_script.h"
@@ -214,7 +215,7 @@ TEST_F(OverlayTest, SecondModelDrivesTheSameCommandsBeside) {
 
 TEST_F(OverlayTest, PlayingGoesOnIntoTheNextRollout) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {RolloutPlan::Cut::every, 0, 2}));
-    window.setSpeed(0);
+    window.timeBar().setSpeed(0);
     window.session().play();
     EXPECT_TRUE(waitFor([&] { return overlay.rollouts().shown() >= 2u; }));
     overlay.setRestarts(false);
@@ -355,7 +356,7 @@ TEST_F(OverlayTest, ScriptsAskForFiguresAndOpenTheWorst) {
                                "say(reality('robot'))\n"
                                "reality('nonsense')\n";
     std::vector<std::string> words;
-    const auto done = runScript(window, script, "s.lua",
+    const auto done = runScript(window.scripted(), script, "s.lua",
                                 {[&](const std::string& said) { words.push_back(said); },
                                  [&](const std::string& mistake) { ADD_FAILURE() << mistake; }});
     ASSERT_FALSE(done);

@@ -144,7 +144,7 @@ TEST_F(PlotExportTest, WhatIsWrongIsOneLine) {
 TEST_F(PlotExportTest, CancelledTableLeavesNothing) {
     seek(2000);
     plot({"x", "red 1"});
-    ASSERT_TRUE(exportValues(window, path("a.csv")));
+    ASSERT_TRUE(exportValues(window.exports(), path("a.csv")));
     window.actions()["cancel"].trigger();
     finish();
     EXPECT_EQ(files(), std::vector<std::string>{});

@@ -244,7 +244,7 @@ TEST_F(PlotTest, LongPastComesInPartsWhileTheWindowLives) {
     plot({"speed", "red 2"});
     std::vector<std::int64_t> behind;
     int seen = 0;
-    QObject::connect(&plots().series(), &ValueSeries::grown, &window, [&] {
+    QObject::connect(&plots().computing(), &SeriesWorker::grown, &window, [&] {
         behind.push_back(plots().series().behind());
         seen += std::isfinite(curve("red 2  speed").at(100)) ? 1 : 0;
         // The session answers meanwhile.
@@ -265,7 +265,7 @@ TEST_F(PlotTest, CancelKeepsWhatIsThereAndWhatComes) {
     seek(length);
     plot({"x", "ball"});
     bool parts = false;
-    QObject::connect(&plots().series(), &ValueSeries::grown, &window, [&] {
+    QObject::connect(&plots().computing(), &SeriesWorker::grown, &window, [&] {
         if (parts) return;
         parts = true;
         window.actions()["stop_plots"].trigger();
@@ -390,26 +390,6 @@ TEST_F(PlotTest, GhostsAreThinnerAndPalerThanWhatTheyAreGhostsOf) {
     EXPECT_LT(curvePen(ghost).widthF(), curvePen(curve).widthF());
     EXPECT_LT(curvePen(ghost).color().alpha(), curvePen(curve).color().alpha());
     EXPECT_EQ(curvePen(ghost).dashPattern(), curvePen(curve).dashPattern());
-}
-
-TEST(ValueSeries, NewestTicksGoBeforeThePastOfAnotherValue) {
-    const ValueSeries::Way way{0, 100, 999};
-    const auto next = [&](const std::vector<std::int64_t>& ends) { return nextTicks(way, ends); };
-    EXPECT_FALSE(next({}));
-    EXPECT_FALSE(next({1000, 1000}));
-    // One is new and has all of its past before it: those that have come far go on first.
-    const auto front = next({990, 100, 990});
-    EXPECT_TRUE(front->front);
-    EXPECT_EQ(front->tick, 990);
-    EXPECT_EQ(front->values, (std::vector<std::size_t>{0, 2}));
-    const auto past = next({1000, 100, 1000});
-    EXPECT_FALSE(past->front);
-    EXPECT_EQ(past->tick, 100);
-    EXPECT_EQ(past->values, (std::vector<std::size_t>{1}));
-    const auto begin = next({0, 100});
-    EXPECT_FALSE(begin->front);
-    EXPECT_EQ(begin->tick, 100);
-    EXPECT_EQ(begin->values.size(), 2u);
 }
 
 TEST_F(PlotTest, AnotherRunKeepsOnlyWhatItHas) {

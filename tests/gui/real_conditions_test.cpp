@@ -145,7 +145,7 @@ TEST_F(RealConditionsTest, ScriptsAndPlotsKnowThemToo) {
                   "expect(robot[1].error == %.17g) expect(abs(robot[1].real_x - robot[1].x) <= robot[1].error)\n"
                   "run_until('robot[1].error ~= %.17g', 1) say(tick)",
                   error, error);
-    const auto outcome = runScript(window, text, "s.lua", output);
+    const auto outcome = runScript(window.scripted(), text, "s.lua", output);
     ASSERT_TRUE(outcome) << outcome.error().message();
     EXPECT_EQ(outcome->failed, 0);
     EXPECT_EQ(words, std::to_string(ticksOf(1.5) + 1));

@@ -7,6 +7,7 @@
 #include "gui/reality_fixture.h"
 #include "gui/window_fixture.h"
 #include "panels/plot_panel.h"
+#include "reality/run_timeline.h"
 #include "simulation/step.h"
 #include "widgets/field_fixture.h"
 #include "widgets/inspector_rows.h"
@@ -184,8 +185,7 @@ TEST_F(RealityPlotTest, TimelineShowsUnknownStretchesAndNotes) {
     const double tick = 0.02;
     const auto unknown = [](const Reality& reality, const Reality::Robot* robot) {
         std::vector<std::pair<double, double>> seconds;
-        for (const auto& [from, to] : unknownTruth(reality, robot))
-            seconds.emplace_back(toSeconds(from), toSeconds(to));
+        for (const auto& [from, to] : reality.unknownOf(robot)) seconds.emplace_back(toSeconds(from), toSeconds(to));
         if (!seconds.empty()) seconds.pop_back();  // after the log
         return seconds;
     };
@@ -201,7 +201,7 @@ TEST_F(RealityPlotTest, TimelineShowsUnknownStretchesAndNotes) {
     EXPECT_FALSE(says(3.5).contains("no ground truth"));
     window.field().setSelected(1);
     EXPECT_FALSE(says(4.5).contains("no ground truth"));
-    window.note({{{170, TimelineMark::Kind::divergence, 0, noBody}, "sim a, 12 cm"}});
+    window.runTimeline().note({{{170, TimelineMark::Kind::divergence, 0, noBody}, "sim a, 12 cm"}});
     EXPECT_TRUE(says(3.4).contains("first divergence: sim a, 12 cm")) << says(3.4).toStdString();
     seek(400);
     QTest::keyClick(&window, Qt::Key_Comma);

@@ -27,7 +27,7 @@ protected:
         if (reality != nullptr) run.reality = std::make_shared<const Reality>(*reality);
         TimeTravel travel(run);
         while (travel.tick() < run.setup->scene().ticksOf(fromSeconds(seconds))) ASSERT_TRUE(travel.forward());
-        frame = std::make_shared<const FieldFrame>(travel.frame());
+        frame = std::make_shared<const FieldFrame>(frameOf(travel));
         field.setFrame(frame);
         rendered(field);  // it knows its size then
     }

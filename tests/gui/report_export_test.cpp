@@ -32,7 +32,7 @@ protected:
     static std::string shippedNetwork() { return (sourceFolder() / "nets/pioneer.net").string(); }
     std::string place(const std::string& name) const { return path(name).toStdString(); }
     std::string run(const std::string& text) {
-        const auto outcome = runScript(window, text, "s.lua", {[](const auto&) {}, [](const auto&) {}});
+        const auto outcome = runScript(window.scripted(), text, "s.lua", {[](const auto&) {}, [](const auto&) {}});
         return outcome ? "" : outcome.error().message();
     }
     std::string scenario() const {
@@ -53,7 +53,7 @@ protected:
 
 /// All files, to the last byte: the command that they tell is the same.
 TEST_F(ReportExportTest, ReturnInALineWritesAndDoesNotClose) {
-    ReportDialog* dialog = showReportDialog(window);
+    ReportDialog* dialog = showReportDialog(window.exports());
     auto* line = dialog->findChild<QLineEdit*>("folder");
     line->setFocus();
     QTest::keyClick(line, Qt::Key_Return);
@@ -99,7 +99,7 @@ TEST_F(ReportExportTest, WhatIsWrongIsOneLine) {
 }
 
 TEST_F(ReportExportTest, CancelledOneLeavesNothing) {
-    ASSERT_TRUE(exportReport(window, {shippedNetwork(), shippedLog()}, path("report")));
+    ASSERT_TRUE(exportReport(window.exports(), {shippedNetwork(), shippedLog()}, path("report")));
     window.actions()["cancel"].trigger();
     finish();
     EXPECT_THAT(said(), testing::ElementsAre("Not exported: cancelled"));
@@ -109,7 +109,7 @@ TEST_F(ReportExportTest, CancelledOneLeavesNothing) {
 TEST_F(ReportExportTest, WhatIsMissingIsLegibleInBothThemes) {
     for (const bool dark : {false, true}) {
         if (window.actions()["dark"].isChecked() != dark) window.actions()["dark"].trigger();
-        ReportDialog* const dialog = showReportDialog(window);
+        ReportDialog* const dialog = showReportDialog(window.exports());
         dialog->findChild<QLineEdit*>("network")->clear();
         dialog->start();
         auto* said = dialog->findChild<QLabel*>("error");

@@ -9,9 +9,11 @@
 
 #include "actions/first_steps.h"
 #include "frame/quiet_message.h"
+#include "frame/status_line.h"
 #include "gui/window_fixture.h"
 #include "panels/breakpoint_panel.h"
 #include "panels/plot_panel.h"
+#include "panels/side_view.h"
 #include "widgets/message_bar.h"
 
 namespace mrose::gui {
@@ -50,7 +52,7 @@ TEST_F(RoomTest, NamesOfAnyLengthLeaveTheWindowItsWidth) {
         });
         settle();
         key(Qt::Key_S);
-        window.say(name);
+        window.frame().say(name);
         window.messages().add({MessageBar::Kind::note, name, "topic", {{name, "what it does", [] {}}}});
         settleLayout();
         EXPECT_LE(window.minimumSizeHint().width(), 1280);
@@ -67,7 +69,7 @@ TEST_F(RoomTest, NamesOfAnyLengthLeaveTheWindowItsWidth) {
 }
 
 TEST_F(RoomTest, BreakpointLineAndWhatIsWrongWithItAreInSight) {
-    window.showPlots();
+    window.frame().showDock("plots");
     for (const char* text : {"ball.speed > 2", "kick", "goal"}) ASSERT_TRUE(window.breakpointPanel().add(text));
     window.resize(1280, 560);
     window.activateWindow();
@@ -110,7 +112,7 @@ TEST_F(RoomTest, FirstStepsFoldWhereTheyAreHigherThanTheField) {
     check("at first");
     key(Qt::Key_S);
     check("side by side");
-    window.showPlots();
+    window.frame().showDock("plots");
     check("with plots");
     window.resize(1024, 640);
     check("small");
@@ -125,11 +127,11 @@ TEST_F(RoomTest, SideBySideTakesTheLargerOfBothArrangements) {
     key(Qt::Key_S);
     for (const bool plots : {false, true})
         for (const QSize size : {QSize(1280, 800), QSize(1600, 800), QSize(1100, 1000)}) {
-            if (plots) window.showPlots();
+            if (plots) window.frame().showDock("plots");
             window.resize(size);
             settleLayout();
             key(Qt::Key_F);
-            const FieldView &here = window.field(), &there = window.besideField();
+            const FieldView &here = window.field(), &there = window.view().beside();
             const bool across = here.mapTo(&window, QPoint()).y() == there.mapTo(&window, QPoint()).y();
             const double w = across ? here.width() * 2 : here.width(), h = across ? here.height() : here.height() * 2;
             const double other = across ? here.fittedScale({w, h / 2 - 14}) : here.fittedScale({w / 2, h + 27});
@@ -144,14 +146,14 @@ TEST_F(RoomTest, SideBySideKeepsWhereOneLooks) {
     const ViewTransform before = window.field().transform();
     key(Qt::Key_S);
     EXPECT_EQ(window.field().transform().scale(), before.scale());
-    EXPECT_EQ(window.besideField().transform().scale(), before.scale());
-    EXPECT_EQ(window.besideField().transform().centre().x, before.centre().x);
+    EXPECT_EQ(window.view().beside().transform().scale(), before.scale());
+    EXPECT_EQ(window.view().beside().transform().centre().x, before.centre().x);
     key(Qt::Key_S);
     EXPECT_TRUE(window.field().transform() == before);
 }
 
 TEST_F(RoomTest, PanelsHaveTheirSizeAgainInALargeWindow) {
-    window.showPlots();
+    window.frame().showDock("plots");
     settleLayout();
     std::map<std::string, QSize> before;
     for (const char* name : {"branches", "inspector", "plots"}) before[name] = dock(name).size();
@@ -169,7 +171,7 @@ TEST_F(RoomTest, PanelsHaveTheirSizeAgainInALargeWindow) {
     dock("plots").hide();
     window.resize(640, 480);
     settleLayout();
-    window.showPlots();
+    window.frame().showDock("plots");
     settleLayout();
     window.resize(1280, 800);
     settleLayout();
@@ -184,13 +186,13 @@ TEST_F(RoomTest, MessageOverTheFieldLeavesTheFirstStepsFree) {
     for (const QSize size : {QSize(1280, 800), QSize(1600, 900)}) {
         window.resize(size);
         settleLayout();
-        window.say(QString("something that is %1 of words ").arg(size.width()).repeated(4));
+        window.frame().say(QString("something that is %1 of words ").arg(size.width()).repeated(4));
         settleLayout();
-        ASSERT_TRUE(window.quietMessage().isVisible());
+        ASSERT_TRUE(window.status().quietMessage().isVisible());
         const QRect about =
             card->isVisible() ? card->geometry() : window.findChild<QToolButton*>("first_steps_button")->geometry();
-        EXPECT_FALSE(window.quietMessage().geometry().intersects(about)) << size.width();
-        EXPECT_TRUE(window.field().rect().contains(window.quietMessage().geometry()));
+        EXPECT_FALSE(window.status().quietMessage().geometry().intersects(about)) << size.width();
+        EXPECT_TRUE(window.field().rect().contains(window.status().quietMessage().geometry()));
     }
 }
 

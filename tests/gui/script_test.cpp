@@ -18,7 +18,7 @@ protected:
     /// What was said, then what was not as expected, then the error, a line each.
     std::string run(const std::string& text) {
         std::string said, mistaken;
-        const auto outcome = runScript(window, text, "tour.lua",
+        const auto outcome = runScript(window.scripted(), text, "tour.lua",
                                        {[&](const std::string& words) { said += words + '\n'; },
                                         [&](const std::string& words) { mistaken += words + '\n'; }});
         if (outcome) outcome_ = *outcome;
@@ -45,8 +45,8 @@ TEST_F(ScriptTest, ActionsAndConditionsSpeakOfTheSameWorld) {
 TEST_F(ScriptTest, SeesBranchesSelectionAndWhetherItPlays) {
     EXPECT_EQ(run("expect(branches == 1 and branch == 'the run' and selected == '' and not playing)\n"
                   "seek_tick(100)\nselect('red 3')\nexpect(selected == 'red 3')\n"
-                  "drag('red 3', 1, -0.5, pi / 2)\nexpect(branches == 2 and branch == 'red 3 moved')\n"
-                  "expect(robot[3].x == 1 and robot[3].y == -0.5 and abs(robot[3].heading - pi / 2) < 1e-12)\n"
+                  "drag('red 3', 1.2, -0.8, pi / 2)\nexpect(branches == 2 and branch == 'red 3 moved')\n"
+                  "expect(robot[3].x == 1.2 and robot[3].y == -0.8 and abs(robot[3].heading - pi / 2) < 1e-12)\n"
                   "drag('ball', 0, 1)\nexpect(ball.y == 1 and branches == 2)\n"
                   "undo()\nexpect(branch == 'red 3 moved')\n"
                   "play()\nexpect(playing)\npause()\nexpect(not playing)\n"

@@ -75,9 +75,9 @@ protected:
 TEST_F(SequenceTest, FramesAreWhatTheWindowShowsAtTheirTicks) {
     follow(window);
     seek(33);
-    const QImage before = pictureOf(window, window.field());
+    const QImage before = pictureOf(window.field());
     const StateHash hash = window.shown()->hash;
-    ASSERT_TRUE(exportFrames(window, path("game"), stretch(1, 4, 5)));
+    ASSERT_TRUE(exportFrames(window.exports(), path("game"), stretch(1, 4, 5)));
     finish();
     EXPECT_EQ(window.shown()->tick(), 33);
     EXPECT_EQ(window.shown()->hash, hash);
@@ -86,14 +86,14 @@ TEST_F(SequenceTest, FramesAreWhatTheWindowShowsAtTheirTicks) {
     MainWindow other;
     ASSERT_TRUE(other.open("soccer.toml"));
     other.QWidget::show();
-    gui::settle(other);
+    gui::settle(other.scripted());
     follow(other);
     QImage last;
     for (int k = 0; k <= 15; ++k) {
         other.session().seek(50 + 10 * k);
-        gui::settle(other);
+        gui::settle(other.scripted());
         other.field().setEditable(false);  // what the mouse can do is in no film
-        const QImage shown = pictureOf(other, other.field());
+        const QImage shown = pictureOf(other.field());
         const QImage made = frame("game", QString("%1").arg(k, 4, 10, QChar('0')).toLatin1());
         ASSERT_EQ(made.size(), shown.size());
         EXPECT_TRUE(made == shown) << k;
@@ -103,21 +103,21 @@ TEST_F(SequenceTest, FramesAreWhatTheWindowShowsAtTheirTicks) {
     EXPECT_TRUE(frame("game", "0016").isNull());
     window.messages().clear();
     settle();
-    EXPECT_TRUE(pictureOf(window, window.field()) == before);
+    EXPECT_TRUE(pictureOf(window.field()) == before);
 }
 
 TEST_F(SequenceTest, WholeWindowGoesThroughTheStretchAndComesBack) {
     seek(20);
     SequenceSettings settings = stretch(0.2, 0.6, 10);
     settings.wholeWindow = true;
-    ASSERT_TRUE(exportFrames(window, path("all"), settings));
+    ASSERT_TRUE(exportFrames(window.exports(), path("all"), settings));
     finish();
     EXPECT_EQ(window.shown()->tick(), 20);
     for (const auto& [number, at] : {std::pair{"0001", 15}, std::pair{"0004", 30}}) {
         seek(at);
         window.messages().clear();
         QApplication::processEvents();
-        EXPECT_TRUE(frame("all", number) == pictureOf(window, window)) << number;
+        EXPECT_TRUE(frame("all", number) == pictureOf(window)) << number;
     }
     EXPECT_TRUE(frame("all", "0005").isNull());
 }
@@ -125,12 +125,12 @@ TEST_F(SequenceTest, WholeWindowGoesThroughTheStretchAndComesBack) {
 TEST_F(SequenceTest, WindowStandsInTheMiddleOfFramesOfAnotherShape) {
     SequenceSettings settings = stretch(0, 0);
     settings.wholeWindow = true;
-    ASSERT_EQ(alone([&] { return exportFrames(window, path("own"), settings); }), "");
+    ASSERT_EQ(alone([&] { return exportFrames(window.exports(), path("own"), settings); }), "");
     const QImage own = frame("own", "0000");
     for (const QSize& more : {QSize(200, 0), QSize(0, 120)}) {
         settings.size = window.size() + more;
         const std::string name = more.width() > 0 ? "broad" : "high";
-        ASSERT_EQ(alone([&] { return exportFrames(window, path(name), settings); }), "");
+        ASSERT_EQ(alone([&] { return exportFrames(window.exports(), path(name), settings); }), "");
         const QImage made = frame(name.c_str(), "0000");
         ASSERT_EQ(made.size(), settings.size);
         EXPECT_TRUE(made.copy({{more.width() / 2, more.height() / 2}, window.size()}) == own) << name;
@@ -142,11 +142,11 @@ TEST_F(SequenceTest, BranchesFramesBeginInTheirParent) {
     drag(pixelOf(0), pixelOf(0) + QPointF(40, 25));
     ASSERT_EQ(window.shown()->branches.size(), 2u);
     seek(60);
-    ASSERT_EQ(alone([&] { return exportFrames(window, path("branch"), stretch(0.7, 0.9, 10)); }), "");
+    ASSERT_EQ(alone([&] { return exportFrames(window.exports(), path("branch"), stretch(0.7, 0.9, 10)); }), "");
     for (const auto& [number, at] : {std::pair{"0000", 35}, std::pair{"0002", 45}}) {
         seek(at);
         // Names may stand elsewhere: it depends on the picture before.
-        const QImage shown = pictureOf(window, window.field()), made = frame("branch", number);
+        const QImage shown = pictureOf(window.field()), made = frame("branch", number);
         int differing = 0;
         for (int y = 0; y < shown.height(); ++y)
             for (int x = 0; x < shown.width(); ++x) differing += shown.pixel(x, y) != made.pixel(x, y) ? 1 : 0;
@@ -157,10 +157,10 @@ TEST_F(SequenceTest, BranchesFramesBeginInTheirParent) {
 TEST_F(SequenceTest, OtherSizesShowTheSameLargerAndSharper) {
     SequenceSettings settings = stretch(0, 0);
     settings.size = window.field().size() * 2;
-    ASSERT_EQ(alone([&] { return exportFrames(window, path("large"), settings); }), "");
+    ASSERT_EQ(alone([&] { return exportFrames(window.exports(), path("large"), settings); }), "");
     const QImage large = frame("large", "0000");
     ASSERT_EQ(large.size(), settings.size);
-    const QImage shown = pictureOf(window, window.field());
+    const QImage shown = pictureOf(window.field());
     const QImage half = large.scaled(shown.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
     double apart = 0;
     for (int y = 0; y < shown.height(); ++y)
@@ -173,7 +173,7 @@ TEST_F(SequenceTest, BroaderPicturesOfTheWholeFieldAreFilledByIt) {
     window.field().fit();
     SequenceSettings settings = stretch(0, 0);
     const auto green = [&](const char* name) {
-        EXPECT_EQ(alone([&] { return exportFrames(window, path(name), settings); }), "");
+        EXPECT_EQ(alone([&] { return exportFrames(window.exports(), path(name), settings); }), "");
         const QImage made = frame(name, "0000");
         int first = made.width(), last = 0;
         for (int x = 0; x < made.width(); ++x) {
@@ -190,15 +190,17 @@ TEST_F(SequenceTest, BroaderPicturesOfTheWholeFieldAreFilledByIt) {
 }
 
 TEST_F(SequenceTest, CancellingLeavesNothing) {
-    ASSERT_TRUE(exportFrames(window, path("game"), stretch(0, 100)));
+    ASSERT_TRUE(exportFrames(window.exports(), path("game"), stretch(0, 100)));
     EXPECT_TRUE(window.background().busy());
-    EXPECT_THAT(alone([&] { return exportFrames(window, path("other"), stretch(0, 1)); }), HasSubstr("is under way"));
+    EXPECT_THAT(alone([&] { return exportFrames(window.exports(), path("other"), stretch(0, 1)); }),
+                HasSubstr("is under way"));
     window.actions()["cancel"].trigger();
     finish();
     EXPECT_EQ(files(), std::vector<std::string>{});
     EXPECT_THAT(said(), ElementsAre("Not exported: cancelled"));
     EXPECT_EQ(window.shown()->tick(), 0);
-    EXPECT_EQ(alone([&] { return exportFrames(window, path("deep/down"), stretch(0, 0)); }), "") << "it can begin anew";
+    EXPECT_EQ(alone([&] { return exportFrames(window.exports(), path("deep/down"), stretch(0, 0)); }), "")
+        << "it can begin anew";
     EXPECT_TRUE(isThere("deep/down/frame_0000.png"));
 }
 
@@ -206,16 +208,16 @@ TEST_F(SequenceTest, WindowMayCloseInTheMiddle) {
     auto other = std::make_unique<MainWindow>();
     ASSERT_TRUE(other->open("soccer.toml"));
     other->QWidget::show();
-    gui::settle(*other);
+    gui::settle(other->scripted());
     SequenceSettings settings = stretch(0, 100);
     for (const bool whole : {false, true}) {
         settings.wholeWindow = whole;
         if (!other) {
             other = std::make_unique<MainWindow>();
             ASSERT_TRUE(other->open("soccer.toml"));
-            gui::settle(*other);
+            gui::settle(other->scripted());
         }
-        ASSERT_TRUE(exportFrames(*other, path("game"), settings));
+        ASSERT_TRUE(exportFrames(other->exports(), path("game"), settings));
         QApplication::processEvents();
         other.reset();
         EXPECT_EQ(files(), std::vector<std::string>{});
@@ -230,19 +232,19 @@ TEST_F(SequenceTest, WhatIsWrongWithTheFolderIsOneLine) {
     EXPECT_THAT(perform("export_sequence", path("file/under")), HasSubstr("Not a directory"));
     {
         const FullDisk disk(2000);
-        EXPECT_THAT(alone([&] { return exportFrames(window, path("new"), stretch(0, 1)); }),
+        EXPECT_THAT(alone([&] { return exportFrames(window.exports(), path("new"), stretch(0, 1)); }),
                     HasSubstr("new/frame_0000.png: cannot be written: "));
     }
     EXPECT_EQ(files(), (std::vector<std::string>{"file", "full"}));
     EXPECT_EQ(read("full/a.txt") + read("file"), "minemine");
     std::filesystem::create_directory(folder.path() / "empty");
-    EXPECT_EQ(alone([&] { return exportFrames(window, path("empty"), stretch(0, 0.1)); }), "");
+    EXPECT_EQ(alone([&] { return exportFrames(window.exports(), path("empty"), stretch(0, 0.1)); }), "");
     EXPECT_TRUE(isThere("empty/frame_0002.png"));
 }
 
 TEST_F(SequenceTest, ScriptsSayAllOfIt) {
     const auto run = [&](const std::string& text) {
-        const auto outcome = runScript(window, text, "s.lua", {[](const auto&) {}, [](const auto&) {}});
+        const auto outcome = runScript(window.scripted(), text, "s.lua", {[](const auto&) {}, [](const auto&) {}});
         return outcome ? "" : outcome.error().message();
     };
     const std::string place = path("a").toStdString();

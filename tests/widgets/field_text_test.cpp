@@ -4,6 +4,7 @@
 #include <QSvgRenderer>
 #include <numbers>
 
+#include "debug/placement.h"
 #include "widgets/field_drawing.h"
 #include "widgets/field_fixture.h"
 #include "widgets/field_readout.h"
@@ -64,8 +65,8 @@ TEST_F(FieldViewTest, TellsOfWhatItRestsOn) {
     EXPECT_EQ(noteText(frame, 1, {Annotation::Kind::point, "ball", 0, "", {}}),
               QString::fromUtf8("robot 2\u2019s ball"));
     EXPECT_EQ(view.readoutAt(pixelOf({-4, -3})), QString());
-    EXPECT_EQ(whatIsAt(frame, 0, {-1.5, 0, 0}), "robot 2");
-    EXPECT_EQ(whatIsAt(frame, 0, {-1.3, 0, 0}), "");
+    EXPECT_EQ(hindranceAt(frame, 0, {-1.5, 0, 0}), "on robot 2");
+    EXPECT_EQ(hindranceAt(frame, 0, {-1.3, 0, 0}), "");
 }
 
 }  // namespace

@@ -2,85 +2,86 @@
 #include <algorithm>
 
 #include "actions/window_actions.h"
+#include "frame/actions.h"
 #include "frame/window_memory.h"
 #include "panels/breakpoint_panel.h"
 #include "reality/overlay.h"
 #include "widgets/field_view.h"
 #include "widgets/qt_text.h"
-#include "window/main_window.h"
 
 namespace mrose::gui {
 namespace {
 
 /// The breakpoint chosen in the list; nothing, and says so: there is none.
-std::optional<Breakpoint> chosenBreak(MainWindow& window) {
-    auto chosen = window.breakpointPanel().current();
-    if (!chosen) window.say(QObject::tr("Choose a breakpoint in the list first"));
+std::optional<Breakpoint> chosenBreak(const Frame& frame, const BreakpointPanel& panel) {
+    auto chosen = panel.current();
+    if (!chosen) frame.say(QObject::tr("Choose a breakpoint in the list first"));
     return chosen;
 }
 
-Expected<void> addText(MainWindow& window, const QString& text) {
-    window.showDock("breakpoints");
-    return window.breakpointPanel().add(text);
+Expected<void> addText(const Frame& frame, BreakpointPanel& panel, const QString& text) {
+    frame.showDock("breakpoints");
+    return panel.add(text);
 }
 
 /// A word, and the name of the body that is selected, where it is one that counts for that.
-void addEvent(MainWindow& window, const QString& word, bool robotsOnly) {
+void addEvent(const Frame& frame, const FieldView& field, BreakpointPanel& panel, const QString& word,
+              bool robotsOnly) {
     QString text = word;
-    const Shown* const shown = window.shown();
-    const std::optional<std::size_t> body = window.field().selected();
+    const Shown* const shown = frame.shown();
+    const std::optional<std::size_t> body = field.selected();
     if (shown != nullptr && body && *body < shown->frame->scene().bodyCount() &&
         (!robotsOnly || *body < shown->frame->state.robots.size()))
         text += ' ' + qtText(shown->frame->nameOf(*body));
-    if (const auto added = addText(window, text); !added) window.say(qtText(added.error().message()));
+    if (const auto added = addText(frame, panel, text); !added) frame.say(qtText(added.error().message()));
 }
 
-void addWays(MainWindow& window, const QString& menu) {
-    Actions& actions = window.actions();
+void addWays(const Frame& frame, const BreakpointPanel& panel, Overlay& overlay, const QString& menu) {
+    Actions& actions = frame.actions;
     actions.add(menu,
                 {"break_forward", QObject::tr("&Run to the next break"), QKeySequence("F6"),
                  QObject::tr("As fast as possible to where a breakpoint stops next, in the log's next rollouts, too")},
-                [&](bool) { window.overlay().shown().goToBreak({}); });
+                [&](bool) { overlay.shown().goToBreak({}); });
     actions.add(menu,
                 {"break_back", QObject::tr("&Back to the last break"), QKeySequence("Shift+F6"),
                  QObject::tr("To where a breakpoint was met last before now, in the log's earlier rollouts, too")},
-                [&](bool) { window.overlay().shown().goToBreak({true}); });
+                [&](bool) { overlay.shown().goToBreak({true}); });
     actions.add(menu,
                 {"break_last", QObject::tr("When did it last &hold?"), QKeySequence("F7"),
                  QObject::tr("To where the breakpoint chosen in the list was met last before now")},
                 Actions::Asking{[&] {
-                                    if (const auto chosen = chosenBreak(window))
-                                        window.overlay().shown().goToBreak({true, chosen->text});
+                                    if (const auto chosen = chosenBreak(frame, panel))
+                                        overlay.shown().goToBreak({true, chosen->text});
                                     return QString();
                                 },
                                 [&](const QString& text) -> Expected<void> {
-                                    if (const Shown* const shown = window.shown(); shown != nullptr)
+                                    if (const Shown* const shown = frame.shown(); shown != nullptr)
                                         if (auto fits = checkBreakText(text.toStdString(), *shown->setup,
                                                                        shown->frame->reality);
                                             !fits)
                                             return fail("", wrongWith(fits.error()));
-                                    window.overlay().shown().goToBreak({true, text.toStdString()});
+                                    overlay.shown().goToBreak({true, text.toStdString()});
                                     return {};
                                 }});
 }
 
-void addKinds(MainWindow& window, const QString& menu) {
-    Actions& actions = window.actions();
-    auto* offers = new QMenu(&window);
+void addKinds(const Frame& frame, const FieldView& field, BreakpointPanel& panel, const QString& menu) {
+    Actions& actions = frame.actions;
+    auto* offers = new QMenu(&frame.window);
     offers->setToolTipsVisible(true);
-    window.breakpointPanel().setOffers(offers);
+    panel.setOffers(offers);
     actions.add(menu,
                 {"add_break", QObject::tr("&Add a condition\u2026"), QKeySequence("F8"),
                  QObject::tr("Stop where a condition holds, such as robot[2].speed > 0.5")},
                 Actions::Asking{[&] {
-                                    window.showDock("breakpoints");
-                                    window.breakpointPanel().edit();
+                                    frame.showDock("breakpoints");
+                                    panel.edit();
                                     return QString();
                                 },
-                                [&](const QString& text) { return addText(window, text); }});
+                                [&](const QString& text) { return addText(frame, panel, text); }});
     const auto kind = [&](const Actions::Text& text, const QString& word, bool robotsOnly) {
         offers->addAction(
-            actions.add(menu, text, [&window, word, robotsOnly](bool) { addEvent(window, word, robotsOnly); }));
+            actions.add(menu, text, [&, word, robotsOnly](bool) { addEvent(frame, field, panel, word, robotsOnly); }));
     };
     kind({"break_on_contact", QObject::tr("On &contact"), QKeySequence("Shift+C"),
           QObject::tr("Stop where two bodies begin to touch; where one is selected, this one and another")},
@@ -92,8 +93,8 @@ void addKinds(MainWindow& window, const QString& menu) {
           QObject::tr("Stop where a ball arrives in a goal")},
          "goal", true);
     const auto plain = [&](const Actions::Text& text, const QString& word) {
-        QAction* action = actions.add(menu, text, [&window, word](bool) {
-            if (const auto added = addText(window, word); !added) window.say(qtText(added.error().message()));
+        QAction* action = actions.add(menu, text, [&, word](bool) {
+            if (const auto added = addText(frame, panel, word); !added) frame.say(qtText(added.error().message()));
         });
         offers->addAction(action);
         return action;
@@ -114,20 +115,19 @@ void addKinds(MainWindow& window, const QString& menu) {
         divergence->setStatusTip(divergence->toolTip());
     };
     update(false);
-    QObject::connect(&window.session(), &Session::shown, divergence,
-                     [&window, update] { update(window.shown()->canDiverge); });
+    QObject::connect(&frame.session, &Session::shown, divergence,
+                     [&frame, update] { update(frame.shown()->canDiverge); });
 }
 
-void addChosen(MainWindow& window, const QString& menu) {
-    Actions& actions = window.actions();
-    Session& session = window.session();
-    BreakpointPanel& panel = window.breakpointPanel();
+void addChosen(const Frame& frame, BreakpointPanel& panel, const QString& menu) {
+    Actions& actions = frame.actions;
+    Session& session = frame.session;
     panel.offer(&actions["break_last"]);
     panel.offer(actions.add(menu,
                             {"toggle_break", QObject::tr("S&witch it on or off"), QKeySequence("F9"),
                              QObject::tr("The breakpoint chosen in the list stops the run, or no longer")},
                             [&](bool) {
-                                auto chosen = chosenBreak(window);
+                                auto chosen = chosenBreak(frame, panel);
                                 if (!chosen) return;
                                 chosen->enabled = !chosen->enabled;
                                 session.changeBreakpoints([=](Breakpoints& all) { all.change(*chosen); });
@@ -136,7 +136,7 @@ void addChosen(MainWindow& window, const QString& menu) {
                             {"break_once", QObject::tr("Stop onl&y once"), QKeySequence("Ctrl+F9"),
                              QObject::tr("The chosen breakpoint is switched off once it has stopped, or no longer")},
                             [&](bool) {
-                                auto chosen = chosenBreak(window);
+                                auto chosen = chosenBreak(frame, panel);
                                 if (!chosen) return;
                                 chosen->oneShot = !chosen->oneShot;
                                 session.changeBreakpoints([=](Breakpoints& all) { all.change(*chosen); });
@@ -148,17 +148,17 @@ void addChosen(MainWindow& window, const QString& menu) {
                      "that were played or searched")},
         Actions::Asking{
             [&] {
-                const auto chosen = chosenBreak(window);
+                const auto chosen = chosenBreak(frame, panel);
                 return !chosen ? QString()
-                               : window.askText(QObject::tr("Breakpoint"), QObject::tr("Stop from this time on:"),
-                                                QString::number(chosen->from));
+                               : frame.askText(QObject::tr("Breakpoint"), QObject::tr("Stop from this time on:"),
+                                               QString::number(chosen->from));
             },
             [&](const QString& text) -> Expected<void> {
                 bool number = false;
                 const int from = text.trimmed().toInt(&number);
                 if (!number || from < 1)
                     return fail("", '"' + text.toStdString() + "\" is no count; expected a whole number from 1");
-                auto chosen = chosenBreak(window);
+                auto chosen = chosenBreak(frame, panel);
                 if (!chosen) return fail("", "no breakpoint is chosen");
                 chosen->from = from;
                 session.changeBreakpoints([=](Breakpoints& all) { all.change(*chosen); });
@@ -168,7 +168,7 @@ void addChosen(MainWindow& window, const QString& menu) {
                             {"delete_break", QObject::tr("De&lete it"), QKeySequence("Shift+F8"),
                              QObject::tr("The breakpoint chosen in the list (there Delete does it, too)")},
                             [&](bool) {
-                                if (const auto chosen = chosenBreak(window))
+                                if (const auto chosen = chosenBreak(frame, panel))
                                     session.changeBreakpoints([=](Breakpoints& all) { all.remove(chosen->id); });
                             }));
     actions.addSeparator(menu);
@@ -176,8 +176,8 @@ void addChosen(MainWindow& window, const QString& menu) {
                 {"toggle_all_breaks", QObject::tr("Sw&itch all on or off"), QKeySequence("Shift+F9"),
                  QObject::tr("All breakpoints off; where all are, on")},
                 [&](bool) {
-                    if (window.shown() == nullptr) return;
-                    const auto& states = window.shown()->breakpoints;
+                    if (frame.shown() == nullptr) return;
+                    const auto& states = frame.shown()->breakpoints;
                     const bool off = std::none_of(states.begin(), states.end(), [](const BreakpointState& state) {
                         return state.breakpoint.enabled;
                     });
@@ -187,15 +187,14 @@ void addChosen(MainWindow& window, const QString& menu) {
 
 }  // namespace
 
-void addBreakActions(MainWindow& window) {
+void addBreakActions(const Frame& frame, const FieldView& field, BreakpointPanel& panel, Overlay& overlay) {
     const QString menu = QObject::tr("B&reak");
-    addWays(window, menu);
-    window.actions().addSeparator(menu);
-    addKinds(window, menu);
-    window.actions().addSeparator(menu);
-    addChosen(window, menu);
-    Session& session = window.session();
-    BreakpointPanel& panel = window.breakpointPanel();
+    addWays(frame, panel, overlay, menu);
+    frame.actions.addSeparator(menu);
+    addKinds(frame, field, panel, menu);
+    frame.actions.addSeparator(menu);
+    addChosen(frame, panel, menu);
+    Session& session = frame.session;
     QObject::connect(&panel, &BreakpointPanel::added, &session, [&session](const Breakpoint& added) {
         session.changeBreakpoints([added](Breakpoints& all) { all.add(added); });
     });
@@ -205,9 +204,9 @@ void addBreakActions(MainWindow& window) {
     QObject::connect(&panel, &BreakpointPanel::removed, &session, [&session](std::uint32_t id) {
         session.changeBreakpoints([id](Breakpoints& all) { all.remove(id); });
     });
-    QObject::connect(&window.session(), &Session::shown, &panel, [&window, &panel] {
-        panel.setShown(*window.shown());
-        window.memory().keepBreakpoints(*window.shown());
+    QObject::connect(&frame.session, &Session::shown, &panel, [&frame, &panel] {
+        panel.setShown(*frame.shown());
+        frame.memory.keepBreakpoints(*frame.shown());
     });
 }
 

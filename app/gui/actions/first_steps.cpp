@@ -7,10 +7,10 @@
 #include <QPainter>
 #include <QToolButton>
 
+#include "frame/actions.h"
 #include "panels/command_panel.h"
 #include "panels/plot_panel.h"
 #include "widgets/field_view.h"
-#include "window/main_window.h"
 
 namespace mrose::gui {
 namespace {
@@ -21,8 +21,8 @@ constexpr int mostCovered = 4;                     // a fourth of the view
 
 }  // namespace
 
-FirstSteps::FirstSteps(MainWindow& window)
-    : QFrame(&window.field()), window_(window), button_(new QToolButton(&window.field())) {
+FirstSteps::FirstSteps(const Frame& frame, FieldView& field, PlotPanel& plots, CommandPanel& command)
+    : QFrame(&field), frame_(frame), field_(field), plots_(plots), button_(new QToolButton(&field)) {
     setObjectName("first_steps");
     hide();
     button_->hide();
@@ -56,7 +56,7 @@ FirstSteps::FirstSteps(MainWindow& window)
     connect(close, &QToolButton::clicked, this, &FirstSteps::closeRequested);
     grid->addWidget(close, 0, 3);
     const auto key = [&](const char* action) {
-        return window_.actions()[action].shortcut().toString(QKeySequence::NativeText);
+        return frame_.actions[action].shortcut().toString(QKeySequence::NativeText);
     };
     add({key("play"), tr("stops, and goes on")}, {"play"});
     add({tr("%1, %2").arg(key("tick_back"), key("tick_forward")), tr("a tick back, a tick on")},
@@ -64,34 +64,34 @@ FirstSteps::FirstSteps(MainWindow& window)
     add({key("cause_of_kick"), tr("the decision behind the last kick")}, {});
     const std::size_t kick = steps_.size() - 1;
     add({key("change_command"), tr("another command there: a branch")}, {});
-    const std::size_t command = steps_.size() - 1;
+    const std::size_t commanded = steps_.size() - 1;
     add({tr("Drag a robot"), tr("a branch; its knob turns it")}, {});
     const std::size_t branch = steps_.size() - 1;
     add({key("side_by_side"), tr("both branches side by side")}, {});
     const std::size_t both = steps_.size() - 1;
     add({tr("Click a number"), tr("in the inspector, to plot it")}, {});
     const std::size_t plot = steps_.size() - 1;
-    connect(&window_.plots(), &PlotPanel::changed, this, [this, plot] {
-        if (!window_.plots().keys().empty()) tick(plot);
+    connect(&plots_, &PlotPanel::changed, this, [this, plot] {
+        if (!plots_.keys().empty()) tick(plot);
     });
     add({key("open_log"), tr("a log of real robots, if you have one")}, {"open_log"});
     add({key("undo"), tr("takes the last branch back")}, {});
     const std::size_t undo = steps_.size() - 1;
     add({key("shortcuts"), tr("shows all keys")}, {"shortcuts"});
-    connect(&window_.commandPanel(), &CommandPanel::branchRequested, this, [this, command] { tick(command); });
-    connect(&window_.session(), &Session::shown, this, [this, branch, kick, undo] {
-        if (window_.shown()->subject) tick(kick);
-        const bool undone = window_.shown()->canRedo;
+    connect(&command, &CommandPanel::branchRequested, this, [this, commanded] { tick(commanded); });
+    connect(&frame_.session, &Session::shown, this, [this, branch, kick, undo] {
+        if (frame_.shown()->subject) tick(kick);
+        const bool undone = frame_.shown()->canRedo;
         if (undone && !couldRedo_) tick(undo);
         couldRedo_ = undone;
         if (wanted_) place();
-        const std::vector<BranchInfo>& branches = window_.shown()->branches;
+        const std::vector<BranchInfo>& branches = frame_.shown()->branches;
         const bool begun = branches.size() > std::exchange(branches_, branches.size());
         if (begun && (branches.back().name.ends_with("moved") || branches.back().name.ends_with("turned")))
             tick(branch);
     });
-    connect(&window_.actions()["side_by_side"], &QAction::triggered, this, [this, both] {
-        if (window_.actions()["side_by_side"].isChecked()) tick(both);
+    connect(&frame_.actions["side_by_side"], &QAction::triggered, this, [this, both] {
+        if (frame_.actions["side_by_side"].isChecked()) tick(both);
     });
     parentWidget()->installEventFilter(this);
 }
@@ -109,7 +109,7 @@ void FirstSteps::add(const Step& step, std::initializer_list<const char*> action
     grid->addWidget(new QLabel(step.text), row, 2, 1, 2);
     marks_.push_back(mark);
     for (const char* name : actions)
-        connect(&window_.actions()[name], &QAction::triggered, this, [this, index] { tick(index); });
+        connect(&frame_.actions[name], &QAction::triggered, this, [this, index] { tick(index); });
 }
 
 void FirstSteps::tick(std::size_t step) {
@@ -128,18 +128,18 @@ void FirstSteps::place() {
     const QRect card = corner(sizeHint());
     QRect small = corner(button_->sizeHint());
     if (small.left() < scaleRight) small.translate(0, -scaleHeight);
-    window_.field().setCovered(wanted_ ? QRectF(card) : QRectF());
+    field_.setCovered(wanted_ ? QRectF(card) : QRectF());
     const QSize room = parentWidget()->size(), needed = sizeHint() + QSize(2 * margin, 2 * margin);
     const bool fits = needed.width() <= room.width() && needed.height() <= room.height();
     const bool hides = mostCovered * card.width() * card.height() > room.width() * room.height() ||
-                       window_.field().fittedPlace().intersects(card);
+                       field_.fittedPlace().intersects(card);
     const bool fold = wanted_ && (!fits || (!opened_ && hides));
     setGeometry(card);
     button_->setGeometry(small);
     if (isHidden() == (wanted_ && !fold)) raise();
     QFrame::setVisible(wanted_ && !fold);
     button_->setVisible(wanted_ && fold);
-    if (fold) window_.field().setCovered(small);
+    if (fold) field_.setCovered(small);
 }
 
 bool FirstSteps::folded() const { return !button_->isHidden(); }

@@ -3,12 +3,19 @@
 #include <QFrame>
 #include <vector>
 
+#include "frame/frame.h"
+
 class QLabel;
 class QToolButton;
 
+namespace mrose {
+class FieldView;
+}
+
 namespace mrose::gui {
 
-class MainWindow;
+class CommandPanel;
+class PlotPanel;
 
 /// What to try first, ticked off as it is done: a card in a corner of the field view, over what the fitted field leaves
 /// free there. Where that is too little, or it were much of the view, it folds to a button, which opens it over the
@@ -17,7 +24,7 @@ class FirstSteps final : public QFrame {
     Q_OBJECT
 
 public:
-    explicit FirstSteps(MainWindow& window);
+    FirstSteps(const Frame& frame, FieldView& field, PlotPanel& plots, CommandPanel& command);
 
     struct Step {
         QString keys, text;
@@ -41,7 +48,9 @@ private:
     void place();
     QRect corner(const QSize& size) const;
 
-    MainWindow& window_;
+    const Frame& frame_;
+    FieldView& field_;
+    PlotPanel& plots_;
     std::vector<Step> steps_;
     std::vector<QLabel*> marks_;
     QToolButton* button_;  ///< in its place where it is folded

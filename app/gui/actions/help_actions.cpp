@@ -6,10 +6,10 @@
 
 #include "actions/first_steps.h"
 #include "actions/window_actions.h"
+#include "frame/actions.h"
 #include "panels/shortcut_sheet.h"
 #include "reality/overlay.h"
 #include "widgets/qt_text.h"
-#include "window/main_window.h"
 #include "workflow/resources.h"
 #include "workflow/version.h"
 
@@ -20,16 +20,16 @@ constexpr const char* stepsClosed = "first_steps/closed";
 
 QSettings userSettings() { return QSettings(QSettings::IniFormat, QSettings::UserScope, "mrose", "mrose-gui"); }
 
-void showShortcuts(MainWindow& window) {
-    auto* sheet = window.findChild<ShortcutSheet*>();
-    if (sheet == nullptr) sheet = new ShortcutSheet(window.actions(), &window);
+void showShortcuts(const Frame& frame) {
+    auto* sheet = frame.window.findChild<ShortcutSheet*>();
+    if (sheet == nullptr) sheet = new ShortcutSheet(frame.actions, &frame.window);
     sheet->show();
     sheet->raise();
     sheet->activateWindow();
 }
 
-void showAbout(MainWindow& window) {
-    auto* box = new QMessageBox(&window);
+void showAbout(const Frame& frame) {
+    auto* box = new QMessageBox(&frame.window);
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setObjectName("about");
     box->setModal(false);
@@ -54,8 +54,8 @@ Expected<void> showDocumentation() {
 
 }  // namespace
 
-void addHelpActions(MainWindow& window) {
-    Actions& actions = window.actions();
+void addHelpActions(const Frame& frame, FieldView& field, PlotPanel& plots, CommandPanel& command, Overlay& overlay) {
+    Actions& actions = frame.actions;
     const QString menu = QObject::tr("&Help");
     QAction* steps = actions.add(menu,
                                  {"first_steps", QObject::tr("&First steps"), QKeySequence("Shift+F1"),
@@ -64,22 +64,22 @@ void addHelpActions(MainWindow& window) {
     actions.add(menu,
                 {"shortcuts", QObject::tr("&Shortcuts"), QKeySequence(Qt::Key_F1),
                  QObject::tr("All keys, and what the mouse does")},
-                [&](bool) { showShortcuts(window); });
+                [&](bool) { showShortcuts(frame); });
     actions.addSeparator(menu);
     actions.add(
         menu,
         {"documentation", QObject::tr("&Documentation"), QKeySequence("Ctrl+F1"), QObject::tr("The README of mrose")},
         [&](bool) {
             if (actions.unattended()) return;
-            if (const auto shown = showDocumentation(); !shown) window.say(qtText(shown.error().message()));
+            if (const auto shown = showDocumentation(); !shown) frame.say(qtText(shown.error().message()));
         });
     actions.add(menu, {"about", QObject::tr("&About mrose"), {}, QObject::tr("Version and licence")},
-                [&](bool) { showAbout(window); });
-    auto* card = new FirstSteps(window);
+                [&](bool) { showAbout(frame); });
+    auto* card = new FirstSteps(frame, field, plots, command);
     QObject::connect(steps, &QAction::toggled, card, &QWidget::setVisible);
     // A log has panels of its own, and leaves the field no room for a card.
-    QObject::connect(&window.overlay(), &Overlay::changed, card, [&window, steps, had = false]() mutable {
-        const bool has = window.overlay().rollouts().log() != nullptr;
+    QObject::connect(&overlay, &Overlay::changed, card, [&overlay, steps, had = false]() mutable {
+        const bool has = overlay.rollouts().log() != nullptr;
         if (has && !std::exchange(had, has)) steps->setChecked(false);
         had = has;
     });
@@ -89,8 +89,8 @@ void addHelpActions(MainWindow& window) {
     });
 }
 
-void showFirstSteps(MainWindow& window) {
-    if (!userSettings().value(stepsClosed, false).toBool()) window.actions()["first_steps"].setChecked(true);
+void showFirstSteps(Actions& actions) {
+    if (!userSettings().value(stepsClosed, false).toBool()) actions["first_steps"].setChecked(true);
 }
 
 }  // namespace mrose::gui

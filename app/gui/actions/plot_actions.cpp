@@ -1,6 +1,7 @@
 #include <QDockWidget>
 
 #include "actions/window_actions.h"
+#include "frame/actions.h"
 #include "panels/plot_panel.h"
 #include "reality/cause_panel.h"
 #include "reality/error_plot.h"
@@ -8,22 +9,21 @@
 #include "reality/speed_plot.h"
 #include "widgets/field_view.h"
 #include "widgets/inspector.h"
-#include "window/main_window.h"
 
 namespace mrose::gui {
 namespace {
 
 /// Of the selected robot, or of all that really drove.
-std::vector<ValueKey> errorsOf(const MainWindow& window) {
+std::vector<ValueKey> errorsOf(const Frame& frame, const FieldView& field) {
     std::vector<ValueKey> keys;
-    if (window.shown() == nullptr || !window.shown()->frame->reality) return keys;
-    const FieldFrame& frame = *window.shown()->frame;
-    const std::vector<SceneRobot>& robots = frame.scene().robots;
-    const auto selected = window.field().selected();
+    if (frame.shown() == nullptr || !frame.shown()->frame->reality) return keys;
+    const FieldFrame& now = *frame.shown()->frame;
+    const std::vector<SceneRobot>& robots = now.scene().robots;
+    const auto selected = field.selected();
     for (std::size_t i = 0; i < robots.size(); ++i) {
         if (selected && *selected < robots.size() && selected != i) continue;
-        if (frame.reality->robotNamed(robots[i].name) == nullptr) continue;
-        const std::vector<ValueKey> errors = errorKeysOf(*frame.reality, robots[i].name);
+        if (now.reality->robotNamed(robots[i].name) == nullptr) continue;
+        const std::vector<ValueKey> errors = errorKeysOf(*now.reality, robots[i].name);
         keys.insert(keys.end(), errors.begin(), errors.end());
     }
     return keys;
@@ -31,15 +31,14 @@ std::vector<ValueKey> errorsOf(const MainWindow& window) {
 
 }  // namespace
 
-void addPlotActions(MainWindow& window) {
-    Actions& actions = window.actions();
-    PlotPanel& plots = window.plots();
-    Inspector& inspector = window.inspector();
-    auto* speeds = new SpeedPlot(window.session(), window.field(), window.plots(), window.overlay());
+void addPlotActions(const Frame& frame, FieldView& field, PlotPanel& plots, Inspector& inspector, Overlay& overlay,
+                    OverlayPanel& panel, ErrorPlot& errorPlot) {
+    Actions& actions = frame.actions;
+    auto* speeds = new SpeedPlot(frame.session, field, plots, overlay);
     const QString menu = QObject::tr("&Plot");
-    const auto current = [&window, &inspector] {
+    const auto current = [&frame, &inspector] {
         auto key = inspector.currentValue();
-        if (!key) window.say(QObject::tr("Choose a number in the inspector first"));
+        if (!key) frame.say(QObject::tr("Choose a number in the inspector first"));
         return key;
     };
     actions.add(menu,
@@ -57,8 +56,8 @@ void addPlotActions(MainWindow& window) {
     actions.add(menu,
                 {"plot_expression", QObject::tr("Plot an &expression\u2026"), QKeySequence("Ctrl+U"),
                  QObject::tr("Any number of the world over time, such as distance(robot[2], ball)")},
-                Actions::Asking{[&window, &plots] {
-                                    window.showPlots();
+                Actions::Asking{[&frame, &plots] {
+                                    frame.showDock("plots");
                                     plots.askForExpression();
                                     return QString();
                                 },
@@ -66,26 +65,26 @@ void addPlotActions(MainWindow& window) {
     actions.add(menu,
                 {"plot_speeds", QObject::tr("Plot spee&ds and commands"), QKeySequence("Shift+V"),
                  QObject::tr("The robot's commands, its velocity and the real one's, or no longer")},
-                [&window, speeds](bool) {
+                [&frame, speeds](bool) {
                     if (!speeds->toggle())
-                        window.say(
+                        frame.say(
                             QObject::tr("Nothing real is known beside this robot: open a log, or select "
                                         "one of its robots"));
                 });
-    window.overlayPanel().causes().offer(actions["plot_speeds"]);
+    panel.causes().offer(actions["plot_speeds"]);
     actions.add(menu,
                 {"plot_errors", QObject::tr("Plot &the errors"), QKeySequence("Shift+R"),
                  QObject::tr("How far the selected robot, or all, and overlaid models are from the real ones, or no "
                              "longer")},
-                [&window, &plots](bool) {
-                    std::vector<ValueKey> errors = errorsOf(window);
+                [&](bool) {
+                    std::vector<ValueKey> errors = errorsOf(frame, field);
                     if (errors.empty()) {
-                        window.say(QObject::tr("Nothing real is known beside this: open a log over it first"));
+                        frame.say(QObject::tr("Nothing real is known beside this: open a log over it first"));
                         return;
                     }
                     const ValueKey first = errors.front();
                     plots.toggleAll(std::move(errors));
-                    window.errorPlot().setOn(plots.plotted().count(first) > 0);
+                    errorPlot.setOn(plots.plotted().count(first) > 0);
                 });
     actions.addSeparator(menu);
     actions.add(menu,
@@ -102,11 +101,11 @@ void addPlotActions(MainWindow& window) {
         [&plots](bool) { plots.clear(); });
     QObject::connect(&inspector, &Inspector::plotRequested, &plots, &PlotPanel::toggle);
     QObject::connect(&inspector, &Inspector::plotOfAllRequested, &plots, &PlotPanel::toggleOfAll);
-    QObject::connect(&plots, &PlotPanel::tickRequested, &window.session(),
-                     [&window](std::int64_t tick) { window.session().seek(tick, false); });
-    QObject::connect(&plots, &PlotPanel::changed, &window,
+    QObject::connect(&plots, &PlotPanel::tickRequested, &frame.session,
+                     [&frame](std::int64_t tick) { frame.session.seek(tick, false); });
+    QObject::connect(&plots, &PlotPanel::changed, &inspector,
                      [&plots, &inspector] { inspector.setPlotted(plots.plotted()); });
-    QObject::connect(&plots, &PlotPanel::asked, &window, &MainWindow::showPlots);
+    QObject::connect(&plots, &PlotPanel::asked, &plots, [&frame] { frame.showDock("plots"); });
 }
 
 }  // namespace mrose::gui

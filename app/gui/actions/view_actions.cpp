@@ -3,10 +3,10 @@
 #include <numbers>
 
 #include "actions/window_actions.h"
+#include "frame/actions.h"
 #include "frame/window_memory.h"
 #include "widgets/field_view.h"
 #include "widgets/icons.h"
-#include "window/main_window.h"
 
 namespace mrose::gui {
 namespace {
@@ -17,7 +17,7 @@ constexpr double nudgeTurn = std::numbers::pi / 180;
 constexpr std::array trailSeconds{2, 5, 10, 20, 40, 120, 600};
 constexpr std::size_t usualTrail = 2;
 
-void addPanActions(MainWindow& window, const QString& menu) {
+void addPanActions(const Frame& frame, FieldView& field, const QString& menu) {
     struct Way {
         const char *name, *text, *key, *tip;
         QPointF by;
@@ -27,11 +27,11 @@ void addPanActions(MainWindow& window, const QString& menu) {
           Way{"pan_right", "Move view right", "Ctrl+Shift+Right", "Show what lies right", {-panStep, 0}},
           Way{"pan_up", "Move view up", "Ctrl+Shift+Up", "Show what lies above", {0, panStep}},
           Way{"pan_down", "Move view down", "Ctrl+Shift+Down", "Show what lies below", {0, -panStep}}})
-        window.actions().add(menu, {way.name, QObject::tr(way.text), QKeySequence(way.key), QObject::tr(way.tip)},
-                             [&window, by = way.by](bool) { window.field().panBy(by); });
+        frame.actions.add(menu, {way.name, QObject::tr(way.text), QKeySequence(way.key), QObject::tr(way.tip)},
+                          [&field, by = way.by](bool) { field.panBy(by); });
 }
 
-void addNudgeActions(MainWindow& window, const QString& menu) {
+void addNudgeActions(const Frame& frame, FieldView& field, const QString& menu) {
     struct Way {
         const char *name, *text, *key, *tip;
         Pose by;
@@ -44,46 +44,48 @@ void addNudgeActions(MainWindow& window, const QString& menu) {
                            Way{"nudge_down", "Nudge down", "Alt+Down", moves, {0, -nudgeStep, 0}},
                            Way{"turn_left", "Turn left", "Alt+Shift+Left", turns, {0, 0, nudgeTurn}},
                            Way{"turn_right", "Turn right", "Alt+Shift+Right", turns, {0, 0, -nudgeTurn}}})
-        window.actions().add(menu, {way.name, QObject::tr(way.text), QKeySequence(way.key), QObject::tr(way.tip)},
-                             [&window, by = way.by](bool) { window.field().nudge(by); });
+        frame.actions.add(menu, {way.name, QObject::tr(way.text), QKeySequence(way.key), QObject::tr(way.tip)},
+                          [&frame, &field, by = way.by](bool) {
+                              if (!field.selected()) return frame.say(QObject::tr("Select a robot or an object first"));
+                              frame.whenStanding(QObject::tr("Stopped, since bodies are moved while the run stands"),
+                                                 [&field, by] { field.nudge(by); });
+                          });
 }
 
 /// How far back trails reach, by steps of a list.
-void addTrailActions(MainWindow& window, const QString& menu) {
+void addTrailActions(const Frame& frame, const QString& menu) {
     const auto chosen = std::make_shared<std::size_t>(usualTrail);
-    const auto change = [&window, chosen](int by) {
+    const auto change = [&frame, chosen](int by) {
         const std::size_t next = *chosen + static_cast<std::size_t>(by);
-        if (!window.shown() || next >= trailSeconds.size()) return;
+        if (!frame.shown() || next >= trailSeconds.size()) return;
         *chosen = next;
-        TimeTravel::FrameOptions options;
+        FrameOptions options;
         options.trailTicks =
-            static_cast<std::size_t>(window.shown()->frame->scene().ticksOf(trailSeconds[next] * nanosecondsPerSecond));
-        window.session().setFrameOptions(options);
-        window.say(QObject::tr("Trails of the last %1 s").arg(trailSeconds[next]));
+            static_cast<std::size_t>(frame.shown()->frame->scene().ticksOf(trailSeconds[next] * nanosecondsPerSecond));
+        frame.session.setFrameOptions(options);
+        frame.say(QObject::tr("Trails of the last %1 s").arg(trailSeconds[next]));
     };
-    window.actions().add(menu,
-                         {"trails_longer", QObject::tr("Longer trails"), QKeySequence("Shift+T"),
-                          QObject::tr("Trails reach further back, up to ten minutes")},
-                         [change](bool) { change(1); });
-    window.actions().add(menu,
-                         {"trails_shorter", QObject::tr("Shorter trails"), QKeySequence("Ctrl+T"),
-                          QObject::tr("Trails reach less far back, down to two seconds")},
-                         [change](bool) { change(-1); });
+    frame.actions.add(menu,
+                      {"trails_longer", QObject::tr("Longer trails"), QKeySequence("Shift+T"),
+                       QObject::tr("Trails reach further back, up to ten minutes")},
+                      [change](bool) { change(1); });
+    frame.actions.add(menu,
+                      {"trails_shorter", QObject::tr("Shorter trails"), QKeySequence("Ctrl+T"),
+                       QObject::tr("Trails reach less far back, down to two seconds")},
+                      [change](bool) { change(-1); });
 }
 
-void selectNext(MainWindow& window, int by) {
-    if (!window.shown()) return;
-    FieldView& field = window.field();
-    const auto count = static_cast<int>(window.shown()->frame->scene().bodyCount());
+void selectNext(const Frame& frame, FieldView& field, int by) {
+    if (!frame.shown()) return;
+    const auto count = static_cast<int>(frame.shown()->frame->scene().bodyCount());
     const int now = field.selected() ? static_cast<int>(*field.selected()) : (by > 0 ? -1 : 0);
     if (count > 0) field.setSelected(static_cast<std::size_t>((now + by + count) % count));
 }
 
 }  // namespace
 
-void addViewActions(MainWindow& window) {
-    Actions& actions = window.actions();
-    FieldView& field = window.field();
+void addViewActions(const Frame& frame, FieldView& field, const std::function<void(const Theme&)>& setTheme) {
+    Actions& actions = frame.actions;
     const QString menu = QObject::tr("&View");
     actions.add(menu, {"fit", QObject::tr("&Whole field"), QKeySequence("F"), QObject::tr("Show all of the field")},
                 [&](bool) { field.fit(); });
@@ -95,50 +97,51 @@ void addViewActions(MainWindow& window) {
                 {"follow", QObject::tr("&Follow the selected"), QKeySequence("L"),
                  QObject::tr("The view goes along with the selected robot"), true},
                 [&](bool on) { field.setFollowing(on); });
-    QObject::connect(&field, &FieldView::followRequested, &window, [&actions] {
+    QObject::connect(&field, &FieldView::followRequested, &field, [&actions] {
         if (!actions["follow"].isChecked()) actions["follow"].trigger();
     });
-    addPanActions(window, menu);
+    addPanActions(frame, field, menu);
     actions.addSeparator(menu);
     actions.add(menu,
                 {"select_next", QObject::tr("Select &next"), QKeySequence("Ctrl+Right"),
                  QObject::tr("Select the next robot or object")},
-                [&](bool) { selectNext(window, 1); });
+                [&](bool) { selectNext(frame, field, 1); });
     actions.add(menu,
                 {"select_previous", QObject::tr("Select &previous"), QKeySequence("Ctrl+Left"),
                  QObject::tr("Select the previous robot or object")},
-                [&](bool) { selectNext(window, -1); });
+                [&](bool) { selectNext(frame, field, -1); });
     actions.addSeparator(QObject::tr("&Edit"));
-    addNudgeActions(window, QObject::tr("&Edit"));
+    addNudgeActions(frame, field, QObject::tr("&Edit"));
     actions.addSeparator(menu);
     actions.add(menu,
                 {"reset_layout", QObject::tr("Reset la&yout"), QKeySequence("Ctrl+Shift+L"),
                  QObject::tr("Panels, tool bars and size as in a new window")},
-                [&](bool) { window.memory().resetLayout(); });
+                [&](bool) { frame.memory.resetLayout(); });
     actions.add(menu,
                 {"dark", QObject::tr("Dar&k colours"), QKeySequence("Ctrl+D"),
                  QObject::tr("Dark colours, for dark rooms"), true},
-                [&](bool on) { window.setTheme(on ? Theme::darkOne() : Theme::light()); });
-    actions.add(menu,
-                {"full_screen", QObject::tr("Full &screen"), QKeySequence("F11"),
-                 QObject::tr("The window on all of the screen"), true},
-                [&](bool on) { window.setWindowState(window.windowState().setFlag(Qt::WindowFullScreen, on)); });
+                [setTheme](bool on) { setTheme(on ? Theme::darkOne() : Theme::light()); });
+    actions.add(
+        menu,
+        {"full_screen", QObject::tr("Full &screen"), QKeySequence("F11"),
+         QObject::tr("The window on all of the screen"), true},
+        [&](bool on) { frame.window.setWindowState(frame.window.windowState().setFlag(Qt::WindowFullScreen, on)); });
 }
 
-void addLayerActions(MainWindow& window) {
+void addLayerActions(const Frame& frame, FieldView& field) {
     for (const FieldLayerText& layer : fieldLayerTexts) {
-        QAction* action = window.actions().add(
+        QAction* action = frame.actions.add(
             QObject::tr("&Layers"),
             {layer.action, QObject::tr(layer.name), QKeySequence(layer.key), QObject::tr(layer.tip), true, layer.shown},
             [](bool) {});
-        QObject::connect(action, &QAction::toggled, &window, [&window, which = layer.layer](bool on) {
-            FieldLayers layers = window.field().layers();
+        QObject::connect(action, &QAction::toggled, &field, [&field, which = layer.layer](bool on) {
+            FieldLayers layers = field.layers();
             layers.set(which, on);
-            window.field().setLayers(layers);
+            field.setLayers(layers);
         });
     }
-    window.actions().addSeparator(QObject::tr("&Layers"));
-    addTrailActions(window, QObject::tr("&Layers"));
+    frame.actions.addSeparator(QObject::tr("&Layers"));
+    addTrailActions(frame, QObject::tr("&Layers"));
 }
 
 }  // namespace mrose::gui

@@ -5,10 +5,10 @@
 #include <QFileInfo>
 #include <QUrl>
 
+#include "frame/actions.h"
+#include "frame/work_progress.h"
 #include "widgets/message_bar.h"
 #include "widgets/qt_text.h"
-#include "window/main_window.h"
-#include "window/work_progress.h"
 
 namespace mrose::gui {
 namespace {
@@ -21,37 +21,37 @@ void openOutside(const QString& path) {
 
 }  // namespace
 
-void reportExported(MainWindow& window, const QString& path) {
+void reportExported(const Exports& exports, const QString& path) {
     std::vector<MessageBar::Button> buttons;
     buttons.push_back(
         {QObject::tr("Open"), QObject::tr("Open it with the program for such files"), [path] { openOutside(path); }});
     if (!QFileInfo(path).isDir())
         buttons.push_back({QObject::tr("Show folder"), QObject::tr("Open the folder that it is in"),
                            [path] { openOutside(QFileInfo(path).absolutePath()); }});
-    window.messages().add(
+    exports.frame.messages.add(
         {MessageBar::Kind::note, QObject::tr("Exported %1").arg(path), exportTopic, std::move(buttons)});
 }
 
-Expected<void> exportInBackground(MainWindow& window, const ExportText& text, BackgroundWork::Job job,
+Expected<void> exportInBackground(const Exports& exports, const ExportText& text, BackgroundWork::Job job,
                                   const std::function<void()>& after) {
     auto result = std::make_shared<BackgroundWork::Outcome>(false);
-    const bool alone = window.actions().unattended();
-    if (!window.background().busy()) window.progress().setApart(text.apart);
-    const auto done = [&window, path = text.path, after, result, alone](const BackgroundWork::Outcome& outcome) {
+    const bool alone = exports.frame.actions.unattended();
+    if (!exports.background.busy()) exports.progress.setApart(text.apart);
+    const auto done = [&exports, path = text.path, after, result, alone](const BackgroundWork::Outcome& outcome) {
         *result = outcome;
         if (after) after();
         if (alone) return;
         if (!outcome)
-            window.messages().add({MessageBar::Kind::error, qtText(outcome.error().message()), exportTopic});
+            exports.frame.messages.add({MessageBar::Kind::error, qtText(outcome.error().message()), exportTopic});
         else if (*outcome)
-            reportExported(window, path);
+            reportExported(exports, path);
         else
-            window.messages().add({MessageBar::Kind::note, QObject::tr("Not exported: cancelled"), exportTopic});
+            exports.frame.messages.add({MessageBar::Kind::note, QObject::tr("Not exported: cancelled"), exportTopic});
     };
-    window.messages().remove(exportTopic);
-    if (auto begun = window.background().start(text.what, std::move(job), done); !begun) return begun;
+    exports.frame.messages.remove(exportTopic);
+    if (auto begun = exports.background.start(text.what, std::move(job), done); !begun) return begun;
     if (!alone) return {};
-    window.background().settle();
+    exports.background.settle();
     if (!*result) return tl::unexpected(result->error());
     if (!**result) return fail("", "was cancelled");
     return {};

@@ -3,11 +3,10 @@
 #include <QString>
 #include <functional>
 
+#include "export/exports.h"
 #include "session/background_work.h"
 
 namespace mrose::gui {
-
-class MainWindow;
 
 /// What an export is, for those who wait for it.
 struct ExportText {
@@ -18,10 +17,10 @@ struct ExportText {
 
 /// Does the job in the background and reports the outcome, with a way to open the file. `after` is called in any case.
 /// Unattended, it waits. Error: something else is under way; unattended, what went wrong.
-Expected<void> exportInBackground(MainWindow& window, const ExportText& text, BackgroundWork::Job job,
+Expected<void> exportInBackground(const Exports& exports, const ExportText& text, BackgroundWork::Job job,
                                   const std::function<void()>& after = {});
 
 /// Reports that a file is there, with a way to open it.
-void reportExported(MainWindow& window, const QString& path);
+void reportExported(const Exports& exports, const QString& path);
 
 }  // namespace mrose::gui

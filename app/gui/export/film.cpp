@@ -4,6 +4,7 @@
 #include <QStandardPaths>
 #include <utility>
 
+#include "frame/actions.h"
 #include "io/file.h"
 #include "widgets/qt_text.h"
 
@@ -33,12 +34,15 @@ QString lastLine(const QByteArray& said) {
 
 }  // namespace
 
+Expected<void> checkEncoder() {
+    if (!QStandardPaths::findExecutable("ffmpeg").isEmpty()) return {};
+    return fail("", "needs the program ffmpeg, which is not installed: sudo apt install ffmpeg; or export pictures");
+}
+
 Expected<void> checkFilm(const QString& path) {
     const std::string name = path.toStdString();
     if (QFileInfo(path).suffix().toLower() != "mp4") return fail(name, "is no film that can be written; expected .mp4");
-    if (QStandardPaths::findExecutable("ffmpeg").isEmpty())
-        return fail(name,
-                    "needs the program ffmpeg, which is not installed: sudo apt install ffmpeg; or export pictures");
+    if (const auto can = checkEncoder(); !can) return fail(name, can.error().cause);
     return checkWritable(name);
 }
 

@@ -11,6 +11,8 @@
 
 namespace mrose::gui {
 
+/// Error where there is no `ffmpeg` on this computer: what to install.
+Expected<void> checkEncoder();
 /// Error unless a film can be written there: another extension than .mp4, a place that cannot be written, or no
 /// `ffmpeg` on this computer; then it says what to install.
 Expected<void> checkFilm(const QString& path);

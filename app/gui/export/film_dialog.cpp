@@ -3,7 +3,6 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -11,12 +10,13 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "export/film.h"
 #include "files/window_files.h"
+#include "frame/actions.h"
 #include "widgets/field_view.h"
 #include "widgets/qt_text.h"
 #include "widgets/timeline_bar.h"
 #include "widgets/warning_style.h"
-#include "window/main_window.h"
 
 namespace mrose::gui {
 namespace {
@@ -38,9 +38,9 @@ QString sizeText(const QSize& size) { return QString::fromUtf8("%1 \u00d7 %2").a
 
 }  // namespace
 
-FilmDialog::FilmDialog(MainWindow& window, bool film)
-    : QDialog(&window),
-      window_(window),
+FilmDialog::FilmDialog(const Exports& exports, bool film)
+    : QDialog(&exports.frame.window),
+      exports_(exports),
       kind_(new QComboBox),
       what_(new QComboBox),
       size_(new QComboBox),
@@ -82,8 +82,8 @@ void FilmDialog::fill() {
         now->setText(tr("now"));
         now->setToolTip(tip);
         connect(now, &QToolButton::clicked, this, [this, box] {
-            if (window_.shown())
-                box->setValue(toSeconds(window_.shown()->frame->scene().timeOf(window_.shown()->tick())));
+            if (exports_.frame.shown())
+                box->setValue(toSeconds(exports_.frame.shown()->frame->scene().timeOf(exports_.frame.shown()->tick())));
         });
         across->addWidget(box, 1);
         across->addWidget(now);
@@ -110,8 +110,8 @@ void FilmDialog::fill() {
     export_->setDefault(true);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
     layout->addWidget(buttons);
-    if (!window_.shown()) return;
-    const Shown& shown = *window_.shown();
+    if (!exports_.frame.shown()) return;
+    const Shown& shown = *exports_.frame.shown();
     const Scene& scene = shown.frame->scene();
     const Nanoseconds first = scene.timeOf(shown.first);
     const Nanoseconds length = shown.frame->scenario->parts().duration;
@@ -137,16 +137,20 @@ SequenceSettings FilmDialog::settings() const {
 
 /// What would come of it.
 void FilmDialog::refresh() {
-    const QSize shown = what_->currentIndex() == 1 ? window_.size() : window_.field().size();
+    const QSize shown = what_->currentIndex() == 1 ? exports_.frame.window.size() : exports_.field.size();
     const int chosen = std::max(0, size_->currentIndex());
     size_->clear();
     size_->addItem(tr("as shown: %1").arg(sizeText(shown)), QSize());
     for (const QSize& size : usualSizes) size_->addItem(sizeText(size), size);
     size_->setCurrentIndex(chosen);
-    const Nanoseconds tick = window_.shown() ? window_.shown()->frame->scene().tickLength : 1;
+    const Nanoseconds tick = exports_.frame.shown() ? exports_.frame.shown()->frame->scene().tickLength : 1;
     const auto ticks = sequenceTicks(settings(), tick);
-    export_->setEnabled(ticks.has_value() && window_.shown());
+    export_->setEnabled(ticks.has_value() && exports_.frame.shown());
     if (!ticks) return say(qtText(ticks.error().message()), true);
+    if (const auto can = checkEncoder(); kind_->currentIndex() == 0 && !can) {
+        export_->setEnabled(false);
+        return say(qtText(can.error().message()), true);
+    }
     const auto count = static_cast<double>(ticks->size());
     const QString frames = ticks->size() == 1 ? tr("one frame") : tr("%1 frames").arg(ticks->size());
     say(kind_->currentIndex() == 0 ? tr("%1, a film of %2 s").arg(frames).arg(count / rate_->value(), 0, 'f', 2)
@@ -161,7 +165,7 @@ void FilmDialog::say(const QString& text, bool wrong) {
 
 bool FilmDialog::exportTo(const QString& path) {
     const bool film = kind_->currentIndex() == 0;
-    const auto begun = film ? exportFilm(window_, path, settings()) : exportFrames(window_, path, settings());
+    const auto begun = film ? exportFilm(exports_, path, settings()) : exportFrames(exports_, path, settings());
     if (begun)
         close();
     else
@@ -171,18 +175,16 @@ bool FilmDialog::exportTo(const QString& path) {
 
 void FilmDialog::ask() {
     const bool film = kind_->currentIndex() == 0;
-    QString path = QFileDialog::getSaveFileName(
-        this, film ? tr("Export film") : tr("Export pictures into a new folder"),
-        window_.files().suggestedName(film ? ".mp4" : "_pictures"), film ? tr("Films (*.mp4)") : tr("Folders (*)"));
-    if (path.isEmpty()) return;
-    if (film && QFileInfo(path).suffix().isEmpty()) path += ".mp4";
-    exportTo(path);
+    const QString path =
+        exports_.files.askForName(*this, film ? tr("Export film") : tr("Export pictures into a new folder"),
+                                  film ? tr("Films (*.mp4)") : tr("Folders (*)"), film ? ".mp4" : "_pictures");
+    if (!path.isEmpty()) exportTo(path);
 }
 
-FilmDialog* showFilmDialog(MainWindow& window, bool film) {
-    auto* dialog = window.findChild<FilmDialog*>();
+FilmDialog* showFilmDialog(const Exports& exports, bool film) {
+    auto* dialog = exports.frame.window.findChild<FilmDialog*>();
     if (dialog == nullptr) {
-        dialog = new FilmDialog(window, film);
+        dialog = new FilmDialog(exports, film);
         dialog->setAttribute(Qt::WA_DeleteOnClose);
     }
     dialog->setFilm(film);

@@ -2,6 +2,7 @@
 
 #include <QDialog>
 
+#include "export/exports.h"
 #include "export/sequence_export.h"
 
 class QComboBox;
@@ -16,7 +17,7 @@ class FilmDialog final : public QDialog {
     Q_OBJECT
 
 public:
-    FilmDialog(MainWindow& window, bool film);
+    FilmDialog(const Exports& exports, bool film);
 
     void setFilm(bool film);
     SequenceSettings settings() const;
@@ -29,7 +30,7 @@ private:
     void refresh();
     void say(const QString& text, bool wrong);
 
-    MainWindow& window_;
+    const Exports& exports_;
     QComboBox *kind_, *what_, *size_;
     QDoubleSpinBox *from_, *to_, *speed_, *rate_;
     QLabel* summary_;
@@ -37,6 +38,6 @@ private:
 };
 
 /// The window's only one; its stretch is all that is known.
-FilmDialog* showFilmDialog(MainWindow& window, bool film);
+FilmDialog* showFilmDialog(const Exports& exports, bool film);
 
 }  // namespace mrose::gui

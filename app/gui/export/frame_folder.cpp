@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "frame/actions.h"
 #include "io/pending_file.h"
 #include "widgets/qt_text.h"
 

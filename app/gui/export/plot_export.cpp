@@ -11,13 +11,13 @@
 
 #include "export/export_outcome.h"
 #include "export/view_export.h"
+#include "frame/actions.h"
 #include "io/file.h"
 #include "io/format.h"
 #include "panels/plot_panel.h"
 #include "session/lineage_walk.h"
 #include "widgets/qt_text.h"
 #include "widgets/timeline_bar.h"
-#include "window/main_window.h"
 #include "world/seconds_text.h"
 
 namespace mrose::gui {
@@ -75,10 +75,10 @@ void addReferences(std::vector<LegendEntry>& legend, const PlotPanel& plots, con
 }
 
 /// What was driven, and by whom if it is one.
-QString headingOf(const MainWindow& window) {
-    const PlotPanel& plots = window.plots();
+QString headingOf(const Exports& exports) {
+    const PlotPanel& plots = exports.plots;
     const PlotView::Time& time = plots.view().time();
-    QString heading = window.runName();
+    QString heading = qtText(exports.frame.session.runName());
     if (time.end > 0) heading += QObject::tr(" for %1 s").arg(toSeconds(time.end * time.tickLength), 0, 'f', 1);
     std::set<std::string> bodies;
     for (const ValueKey& key : plots.keys()) bodies.insert(key.body);
@@ -110,8 +110,8 @@ void drawLegend(QPainter& painter, const std::vector<LegendEntry>& legend, const
     }
 }
 
-Picture plotPicture(const MainWindow& window) {
-    const PlotPanel& plots = window.plots();
+Picture plotPicture(const Exports& exports) {
+    const PlotPanel& plots = exports.plots;
     const PlotView& shown = plots.view();
     const PlotView::Time& time = shown.time();
     const Theme theme = paperTheme();
@@ -126,7 +126,7 @@ Picture plotPicture(const MainWindow& window) {
     QFont bold = font;
     bold.setBold(true);
     bold.setPointSizeF(titleFont);
-    const QString heading = headingOf(window);
+    const QString heading = headingOf(exports);
     const QSize size(paperWidth, bandHeight * static_cast<int>(units.size()) + axisHeight);
     const auto view = std::make_shared<PlotView>();
     view->setTheme(theme);
@@ -135,7 +135,7 @@ Picture plotPicture(const MainWindow& window) {
     view->setTime(time);
     const auto last = static_cast<double>(std::max(time.last, time.end));
     view->showRange(std::max(shown.from(), static_cast<double>(time.first)), std::min(shown.to(), last));
-    return {{size.width(), size.height() + top}, paperInch, window.windowTitle(), [=](QPainter& painter) {
+    return {{size.width(), size.height() + top}, paperInch, exports.frame.window.windowTitle(), [=](QPainter& painter) {
                 painter.fillRect(QRect(0, 0, size.width(), size.height() + top), Qt::white);
                 painter.setPen(theme.text);
                 painter.setFont(bold);
@@ -149,9 +149,9 @@ Picture plotPicture(const MainWindow& window) {
 }
 
 /// What is plotted; nothing is an error.
-Expected<void> checkPlotted(MainWindow& window) {
-    if (window.shown() == nullptr) return fail("", "nothing is open");
-    if (window.plots().keys().empty())
+Expected<void> checkPlotted(const Exports& exports) {
+    if (exports.frame.shown() == nullptr) return fail("", "nothing is open");
+    if (exports.plots.keys().empty())
         return fail("", "nothing is plotted: choose a number in the inspector, or write an expression");
     return {};
 }
@@ -294,61 +294,58 @@ Outcome writeValues(ValueTable table, Session& session, const std::string& path,
 
 }  // namespace
 
-Expected<void> exportPlots(MainWindow& window, const QString& path) {
-    if (auto plotted = checkPlotted(window); !plotted) return plotted;
+Expected<void> exportPlots(const Exports& exports, const QString& path) {
+    if (auto plotted = checkPlotted(exports); !plotted) return plotted;
     if (auto can = checkPicture(path); !can) return can;
-    const auto settled = [&window](const Progress& progress) -> Outcome {
-        const auto goesOn = [&] { return progress(0); };
-        while (window.plots().series().behind() > 0) {
-            if (!goesOn()) return false;
-            std::this_thread::sleep_for(std::chrono::milliseconds(5));
-        }
-        return true;
-    };
-    const std::function<Expected<void>()> write = [&window, path]() -> Expected<void> {
+    const std::function<bool()> known = [&exports] { return exports.plots.series().behind() == 0; };
+    const std::function<Expected<void>()> write = [&exports, path]() -> Expected<void> {
         // It may have been closed meanwhile.
-        if (auto plotted = checkPlotted(window); !plotted) return plotted;
-        window.plots().settle();
-        return writePicture(plotPicture(window), path);
+        if (auto plotted = checkPlotted(exports); !plotted) return plotted;
+        exports.plots.settle();
+        return writePicture(plotPicture(exports), path);
     };
-    return exportInBackground(window, {QObject::tr("Exporting %1").arg(path), path},
-                              [&window, settled, write](const Progress& progress) -> Outcome {
-                                  if (auto there = settled(progress); !there || !*there) return there;
-                                  const auto written =
-                                      askWindow<Expected<void>>(window, write, [&] { return progress(0.9); });
+    return exportInBackground(exports, {QObject::tr("Exporting %1").arg(path), path},
+                              [&exports, known, write](const Progress& progress) -> Outcome {
+                                  const auto goesOn = [&] { return progress(0); };
+                                  for (std::optional<bool> all = false; !*all;) {
+                                      all = askWindow<bool>(exports.frame.window, known, goesOn);
+                                      if (!all) return false;
+                                      if (!*all) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+                                  }
+                                  const auto written = askWindow<Expected<void>>(exports.frame.window, write,
+                                                                                 [&] { return progress(0.9); });
                                   if (!written) return false;
                                   if (!*written) return tl::unexpected(written->error());
                                   return true;
                               });
 }
 
-Expected<void> exportValues(MainWindow& window, const QString& path) {
-    if (auto plotted = checkPlotted(window); !plotted) return plotted;
+Expected<void> exportValues(const Exports& exports, const QString& path) {
+    if (auto plotted = checkPlotted(exports); !plotted) return plotted;
     const std::string file = path.toStdString();
     if (QFileInfo(path).suffix().toLower() != "csv")
         return fail(file, "is no table that can be written; expected .csv");
     if (auto can = checkWritable(file); !can) return can;
-    const Shown& shown = *window.shown();
+    const Shown& shown = *exports.frame.shown();
     ValueTable table;
     table.run = shown.run;
-    table.keys = window.plots().keys();
+    table.keys = exports.plots.keys();
     table.tickLength = shown.frame->scene().tickLength;
     for (const ValueKey& key : table.keys) {
         const PlottedValue value = plottedValue(*shown.frame->scenario, key).value_or(PlottedValue{});
         const QString unit = qtText(value.unit);
         table.names.push_back(qtText(value.name).simplified() + (unit.isEmpty() ? "" : " (" + unit + ')'));
     }
-    for (const PlotCurve& curve : window.plots().view().curves())
+    for (const PlotCurve& curve : exports.plots.view().curves())
         if (!curve.ghost) table.ahead.push_back(curve.ahead);
-    table.levels = window.plots().levels();
-    table.instant = window.plots().view().instant();
+    table.levels = exports.plots.levels();
+    table.instant = exports.plots.view().instant();
     table.lineages.push_back({shown.branch});
-    if (const auto ghost = window.plots().ghostBranch())
-        table.lineages.push_back({*ghost, " [" + window.plots().ghostName() + ']'});
-    return exportInBackground(window, {QObject::tr("Exporting %1").arg(path), path},
-                              [table = std::move(table), &session = window.session(), file](const Progress& progress) {
-                                  return writeValues(table, session, file, progress);
-                              });
+    if (const auto ghost = exports.plots.ghostBranch())
+        table.lineages.push_back({*ghost, " [" + exports.plots.ghostName() + ']'});
+    return exportInBackground(exports, {QObject::tr("Exporting %1").arg(path), path},
+                              [table = std::move(table), &session = exports.frame.session,
+                               file](const Progress& progress) { return writeValues(table, session, file, progress); });
 }
 
 }  // namespace mrose::gui

@@ -17,12 +17,12 @@
 #include <map>
 
 #include "export/report_export.h"
+#include "frame/actions.h"
 #include "frame/window_memory.h"
 #include "io/format.h"
 #include "reality/overlay.h"
 #include "widgets/qt_text.h"
 #include "widgets/warning_style.h"
-#include "window/main_window.h"
 #include "workflow/resources.h"
 
 namespace mrose::gui {
@@ -94,8 +94,8 @@ std::map<QString, QString> linesOf(const Overlay& overlay) {
 }
 
 /// All but what was written by hand.
-void fillIn(const MainWindow& window, const ReportDialog& dialog) {
-    for (const auto& [name, text] : linesOf(window.overlay()))
+void fillIn(const Exports& exports, const ReportDialog& dialog) {
+    for (const auto& [name, text] : linesOf(exports.overlay))
         if (auto* line = dialog.findChild<QLineEdit*>(name); line != nullptr && !line->isModified())
             line->setText(text);
 }
@@ -114,10 +114,10 @@ QLineEdit* namedLine(const QString& name, const QString& tip) {
     return line;
 }
 
-ReportDialog* shownAgain(MainWindow& window, const QString& name) {
-    auto* dialog = window.findChild<ReportDialog*>(name);
+ReportDialog* shownAgain(const Exports& exports, const QString& name) {
+    auto* dialog = exports.frame.window.findChild<ReportDialog*>(name);
     if (dialog != nullptr) {
-        fillIn(window, *dialog);
+        fillIn(exports, *dialog);
         dialog->show();
         dialog->raise();
         dialog->activateWindow();
@@ -127,9 +127,9 @@ ReportDialog* shownAgain(MainWindow& window, const QString& name) {
 
 }  // namespace
 
-ReportDialog::ReportDialog(MainWindow& window, const QString& title, const QString& about)
-    : QDialog(&window),
-      window_(window),
+ReportDialog::ReportDialog(const Exports& exports, const QString& title, const QString& about)
+    : QDialog(&exports.frame.window),
+      exports_(exports),
       form_(new QFormLayout),
       replace_(new QCheckBox(tr("&Replace a report that is there"))),
       error_(new QLabel),
@@ -206,10 +206,14 @@ void ReportDialog::addNumbers(const QString& label, const std::vector<NumberLine
 }
 
 void ReportDialog::choose(QLineEdit* line, Kind kind, const QString& kinds) {
-    const QString from = line->text().isEmpty() ? window_.memory().lastFolder() : line->text();
+    const WindowMemory& memory = exports_.frame.memory;
+    const QString from = !line->text().isEmpty() ? line->text()
+                         : kind == Kind::folder  ? memory.saveFolder()
+                                                 : memory.lastFolder();
     const QString chosen = kind == Kind::folder ? QFileDialog::getExistingDirectory(this, tr("Choose"), from)
                                                 : QFileDialog::getOpenFileName(this, tr("Choose"), from, kinds);
     if (chosen.isEmpty()) return;
+    if (kind == Kind::folder) exports_.frame.memory.keepSaveFolder(chosen);
     line->setText(chosen);
     line->setModified(true);
 }
@@ -285,9 +289,9 @@ Expected<CompareRequest> comparisonIn(const ReportDialog& dialog, const PlayedLo
 
 }  // namespace
 
-ReportDialog* showReportDialog(MainWindow& window) {
-    if (auto* dialog = shownAgain(window, "report_dialog")) return dialog;
-    auto* dialog = new ReportDialog(window, QObject::tr("Report of a log and a network"),
+ReportDialog* showReportDialog(const Exports& exports) {
+    if (auto* dialog = shownAgain(exports, "report_dialog")) return dialog;
+    auto* dialog = new ReportDialog(exports, QObject::tr("Report of a log and a network"),
                                     QObject::tr("How well a network predicts what the robots of a log did, as "
                                                 "`mrose evaluate` says it."));
     dialog->setObjectName("report_dialog");
@@ -300,19 +304,19 @@ ReportDialog* showReportDialog(MainWindow& window) {
     const auto* robots =
         dialog->addWords("robots", QObject::tr("Ro&bots"), QObject::tr("Of the log, as 1,2; empty: all"));
     const auto* folder = addFolder(*dialog);
-    dialog->setAction([=, &window]() -> Expected<void> {
+    dialog->setAction([=, &exports]() -> Expected<void> {
         if (auto all = needed({{log, "a log"}, {network, "a network"}, {folder, "a folder"}}); !all) return all;
         EvaluateRequest request{textOf(network), textOf(log), listFrom(robots), listFrom(against)};
-        return exportReport(window, request, folder->text().trimmed(), dialog->replaces());
+        return exportReport(exports, request, folder->text().trimmed(), dialog->replaces());
     });
-    fillIn(window, *dialog);
+    fillIn(exports, *dialog);
     dialog->show();
     return dialog;
 }
 
-ReportDialog* showComparisonDialog(MainWindow& window) {
-    if (auto* dialog = shownAgain(window, "comparison_dialog")) return dialog;
-    auto* dialog = new ReportDialog(window, QObject::tr("Report of a log and a scenario"),
+ReportDialog* showComparisonDialog(const Exports& exports) {
+    if (auto* dialog = shownAgain(exports, "comparison_dialog")) return dialog;
+    auto* dialog = new ReportDialog(exports, QObject::tr("Report of a log and a scenario"),
                                     QObject::tr("Simulated robots beside the real ones whose log they play, as "
                                                 "`mrose compare` says it."));
     dialog->setObjectName("comparison_dialog");
@@ -340,13 +344,13 @@ ReportDialog* showComparisonDialog(MainWindow& window) {
     dialog->addWords("models", QObject::tr("&Models"),
                      QObject::tr("Networks that may explain it, beside those that ship; or nothing"));
     const auto* folder = addFolder(*dialog);
-    dialog->setAction([=, &window]() -> Expected<void> {
+    dialog->setAction([=, &exports]() -> Expected<void> {
         if (auto all = needed({{log, "a log"}, {folder, "a folder"}}); !all) return all;
-        const auto report = comparisonIn(*dialog, window.overlay().rollouts().log());
+        const auto report = comparisonIn(*dialog, exports.overlay.rollouts().log());
         if (!report) return tl::unexpected(report.error());
-        return exportComparison(window, *report, folder->text().trimmed(), dialog->replaces());
+        return exportComparison(exports, *report, folder->text().trimmed(), dialog->replaces());
     });
-    fillIn(window, *dialog);
+    fillIn(exports, *dialog);
     dialog->show();
     return dialog;
 }

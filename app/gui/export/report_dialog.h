@@ -4,6 +4,7 @@
 #include <functional>
 #include <vector>
 
+#include "export/exports.h"
 #include "io/error.h"
 
 class QCheckBox;
@@ -14,14 +15,12 @@ class QPushButton;
 
 namespace mrose::gui {
 
-class MainWindow;
-
 /// Some files and a folder for a report on them. It stays open beside the window until the report is begun.
 class ReportDialog final : public QDialog {
     Q_OBJECT
 
 public:
-    ReportDialog(MainWindow& window, const QString& title, const QString& about);
+    ReportDialog(const Exports& exports, const QString& title, const QString& about);
 
     /// A row in which a path is written or chosen. Its name is for those who look for its line.
     enum class Kind { file, log, folder };
@@ -40,7 +39,7 @@ public:
 private:
     void choose(QLineEdit* line, Kind kind, const QString& kinds);
 
-    MainWindow& window_;
+    const Exports& exports_;
     QFormLayout* form_;
     QCheckBox* replace_;
     QLabel* error_;
@@ -48,7 +47,7 @@ private:
     std::function<Expected<void>()> run_;
 };
 
-ReportDialog* showReportDialog(MainWindow& window);
-ReportDialog* showComparisonDialog(MainWindow& window);
+ReportDialog* showReportDialog(const Exports& exports);
+ReportDialog* showComparisonDialog(const Exports& exports);
 
 }  // namespace mrose::gui

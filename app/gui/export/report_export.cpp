@@ -3,12 +3,12 @@
 #include <QDir>
 
 #include "export/export_outcome.h"
+#include "frame/actions.h"
 #include "io/file.h"
 #include "io/format.h"
 #include "io/shell_quoted.h"
 #include "report/comparison_report.h"
 #include "widgets/qt_text.h"
-#include "window/main_window.h"
 
 namespace mrose::gui {
 namespace {
@@ -84,12 +84,12 @@ QString pageIn(const QString& folder) { return QDir(folder).filePath("report.htm
 
 }  // namespace
 
-Expected<void> exportReport(MainWindow& window, EvaluateRequest request, const QString& folder, bool overwrite) {
+Expected<void> exportReport(const Exports& exports, EvaluateRequest request, const QString& folder, bool overwrite) {
     const std::string path = folder.toStdString();
     if (auto can = freeFolder(checkReportFolder(path, overwrite)); !can) return can;
     request.command = commandOf(request, path);
     return exportInBackground(
-        window, {QObject::tr("Evaluating %1").arg(qtText(request.network)), pageIn(folder)},
+        exports, {QObject::tr("Evaluating %1").arg(qtText(request.network)), pageIn(folder)},
         [request, path](const Progress& progress) {
             return makeAndWrite<NetworkEvaluation>(
                 [&](const Progress& part) { return evaluateNetwork(request, part); },
@@ -98,13 +98,13 @@ Expected<void> exportReport(MainWindow& window, EvaluateRequest request, const Q
         });
 }
 
-Expected<void> exportComparison(MainWindow& window, CompareRequest request, const QString& folder, bool overwrite) {
+Expected<void> exportComparison(const Exports& exports, CompareRequest request, const QString& folder, bool overwrite) {
     const std::string path = folder.toStdString();
     if (auto can = freeFolder(checkComparisonFolder(path, overwrite)); !can) return can;
     request.command = commandOf(request, path);
     request.plugins.limit = pluginLimit;
     return exportInBackground(
-        window, {QObject::tr("Comparing %1").arg(qtText(request.log)), pageIn(folder)},
+        exports, {QObject::tr("Comparing %1").arg(qtText(request.log)), pageIn(folder)},
         [request, path](const Progress& progress) {
             return makeAndWrite<LogComparison>(
                 [&](const Progress& part) {

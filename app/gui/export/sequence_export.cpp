@@ -8,11 +8,11 @@
 #include "export/export_outcome.h"
 #include "export/film.h"
 #include "export/frame_folder.h"
+#include "frame/actions.h"
 #include "panels/plot_panel.h"
 #include "session/background_work.h"
 #include "session/lineage_walk.h"
 #include "widgets/field_view.h"
-#include "window/main_window.h"
 
 namespace mrose::gui {
 namespace {
@@ -68,15 +68,15 @@ struct SequenceJob {
 };
 
 /// Paints the field beside the session and the window.
-FrameSource fieldSource(MainWindow& window, const SequenceJob& job) {
-    auto walk = std::make_shared<LineageWalk>(window.session(), job.run, job.branch);
-    auto picture = std::make_shared<FieldPicture>(window.field().picture());
-    return [&session = window.session(), walk, picture, asked = job.asked, image = job.image](
+FrameSource fieldSource(const Exports& exports, const SequenceJob& job) {
+    auto walk = std::make_shared<LineageWalk>(exports.frame.session, job.run, job.branch);
+    auto picture = std::make_shared<FieldPicture>(exports.field.picture());
+    return [&session = exports.frame.session, walk, picture, asked = job.asked, image = job.image](
                std::int64_t tick, const GoesOn& goesOn) -> FramePicture {
         std::optional<FieldFrame> frame;
         const auto visited = walk->visit(
             {&tick, 1},
-            [&](const TimeTravel& travel, const Cursor& at) { frame = travel.frameOf(at, session.frameOptions()); },
+            [&](const TimeTravel& travel, const Cursor& at) { frame = frameOf(travel, at, session.frameOptions()); },
             goesOn);
         if (!visited) return tl::unexpected(visited.error());
         if (!*visited) return {};
@@ -87,32 +87,33 @@ FrameSource fieldSource(MainWindow& window, const SequenceJob& job) {
 }
 
 /// The window at a tick, once all of it is there.
-FrameSource windowSource(MainWindow& window, const SequenceJob& job) {
+FrameSource windowSource(const Exports& exports, const SequenceJob& job) {
     // Null: it is not there yet. The user may have moved it meanwhile, so that it is asked to go there again.
-    const auto draw = [&window, run = job.run, branch = job.branch, asked = job.asked,
+    const auto draw = [&exports, run = job.run, branch = job.branch, asked = job.asked,
                        image = job.image](std::int64_t tick) {
-        return [&window, run, branch, asked, image, tick]() -> Expected<QImage> {
-            const Shown& shown = *window.shown();
+        return [&exports, run, branch, asked, image, tick]() -> Expected<QImage> {
+            const Shown& shown = *exports.frame.shown();
             if (shown.run != run) return fail("", "another run was opened meanwhile");
             if (shown.branch == branch && tick < shown.first)
                 return fail("", "tick " + std::to_string(tick) + " is not known any more");
             if (shown.branch != branch || shown.tick() != tick) {
-                if (!shown.playing && window.session().busy()) return QImage();
-                window.session().pause();
-                window.session().show(branch, tick);
+                if (!shown.playing && exports.frame.session.busy()) return QImage();
+                exports.frame.session.pause();
+                exports.frame.session.show(branch, tick);
                 return QImage();
             }
-            if (window.plots().series().behind() > 0) return QImage();
-            window.plots().settle();
-            return frameOf(asked, image, window.palette().color(QPalette::Window), asked.corner(),
+            if (exports.plots.series().behind() > 0) return QImage();
+            exports.plots.settle();
+            return frameOf(asked, image, exports.frame.window.palette().color(QPalette::Window), asked.corner(),
                            [&](QPainter& painter) {
-                               window.render(&painter, {}, {}, QWidget::DrawWindowBackground | QWidget::DrawChildren);
+                               exports.frame.window.render(&painter, {}, {},
+                                                           QWidget::DrawWindowBackground | QWidget::DrawChildren);
                            });
         };
     };
-    return [&window, draw](std::int64_t tick, const GoesOn& goesOn) -> FramePicture {
+    return [&exports, draw](std::int64_t tick, const GoesOn& goesOn) -> FramePicture {
         while (true) {
-            auto made = askWindow<Expected<QImage>>(window, draw(tick), goesOn);
+            auto made = askWindow<Expected<QImage>>(exports.frame.window, draw(tick), goesOn);
             if (!made || !*made || !(*made)->isNull()) return made;
             std::this_thread::sleep_for(shortPause);
         }
@@ -150,16 +151,16 @@ struct Place {
 
 Place placeOf(const Shown& shown) { return {shown.run, shown.branch, shown.tick(), shown.besideBranch, shown.playing}; }
 
-void comeBack(MainWindow& window, const Place& place) {
-    if (window.shown()->run != place.run) return;
-    window.session().show(place.branch, place.tick);
-    window.session().ask([=](Debugger& debugger) { debugger.run().setBeside(place.beside); });
-    if (place.playing) window.session().play();
+void comeBack(const Exports& exports, const Place& place) {
+    if (exports.frame.shown()->run != place.run) return;
+    exports.frame.session.show(place.branch, place.tick);
+    exports.frame.session.ask([=](Debugger& debugger) { debugger.run().setBeside(place.beside); });
+    if (place.playing) exports.frame.session.play();
 }
 
-Expected<SequenceJob> prepare(MainWindow& window, SequenceSettings settings) {
-    if (window.shown() == nullptr) return fail("", "nothing is open");
-    const Shown& shown = *window.shown();
+Expected<SequenceJob> prepare(const Exports& exports, SequenceSettings settings) {
+    if (exports.frame.shown() == nullptr) return fail("", "nothing is open");
+    const Shown& shown = *exports.frame.shown();
     const Scene& scene = shown.frame->scene();
     const Nanoseconds first = scene.timeOf(shown.first);
     const Nanoseconds last =
@@ -173,7 +174,7 @@ Expected<SequenceJob> prepare(MainWindow& window, SequenceSettings settings) {
     if (job.ticks.front() < shown.first)
         return fail("", "the run is known from " + std::to_string(toSeconds(first)) + " s on; expected a later start");
     job.rate = settings.framesPerSecond;
-    job.asked.shown = settings.wholeWindow ? window.size() : window.field().size();
+    job.asked.shown = settings.wholeWindow ? exports.frame.window.size() : exports.field.size();
     job.asked.image = settings.size.isEmpty() ? job.asked.shown : settings.size;
     job.image = job.asked.image;
     job.run = shown.run;
@@ -181,14 +182,14 @@ Expected<SequenceJob> prepare(MainWindow& window, SequenceSettings settings) {
     return job;
 }
 
-Expected<void> start(MainWindow& window, SequenceJob job, const QString& path, bool wholeWindow) {
-    job.source = wholeWindow ? windowSource(window, job) : fieldSource(window, job);
+Expected<void> start(const Exports& exports, SequenceJob job, const QString& path, bool wholeWindow) {
+    job.source = wholeWindow ? windowSource(exports, job) : fieldSource(exports, job);
     std::function<void()> after;
-    if (wholeWindow) after = [&window, place = placeOf(*window.shown())] { comeBack(window, place); };
+    if (wholeWindow) after = [&exports, place = placeOf(*exports.frame.shown())] { comeBack(exports, place); };
     const QString what = QObject::tr("Exporting %1").arg(path);
     return exportInBackground(
-        window, {what, path, wholeWindow},
-        [job = std::move(job), &session = window.session()](const Progress& progress) {
+        exports, {what, path, wholeWindow},
+        [job = std::move(job), &session = exports.frame.session](const Progress& progress) {
             return writeSequence(job, session, progress);
         },
         after);
@@ -217,25 +218,25 @@ Expected<std::vector<std::int64_t>> sequenceTicks(const SequenceSettings& settin
     return ticks;
 }
 
-Expected<void> exportFrames(MainWindow& window, const QString& folder, const SequenceSettings& settings) {
-    auto job = prepare(window, settings);
+Expected<void> exportFrames(const Exports& exports, const QString& folder, const SequenceSettings& settings) {
+    auto job = prepare(exports, settings);
     if (!job) return tl::unexpected(job.error());
     if (auto free = checkFrameFolder(folder.toStdString()); !free) return free;
     job->begin = [folder = folder.toStdString()](const SequenceJob& of, const GoesOn&) {
         return FrameFolder::begin(folder, of.ticks.size());
     };
-    return start(window, std::move(*job), folder, settings.wholeWindow);
+    return start(exports, std::move(*job), folder, settings.wholeWindow);
 }
 
-Expected<void> exportFilm(MainWindow& window, const QString& file, const SequenceSettings& settings) {
-    auto job = prepare(window, settings);
+Expected<void> exportFilm(const Exports& exports, const QString& file, const SequenceSettings& settings) {
+    auto job = prepare(exports, settings);
     if (!job) return tl::unexpected(job.error());
     if (auto can = checkFilm(file); !can) return can;
     job->image = job->asked.even().image;
     job->begin = [file](const SequenceJob& of, const GoesOn& goesOn) {
         return Film::begin(file, of.image, of.rate, goesOn);
     };
-    return start(window, std::move(*job), file, settings.wholeWindow);
+    return start(exports, std::move(*job), file, settings.wholeWindow);
 }
 
 }  // namespace mrose::gui

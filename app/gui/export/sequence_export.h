@@ -6,12 +6,11 @@
 #include <optional>
 #include <vector>
 
+#include "export/exports.h"
 #include "io/error.h"
 #include "world/time.h"
 
 namespace mrose::gui {
-
-class MainWindow;
 
 /// A stretch of time as pictures.
 struct SequenceSettings {
@@ -33,7 +32,7 @@ Expected<std::vector<std::int64_t>> sequenceTicks(const SequenceSettings& settin
 /// background: the field view is painted while the window does something else, the whole window goes through the
 /// stretch and comes back. The outcome is reported in the window; unattended, this waits for it. Error: what is wrong
 /// from the start; unattended, all errors.
-Expected<void> exportFrames(MainWindow& window, const QString& folder, const SequenceSettings& settings = {});
-Expected<void> exportFilm(MainWindow& window, const QString& file, const SequenceSettings& settings = {});
+Expected<void> exportFrames(const Exports& exports, const QString& folder, const SequenceSettings& settings = {});
+Expected<void> exportFilm(const Exports& exports, const QString& file, const SequenceSettings& settings = {});
 
 }  // namespace mrose::gui

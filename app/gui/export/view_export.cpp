@@ -7,7 +7,9 @@
 #include <QPdfWriter>
 #include <QStringList>
 #include <QSvgGenerator>
+#include <QWidget>
 
+#include "frame/actions.h"
 #include "io/file.h"
 
 namespace mrose::gui {
@@ -84,6 +86,13 @@ Expected<void> writePicture(const Picture& picture, const QString& path, int pix
         return noPicture(path);
     if (!drawn) return fail(name, "the picture could not be drawn");
     return writeFileAtomically(name, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+}
+
+Expected<void> writeWidget(QWidget& widget, const QString& path) {
+    const auto paint = [&widget](QPainter& painter) {
+        widget.render(&painter, {}, {}, QWidget::DrawWindowBackground | QWidget::DrawChildren);
+    };
+    return writePicture({widget.size(), widget.logicalDpiX(), widget.window()->windowTitle(), paint}, path, 1);
 }
 
 }  // namespace mrose::gui

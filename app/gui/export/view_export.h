@@ -7,6 +7,8 @@
 
 #include "io/error.h"
 
+class QWidget;
+
 namespace mrose::gui {
 
 /// What is to be drawn into a file, in units of which `perInch` are an inch, as on the screen that it comes from.
@@ -19,6 +21,9 @@ struct Picture {
 
 /// Error unless a picture could be written there: another extension than .png, .svg or .pdf; what the system says.
 Expected<void> checkPicture(const QString& path);
+
+/// A widget as it is shown, as writePicture() does it, a pixel for a unit.
+Expected<void> writeWidget(QWidget& widget, const QString& path);
 
 /// Writes PNG (of so many pixels a unit), SVG or PDF, as the extension says, wholly or not at all. Error: as
 /// checkPicture().

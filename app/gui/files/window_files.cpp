@@ -1,6 +1,7 @@
 #include "files/window_files.h"
 
 #include <QDesktopServices>
+#include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QMimeData>
@@ -99,7 +100,7 @@ void WindowFiles::open(const QString& path, OpenRequest how, std::optional<doubl
     if (!kind) return sayError(kind.error(), openingOf(kind.error()));
     how.file = place.absoluteFilePath().toStdString();
     if (*kind == FileKind::results) return listTrials(place.absoluteFilePath());
-    if (*kind == FileKind::log) return log_->openLog(how.file);
+    if (*kind == FileKind::log) return log_->openLog(placeOfLog(how.file));
     if (*kind != FileKind::network) return open(how, at);
     if (opened_) return offerNetwork(place.absoluteFilePath());
     // A robot to try it with.
@@ -170,7 +171,6 @@ std::uint64_t WindowFiles::show(const OpenRun& run, const std::string& breakpoin
     extents_ = extentsOf(run);
     watch_.watch(run.files, run.recorded() ? std::vector{run.source.file} : std::vector<std::string>{});
     savedBranches_ = std::max<std::size_t>(1, run.branches.size());
-    emit opens(run);
     run_ = frame_.session.open(run);
     frame_.memory.restoreBreakpoints(qtText(breakpointsOf), run_);
     return run_;
@@ -288,11 +288,20 @@ Expected<void> WindowFiles::saveRecording(const QString& path, const std::functi
 
 QString WindowFiles::suggestedName(const QString& ending) const {
     const std::string of = !opened_ ? "run" : opened_->log.empty() ? opened_->file : opened_->log;
-    const QString folder = frame_.memory.lastFolder();
+    const QString folder = frame_.memory.saveFolder();
     const QString name = (folder.isEmpty() ? "" : folder + '/') + QFileInfo(qtText(of)).completeBaseName();
     QString free = name + ending;
     for (int number = 2; QFileInfo::exists(free); ++number) free = name + '_' + QString::number(number) + ending;
     return free;
+}
+
+QString WindowFiles::askForName(QWidget& over, const QString& title, const QString& kinds,
+                                const QString& ending) const {
+    QString path = QFileDialog::getSaveFileName(&over, title, suggestedName(ending), kinds);
+    if (path.isEmpty()) return path;
+    if (QFileInfo(path).suffix().isEmpty() && ending.contains('.')) path += ending.mid(ending.lastIndexOf('.'));
+    frame_.memory.keepSaveFolder(path);
+    return path;
 }
 
 void WindowFiles::sayNotSaved(const Error& error, const QString& action) {
@@ -379,7 +388,7 @@ void WindowFiles::recordingChanged(const QString& path, const QString& error) {
 }
 
 bool WindowFiles::hasUnsaved() const {
-    return frame_.session.current() && frame_.session.current()->branches.size() > savedBranches_;
+    return frame_.session.current() && listedBranches(frame_.session.current()->branches, savedBranches_) > 0;
 }
 
 bool WindowFiles::mayLeave(const std::function<void()>& then) {

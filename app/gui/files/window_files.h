@@ -60,6 +60,9 @@ public:
     void record(const QString& path, bool overwrite = true);
     /// For what is saved of what is open: a free name in the folder used last, as "soccer_2.mcap" for ".mcap".
     QString suggestedName(const QString& ending) const;
+    /// Asks `over` for such a file, whose extension is that of `ending` unless another is typed. Empty: the user
+    /// cancelled.
+    QString askForName(QWidget& over, const QString& title, const QString& kinds, const QString& ending) const;
     const QString& recordedTo() const { return recordedTo_; }
     /// Why the last recording was not begun, or ended too early; empty: nothing went wrong.
     const QString& recordingError() const { return recordingError_; }
@@ -77,7 +80,6 @@ public:
     DescriptionWatch& watch() { return watch_; }
 
 signals:
-    void opens(const OpenRun& run);         ///< it is the window's run from now on
     void recordingTo(const QString& path);  ///< empty: nowhere
 
 private:
@@ -95,7 +97,6 @@ private:
     static std::vector<Extent> extentsOf(const OpenRun& run);
     void takeGrown(const OpenRun& run);
     void sayGone(const QString& names, std::size_t count);
-    QString reloadedName(const QString& why) const;
     void offerBranches(const OpenRun& run, bool atItsPlace);
     Expected<void> checkNotRead(const QString& path) const;
     std::uint64_t show(const OpenRun& run, const std::string& breakpointsOf);

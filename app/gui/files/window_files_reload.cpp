@@ -95,18 +95,6 @@ void WindowFiles::sayGone(const QString& names, std::size_t count) {
                                         [this] { frame_.actions["save_scenario"].trigger(); }}}});
 }
 
-/// Branches of two reloads are told apart.
-QString WindowFiles::reloadedName(const QString& why) const {
-    const std::vector<BranchInfo>& branches = frame_.session.current()->branches;
-    const auto taken = [&](const QString& name) {
-        return std::any_of(branches.begin(), branches.end(),
-                           [&](const BranchInfo& branch) { return qtText(branch.name) == name; });
-    };
-    QString name = why;
-    for (int time = 2; taken(name); ++time) name = tr("%1 (%2)").arg(why).arg(time);
-    return name;
-}
-
 void WindowFiles::takeReloaded(Expected<OpenRun> run, const QString& why) {
     const Shown* const shown = frame_.session.current();
     if (!run) {
@@ -128,7 +116,7 @@ void WindowFiles::takeReloaded(Expected<OpenRun> run, const QString& why) {
     watch_.watch(run->files);
     if (!shown) return;
     Edit edit;
-    edit.name = reloadedName(why).toStdString();
+    edit.name = why.toStdString();
     edit.tick = shown->first;
     edit.setup = run->setup;
     edit.start = std::move(run->start);

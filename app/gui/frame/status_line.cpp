@@ -9,23 +9,23 @@ namespace mrose::gui {
 StatusLine::StatusLine(Session& session, const Actions& actions, QWidget& over)
     : session_(session), actions_(actions), quiet_(*new QuietMessage(over)) {
     setTextInteractionFlags(Qt::TextSelectableByMouse);
+    connect(&session, &Session::opening, this, [this] { say(reported_ = QString()); });
     connect(&session, &Session::shown, this, &StatusLine::follow);
 }
 
 void StatusLine::follow() {
     if (const QString message = qtText(session_.current()->message); message != reported_)
         say(reported_ = message);
-    else if (session_.current()->tick() != saidAt_)
+    else if (session_.current()->tick() != saidAt_ && said_ != reported_ &&
+             !(session_.current()->playing && quiet_.isVisible()))
         say(reported_);
 }
-
-void StatusLine::forget() { say(reported_ = QString()); }
 
 void StatusLine::say(const QString& text) {
     saidAt_ = session_.current() ? session_.current()->tick() : 0;
     // While a script runs it is not shown, so that pictures are the same at any speed.
     if (text.isEmpty()) quiet_.hide();
-    if (!text.isEmpty() && text != said_ && !actions_.unattended()) quiet_.say(text);
+    if (!text.isEmpty() && (text != said_ || !quiet_.isVisible()) && !actions_.unattended()) quiet_.say(text);
     said_ = text;
     setText(text);
     setToolTip(text);

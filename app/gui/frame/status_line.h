@@ -13,7 +13,8 @@ class Actions;
 class Session;
 
 /// What is said of the shown tick, in the status bar and for some seconds over the field: what the run's debugger says
-/// of it, and what anyone else says until another tick is shown.
+/// of it, and what anyone else says until another tick is shown, while it plays for those seconds, or another run
+/// comes.
 class StatusLine final : public ElidingLabel {
     Q_OBJECT
 
@@ -26,8 +27,6 @@ public:
     /// Stands in its place for as long as something is pointed at; empty: nothing is.
     void showTip(const QString& tip) { setText(tip.isEmpty() ? said_ : tip); }
     QuietMessage& quietMessage() { return quiet_; }
-    /// Another run comes: what was said is of the one before.
-    void forget();
 
 private:
     void follow();

@@ -21,7 +21,7 @@ constexpr int mostRecent = 10;
 /// Of the docks' arrangement: another one makes old settings unfit.
 constexpr int layoutVersion = 1;
 constexpr const char *geometryKey = "window/geometry", *stateKey = "window/docks", *recentKey = "recent_files",
-                     *errorPlotKey = "view/error_plot";
+                     *errorPlotKey = "view/error_plot", *saveFolderKey = "save_folder";
 
 /// Those that are switched to the user's taste and stay so.
 bool isTaste(const QString& action) { return action == "dark" || action.startsWith("layer_"); }
@@ -84,6 +84,7 @@ void WindowMemory::restore(std::unique_ptr<QSettings> settings) {
         window_.resize(withinScreen(window_.size()));
     window_.restoreState(settings_->value(stateKey).toByteArray(), layoutVersion);
     recent_ = settings_->value(recentKey).toStringList();
+    saveFolder_ = settings_->value(saveFolderKey).toString();
     errorPlot_ = settings_->value(errorPlotKey, true).toBool();
 }
 
@@ -117,6 +118,15 @@ QString WindowMemory::lastFolder() const {
     for (const QString& file : recent_)
         if (const QFileInfo place(file); place.isAbsolute() && place.dir().exists()) return place.path();
     return {};
+}
+
+QString WindowMemory::saveFolder() const {
+    return !saveFolder_.isEmpty() && QFileInfo(saveFolder_).isDir() ? saveFolder_ : lastFolder();
+}
+
+void WindowMemory::keepSaveFolder(const QString& file) {
+    saveFolder_ = QFileInfo(file).absolutePath();
+    if (settings_) settings_->setValue(saveFolderKey, saveFolder_);
 }
 
 void WindowMemory::addRecent(const QString& file) {

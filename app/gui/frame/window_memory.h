@@ -40,6 +40,10 @@ public:
     /// The latest first.
     const QStringList& recentFiles() const { return recent_; }
     QString lastFolder() const;  ///< where the last of them is that is still there; may be empty
+    /// Where files were saved last, if that is still there; otherwise lastFolder(). A folder that was saved itself
+    /// counts as a file.
+    QString saveFolder() const;
+    void keepSaveFolder(const QString& file);
     void addRecent(const QString& file);
     void forgetRecent(const QString& file);
     void clearRecent();
@@ -72,6 +76,7 @@ private:
     QByteArray newState_;
     bool errorPlot_ = true;
     QStringList recent_;
+    QString saveFolder_;
     QString breaksOf_;             ///< the file whose breakpoints are kept now
     std::uint64_t breaksRun_ = 0;  ///< and the run that was opened from it
     QStringList breaks_;           ///< as they were kept last

@@ -137,6 +137,7 @@ BranchPanel::BranchPanel(QWidget* parent)
         auto* action = new QAction(text, tree_);
         connect(action, &QAction::triggered, this, run);
         tree_->addAction(action);
+        return action;
     };
     offer(tr("Show"), [this] {
         if (const auto branch = current()) emit branchRequested(*branch);
@@ -145,6 +146,11 @@ BranchPanel::BranchPanel(QWidget* parent)
         if (const auto branch = current()) emit besideRequested(*branch);
     });
     offer(tr("Rename"), [this] { editName(); });
+    auto* remove = offer(tr("Delete"), [this] {
+        if (const auto branch = current()) emit removalRequested(*branch);
+    });
+    remove->setShortcut(QKeySequence::Delete);
+    remove->setShortcutContext(Qt::WidgetShortcut);
 }
 
 std::optional<std::uint32_t> BranchPanel::current() const {
@@ -204,16 +210,17 @@ void BranchPanel::refresh(const Shown& shown) {
         const bool isShown = i == shown.branch;
         const QString name = nameOf(shown, i);
         if (item.text(0) != name) item.setText(0, name);
-        if (item.isHidden() != branch.superseded) item.setHidden(branch.superseded);
+        if (item.isHidden() != branch.hidden) item.setHidden(branch.hidden);
         item.setText(1, i == 0 ? QString() : clockText(branch.departed * scene.tickLength));
         item.setToolTip(
-            0, tr("%1: from %2 to %3\nEnter shows it, F2 names it")
-                   .arg(name, clockText(branch.first * scene.tickLength), clockText(branch.last * scene.tickLength)));
+            0, tr("%1: from %2 to %3%4\nEnter shows it, F2 names it, Delete deletes it")
+                   .arg(name, clockText(branch.first * scene.tickLength), clockText(branch.last * scene.tickLength),
+                        branch.undone ? tr("\nUndone: Ctrl+Shift+Z makes it again, another change removes it") : ""));
         QFont font = tree_->font();
         font.setBold(isShown);
         font.setItalic(shown.besideBranch == i);
         item.setFont(0, font);
-        item.setForeground(0, isShown ? theme_.accent : theme_.text);
+        item.setForeground(0, isShown ? theme_.accent : branch.undone ? theme_.quietText : theme_.text);
     }
 }
 

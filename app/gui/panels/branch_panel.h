@@ -30,6 +30,7 @@ public:
 signals:
     void branchRequested(std::uint32_t branch);
     void besideRequested(std::uint32_t branch);
+    void removalRequested(std::uint32_t branch);
     void renamed(std::uint32_t branch, const QString& name);
 
 private:

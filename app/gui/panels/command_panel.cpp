@@ -4,6 +4,7 @@
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -27,7 +28,6 @@ QDoubleSpinBox* numberBox(double most, double step, int digits, const QString& u
     return box;
 }
 
-/// In force before anything else is decided: the last one issued.
 }  // namespace
 
 CommandPanel::CommandPanel(QWidget* parent)
@@ -66,6 +66,7 @@ CommandPanel::CommandPanel(QWidget* parent)
     for (QAbstractSpinBox* box : {static_cast<QAbstractSpinBox*>(v_), static_cast<QAbstractSpinBox*>(w_),
                                   static_cast<QAbstractSpinBox*>(power_), static_cast<QAbstractSpinBox*>(periods_)})
         connect(box->findChild<QLineEdit*>(), &QLineEdit::returnPressed, this, &CommandPanel::apply);
+    kick_->installEventFilter(this);
     connect(kick_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
             [this](int index) { power_->setEnabled(index > 0); });
     connect(periods_, QOverload<int>::of(&QSpinBox::valueChanged), this,
@@ -135,11 +136,15 @@ void CommandPanel::fill() {
     periods_->setValue(1);
 }
 
-QString CommandPanel::edit() {
+QString CommandPanel::missing() const {
     const bool robot = shown_.frame && body_ && *body_ < shown_.frame->insights.size();
     if (!robot) return tr("Select a robot first: click one, then change what it decided");
     if (decision() == nullptr) return tr("This robot has not decided anything yet: go on by a control period");
-    if (shown_.playing) return tr("Commands are changed while the run stands: stop it first (Space)");
+    return {};
+}
+
+QString CommandPanel::edit() {
+    if (const QString what = missing(); !what.isEmpty()) return what;
     v_->setFocus(Qt::ShortcutFocusReason);
     v_->selectAll();
     return {};
@@ -149,9 +154,18 @@ void CommandPanel::takeBack() {
     if (decision() != nullptr) fill();
 }
 
-void CommandPanel::apply() {
+/// A list of choices takes no Return itself.
+bool CommandPanel::eventFilter(QObject* watched, QEvent* event) {
+    if (watched != kick_ || event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if (key != Qt::Key_Return && key != Qt::Key_Enter) return false;
+    apply();
+    return true;
+}
+
+QString CommandPanel::apply() {
+    if (const QString what = missing(); !what.isEmpty() || shown_.playing) return what;
     const RobotInsight* decided = decision();
-    if (decided == nullptr || shown_.playing) return;
     for (QDoubleSpinBox* box : {v_, w_, power_}) box->interpretText();
     periods_->interpretText();
     const FieldFrame& frame = *shown_.frame;
@@ -167,6 +181,7 @@ void CommandPanel::apply() {
     if (!sameKick && kick_->currentIndex() > 0)
         other.kicks.push_back({static_cast<std::uint32_t>(kick_->currentIndex() - 1), power_->value() / 100});
     emit branchRequested(changeDecision(frame, *body_, other));
+    return {};
 }
 
 }  // namespace mrose::gui

@@ -26,15 +26,19 @@ public:
     QString edit();
     /// The values of the decision again, in place of what was typed.
     void takeBack();
-    /// As the button does; nothing where no robot is selected or it has not decided.
-    void apply();
+    /// As the button does, where the run stands. What is missing for that; empty: nothing is.
+    QString apply();
 
     QSize sizeHint() const override { return {230, 210}; }
 
 signals:
     void branchRequested(const Edit& edit);
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
+    QString missing() const;  ///< for a command to be changed
     void refresh();
     void fill();
     /// The decision of the selected robot that is shown; null where there is none.

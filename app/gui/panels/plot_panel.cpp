@@ -13,6 +13,7 @@
 #include <limits>
 
 #include "panels/curve_list.h"
+#include "widgets/curve_sampling.h"
 #include "widgets/eliding_label.h"
 #include "widgets/qt_text.h"
 #include "widgets/timeline_bar.h"
@@ -45,7 +46,7 @@ struct PlotPanel::Piece {
 
 PlotPanel::PlotPanel(Session& session, QWidget* parent)
     : QWidget(parent),
-      series_(std::make_unique<ValueSeries>(session)),
+      series_(std::make_unique<SeriesWorker>(session)),
       view_(new PlotView),
       area_(new QScrollArea),
       hint_(new QLabel(tr("Nothing is plotted. Click the small curve beside a number in the inspector, or write an "
@@ -75,7 +76,7 @@ PlotPanel::PlotPanel(Session& session, QWidget* parent)
         hovered_ = tick;
         updateNumbers();
     });
-    connect(series_.get(), &ValueSeries::grown, this, [this] {
+    connect(series_.get(), &SeriesWorker::grown, this, [this] {
         view_->refreshSoon();
         updateNumbers();
         updateProgress();
@@ -334,20 +335,19 @@ PlotCurve PlotPanel::curveOf(const ValueKey& key, const PlottedValue& value, con
     curve.name = qtText(value.name);
     curve.unit = qtText(value.unit);
     curve.decimals = value.decimals;
-    ValueSeries* series = series_.get();
+    const ValueSeries* series = &series_->series();
     curve.sample = [series, key, lineage, angle = value.angle](std::int64_t from, std::int64_t to, std::int64_t step,
                                                                QVector<QPointF>& points) {
         for (const Piece& piece : lineage)
-            series->read(piece.branch, key, [&](const TickNumbers& numbers) {
-                sampleCurve(numbers, std::max(from, piece.from), std::min(to, piece.to), step, angle, points);
-            });
+            if (const TickNumbers* const numbers = series->find(piece.branch, key))
+                sampleCurve(*numbers, std::max(from, piece.from), std::min(to, piece.to), step, angle, points);
     };
     curve.at = [series, key, lineage](std::int64_t tick) {
         double found = std::numeric_limits<double>::quiet_NaN();
         for (const Piece& piece : lineage)
             if (tick >= piece.from && tick <= piece.to)
-                series->read(piece.branch, key,
-                             [&](const TickNumbers& numbers) { found = static_cast<double>(numbers.at(tick)); });
+                if (const TickNumbers* const numbers = series->find(piece.branch, key))
+                    found = static_cast<double>(numbers->at(tick));
         return found;
     };
     return curve;
@@ -459,7 +459,7 @@ void PlotPanel::updateNumbers() {
 }
 
 void PlotPanel::updateProgress() {
-    const std::int64_t behind = series_->behind();
+    const std::int64_t behind = series_->series().behind();
     if (behind == 0) mostBehind_ = 0;
     mostBehind_ = std::max(mostBehind_, behind);
     progress_->setVisible(mostBehind_ > worthABar);

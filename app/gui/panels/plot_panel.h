@@ -8,8 +8,8 @@
 
 #include "debug/plotted_value.h"
 #include "panels/curve_looks.h"
+#include "session/series_worker.h"
 #include "session/session.h"
-#include "session/value_series.h"
 #include "widgets/plot_view.h"
 #include "widgets/theme.h"
 
@@ -78,7 +78,8 @@ public:
     /// All of them in the colours of a theme. They live as long as this.
     std::vector<PlotCurve> curvesIn(const Theme& theme) const;
     PlotView& view() const { return *view_; }
-    ValueSeries& series() const { return *series_; }
+    SeriesWorker& computing() const { return *series_; }
+    const ValueSeries& series() const { return series_->series(); }
 
     QSize sizeHint() const override { return {400, 230}; }  // panels beside it keep their widths
 
@@ -104,7 +105,7 @@ private:
     void updateNumbers();
     void updateProgress();
 
-    std::unique_ptr<ValueSeries> series_;
+    std::unique_ptr<SeriesWorker> series_;
     std::shared_ptr<const Shown> shown_;
     std::vector<ValueKey> keys_;  ///< in the order in which they were added
     std::vector<CurveLook> looks_;

@@ -64,6 +64,9 @@ ErrorPlot::ErrorPlot(const Frame& frame, const FieldView& field, PlotPanel& plot
     connect(&overlay, &Overlay::changed, this, &ErrorPlot::follow);
     connect(&frame.session, &Session::shown, this, &ErrorPlot::follow);
     connect(&field, &FieldView::bodySelected, this, &ErrorPlot::follow);
+    connect(&frame.memory, &WindowMemory::layoutReset, this, [this] {
+        if (overlay_.isOpen()) showDock();
+    });
     connect(&plots, &PlotPanel::changed, this, [this] {
         const std::vector<ValueKey>& keys = plots_.keys();
         const auto removed = [&](const ValueKey& key) { return !has(keys, key); };

@@ -59,13 +59,13 @@ Expected<SequenceSettings> settingsFrom(ScriptValues values) {
     return settings;
 }
 
-Expected<void> sequence(MainWindow& window, bool film, ScriptValues values) {
+Expected<void> sequence(const ScriptedWindow& window, bool film, ScriptValues values) {
     const std::string* path = valueAt<std::string>(values, 0);
     if (path == nullptr || path->empty()) return expectedAt(film ? "a file" : "a folder", 0);
     const auto settings = settingsFrom(values);
     if (!settings) return tl::unexpected(settings.error());
     const QString place = qtText(*path);
-    return film ? exportFilm(window, place, *settings) : exportFrames(window, place, *settings);
+    return film ? exportFilm(window.exports, place, *settings) : exportFrames(window.exports, place, *settings);
 }
 
 /// The three texts that both reports begin with.
@@ -76,7 +76,7 @@ Expected<void> checkTexts(ScriptValues values, const char* usage) {
     return {};
 }
 
-Expected<void> report(MainWindow& window, ScriptValues values) {
+Expected<void> report(const ScriptedWindow& window, ScriptValues values) {
     if (auto fit = checkTexts(values, "a log, a network and a folder"); !fit) return fit;
     EvaluateRequest request{std::get<std::string>(values[1]), std::get<std::string>(values[0])};
     for (std::size_t place = 3; place < values.size(); ++place) {
@@ -84,10 +84,10 @@ Expected<void> report(MainWindow& window, ScriptValues values) {
         if (other == nullptr) return expectedAt("a network", place);
         request.against.push_back(*other);
     }
-    return exportReport(window, request, qtText(std::get<std::string>(values[2])));
+    return exportReport(window.exports, request, qtText(std::get<std::string>(values[2])));
 }
 
-Expected<void> comparison(MainWindow& window, ScriptValues values) {
+Expected<void> comparison(const ScriptedWindow& window, ScriptValues values) {
     if (auto fit = checkTexts(values, "a scenario, a log and a folder"); !fit) return fit;
     CompareRequest request{std::get<std::string>(values[0]), std::get<std::string>(values[1])};
     if (!absent(values, 3)) {
@@ -95,12 +95,13 @@ Expected<void> comparison(MainWindow& window, ScriptValues values) {
         if (every == nullptr || !(*every >= 0.1 && *every <= 1e7)) return expectedAt("a number of seconds", 3);
         request.every = *every;
     }
-    return exportComparison(window, request, qtText(std::get<std::string>(values[2])));
+    return exportComparison(window.exports, request, qtText(std::get<std::string>(values[2])));
 }
 
 }  // namespace
 
-std::optional<Expected<void>> exportByScript(MainWindow& window, const std::string& name, ScriptValues values) {
+std::optional<Expected<void>> exportByScript(const ScriptedWindow& window, const std::string& name,
+                                             ScriptValues values) {
     if (name == "export_film") return sequence(window, true, values);
     if (name == "export_sequence") return sequence(window, false, values);
     if (name == "export_report") return report(window, values);

@@ -6,10 +6,9 @@
 #include <variant>
 
 #include "io/error.h"
+#include "scripting/scripted_window.h"
 
 namespace mrose::gui {
-
-class MainWindow;
 
 /// What a script gives and gets.
 using ScriptValue = std::variant<std::monostate, bool, double, std::string>;
@@ -18,7 +17,7 @@ using ScriptValue = std::variant<std::monostate, bool, double, std::string>;
 /// export_film(file, from, to, speed, frames per second, "1280x720", "window"), export_sequence(folder, the same),
 /// export_report(log, network, folder, other networks ...), export_comparison(scenario, log, folder, every). nullopt:
 /// `name` is no such export.
-std::optional<Expected<void>> exportByScript(MainWindow& window, const std::string& name,
+std::optional<Expected<void>> exportByScript(const ScriptedWindow& window, const std::string& name,
                                              std::span<const ScriptValue> values);
 
 }  // namespace mrose::gui

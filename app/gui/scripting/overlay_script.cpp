@@ -5,7 +5,6 @@
 
 #include "reality/overlay.h"
 #include "reality/overlay_panel.h"
-#include "window/main_window.h"
 #include "workflow/resources.h"
 
 namespace mrose::gui {
@@ -71,8 +70,8 @@ const std::map<std::string, Ask>& questions() {
 
 }  // namespace
 
-ScriptValue overlayValue(MainWindow& window, const std::string& name, Expected<void>& done) {
-    Overlay& overlay = window.overlay();
+ScriptValue overlayValue(const ScriptedWindow& window, const std::string& name, Expected<void>& done) {
+    Overlay& overlay = window.overlay;
     const auto question = questions().find(name);
     if (question == questions().end()) {
         std::string names;
@@ -88,19 +87,19 @@ ScriptValue overlayValue(MainWindow& window, const std::string& name, Expected<v
     return question->second(overlay);
 }
 
-Expected<void> openLogByScript(MainWindow& window, const std::string& log, const std::string& robotFile) {
+Expected<void> openLogByScript(const ScriptedWindow& window, const std::string& log, const std::string& robotFile) {
     PlayedLogRequest request{placeOfLog(log), ""};
     request.robotFile = robotFile;
-    return window.overlay().openNow(request);
+    return window.overlay.openNow(request);
 }
 
-Expected<void> openWorst(MainWindow& window, int place) {
-    window.overlay().settle();
-    const QAbstractItemModel& list = *window.overlayPanel().rollouts();
+Expected<void> openWorst(const ScriptedWindow& window, int place) {
+    window.overlay.settle();
+    const QAbstractItemModel& list = *window.reality.rollouts();
     if (place < 1 || place > list.rowCount())
         return fail("", "the list has " + std::to_string(list.rowCount()) + " rollouts");
-    window.overlayPanel().openLine(list.index(place - 1, 0));
-    window.overlay().settle();
+    window.reality.openLine(list.index(place - 1, 0));
+    window.overlay.settle();
     return {};
 }
 

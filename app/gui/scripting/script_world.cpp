@@ -2,8 +2,8 @@
 
 #include <lua.hpp>
 
+#include "frame/status_line.h"
 #include "widgets/field_view.h"
-#include "window/main_window.h"
 
 namespace mrose::gui {
 namespace {
@@ -41,7 +41,7 @@ std::string bodiesOf(const Scene& scene) {
 
 }  // namespace
 
-ScriptWorld::ScriptWorld(LuaSandbox& sandbox, MainWindow& window) : sandbox_(sandbox), window_(window) {
+ScriptWorld::ScriptWorld(LuaSandbox& sandbox, const ScriptedWindow& window) : sandbox_(sandbox), window_(window) {
     sandbox_.addVariable("branch", pushText<&View::branch>);
     sandbox_.addVariable("branches", pushBranches);
     sandbox_.addVariable("playing", pushPlaying);
@@ -52,15 +52,15 @@ ScriptWorld::ScriptWorld(LuaSandbox& sandbox, MainWindow& window) : sandbox_(san
 }
 
 void ScriptWorld::update() {
-    const Shown* shown = window_.shown();
+    const Shown* shown = window_.frame.shown();
     if (shown == nullptr) return;
     frame_ = shown->frame;
     view_.at = frame_->moment();
     view_.branch = shown->branch == 0 ? "the run" : shown->branches[shown->branch].name;
     view_.branches = listedBranches(shown->branches);
     view_.playing = shown->playing;
-    view_.message = window_.said().toStdString();
-    const std::optional<std::size_t> body = window_.field().selected();
+    view_.message = window_.frame.status.said().toStdString();
+    const std::optional<std::size_t> body = window_.field.selected();
     view_.selected = body && *body < frame_->scene().bodyCount() ? frame_->nameOf(*body) : "";
     std::string bodies = bodiesOf(frame_->scene());
     if (bodies == bodies_) return;

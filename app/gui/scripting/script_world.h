@@ -4,16 +4,15 @@
 
 #include "condition/world_names.h"
 #include "debug/field_frame.h"
+#include "scripting/scripted_window.h"
 
 namespace mrose::gui {
-
-class MainWindow;
 
 /// What the names of a script stand for: the shown state, with those of conditions, and the window's own (branch,
 /// branches, playing, selected, message).
 class ScriptWorld {
 public:
-    ScriptWorld(LuaSandbox& sandbox, MainWindow& window);
+    ScriptWorld(LuaSandbox& sandbox, const ScriptedWindow& window);
     ScriptWorld(const ScriptWorld&) = delete;
     ScriptWorld& operator=(const ScriptWorld&) = delete;
 
@@ -28,7 +27,7 @@ public:
 
 private:
     LuaSandbox& sandbox_;
-    MainWindow& window_;
+    const ScriptedWindow& window_;
     View view_;
     std::shared_ptr<const FieldFrame> frame_;
     std::string bodies_;  ///< for which the names are

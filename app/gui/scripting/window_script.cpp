@@ -13,7 +13,10 @@
 #include <lua.hpp>
 
 #include "condition/condition.h"
+#include "export/view_export.h"
+#include "frame/actions.h"
 #include "panels/plot_panel.h"
+#include "panels/time_bar.h"
 #include "reality/error_plot.h"
 #include "reality/overlay.h"
 #include "scripting/export_script.h"
@@ -21,7 +24,6 @@
 #include "scripting/script_world.h"
 #include "widgets/field_view.h"
 #include "widgets/qt_text.h"
-#include "window/main_window.h"
 
 // As Qt's own tests send keys: through the window system's queue, so that shortcuts are looked at, too. Qt exports it
 // for them and declares it in no header.
@@ -119,10 +121,10 @@ void sendKey(QWindow* window, int key, Qt::KeyboardModifiers modifiers, const QS
 
 class WindowScript {
 public:
-    WindowScript(MainWindow& window, const std::string& source, const ScriptOutput& output)
+    WindowScript(const ScriptedWindow& window, const std::string& source, const ScriptOutput& output)
         : window_(window), source_(source), output_(output), sandbox_(scriptLimits), world_(sandbox_, window) {
         addMath(sandbox_);
-        for (const Actions::Group& group : window.actions().groups())
+        for (const Actions::Group& group : window.frame.actions.groups())
             for (const QAction* action : group.actions) addFunction(action->objectName().toStdString());
         for (const auto& [name, run] : functions()) addFunction(name);
     }
@@ -146,7 +148,7 @@ public:
                                     : call(name, values);
             if (!answer) return fail(source_, name + "(): " + answer.error().message(), line_);
             settle();
-            if (!window_.isVisible()) return outcome_;
+            if (!window_.frame.window.isVisible()) return outcome_;
             giveValue(statements->thread, *answer);
         }
     }
@@ -212,11 +214,12 @@ private:
                 argument = static_cast<int>(*number);
             }
         }
-        if (auto done = window_.actions().perform(qtText(name), argument); !done) return tl::unexpected(done.error());
+        if (auto done = window_.frame.actions.perform(qtText(name), argument); !done)
+            return tl::unexpected(done.error());
         return Value{};
     }
 
-    const FieldFrame& frame() const { return *window_.shown()->frame; }
+    const FieldFrame& frame() const { return *window_.frame.shown()->frame; }
 
     Expected<std::size_t> body(const Given& given) const {
         const Value value = given.has(0) ? given.any(0) : Value{};
@@ -228,7 +231,7 @@ private:
     Expected<Value> select(Given& given) {
         const auto which = body(given);
         if (!which) return tl::unexpected(which.error());
-        window_.field().setSelected(*which);
+        window_.field.setSelected(*which);
         return Value{};
     }
 
@@ -265,7 +268,7 @@ private:
         if (!which) return tl::unexpected(which.error());
         const std::string quantity = given.text(1), of = given.has(2) ? given.text(2) : "";
         if (given.error()) return Value{};
-        if (auto added = window_.plots().add({quantity, frame().nameOf(*which), of}); !added)
+        if (auto added = window_.plots.add({quantity, frame().nameOf(*which), of}); !added)
             return tl::unexpected(added.error());
         return Value{};
     }
@@ -277,14 +280,14 @@ private:
         const Pose pose{given.number(1), given.number(2), heading};
         if (given.error()) return Value{};
         if (!std::isfinite(pose.x + pose.y + pose.heading)) return fail("", "expected finite numbers");
-        if (window_.shown()->playing)
+        if (window_.frame.shown()->playing)
             return fail("", "bodies can be dragged while the run stands; pause() comes first");
-        emit window_.field().bodyMoved(*which, pose);
+        emit window_.field.bodyMoved(*which, pose);
         return Value{};
     }
 
     Expected<Value> pause(Given& /*given*/) {
-        window_.session().pause();
+        window_.frame.session.pause();
         return Value{};
     }
 
@@ -301,7 +304,7 @@ private:
     Expected<Value> goTo(double tick) {
         constexpr double latest = 1e9;
         if (!(tick >= 0 && tick <= latest)) return fail("", "is no time of this run");
-        window_.session().seek(std::llround(tick));
+        window_.frame.session.seek(std::llround(tick));
         return Value{};
     }
 
@@ -315,12 +318,12 @@ private:
         auto condition = compileCondition(text, *frame().scenario, "condition", frame().reality.get());
         if (!condition) return tl::unexpected(condition.error());
         Expected<bool> held = false;
-        window_.session().pause();
-        window_.session().doLongWork(QObject::tr("Running until %1").arg(qtText(text)),
-                                     [&](TimeTravel& run, const Progress& progress) {
-                                         held = goUntil(run, *condition, static_cast<std::int64_t>(ticks), progress);
-                                     });
-        window_.session().settle();
+        window_.frame.session.pause();
+        window_.frame.session.doLongWork(
+            QObject::tr("Running until %1").arg(qtText(text)), [&](TimeTravel& run, const Progress& progress) {
+                held = goUntil(run, *condition, static_cast<std::int64_t>(ticks), progress);
+            });
+        window_.frame.session.settle();
         if (!held) return tl::unexpected(held.error());
         return Value{*held};
     }
@@ -338,7 +341,7 @@ private:
         const double speed = given.number(0);
         if (given.error()) return Value{};
         if (!(speed >= 0 && speed <= 1e6)) return fail("", "expected a speed, or 0 for as fast as possible");
-        window_.setSpeed(speed);
+        window_.time.setSpeed(speed);
         return Value{};
     }
 
@@ -348,7 +351,7 @@ private:
         if (!(seconds >= 0 && seconds <= 3600)) return fail("", "expected seconds, 3600 at the most");
         QElapsedTimer since;
         since.start();
-        while (window_.isVisible() && static_cast<double>(since.elapsed()) < 1e3 * seconds) letPass(20);
+        while (window_.frame.window.isVisible() && static_cast<double>(since.elapsed()) < 1e3 * seconds) letPass(20);
         gui::settle(window_);
         return Value{};
     }
@@ -358,9 +361,9 @@ private:
         const QString what = given.has(1) ? qtText(given.text(1)) : "window";
         if (given.error()) return Value{};
         gui::settle(window_);
-        QWidget* widget = what == "window" ? &window_ : window_.findChild<QWidget*>(what);
+        QWidget* widget = what == "window" ? &window_.frame.window : window_.frame.window.findChild<QWidget*>(what);
         if (widget == nullptr) return fail("", what.toStdString() + " is no part of the window");
-        if (auto saved = window_.saveImage(file, widget); !saved) return tl::unexpected(saved.error());
+        if (auto saved = writeWidget(*widget, file); !saved) return tl::unexpected(saved.error());
         return Value{};
     }
 
@@ -388,7 +391,7 @@ private:
 
     QWindow* focusWindow() const {
         QWindow* focused = QGuiApplication::focusWindow();
-        return focused != nullptr ? focused : window_.windowHandle();
+        return focused != nullptr ? focused : window_.frame.window.windowHandle();
     }
 
     Expected<Value> expect(Given& given) {
@@ -414,7 +417,7 @@ private:
         return std::string(line.substr(open + 1, close - open - 1));
     }
 
-    Expected<Value> hash(Given& /*given*/) { return Value{stateText(*window_.shown())}; }
+    Expected<Value> hash(Given& /*given*/) { return Value{stateText(*window_.frame.shown())}; }
 
     Expected<Value> say(Given& given) {
         std::string words;
@@ -433,7 +436,7 @@ private:
         return Value{};
     }
 
-    MainWindow& window_;
+    const ScriptedWindow& window_;
     std::string source_;
     const ScriptOutput& output_;
     LuaSandbox sandbox_;
@@ -445,13 +448,13 @@ private:
 
 }  // namespace
 
-void settle(MainWindow& window) {
-    window.session().settle();
-    window.overlay().settle();
-    window.session().settle();
+void settle(const ScriptedWindow& window) {
+    window.frame.session.settle();
+    window.overlay.settle();
+    window.frame.session.settle();
     QApplication::processEvents();
-    window.errorPlot().settle();
-    window.plots().settle();
+    window.errors.settle();
+    window.plots.settle();
     QApplication::processEvents();
 }
 
@@ -477,12 +480,12 @@ Expected<std::size_t> bodyCalled(const FieldFrame& frame, const std::string& tex
     return fail("", "expected one of " + names + ", or its number from 1");
 }
 
-Expected<ScriptOutcome> runScript(MainWindow& window, std::string_view text, const std::string& source,
+Expected<ScriptOutcome> runScript(const ScriptedWindow& window, std::string_view text, const std::string& source,
                                   const ScriptOutput& output) {
-    const bool unattended = window.actions().unattended();
-    window.actions().setUnattended(true);
+    const bool unattended = window.frame.actions.unattended();
+    window.frame.actions.setUnattended(true);
     auto outcome = WindowScript(window, source, output).run(text);
-    window.actions().setUnattended(unattended);
+    window.frame.actions.setUnattended(unattended);
     return outcome;
 }
 

@@ -7,10 +7,9 @@
 #include "debug/field_frame.h"
 #include "debug/shown.h"
 #include "io/error.h"
+#include "scripting/scripted_window.h"
 
 namespace mrose::gui {
-
-class MainWindow;
 
 struct ScriptOutcome {
     int expected = 0;  ///< calls of expect()
@@ -24,7 +23,7 @@ struct ScriptOutput {
 };
 
 /// Until all that was asked for is done and shown, plots too.
-void settle(MainWindow& window);
+void settle(const ScriptedWindow& window);
 
 /// Lets the window do its work for so long (ms).
 void letPass(int duration);
@@ -38,7 +37,7 @@ Expected<std::size_t> bodyCalled(const FieldFrame& frame, const std::string& tex
 /// Runs Lua statements that drive the window as a user does (app/README.md): all actions by name, what the mouse does,
 /// and expect() about what is shown, with the names of conditions. Each call is carried out before the next. No modal
 /// dialogue is opened meanwhile. Error: `source`, the line, and what cannot be done; then the rest is not run.
-Expected<ScriptOutcome> runScript(MainWindow& window, std::string_view text, const std::string& source,
+Expected<ScriptOutcome> runScript(const ScriptedWindow& window, std::string_view text, const std::string& source,
                                   const ScriptOutput& output);
 
 }  // namespace mrose::gui

@@ -55,6 +55,8 @@ void Session::carryOut(const Request& request) {
 }
 
 std::uint64_t Session::open(const OpenRun& run) {
+    runName_ = run.name;
+    emit opening(run);
     const std::uint64_t number = ++opened_;
     request([this, run, number] {
         if (recorder_) endRecording(recorder_->finish(debugger_.run()));
@@ -211,7 +213,7 @@ bool Session::cancel() {
     return true;
 }
 
-void Session::setFrameOptions(const TimeTravel::FrameOptions& options) {
+void Session::setFrameOptions(const FrameOptions& options) {
     request([this, options] { frameOptions_ = options; });
 }
 

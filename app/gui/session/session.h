@@ -33,7 +33,8 @@ public:
     /// Another run, standing at its start. It ends what takes long in the one before, but for what `finishes`. The
     /// number that Shown::run will have.
     std::uint64_t open(const OpenRun& run);
-    std::uint64_t newestRun() const { return opened_; }  ///< the number of the one that was opened last
+    const std::string& runName() const { return runName_; }  ///< of the one that was opened last
+    std::uint64_t newestRun() const { return opened_; }      ///< the number of the one that was opened last
     /// Something of the run's debugger, which is quick. Nothing where there is no run, or another than `ofRun`.
     void ask(std::function<void(Debugger&)> what, std::optional<std::uint64_t> ofRun = {});
     void play() { ask(&Debugger::play); }
@@ -63,7 +64,7 @@ public:
     void setReality(std::uint64_t run, std::shared_ptr<const Reality> reality) {
         ask([reality = std::move(reality)](Debugger& debugger) { debugger.setReality(reality); }, run);
     }
-    void setFrameOptions(const TimeTravel::FrameOptions& options);
+    void setFrameOptions(const FrameOptions& options);
 
     /// Long work over the run, in the session's thread: meanwhile nothing is stepped. What
     /// `finishes` is not ended by another run, which waits for it.
@@ -80,7 +81,7 @@ public:
     using Look = std::function<void(TimeTravel* travel, std::uint64_t run)>;
     void look(Look what);
     // For those whom its thread calls: what frames are made with, and which run is open, as Shown::run.
-    const TimeTravel::FrameOptions& frameOptions() const { return frameOptions_; }
+    const FrameOptions& frameOptions() const { return frameOptions_; }
     std::uint64_t runNumber() const { return runNumber_; }
     /// Whether something is under way that was asked for, or a tick.
     bool busy();
@@ -95,6 +96,7 @@ public:
     void settle();
 
 signals:
+    void opening(const OpenRun& run);  ///< it is the session's from now on, and shown soon
     void shown(std::shared_ptr<const Shown> what);
     void working(const QString& what, double share);  ///< share 1: it has ended
     /// The file that is written now; empty: none. `error`: why one was not begun, or ended before it was asked to.
@@ -130,7 +132,9 @@ private:
     void publish();
     void deliver();
 
-    std::shared_ptr<const Shown> current_;  ///< of the window's thread
+    // The window's thread's.
+    std::shared_ptr<const Shown> current_;
+    std::string runName_;
 
     // The thread's own.
     using Clock = std::chrono::steady_clock;
@@ -142,7 +146,7 @@ private:
     std::optional<RunRecorder> recorder_;
     bool recording_ = false;  ///< there are ticks that it has not yet written
     Clock::time_point nextFlush_;
-    TimeTravel::FrameOptions frameOptions_;
+    FrameOptions frameOptions_;
     double speed_ = 1;
     /// An instant, and the tick that was shown then.
     struct Instant {

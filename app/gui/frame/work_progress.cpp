@@ -1,11 +1,9 @@
-#include "window/work_progress.h"
+#include "frame/work_progress.h"
 
 #include <QProgressDialog>
 #include <utility>
 
-#include "files/window_files.h"
 #include "frame/actions.h"
-#include "reality/overlay.h"
 #include "session/background_work.h"
 #include "widgets/message_bar.h"
 
@@ -19,20 +17,13 @@ constexpr int wholeShare = 1000;
 
 }  // namespace
 
-WorkProgress::WorkProgress(const Frame& frame, WindowFiles& files, BackgroundWork& background, Overlay& overlay)
-    : QObject(&frame.window), frame_(frame), files_(files), background_(background), overlay_(overlay) {
+WorkProgress::WorkProgress(const Frame& frame, BackgroundWork& background)
+    : QObject(&frame.window), frame_(frame), background_(background) {
     patience_.setSingleShot(true);
     patience_.setInterval(workPatience);
     connect(&patience_, &QTimer::timeout, this, &WorkProgress::show);
-    connect(&frame.session, &Session::working, this, [this](const QString& what, double share) {
-        onItsWay_ = false;
-        work(what, share);
-    });
+    connect(&frame.session, &Session::working, this, &WorkProgress::report);
     connect(&background, &BackgroundWork::progress, this, &WorkProgress::reportBackground);
-    connect(&overlay.searcher(), &RolloutSearcher::searching, this, [this](const QString& what, double share) {
-        onItsWay_ = false;
-        work(what, share);
-    });
     connect(&frame.session, &Session::shown, this, [this] {
         const Shown& shown = *frame_.session.current();
         if (!shown.goal) {
@@ -44,6 +35,11 @@ WorkProgress::WorkProgress(const Frame& frame, WindowFiles& files, BackgroundWor
         work(tr("Simulating up to %1 s").arg(toSeconds(shown.frame->scene().timeOf(*shown.goal)), 0, 'f', 2),
              static_cast<double>(shown.tick() - shown.first) / way);
     });
+}
+
+void WorkProgress::report(const QString& what, double share) {
+    onItsWay_ = false;
+    work(what, share);
 }
 
 /// `share` 1: it has ended.
@@ -66,7 +62,7 @@ void WorkProgress::show() {
                          workTopic,
                          {{tr("Cancel"), tr("End this here (Esc)"),
                            [this] {
-                               if (!frame_.session.cancel()) overlay_.cancel();
+                               if (!frame_.session.cancel()) endSearch_();
                            }}},
                          share_});
 }
@@ -93,10 +89,10 @@ void WorkProgress::reportBackground(const QString& what, double share) {
 }
 
 void WorkProgress::cancel() {
-    if (files_.cancel()) return;
+    if (endOpening_()) return;
     if (background_.cancel()) return;
     if (frame_.session.cancel()) return;
-    if (overlay_.cancel()) return;
+    if (endSearch_()) return;
     frame_.messages.dismiss();
 }
 

@@ -1,4 +1,4 @@
-#include "window/fault_messages.h"
+#include "frame/fault_messages.h"
 
 #include <QFileInfo>
 #include <QStringList>

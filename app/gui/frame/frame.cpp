@@ -1,0 +1,39 @@
+#include "frame/frame.h"
+
+#include <QDockWidget>
+#include <QInputDialog>
+#include <QLineEdit>
+#include <memory>
+
+#include "frame/status_line.h"
+
+namespace mrose::gui {
+
+void Frame::say(const QString& text) const { status.say(text); }
+
+void Frame::showDock(const char* name) const {
+    auto* dock = window.findChild<QDockWidget*>(name);
+    dock->show();
+    dock->raise();
+}
+
+void Frame::whenStanding(const QString& why, const std::function<void()>& then) const {
+    const auto done = [this, then] {
+        if (then) then();
+    };
+    if (shown() == nullptr || !shown()->playing) return done();
+    session.pause();
+    const auto once = std::make_shared<QMetaObject::Connection>();
+    *once = QObject::connect(&session, &Session::shown, &window, [this, once, why, done] {
+        if (shown()->playing) return;
+        QObject::disconnect(*once);
+        say(why);
+        done();
+    });
+}
+
+QString Frame::askText(const QString& title, const QString& label, const QString& suggestion) const {
+    return QInputDialog::getText(&window, title, label, QLineEdit::Normal, suggestion);
+}
+
+}  // namespace mrose::gui
