@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "sensing/sensor.h"
 #include "widgets/field_drawing.h"
 
 namespace mrose {
@@ -10,11 +11,19 @@ namespace {
 constexpr double farthest = 4;  // m: what has no limit fades towards there
 constexpr double rayTurn = std::numbers::pi / 180;
 
-/// How wide and far one looks for others; null: it does not, or everywhere.
-const BodySight* sightOf(const Perception& perception) {
-    for (const BodySight* sight : {&perception.objects, &perception.robots})
-        if (sight->present && (sight->range > 0 || sight->fieldOfView < 2 * std::numbers::pi - 1e-6)) return sight;
-    return nullptr;
+bool hasLimits(const BodySight& sight) {
+    return sight.present && (sight.range > 0 || sight.fieldOfView < 2 * std::numbers::pi - 1e-6);
+}
+
+/// How wide and far one looks for others, by what every robot has and by its further cameras; but for those that look
+/// nowhere, or everywhere.
+std::vector<const BodySight*> sightsOf(const RobotType& type) {
+    std::vector<const BodySight*> sights;
+    for (const BodySight* sight : {&type.perception.objects, &type.perception.robots})
+        if (sights.empty() && hasLimits(*sight)) sights.push_back(sight);
+    for (const auto& sensor : type.sensors)
+        if (const BodySight* sight = sensor->sight(); sight != nullptr && hasLimits(*sight)) sights.push_back(sight);
+    return sights;
 }
 
 /// How far along a ray of length 1 a piece begins, if nearer than `least`.
@@ -49,7 +58,7 @@ QPolygonF seenArea(const FieldCanvas& canvas, const Environment& environment, co
     if (!allRound) area.append(canvas.at(position(pose)));
     const int rays = std::max(2, static_cast<int>(std::ceil(sight.fieldOfView / rayTurn)));
     for (int i = 0; i <= rays; ++i) {
-        const double angle = pose.heading + sight.fieldOfView * (static_cast<double>(i) / rays - 0.5);
+        const double angle = pose.heading + sight.direction + sight.fieldOfView * (static_cast<double>(i) / rays - 0.5);
         const Point along{std::cos(angle), std::sin(angle)};
         double least = range;
         for (const ConvexPiece* piece : near) least = hit(*piece, position(pose), along, least);
@@ -64,21 +73,21 @@ void drawSensors(const FieldCanvas& canvas, const FieldFrame& frame, const Field
     QPainter& painter = canvas.painter;
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.setPen(Qt::NoPen);
-    for (std::size_t robot = 0; robot < frame.state.robots.size(); ++robot) {
-        const BodySight* sight = sightOf(frame.scene().typeOf(robot).perception);
-        const Pose& pose = frame.poseOf(robot);
-        const double range = sight == nullptr || sight->range == 0 ? farthest : sight->range;
-        if (sight == nullptr || !canvas.visible(position(pose), range)) continue;
-        const QColor colour = withAlpha(robotColour(frame.scene(), robot), focus.selected == robot ? 90 : 46);
-        painter.setBrush(colour);
-        if (sight->range == 0) {
-            QRadialGradient fading(canvas.at(position(pose)), canvas.pixels(range));
-            fading.setColorAt(0, colour);
-            fading.setColorAt(1, withAlpha(colour, 0));
-            painter.setBrush(fading);
+    for (std::size_t robot = 0; robot < frame.state.robots.size(); ++robot)
+        for (const BodySight* sight : sightsOf(frame.scene().typeOf(robot))) {
+            const Pose& pose = frame.poseOf(robot);
+            const double range = sight->range == 0 ? farthest : sight->range;
+            if (!canvas.visible(position(pose), range)) continue;
+            const QColor colour = withAlpha(robotColour(frame.scene(), robot), focus.selected == robot ? 90 : 46);
+            painter.setBrush(colour);
+            if (sight->range == 0) {
+                QRadialGradient fading(canvas.at(position(pose)), canvas.pixels(range));
+                fading.setColorAt(0, colour);
+                fading.setColorAt(1, withAlpha(colour, 0));
+                painter.setBrush(fading);
+            }
+            painter.drawPolygon(seenArea(canvas, frame.scene().environment, *sight, pose, range));
         }
-        painter.drawPolygon(seenArea(canvas, frame.scene().environment, *sight, pose, range));
-    }
     painter.setRenderHint(QPainter::Antialiasing);
 }
 

@@ -67,7 +67,7 @@ void addView(SvgDrawing& drawing, const RobotType& robot) {
     for (int ring = rings; ring > 0; --ring) {
         Polygon fan{{}};
         for (int i = 0; i <= 32; ++i) {
-            const Placement direction({0, 0, sight.fieldOfView * (i / 32.0 - 0.5)});
+            const Placement direction({0, 0, sight.direction + sight.fieldOfView * (i / 32.0 - 0.5)});
             fan.push_back(direction.rotate({far * ring / rings, 0}));
         }
         drawing.polygon(fan, {.fill = blue, .opacity = 0.01});

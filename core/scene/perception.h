@@ -27,7 +27,8 @@ struct BodySight {
     double rangeNoiseSlope = 0;  ///< ... and what each metre adds to that share
     /// rad, standard deviation of a bias that drifts with SelfLocalisation::biasTime, of robots and objects together.
     double bearingBias = 0;
-    double fieldOfView = 2 * std::numbers::pi;  ///< rad, centred on the heading
+    double fieldOfView = 2 * std::numbers::pi;  ///< rad
+    double direction = 0;                       ///< rad, of its middle, counter-clockwise from the heading
     double range = 0;                           ///< m; 0: as far as there is
     Nanoseconds latency = 0;
     double dropOut = 0;

@@ -46,13 +46,13 @@ struct Field {
           allRound(sight.fieldOfView >= wholeTurn),
           edge(allRound ? -1 : cosTurns(sight.fieldOfView / (2 * wholeTurn))) {}
 
-    /// The point as it is seen, or nothing.
+    /// The point as it is seen, in the camera's own frame, or nothing.
     std::optional<Point> at(const Point& point) const {
         const Point offset = point - frame.origin;
         if (range > 0 && dot(offset, offset) > farthest) return std::nullopt;
-        const Point position_B = frame.rotateBack(offset);
-        if (!allRound && position_B.x < edge * length(position_B)) return std::nullopt;
-        return position_B;
+        const Point position = frame.rotateBack(offset);
+        if (!allRound && position.x < edge * length(position)) return std::nullopt;
+        return position;
     }
 
     /// Direction of its left edge, in its own frame.
@@ -113,12 +113,17 @@ constexpr std::size_t fewBodies = 64;
 /// Those within range and field of view, exactly; some that are hidden may be left out.
 void collect(const SensorView& view, const BodySight& sight, const BodyMap& map, const Kind& kind,
              std::vector<SeenBody>& seen) {
-    const Field field(Placement(view.past.poseBefore(view.state, view.robot, map.lag)), sight);
+    Pose eye = view.past.poseBefore(view.state, view.robot, map.lag);
+    eye.heading += sight.direction;
+    const Field field(Placement(eye), sight);
+    const Placement direction({0, 0, sight.direction});  // in the robot's frame
     const Nanoseconds measured = view.scene.timeOf(view.state.tick - map.lag);
     const auto look = [&](const PointGrid::Entry& entry) {
         if (entry.number - kind.first >= kind.count || entry.number == view.robot) return;
-        const std::optional<Point> position_B = field.at(entry.point);
-        if (position_B) seen.push_back({static_cast<std::uint32_t>(entry.number - kind.first), *position_B, measured});
+        const std::optional<Point> position = field.at(entry.point);
+        if (!position) return;
+        const Point position_B = sight.direction == 0 ? *position : direction.rotate(*position);
+        seen.push_back({static_cast<std::uint32_t>(entry.number - kind.first), position_B, measured});
     };
     const bool limited = field.range > 0, occludes = sight.occlusion || !field.allRound;
     if (kind.count <= fewBodies || !(limited || occludes)) {
@@ -214,6 +219,7 @@ BodySight readBodySight(TomlTable& table) {
     sight.rangeNoiseSlope = table.numberOr("range_noise_per_m", sight.rangeNoiseSlope, {0, 10});
     sight.bearingBias = angleOr(table, "bearing_bias_deg", 0, degreesOff);
     sight.fieldOfView = angleOr(table, "field_of_view_deg", sight.fieldOfView, {1, 360});
+    sight.direction = angleOr(table, "direction_deg", sight.direction, {-180, 180});
     sight.range = table.numberOr("range_m", sight.range, {0, 10000});
     sight.latency = durationOr(table, "latency_s", sight.latency, latencies);
     sight.dropOut = table.numberOr("drop_out", sight.dropOut, probability);

@@ -26,6 +26,7 @@ public:
     Nanoseconds period() const override { return traits_ ? traits_->period : 0; }
     std::vector<ReadingKind> gives() const override;
     Nanoseconds latency() const override { return std::max(robots_.latency, objects_.latency); }
+    const BodySight* sight() const override { return &robots_; }
     std::size_t memorySize() const override { return sizeof(Memory); }
     bool sound(std::span<const std::byte> memory) const override;
     std::vector<MemoryEntry> explain(std::span<const std::byte> memory) const override;

@@ -11,6 +11,7 @@
 
 namespace mrose {
 
+struct BodySight;
 struct SensorView;
 
 /// A reading that a sensor gives: the name by which controllers ask for it, and what its records are.
@@ -42,6 +43,9 @@ public:
     virtual Nanoseconds period() const { return 0; }
     /// How long ago a reading was measured when it arrives, the longest if they differ.
     virtual Nanoseconds latency() const { return 0; }
+
+    /// How wide and far it looks for bodies, constant; nullptr: it looks for none.
+    virtual const BodySight* sight() const { return nullptr; }
 
     /// Bytes of memory, constant; multiples of 8 lie aligned for anything.
     virtual std::size_t memorySize() const { return 0; }

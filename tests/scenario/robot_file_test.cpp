@@ -59,11 +59,14 @@ TEST(RobotFile, GivesPerceptionWhole) {
     EXPECT_EQ(seen.rotationNoise, 18 * degree);
     EXPECT_EQ(seen.self, (SelfLocalisation{
                              {0.05, 0.06, 1.8 * degree}, {0.02, 0.03, 3.6 * degree}, 2, 80'000'000, 0.05, 0.001, 0.4}));
-    EXPECT_EQ(seen.objects, (BodySight{true, 0.9 * degree, 0.03, 0.02, 1.8 * degree, std::numbers::pi / 2, 6,
+    EXPECT_EQ(seen.objects, (BodySight{true, 0.9 * degree, 0.03, 0.02, 1.8 * degree, std::numbers::pi / 2, 0, 6,
                                        100'000'000, 0.1, true}));
     BodySight blind;
     blind.present = false;
     EXPECT_EQ(seen.robots, blind);
+    const auto aside = load(changedWorld("r.toml", "field_of_view_deg = 90", "direction_deg = -30"), "r.toml");
+    ASSERT_TRUE(aside) << aside.error().message();
+    EXPECT_EQ(aside->type.perception.objects.direction, -30 * degree);
     const auto learned = load(smallWorld(), "learned.toml");
     ASSERT_TRUE(learned) << learned.error().message();
     EXPECT_EQ(learned->type.perception, Perception{}) << "without a word a robot sees everything exactly";

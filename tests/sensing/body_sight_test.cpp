@@ -84,6 +84,28 @@ TEST(BodySight, FieldOfViewEndsAtItsEdge) {
     EXPECT_EQ(Watch(allRound, 1).next().objects().size(), 3u);
 }
 
+TEST(BodySight, LooksWhereItIsDirectedAndGivesPlacesInTheRobotsFrame) {
+    for (const std::size_t count : {12u, 300u})  // one by one, and by what is in reach
+        for (const double direction : {pi, -2.2, 0.6}) {
+            std::vector<std::pair<double, double>> places;
+            std::vector<std::uint32_t> expected;
+            for (std::uint32_t i = 0; i < count; ++i) {
+                const double bearing = 2 * pi * (i + 0.5) / static_cast<double>(count);
+                places.emplace_back(20, bearing);
+                if (std::abs(std::remainder(bearing - direction, 2 * pi)) < 0.5) expected.push_back(i);
+            }
+            const Scenario scenario = ballsAround({.fieldOfView = 1, .direction = direction, .range = 21}, places);
+            Watch watch(scenario, 1);
+            const std::span<const SeenBody> seen = watch.next().objects();
+            EXPECT_EQ(indices(seen), expected) << count << ' ' << direction;
+            for (const SeenBody& body : seen) {
+                const double bearing = places[body.index].second;
+                EXPECT_NEAR(body.position_B.x, 20 * std::cos(bearing), 1e-9);
+                EXPECT_NEAR(body.position_B.y, 20 * std::sin(bearing), 1e-9);
+            }
+        }
+}
+
 TEST(BodySight, RangeEndsAtItsEdge) {
     const Scenario scenario = ballsAround({.range = 2}, {{2 - 1e-9, 1}, {2 + 1e-9, 1}, {1e6, 1}});
     EXPECT_EQ(indices(Watch(scenario, 1).next().objects()), std::vector<std::uint32_t>{0});

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sensing/body_sight.h"
 #include "support/scenes.h"
 #include "widgets/field_drawing.h"
 #include "widgets/field_fixture.h"
@@ -213,6 +214,33 @@ TEST(FieldLayers, NamesOfACrowdStandOffOneAnotherAndTheirColoursAreTheRobots) {
     const QImage image = rendered(view);
     for (std::size_t robot = 0; robot < 8; ++robot)
         EXPECT_GT(blobOf(image, robotColour(robot), 8).pixels, 20) << "rim and chip of " << robot;
+}
+
+TEST(FieldLayers, FurtherCamerasAreDrawnAsWell) {
+    constexpr double degree = std::numbers::pi / 180;
+    FieldFrame frame = frameOfDiscs({{0, 0, 90 * degree}});
+    ScenarioParts parts = frame.scenario->parts();
+    BodySight sight;
+    sight.fieldOfView = 60 * degree;
+    sight.range = 2;
+    sight.direction = 180 * degree;
+    parts.scene.robotTypes[0].sensors.push_back(
+        std::make_shared<const BodySensor>(sight, sight, 1, SensorTraits{"rear", 0}));
+    frame.scenario = std::make_shared<const Scenario>(std::move(parts));
+    FieldView view;
+    view.resize(800, 640);
+    view.setFrame(std::make_shared<const FieldFrame>(frame));
+    view.setLayers(FieldLayers::none());
+    const QImage nothing = rendered(view);
+    view.setLayers(only({FieldLayer::sensors}));
+    const QImage with = rendered(view);
+    const auto seen = [&](double angle, double range) {
+        const QPoint p =
+            view.transform().toPixels({range * std::cos(angle * degree), range * std::sin(angle * degree)}).toPoint();
+        return nothing.pixel(p) != with.pixel(p);
+    };
+    EXPECT_TRUE(seen(-90, 1.9) && seen(-65, 1.8) && seen(-115, 1.8));
+    EXPECT_FALSE(seen(-90, 2.1) || seen(-55, 1.8) || seen(-125, 1.8) || seen(90, 1));
 }
 
 }  // namespace
