@@ -81,7 +81,10 @@ public:
         }
         checkChunks();
         content_.endless = true;
-        content_.damage.push_back("it is cut off" + atByte(records_.offset()) + " of " + std::to_string(bytes_.size()));
+        content_.damage.push_back(records_.offset() == bytes_.size()
+                                      ? "its end is missing: it is being written, or was not closed"
+                                      : "it is cut off" + atByte(records_.offset()) + " of " +
+                                            std::to_string(bytes_.size()));
         return std::move(content_);
     }
 
