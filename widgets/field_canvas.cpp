@@ -118,14 +118,15 @@ void FieldCanvas::heading(const Shape& shape, const Pose& pose, const QColor& co
           std::clamp(0.16 * pixels(front), 1.5, 9.0));
 }
 
-void FieldCanvas::target(const QPointF& at, const QColor& colour, double width) const {
+void FieldCanvas::target(const QPointF& at, const QColor& colour, double width, double clear) const {
+    const double radius = std::max(5.0, clear + 2), begin = clear > 0 ? radius : 2;
     painter.setBrush(Qt::NoBrush);
     for (const bool casing : {true, false}) {
         painter.setPen(casing ? roundPen(withAlpha(setOff(colour), colour.alpha() / 2), width + 1.6)
                               : roundPen(colour, width));
-        painter.drawEllipse(at, 5, 5);
+        painter.drawEllipse(at, radius, radius);
         for (const QPointF& side : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
-            painter.drawLine(at + 2 * side, at + 8 * side);
+            painter.drawLine(at + begin * side, at + (radius + 3) * side);
     }
 }
 

@@ -39,8 +39,9 @@ struct FieldCanvas {
     void arrow(const QPointF& from, const QPointF& to, const QColor& colour, double width) const;
     /// Where a body faces.
     void heading(const Shape& shape, const Pose& pose, const QColor& colour) const;
-    /// A cross in a ring: a point that a controller goes to or looks at.
-    void target(const QPointF& at, const QColor& colour, double width) const;
+    /// A cross in a ring: a point that a controller goes to or looks at. What lies there, of a radius in pixels, is not
+    /// covered.
+    void target(const QPointF& at, const QColor& colour, double width, double clear = 0) const;
 };
 
 /// m, from the reference point to the foremost point.

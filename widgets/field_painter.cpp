@@ -34,18 +34,40 @@ std::vector<LegendRow> legendRows(const FieldFrame& frame, const FieldLayers& la
     return rows;
 }
 
-constexpr double legendRowHeight = 20, legendSampleWidth = 34, legendMargin = 10, aboveScale = 20;  // pixels
+constexpr double legendSampleWidth = 34, legendMargin = 10, aboveScale = 20;  // pixels
+constexpr double mostLegendRow = 20, leastLegendRow = 14, mostLegendShare = 0.6;
+
+/// Rows in columns, so that it is no higher than a share of the picture.
+struct LegendGrid {
+    std::vector<LegendRow> rows;
+    std::size_t inColumn = 1;
+    double rowHeight = mostLegendRow, columnWidth = 0;
+
+    LegendGrid(const FieldCanvas& canvas, const FieldFrame& frame, const FieldLayers& layers)
+        : rows(legendRows(frame, layers)) {
+        const QFontMetricsF metrics(plateFont(canvas.painter));
+        for (const LegendRow& row : rows) columnWidth = std::max(columnWidth, metrics.horizontalAdvance(row.text));
+        columnWidth += legendSampleWidth + 2 * legendMargin;
+        const double room = mostLegendShare * canvas.view.size().height() - legendMargin;
+        rowHeight = std::clamp(room / static_cast<double>(std::max<std::size_t>(1, rows.size())), leastLegendRow,
+                               mostLegendRow);
+        const auto fitting = static_cast<std::size_t>(std::max(1.0, room / rowHeight));
+        inColumn = std::clamp<std::size_t>(fitting, 1, std::max<std::size_t>(1, rows.size()));
+        inColumn = (rows.size() + columns() - 1) / columns();
+    }
+    std::size_t columns() const { return (rows.size() + inColumn - 1) / inColumn; }
+    QSizeF size() const {
+        return {columnWidth * static_cast<double>(columns()) + legendMargin,
+                rowHeight * static_cast<double>(inColumn) + legendMargin};
+    }
+};
 
 /// In the lower right corner, or above or beside what lies there, wherever it hides less of the place; empty where
 /// there is nothing to explain.
 QRectF legendBox(const FieldCanvas& canvas, const FieldFrame& frame, const FieldLayers& layers, const QRectF& covered) {
-    const std::vector<LegendRow> rows = legendRows(frame, layers);
-    if (rows.empty()) return {};
-    const QFontMetricsF metrics(plateFont(canvas.painter));
-    double width = 0;
-    for (const LegendRow& one : rows) width = std::max(width, metrics.horizontalAdvance(one.text));
-    const QSizeF size(legendSampleWidth + width + 3 * legendMargin,
-                      legendRowHeight * static_cast<double>(rows.size()) + legendMargin);
+    const LegendGrid grid(canvas, frame, layers);
+    if (grid.rows.empty()) return {};
+    const QSizeF size = grid.size();
     const QSizeF all = canvas.view.size();
     const QRectF corner(QPointF(all.width() - size.width() - 12, all.height() - size.height() - 12), size);
     if (!corner.intersects(covered)) return corner;
@@ -114,6 +136,7 @@ void FieldPainter::frame(const FieldFrame& frame, const FieldFocus& focus, Label
     std::vector<QRectF> kept;
     if (layers_.has(FieldLayer::legend)) kept.push_back(legendBox(canvas_, frame, layers_, focus.covered));
     if (!focus.covered.isEmpty()) kept.push_back(focus.covered);
+    kept.push_back(scaleBar().box());
     if (hasKnob(frame, focus)) kept.push_back(knobBox(canvas_.view, frame, *focus.selected));
     if (!focus.moved || !focus.selected) return drawLabels(canvas_, frame, std::move(labels), placer, kept);
     const auto [box, numbers] = moved(frame, *focus.selected, *focus.moved);
@@ -141,10 +164,20 @@ void FieldPainter::corners(const FieldFrame& frame, const QRectF& covered) {
     if (layers_.has(FieldLayer::legend)) legend(frame, covered);
 }
 
-void FieldPainter::ruler() {
-    const double metres = roundStep(70 / canvas_.view.scale()), pixels = canvas_.pixels(metres);
+FieldPainter::ScaleBar FieldPainter::scaleBar() const {
+    const double metres = roundStep(70 / canvas_.view.scale());
     const double x = layers_.has(FieldLayer::grid) ? rulerWidth + 16 : 16;
-    const QPointF left(x, std::round(canvas_.view.size().height() - 13)), right = left + QPointF(pixels, 0);
+    const QPointF left(x, std::round(canvas_.view.size().height() - 13));
+    FieldLabel label;
+    label.text = lengthText(metres);
+    label.colour = canvas_.theme.onFloor;
+    const QSizeF size = plateSize(canvas_, label);
+    const QPointF right = left + QPointF(canvas_.pixels(metres), 0);
+    return {left, right, label, {right + QPointF(6, -size.height() / 2), size}};
+}
+
+void FieldPainter::ruler() {
+    const auto [left, right, label, plate] = scaleBar();
     QPainter& painter = canvas_.painter;
     painter.setRenderHint(QPainter::Antialiasing, false);
     for (const QPen& pen : {QPen(canvas_.theme.halo, 4), QPen(canvas_.theme.text, 1)}) {
@@ -154,34 +187,32 @@ void FieldPainter::ruler() {
         painter.drawLine(right - QPointF(0, 4), right + QPointF(0, 4));
     }
     painter.setRenderHint(QPainter::Antialiasing);
-    FieldLabel label;
-    label.text = lengthText(metres);
-    label.colour = canvas_.theme.onFloor;
-    const QSizeF size = plateSize(canvas_, label);
-    drawPlate(canvas_, {right + QPointF(6, -size.height() / 2), size}, label);
+    drawPlate(canvas_, plate, label);
 }
 
 void FieldPainter::legend(const FieldFrame& frame, const QRectF& covered) {
-    const std::vector<LegendRow> rows = legendRows(frame, layers_);
-    if (rows.empty()) return;
-    constexpr double row = legendRowHeight, sampleWidth = legendSampleWidth, margin = legendMargin;
+    const LegendGrid grid(canvas_, frame, layers_);
+    if (grid.rows.empty()) return;
+    constexpr double sampleWidth = legendSampleWidth, margin = legendMargin;
     QPainter& painter = canvas_.painter;
     const QRectF box = legendBox(canvas_, frame, layers_, covered);
     painter.setPen(roundPen(canvas_.theme.line, 1));
     painter.setBrush(withAlpha(canvas_.theme.panel, 235));
     painter.drawRoundedRect(box, 5, 5);
-    double top = box.top() + margin / 2;
-    for (const LegendRow& one : rows) {
-        const QRectF sample(box.left() + margin, top + 2, sampleWidth, row - 4);
+    for (std::size_t i = 0; i < grid.rows.size(); ++i) {
+        const LegendRow& one = grid.rows[i];
+        const double left = box.left() + margin + grid.columnWidth * static_cast<double>(i / grid.inColumn);
+        const double top = box.top() + margin / 2 + grid.rowHeight * static_cast<double>(i % grid.inColumn);
+        const QRectF sample(left, top + 2, sampleWidth, grid.rowHeight - 4);
         if (one.model)
             drawModelSample(painter, sample, *one.model);
         else
             drawSample(painter, sample, one.layer, canvas_.theme);
         painter.setFont(plateFont(painter));
         painter.setPen(canvas_.theme.text);
-        const double left = box.left() + 2 * margin + sampleWidth;
-        painter.drawText(QRectF(left, top, box.right() - left, row), Qt::AlignLeft | Qt::AlignVCenter, one.text);
-        top += row;
+        painter.drawText(
+            QRectF(left + sampleWidth + margin, top, grid.columnWidth - sampleWidth - margin, grid.rowHeight),
+            Qt::AlignLeft | Qt::AlignVCenter, one.text);
     }
 }
 

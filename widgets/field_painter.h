@@ -28,6 +28,13 @@ public:
     void measure(const Point& from, const Point& to);
 
 private:
+    struct ScaleBar {
+        QPointF left, right;
+        FieldLabel label;
+        QRectF plate;  ///< of the label
+        QRectF box() const { return QRectF(left, right).adjusted(-4, -6, 4, 6) | plate; }
+    };
+    ScaleBar scaleBar() const;
     void ruler();
     void legend(const FieldFrame& frame, const QRectF& covered);
     std::pair<QRectF, FieldLabel> moved(const FieldFrame& frame, std::size_t body, const Pose& pose) const;

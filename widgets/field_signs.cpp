@@ -33,6 +33,16 @@ bool isNumbered(const FieldFrame& frame, const FieldFocus& focus, const ContactR
     return strongest == &contact;
 }
 
+/// Pixels, of the object that lies there; 0: none does.
+double objectAt(const FieldCanvas& canvas, const FieldFrame& frame, const Point& point) {
+    double reach = 0;
+    for (std::size_t body = frame.state.robots.size(); body < frame.scene().bodyCount(); ++body) {
+        const double own = frame.scene().shapeOf(body).reach;
+        if (distance(position(frame.poseOf(body)), point) < own) reach = std::max(reach, canvas.pixels(own));
+    }
+    return reach;
+}
+
 void drawNoteLine(const FieldCanvas& canvas, const QPolygonF& points, const QColor& colour, bool selected) {
     if (selected) return canvas.casedLine(points, roundPen(colour, 2, Qt::DotLine));
     canvas.painter.setPen(roundPen(colour, 1.4, Qt::DotLine));
@@ -89,12 +99,13 @@ void drawNotes(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFo
             }
             if (note.kind != Annotation::Kind::point) continue;
             for (const Point& point : note.points) {
-                canvas.target(canvas.at(point), colour, selected ? 2 : 1.3);
+                const double covered = objectAt(canvas, frame, point);
+                canvas.target(canvas.at(point), colour, selected ? 2 : 1.3, covered);
                 if (!selected) continue;
                 FieldLabel& label = labels.emplace_back();
                 label.key = labelKey(2, robot, i);
                 label.at = point;
-                label.clearance = 8;
+                label.clearance = 8 + covered;
                 label.text = noteText(frame, robot, note);
                 label.colour = canvas.theme.onFloor;
                 label.chip = robotColour(frame.scene(), robot);
@@ -153,8 +164,11 @@ void drawKicks(const FieldCanvas& canvas, const FieldFrame& frame, std::vector<F
         canvas.arrow(from, from + shown / size * towards, kick.hit ? colour : withAlpha(colour, 110), 4);
         FieldLabel& label = labels.emplace_back();
         label.key = labelKey(4, kick.robot, kick.manipulator);
-        label.at = face.place({shown / canvas.view.scale(), 0});
+        // Beside the robot that kicks, and in its colour: another may stand where the arrow ends.
+        label.at = face.origin;
         label.clearance = 6;
+        label.chip = robotColour(frame.scene(), kick.robot);
+        label.first = true;
         label.text =
             kick.hit ? QObject::tr("kick, %1 m/s").arg(length(kick.speed_W), 0, 'f', 2) : QObject::tr("kick, missed");
         label.colour = canvas.theme.onFloor;

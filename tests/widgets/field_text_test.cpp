@@ -69,5 +69,96 @@ TEST_F(FieldViewTest, TellsOfWhatItRestsOn) {
     EXPECT_EQ(hindranceAt(frame, 0, {-1.3, 0, 0}), "");
 }
 
+TEST_F(FieldViewTest, WhatAControllerMarksIsNotCovered) {
+    FieldFrame frame = frameOfDiscs({{-3, -3, 0}}, {0.3, 0.3, 0});
+    frame.insights[0].decision.annotations.push_back({Annotation::Kind::point, "ball", 0, "", {{0.3, 0.3}}});
+    for (const double zoom : {1.0, 6.0}) {
+        view.setLayers(only({}));
+        show(frame);
+        view.fit();
+        view.zoom(zoom);
+        const Blob alone = blobOf(rendered(view), ballColour);
+        view.setLayers(only({FieldLayer::targets}));
+        const Blob marked = blobOf(rendered(view), ballColour);
+        EXPECT_GT(alone.pixels, 20);
+        EXPECT_EQ(marked.pixels, alone.pixels) << zoom;
+    }
+    // Where nothing lies, the cross is in the middle.
+    view.fit();
+    frame.state.objects[0].pose = {3, 3, 0};
+    show(frame);
+    const QImage with = rendered(view);
+    view.setLayers(only({}));
+    EXPECT_GT(differences(rendered(view), with).size(), 20u);
+}
+
+TEST_F(FieldViewTest, NoNameStandsOnTheScaleBar) {
+    view.resize(500, 300);
+    view.setLayers(only({FieldLayer::names}));
+    // From where the bar is to right of it.
+    for (double x = -6; x < 0; x += 0.21) {
+        view.setLayers(only({}));
+        show(frameOfDiscs({{x, -3.75, 0}}));
+        view.fit();
+        const QImage without = rendered(view);
+        view.setLayers(only({FieldLayer::names}));
+        for (const QPoint& p : differences(without, rendered(view)))
+            ASSERT_FALSE(QRect(14, view.height() - 18, 70, 12).contains(p)) << x << ": " << p.x() << ' ' << p.y();
+    }
+}
+
+TEST_F(FieldViewTest, AKicksNumberStandsBesideTheRobotThatKicked) {
+    FieldFrame frame = frameOfDiscs({{0, 0, 0}, {1.6, 0, 0}}, {0.5, 0, 0});
+    ScenarioParts parts = frame.scenario->parts();
+    Manipulator foot;
+    foot.name = "foot";
+    foot.position = {0.3, 0};
+    parts.scene.robotTypes[0].manipulators = {foot};
+    frame.scenario = std::make_shared<const Scenario>(std::move(parts));
+    view.setLayers(only({}));
+    show(frame);
+    view.fit();
+    const QImage without = rendered(view);
+    StepTrace::Kicked kick;
+    kick.robot = 0;
+    kick.hit = true;
+    kick.speed_W = {2, 0};
+    frame.kicks = {kick};
+    show(frame);
+    const QImage with = rendered(view);
+    double middle = 0, count = 0, coloured = 0;
+    const QRgb chip = robotColour(frame.scene(), 0).rgb();
+    for (const QPoint& p : differences(without, with)) {
+        middle += view.transform().toMetres(p).x;
+        ++count;
+        coloured += with.pixel(p) == chip ? 1 : 0;
+    }
+    ASSERT_GT(count, 100);
+    EXPECT_LT(middle / count, 0.8) << "nearer to the first";
+    EXPECT_GT(coloured, 15) << "in its colour";
+}
+
+TEST_F(FieldViewTest, LegendLeavesALowFieldItsLargerPart) {
+    show(frameOfDiscs({{0, 0, 0}}));
+    for (const QSize& size : {QSize(460, 250), QSize(900, 600)}) {
+        view.resize(size);
+        view.setLayers(only({}));
+        view.fit();
+        const QImage without = rendered(view);
+        FieldLayers all;
+        all.set(FieldLayer::names, false);
+        all.set(FieldLayer::legend, true);
+        view.setLayers(all);
+        const QImage with = rendered(view);
+        all.set(FieldLayer::legend, false);
+        view.setLayers(all);
+        QRect box;
+        for (const QPoint& p : differences(rendered(view), with)) box |= QRect(p, QSize(1, 1));
+        ASSERT_FALSE(box.isEmpty());
+        EXPECT_LE(box.height(), 0.65 * size.height()) << size.height();
+        EXPECT_TRUE(QRect(QPoint(), size).adjusted(2, 2, -2, -2).contains(box)) << size.height();
+    }
+}
+
 }  // namespace
 }  // namespace mrose
