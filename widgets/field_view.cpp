@@ -61,7 +61,7 @@ void FieldView::setFrame(std::shared_ptr<const FieldFrame> frame) {
         if (focus_.selected && *focus_.selected >= bodies) setSelected(std::nullopt);
         focus_.hovered.reset();
         cancelDrag();
-        fit();
+        if (fitted_) fitAgain();
     }
     followSelected();
     update();

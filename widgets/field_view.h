@@ -38,6 +38,9 @@ public:
     /// Shows the same part of the field as another view.
     void setView(const ViewTransform& view);
 
+    /// A button of the mouse is down that was pressed there.
+    bool held() const { return drag_ != Drag::none; }
+
     const FieldLayers& layers() const { return layers_; }
     const ViewTransform& transform() const { return view_; }
     std::optional<std::size_t> selected() const { return focus_.selected; }
@@ -47,7 +50,7 @@ public:
     /// All of the place; empty where nothing is shown.
     Area wholeArea() const;
     void fit();
-    /// A part of it instead, until the user looks elsewhere; another run, too, is shown whole at first.
+    /// A part of it instead, until the user looks elsewhere.
     void fit(const Area& area);
     bool showsPart() const { return fitted_ && part_; }  ///< of fit(area), still
     bool showsAll() const { return fitted_ && !part_; }  ///< as fit() left it

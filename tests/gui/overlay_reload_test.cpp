@@ -375,5 +375,18 @@ TEST_F(OverlayReloadTest, WindowGoesOnWhileTheSessionIsAtWork) {
     EXPECT_TRUE(heard) << "the window's thread waited for the session";
 }
 
+TEST_F(OverlayReloadTest, WhereOneLooksAndWhatIsSelectedStay) {
+    ASSERT_NO_FATAL_FAILURE(openLog(makeLog(), twoSeconds));
+    window.field().setSelected(0);
+    settleAll();
+    window.field().zoom(2.5);
+    window.field().panBy({30, 20});
+    const ViewTransform view = window.field().transform();
+    makeLog(stretch);
+    reload();
+    EXPECT_TRUE(window.field().transform() == view);
+    EXPECT_EQ(window.field().selected(), 0u);
+}
+
 }  // namespace
 }  // namespace mrose::gui

@@ -8,6 +8,8 @@
 #include "files/window_files.h"
 #include "gui/file_fixture.h"
 #include "recording/recording.h"
+#include "widgets/field_view.h"
+#include "widgets/timeline_bar.h"
 #include "world/state_hash.h"
 
 namespace mrose::gui {
@@ -48,6 +50,27 @@ TEST_F(ReloadTest, ChangedDescriptionIsReadAgainAndTheTickStays) {
     ASSERT_TRUE(reloaded());
     EXPECT_EQ(window.shown()->branches[1].name, "mine.toml changed");
     expectNewPhysics();
+}
+
+TEST_F(ReloadTest, WhereOneLooksAndWhatIsSelectedStay) {
+    window.QWidget::show();
+    window.field().setSelected(1);
+    window.timeline().zoom(3);
+    settle();
+    window.field().zoom(2.5);
+    window.field().panBy({30, 20});
+    const ViewTransform view = window.field().transform();
+    write("mine.toml", robot(30));
+    ASSERT_TRUE(reloaded());
+    settle();
+    EXPECT_TRUE(window.field().transform() == view);
+    EXPECT_EQ(window.field().selected(), 1u);
+    EXPECT_EQ(window.timeline().zoomed(), 3);
+    // Another file is another matter.
+    write("other.toml", game(0.4));
+    open(path("other.toml"));
+    EXPECT_TRUE(window.field().showsAll());
+    EXPECT_EQ(window.field().selected(), std::nullopt);
 }
 
 /// As editors save: another file takes the name.
@@ -204,6 +227,10 @@ TEST_F(GrowingTest, SaysSoAndIsReadOn) {
     EXPECT_EQ(state().tick, 50);
     seek(200);
     EXPECT_EQ(window.shown()->hash, hashAt(*scenarioOf(path("game.toml")), 200));
+    // Where one looks stays.
+    window.field().setSelected(1);
+    window.field().zoom(2.5);
+    const ViewTransform view = window.field().transform();
     // And to its end.
     other_.session().seek(210);
     other_.session().settle();  // the next request would end it on its way
@@ -211,6 +238,9 @@ TEST_F(GrowingTest, SaysSoAndIsReadOn) {
     other_.session().settle();
     reload();
     EXPECT_THAT(notes(), ElementsAre(HasSubstr("goes up to 4.20 s now")));
+    EXPECT_EQ(window.field().transform().scale(), view.scale());
+    EXPECT_EQ(window.field().transform().centre().x, view.centre().x);
+    EXPECT_EQ(window.field().selected(), 1u);
 }
 
 TEST_F(GrowingTest, AsksBeforeWorkIsLeftForWhatWasWrittenSince) {

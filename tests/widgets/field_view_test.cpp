@@ -44,6 +44,7 @@ TEST_F(FieldViewTest, ArrowPointsWhereTheRobotFaces) {
     view.setLayers(only({FieldLayer::headings}));
     for (const double heading : {0.0, 90.0, 137.0, -60.0, 180.0}) {
         show(frameOfDiscs({{0.5, 0.2, heading * degree}}));
+        view.fit();
         view.zoom(3);
         const Blob arrow = blobOf(rendered(view), QColor(255, 255, 255), 4);
         ASSERT_GT(arrow.pixels, 50);

@@ -7,6 +7,7 @@
 #include "files/window_files.h"
 #include "frame/actions.h"
 #include "session/session.h"
+#include "widgets/field_view.h"
 #include "widgets/message_bar.h"
 #include "widgets/qt_text.h"
 
@@ -68,7 +69,11 @@ void WindowFiles::takeGrown(const OpenRun& run) {
     const bool known = shown && shown->branch < extents_.size();
     const ShownPlace place = known ? ShownPlace{shown->branch, shown->tick()} : ShownPlace{};
     frame_.messages.clear();
+    const auto selected = field_.selected();
+    const std::optional<ViewTransform> view = field_.showsAll() ? std::nullopt : std::optional(field_.transform());
     show(run, run.source.file);
+    if (view) field_.setView(*view);
+    field_.setSelected(selected);
     log_->follow(run);
     for (const std::string& note : run.notes) frame_.messages.add({MessageBar::Kind::note, qtText(note)});
     if (known && place.branch < run.branches.size()) frame_.session.show(place.branch, place.tick);
