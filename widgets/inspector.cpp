@@ -10,8 +10,10 @@
 #include <QMenu>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <functional>
 #include <utility>
 
+#include "widgets/eliding_label.h"
 #include "widgets/inspector_delegate.h"
 #include "widgets/qt_text.h"
 
@@ -31,7 +33,7 @@ QFont smallFont(QFont font) {
 Inspector::Inspector(QWidget* parent)
     : QWidget(parent),
       chip_(new QLabel),
-      title_(new QLabel),
+      title_(new ElidingLabel),
       hint_(new QLabel(tr("Click a robot or the ball to see all about it."))),
       queue_(new CommandQueue),
       tree_(new QTreeWidget) {
@@ -105,6 +107,7 @@ void Inspector::showEvent(QShowEvent* event) {
 
 void Inspector::setBody(std::optional<std::size_t> body) {
     body_ = body;
+    widestName_ = 0;
     refresh();
 }
 
@@ -154,9 +157,26 @@ void Inspector::fitColumns() {
     const int numbers = tree_->fontMetrics().horizontalAdvance("-000.000 rad/s") + 14;
     const int room = tree_->viewport()->width() - Delegate::markWidth - numbers;
     fitting_ = true;
-    tree_->header()->resizeSection(Delegate::nameColumn, std::clamp(room, 40, std::max(40, nameWidth_)));
+    tree_->header()->resizeSection(Delegate::nameColumn,
+                                   std::clamp(room, 40, std::max(40, nameWidth_.value_or(widestName_))));
     fitting_ = false;
     tree_->doItemsLayout();  // texts may need another line now, or one less
+}
+
+/// It does not become narrower as rows come and go.
+void Inspector::measureNames() {
+    int widest = widestName_;
+    const std::function<void(const QModelIndex&)> measure = [&](const QModelIndex& above) {
+        for (int row = 0; row < tree_->model()->rowCount(above); ++row) {
+            const QModelIndex index = tree_->model()->index(row, Delegate::nameColumn, above);
+            if (!tree_->isFirstColumnSpanned(row, above)) widest = std::max(widest, Delegate::nameWidth(*tree_, index));
+            if (tree_->isExpanded(index)) measure(index);
+        }
+    };
+    measure({});
+    if (widest == widestName_) return;
+    widestName_ = widest;
+    fitColumns();
 }
 
 bool Inspector::eventFilter(QObject* watched, QEvent* event) {
@@ -215,6 +235,7 @@ void Inspector::refresh() {
     const auto isOpen = [this](const QString& path) { return open_.contains(path); };
     sync(tree_->invisibleRootItem(), {}, inspectorRows(*frame_, *body_, isOpen));
     syncing_ = false;
+    measureNames();
 }
 
 /// Makes items the rows' images: those that are there keep their places and states, whatever comes and goes.

@@ -17,6 +17,8 @@ class QTreeWidgetItem;
 
 namespace mrose {
 
+class ElidingLabel;
+
 /// All about one body at the shown tick. Its rows keep their places, so that selection, what is unfolded and where it
 /// is scrolled to stay while playing; numbers can be plotted by a click at their right end, by Enter or the context
 /// menu.
@@ -59,6 +61,7 @@ private:
     void askForPlot(const QTreeWidgetItem* item);
     void showMenu(const QPoint& place);
     void fitColumns();
+    void measureNames();
 
     std::shared_ptr<const FieldFrame> frame_;
     std::optional<std::size_t> body_;
@@ -66,8 +69,11 @@ private:
     std::map<ValueKey, QColor> plotted_;
     QSet<QString> open_;  ///< paths of rows whose children are shown
     bool syncing_ = false, fitting_ = false;
-    int nameWidth_ = 148;  ///< pixels, of the column as the user likes it
-    QLabel *chip_, *title_, *hint_;
+    std::optional<int> nameWidth_;  ///< pixels, of the column as the user likes it; nullopt: of the widest name
+    int widestName_ = 0;            ///< pixels, that was shown of this body
+    QLabel* chip_;
+    ElidingLabel* title_;
+    QLabel* hint_;
     CommandQueue* queue_;
     QTreeWidget* tree_;
 };

@@ -9,8 +9,10 @@ namespace mrose {
 QSize InspectorDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
     const int more = index.siblingAtColumn(nameColumn).data(headRole).toBool() ? 8 : 3;
     const auto* tree = qobject_cast<const QTreeView*>(option.widget);
-    const bool two = tree != nullptr && index.column() == valueColumn &&
-                     takesTwoLines(option.fontMetrics, tree->columnWidth(valueColumn), index);
+    const bool two =
+        tree != nullptr &&
+        ((index.column() == valueColumn && takesTwoLines(option.fontMetrics, tree->columnWidth(valueColumn), index)) ||
+         (index.column() == nameColumn && nameTakesTwoLines(option, index)));
     return {QStyledItemDelegate::sizeHint(option, index).width(), (two ? 2 : 1) * option.fontMetrics.height() + more};
 }
 
@@ -23,17 +25,43 @@ int wordRoom(int columnWidth, const QModelIndex& index) {
     return columnWidth - 4 + (mark ? 0 : InspectorDelegate::markWidth - 4);
 }
 
-bool isNumber(const QString& value) {
+bool isNumber(const QModelIndex& index) {
+    const QString value = index.data(Qt::DisplayRole).toString();
     bool numeric = false;
     value.toDouble(&numeric);
-    return numeric || value == QString::fromUtf8("\u2013");
+    return numeric || value == QString::fromUtf8("\u2013") ||
+           index.siblingAtColumn(InspectorDelegate::plotColumn).data(InspectorDelegate::plottableRole).toBool();
 }
 
 }  // namespace
 
 bool InspectorDelegate::takesTwoLines(const QFontMetrics& metrics, int columnWidth, const QModelIndex& index) const {
     const QString value = index.data(Qt::DisplayRole).toString();
-    return !isNumber(value) && metrics.horizontalAdvance(value) > wordRoom(columnWidth, index);
+    return !isNumber(index) && metrics.horizontalAdvance(value) > wordRoom(columnWidth, index);
+}
+
+int InspectorDelegate::nameWidth(const QTreeView& tree, const QModelIndex& index) {
+    constexpr int margins = 8;
+    int depth = 1;
+    for (QModelIndex above = index.parent(); above.isValid(); above = above.parent()) ++depth;
+    QFont font = tree.font();
+    if (const QVariant own = index.data(Qt::FontRole); own.isValid()) font = own.value<QFont>();
+    return depth * tree.indentation() + margins +
+           QFontMetrics(font).horizontalAdvance(index.data(Qt::DisplayRole).toString());
+}
+
+bool InspectorDelegate::nameTakesTwoLines(const QStyleOptionViewItem& option, const QModelIndex& index) const {
+    const auto* tree = qobject_cast<const QTreeView*>(option.widget);
+    return tree != nullptr && !tree->isFirstColumnSpanned(index.row(), index.parent()) &&
+           nameWidth(*tree, index) > tree->columnWidth(nameColumn);
+}
+
+/// A name of several words is broken between them.
+void InspectorDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const {
+    QStyledItemDelegate::initStyleOption(option, index);
+    if (index.column() != nameColumn || !nameTakesTwoLines(*option, index)) return;
+    option->features |= QStyleOptionViewItem::WrapText;
+    option->text.replace('_', QString::fromUtf8("_\u200b"));
 }
 
 void InspectorDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
@@ -63,7 +91,7 @@ void InspectorDelegate::paintValue(QPainter& painter, const QStyleOptionViewItem
                                 : index.data(Qt::ForegroundRole).value<QBrush>().color();
     painter.setFont(option.font);
     painter.setPen(ink);
-    if (!isNumber(value)) {
+    if (!isNumber(index)) {
         QRect room = box;
         room.setWidth(wordRoom(option.rect.width(), index));
         const bool two = takesTwoLines(metrics, option.rect.width(), index);

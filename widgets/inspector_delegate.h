@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QStyledItemDelegate>
+#include <QTreeView>
 
 #include "widgets/theme.h"
 
@@ -22,10 +23,16 @@ public:
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+    /// How wide a name's column must be for it, pixels.
+    static int nameWidth(const QTreeView& tree, const QModelIndex& index);
+
+protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override;
 
 private:
     /// Words that do not fit take a second line.
     bool takesTwoLines(const QFontMetrics& metrics, int columnWidth, const QModelIndex& index) const;
+    bool nameTakesTwoLines(const QStyleOptionViewItem& option, const QModelIndex& index) const;
     void paintValue(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index) const;
     void paintMark(QPainter& painter, const QRect& box, const QModelIndex& index) const;
 

@@ -23,13 +23,21 @@ InspectorRow comingCommand(const CommandsOnTheWay::Coming& coming) {
     return row;
 }
 
+QString commandCount(int count) {
+    return count == 1 ? QObject::tr("1 command") : QObject::tr("%1 commands").arg(count);
+}
+
 InspectorRow commandRows(const RowWriter& write) {
     InspectorRow section = write.section("Commands");
     auto& rows = section.children;
     const CommandQueue::Content content = commandsOf(*write.frame.scenario, write.frame.state, write.body);
     const CommandsOnTheWay way = commandsOnTheWay(content);
-    InspectorRow coming = RowWriter::text(QObject::tr("On their way"), QString::number(way.coming.size()),
-                                          QObject::tr("commands that differ from the one before"));
+    const auto waiting = static_cast<int>(way.coming.size());
+    InspectorRow coming = RowWriter::text(
+        QObject::tr("Not active yet"), waiting == 0 ? QObject::tr("none") : commandCount(waiting),
+        QObject::tr(
+            "commands that were issued and wait for their dead time; only those that differ from the one before"));
+    coming.quiet = waiting == 0;
     for (const CommandsOnTheWay::Coming& one : way.coming) coming.children.push_back(comingCommand(one));
     rows.push_back(std::move(coming));
     const auto deadTime = [&](const QString& name, Nanoseconds time) {
@@ -151,12 +159,16 @@ InspectorRow RowWriter::value(const BoundValue& value, const QString& name) cons
     if (const bool* const truth = std::get_if<bool>(&content)) {
         row.value = *truth ? QObject::tr("yes") : QObject::tr("no");
         row.notable = *truth;
+        row.quiet = !*truth;
         return row;
     }
     const double number = value.shown(numberOf(content));
-    row.value = fixedText(number, value.quantity->unit.digits);
-    row.unit = qtText(value.shownUnit());
+    const QString unit = qtText(value.shownUnit());
+    // Of what has a name of its own and no unit, whole numbers are counts.
+    const bool count = !value.item.empty() && unit.isEmpty() && number == std::round(number);
+    row.value = fixedText(number, count ? 0 : value.quantity->unit.digits);
     row.quiet = !std::isfinite(number);
+    if (!row.quiet) row.unit = unit;
     return row;
 }
 
