@@ -21,13 +21,13 @@ namespace {
 using namespace timeline;
 
 constexpr double sideMargin = 18;
-/// Signs of a kind do not lie nearer to each other than this.
-constexpr double leastSignGap = 9;
 constexpr double mostPixelsPerTick = 40;
 /// Of marks whose robot is not asked about, and between a mark and its name.
 constexpr double faintly = 0.4, nameGap = 9;
 /// What was pressed and has not gone farther than this is a click.
 constexpr double clickPixels = 3;
+/// Of what is seen of the ticks: how far the keys for a page go.
+constexpr double pageShare = 0.1;
 
 QFont countFont(QFont font) {
     font.setPointSizeF(7);
@@ -68,6 +68,7 @@ TimelineBar::TimelineBar(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Timeline"));
     setCursor(Qt::PointingHandCursor);
     setMouseTracking(true);
+    setFocusPolicy(Qt::TabFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
@@ -279,13 +280,19 @@ void TimelineBar::paintSign(QPainter& painter, double x, TimelineMark::Kind kind
 
 void TimelineBar::paintMarks(QPainter& painter) const {
     painter.setFont(countFont(font()));
-    for (const TimelineSign& sign : signs()) {
-        if (sign.x < -sign.width || sign.x > width()) continue;
-        paintSign(painter, sign.x, sign.kind);
-        if (sign.count < 2) continue;
+    const std::vector<TimelineSign> all = signs();
+    const auto seen = [&](const TimelineSign& sign) { return sign.x >= -sign.width && sign.x <= width(); };
+    for (const TimelineSign& sign : all)
+        if (seen(sign)) paintSign(painter, sign.x, sign.kind);
+    // No line of another lane goes through a number.
+    for (const TimelineSign& sign : all) {
+        if (!seen(sign) || !sign.numbered) continue;
+        const QString number = QString::number(sign.count);
+        const QSizeF size(QFontMetricsF(painter.font()).horizontalAdvance(number) + 1, 9);
+        const QRectF box(QPointF(sign.x + 5, laneOf(sign.kind) - size.height() / 2), size);
+        painter.fillRect(box, theme_.panel);
         painter.setPen(theme_.text);
-        painter.drawText(QRectF(sign.x + 5, laneOf(sign.kind) - 6, sign.width, 12), Qt::AlignLeft | Qt::AlignVCenter,
-                         QString::number(sign.count));
+        painter.drawText(box, Qt::AlignCenter | Qt::TextDontClip, number);
     }
 }
 
@@ -406,6 +413,14 @@ void TimelineBar::wheelEvent(QWheelEvent* event) {
     else
         zoom(std::pow(1.0015, by.y()), event->position().x());
     event->accept();
+}
+
+void TimelineBar::keyPressEvent(QKeyEvent* event) {
+    const auto page = static_cast<std::int64_t>(
+        std::max(1.0, pageShare * static_cast<double>(content_.end - content_.first) / zoom_));
+    const int pages = event->key() == Qt::Key_PageDown ? 1 : event->key() == Qt::Key_PageUp ? -1 : 0;
+    if (pages == 0) return QWidget::keyPressEvent(event);
+    emit tickRequested(std::clamp(content_.now + pages * page, content_.first, content_.end));
 }
 
 void TimelineBar::leaveEvent(QEvent* /*event*/) {

@@ -20,8 +20,8 @@
 namespace mrose {
 
 /// A branch's ticks from left to right, what happened in them, and now. Press: asks for that tick, or for the mark
-/// beside it; drag: for each. Wheel: zooms at the cursor, with Shift along the time. Resting the mouse: shows what
-/// happened there.
+/// beside it; drag: for each. Page Up and Down: a tenth of what is seen back and on. Wheel: zooms at the cursor, with
+/// Shift along the time. Resting the mouse: shows what happened there.
 class TimelineBar final : public QWidget {
     Q_OBJECT
 
@@ -79,6 +79,7 @@ protected:
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
     void leaveEvent(QEvent* event) override;
     bool event(QEvent* event) override;
 

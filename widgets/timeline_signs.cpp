@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
 
 #include "widgets/timeline_glyphs.h"
@@ -25,6 +26,13 @@ std::vector<TimelineSign> signsOf(std::span<const TimelineMark> marks,
         }
         last = signs.size();
         signs.push_back({mark.kind, x, widthOf(1), mark.tick, mark.tick, 1});
+    }
+    std::map<double, TimelineSign*> next;  // by lane
+    for (auto sign = signs.rbegin(); sign != signs.rend(); ++sign) {
+        TimelineSign*& right = next[timeline::laneOf(sign->kind)];
+        sign->numbered = sign->count > 1 &&
+                         (right == nullptr || right->x - leastSignGap / 2 >= sign->x + sign->width - leastSignGap);
+        right = &*sign;
     }
     return signs;
 }

@@ -343,5 +343,44 @@ TEST_F(TimelineBarTest, ToolTipStandsAboveTheBarAndOnTheScreen) {
     }
 }
 
+TEST_F(TimelineBarTest, NumbersOfAnHourStandClearOfAllSigns) {
+    content.last = content.end = 180'000;
+    std::vector<TimelineMark> marks;
+    for (std::int64_t tick = 0; tick < content.last; tick += 90)
+        marks.push_back({tick, static_cast<TimelineMark::Kind>(1 + (tick / 90) % 5), 0, 0});
+    const auto xOf = [](std::int64_t tick) { return 0.0055 * static_cast<double>(tick); };
+    const auto widthOf = [](int count) { return count < 2 ? 9.0 : 16.0 + 6.0 * (count > 9 ? 2 : 1); };
+    const std::vector<TimelineSign> signs = signsOf(marks, xOf, widthOf);
+    int numbered = 0, bare = 0;
+    for (const TimelineSign& sign : signs) {
+        numbered += sign.numbered ? 1 : 0;
+        bare += sign.count > 1 && !sign.numbered ? 1 : 0;
+        for (const TimelineSign& other : signs) {
+            if (!sign.numbered || &other == &sign || timeline::laneOf(other.kind) != timeline::laneOf(sign.kind))
+                continue;
+            const double end = sign.x + sign.width - timeline::leastSignGap;  // of the number
+            EXPECT_TRUE(other.x + 4.5 <= sign.x + 5 || other.x - 4.5 >= end) << sign.x << ' ' << other.x;
+        }
+    }
+    EXPECT_GT(numbered, 20);
+    EXPECT_GT(bare, 20) << "those of a lane that several kinds share";
+}
+
+TEST_F(TimelineBarTest, PagesGoByATenthOfWhatIsSeen) {
+    show();
+    EXPECT_TRUE(bar.focusPolicy() & Qt::TabFocus);
+    std::vector<std::int64_t> asked;
+    QObject::connect(&bar, &TimelineBar::tickRequested, [&](std::int64_t tick) { asked.push_back(tick); });
+    QTest::keyClick(&bar, Qt::Key_PageDown);
+    QTest::keyClick(&bar, Qt::Key_PageUp);
+    bar.zoom(3);
+    QTest::keyClick(&bar, Qt::Key_PageDown);
+    content.now = 100;
+    show();
+    bar.zoom(1e-9);
+    QTest::keyClick(&bar, Qt::Key_PageUp);
+    EXPECT_EQ(asked, (std::vector<std::int64_t>{800, 200, 600, 0}));
+}
+
 }  // namespace
 }  // namespace mrose
