@@ -98,12 +98,13 @@ public:
     }
 
     const Message& message() const { return message_; }
+    int heightIn(int width) const { return layout()->totalHeightForWidth(width); }
     /// Offers so many older notes, or to fold them again.
     void offer(std::size_t older, bool open) {
         more_->setVisible(older > 0);
         more_->setArrowType(open ? Qt::UpArrow : Qt::DownArrow);
         more_->setText(open ? tr("Fold") : tr("%1 more").arg(older));
-        more_->setToolTip(open ? tr("Show only the newest note") : tr("Show the older notes, too"));
+        more_->setToolTip(open ? tr("Show only this message") : tr("Show the other messages, too"));
     }
     void progressTo(const QString& text, double share) {
         message_.text = text;
@@ -179,7 +180,10 @@ bool MessageBar::event(QEvent* event) {
 }
 
 bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == parentWidget() && event->type() == QEvent::Resize) place();
+    if (watched == parentWidget() && event->type() == QEvent::Resize) {
+        place();
+        fold();
+    }
     return QWidget::eventFilter(watched, event);
 }
 
@@ -228,18 +232,32 @@ void MessageBar::drop(std::size_t index) {
     setVisible(!lines_.empty());
 }
 
-/// The field is to be seen below.
+/// What it stands over is to be seen below: there all fold into one, otherwise notes alone.
 void MessageBar::fold() {
-    std::vector<Line*> notes;
-    std::copy_if(lines_.begin(), lines_.end(), std::back_inserter(notes),
-                 [](const Line* line) { return line->message().kind == Kind::note; });
-    const bool many = notes.size() > mostNotes;
-    open_ = open_ && many;
-    for (Line* note : notes) {
-        const bool newest = note == notes.back();
-        note->setVisible(newest || open_ || !many);
-        note->offer(newest && many ? notes.size() - 1 : 0, open_);
+    const QWidget* host = parentWidget();
+    const bool tight = host != nullptr && heightOfAll() > mostHidden * host->height();
+    std::vector<Line*> notes, errors;
+    for (Line* line : lines_) {
+        if (line->message().kind == Kind::note) notes.push_back(line);
+        if (line->message().kind == Kind::error) errors.push_back(line);
     }
+    if (tight) notes.insert(notes.end(), errors.begin(), errors.end());
+    const bool many = notes.size() > (tight ? 1 : mostNotes);
+    open_ = open_ && many;
+    for (Line* line : errors) line->setVisible(true);
+    for (Line* line : notes) {
+        const bool last = line == notes.back();
+        line->setVisible(last || open_ || !many);
+        line->offer(last && many ? notes.size() - 1 : 0, open_);
+    }
+    if (!tight)
+        for (Line* line : errors) line->offer(0, false);
+}
+
+int MessageBar::heightOfAll() const {
+    int height = 0;
+    for (const Line* line : lines_) height += line->heightIn(parentWidget()->width());
+    return height;
 }
 
 void MessageBar::remove(const QString& topic) {
@@ -253,7 +271,7 @@ void MessageBar::clear() {
 
 bool MessageBar::dismiss() {
     for (std::size_t i = lines_.size(); i-- > 0;) {
-        if (lines_[i]->message().kind == Kind::progress) continue;
+        if (lines_[i]->message().kind == Kind::progress || lines_[i]->isHidden()) continue;
         drop(i);
         return true;
     }

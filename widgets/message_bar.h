@@ -12,7 +12,8 @@ class QVBoxLayout;
 namespace mrose {
 
 /// What there is to say, a line each, above the field: it takes no focus and blocks nothing. The text can be selected;
-/// each line can be dismissed. Of more notes than two only the newest is seen, until its line is opened.
+/// each line can be dismissed. Of more notes than two only the newest is seen, until its line is opened; of all
+/// messages only the newest error, or else note, where they would hide more than a quarter of what they stand over.
 class MessageBar final : public QWidget {
     Q_OBJECT
 
@@ -39,7 +40,7 @@ public:
     /// All of a topic; nothing where there is none.
     void remove(const QString& topic);
     void clear();
-    /// The newest that waits for nothing; false: there is none.
+    /// The newest that is seen and waits for nothing; false: there is none.
     bool dismiss();
     /// Oldest first.
     std::vector<Message> messages() const;
@@ -57,14 +58,16 @@ private:
     class Line;
     static constexpr std::size_t most = 4;       ///< notes give way before errors
     static constexpr std::size_t mostNotes = 2;  ///< that are not folded
+    static constexpr double mostHidden = 0.25;   ///< of the host's height
     void drop(std::size_t index);
     void makeRoom();
     void fold();
     void place();
+    int heightOfAll() const;
 
     std::vector<Line*> lines_;
     QVBoxLayout* layout_;
-    bool open_ = false;  ///< folded notes are seen
+    bool open_ = false;  ///< folded ones are seen
     Theme theme_ = Theme::light();
 };
 

@@ -164,5 +164,40 @@ TEST_F(MessageBarTest, StandsOverAnothersUpperEdgeAndMovesNothing) {
     EXPECT_EQ(over.height(), one);
 }
 
+TEST_F(MessageBarTest, SeveralHideNoMoreThanAQuarterOfTheirHost) {
+    QWidget host;
+    host.resize(460, 250);
+    host.show();
+    bar.standOver(host);
+    const QString text = QString("something that takes two lines of words where it stands ").repeated(2);
+    for (const char* which : {"1", "2"}) {
+        bar.add({Kind::error, "error " + text + which});
+        bar.add({Kind::note, "note " + text + which});
+    }
+    QApplication::processEvents();
+    const auto seen = [&] {
+        QStringList texts;
+        for (const QLabel* label : bar.findChildren<QLabel*>("message_text"))
+            if (label->isVisible()) texts << label->text();
+        return texts;
+    };
+    EXPECT_EQ(seen(), QStringList{"error " + text + "2"});
+    EXPECT_LE(bar.height(), 0.25 * host.height());
+    EXPECT_TRUE(bar.dismiss()) << "what is seen goes first";
+    QApplication::processEvents();
+    EXPECT_EQ(seen(), QStringList{"error " + text + "1"});
+    for (auto* button : bar.findChildren<QToolButton*>("more_notes"))
+        if (button->isVisible()) {
+            EXPECT_EQ(button->text(), "2 more");
+            button->click();
+            break;
+        }
+    EXPECT_EQ(seen().size(), 3);
+    host.resize(1600, 1000);
+    QApplication::processEvents();
+    EXPECT_EQ(seen().size(), 3) << "there is room for them";
+    bar.setParent(nullptr);
+}
+
 }  // namespace
 }  // namespace mrose
