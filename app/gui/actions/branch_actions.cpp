@@ -107,7 +107,7 @@ void addChanges(const Frame& frame, const FieldView& field, CommandPanel& comman
                     [&] {
                         const std::optional<std::size_t> selected = field.selected();
                         if (!selected || !frame.shown() || *selected >= frame.shown()->frame->state.robots.size()) {
-                            frame.say(QObject::tr("Select the robot first that is to move otherwise"));
+                            frame.status.ask(QObject::tr("Select the robot first that is to move otherwise"));
                             return QString();
                         }
                         const QString robot = qtText(frame.shown()->frame->nameOf(*selected));

@@ -2,6 +2,7 @@
 
 #include <QLabel>
 #include <QString>
+#include <QTimer>
 #include <cstdint>
 
 #include "frame/quiet_message.h"
@@ -13,8 +14,8 @@ class Actions;
 class Session;
 
 /// What is said of the shown tick, in the status bar and for some seconds over the field: what the run's debugger says
-/// of it, and what anyone else says until another tick is shown, while it plays for those seconds, or another run
-/// comes.
+/// of it, and what anyone else says until another tick is shown, while it plays for those seconds, until it is done, or
+/// for a while.
 class StatusLine final : public ElidingLabel {
     Q_OBJECT
 
@@ -23,6 +24,9 @@ public:
     StatusLine(Session& session, const Actions& actions, QWidget& over);
 
     void say(const QString& text);
+    /// Asks the user for something: until done(), or for a while.
+    void ask(const QString& text);
+    void done();  ///< what was asked for
     const QString& said() const { return said_; }
     /// Stands in its place for as long as something is pointed at; empty: nothing is.
     void showTip(const QString& tip) { setText(tip.isEmpty() ? said_ : tip); }
@@ -37,6 +41,8 @@ private:
     std::int64_t saidAt_ = 0;  ///< the tick shown when something was said
     QString reported_;         ///< the debugger's last message
     QString said_;
+    bool asked_ = false;
+    QTimer end_;
 };
 
 }  // namespace mrose::gui
