@@ -53,6 +53,18 @@ TEST(ShippedScripts, PicturesOfTheReadmeCanBeMade) {
     }
 }
 
+TEST(ShippedScripts, EachViewOfTheWindowIsPictured) {
+    const TemporaryFolder folder;
+    const ProgramResult result =
+        runShell({"MROSE_GUI=" + windowProgram(), "MROSE_DATA=", "SIZES=1024x620@2", "THEMES=dark"},
+                 {"/bin/sh", (sourceFolder() / "tests/pictures/make_views.sh").string(), folder.path().string()});
+    ASSERT_EQ(result.status, 0) << result.err;
+    for (const char* name : {"start", "plots", "side_by_side", "log", "models"}) {
+        const std::string file = (folder.path() / "1024x620@2_dark" / name).string() + ".png";
+        EXPECT_EQ(QImage(file.c_str()).size(), 2 * QSize(1024, 620)) << name;
+    }
+}
+
 /// As ./demo does where there is no display.
 TEST(ShippedScripts, RecordedGameIsPictured) {
     const TemporaryFolder folder;

@@ -1,0 +1,12 @@
+-- Views of a real log over its simulation, for make_views.sh.
+expect(reality("windows") > 0)
+screenshot("log.png")
+worst(1)
+screenshot("worst.png")
+select(reality("robot"))
+layer_legend(true)
+seek(5)
+screenshot("log_robot.png")
+add_model("velocity = command")
+seek(9)
+screenshot("models.png")
