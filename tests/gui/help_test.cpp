@@ -182,7 +182,7 @@ TEST_F(HelpTest, FirstStepsNeitherShrinkTheFieldNorHideIt) {
     ASSERT_NE(button, nullptr);
     const FieldView& field = window.field();
     int cards = 0, buttons = 0;
-    for (const QSize size : {QSize(1280, 800), QSize(1600, 760), QSize(1024, 640)}) {
+    for (const QSize size : {QSize(1280, 1150), QSize(1600, 760), QSize(1024, 640)}) {
         window.resize(size);
         settle();
         key(Qt::Key_F);
@@ -255,6 +255,8 @@ TEST_F(HelpTest, FirstStepsAreTickedOffAsTheyAreDone) {
     auto* card = window.findChild<FirstSteps*>();
     ASSERT_NE(card, nullptr);
     EXPECT_FALSE(card->isVisible());
+    window.resize(1280, 1150);
+    settle();
     key(Qt::Key_F1, Qt::ShiftModifier);
     EXPECT_TRUE(card->isVisible());
     EXPECT_TRUE(window.field().rect().contains(card->geometry()));
@@ -309,8 +311,23 @@ TEST_F(HelpTest, WhatCameToNothingIsNotTickedOff) {
     EXPECT_EQ(doneSteps(*card), before);
 }
 
+TEST_F(HelpTest, WhatIsAskedForIsNotSaidAnyLongerOnceItIsDone) {
+    key(Qt::Key_E);
+    ASSERT_TRUE(window.status().said().startsWith("Select a robot first")) << window.status().said().toStdString();
+    window.field().setSelected(2);
+    EXPECT_EQ(window.status().said(), "");
+    EXPECT_FALSE(window.status().quietMessage().isVisible());
+    // What is said otherwise stays for a while.
+    window.frame().say("something");
+    window.field().setSelected(1);
+    EXPECT_EQ(window.status().said(), "something");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window.status().said().isEmpty(); }, 10'000));
+}
+
 TEST_F(HelpTest, ClosedFirstStepsStayAwayUntilTheyAreAskedFor) {
     auto* card = window.findChild<FirstSteps*>();
+    window.resize(1280, 1150);
+    settle();
     showFirstSteps(window.actions());
     ASSERT_TRUE(card->isVisible());
     QTest::mouseClick(card->findChild<QToolButton*>(), Qt::LeftButton);

@@ -4,7 +4,11 @@
 #include <QDoubleSpinBox>
 #include <QLineEdit>
 #include <QSpinBox>
+#include <QToolBar>
+#include <QToolButton>
+#include <set>
 
+#include "frame/focus_ring.h"
 #include "frame/status_line.h"
 #include "gui/window_fixture.h"
 #include "panels/breakpoint_panel.h"
@@ -157,6 +161,51 @@ TEST_F(InputKeysTest, ShortMessagesAreSeenWhileTheRunPlays) {
     while (window.shown()->tick() < tick + 5) QTest::qWait(20);
     EXPECT_EQ(window.status().said(), "seen");
     EXPECT_TRUE(window.status().quietMessage().isVisible());
+}
+
+TEST_F(InputKeysTest, TabReachesAllToolsAndTheTimelineAndTheyAreUsedThere) {
+    auto* bar = window.findChild<QToolBar*>("time_bar");
+    std::set<QWidget*> wanted{&window.timeline(), &window.field()};
+    for (QAction* action : bar->actions()) {
+        QWidget* tool = bar->widgetForAction(action);
+        if (tool->isEnabled() && (qobject_cast<QToolButton*>(tool) || qobject_cast<QComboBox*>(tool)))
+            wanted.insert(tool);
+    }
+    ASSERT_GT(wanted.size(), 10u);
+    auto* ring = window.findChild<FocusRing*>();
+    std::set<QWidget*> reached;
+    window.field().setFocus();
+    const auto focused = [] { return QApplication::focusWidget(); };
+    for (int i = 0; i < 60 && reached.size() < wanted.size(); ++i) {
+        if (wanted.count(focused()) != 0) {
+            reached.insert(focused());
+            EXPECT_EQ(ring->shownAbout(), focused()) << "it is seen where the keys go";
+        }
+        QTest::keyClick(focused(), Qt::Key_Tab);
+    }
+    EXPECT_EQ(reached, wanted);
+
+    QWidget* step = bar->widgetForAction(&window.actions()["tick_forward"]);
+    const std::int64_t tick = window.shown()->tick();
+    for (const Qt::Key key : {Qt::Key_Space, Qt::Key_Return}) {
+        step->setFocus(Qt::TabFocusReason);
+        press(key);
+        EXPECT_EQ(step, focused());
+    }
+    EXPECT_EQ(window.shown()->tick(), tick + 2);
+    EXPECT_FALSE(window.shown()->playing);
+    auto* speed = bar->findChild<QComboBox*>();
+    const int chosen = speed->currentIndex();
+    speed->setFocus(Qt::TabFocusReason);
+    press(Qt::Key_Down);
+    EXPECT_EQ(speed->currentIndex(), chosen + 1);
+    press(Qt::Key_Up);
+    window.timeline().setFocus(Qt::TabFocusReason);
+    press(Qt::Key_PageDown);
+    EXPECT_GT(window.shown()->tick(), tick + 100);
+    EXPECT_TRUE(window.timeline().hasFocus());
+    QTest::mouseClick(step, Qt::LeftButton);
+    EXPECT_TRUE(window.timeline().hasFocus()) << "a click takes no keys";
 }
 
 }  // namespace

@@ -213,6 +213,7 @@ TEST_F(RealityPlotTest, TimelineShowsUnknownStretchesAndNotes) {
 }
 
 TEST_F(RealityPlotTest, PlotsShowTheBoundAndTheInstantBeyondIt) {
+    window.frame().showDock("plots");
     seek(400);
     ASSERT_TRUE(window.plots().add({"error", "sim b"}));
     settlePlots();
@@ -227,7 +228,7 @@ TEST_F(RealityPlotTest, PlotsShowTheBoundAndTheInstantBeyondIt) {
     int across = 0, down = 0;
     for (int d = -30; d <= 30; ++d) {
         const auto is = [&](const QPointF& at) {
-            return blobOf(picture.copy(QRect(at.toPoint() - QPoint(1, 1), QSize(3, 3))), colour, 60).pixels > 0;
+            return blobOf(picture.copy(QRect(at.toPoint() - QPoint(1, 1), QSize(3, 3))), colour, 100).pixels > 0;
         };
         across += is(crossing + QPointF(d, 0)) ? 1 : 0;
         down += is(crossing + QPointF(0, d)) ? 1 : 0;

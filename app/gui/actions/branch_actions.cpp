@@ -157,8 +157,7 @@ void addBranchViews(const Frame& frame, SideView& view, const BranchPanel& branc
                  QObject::tr("All branches but the shown one and those that it came from")},
                 [&session](bool) { session.ask(&Debugger::removeOtherBranches); });
     actions.add(menu,
-                {"restore_branches",
-                 QObject::tr("&Bring back what was deleted"), QKeySequence("Ctrl+Shift+Insert"),
+                {"restore_branches", QObject::tr("&Bring back what was deleted"), QKeySequence("Ctrl+Shift+Insert"),
                  QObject::tr("Branches that were deleted, or undone before another change")},
                 [&session](bool) { session.ask(&Debugger::restoreBranches); });
     actions.add(menu,

@@ -1,4 +1,3 @@
-#include <QDockWidget>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
@@ -101,30 +100,13 @@ std::optional<std::size_t> robotOf(const Frame& frame, const Overlay& overlay, s
     return {};
 }
 
-/// Its dock on top of those that it shares the left with, where it is hidden.
-void showReality(QMainWindow& window) {
-    auto* reality = window.findChild<QDockWidget*>("reality");
-    if (!reality->isHidden()) return;
-    reality->show();
-    for (const char* const name : {"branches", "breakpoints", "command"})
-        if (auto* dock = window.findChild<QDockWidget*>(name);
-            !dock->isHidden() && !dock->isFloating() && window.dockWidgetArea(dock) == window.dockWidgetArea(reality))
-            window.tabifyDockWidget(reality, dock);
-    window.setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::West);
-    reality->raise();
-}
-
 /// Selection, strip and panel follow the overlay, and it them.
 void bindOverlay(const Frame& frame, FieldView& field, Overlay& overlay, OverlayPanel& panel, RolloutStrip& strip) {
     strip.setObjectName("courses_strip");
     strip.hide();
-    QObject::connect(&overlay, &Overlay::changed, &strip, [&frame, &overlay, &strip] {
+    QObject::connect(&overlay, &Overlay::changed, &strip, [&overlay, &strip] {
         strip.setVisible(overlay.rollouts().log() != nullptr);
         strip.setContent(stripOf(overlay));
-        if (overlay.rollouts().log()) showReality(frame.window);
-    });
-    QObject::connect(&frame.memory, &WindowMemory::layoutReset, &overlay, [&frame, &overlay] {
-        if (overlay.isOpen()) showReality(frame.window);
     });
     QObject::connect(&overlay, &Overlay::robotKindUnknown, &overlay,
                      [&](const auto& request, const auto& asked) { askWhatDrove(frame, overlay, request, asked); });

@@ -115,7 +115,7 @@ void addViewActions(const Frame& frame, FieldView& field, const std::function<vo
     actions.addSeparator(menu);
     actions.add(menu,
                 {"reset_layout", QObject::tr("Reset la&yout"), QKeySequence("Ctrl+Shift+L"),
-                 QObject::tr("Panels, tool bars and size as in a new window")},
+                 QObject::tr("Panels and tool bars as in a new window; its size, too, unless it fills the screen")},
                 [&](bool) { frame.memory.resetLayout(); });
     actions.add(menu,
                 {"dark", QObject::tr("Dar&k colours"), QKeySequence("Ctrl+D"),

@@ -92,7 +92,8 @@ Expected<void> writeWidget(QWidget& widget, const QString& path) {
     const auto paint = [&widget](QPainter& painter) {
         widget.render(&painter, {}, {}, QWidget::DrawWindowBackground | QWidget::DrawChildren);
     };
-    return writePicture({widget.size(), widget.logicalDpiX(), widget.window()->windowTitle(), paint}, path, 1);
+    return writePicture({widget.size(), widget.logicalDpiX(), widget.window()->windowTitle(), paint}, path,
+                        qRound(widget.devicePixelRatioF()));
 }
 
 }  // namespace mrose::gui

@@ -4,8 +4,10 @@
 #include <QApplication>
 #include <QEvent>
 #include <QPainter>
+#include <QToolBar>
 
 #include "widgets/field_view.h"
+#include "widgets/timeline_bar.h"
 
 namespace mrose::gui {
 
@@ -60,7 +62,9 @@ void FocusRing::follow(QWidget* now) {
     }
     delete ring_;
     auto* list = qobject_cast<QAbstractItemView*>(now);
-    const bool ringed = now != nullptr && now->window() == &window_ && (list || qobject_cast<FieldView*>(now));
+    const bool inBar = now != nullptr && qobject_cast<QToolBar*>(now->parentWidget()) != nullptr;
+    const bool ringed = now != nullptr && now->window() == &window_ &&
+                        (list || inBar || qobject_cast<FieldView*>(now) || qobject_cast<TimelineBar*>(now));
     target_ = ringed ? now : nullptr;
     if (!ringed) return;
     if (list != nullptr) {

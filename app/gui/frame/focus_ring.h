@@ -9,8 +9,8 @@ class QWidget;
 
 namespace mrose::gui {
 
-/// Shows which of a window's fields and lists the keys go to: by a ring about it, and by the colour of what is selected
-/// in it, which is quieter in all others.
+/// Shows which of a window's fields, lists, tools and timeline the keys go to: by a ring about it, and by the colour of
+/// what is selected in it, which is quieter in all others.
 class FocusRing final : public QObject {
     Q_OBJECT
 

@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "frame/actions.h"
+#include "frame/docks.h"
 #include "session/session.h"
 #include "widgets/qt_text.h"
 
@@ -18,10 +19,8 @@ namespace mrose::gui {
 namespace {
 
 constexpr int mostRecent = 10;
-/// Of the docks' arrangement: another one makes old settings unfit.
-constexpr int layoutVersion = 1;
-constexpr const char *geometryKey = "window/geometry", *stateKey = "window/docks", *recentKey = "recent_files",
-                     *errorPlotKey = "view/error_plot", *saveFolderKey = "save_folder";
+constexpr const char *geometryKey = "window/geometry", *recentKey = "recent_files", *errorPlotKey = "view/error_plot",
+                     *saveFolderKey = "save_folder";
 
 /// Those that are switched to the user's taste and stay so.
 bool isTaste(const QString& action) { return action == "dark" || action.startsWith("layer_"); }
@@ -67,8 +66,8 @@ QString tasteKey(const QAction& action) { return "view/" + action.objectName(); 
 
 }  // namespace
 
-WindowMemory::WindowMemory(QMainWindow& window, Actions& actions, Session& session)
-    : QObject(&window), window_(window), actions_(actions), session_(session) {}
+WindowMemory::WindowMemory(QMainWindow& window, Actions& actions, Session& session, Docks& docks)
+    : QObject(&window), window_(window), actions_(actions), session_(session), docks_(docks) {}
 
 std::unique_ptr<QSettings> WindowMemory::ofUser() {
     return std::make_unique<QSettings>(QSettings::IniFormat, QSettings::UserScope, "mrose", "mrose-gui");
@@ -82,7 +81,7 @@ void WindowMemory::restore(std::unique_ptr<QSettings> settings) {
     });
     if (!window_.restoreGeometry(settings_->value(geometryKey).toByteArray()))
         window_.resize(withinScreen(window_.size()));
-    window_.restoreState(settings_->value(stateKey).toByteArray(), layoutVersion);
+    docks_.restore(*settings_);
     recent_ = settings_->value(recentKey).toStringList();
     saveFolder_ = settings_->value(saveFolderKey).toString();
     errorPlot_ = settings_->value(errorPlotKey, true).toBool();
@@ -91,20 +90,20 @@ void WindowMemory::restore(std::unique_ptr<QSettings> settings) {
 void WindowMemory::save() {
     if (!settings_) return;
     settings_->setValue(geometryKey, window_.saveGeometry());
-    settings_->setValue(stateKey, window_.saveState(layoutVersion));
+    docks_.save(*settings_);
     forTastes(actions_, [this](const QAction& action) { settings_->setValue(tasteKey(action), action.isChecked()); });
     settings_->sync();
 }
 
 void WindowMemory::keepAsNew() {
     newSize_ = window_.size();
-    newState_ = window_.saveState(layoutVersion);
+    docks_.keepAsNew();
 }
 
 void WindowMemory::resetLayout() {
-    window_.setWindowState(window_.windowState() & ~(Qt::WindowMaximized | Qt::WindowFullScreen));
-    window_.resize(settings_ ? withinScreen(newSize_) : newSize_);
-    window_.restoreState(newState_, layoutVersion);
+    const bool fillsScreen = window_.isMaximized() || window_.isFullScreen();
+    if (!fillsScreen) window_.resize(settings_ ? withinScreen(newSize_) : newSize_);
+    docks_.reset();
     setErrorPlot(true);
     emit layoutReset();
 }

@@ -16,6 +16,7 @@ class QMenu;
 namespace mrose::gui {
 
 class Actions;
+class Docks;
 class Session;
 
 /// What the window keeps from one start to the next: where its docks are, its size, colours, layers, and the files that
@@ -24,7 +25,7 @@ class WindowMemory final : public QObject {
     Q_OBJECT
 
 public:
-    WindowMemory(QMainWindow& window, Actions& actions, Session& session);
+    WindowMemory(QMainWindow& window, Actions& actions, Session& session, Docks& docks);
 
     /// The user's settings file.
     static std::unique_ptr<QSettings> ofUser();
@@ -34,7 +35,7 @@ public:
     /// As these settings say; they are kept up to date from now on. Without them nothing outlives the window.
     void restore(std::unique_ptr<QSettings> settings);
     void save();
-    /// Docks, tool bars and size as in a new window.
+    /// Docks and tool bars as in a new window; its size, too, unless it fills the screen.
     void resetLayout();
 
     /// The latest first.
@@ -71,9 +72,9 @@ private:
     QMainWindow& window_;
     Actions& actions_;
     Session& session_;
+    Docks& docks_;
     std::unique_ptr<QSettings> settings_;
     QSize newSize_;
-    QByteArray newState_;
     bool errorPlot_ = true;
     QStringList recent_;
     QString saveFolder_;

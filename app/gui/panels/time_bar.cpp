@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "frame/actions.h"
+#include "frame/tool_bar_keys.h"
 #include "widgets/icons.h"
 
 namespace mrose::gui {
@@ -31,7 +32,6 @@ TimeBar::TimeBar(const Frame& frame)
     for (const double speed : speeds) speed_->addItem(speedName(speed), speed);
     speed_->setCurrentIndex(usualSpeed);
     speed_->setToolTip(tr("Simulated seconds per second"));
-    speed_->setFocusPolicy(Qt::NoFocus);
     connect(speed_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
             [this](int index) { frame_.session.setSpeed(speed_->itemData(index).toDouble()); });
     factor_->setMinimumWidth(190);
@@ -53,6 +53,7 @@ void TimeBar::addActions() {
     addSeparator();
     addAction(&frame_.actions["fit"]);
     addAction(&frame_.actions["follow"]);
+    new ToolBarKeys(*this);
 }
 
 void TimeBar::changeSpeed(int by) {

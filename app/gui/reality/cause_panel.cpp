@@ -157,6 +157,8 @@ void CausePanel::makeCauses() {
     causes_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     causes_->header()->setSectionResizeMode(1, QHeaderView::Fixed);
     causes_->header()->resizeSection(1, barWidth + 4 + numberWidth);
+    // A name may need another line now, or one less.
+    connect(causes_->header(), &QHeaderView::sectionResized, causes_, [this] { causes_->doItemsLayout(); });
     causes_->setItemDelegateForColumn(1, new ShareBar(causes_));
     causes_->setItemDelegateForColumn(0, new WrappedName(causes_));
     // Always the same: the list of rollouts above keeps its room.

@@ -14,12 +14,10 @@
 
 #include "actions/window_actions.h"
 #include "files/window_files.h"
-#include "frame/dock_sizes.h"
-#include "frame/dock_toggle.h"
+#include "frame/docks.h"
 #include "frame/fault_messages.h"
 #include "frame/focus_ring.h"
 #include "frame/input_keys.h"
-#include "frame/shrinking_area.h"
 #include "frame/theme_palette.h"
 #include "frame/window_memory.h"
 #include "frame/work_progress.h"
@@ -59,7 +57,8 @@ MainWindow::MainWindow(QWidget* parent)
       status_(new StatusLine(*session_, actions_, view_->field())),
       messages_(new MessageBar),
       focusRing_(new FocusRing(*this)),
-      memory_(new WindowMemory(*this, actions_, *session_)),
+      docks_(new Docks(*this, view_->field())),
+      memory_(new WindowMemory(*this, actions_, *session_, *docks_)),
       frame_{*this, *session_, actions_, *messages_, *status_, *memory_},
       time_(new TimeBar(frame_)),
       files_(new WindowFiles(frame_, view_->field())),
@@ -85,14 +84,13 @@ MainWindow::MainWindow(QWidget* parent)
     layout->addWidget(timeline_);
     setCentralWidget(middle);
     makeDocks();
-    errors_ = new ErrorPlot(frame_, field(), *plots_, *findChild<QDockWidget*>("plots"), *overlay_);
+    errors_ = new ErrorPlot(frame_, field(), *plots_, (*docks_)["plots"], *overlay_);
     makeActions();
     addToolBar(time_);
     time_->addActions();
     makeStatusBar();
     connectAll();
     new FaultMessages(*session_, *messages_);
-    new DockSizes(*this);
     setTheme(Theme::light());
     field().setEmptyText(tr("Nothing is open: Ctrl+O opens a scenario or a recording, or drop one here"));
     memory_->keepAsNew();
@@ -122,7 +120,6 @@ void MainWindow::makeActions() {
     actions_.addSeparator(tr("&View"));
     int number = 0;
     for (QDockWidget* dock : findChildren<QDockWidget*>()) {
-        raiseInsteadOfHiding(*dock);
         actions_.adopt(
             tr("&View"),
             {"show_" + dock->objectName(), dock->windowTitle(), QKeySequence(QString("Ctrl+%1").arg(++number)),
@@ -139,8 +136,11 @@ void MainWindow::connectAll() {
     connect(session_, &Session::opening, this, [this](const OpenRun& run) {
         setWindowTitle(qtText(run.name) + " \u2013 mrose");
         field().setSelected(std::nullopt);
+        field().fit();
     });
     connect(&field(), &FieldView::bodySelected, inspector_, &Inspector::setBody);
+    connect(&field(), &FieldView::bodySelected, status_, &StatusLine::done);
+    connect(&field(), &FieldView::bodySelected, docks_, [this](auto body) { docks_->setEmpty("inspector", !body); });
     connect(&field(), &FieldView::bodySelected, command_, &CommandPanel::setRobot);
     connect(inspector_, &Inspector::commandActivated, this, [this](qint64 issued) {
         // The state after the decision is the first that shows it.
@@ -178,25 +178,15 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::makeDocks() {
-    const auto dock = [this](const char* name, const QString& title, QWidget* content, Qt::DockWidgetArea area) {
-        auto* made = new QDockWidget(title, this);
-        made->setObjectName(name);
-        made->setWidget(new ShrinkingArea(content));
-        addDockWidget(area, made);
-        return made;
-    };
-    dock("branches", tr("Branches"), branches_, Qt::LeftDockWidgetArea);
-    dock("breakpoints", tr("Breakpoints"), breakpoints_, Qt::LeftDockWidgetArea);
-    dock("command", tr("Change a command"), command_, Qt::LeftDockWidgetArea);
-    dock("reality", tr("Reality"), reality_, Qt::LeftDockWidgetArea)->hide();
-    dock("inspector", tr("Inspector"), inspector_, Qt::RightDockWidgetArea);
-    dock("plots", tr("Plots"), plots_, Qt::BottomDockWidgetArea)->hide();
-    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-    resizeDocks({findChild<QDockWidget*>("branches"), findChild<QDockWidget*>("inspector")}, {250, 330},
-                Qt::Horizontal);
-    resizeDocks({findChild<QDockWidget*>("branches"), findChild<QDockWidget*>("breakpoints")}, {350, 160},
-                Qt::Vertical);
+    docks_->add("branches", tr("Branches"), branches_, Qt::LeftDockWidgetArea, {250, 350}, 120);
+    docks_->add("breakpoints", tr("Breakpoints"), breakpoints_, Qt::LeftDockWidgetArea, {250, 160});
+    docks_->add("command", tr("Change a command"), command_, Qt::LeftDockWidgetArea, {250, 240});
+    docks_->add("reality", tr("Reality"), reality_, Qt::LeftDockWidgetArea, {450, 600}).hide();
+    docks_->add("inspector", tr("Inspector"), inspector_, Qt::RightDockWidgetArea, {330, 560});
+    docks_->add("plots", tr("Plots"), plots_, Qt::BottomDockWidgetArea, {400, 240}).hide();
+    docks_->setEmpty("inspector", true);
+    connect(overlay_, &Overlay::changed, docks_,
+            [this] { docks_->setLayout(overlay_->rollouts().log() ? Docks::Layout::log : Docks::Layout::run); });
 }
 
 void MainWindow::makeStatusBar() {

@@ -27,6 +27,7 @@ namespace mrose::gui {
 class BranchPanel;
 class BreakpointPanel;
 class CommandPanel;
+class Docks;
 class FocusRing;
 class RunTimeline;
 class SideView;
@@ -99,6 +100,7 @@ private:
     StatusLine* status_;
     MessageBar* messages_;
     FocusRing* focusRing_;
+    Docks* docks_;
     WindowMemory* memory_;
     Frame frame_;
     TimeBar* time_;
