@@ -140,7 +140,7 @@ TEST_F(FieldViewTest, AKicksNumberStandsBesideTheRobotThatKicked) {
 
 TEST_F(FieldViewTest, LegendLeavesALowFieldItsLargerPart) {
     show(frameOfDiscs({{0, 0, 0}}));
-    for (const QSize& size : {QSize(460, 250), QSize(900, 600)}) {
+    for (const QSize& size : {QSize(460, 200), QSize(900, 600)}) {
         view.resize(size);
         view.setLayers(only({}));
         view.fit();
