@@ -3,6 +3,7 @@
 
 #include "actions/window_actions.h"
 #include "frame/actions.h"
+#include "frame/status_line.h"
 #include "panels/branch_panel.h"
 #include "panels/command_panel.h"
 #include "panels/side_view.h"
@@ -59,7 +60,7 @@ void addChanges(const Frame& frame, const FieldView& field, CommandPanel& comman
     Session& session = frame.session;
     const auto edit = [&frame, &command] {
         frame.whenStanding(QObject::tr("Stopped, since commands are changed while the run stands"), [&frame, &command] {
-            if (const QString missing = command.edit(); !missing.isEmpty()) frame.say(missing);
+            if (const QString missing = command.edit(); !missing.isEmpty()) frame.status.ask(missing);
         });
     };
     actions.add(menu,
