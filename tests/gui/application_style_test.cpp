@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QHeaderView>
+#include <QScrollBar>
 #include <QTableWidget>
 #include <algorithm>
 #include <vector>
@@ -33,6 +34,33 @@ TEST(ApplicationStyleTest, FramesOfEmptyCheckBoxesStandOut) {
         for (int x = 0; x < picture.width(); ++x)
             sides += contrast(picture.pixelColor(x, picture.height() / 2), theme.panel) >= 3 ? 1 : 0;
         EXPECT_EQ(sides, 2) << (theme.dark ? "dark" : "light");
+    }
+}
+
+/// From one end to the other, along its middle.
+std::vector<QColor> alongBar(const Theme& theme, int at) {
+    QScrollBar bar(Qt::Vertical);
+    bar.setPalette(paletteOf(theme));
+    bar.setRange(0, 100);
+    bar.setPageStep(40);
+    bar.setValue(at);
+    bar.resize(bar.sizeHint().width(), 240);
+    bar.show();
+    const QImage picture = grabbed(bar);
+    std::vector<QColor> colours;
+    for (int y = 0; y < picture.height(); ++y) colours.push_back(picture.pixelColor(picture.width() / 2, y));
+    return colours;
+}
+
+TEST(ApplicationStyleTest, HandleOfAScrollBarIsWhatStandsOut) {
+    for (const Theme& theme : {Theme::light(), Theme::darkOne()}) {
+        const std::vector<QColor> top = alongBar(theme, 0), bottom = alongBar(theme, 100);
+        // The handle goes from the upper end to the lower one.
+        const QColor handle = top[40], groove = bottom[40];
+        EXPECT_EQ(bottom[200], handle);
+        EXPECT_EQ(top[200], groove);
+        EXPECT_GE(contrast(handle, groove), 3) << (theme.dark ? "dark" : "light");
+        EXPECT_LT(contrast(groove, theme.panel), 1.3) << "the groove is quiet";
     }
 }
 
