@@ -2,11 +2,13 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
+#include <QScrollBar>
 #include <QStyle>
 #include <QTextLayout>
 #include <QTreeWidget>
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <gmock/gmock.h>
 
@@ -183,6 +185,58 @@ TEST_F(OverlayViewTest, ListIsLeftAloneWhileItsRowsStay) {
     overlay.setBound({{0.003, 0.02}, false});
     settleAll();
     EXPECT_EQ(resets, 1) << "other rows, and a diagnosis with its progress";
+}
+
+/// The rollout that is shown first lies anywhere in it.
+TEST_F(OverlayViewTest, ListOpensWithTheWorstInSightAndStaysWhereItIsScrolledTo) {
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {RolloutPlan::Cut::every, 0, 1}));
+    // From the best of the first few on.
+    const auto& rows = overlay.rollouts().rows();
+    const auto best =
+        std::min_element(rows.begin(), rows.begin() + 5,
+                         [](const RolloutRow& one, const RolloutRow& two) { return one.position < two.position; });
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {RolloutPlan::Cut::every, toSeconds(best->start), 1}));
+    const int shown = panel.rollouts()->lineOf(0, 0);
+    ASSERT_GE(list().visualRect(panel.rollouts()->index(shown, RolloutList::error)).top(), list().viewport()->height())
+        << "a log whose first rollout is none of the worst";
+    EXPECT_EQ(list().indexAt({5, 5}).row(), 0);
+    // Nor does it go there where room is given and taken.
+    const int height = list().height();
+    for (const int room :
+         {height + list().visualRect(panel.rollouts()->index(shown, RolloutList::error)).bottom(), height}) {
+        list().setFixedHeight(room);
+        settleAll();
+    }
+    EXPECT_EQ(list().indexAt({5, 5}).row(), 0);
+    EXPECT_EQ(list().selectionModel()->selectedRows().value(0).row(), shown);
+    list().verticalScrollBar()->setValue(3);
+    overlay.setBound({{0.003, 0.02}, false});
+    settleAll();
+    EXPECT_EQ(list().indexAt({5, 5}).row(), 3);
+    // The next one is looked for.
+    overlay.shown().showNext(1);
+    settleAll();
+    EXPECT_TRUE(list().viewport()->rect().contains(list().visualRect(list().currentIndex()).center()));
+}
+
+TEST_F(OverlayViewTest, ListShowsWholeRows) {
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {RolloutPlan::Cut::every, 0, 1}));
+    const int row = list().visualRect(panel.rollouts()->index(0, RolloutList::error)).height(),
+              room = list().viewport()->height();
+    for (int more = 0; more < row; ++more) {
+        list().setFixedHeight(list().height() + 1);
+        settleAll();
+        const int left = list().viewport()->height() % row, last = list().viewport()->height() - 1;
+        EXPECT_EQ(list().indexAt({5, last}).isValid(), left == 0);
+        EXPECT_TRUE(list().indexAt({5, last - left}).isValid());
+        // Where a row would be seen in part there is nothing.
+        const QImage picture = list().viewport()->grab().toImage();
+        std::set<QRgb> colours;
+        for (int y = last - left + 1; y <= last; ++y)
+            for (int x = 0; x < picture.width(); ++x) colours.insert(picture.pixel(x, y));
+        EXPECT_LE(colours.size(), 1u) << "with " << left << " pixels left";
+    }
+    EXPECT_EQ(list().viewport()->height(), room + row);
 }
 
 /// Two robots: the first drives as simulated, the other one slides away.

@@ -15,6 +15,7 @@
 
 #include "diagnosis/divergence_text.h"
 #include "io/format.h"
+#include "reality/whole_rows.h"
 #include "widgets/eliding_text.h"
 #include "widgets/fixed_text.h"
 #include "widgets/qt_text.h"
@@ -94,7 +95,7 @@ CausePanel::CausePanel(Overlay& overlay, QWidget* parent)
       cause_(new ElidingText(3)),
       goThere_(new QToolButton),
       speeds_(new QToolButton),
-      causes_(new QTreeWidget) {
+      causes_(new WholeRows<QTreeWidget>) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);

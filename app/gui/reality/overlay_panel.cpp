@@ -19,8 +19,10 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "io/format.h"
+#include "reality/whole_rows.h"
 #include "widgets/fixed_text.h"
 #include "widgets/qt_text.h"
 #include "workflow/open_model.h"
@@ -88,17 +90,19 @@ QString countText(const std::vector<RolloutRow>& rows) {
         .arg(QString::number(all - gaps - still), QString::number(all), others.join(QObject::tr(" and ")));
 }
 
-/// Rollouts that are walked through by keys are all seen. The current one stays in sight where room is taken.
-class RolloutTable final : public QTreeView {
+/// Rollouts that are walked through by keys are all seen. The current one stays in sight where room is taken, if it was
+/// picked: then the list scrolls by itself.
+class RolloutTable final : public WholeRows<QTreeView> {
 protected:
     void resizeEvent(QResizeEvent* event) override {
         const QRect before = visualRect(currentIndex());
         const bool seen = before.isValid() && before.top() < event->oldSize().height() && before.bottom() >= 0;
         QTreeView::resizeEvent(event);
-        if (seen) scrollTo(currentIndex());
+        if (seen && hasAutoScroll()) scrollTo(currentIndex());
     }
     void keyPressEvent(QKeyEvent* event) override {
         const QModelIndex before = currentIndex();
+        setAutoScroll(true);
         QTreeView::keyPressEvent(event);
         if (currentIndex().isValid() && currentIndex().row() != before.row()) emit activated(currentIndex());
     }
@@ -372,13 +376,14 @@ void OverlayPanel::refresh() {
     causes_->refresh();
 }
 
-/// The line chosen by keys is left alone until another rollout is shown.
+/// The line chosen by keys is left alone until another rollout is shown. A log opens with the worst in sight, wherever
+/// the rollout is that is shown first.
 void OverlayPanel::refreshList() {
     if (listed_ != overlay_.rollouts().rowsVersion()) fillList();
     const RolloutRow* const row = overlay_.rollouts().shownRow();
     const auto shown = row != nullptr ? std::optional(std::pair(row->rollout, row->robot)) : std::nullopt;
     if (shown == selected_ || overlay_.opening()) return;
-    selected_ = shown;
+    list_->setAutoScroll(std::exchange(selected_, shown).has_value());
     selectShown();
 }
 
@@ -390,10 +395,12 @@ void OverlayPanel::fillList() {
     if (current.isValid()) kept = rollouts_->row(current.row());
     rollouts_->setRows(overlay_.rollouts().log(), overlay_.rollouts().rows());
     listed_ = overlay_.rollouts().rowsVersion();
+    if (overlay_.rollouts().rows().empty()) selected_.reset();
     fitColumns();
+    const bool picked = list_->hasAutoScroll();
     list_->setAutoScroll(false);
     if (kept) select(kept->rollout, kept->robot);
-    list_->setAutoScroll(true);
+    list_->setAutoScroll(picked);
     list_->doItemsLayout();
     list_->verticalScrollBar()->setValue(scrolled);
 }
