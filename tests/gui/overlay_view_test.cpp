@@ -278,6 +278,24 @@ TEST_F(TwoRobotsTest, KeyGoesToTheOneThatLeavesWhereTheSelectedOneStays) {
     EXPECT_EQ(window.field().selected(), 1u);
 }
 
+/// A click beside all bodies takes the selection away, and nothing else.
+TEST_F(TwoRobotsTest, ClickOnTheFloorLeavesTheRolloutThatIsAskedAbout) {
+    ASSERT_GT(overlay.rollouts().rowOf(0, 1)->position, overlay.rollouts().rowOf(0, 0)->position)
+        << "of the two the other one is the worse";
+    const auto titles = window.plots().view().titles();
+    const int line = list().currentIndex().row();
+    const std::string says = panel.causes().text().toStdString();
+    const Area floor = field().transform().shown();
+    QTest::mouseClick(&field(), Qt::LeftButton, {},
+                      field().transform().toPixels(floor.least + Point{0.2, 0.2}).toPoint());
+    settleAll();
+    EXPECT_FALSE(field().selected());
+    EXPECT_EQ(overlay.rollouts().robot(), 0u);
+    EXPECT_EQ(list().currentIndex().row(), line);
+    EXPECT_EQ(panel.causes().text().toStdString(), says);
+    EXPECT_EQ(window.plots().view().titles(), titles);
+}
+
 TEST_F(TwoRobotsTest, KeySelectsTheOneThatLeavesAndShowsItFromNear) {
     field().setSelected({});
     settleAll();

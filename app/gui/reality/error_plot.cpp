@@ -135,16 +135,18 @@ void ErrorPlot::lookAtRollout() {
         });
 }
 
-/// In Comparison::rollouts.
+/// In Comparison::rollouts: the one that is asked about; until that is known the selected one, or the worst.
 std::optional<std::size_t> ErrorPlot::robot() const {
     if (!rollout_) return {};
+    const auto asked = overlay_.rollouts().robot();
     const auto selected = field_.selected();
     const FieldFrame& frame = *frame_.session.current()->frame;
     std::optional<std::size_t> worst;
     for (std::size_t i = 0; i < rollout_->rollouts.size(); ++i) {
         const ComparedRollout& rollout = rollout_->rollouts[i];
         if (rollout.use == RolloutUse::absent) continue;
-        if (selected && frame.nameOf(*selected) == rollout_->robots[rollout.robot].name) return i;
+        if (asked && *asked == rollout.robot) return i;
+        if (!asked && selected && frame.nameOf(*selected) == rollout_->robots[rollout.robot].name) return i;
         if (!worst || knownMean(rollout) > knownMean(rollout_->rollouts[*worst])) worst = i;
     }
     return worst;

@@ -42,8 +42,8 @@ void ShownRollout::forget() {
 }
 
 void ShownRollout::setRobot(std::optional<std::size_t> robot) {
-    // The selection goes and comes back with the run.
-    if (robot == rollouts_.robotSet() || coming_) return;
+    // The selection goes and comes back with the run. Who selects nothing goes on asking about the same robot.
+    if (!robot || robot == rollouts_.robotSet() || coming_) return;
     const auto before = rollouts_.robot();
     rollouts_.setRobot(robot);
     if (rollouts_.robot() != before) {

@@ -50,7 +50,7 @@ public:
     /// nullopt: it is not there yet.
     std::optional<std::uint32_t> comparedBranch() const { return compared_; }
     bool showsCompared() const { return shownBranch_ == compared_; }
-    void setRobot(std::optional<std::size_t> robot);  ///< that is asked about
+    void setRobot(std::optional<std::size_t> robot);  ///< that is asked about; nullopt: the same one
     /// What models make of it, and why it leaves the real one.
     void look();
     void reportDivergences();
