@@ -62,13 +62,54 @@ void PlotView::hover(std::optional<double> pixel, const QPoint& place) {
     readOut_->setVisible(inside);
     if (inside) {
         readOut_->setText(textAt(*tick));
-        readOut_->adjustSize();
-        const bool right = place.x() + 16 + readOut_->width() > width();
-        readOut_->move(right ? place.x() - 12 - readOut_->width() : place.x() + 14,
-                       std::clamp(place.y() - readOut_->height() / 2, 0, std::max(0, height() - readOut_->height())));
+        placeReadOut(place);
         readOut_->raise();
     }
     emit hovered(tick);
+}
+
+/// Beside the mouse, within what is seen of the plot, and where it covers the least of the curves.
+void PlotView::placeReadOut(const QPoint& mouse) {
+    constexpr int beside = 14, stays = 6;  // pixels; points of curves: so much less must another place cover
+    const QRect room = parentWidget() == nullptr ? rect() : rect() & QRect(-pos(), parentWidget()->size());
+    readOut_->setWordWrap(false);
+    QSize size = readOut_->sizeHint();
+    if (size.width() > room.width()) {
+        readOut_->setWordWrap(true);
+        size = {room.width(), readOut_->heightForWidth(room.width())};
+    }
+    const int lowest = std::max(room.top(), room.bottom() + 1 - size.height());
+    std::vector<QRect> places;
+    for (const int left : {mouse.x() + beside, mouse.x() - beside - size.width()}) {
+        const int farthest = std::max(room.left(), room.right() + 1 - size.width());
+        const int within = std::clamp(left, room.left(), farthest);
+        for (const int top : {mouse.y() - size.height() / 2, room.top(), lowest})
+            places.emplace_back(QPoint(within, std::clamp(top, room.top(), lowest)), size);
+    }
+    const auto cost = [&](std::size_t i) {
+        const bool overMouse = places[i].left() <= mouse.x() && places[i].right() >= mouse.x();
+        return coveredBy(places[i]) + (overMouse ? width() * static_cast<int>(curves_.size()) : 0) -
+               (i == readOutPlace_ ? stays : 0);
+    };
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < places.size(); ++i)
+        if (cost(i) < cost(best)) best = i;
+    readOutPlace_ = best;
+    readOut_->setGeometry(places[best]);
+}
+
+/// How many points of the curves, of which each has one in every other pixel.
+int PlotView::coveredBy(const QRect& place) const {
+    int covered = 0;
+    for (const auto& band : bands_)
+        for (const auto& [index, graph] : band->graphs)
+            for (int x = place.left(); x <= place.right(); x += 2) {
+                const double number = numberAt(curves_[index], tickAt(x));
+                if (!std::isfinite(number)) continue;
+                const double y = band->value()->coordToPixel(number);
+                covered += y >= place.top() && y <= place.bottom() ? 1 : 0;
+            }
+    return covered;
 }
 
 bool PlotView::press(const QMouseEvent& event) {

@@ -97,6 +97,8 @@ private:
     void setRange(double from, double to);
     void keepNowInView();
     void hover(std::optional<double> pixel, const QPoint& place);
+    void placeReadOut(const QPoint& mouse);
+    int coveredBy(const QRect& place) const;
     bool press(const QMouseEvent& event);
     bool move(const QMouseEvent& event);
     double numberAt(const PlotCurve& curve, std::int64_t tick) const;
@@ -104,6 +106,7 @@ private:
 
     QCustomPlot* plot_;
     QLabel* readOut_;
+    std::size_t readOutPlace_ = 0;  ///< among those that it may have
     QTimer* soon_;
     std::vector<PlotCurve> curves_;
     QString ghostName_;

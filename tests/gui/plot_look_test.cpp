@@ -84,6 +84,59 @@ TEST_F(PlotLookTest, TitlesStandBesideTheCurvesRoom) {
     EXPECT_EQ(titles, 4);
 }
 
+/// Wherever the mouse is: within the plot, beside it, and off the curves where there is room.
+TEST_F(PlotLookTest, ReadOutStaysWithinThePlotBesideTheMouse) {
+    ASSERT_NO_FATAL_FAILURE(openTwo());
+    plot({"command_v", "v", "real_v"}, 0);
+    auto* readOut = plots().view().findChild<QLabel*>();
+    for (const int width : {1280, 900}) {
+        window.resize(width, 800);
+        settleAll();
+        const QCPAxisRect& axes = *canvas().axisRect(0);
+        for (double share = 0.02; share < 1; share += 0.07) {
+            const QPoint mouse(axes.left() + static_cast<int>(share * axes.width()), axes.center().y());
+            QMouseEvent move(QEvent::MouseMove, mouse, Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+            QApplication::sendEvent(&canvas(), &move);
+            const QRect box = readOut->geometry(), area = plots().view().rect();
+            EXPECT_TRUE(area.contains(box)) << share << " of " << width;
+            const bool roomBeside = std::max(mouse.x(), area.right() - mouse.x()) > box.width() + 14;
+            EXPECT_EQ(box.left() <= mouse.x() && box.right() >= mouse.x(), !roomBeside) << share << " of " << width;
+        }
+    }
+}
+
+/// One that is high at the left and low at the right.
+TEST_F(PlotLookTest, ReadOutStandsWhereNoCurveIs) {
+    PlotView view;
+    PlotCurve curve;
+    curve.id = curve.name = "falls";
+    curve.at = [](std::int64_t tick) { return tick < 500 ? 1.0 : 0.0; };
+    curve.sample = [](std::int64_t from, std::int64_t to, std::int64_t, QVector<QPointF>& points) {
+        for (std::int64_t tick = from; tick <= to; ++tick) points.append({double(tick), tick < 500 ? 1.0 : 0.0});
+    };
+    view.resize(900, 300);
+    view.show();
+    view.setCurves({curve});
+    view.setTime({0, 1000, 0});
+    view.showRange(0, 1000);
+    view.draw();
+    auto* plot = view.findChild<QCustomPlot*>();
+    auto* readOut = view.findChild<QLabel*>();
+    for (const double tick : {100.0, 850.0}) {
+        const QPointF on = *view.placeOf("falls", tick, curve.at(std::int64_t(tick)));
+        QMouseEvent move(QEvent::MouseMove, on, Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+        QApplication::sendEvent(plot, &move);
+        ASSERT_TRUE(readOut->isVisible());
+        const QRect box = readOut->geometry();
+        for (int x = box.left(); x <= box.right(); ++x) {
+            const std::int64_t at = view.tickAt(x);
+            if (std::abs(at - 500) < 3) continue;
+            const QPointF point = *view.placeOf("falls", double(at), curve.at(at));
+            EXPECT_FALSE(box.contains(point.toPoint())) << tick << ' ' << at;
+        }
+    }
+}
+
 TEST_F(PlotLookTest, ManyAxesAreScrolledAndNotSqueezed) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped()));
     auto* area = plots().findChild<QScrollArea*>();
