@@ -3,6 +3,7 @@
 #include <QMouseEvent>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "widgets/fixed_text.h"
 #include "widgets/plot_band.h"
@@ -70,7 +71,7 @@ void PlotView::hover(std::optional<double> pixel, const QPoint& place) {
 
 /// Beside the mouse, within what is seen of the plot, and where it covers the least of the curves.
 void PlotView::placeReadOut(const QPoint& mouse) {
-    constexpr int beside = 14, stays = 6;  // pixels; points of curves: so much less must another place cover
+    constexpr int beside = 14, stays = 3;  // pixels; points of curves: another place covers more
     const QRect room = parentWidget() == nullptr ? rect() : rect() & QRect(-pos(), parentWidget()->size());
     readOut_->setWordWrap(false);
     QSize size = readOut_->sizeHint();
@@ -86,24 +87,26 @@ void PlotView::placeReadOut(const QPoint& mouse) {
         for (const int top : {mouse.y() - size.height() / 2, room.top(), lowest})
             places.emplace_back(QPoint(within, std::clamp(top, room.top(), lowest)), size);
     }
-    const auto cost = [&](std::size_t i) {
-        const bool overMouse = places[i].left() <= mouse.x() && places[i].right() >= mouse.x();
-        return coveredBy(places[i]) + (overMouse ? width() * static_cast<int>(curves_.size()) : 0) -
-               (i == readOutPlace_ ? stays : 0);
-    };
     std::size_t best = 0;
-    for (std::size_t i = 1; i < places.size(); ++i)
-        if (cost(i) < cost(best)) best = i;
+    int least = std::numeric_limits<int>::max();
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const bool overMouse = places[i].left() <= mouse.x() && places[i].right() >= mouse.x();
+        const int more = overMouse ? width() * static_cast<int>(curves_.size()) : 0;
+        const int cost = coveredBy(places[i]) + more - (i == readOutPlace_ ? stays : 0);
+        if (cost >= least) continue;
+        best = i;
+        least = cost;
+    }
     readOutPlace_ = best;
     readOut_->setGeometry(places[best]);
 }
 
-/// How many points of the curves, of which each has one in every other pixel.
+/// How many points of the curves, of which each has one in every fourth pixel.
 int PlotView::coveredBy(const QRect& place) const {
     int covered = 0;
     for (const auto& band : bands_)
         for (const auto& [index, graph] : band->graphs)
-            for (int x = place.left(); x <= place.right(); x += 2) {
+            for (int x = place.left(); x <= place.right(); x += 4) {
                 const double number = numberAt(curves_[index], tickAt(x));
                 if (!std::isfinite(number)) continue;
                 const double y = band->value()->coordToPixel(number);

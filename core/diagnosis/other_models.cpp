@@ -1,11 +1,19 @@
 #include "diagnosis/other_models.h"
 
 #include <algorithm>
+#include <string_view>
 
 #include "motion/kinematic_baselines.h"
 #include "motion/same_motion.h"
 
 namespace mrose {
+
+namespace {
+
+/// What kinematic baselines are called beside other models: what each has more than the one before comes behind it.
+constexpr std::string_view plainKinematics = "velocity = command";
+
+}  // namespace
 
 const MotionNetwork* networkOf(const LogWorld& world, std::size_t robot) {
     const auto* learned = learnedModel(world.parts().scene.modelOf(world.robots()[robot].body));
@@ -31,7 +39,7 @@ std::vector<OtherModel> otherKinematics(const LogWorld& world) {
         const MotionNetwork* const network = networkOf(world, i);
         for (const auto& [name, parameters] :
              kinematicBaselines(network == nullptr ? MotionNetwork{} : *network, world.robots()[i].realName)) {
-            const std::string called = name.starts_with("+") ? "velocity = command " + name : name;
+            const std::string called = name.starts_with("+") ? std::string(plainKinematics) + ' ' + name : name;
             auto other =
                 std::find_if(others.begin(), others.end(), [&](const OtherModel& o) { return o.name == called; });
             if (other == others.end()) other = others.insert(others.end(), {called, {}});
@@ -40,6 +48,12 @@ std::vector<OtherModel> otherKinematics(const LogWorld& world) {
         }
     }
     return others;
+}
+
+std::string briefName(const std::string& model) {
+    if (!model.starts_with(plainKinematics)) return model;
+    const std::string more = model.substr(plainKinematics.size());
+    return more.starts_with(" + ") ? more.substr(3) : "ideal" + more;
 }
 
 }  // namespace mrose

@@ -170,7 +170,7 @@ TEST_F(LogWindowTest, CurvesAreCalledByWhatDiffersAndAxesByTheirQuantity) {
     auto* list = window.plots().findChild<QTreeWidget*>();
     ASSERT_EQ(list->topLevelItemCount(), 6);
     for (int i = 0; i < 4; ++i) {
-        EXPECT_EQ(list->topLevelItem(i)->text(0), i % 2 == 0 ? own : "velocity = command");
+        EXPECT_EQ(list->topLevelItem(i)->text(0), i % 2 == 0 ? own : "ideal");
         EXPECT_EQ(list->topLevelItem(i)->text(2), i < 2 ? "cm" : QString::fromUtf8("\u00b0"));
     }
     // What is dashed is named, with its number at the shown instant.

@@ -499,6 +499,29 @@ TEST_F(OverlayViewTest, PanelBehindAnotherComesToTheFront) {
     EXPECT_TRUE(reality->isHidden()) << "one that is in front goes away";
 }
 
+/// What is left out of a long name is at its end.
+TEST_F(OverlayViewTest, ModelsDifferAtTheFrontOfTheirNames) {
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped()));
+    std::size_t kinematic = 0;
+    for (const std::string& name : modelNames(*overlay.rollouts().log())) {
+        if (!name.starts_with("velocity = command")) continue;
+        ++kinematic;
+        overlay.models().add(name);
+    }
+    ASSERT_EQ(kinematic, 3u);
+    settleAll();
+    std::set<QString> fronts;
+    for (int i = 0; i < panel.models().topLevelItemCount(); ++i) {
+        const QTreeWidgetItem& item = *panel.models().topLevelItem(i);
+        const std::string& whole = overlay.models().all()[static_cast<std::size_t>(i)].name;
+        fronts.insert(item.text(0).left(4));
+        EXPECT_TRUE(item.toolTip(0).startsWith(qtText(whole))) << whole;
+        EXPECT_LE(panel.models().fontMetrics().horizontalAdvance(item.text(0)) + 40, panel.models().columnWidth(0))
+            << item.text(0).toStdString();
+    }
+    EXPECT_EQ(fronts.size(), overlay.models().all().size());
+}
+
 TEST_F(OverlayViewTest, ModelsAreRemovedByKeyAndByName) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped()));
     const auto names = modelNames(*overlay.rollouts().log());

@@ -63,7 +63,7 @@ QString modelToRemove(const Frame& frame, const Overlay& overlay, const OverlayP
     const QTreeWidget& list = panel.models();
     const auto& models = overlay.models().all();
     const int line = models.size() == 2 ? 1 : list.indexOfTopLevelItem(list.currentItem());
-    if (line > 0 && line < list.topLevelItemCount()) return list.topLevelItem(line)->text(0);
+    if (line > 0 && line < list.topLevelItemCount()) return qtText(models[static_cast<std::size_t>(line)].name);
     frame.say(models.size() < 2
                   ? QObject::tr("No model is laid over")
                   : QObject::tr("Choose one of the models in the list first, but not the scenario's own"));

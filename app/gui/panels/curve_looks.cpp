@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "diagnosis/other_models.h"
 #include "widgets/qt_text.h"
 
 namespace mrose::gui {
@@ -115,7 +116,10 @@ QString quantityOf(const ValueKey& key, const PlottedValue& value) {
 }  // namespace
 
 std::vector<CurveWords> wordsOf(std::span<const ValueKey> keys, std::span<const PlottedValue> values,
-                                const QString& own) {
+                                const QString& own, ModelNames names) {
+    const auto called = [&](const std::string& model) {
+        return qtText(names == ModelNames::brief ? briefName(model) : model);
+    };
     std::set<std::string> bodies;
     std::map<std::string, std::set<QString>> quantities;  // of each unit
     bool models = !own.isEmpty();
@@ -137,7 +141,7 @@ std::vector<CurveWords> wordsOf(std::span<const ValueKey> keys, std::span<const 
         QStringList parts;
         if (beside.size() > 1) parts << reportingPart(quantity, beside);
         if (models && isError(keys[i]))
-            parts << (!keys[i].of.empty() ? qtText(keys[i].of) : !own.isEmpty() ? own : QObject::tr("run"));
+            parts << (!keys[i].of.empty() ? called(keys[i].of) : !own.isEmpty() ? own : QObject::tr("run"));
         // An axis of different quantities has no title that tells whose they are.
         const bool nothing = parts.isEmpty(), several = bodies.size() > 1 || (end.isEmpty() && beside.size() > 1);
         CurveWords& one = words.emplace_back();

@@ -28,8 +28,10 @@ struct CurveWords {
     QString group;     ///< the body under whose name it may be listed; empty: none
     QString inGroup;   ///< what it is called there
 };
-/// `own` is the motion model by which the run's robots are moved; empty: not known.
+/// `own` is the motion model by which the run's robots are moved; empty: not known. Models have their brief names, or
+/// all of them.
+enum class ModelNames { brief, whole };
 std::vector<CurveWords> wordsOf(std::span<const ValueKey> keys, std::span<const PlottedValue> values,
-                                const QString& own);
+                                const QString& own, ModelNames names);
 
 }  // namespace mrose::gui

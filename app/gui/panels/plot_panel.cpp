@@ -367,12 +367,12 @@ QString PlotPanel::ghostName() const {
     return !ghost ? QString() : *ghost == 0 ? tr("the run") : qtText(shown_->branches[*ghost].name);
 }
 
-std::vector<PlotCurve> PlotPanel::curvesIn(const Theme& theme) const {
+std::vector<PlotCurve> PlotPanel::curvesIn(const Theme& theme, ModelNames names) const {
     if (!shown_ || keys_.empty()) return {};
     const std::vector<PlottedValue> plotted = values();
     const std::vector<CurveLook> looks = looksOf(keys_, plotted, realityOf(shown_), theme);
     const Foresight* const known = foresight();
-    const std::vector<CurveWords> words = wordsOf(keys_, plotted, known != nullptr ? known->model : QString());
+    const std::vector<CurveWords> words = wordsOf(keys_, plotted, known != nullptr ? known->model : QString(), names);
     std::vector<PlotCurve> curves;
     const auto addCurves = [&](std::uint32_t branch, bool ghost) {
         const std::vector<Piece> lineage = lineageOf(branch);
@@ -401,7 +401,7 @@ void PlotPanel::rebuild() {
     area_->setVisible(!keys_.empty());
     looks_ = looksOf(keys_, values(), realityOf(shown_), theme_);
     series_->want(keys_);
-    view_->setCurves(curvesIn(theme_), ghostName());
+    view_->setCurves(curvesIn(theme_, ModelNames::brief), ghostName());
     ghostNote_->setText(tr("thin: %1").arg(ghostName()));
     ghostNote_->setVisible(!ghostName().isEmpty());
     updateList();
@@ -412,7 +412,7 @@ void PlotPanel::rebuild() {
 void PlotPanel::updateList() {
     const std::vector<PlottedValue> plotted = values();
     const std::vector<CurveWords> words =
-        wordsOf(keys_, plotted, foresight() != nullptr ? foresight()->model : QString());
+        wordsOf(keys_, plotted, foresight() != nullptr ? foresight()->model : QString(), ModelNames::brief);
     std::vector<CurveList::Line> lines;
     for (std::size_t i = 0; i < plotted.size(); ++i) {
         PlotCurve curve;

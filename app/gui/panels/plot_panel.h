@@ -76,7 +76,7 @@ public:
     std::optional<std::uint32_t> ghostBranch() const;
     QString ghostName() const;
     /// All of them in the colours of a theme. They live as long as this.
-    std::vector<PlotCurve> curvesIn(const Theme& theme) const;
+    std::vector<PlotCurve> curvesIn(const Theme& theme, ModelNames names = ModelNames::whole) const;
     PlotView& view() const { return *view_; }
     SeriesWorker& computing() const { return *series_; }
     const ValueSeries& series() const { return series_->series(); }

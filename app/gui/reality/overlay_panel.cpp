@@ -21,6 +21,7 @@
 #include <cmath>
 #include <utility>
 
+#include "diagnosis/other_models.h"
 #include "io/format.h"
 #include "reality/whole_rows.h"
 #include "widgets/fixed_text.h"
@@ -417,7 +418,7 @@ void OverlayPanel::refreshModels() {
     std::size_t colour = 0;
     for (std::size_t i = 0; i < overlay_.models().all().size(); ++i) {
         const JudgedModel& model = overlay_.models().all()[i];
-        auto* item = new QTreeWidgetItem({qtText(model.name)});
+        auto* item = new QTreeWidgetItem({qtText(briefName(model.name))});
         const auto set = [&](int column, double value, int decimals) {
             item->setText(column, fixedText(value, decimals));
             item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
@@ -453,8 +454,8 @@ void OverlayPanel::refreshModels() {
             item->setCheckState(0, model.shown ? Qt::Checked : Qt::Unchecked);
             if (model.shown) item->setData(0, Qt::DecorationRole, modelColour(colour++));
         }
-        item->setToolTip(0, item->text(0) + (i == 0 ? tr(": the scenario's own, by which the filled robots move")
-                                                    : tr(": drawn in this colour")));
+        item->setToolTip(0, qtText(model.name) + (i == 0 ? tr(": the scenario's own, by which the filled robots move")
+                                                         : tr(": drawn in this colour")));
         models_->addTopLevelItem(item);
         if (item->text(0) == current) models_->setCurrentItem(item);
     }
