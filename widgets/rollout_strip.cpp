@@ -13,8 +13,8 @@
 namespace mrose {
 namespace {
 
-// Pixels: margins as the timeline has them, the legend at the right, cells below their title.
-constexpr double stripMargin = 18, legendWidth = 168, cellsTop = 18, cellsHeight = 15;
+// Pixels: margins as the timeline has them, the title with the legend at its right, cells below.
+constexpr double stripMargin = 18, cellsTop = 18, cellsHeight = 15, rampWidth = 44, gap = 6;
 /// The colours reach up to an error that so many rollouts stay below: one outlier does not make all others alike.
 constexpr double colouredShare = 0.95;
 
@@ -61,7 +61,26 @@ QColor RolloutStrip::rampColour(double share) {
     return {mix(0), mix(1), mix(2)};
 }
 
-double RolloutStrip::trackWidth() const { return std::max(1.0, width() - 2 * stripMargin - legendWidth); }
+double RolloutStrip::trackWidth() const { return std::max(1.0, width() - 2 * stripMargin); }
+
+QFont RolloutStrip::smallFont() const {
+    QFont small = font();
+    small.setPointSizeF(small.pointSizeF() * 0.85);
+    return small;
+}
+
+/// "0", the colours, and what the last one stands for.
+QRectF RolloutStrip::legendRoom() const {
+    if (worst_ <= 0) return {};
+    const QFontMetricsF metrics(smallFont());
+    const double wide = metrics.horizontalAdvance("0") + metrics.horizontalAdvance(lengthText(worst_));
+    return {stripMargin + trackWidth() - wide - rampWidth - 2 * gap, 2, wide + rampWidth + 2 * gap, cellsTop - 4};
+}
+
+QString RolloutStrip::shownTitle() const {
+    const QString title = tr("%1, %2").arg(content_.title, clockText(content_.length));
+    return QFontMetricsF(smallFont()).elidedText(title, Qt::ElideRight, trackWidth() - legendRoom().width() - 2 * gap);
+}
 
 double RolloutStrip::pixelAt(Nanoseconds time) const {
     const double length = toSeconds(std::max<Nanoseconds>(1, content_.length));
@@ -101,8 +120,8 @@ void RolloutStrip::paintCells(QPainter& painter) const {
     for (const Cell& cell : content_.cells) {
         if (!std::isfinite(cell.error)) continue;
         const double left = pixelAt(cell.from), right = pixelAt(cell.to);
-        const double gap = right - left > 5 ? 1 : 0;
-        painter.fillRect(QRectF(left, cellsTop, std::max(1.0, right - left - gap), cellsHeight),
+        const double apart = right - left > 5 ? 1 : 0;
+        painter.fillRect(QRectF(left, cellsTop, std::max(1.0, right - left - apart), cellsHeight),
                          rampColour(worst_ > 0 ? cell.error / worst_ : 0));
     }
     for (const Span& span : content_.unknown) {
@@ -135,26 +154,22 @@ void RolloutStrip::paintCells(QPainter& painter) const {
 
 void RolloutStrip::paintLegend(QPainter& painter) const {
     if (worst_ <= 0) return;
-    const double left = width() - stripMargin - legendWidth + 50, bar = 60;
-    for (int x = 0; x < static_cast<int>(bar); ++x)
-        painter.fillRect(QRectF(left + x, cellsTop, 1.5, cellsHeight), rampColour(x / bar));
+    const QRectF room = legendRoom();
     painter.setPen(theme_.quietText);
-    painter.drawText(QRectF(left - 46, cellsTop, 40, cellsHeight), Qt::AlignRight | Qt::AlignVCenter, tr("0 cm"));
-    painter.drawText(QRectF(left + bar + 6, cellsTop, 70, cellsHeight), Qt::AlignLeft | Qt::AlignVCenter,
-                     lengthText(worst_));
+    painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter, "0");
+    painter.drawText(room, Qt::AlignRight | Qt::AlignVCenter, lengthText(worst_));
+    const double left = room.left() + gap + QFontMetricsF(painter.font()).horizontalAdvance("0");
+    for (int x = 0; x < static_cast<int>(rampWidth); ++x)
+        painter.fillRect(QRectF(left + x, room.top() + 2, 1.5, room.height() - 3), rampColour(x / rampWidth));
 }
 
 void RolloutStrip::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     painter.fillRect(rect(), theme_.panel);
-    QFont small = font();
-    small.setPointSizeF(small.pointSizeF() * 0.85);
-    painter.setFont(small);
+    painter.setFont(smallFont());
     painter.setPen(theme_.quietText);
     painter.drawText(QRectF(stripMargin, 2, trackWidth(), cellsTop - 4), Qt::AlignLeft | Qt::AlignVCenter,
-                     content_.title);
-    painter.drawText(QRectF(stripMargin, 2, trackWidth(), cellsTop - 4), Qt::AlignRight | Qt::AlignVCenter,
-                     clockText(content_.length));
+                     shownTitle());
     painter.setRenderHint(QPainter::Antialiasing);
     paintCells(painter);
     paintLegend(painter);

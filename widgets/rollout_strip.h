@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QFont>
+#include <QRectF>
 #include <QString>
 #include <QWidget>
 #include <optional>
@@ -43,6 +45,8 @@ public:
     double pixelOf(std::size_t rollout) const;
     QString textAt(double pixel) const;
     double worst() const { return worst_; }  ///< m: what the last colour stands for
+    QString shownTitle() const;              ///< what there is room for
+    QRectF legendRoom() const;               ///< beside it, of the colours; empty: there are none
 
     /// From 0 to 1, told apart by lightness alone as well: cividis (Nunez, Anderton and Renslow 2018).
     static QColor rampColour(double share);
@@ -62,6 +66,7 @@ private:
     double pixelAt(Nanoseconds time) const;
     const Cell* cellAt(double pixel) const;
     double trackWidth() const;
+    QFont smallFont() const;
     void paintCells(QPainter& painter) const;
     void paintLegend(QPainter& painter) const;
 
