@@ -21,6 +21,11 @@ ElidingText::ElidingText(int lines, QWidget* parent) : QLabel(parent), lines_(li
     addAction(copy);
 }
 
+void ElidingText::setLines(int lines) {
+    lines_ = lines;
+    updateGeometry();
+}
+
 QSize ElidingText::sizeHint() const { return {fontMetrics().horizontalAdvance(text()), minimumSizeHint().height()}; }
 
 QSize ElidingText::minimumSizeHint() const {

@@ -12,6 +12,7 @@ class ElidingText final : public QLabel {
 public:
     explicit ElidingText(int lines, QWidget* parent = nullptr);
 
+    void setLines(int lines);
     /// What is to be seen of the text, with its line ends.
     QString shownText() const;
     QSize sizeHint() const override;

@@ -345,7 +345,7 @@ TEST_F(OverlayTest, GapInTheTruthIsSaidAndTheRestGoesOn) {
     QString labels;
     for (const QLabel* label : panel.findChildren<QLabel*>()) labels += label->text() + '\n';
     EXPECT_THAT(labels.toStdString(), HasSubstr(std::to_string(counted) + " of " +
-                                                std::to_string(overlay.rollouts().rows().size()) + " count; "));
+                                                std::to_string(overlay.rollouts().rows().size()) + " count: "));
 }
 
 TEST_F(OverlayTest, ScriptsAskForFiguresAndOpenTheWorst) {

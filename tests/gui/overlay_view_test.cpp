@@ -1,4 +1,5 @@
 // How an overlay is looked at: its list, and the field about the rollout that is picked.
+#include <QAbstractButton>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
@@ -16,6 +17,7 @@
 #include "panels/breakpoint_panel.h"
 #include "panels/plot_panel.h"
 #include "scripting/window_script.h"
+#include "widgets/eliding_text.h"
 #include "widgets/field_view.h"
 #include "widgets/fixed_text.h"
 #include "widgets/qt_text.h"
@@ -66,13 +68,63 @@ TEST_F(OverlayViewTest, SaysWhoseFiguresOfTheModelsAreShown) {
     ASSERT_TRUE(compared && *compared && evaluated && *evaluated);
     const QString with = fixedText((*compared)->counted.p, 2), open = fixedText((*evaluated)->p, 2);
     ASSERT_NE(with, open);
-    EXPECT_TRUE(whose->currentText().contains("with contacts (compare)"));
+    EXPECT_EQ(whose->currentText(), "with contacts");
     EXPECT_EQ(panel.models().topLevelItem(0)->text(1), with);
     const QString both = panel.models().topLevelItem(0)->toolTip(1);
     EXPECT_TRUE(both.contains("P " + with) && both.contains("P " + open)) << both.toStdString();
     whose->setCurrentIndex(1);
-    EXPECT_TRUE(whose->currentText().contains("open loop (evaluate)"));
+    EXPECT_EQ(whose->currentText(), "without contacts");
     EXPECT_EQ(panel.models().topLevelItem(0)->text(1), open);
+}
+
+/// A verdict does not take back what it says, and all of it is seen; terms of the reports are for tool tips.
+TEST_F(OverlayViewTest, VerdictIsWholeAndInPlainWords) {
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {RolloutPlan::Cut::every, 0, 5}));
+    overlay.setBound({{0.01, 0.05}, false});
+    settleAll();
+    std::size_t likely = 0, none = 0;
+    for (int line = 0; line < 12; ++line) {
+        clickLine(line);
+        if (!overlay.causes().finding() || !overlay.causes().finding()->diagnosis) continue;
+        const Diagnosis& diagnosis = *overlay.causes().finding()->diagnosis;
+        const std::string text = panel.causes().text().toStdString();
+        ++(diagnosis.likely ? likely : none);
+        EXPECT_EQ(text.find("Likely cause") != std::string::npos, diagnosis.likely.has_value()) << text;
+        EXPECT_EQ(text.find("No likely cause") != std::string::npos, !diagnosis.likely) << text;
+        for (const ElidingText* part : panel.causes().findChildren<ElidingText*>())
+            EXPECT_FALSE(part->shownText().contains(QChar(0x2026))) << part->text().toStdString();
+    }
+    EXPECT_GT(likely, 0u);
+    EXPECT_GT(none, 0u);
+    QStringList words;
+    for (const QLabel* label : panel.findChildren<QLabel*>()) words << label->text();
+    for (const QAbstractButton* button : panel.findChildren<QAbstractButton*>()) words << button->text();
+    for (int column = 0; column < 5; ++column) words << panel.models().headerItem()->text(column);
+    for (const char* const term : {"P %", "Hd", "held out", "evaluate", "none of these"})
+        EXPECT_FALSE(words.join('\n').contains(term)) << term;
+}
+
+/// What is greyed would be taken for what counts.
+TEST_F(OverlayViewTest, BoundThatIsShownIsTheOneInForce) {
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {RolloutPlan::Cut::every, 0, 5}));
+    ASSERT_TRUE(overlay.rollouts().bound().fromHeldOut);
+    const DivergenceBound& bound = overlay.rollouts().shownRow()->bound;
+    ASSERT_FALSE(bound.bySteps.empty());
+    const auto shown = [&] {
+        QString all;
+        for (const QLabel* label : panel.causes().findChildren<QLabel*>())
+            if (label->isVisible()) all += label->text() + '\n';
+        for (const QDoubleSpinBox* box : panel.causes().findChildren<QDoubleSpinBox*>())
+            if (box->isVisible()) all += box->text() + '\n';
+        return all.toStdString();
+    };
+    const std::string end = fixedText(100 * bound.bySteps.back().position, 1).toStdString() + " cm, ";
+    EXPECT_THAT(shown(), HasSubstr(end));
+    EXPECT_THAT(shown(), testing::Not(HasSubstr("10.0 cm")));
+    overlay.setBound({{0.02, 0.05}, false});
+    settleAll();
+    EXPECT_THAT(shown(), HasSubstr("2.0 cm"));
+    EXPECT_THAT(shown(), testing::Not(HasSubstr(end)));
 }
 
 /// Laid out once more as the style does it.

@@ -74,6 +74,22 @@ QString offText(const RolloutRow& row) {
     return QObject::tr("%1, %2\u00b0 off on average").arg(position, fixedText(degrees * *row.heading, 1));
 }
 
+/// "2.0 to 6.1 cm, 11.8 deg", with the sign of a degree.
+QString inForceText(const DivergenceBound& bound) {
+    double low = bound.at(0).position, high = low, left = bound.at(0).heading, right = left;
+    for (const DivergenceBound::At& at : bound.bySteps) {
+        low = std::min(low, at.position);
+        high = std::max(high, at.position);
+        left = std::min(left, at.heading);
+        right = std::max(right, at.heading);
+    }
+    const auto range = [](double least, double most) {
+        const QString from = fixedText(least, 1), to = fixedText(most, 1);
+        return from == to ? from : QObject::tr("%1 to %2").arg(from, to);
+    };
+    return QObject::tr("%1 cm, %2\u00b0").arg(range(100 * low, 100 * high), range(degrees * left, degrees * right));
+}
+
 QDoubleSpinBox* boundBox(const char* suffix, double most, const QString& tip) {
     auto* box = new QDoubleSpinBox;
     box->setRange(0.1, most);
@@ -92,7 +108,7 @@ CausePanel::CausePanel(Overlay& overlay, QWidget* parent)
       rollout_(new ElidingText(1)),
       divergence_(new ElidingText(2)),
       onset_(new ElidingText(3)),
-      cause_(new ElidingText(3)),
+      cause_(new ElidingText(2)),
       goThere_(new QToolButton),
       speeds_(new QToolButton),
       causes_(new WholeRows<QTreeWidget>) {
@@ -132,12 +148,17 @@ QWidget* CausePanel::makeBound() {
     position_ = boundBox(" cm", 1000, tr("It has left the real trajectory when it is farther off than this for 0.3 s"));
     heading_ =
         boundBox("\u00b0", 180, tr("It has left the real trajectory when it is turned by more than this for 0.3 s"));
-    heldOut_ = new QCheckBox(tr("as held out"));
+    heldOut_ = new QCheckBox(tr("3 \u00d7 the usual error"));
     heldOut_->setToolTip(
         tr("Three times what the network's errors on held-out logs make of the path and rotation so far"));
+    inForce_ = new QLabel;
+    inForce_->setToolTip(
+        tr("From the rollout's start to its end; farther off for 0.3 s it has left the real "
+           "trajectory"));
     layout->addWidget(new QLabel(tr("Bound")));
     layout->addWidget(position_);
     layout->addWidget(heading_);
+    layout->addWidget(inForce_);
     layout->addWidget(heldOut_);
     layout->addStretch(1);
     connect(position_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &CausePanel::applyBound);
@@ -189,10 +210,14 @@ void CausePanel::refresh() {
     position_->setValue(100 * overlay_.rollouts().bound().at.position);
     heading_->setValue(degrees * overlay_.rollouts().bound().at.heading);
     heldOut_->setChecked(overlay_.rollouts().bound().fromHeldOut);
-    position_->setEnabled(!overlay_.rollouts().bound().fromHeldOut);
-    heading_->setEnabled(!overlay_.rollouts().bound().fromHeldOut);
     filling_ = false;
     if (row == nullptr) return;
+    // What does not count is not shown.
+    position_->setVisible(!heldOut_->isChecked());
+    heading_->setVisible(!heldOut_->isChecked());
+    inForce_->setVisible(heldOut_->isChecked());
+    inForce_->setText(inForceText(row->bound));
+    rollout_->setLines(overlay_.rollouts().world().sessions().size() > 1 ? 2 : 1);
     QString robot = qtText(overlay_.rollouts().world().robots()[row->robot].name);
     if (const std::string session = sessionText(overlay_.rollouts().world().sessions()[row->session]); !session.empty())
         robot += tr(" in %1").arg(qtText(session));
@@ -220,7 +245,9 @@ QString CausePanel::likely() const {
     if (!finding->diagnosis) return tr("Looking for the cause: %1 %").arg(static_cast<int>(100 * finding->share));
     const Diagnosis& diagnosis = *finding->diagnosis;
     if (diagnosis.trials.empty()) return tr("No re-run could be made");
-    return tr("Likely cause: %1").arg(qtText(causeText(diagnosis)));
+    const QString explains = qtText(explainedText(diagnosis.trials[diagnosis.likely.value_or(0)]));
+    if (!diagnosis.likely) return tr("No likely cause: the best re-run explains only %1 of it").arg(explains);
+    return tr("Likely cause: %1 (explains %2)").arg(qtText(diagnosis.trials[*diagnosis.likely].what), explains);
 }
 
 void CausePanel::refreshCauses() {

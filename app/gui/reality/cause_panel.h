@@ -7,6 +7,7 @@
 
 class QCheckBox;
 class QDoubleSpinBox;
+class QLabel;
 class QToolButton;
 class QTreeWidget;
 
@@ -41,6 +42,7 @@ private:
     QToolButton *goThere_, *speeds_;
     QDoubleSpinBox *position_, *heading_;
     QCheckBox* heldOut_;
+    QLabel* inForce_;  ///< the bound that grows with the way
     QTreeWidget* causes_;
     bool filling_ = false;
 };

@@ -64,8 +64,9 @@ QString aboutText(const Overlay& overlay) {
 
 QString figuresTip(bool open) {
     return open ? QObject::tr(
-                      "P, Hd and errors as mrose evaluate has them: open loop, through everything, on its windows")
-                : QObject::tr("P, Hd and errors as mrose compare has them: of these rollouts, with contacts");
+                      "As mrose evaluate has them: of each model alone, open loop, through everything, on its windows")
+                : QObject::tr(
+                      "As mrose compare has them: of these rollouts, in which robots touch each other and walls");
 }
 
 /// "P 1.50 %, Hd 3.10 % with contacts, as mrose compare, over 155 windows".
@@ -76,19 +77,19 @@ QString figuresText(const Summary& summary, bool open) {
              counted(summary.windows, QObject::tr("window"), QObject::tr("windows")));
 }
 
-/// "372 of 440 count; 40 with gaps and 28 standing do not"; empty: all do.
+/// "372 of 440 count: 40 have gaps, 28 stand still"; empty: all do.
 QString countText(const std::vector<RolloutRow>& rows) {
     const auto with = [&](RolloutUse use) {
         return std::count_if(rows.begin(), rows.end(), [use](const RolloutRow& row) { return row.use == use; });
     };
     const auto gaps = with(RolloutUse::gap), still = with(RolloutUse::still);
     QStringList others;
-    if (gaps > 0) others << QObject::tr("%1 with gaps").arg(gaps);
-    if (still > 0) others << QObject::tr("%1 standing").arg(still);
+    if (gaps > 0) others << QObject::tr("%1 have gaps").arg(gaps);
+    if (still > 0) others << QObject::tr("%1 stand still").arg(still);
     if (others.isEmpty()) return {};
     const auto all = static_cast<std::int64_t>(rows.size());
-    return QObject::tr("%1 of %2 count; %3 do not")
-        .arg(QString::number(all - gaps - still), QString::number(all), others.join(QObject::tr(" and ")));
+    return QObject::tr("%1 of %2 count: %3")
+        .arg(QString::number(all - gaps - still), QString::number(all), others.join(", "));
 }
 
 /// Rollouts that are walked through by keys are all seen. The current one stays in sight where room is taken, if it was
@@ -242,9 +243,11 @@ QWidget* OverlayPanel::makeModels() {
     models_ = new QTreeWidget;
     models_->setObjectName("models");
     models_->setAccessibleName(tr("Motion models and their errors"));
-    models_->setHeaderLabels({tr("Model"), tr("P %"), tr("Hd %"), tr("end cm"), tr("end \u00b0")});
-    models_->headerItem()->setToolTip(1, tr("Mean distance to the real robot over its path, summed over all windows"));
-    models_->headerItem()->setToolTip(2, tr("Mean heading error over its rotation, summed over all windows"));
+    models_->setHeaderLabels(
+        {tr("Model"), tr("Position\n% of way"), tr("Heading\n% of turning"), tr("At end\ncm"), tr("At end\n\u00b0")});
+    models_->headerItem()->setToolTip(1,
+                                      tr("P: mean distance to the real robot over its path, summed over all windows"));
+    models_->headerItem()->setToolTip(2, tr("Hd: mean heading error over its rotation, summed over all windows"));
     models_->headerItem()->setToolTip(3, tr("Distance at the end of a rollout, the median"));
     models_->headerItem()->setToolTip(4, tr("Heading error at the end of a rollout, the median"));
     models_->setRootIsDecorated(false);
@@ -257,7 +260,8 @@ QWidget* OverlayPanel::makeModels() {
     for (int column = 1; column < 5; ++column) {
         models_->headerItem()->setTextAlignment(column, Qt::AlignRight);
         models_->header()->setSectionResizeMode(column, QHeaderView::Fixed);
-        models_->header()->resizeSection(column, models_->fontMetrics().horizontalAdvance("end cm") + 10);
+        models_->header()->resizeSection(
+            column, models_->fontMetrics().size(0, models_->headerItem()->text(column)).width() + 10);
     }
     models_->setContextMenuPolicy(Qt::ActionsContextMenu);
     auto* remove = new QAction(tr("Remove this model"), models_);
@@ -280,8 +284,8 @@ QWidget* OverlayPanel::makeModels() {
     figures_ = new QComboBox;
     figures_->setObjectName("figures");
     figures_->setAccessibleName(tr("Whose figures"));
-    figures_->addItem(tr("with contacts (compare)"));
-    figures_->addItem(tr("open loop (evaluate)"));
+    figures_->addItem(tr("with contacts"));
+    figures_->addItem(tr("without contacts"));
     for (int i = 0; i < 2; ++i) figures_->setItemData(i, figuresTip(i == 1), Qt::ToolTipRole);
     connect(figures_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &OverlayPanel::refreshModels);
     line->addWidget(add);
@@ -350,8 +354,9 @@ void OverlayPanel::refresh() {
     log_->setText(world ? qtText(world->name()) : tr("No log is open"));
     log_->setToolTip(world ? qtText(world->place) : QString());
     const QString counts = countText(overlay_.rollouts().rows());
-    about_->setToolTip(
-        counts.isEmpty() ? QString() : tr("In P and Hd: a robot must drive, and its ground truth be known throughout"));
+    about_->setToolTip(counts.isEmpty()
+                           ? QString()
+                           : tr("In the models' errors: a robot must drive, and its ground truth be known throughout"));
     about_->setText(world ? aboutText(overlay_) + (counts.isEmpty() ? "" : '\n' + counts)
                           : tr("File \u2192 Open a real log\u2026"));
     const RolloutPlan& plan = overlay_.rollouts().plan();
@@ -461,7 +466,7 @@ void OverlayPanel::refreshModels() {
     }
     const int line = models_->fontMetrics().height() + 5;
     const int lines = std::clamp(models_->topLevelItemCount(), 1, 5);
-    models_->setFixedHeight((lines + 1) * line + 4);
+    models_->setFixedHeight(models_->header()->sizeHint().height() + lines * line + 4);
 }
 
 /// The shown rollout in the list.

@@ -22,7 +22,7 @@ constexpr RolloutColumn rolloutColumns[] = {
     {QT_TR_NOOP("% of\npath"), QT_TR_NOOP("The same in percent of the way that the real robot drove")},
     {QT_TR_NOOP("Head.\n\u00b0"), QT_TR_NOOP("Heading error, the mean over the rollout")},
     {QT_TR_NOOP("Leaves\ns"), QT_TR_NOOP("When it first leaves the real trajectory by more than the bound")},
-    {QT_TR_NOOP("Drives"), QT_TR_NOOP("What it is commanded; or why the rollout does not count in P and Hd")},
+    {QT_TR_NOOP("Drives"), QT_TR_NOOP("What it is commanded; or why the rollout does not count in the models' errors")},
 };
 
 /// What lines are sorted by; unknown numbers come last in either order.
@@ -128,8 +128,9 @@ QString RolloutList::tip(const RolloutRow& row) const {
     QString words = tr("A click opens this rollout");
     if (!row.position) words += tr("; there is no ground truth in it");
     if (row.touched) words += tr("; the simulated robot touches something in it");
-    if (row.use == RolloutUse::gap) words += tr("; the ground truth has a gap in it: it is not counted in P and Hd");
-    if (row.use == RolloutUse::still) words += tr("; the robot hardly moves: it is not counted in P and Hd");
+    if (row.use == RolloutUse::gap)
+        words += tr("; the ground truth has a gap in it: it does not count in the models' errors");
+    if (row.use == RolloutUse::still) words += tr("; the robot hardly moves: it does not count in the models' errors");
     return words;
 }
 
