@@ -176,6 +176,20 @@ BreakSearch::Answer BreakSearch::before(std::int64_t tick, const std::vector<Que
     }
 }
 
+BreakSearch::Answer BreakSearch::lastBeginning(std::int64_t tick, const std::vector<Question*>& questions,
+                                               const Progress& progress, std::optional<std::int64_t> rival) {
+    std::optional<Found> latest;
+    for (std::size_t i = 0; i < questions.size(); ++i) {
+        const std::int64_t notBefore = std::max(first(), latest ? latest->tick : rival.value_or(first()));
+        Answer found = before(tick, {questions[i]}, progress, notBefore);
+        if (found && *found && !(*found)->failed)
+            found = before((*found)->tick + 1, {questions[i]}, progress, notBefore);
+        if (!found) return found;
+        if (*found) latest = Found{i, (*found)->tick, (*found)->failed};
+    }
+    return latest;
+}
+
 BreakSearch::Answer BreakSearch::after(std::int64_t tick, const std::vector<Question*>& questions,
                                        const Progress& progress, std::optional<std::int64_t> rival) {
     tick = std::max(tick, first());

@@ -48,6 +48,10 @@ public:
     /// otherwise the last tick at which it held. The latest of all of them, if it is later than `rival`.
     Answer before(std::int64_t tick, const std::vector<Question*>& questions, const Progress& progress,
                   std::optional<std::int64_t> rival = {});
+    /// Where one of them last began to hold before a tick, or failed: where playing would have stopped, which is never
+    /// at the first tick. The latest of all of them, if it is later than `rival`.
+    Answer lastBeginning(std::int64_t tick, const std::vector<Question*>& questions, const Progress& progress,
+                         std::optional<std::int64_t> rival = {});
     /// Where one of them begins to hold after a tick, at which it may hold. The earliest of all of them, if it is
     /// earlier than `rival`.
     Answer after(std::int64_t tick, const std::vector<Question*>& questions, const Progress& progress,

@@ -261,7 +261,8 @@ Expected<Breakpoints::Arrival> Breakpoints::arrive(TimeTravel& run, const Progre
     return Arrival{stopped(run, stop)};
 }
 
-Breakpoints::Answer Breakpoints::lastOfAll(TimeTravel& run, std::int64_t before, const Progress& progress) {
+Breakpoints::Answer Breakpoints::lastOfAll(TimeTravel& run, std::int64_t before, const Progress& progress,
+                                           Looks looks) {
     if (auto known = learnMarks(run, before, progress); !known) return tl::unexpected(known.error());
     Stop stop{run.first() - 1};
     stop.backwards = true;
@@ -279,14 +280,15 @@ Breakpoints::Answer Breakpoints::lastOfAll(TimeTravel& run, std::int64_t before,
     }
     std::vector<std::uint32_t> ids;
     const std::vector<Question*> asked = questions(&ids);
-    const auto found = BreakSearch(run, *judge_).before(before, asked, progress, stop.tick);
+    BreakSearch search(run, *judge_);
+    const auto found = (search.*looks)(before, asked, progress, stop.tick);
     ++version_;
     if (!found) return tl::unexpected(found.error());
     if (*found) stop = {(*found)->tick, {ids[(*found)->question]}, (*found)->failed, true};
     if (stop.ids.empty()) return std::nullopt;
     // What else was met there.
     for (std::size_t i = 0; i < asked.size() && !stop.failed; ++i) {
-        const auto same = BreakSearch(run, *judge_).before(before, {asked[i]}, progress, stop.tick - 1);
+        const auto same = (search.*looks)(before, {asked[i]}, progress, stop.tick - 1);
         if (!same) return tl::unexpected(same.error());
         const bool met = *same && (*same)->tick == stop.tick && !(*same)->failed;
         if (met && std::find(stop.ids.begin(), stop.ids.end(), ids[i]) == stop.ids.end()) stop.ids.push_back(ids[i]);
@@ -351,7 +353,7 @@ Breakpoints::Answer Breakpoints::ahead(TimeTravel& run, const Progress& progress
 Breakpoints::Answer Breakpoints::last(const BreakWish& wish, TimeTravel& run, std::int64_t before,
                                       const Progress& progress) {
     const std::string& text = wish.text;
-    if (text.empty()) return lastOfAll(run, before, progress);
+    if (text.empty()) return lastOfAll(run, before, progress, &BreakSearch::lastBeginning);
     if (auto fits = checkBreakText(text, run.setup(), run.reality()); !fits) return tl::unexpected(fits.error());
     // As if it were the only one; what is known of one of the same text is of use.
     Breakpoints alone;
@@ -363,7 +365,7 @@ Breakpoints::Answer Breakpoints::last(const BreakWish& wish, TimeTravel& run, st
     for (const Breakpoint& breakpoint : breakpoints_)
         if (const Question* known = knownOf(breakpoint); known != nullptr && breakpoint.text == text)
             alone.questions_[only.id] = *known;
-    Answer answer = alone.lastOfAll(run, before, progress);
+    Answer answer = alone.lastOfAll(run, before, progress, &BreakSearch::before);
     if (answer && *answer) {
         (*answer)->ids.clear();
         (*answer)->text = only.text;

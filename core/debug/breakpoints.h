@@ -83,8 +83,8 @@ public:
     };
     /// Playing has arrived at the shown tick. How often something was met before may take a search.
     Expected<Arrival> arrive(TimeTravel& run, const Progress& progress);
-    /// Where one of them was met last before a tick, as of BreakSearch::before(); with a text where that was, as if it
-    /// were the only one. How often counts for nothing. Error: of the text, too.
+    /// Where one of them was met last before a tick, as playing meets it; with a text as of BreakSearch::before(), as
+    /// if it were the only one. How often counts for nothing. Error: of the text, too.
     Answer last(const BreakWish& wish, TimeTravel& run, std::int64_t before, const Progress& progress);
     /// Where one of them stops next, in what has been simulated; up to a tick, if one is given.
     Answer ahead(TimeTravel& run, const Progress& progress, std::optional<std::int64_t> upTo = {});
@@ -105,7 +105,9 @@ public:
 private:
     using Compiled = std::map<std::pair<const BranchSetup*, std::string>, Expected<Condition>>;
 
-    Answer lastOfAll(TimeTravel& run, std::int64_t before, const Progress& progress);
+    using Looks = BreakSearch::Answer (BreakSearch::*)(std::int64_t tick, const std::vector<Question*>& questions,
+                                                       const Progress& progress, std::optional<std::int64_t> rival);
+    Answer lastOfAll(TimeTravel& run, std::int64_t before, const Progress& progress, Looks looks);
     Breakpoint* find(std::uint32_t id);
     bool asks(const Breakpoint& breakpoint) const;
     Question& questionOf(const Breakpoint& breakpoint);

@@ -263,7 +263,29 @@ TEST(Breakpoints, StopAtTheBeginningOfEachStretchHoweverTheyAreReached) {
             ASSERT_TRUE(known.seek(tick));
         }
         EXPECT_FALSE(*breakpoints.ahead(known, goOn));
+        ASSERT_TRUE(known.seek(1500));
+        std::vector<std::int64_t> back;
+        while (const auto stop = *breakpoints.last({true}, known, known.tick(), goOn)) {
+            back.insert(back.begin(), stop->tick);
+            ASSERT_TRUE(known.seek(stop->tick));
+        }
+        EXPECT_EQ(back, expected) << text;
     }
+}
+
+/// Of several the one that began last, though another held longer.
+TEST(Breakpoints, BackStopsWhereTheLastStretchOfAnyBegan) {
+    TimeTravel run(fieldRun(5));
+    runTo(run, 300);
+    Breakpoints breakpoints;
+    breakpoints.replace({waitingFor("tick >= 20 and tick <= 200"), waitingFor("tick >= 150 and tick <= 160"),
+                         waitingFor("tick < 280")});
+    std::vector<std::int64_t> back;
+    while (const auto stop = *breakpoints.last({true}, run, run.tick(), goOn)) {
+        back.push_back(stop->tick);
+        ASSERT_TRUE(run.seek(stop->tick));
+    }
+    EXPECT_EQ(back, (std::vector<std::int64_t>{150, 20}));
 }
 
 TEST(Breakpoints, EventsAreThoseOfTheTimeline) {
