@@ -70,12 +70,14 @@ Expected<std::vector<RolloutRequest>> plannedRollouts(const PlayedLog& log, cons
     }
     auto rollouts = rolloutsOf(log.world(), options);
     // Said of the plan, not of flags.
+    const std::string start = secondsText(options.start);
     if (!rollouts && plan.cut == RolloutPlan::Cut::every)
-        rollouts.error().cause = "no rollout of " + secondsText(length) + " s fits in from " +
-                                 secondsText(options.start) + " s on; expected an earlier start or shorter rollouts";
-    else if (!rollouts)
         rollouts.error().cause =
-            "the ground truth ends before " + secondsText(options.start) + " s; expected an earlier start";
+            "no rollout of " + secondsText(length) + " s fits in" +
+            (plan.start > 0 ? " from " + start + " s on; expected an earlier start or" : "; expected") +
+            " shorter rollouts";
+    else if (!rollouts && plan.start > 0)
+        rollouts.error().cause = "the ground truth ends before " + start + " s; expected an earlier start";
     return rollouts;
 }
 

@@ -157,5 +157,17 @@ TEST(LogDebugging, ProgramOfThirtyLinesFindsWhereAndWhy) {
     EXPECT_THAT(result.out, HasSubstr(name + ": 0.00 m/s"));
 }
 
+TEST(RolloutPlan, ThatFitsNowhereSaysWhatWouldHelp) {
+    const auto opened = openLogAsRun({shippedLog()});
+    ASSERT_TRUE(opened);
+    const auto wrong = [&](const RolloutPlan& plan) {
+        const auto rollouts = plannedRollouts(*opened->world, plan);
+        return rollouts ? "" : rollouts.error().message();
+    };
+    EXPECT_THAT(wrong({RolloutPlan::Cut::every, 0, 1e5}), testing::EndsWith("fits in; expected shorter rollouts"));
+    EXPECT_THAT(wrong({RolloutPlan::Cut::every, 5, 1e5}), HasSubstr("expected an earlier start or shorter rollouts"));
+    EXPECT_THAT(wrong({RolloutPlan::Cut::once, 1e5, 10}), HasSubstr("expected an earlier start"));
+}
+
 }  // namespace
 }  // namespace mrose
