@@ -22,7 +22,7 @@ QString pointText(const Point& point) { return QString("%1, %2 m").arg(fixedText
 
 /// An error differs from a value by its unit: "0.023 m off".
 InspectorRow asError(InspectorRow row) {
-    row.unit = QObject::tr("%1 off").arg(row.unit);
+    if (!row.quiet) row.unit = QObject::tr("%1 off").arg(row.unit);
     return row;
 }
 

@@ -179,6 +179,7 @@ TEST_F(RealityPlotTest, InspectorTellsOfTheRealRobot) {
     seek(220);  // 5.4 s
     EXPECT_EQ(row("Ground truth").value, "none for 0.4 s");
     EXPECT_TRUE(row("error").quiet);
+    EXPECT_EQ(row("error").unit, "") << "nothing has no unit";
 }
 
 TEST_F(RealityPlotTest, TimelineShowsUnknownStretchesAndNotes) {
