@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "diagnosis/other_models.h"
 #include "widgets/command_queue.h"
 #include "widgets/fixed_text.h"
 #include "widgets/qt_text.h"
@@ -125,6 +126,7 @@ std::optional<InspectorRow> realityRows(const RowWriter& write) {
             return write.item(quantityNamed(quantity, Quantity::Of::items), {model.name, ""});
         };
         InspectorRow row = error(modelPositionErrorQuantity);
+        row.name = qtText(briefName(model.name));
         row.children.push_back(error(modelHeadingErrorQuantity));
         row.children.back().name = headingErrorQuantity;
         section.children.push_back(std::move(row));
