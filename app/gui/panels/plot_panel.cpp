@@ -247,6 +247,12 @@ void PlotPanel::remove(const ValueKey& key) {
     emit changed();
 }
 
+void PlotPanel::removeReal() {
+    if (std::erase_if(keys_, readsReality) == 0) return;
+    rebuild();
+    emit changed();
+}
+
 void PlotPanel::clear() {
     keys_.clear();
     rebuild();

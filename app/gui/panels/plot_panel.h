@@ -50,6 +50,7 @@ public:
     /// Puts others where the first of some is, without those, or before all where none is.
     void replace(const std::vector<ValueKey>& some, const std::vector<ValueKey>& others);
     void remove(const ValueKey& key);
+    void removeReal();  ///< what depends on the real log: there is none any more
     void clear();
     void askForExpression();  ///< the keyboard goes to its line
     void settle();            ///< all is computed and drawn; for scripts and tests

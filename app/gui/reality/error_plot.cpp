@@ -62,6 +62,7 @@ std::vector<ValueKey> errorKeysOf(const Reality& reality, const std::string& rob
 ErrorPlot::ErrorPlot(const Frame& frame, const FieldView& field, PlotPanel& plots, QDockWidget& dock, Overlay& overlay)
     : QObject(&frame.window), frame_(frame), field_(field), plots_(plots), dock_(dock), overlay_(overlay) {
     connect(&overlay, &Overlay::changed, this, &ErrorPlot::follow);
+    connect(&overlay, &Overlay::closed, &plots, &PlotPanel::removeReal);
     connect(&frame.session, &Session::shown, this, &ErrorPlot::follow);
     connect(&field, &FieldView::bodySelected, this, &ErrorPlot::follow);
     connect(&frame.memory, &WindowMemory::layoutReset, this, [this] {

@@ -98,7 +98,7 @@ void Overlay::take(Expected<OpenedLog> opened, const Opening& opening, bool kind
         return readAgain();
     }
     if (!files_.mayLeave([this, opening] { post(opening); })) return readAgain();
-    close();
+    leave();
     begin(std::move(opened->world), opened->plan, std::move(opened->requests));
     const PlayedLog& log = *rollouts_.log();
     if (const QString note = opening.asked ? QString() : planNote(log, rollouts_.plan()); !note.isEmpty())
@@ -109,8 +109,8 @@ void Overlay::take(Expected<OpenedLog> opened, const Opening& opening, bool kind
 }
 
 void Overlay::follow(const OpenRun& run) {
-    close();
-    if (!follows_ || run.setup->scenario->parts().players.empty()) return;
+    if (!follows_ || run.setup->scenario->parts().players.empty()) return close();
+    leave();
     PlayedLogRequest request{run.source.log, run.source.file};
     request.seed = run.source.seed;
     request.pluginLimit = run.source.pluginLimit;
@@ -163,7 +163,8 @@ void Overlay::takeReopened(Expected<OpenedLog> again, const QString& why) {
     readAgain();
 }
 
-void Overlay::close() {
+/// For another one, or for good.
+void Overlay::leave() {
     setAside();
     frame_.messages.remove(planTopic);
     for (std::size_t note = 0; isOpen() && note < rollouts_.log()->notes.size(); ++note)

@@ -32,7 +32,7 @@ public:
     void setFollows(bool on) { follows_ = on; }  ///< false: runs are opened as they are
     bool reload(const QString& why) override;
     void addModel(const std::string& named) override { models_.add(named); }
-    void close();
+    void close() { leave(), emit closed(); }
 
     const LogRollouts& rollouts() const { return rollouts_; }
     LaidModels& models() { return models_; }
@@ -62,6 +62,7 @@ public:
 
 signals:
     void changed();
+    void closed();              ///< nothing real is known any more
     void divergencesChanged();  ///< where the shown rollout's robots leave the real ones, or the bound
     /// The user must say what kind of robot drove, as PlayedLogRequest::robotFile of the same request.
     void robotKindUnknown(const PlayedLogRequest& request, const std::optional<RolloutPlan>& asked);
@@ -78,6 +79,7 @@ private:
     void takeFollowed(PlayedLogPointer log, const BranchSetupPointer& followed);
     void begin(PlayedLogPointer log, const RolloutPlan& plan, std::vector<RolloutRequest> rollouts);
     void replace(PlayedLogPointer log, const RolloutPlan& plan, std::vector<RolloutRequest> rollouts);
+    void leave();
     void setAside();
     void readAgain();
     void takeReopened(Expected<OpenedLog> again, const QString& why);
