@@ -17,6 +17,7 @@ struct PlotView::Band {
     std::vector<std::pair<std::size_t, QCPGraph*>> graphs;  ///< with the curve's index
     std::vector<std::pair<std::size_t, QCPGraph*>> ahead;   ///< the same, of what has not happened yet
     QCPItemText* title = nullptr;
+    QString called;  ///< all of its title
 
     QCPAxis* time() const { return rect->axis(QCPAxis::atBottom); }
     QCPAxis* value() const { return rect->axis(QCPAxis::atLeft); }

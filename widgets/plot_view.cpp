@@ -22,6 +22,7 @@ constexpr double timesCurves = 10;
 constexpr double shortestView = 10;                        // ticks
 constexpr int shortestPause = 40;                          // ms, between pictures while numbers come
 constexpr double growth = 1.15;                            // of the view, when the known time outgrows it
+constexpr int leastWidth = 140;                            // pixels
 constexpr int leastBand = 62, bandGap = 2, timeRoom = 30;  // pixels: of an axis with its title, between, below all
 
 /// Of so many ticks in a pixel a curve is a band of noise: it is drawn in Qt's fast way, one pixel wide.
@@ -92,7 +93,7 @@ void PlotView::layOut() {
         QString quantity = curves_[band->graphs.front().first].quantity;
         for (const auto& [index, graph] : band->graphs)
             if (curves_[index].quantity != quantity) quantity.clear();
-        band->title->setText(titleOf(quantity, band->unit));
+        band->called = titleOf(quantity, band->unit);
         addReferences(*band);
         const bool bottom = band == bands_.back();
         band->time()->setTickLabels(bottom);
@@ -115,7 +116,7 @@ QFont PlotView::titleFont() const {
 /// No axis is too low to be read.
 QSize PlotView::minimumSizeHint() const {
     const int axes = std::max(1, static_cast<int>(bands_.size()));
-    return {200, std::max(90, axes * leastBand + (axes - 1) * bandGap + timeRoom)};
+    return {leastWidth, std::max(90, axes * leastBand + (axes - 1) * bandGap + timeRoom)};
 }
 
 void PlotView::addBand(const QString& unit, int row) {
@@ -266,7 +267,7 @@ double PlotView::reach() const { return static_cast<double>(std::max(time_.last,
 
 QStringList PlotView::titles() const {
     QStringList titles;
-    for (const auto& band : bands_) titles << band->title->text();
+    for (const auto& band : bands_) titles << band->called;
     return titles;
 }
 
@@ -365,6 +366,9 @@ void PlotView::fill() {
 void PlotView::fillBand(Band& band) {
     const double width = std::max(100, plot_->width() - leftMargin - rightMargin);
     const auto step = static_cast<std::int64_t>((to_ - from_) / width);
+    // Its quantity and unit are at the end.
+    band.title->setText(
+        QFontMetrics(titleFont()).elidedText(band.called, Qt::ElideLeft, plot_->width() - leftMargin - 2));
     double least = std::numeric_limits<double>::infinity(), most = -least;
     QVector<QPointF> points;
     for (const auto& [index, graph] : band.graphs) {

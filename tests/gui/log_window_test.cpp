@@ -168,21 +168,21 @@ TEST_F(LogWindowTest, CurvesAreCalledByWhatDiffersAndAxesByTheirQuantity) {
     EXPECT_EQ(window.plots().view().titles(),
               (QStringList{name + ": error (cm)", name + QString::fromUtf8(": heading_error (\u00b0)")}));
     auto* list = window.plots().findChild<QTreeWidget*>();
-    ASSERT_EQ(list->topLevelItemCount(), 6);
-    for (int i = 0; i < 4; ++i) {
-        EXPECT_EQ(list->topLevelItem(i)->text(0), i % 2 == 0 ? own : "ideal");
-        EXPECT_EQ(list->topLevelItem(i)->text(2), i < 2 ? "cm" : QString::fromUtf8("\u00b0"));
+    // Under the name of its axis what is drawn in it.
+    ASSERT_EQ(list->topLevelItemCount(), 8);
+    for (int axis = 0; axis < 2; ++axis) {
+        const QString named = axis == 0 ? "error (cm)" : QString::fromUtf8("heading_error (\u00b0)");
+        const QStringList names{named, own, "ideal", "bound"};
+        for (int i = 0; i < 4; ++i) EXPECT_EQ(list->topLevelItem(4 * axis + i)->text(0), names[i]);
     }
     // What is dashed is named, with its number at the shown instant.
     const DivergenceBound& bound = window.overlay().rollouts().shownRow()->bound;
     const DivergenceBound::At end = bound.bySteps.empty() ? bound.constant : bound.bySteps[99];
     seek(500);
     settleAll();
-    EXPECT_EQ(list->topLevelItem(4)->text(0), "bound");
-    EXPECT_EQ(list->topLevelItem(4)->text(1), fixedText(100 * end.position, 1));
-    EXPECT_EQ(list->topLevelItem(5)->text(1), fixedText(degrees * end.heading, 1));
-    EXPECT_EQ(list->topLevelItem(4)->text(2), "cm");
-    list->setCurrentItem(list->topLevelItem(4));
+    EXPECT_EQ(list->topLevelItem(3)->text(1), fixedText(100 * end.position, 1));
+    EXPECT_EQ(list->topLevelItem(7)->text(1), fixedText(degrees * end.heading, 1));
+    list->setCurrentItem(list->topLevelItem(3));
     QTest::keyClick(list, Qt::Key_Delete);
     EXPECT_EQ(window.plots().keys().size(), 4u);
     EXPECT_FALSE(list->isColumnHidden(2));

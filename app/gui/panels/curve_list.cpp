@@ -6,6 +6,7 @@
 #include <QMenu>
 #include <QPainter>
 #include <algorithm>
+#include <cmath>
 
 #include "widgets/fixed_text.h"
 
@@ -49,18 +50,23 @@ CurveList::CurveList(const QFont& font) {
 }
 
 void CurveList::setLines(const std::vector<Line>& lines, const Theme& theme) {
+    std::vector<const Line*> shown;  // of each item; the first of a group twice
     lines_.clear();
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        if (!lines[i].group.isEmpty() && (i == 0 || lines[i - 1].group != lines[i].group))
+        if (!lines[i].group.isEmpty() && (i == 0 || lines[i - 1].group != lines[i].group)) {
             lines_.push_back(std::nullopt);
-        lines_.push_back(static_cast<int>(i));
+            shown.push_back(&lines[i]);
+        }
+        lines_.push_back(lines[i].number);
+        shown.push_back(&lines[i]);
     }
+    units_.clear();
     const auto count = static_cast<int>(lines_.size());
     while (topLevelItemCount() > count) delete takeTopLevelItem(topLevelItemCount() - 1);
     for (int i = 0; i < count; ++i) {
         const auto at = static_cast<std::size_t>(i);
         const bool isName = !lines_[at];
-        const Line& line = lines[static_cast<std::size_t>(isName ? *lines_[at + 1] : *lines_[at])];
+        const Line& line = *shown[at];
         QTreeWidgetItem* item = topLevelItem(i);
         if (item == nullptr) item = new QTreeWidgetItem(this);
         item->setFirstColumnSpanned(isName);
@@ -70,7 +76,8 @@ void CurveList::setLines(const std::vector<Line>& lines, const Theme& theme) {
         item->setToolTip(0, isName ? line.group : line.tip);
         item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
         if (isName) item->setText(1, {});
-        item->setText(2, isName ? QString() : line.unit);
+        units_.push_back(isName ? QString() : line.unit);
+        item->setText(2, units_.back());
         item->setForeground(2, theme.quietText);
     }
 }
@@ -78,8 +85,11 @@ void CurveList::setLines(const std::vector<Line>& lines, const Theme& theme) {
 void CurveList::setNumber(int line, double number, int decimals) {
     const auto found = std::find(lines_.begin(), lines_.end(), std::optional(line));
     if (found == lines_.end()) return;
-    QTreeWidgetItem* item = topLevelItem(static_cast<int>(found - lines_.begin()));
+    const auto at = found - lines_.begin();
+    QTreeWidgetItem* item = topLevelItem(static_cast<int>(at));
     item->setText(1, fixedText(number, decimals));
+    // Nothing has no unit.
+    item->setText(2, std::isfinite(number) ? units_[static_cast<std::size_t>(at)] : QString());
     makeRoomFor(item->text(1));
 }
 

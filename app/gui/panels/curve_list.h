@@ -9,7 +9,7 @@
 
 namespace mrose::gui {
 
-/// A legend of the plots with the numbers of an instant; several curves of one body under its name.
+/// A legend of the plots with the numbers of an instant; several curves of one body or of one axis under its name.
 class CurveList final : public QTreeWidget {
     Q_OBJECT
 
@@ -20,6 +20,8 @@ public:
         QPen pen;
         QString label, unit, tip;
         QString group = {};  ///< written above the first of those that have it; empty: nothing
+        int number = 0;      ///< the caller's for it
+        std::size_t axis = 0;
     };
     void setLines(const std::vector<Line>& lines, const Theme& theme);
     /// Of a line. The column grows with its numbers and stays so: nothing jumps.
@@ -37,7 +39,8 @@ private:
     std::optional<int> lineOf(QTreeWidgetItem* item) const;
     void makeRoomFor(const QString& number);
 
-    std::vector<std::optional<int>> lines_;  ///< of each item; nullopt: it is a group's name
+    std::vector<std::optional<int>> lines_;  ///< of each item its line's number; nullopt: it is a group's name
+    std::vector<QString> units_;             ///< of each item
     int numberWidth_ = 0;
 };
 

@@ -13,28 +13,34 @@
 namespace mrose::gui {
 namespace {
 
-constexpr double leastContrast = 2.6;  // of a curve and its ground
 constexpr std::array styles{Qt::SolidLine, Qt::DashLine, Qt::DotLine};
+
+/// Of a curve and its ground: on a light one less, where a robot's yellow would else be brown.
+double leastContrast(const Theme& theme) { return theme.dark ? 4.5 : 3; }
 
 QColor groundOf(const Theme& theme) { return theme.dark ? theme.surround : QColor(Qt::white); }
 
-/// One robot's curves on one axis are told apart by their lines, and by how light they are.
+/// One robot's curves on one axis are told apart by their lines, and by how light they are: the second is darker where
+/// that is still seen.
 QColor variant(const QColor& colour, int which, const Theme& theme) {
-    constexpr double apart = 2.2, leastOfVariant = 2.6;  // contrasts: with the first, and with the ground
+    constexpr double apart = 1.5;  // contrast with the first
     const auto shaded = [&](bool lighter) {
         QColor shade = colour;
         for (int i = 0; i < 16 && contrast(shade, colour) < apart; ++i) {
             const QColor next = lighter ? shade.lighter(112) : shade.darker(112);
             const double before = contrast(shade, groundOf(theme)), after = contrast(next, groundOf(theme));
-            if (after < before && after < leastOfVariant) break;
+            if (after < before && after < leastContrast(theme)) break;
             shade = next;
         }
         return shade;
     };
     const QColor darker = shaded(false), lighter = shaded(true);
-    const bool darkerIsFarther = contrast(darker, colour) > contrast(lighter, colour);
-    return which == 0 ? colour : darkerIsFarther == (which == 1) ? darker : lighter;
+    const bool darkerFirst = contrast(darker, colour) >= apart;
+    return which == 0 ? colour : darkerFirst == (which == 1) ? darker : lighter;
 }
+
+/// What a real robot did, beside what is simulated of it.
+bool isReal(const ValueKey& key) { return key.quantity.starts_with("real_"); }
 
 /// Of the overlaid motion model that a number is of; nullopt: of none.
 std::optional<std::size_t> modelOf(const ValueKey& key, const Reality* reality) {
@@ -53,11 +59,16 @@ std::vector<CurveLook> looksOf(std::span<const ValueKey> keys, std::span<const P
     std::vector<CurveLook> looks;
     std::map<std::pair<std::uint32_t, std::string>, int> used;
     std::map<std::pair<std::size_t, std::string>, int> usedOfModels;
+    std::map<std::string, int> usedOfReal;
     const std::array others{theme.text, theme.contact, theme.accent, theme.quietText};
+    std::map<std::string, std::set<std::uint32_t>> robots;  // of each unit
+    for (const PlottedValue& value : values)
+        if (value.colourOf) robots[value.unit].insert(*value.colourOf);
+    const double seen = leastContrast(theme);
     for (std::size_t i = 0; i < values.size(); ++i) {
         const PlottedValue& value = values[i];
         if (const auto model = modelOf(keys[i], reality)) {
-            const QColor base = seenOn(groundOf(theme), modelColour(*model), leastContrast);
+            const QColor base = seenOn(groundOf(theme), modelColour(*model), seen);
             const int which = usedOfModels[{*model, value.unit}]++ % static_cast<int>(styles.size());
             looks.push_back({variant(base, which, theme), modelStyle(*model)});
             continue;
@@ -66,7 +77,13 @@ std::vector<CurveLook> looksOf(std::span<const ValueKey> keys, std::span<const P
             looks.push_back({others[static_cast<std::size_t>(used[{noBody, {}}]++) % others.size()]});
             continue;
         }
-        const QColor base = seenOn(groundOf(theme), robotColour(*value.colourOf), leastContrast);
+        // The real one of a robot alone is in the colour of writing; of several the colours tell which robot it is.
+        if (isReal(keys[i]) && robots[value.unit].size() == 1) {
+            const auto which = static_cast<std::size_t>(usedOfReal[value.unit]++) % styles.size();
+            looks.push_back({theme.text, styles[which]});
+            continue;
+        }
+        const QColor base = seenOn(groundOf(theme), robotColour(*value.colourOf), seen);
         const int which = used[{*value.colourOf, value.unit}]++ % static_cast<int>(styles.size());
         looks.push_back({variant(base, which, theme), styles[static_cast<std::size_t>(which)]});
     }
@@ -133,7 +150,7 @@ std::vector<CurveWords> wordsOf(std::span<const ValueKey> keys, std::span<const 
         const QString body = qtText(keys[i].body), quantity = quantityOf(keys[i], values[i]);
         if (isExpression(keys[i])) {
             const QString name = qtText(values[i].name);
-            words.push_back({name, {}, {}, name});
+            words.push_back({name, {}, {}, name, name});
             continue;
         }
         const std::set<QString>& beside = quantities[values[i].unit];
@@ -146,6 +163,7 @@ std::vector<CurveWords> wordsOf(std::span<const ValueKey> keys, std::span<const 
         const bool nothing = parts.isEmpty(), several = bodies.size() > 1 || (end.isEmpty() && beside.size() > 1);
         CurveWords& one = words.emplace_back();
         one.quantity = several || nothing ? measured : body + ": " + measured;
+        one.axis = measured;
         if (nothing) parts << body;
         one.inGroup = parts.join("  ");
         one.label = several && !nothing ? body + "  " + one.inGroup : one.inGroup;

@@ -21,10 +21,10 @@
 namespace mrose::gui {
 namespace {
 
-constexpr int mostSideWidth = 336, leastSideWidth = 120;
+constexpr int mostSideWidth = 336, leastSideWidth = 132;
 constexpr double mostSideShare = 0.4;
 constexpr int levelDecimals = 1;
-constexpr QSize leastPlot(200, 90);       // pixels
+constexpr QSize leastPlot(150, 90);       // pixels
 constexpr std::int64_t worthABar = 2000;  // ticks to be computed
 
 const Reality* realityOf(const std::shared_ptr<const Shown>& shown) {
@@ -118,7 +118,7 @@ QWidget* PlotPanel::makeSide() {
     error_->hide();
     layout->addWidget(error_);
     expression_->setFont(small);
-    expression_->setPlaceholderText(tr("Expression: distance(robot[2], ball)"));
+    expression_->setPlaceholderText(tr("Expression"));
     expression_->setToolTip(
         tr("A number of the world to plot, such as robot[2].speed, robot[\"red 1\"].x or "
            "distance(robot[2], ball); Enter plots it"));
@@ -414,23 +414,36 @@ void PlotPanel::rebuild() {
     if (shown_) follow();
 }
 
-/// What the curves are held against comes last.
+/// Axis after axis, what its curves are held against last. Several axes of one body are named.
 void PlotPanel::updateList() {
     const std::vector<PlottedValue> plotted = values();
     const std::vector<CurveWords> words =
         wordsOf(keys_, plotted, foresight() != nullptr ? foresight()->model : QString(), ModelNames::brief);
+    std::map<QString, std::pair<std::size_t, QString>> axes;  // by unit: its place and its name
+    for (std::size_t i = 0; i < plotted.size(); ++i)
+        axes.emplace(qtText(plotted[i].unit), std::pair(axes.size(), words[i].axis));
+    const bool byBody = std::any_of(words.begin(), words.end(), [](const auto& one) { return !one.group.isEmpty(); });
+    const bool byAxis = !byBody && axes.size() > 1;
     std::vector<CurveList::Line> lines;
+    const auto add = [&](const QPen& pen, const QString& label, const QString& unit, const QString& tip,
+                         const QString& body) {
+        const QString axis = unit.isEmpty() ? axes[unit].second : axes[unit].second + " (" + unit + ')';
+        lines.push_back({pen, label, byAxis ? QString() : unit, tip, byAxis ? axis : body,
+                         static_cast<int>(lines.size()), axes[unit].first});
+    };
     for (std::size_t i = 0; i < plotted.size(); ++i) {
         PlotCurve curve;
         curve.colour = looks_[i].colour;
         curve.style = looks_[i].style;
-        lines.push_back({curvePen(curve), words[i].inGroup, qtText(plotted[i].unit),
-                         qtText(plotted[i].name).simplified(), words[i].group});
+        add(curvePen(curve), words[i].inGroup, qtText(plotted[i].unit), qtText(plotted[i].name).simplified(),
+            words[i].group);
     }
     const QPen dashed(TimelineBar::colourOf(TimelineMark::Kind::divergence, theme_), 1, Qt::DashLine);
     for (const PlotLevel& level : levels())
-        lines.push_back({dashed, tr("bound"), level.unit,
-                         tr("Farther off for 0.3 s it has left the real trajectory; the upright line is where")});
+        add(dashed, tr("bound"), level.unit,
+            tr("Farther off for 0.3 s it has left the real trajectory; the upright line is where"), {});
+    if (!byBody)
+        std::stable_sort(lines.begin(), lines.end(), [](const auto& a, const auto& b) { return a.axis < b.axis; });
     list_->setLines(lines, theme_);
     updateNumbers();
 }

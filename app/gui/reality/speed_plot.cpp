@@ -17,7 +17,7 @@ std::vector<ValueKey> SpeedPlot::speeds() const {
     if (const auto body = field_.selected()) robot = frame.nameOf(*body);
     if (frame.reality->robotNamed(robot) == nullptr) return {};
     std::vector<ValueKey> keys;
-    for (const char* const quantity : {"command_v", "v", "real_v", "command_w", "w", "real_w"})
+    for (const char* const quantity : {"v", "command_v", "real_v", "w", "command_w", "real_w"})
         keys.push_back({quantity, robot});
     return keys;
 }
