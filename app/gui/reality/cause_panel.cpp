@@ -246,7 +246,7 @@ QString CausePanel::likely() const {
     const Diagnosis& diagnosis = *finding->diagnosis;
     if (diagnosis.trials.empty()) return tr("No re-run could be made");
     const QString explains = qtText(explainedText(diagnosis.trials[diagnosis.likely.value_or(0)]));
-    if (!diagnosis.likely) return tr("No likely cause: the best re-run explains only %1 of it").arg(explains);
+    if (!diagnosis.likely) return tr("No likely cause: the best re-run explains %1").arg(explains);
     return tr("Likely cause: %1 (explains %2)").arg(qtText(diagnosis.trials[*diagnosis.likely].what), explains);
 }
 

@@ -33,6 +33,7 @@ namespace {
 
 constexpr double longestLog = 1e6;   // s
 constexpr int widestName = 84;       // pixels: tool tips show longer ones
+constexpr int leastRows = 4;         // of the list
 constexpr int leastListWidth = 404;  // pixels: all columns of five robots for half an hour
 
 QString minutes(Nanoseconds time) {
@@ -244,7 +245,7 @@ QWidget* OverlayPanel::makeModels() {
     models_->setObjectName("models");
     models_->setAccessibleName(tr("Motion models and their errors"));
     models_->setHeaderLabels(
-        {tr("Model"), tr("Position\n% of way"), tr("Heading\n% of turning"), tr("At end\ncm"), tr("At end\n\u00b0")});
+        {tr("Model"), tr("Position\n% of way"), tr("Heading\n% of turn"), tr("At end\ncm"), tr("At end\n\u00b0")});
     models_->headerItem()->setToolTip(1,
                                       tr("P: mean distance to the real robot over its path, summed over all windows"));
     models_->headerItem()->setToolTip(2, tr("Hd: mean heading error over its rotation, summed over all windows"));
@@ -318,7 +319,7 @@ void OverlayPanel::makeList() {
     list_->header()->setStretchLastSection(true);
     list_->header()->setMinimumSectionSize(20);
     list_->setMinimumWidth(leastListWidth);
-    list_->setMinimumHeight(4 * (list_->fontMetrics().height() + 4));
+    list_->setMinimumHeight(list_->header()->sizeHint().height() + leastRows * (list_->fontMetrics().height() + 2));
     list_->setIndentation(0);
     connect(list_, &QTreeView::clicked, this, &OverlayPanel::openLine);
     connect(list_, &QTreeView::activated, this, &OverlayPanel::openLine);
@@ -464,9 +465,9 @@ void OverlayPanel::refreshModels() {
         models_->addTopLevelItem(item);
         if (item->text(0) == current) models_->setCurrentItem(item);
     }
-    const int line = models_->fontMetrics().height() + 5;
     const int lines = std::clamp(models_->topLevelItemCount(), 1, 5);
-    models_->setFixedHeight(models_->header()->sizeHint().height() + lines * line + 4);
+    const int line = std::max(models_->sizeHintForRow(0), models_->fontMetrics().height() + 1);
+    models_->setFixedHeight(models_->header()->sizeHint().height() + lines * line + 2);
 }
 
 /// The shown rollout in the list.
