@@ -36,9 +36,10 @@ QString PlotView::textAt(std::int64_t tick) const {
                          : curve.style == Qt::DashLine ? QString::fromUtf8("\u2578\u2578")
                                                        : QString::fromUtf8("\u00b7\u00b7\u00b7"),
                          (curve.label.isEmpty() ? curve.name : curve.label).toHtmlEscaped());
-        rows += number(fixedText(numberAt(curve, tick), curve.decimals));
+        const double here = numberAt(curve, tick);
+        rows += number(fixedText(here, curve.decimals));
         if (ghost != curves_.end()) rows += number(fixedText(ghost->at(tick), curve.decimals));
-        rows += "<td>&nbsp;" + curve.unit.toHtmlEscaped() + "</td></tr>";
+        rows += "<td>&nbsp;" + (std::isfinite(here) ? curve.unit.toHtmlEscaped() : QString()) + "</td></tr>";
         ghosts = ghosts || ghost != curves_.end();
     }
     if (ghosts)

@@ -366,9 +366,11 @@ void PlotView::fill() {
 void PlotView::fillBand(Band& band) {
     const double width = std::max(100, plot_->width() - leftMargin - rightMargin);
     const auto step = static_cast<std::int64_t>((to_ - from_) / width);
-    // Its quantity and unit are at the end.
-    band.title->setText(
-        QFontMetrics(titleFont()).elidedText(band.called, Qt::ElideLeft, plot_->width() - leftMargin - 2));
+    // Its quantity and unit are at the end, behind the body's name.
+    const QFontMetrics metrics(titleFont());
+    const int room = plot_->width() - leftMargin - 2;
+    const bool whole = metrics.horizontalAdvance(band.called) <= room;
+    band.title->setText(metrics.elidedText(whole ? band.called : band.called.section(": ", -1), Qt::ElideLeft, room));
     double least = std::numeric_limits<double>::infinity(), most = -least;
     QVector<QPointF> points;
     for (const auto& [index, graph] : band.graphs) {

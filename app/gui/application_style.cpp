@@ -14,7 +14,7 @@ QColor checkBoxFrame(const QPalette& palette) {
 }
 
 QColor scrollBarHandle(const QPalette& palette) {
-    return mixed(palette.color(QPalette::Window), palette.color(QPalette::WindowText), 0.5);
+    return mixed(palette.color(QPalette::Window), palette.color(QPalette::WindowText), 0.6);
 }
 
 /// Its handle is darker than the groove, on dark ground lighter: Fusion draws the groove as the more solid of the two.

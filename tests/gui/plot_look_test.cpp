@@ -267,7 +267,7 @@ TEST_F(PlotLookTest, NothingIsCutOffInANarrowPanel) {
                 EXPECT_TRUE(title->text().endsWith(')')) << title->text().toStdString();
             }
         EXPECT_LE(legend().viewport()->width(), legend().width());
-        EXPECT_GE(legend().columnWidth(0), 40);
+        EXPECT_GE(legend().columnWidth(0), 60);
     }
 }
 

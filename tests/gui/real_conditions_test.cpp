@@ -62,10 +62,8 @@ TEST_F(RealConditionsTest, ErrorStopsForwardAndInReverse) {
     settleAll();
     stopAbove(bound);
     std::int64_t last = end - 1;
-    if (errors[static_cast<std::size_t>(last)] > bound)
-        while (errors[static_cast<std::size_t>(last - 1)] > bound) --last;
-    else
-        while (errors[static_cast<std::size_t>(last)] <= bound) --last;
+    while (errors[static_cast<std::size_t>(last)] <= bound || errors[static_cast<std::size_t>(last - 1)] > bound)
+        --last;
     press(Qt::ShiftModifier);
     EXPECT_EQ(window.shown()->tick(), last);
     EXPECT_GT(shownError(), bound);

@@ -61,6 +61,7 @@ void CurveList::setLines(const std::vector<Line>& lines, const Theme& theme) {
         shown.push_back(&lines[i]);
     }
     units_.clear();
+    setColumnHidden(2, std::all_of(lines.begin(), lines.end(), [](const Line& line) { return line.unit.isEmpty(); }));
     const auto count = static_cast<int>(lines_.size());
     while (topLevelItemCount() > count) delete takeTopLevelItem(topLevelItemCount() - 1);
     for (int i = 0; i < count; ++i) {

@@ -21,10 +21,10 @@
 namespace mrose::gui {
 namespace {
 
-constexpr int mostSideWidth = 336, leastSideWidth = 132;
+constexpr int mostSideWidth = 336, leastSideWidth = 150;
 constexpr double mostSideShare = 0.4;
 constexpr int levelDecimals = 1;
-constexpr QSize leastPlot(150, 90);       // pixels
+constexpr QSize leastPlot(140, 90);       // pixels
 constexpr std::int64_t worthABar = 2000;  // ticks to be computed
 
 const Reality* realityOf(const std::shared_ptr<const Shown>& shown) {
