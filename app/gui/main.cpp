@@ -145,9 +145,9 @@ Expected<bool> script(MainWindow& window, const std::string& path) {
 
 /// Its recording whole, and said what went wrong with it.
 Expected<void> finishRecording(MainWindow& window) {
-    window.files().record({});
+    window.files().saver().record({});
     settle(window.scripted());
-    if (const QString& error = window.files().recordingError(); !error.isEmpty()) return fail("", error.toStdString());
+    if (const QString& error = window.files().saver().recordingError(); !error.isEmpty()) return fail("", error.toStdString());
     return {};
 }
 
@@ -170,7 +170,7 @@ void begin(MainWindow& window, const CommandLine& line) {
     if (!line.select.empty())
         if (const auto selected = select(window, line.select); !selected)
             window.messages().add({MessageBar::Kind::error, qtText(selected.error().message())});
-    if (!line.record.empty()) window.files().record(qtText(line.record), line.overwrite);
+    if (!line.record.empty()) window.files().saver().record(qtText(line.record), line.overwrite);
     if (line.duration && !overlayOf(line)) {
         const FieldFrame& frame = *window.shown()->frame;
         const std::int64_t end = frame.state.tick + frame.scene().ticksOf(fromSeconds(*line.duration));
@@ -225,7 +225,7 @@ int runAlone(MainWindow& window, const CommandLine& line) {
     const auto breakpoints = breakpointsOf(window, line);
     if (!breakpoints) return report(breakpoints.error());
     window.session().setBreakpoints(*breakpoints);
-    if (!line.record.empty()) window.files().record(qtText(line.record), line.overwrite);
+    if (!line.record.empty()) window.files().saver().record(qtText(line.record), line.overwrite);
     const bool endGiven = line.ticks || line.duration;
     bool held = true;
     if (line.run ? endGiven || !line.at

@@ -180,13 +180,13 @@ TEST_F(BadInput, FullDiskWhileSavingLeavesWhatWasThereAndTheRun) {
     }
     EXPECT_THAT(errors(), ElementsAre(AllOf(HasSubstr("old.mcap"), HasSubstr("Make room, or save it elsewhere"))));
     EXPECT_EQ(readFile(path("old.mcap")).value_or(""), "old");
-    EXPECT_TRUE(window.files().hasUnsaved());
+    EXPECT_TRUE(window.files().saver().hasUnsaved());
     seek(60);
     EXPECT_EQ(state().tick, 60);
 }
 
 TEST_F(BadInput, FullDiskWhileRecordingEndsTheFileAndNotTheRun) {
-    window.files().record(qPath("kept.mcap"));
+    window.files().saver().record(qPath("kept.mcap"));
     settle();
     ASSERT_TRUE(waitFor([&] { return openRecording(path("kept.mcap")).has_value(); }));
     {
@@ -211,7 +211,7 @@ TEST_F(BadInput, FullDiskWhileRecordingEndsTheFileAndNotTheRun) {
 
 /// Ends as on a full disk, whoever finds it: who stops it, or the run that goes on.
 TEST_F(BadInput, RecordingWhoseFileIsGoneIsNoSuccess) {
-    window.files().record(qPath("gone.mcap"));
+    window.files().saver().record(qPath("gone.mcap"));
     seek(40);
     std::filesystem::remove(path("gone.mcap"));
     action("stop_recording").trigger();
@@ -221,7 +221,7 @@ TEST_F(BadInput, RecordingWhoseFileIsGoneIsNoSuccess) {
     EXPECT_THAT(notes(), testing::IsEmpty());
     window.messages().clear();
 
-    window.files().record(qPath("left.mcap"));
+    window.files().saver().record(qPath("left.mcap"));
     settle();
     std::filesystem::rename(path("left.mcap"), path("moved.mcap"));
     window.session().play();
@@ -238,7 +238,7 @@ TEST_F(BadInput, RecordingWhoseFileIsGoneIsNoSuccess) {
 
 /// Of another program or of this one; neither loses anything.
 TEST_F(BadInput, WhatIsBeingWrittenIsNotWrittenOver) {
-    window.files().record(qPath("mine.mcap"));
+    window.files().saver().record(qPath("mine.mcap"));
     settle();
     (void)window.actions().perform("save_recording", qPath("mine.mcap"));
     ASSERT_TRUE(waitFor([&] { return !errors().empty(); }));
@@ -250,7 +250,7 @@ TEST_F(BadInput, WhatIsBeingWrittenIsNotWrittenOver) {
         const auto other = RecordingWriter::create(path("theirs.mcap"), *scenario, scenario->initialState());
         ASSERT_TRUE(other);
         const std::string before = readFile(path("theirs.mcap")).value_or("");
-        window.files().record(qPath("theirs.mcap"));
+        window.files().saver().record(qPath("theirs.mcap"));
         ASSERT_TRUE(waitFor([&] { return !errors().empty(); }));
         EXPECT_THAT(errors(), ElementsAre(AllOf(HasSubstr("theirs.mcap: is being written by a running program"),
                                                 HasSubstr("Nothing is recorded"))));
@@ -262,7 +262,7 @@ TEST_F(BadInput, WhatIsBeingWrittenIsNotWrittenOver) {
 }
 
 TEST_F(BadInput, RecordingToADeviceIsRefused) {
-    window.files().record("/dev/full");
+    window.files().saver().record("/dev/full");
     ASSERT_TRUE(waitFor([&] { return !errors().empty(); }));
     EXPECT_THAT(errors(), ElementsAre(AllOf(HasSubstr("/dev/full"), HasSubstr("Nothing is recorded"))));
     EXPECT_EQ(window.shown()->hash, before_);
@@ -270,7 +270,7 @@ TEST_F(BadInput, RecordingToADeviceIsRefused) {
 
 TEST_F(BadInput, WhatTheRunIsMadeFromIsNotWrittenOver) {
     EXPECT_FALSE(window.actions().perform("save_recording", qPath("./mine.toml")));
-    window.files().record(qPath("game.toml"));
+    window.files().saver().record(qPath("game.toml"));
     EXPECT_THAT(errors(), ElementsAre(HasSubstr("is a file that the run is made from")));
     settle();
     EXPECT_EQ(readFile(path("mine.toml")).value_or(""), robot());

@@ -16,9 +16,9 @@
 namespace mrose::gui {
 
 FileTest::FileTest() {
-    window.files().setQuestion([](const QString& what) {
+    window.files().saver().setQuestion([](const QString& what) {
         ADD_FAILURE() << "asked: " << what.toStdString();
-        return WindowFiles::Answer::cancel;
+        return RunSaver::Answer::cancel;
     });
     window.QWidget::show();
 }

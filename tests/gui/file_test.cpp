@@ -142,7 +142,7 @@ TEST_F(FileTest, RunWithBranchesIsSavedAndOpenedAgain) {
     ASSERT_TRUE(window.actions().perform("save_recording", qPath("saved.mcap")));
     ASSERT_TRUE(waitFor([&] { return !notes().empty(); }));
     EXPECT_THAT(notes(), ElementsAre("Saved " + path("saved.mcap")));
-    EXPECT_FALSE(window.files().hasUnsaved());
+    EXPECT_FALSE(window.files().saver().hasUnsaved());
     const ProgramResult replayed = runMrose({"replay", path("saved.mcap"), "--decide"});
     EXPECT_EQ(replayed.status, 0) << replayed.out << replayed.err;
     EXPECT_THAT(replayed.out, HasSubstr("the same to the last bit"));
@@ -150,7 +150,7 @@ TEST_F(FileTest, RunWithBranchesIsSavedAndOpenedAgain) {
     open(path("saved.mcap"));
     ASSERT_EQ(window.shown()->branches.size(), 2u);
     EXPECT_EQ(window.shown()->branches[1].name, "thrown");
-    EXPECT_FALSE(window.files().hasUnsaved());
+    EXPECT_FALSE(window.files().saver().hasUnsaved());
     // Where it was saved.
     EXPECT_EQ(window.shown()->branch, 1u);
     EXPECT_EQ(state().tick, 140);
@@ -200,7 +200,7 @@ TEST_F(FileTest, RecordsFromTheStartWhereverItBegins) {
     ASSERT_TRUE(window.actions().perform("record_to", qPath("kept.mcap")));
     settle();
     EXPECT_TRUE(action("stop_recording").isEnabled());
-    EXPECT_EQ(window.files().recordedTo(), qPath("kept.mcap"));
+    EXPECT_EQ(window.files().saver().recordedTo(), qPath("kept.mcap"));
     seek(100);
     throwBall();
     seek(130);
@@ -222,7 +222,7 @@ TEST_F(FileTest, RecordsFromTheStartWhereverItBegins) {
 /// What is written so far is of use at any moment.
 TEST_F(FileTest, RecordingUnderWayCanBeOpened) {
     open(writeGame());
-    window.files().record(qPath("growing.mcap"));
+    window.files().saver().record(qPath("growing.mcap"));
     seek(90);
     const auto ticks = [&] {
         const auto recording = openRecording(path("growing.mcap"));
@@ -302,12 +302,12 @@ protected:
         seek(50);
         throwBall();
         write("other.toml", game(0.5));
-        window.files().setQuestion([this](const QString& what) {
+        window.files().saver().setQuestion([this](const QString& what) {
             questions_.push_back(what.toStdString());
             return answer_;
         });
     }
-    WindowFiles::Answer answer_ = WindowFiles::Answer::cancel;
+    RunSaver::Answer answer_ = RunSaver::Answer::cancel;
     std::vector<std::string> questions_;
 };
 
@@ -319,7 +319,7 @@ TEST_F(UnsavedTest, BranchesAreAskedAboutBeforeTheyGo) {
     window.close();
     EXPECT_TRUE(window.isVisible());
     EXPECT_EQ(questions_.size(), 2u);
-    answer_ = WindowFiles::Answer::discard;
+    answer_ = RunSaver::Answer::discard;
     window.files().open(qPath("other.toml"));
     settle();
     EXPECT_EQ(window.shown()->branches.size(), 1u);
@@ -339,7 +339,7 @@ void answerFileDialogue(const QString& path) {
 }
 
 TEST_F(UnsavedTest, SavingComesFirstAndThenWhatWasAskedFor) {
-    answer_ = WindowFiles::Answer::save;
+    answer_ = RunSaver::Answer::save;
     answerFileDialogue(qPath("saved.mcap"));
     window.files().open(qPath("other.toml"));
     ASSERT_TRUE(waitFor([&] { return window.files().opened()->file == path("other.toml"); }));

@@ -393,7 +393,7 @@ TEST_F(LogOpeningTest, WhatCannotBeOpenedLeavesAllAsItIs) {
     EXPECT_THAT(errors(), ElementsAre(HasSubstr("expected an earlier start")));
     EXPECT_EQ(now(), before);
     // And all of it still works.
-    window.files().setQuestion([](const QString&) { return WindowFiles::Answer::discard; });
+    window.files().saver().setQuestion([](const QString&) { return RunSaver::Answer::discard; });
     overlay.shown().showNext(1);
     settleAll();
     EXPECT_EQ(overlay.rollouts().shown(), 3u);
@@ -403,8 +403,8 @@ TEST_F(LogOpeningTest, UnsavedBranchesAreAskedAboutOnceTheOtherLogIsThere) {
     ASSERT_NO_FATAL_FAILURE(work());
     const State before = now();
     int asked = 0;
-    auto answer = WindowFiles::Answer::cancel;
-    window.files().setQuestion([&](const QString&) { return ++asked, answer; });
+    auto answer = RunSaver::Answer::cancel;
+    window.files().saver().setQuestion([&](const QString&) { return ++asked, answer; });
     overlay.open({path("missing.csv"), ""});
     settleAll();
     EXPECT_EQ(asked, 0);
@@ -413,7 +413,7 @@ TEST_F(LogOpeningTest, UnsavedBranchesAreAskedAboutOnceTheOtherLogIsThere) {
     settleAll();
     EXPECT_EQ(asked, 1);
     EXPECT_EQ(now(), before);
-    answer = WindowFiles::Answer::discard;
+    answer = RunSaver::Answer::discard;
     overlay.open({other, ""});
     settleAll();
     EXPECT_EQ(asked, 2);

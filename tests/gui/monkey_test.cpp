@@ -141,7 +141,7 @@ protected:
 };
 
 TEST_P(MonkeyTest, TheGameSurvives) {
-    window.files().setQuestion([](const QString&) { return WindowFiles::Answer::discard; });
+    window.files().saver().setQuestion([](const QString&) { return RunSaver::Answer::discard; });
     const std::shared_ptr<const Scenario> scenario = window.shown()->frame->scenario;
     const std::uint64_t run = window.shown()->run;
     Monkey(window, GetParam()).play(eventsOfOne);
@@ -150,7 +150,7 @@ TEST_P(MonkeyTest, TheGameSurvives) {
 }
 
 TEST_P(MonkeyTest, ALogLaidOverSurvives) {
-    window.files().setQuestion([](const QString&) { return WindowFiles::Answer::discard; });
+    window.files().saver().setQuestion([](const QString&) { return RunSaver::Answer::discard; });
     const std::string log = (sourceFolder() / "resources" / "logs" / "pioneer" / "random.csv").string();
     ASSERT_TRUE(window.overlay().openNow({log, ""}));
     gui::settle(window.scripted());

@@ -287,9 +287,9 @@ TEST_F(OverlayReloadTest, PlanThatTheUserRefusesChangesNothing) {
     settleAll();
     const std::size_t rollouts = overlay.rollouts().requests().size();
     int asked = 0;
-    window.files().setQuestion([&](const QString&) {
+    window.files().saver().setQuestion([&](const QString&) {
         ++asked;
-        return WindowFiles::Answer::cancel;
+        return RunSaver::Answer::cancel;
     });
     RolloutPlan plan = overlay.rollouts().plan();
     plan.length = 3;

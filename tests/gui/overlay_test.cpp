@@ -231,9 +231,9 @@ TEST_F(OverlayTest, BranchThatIsNotSavedHoldsTheNextRolloutBack) {
     window.session().branchOff({"mine"});
     settleAll();
     bool asked = false;
-    window.files().setQuestion([&](const QString&) {
+    window.files().saver().setQuestion([&](const QString&) {
         asked = true;
-        return WindowFiles::Answer::cancel;
+        return RunSaver::Answer::cancel;
     });
     clickLine(1);
     EXPECT_TRUE(asked);
@@ -257,7 +257,7 @@ TEST_F(OverlayTest, RecordedRolloutReopensExactlyAndFindsItsLog) {
     const Nanoseconds start = reality().start;
     seek(100);
     const StateHash hash = window.shown()->hash;
-    ASSERT_TRUE(window.files().saveRecording(qPath("course.mcap")));
+    ASSERT_TRUE(window.files().saver().saveRecording(qPath("course.mcap")));
     settleAll();
     MainWindow other;
     other.QWidget::show();
@@ -274,7 +274,7 @@ TEST_F(OverlayTest, RecordedRolloutReopensExactlyAndFindsItsLog) {
 TEST_F(OverlayTest, SavedStateOfARolloutGoesOnAsTheRollout) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped()));
     seek(120);
-    ASSERT_TRUE(window.files().saveScenario(qPath("state.toml")));
+    ASSERT_TRUE(window.files().saver().saveScenario(qPath("state.toml")));
     settleAll();
     EXPECT_THAT(errors(), IsEmpty());
     EXPECT_TRUE(std::filesystem::exists(path("state.toml")));

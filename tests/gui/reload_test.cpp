@@ -190,9 +190,9 @@ TEST_F(ReloadTest, EmptiedFileIsAnErrorOfIt) {
 class GrowingTest : public FileTest {
 protected:
     void SetUp() override {
-        other_.files().setQuestion([](const QString&) { return WindowFiles::Answer::discard; });
+        other_.files().saver().setQuestion([](const QString&) { return RunSaver::Answer::discard; });
         ASSERT_TRUE(other_.files().openNow({writeGame()}));
-        other_.files().record(qPath("live.mcap"));
+        other_.files().saver().record(qPath("live.mcap"));
         growTo(90);
         open(path("live.mcap"));
     }
@@ -234,7 +234,7 @@ TEST_F(GrowingTest, SaysSoAndIsReadOn) {
     // And to its end.
     other_.session().seek(210);
     other_.session().settle();  // the next request would end it on its way
-    other_.files().record({});
+    other_.files().saver().record({});
     other_.session().settle();
     reload();
     EXPECT_THAT(notes(), ElementsAre(HasSubstr("goes up to 4.20 s now")));
@@ -246,9 +246,9 @@ TEST_F(GrowingTest, SaysSoAndIsReadOn) {
 TEST_F(GrowingTest, AsksBeforeWorkIsLeftForWhatWasWrittenSince) {
     throwBall();
     int questions = 0;
-    window.files().setQuestion([&](const QString&) {
+    window.files().saver().setQuestion([&](const QString&) {
         ++questions;
-        return WindowFiles::Answer::cancel;
+        return RunSaver::Answer::cancel;
     });
     reload();
     EXPECT_EQ(questions, 0);

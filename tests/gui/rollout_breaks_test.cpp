@@ -175,7 +175,7 @@ TEST_F(RolloutBreaksTest, EscapeEndsTheSearch) {
 
 TEST_F(RolloutBreaksTest, BranchThatIsNotSavedIsNotLeft) {
     moveAside(0.5);
-    ASSERT_TRUE(window.files().hasUnsaved());
+    ASSERT_TRUE(window.files().saver().hasUnsaved());
     stopOn("robot[1].x > 1000");
     press();
     EXPECT_THAT(said(), HasSubstr("not saved"));

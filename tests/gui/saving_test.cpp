@@ -27,7 +27,7 @@ using testing::IsEmpty;
 TEST_F(FileTest, RecordedEditsAreOneBranch) {
     open(writeGame());
     seek(100);
-    window.files().record(qPath("live.mcap"), false);
+    window.files().saver().record(qPath("live.mcap"), false);
     throwBall();
     throwBall();
     settle();
@@ -36,7 +36,7 @@ TEST_F(FileTest, RecordedEditsAreOneBranch) {
     throwBall();
     const int listed = listedBranches(window.shown()->branches);
     EXPECT_EQ(listed, 3);
-    window.files().record({}, false);
+    window.files().saver().record({}, false);
     settle();
     ASSERT_TRUE(window.actions().perform("save_recording", qPath("saved.mcap")));
     for (const char* name : {"live.mcap", "saved.mcap"}) {

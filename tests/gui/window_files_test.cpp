@@ -32,12 +32,12 @@ void leaveFileDialogue() {
 TEST_F(WindowFilesTest, SaveThatWasLeftIsForgotten) {
     open(writeGame());
     throwBall();
-    window.files().setQuestion([](const QString&) { return WindowFiles::Answer::save; });
+    window.files().saver().setQuestion([](const QString&) { return RunSaver::Answer::save; });
     leaveFileDialogue();
     window.close();
     ASSERT_TRUE(window.isVisible());
-    ASSERT_TRUE(window.files().saveRecording(qPath("later.mcap")));
-    ASSERT_TRUE(waitFor([&] { return !window.files().hasUnsaved(); }));
+    ASSERT_TRUE(window.files().saver().saveRecording(qPath("later.mcap")));
+    ASSERT_TRUE(waitFor([&] { return !window.files().saver().hasUnsaved(); }));
     settle();
     EXPECT_TRUE(window.isVisible());
 }
@@ -97,7 +97,7 @@ TEST_F(WindowFilesTest, ReloadThatComesToNothingLeavesTheUsersBranchUnsaved) {
     const std::string file = writeGame();
     open(file);
     throwBall();
-    ASSERT_TRUE(window.files().hasUnsaved());
+    ASSERT_TRUE(window.files().saver().hasUnsaved());
     for (const bool fits : {false, true}) {
         auto run = openRun({file});
         ASSERT_TRUE(run);
@@ -105,10 +105,10 @@ TEST_F(WindowFilesTest, ReloadThatComesToNothingLeavesTheUsersBranchUnsaved) {
         window.files().takeReloaded(std::move(run), "mended");
         settle();
         EXPECT_EQ(window.shown()->branches.size(), fits ? 3u : 2u);
-        EXPECT_TRUE(window.files().hasUnsaved());
+        EXPECT_TRUE(window.files().saver().hasUnsaved());
     }
-    ASSERT_TRUE(window.files().saveRecording(qPath("all.mcap")));
-    EXPECT_TRUE(waitFor([&] { return !window.files().hasUnsaved(); }));
+    ASSERT_TRUE(window.files().saver().saveRecording(qPath("all.mcap")));
+    EXPECT_TRUE(waitFor([&] { return !window.files().saver().hasUnsaved(); }));
 }
 
 }  // namespace

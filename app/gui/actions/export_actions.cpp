@@ -17,7 +17,7 @@ QString askForPlotFile(const Exports& exports, const QString& title, const QStri
             QObject::tr("Nothing is plotted yet: choose a number in the inspector, or write an expression"));
         return {};
     }
-    return exports.files.askForName(exports.frame.window, title, kinds, ending);
+    return exports.files.saver().askForName(exports.frame.window, title, kinds, ending);
 }
 
 void addPlotExports(const Exports& exports, const QString& menu) {

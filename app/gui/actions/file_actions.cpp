@@ -85,42 +85,43 @@ void addFileActions(const Frame& frame, FieldView& field, WindowFiles& files, Ov
                 {"save_recording", QObject::tr("&Save recording\u2026"), QKeySequence("Ctrl+S"),
                  QObject::tr("Save the run and all its branches")},
                 Actions::Asking{[&] {
-                                    return files.askForName(frame.window, QObject::tr("Save recording"),
-                                                            QObject::tr("Recordings (*.mcap)"), ".mcap");
+                                    return files.saver().askForName(frame.window, QObject::tr("Save recording"),
+                                                                    QObject::tr("Recordings (*.mcap)"), ".mcap");
                                 },
-                                [&](const QString& path) { return files.saveRecording(path); }});
+                                [&](const QString& path) { return files.saver().saveRecording(path); }});
     actions.add(menu,
                 {"record_to", QObject::tr("Re&cord to\u2026"), QKeySequence("Ctrl+Shift+R"),
                  QObject::tr("Write the run to a file while it goes on, with what was before")},
                 Actions::Asking{[&] {
-                                    return files.askForName(frame.window, QObject::tr("Record to"),
-                                                            QObject::tr("Recordings (*.mcap)"), ".mcap");
+                                    return files.saver().askForName(frame.window, QObject::tr("Record to"),
+                                                                    QObject::tr("Recordings (*.mcap)"), ".mcap");
                                 },
                                 [&](const QString& path) -> Expected<void> {
-                                    files.record(path);
+                                    files.saver().record(path);
                                     return {};
                                 }});
     QAction* stop = actions.add(menu,
                                 {"stop_recording", QObject::tr("S&top recording"), QKeySequence("Ctrl+Shift+E"),
                                  QObject::tr("Close the file that the run is written to")},
-                                [&](bool) { files.record({}); });
+                                [&](bool) { files.saver().record({}); });
     stop->setEnabled(false);
-    QObject::connect(&files, &WindowFiles::recordingTo, stop,
+    QObject::connect(&files.saver(), &RunSaver::recordingTo, stop,
                      [stop](const QString& path) { stop->setEnabled(!path.isEmpty()); });
     actions.add(menu,
                 {"save_scenario", QObject::tr("Sa&ve state as scenario\u2026"), QKeySequence("Ctrl+Shift+S"),
                  QObject::tr("Save a scenario that goes on from the shown tick")},
                 Actions::Asking{[&] {
-                                    return files.askForName(frame.window, QObject::tr("Save state as scenario"),
-                                                            QObject::tr("Scenarios (*.toml)"), "_state.toml");
+                                    return files.saver().askForName(frame.window, QObject::tr("Save state as scenario"),
+                                                                    QObject::tr("Scenarios (*.toml)"), "_state.toml");
                                 },
-                                [&](const QString& path) { return files.saveScenario(path); }});
+                                [&](const QString& path) { return files.saver().saveScenario(path); }});
     actions.add(menu,
                 {"save_image", QObject::tr("Save &picture\u2026"), QKeySequence("Ctrl+P"),
                  QObject::tr("Save the field view as PNG, SVG or PDF")},
                 Actions::Asking{[&] {
-                                    return files.askForName(frame.window, QObject::tr("Save picture"),
-                                                            QObject::tr("Pictures (*.png *.svg *.pdf)"), ".png");
+                                    return files.saver().askForName(frame.window, QObject::tr("Save picture"),
+                                                                    QObject::tr("Pictures (*.png *.svg *.pdf)"),
+                                                                    ".png");
                                 },
                                 [&](const QString& path) {
                                     auto saved = savePicture(frame, field, path);

@@ -176,8 +176,8 @@ bool FilmDialog::exportTo(const QString& path) {
 void FilmDialog::ask() {
     const bool film = kind_->currentIndex() == 0;
     const QString path =
-        exports_.files.askForName(*this, film ? tr("Export film") : tr("Export pictures into a new folder"),
-                                  film ? tr("Films (*.mp4)") : tr("Folders (*)"), film ? ".mp4" : "_pictures");
+        exports_.files.saver().askForName(*this, film ? tr("Export film") : tr("Export pictures into a new folder"),
+                                          film ? tr("Films (*.mp4)") : tr("Folders (*)"), film ? ".mp4" : "_pictures");
     if (!path.isEmpty()) exportTo(path);
 }
 

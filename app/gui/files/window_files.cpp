@@ -1,22 +1,16 @@
 #include "files/window_files.h"
 
 #include <QDesktopServices>
-#include <QFileDialog>
 #include <QFileInfo>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QTimer>
 #include <QUrl>
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <utility>
 
-#include "debug/run_recorder.h"
 #include "frame/actions.h"
 #include "frame/window_memory.h"
 #include "panels/trial_list.h"
-#include "scenario/state_scenario.h"
 #include "session/session.h"
 #include "widgets/field_view.h"
 #include "widgets/message_bar.h"
@@ -35,45 +29,11 @@ QString openingOf(const Error& error) { return "open " + qtText(error.file.empty
 
 QString nameOf(const QString& path) { return QFileInfo(path).fileName(); }
 
-WindowFiles::Answer askUser(QWidget& window, const QString& what) {
-    QMessageBox box(QMessageBox::Question, QObject::tr("Unsaved work"), what,
-                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window);
-    box.setInformativeText(QObject::tr("Save it as a recording?"));
-    box.setDefaultButton(QMessageBox::Save);
-    switch (box.exec()) {
-        case QMessageBox::Save:
-            return WindowFiles::Answer::save;
-        case QMessageBox::Discard:
-            return WindowFiles::Answer::discard;
-        default:
-            return WindowFiles::Answer::cancel;
-    }
-}
-
-bool saysOneOf(const QString& cause, std::initializer_list<int> errors) {
-    return std::any_of(errors.begin(), errors.end(),
-                       [&](int error) { return cause.contains(QString::fromLocal8Bit(std::strerror(error))); });
-}
-
-/// What to do where something could not be written, by what the system said of it.
-QString adviceFor(const QString& cause) {
-    if (saysOneOf(cause, {ENOSPC, EDQUOT, EFBIG})) return QObject::tr("Make room, or save it elsewhere");
-    if (saysOneOf(cause, {EACCES, EPERM, EROFS})) return QObject::tr("Nothing may be written there: save it elsewhere");
-    return QObject::tr("Save it elsewhere");
-}
-
-/// The same of a recording that ended.
-QString adviceAfter(const QString& cause) {
-    return saysOneOf(cause, {ENOSPC, EDQUOT, EFBIG}) ? QObject::tr("make room, then save all of it")
-                                                     : QObject::tr("save all of it elsewhere");
-}
-
 }  // namespace
 
 WindowFiles::WindowFiles(const Frame& frame, FieldView& field)
-    : QObject(&frame.window), frame_(frame), field_(field), opener_(frame, "opening") {
-    ask_ = [this](const QString& what) { return askUser(frame_.window, what); };
-    connect(&frame.session, &Session::recordingChanged, this, &WindowFiles::recordingChanged);
+    : QObject(&frame.window), frame_(frame), field_(field), opener_(frame, "opening"), saver_(frame, watch_) {
+    connect(&saver_, &RunSaver::openWanted, this, [this](const QString& path) { open(path); });
     // Later: what was opened is taken first.
     const auto readAgain = [this] {
         if (!changedMeanwhile_.isEmpty()) reload(std::exchange(changedMeanwhile_, {}));
@@ -109,7 +69,7 @@ void WindowFiles::open(const QString& path, OpenRequest how, std::optional<doubl
 }
 
 void WindowFiles::open(const OpenRequest& request, std::optional<double> at) {
-    if (!mayLeave([this, request, at] { open(request, at); })) return;
+    if (!saver_.mayLeave([this, request, at] { open(request, at); })) return;
     openRunOf(request, [this, at](Expected<OpenRun> run) { (void)take(std::move(run), at); });
 }
 
@@ -170,8 +130,8 @@ std::uint64_t WindowFiles::show(const OpenRun& run, const std::string& breakpoin
     files_ = run.files;
     extents_ = extentsOf(run);
     watch_.watch(run.files, run.recorded() ? std::vector{run.source.file} : std::vector<std::string>{});
-    savedBranches_ = std::max<std::size_t>(1, run.branches.size());
     run_ = frame_.session.open(run);
+    saver_.setRun(run_, run.source, run.branches.size());
     frame_.memory.restoreBreakpoints(qtText(breakpointsOf), run_);
     return run_;
 }
@@ -262,152 +222,127 @@ void WindowFiles::listTrials(const QString& path) {
     list->show();
 }
 
-/// What the run is made from must not be written over.
-Expected<void> WindowFiles::checkNotRead(const QString& path) const {
-    if (!watch_.watches(path.toStdString())) return {};
-    return fail(path.toStdString(), "is a file that the run is made from; expected another name");
-}
-
-Expected<void> WindowFiles::saveRecording(const QString& path, const std::function<void()>& then) {
-    if (auto other = checkNotRead(path); !other) return other;
-    auto result = std::make_shared<Expected<bool>>(false);
-    const std::string commandLine = "mrose-gui " + (opened_ ? opened_->file : "");
-    const auto save = [this, path, then, result, commandLine, of = run_](TimeTravel& run, const Progress& progress) {
-        *result = saveRun(path.toStdString(), run, commandLine, progress);
-        const auto report = [this, path, then, result, of, branches = run.branches().size()] {
-            if (saved(path, *result, of, branches) && then) then();
-        };
-        QMetaObject::invokeMethod(this, report, Qt::QueuedConnection);
-    };
-    frame_.session.doLongWork(tr("Saving %1").arg(nameOf(path)), save, true);
-    if (!frame_.actions.unattended()) return {};
-    frame_.session.settle();
-    if (!*result) return tl::unexpected(result->error());
-    return {};
-}
-
-QString WindowFiles::suggestedName(const QString& ending) const {
-    const std::string of = !opened_ ? "run" : opened_->log.empty() ? opened_->file : opened_->log;
-    const QString folder = frame_.memory.saveFolder();
-    const QString name = (folder.isEmpty() ? "" : folder + '/') + QFileInfo(qtText(of)).completeBaseName();
-    QString free = name + ending;
-    for (int number = 2; QFileInfo::exists(free); ++number) free = name + '_' + QString::number(number) + ending;
-    return free;
-}
-
-QString WindowFiles::askForName(QWidget& over, const QString& title, const QString& kinds,
-                                const QString& ending) const {
-    QString path = QFileDialog::getSaveFileName(&over, title, suggestedName(ending), kinds);
-    if (path.isEmpty()) return path;
-    if (QFileInfo(path).suffix().isEmpty() && ending.contains('.')) path += ending.mid(ending.lastIndexOf('.'));
-    frame_.memory.keepSaveFolder(path);
-    return path;
-}
-
-void WindowFiles::sayNotSaved(const Error& error, const QString& action) {
-    frame_.messages.add({Kind::error,
-                         tr("%1. Nothing is lost: the run is still here. %2")
-                             .arg(qtText(error.message()), adviceFor(qtText(error.cause))),
-                         "save",
-                         {{tr("Save elsewhere\u2026"), tr("Save it to another file"),
-                           [this, action] { frame_.actions[action].trigger(); }}}});
-}
-
-/// Reports what became of it; whether it is saved.
-bool WindowFiles::saved(const QString& path, const Expected<bool>& done, std::uint64_t run, std::size_t branches) {
-    if (!done) return sayNotSaved(done.error(), "save_recording"), false;
-    if (!*done) return frame_.messages.add({Kind::note, tr("Not saved: cancelled"), "save"}), false;
-    if (run == run_) savedBranches_ = branches;
-    frame_.memory.addRecent(QFileInfo(path).absoluteFilePath());
-    frame_.messages.add({Kind::note, tr("Saved %1").arg(path), "save"});
-    return true;
-}
-
-Expected<void> WindowFiles::saveScenario(const QString& path) {
-    if (auto other = checkNotRead(path); !other) return other;
-    auto result = std::make_shared<Expected<void>>();
-    const auto save = [this, path, result](TimeTravel& run, const Progress&) {
-        const BranchSetup& setup = run.setup();
-        DiskDescriptions disk = openDescriptions();
-        *result = !setup.value
-                      ? fail(path.toStdString(), "cannot be written: the run has no description")
-                      : saveStateAsScenario(path.toStdString(), *setup.value, *setup.scenario, run.state(), disk);
-        QMetaObject::invokeMethod(
-            this, [this, path, result] { savedScenario(path, *result); }, Qt::QueuedConnection);
-    };
-    frame_.session.doLongWork(tr("Saving %1").arg(nameOf(path)), save, true);
-    if (!frame_.actions.unattended()) return {};
-    frame_.session.settle();
-    return *result;
-}
-
-void WindowFiles::savedScenario(const QString& path, const Expected<void>& done) {
-    if (!done) return sayNotSaved(done.error(), "save_scenario");
-    frame_.memory.addRecent(QFileInfo(path).absoluteFilePath());
-    frame_.messages.add({Kind::note,
-                         tr("Saved %1, with its state beside it").arg(path),
-                         "save",
-                         {{tr("Open"), tr("Open the scenario that was saved"), [this, path] { open(path); }}}});
-}
-
-void WindowFiles::record(const QString& path, bool overwrite) {
-    if (path.isEmpty()) return frame_.session.stopRecording();
-    if (const auto other = checkNotRead(path); !other) {
-        recordingError_ = qtText(other.error().message());
-        return sayError(other.error(), "record");
+void WindowFiles::reload(const QString& why) {
+    if (!opened_) return;
+    if (opener_.busy()) {
+        changedMeanwhile_ = why;
+        return;
     }
-    const QString commandLine = qtText("mrose-gui " + (opened_ ? opened_->file : "") + " --record ") + path;
-    frame_.session.record(path, commandLine, overwrite);
+    if (log_->reload(why)) return;
+    OpenRequest request = *opened_;
+    const Shown* const shown = frame_.session.current();
+    // A seed of the user's own stays; the scenario's may be what has changed.
+    if (shown && shown->frame->state.seed != shown->frame->scenario->parts().seed)
+        request.seed = shown->frame->state.seed;
+    openRunOf(request, [this, why](Expected<OpenRun> run) {
+        if (run && run->recorded()) return takeGrown(*run);
+        const Shown* const now = frame_.session.current();
+        // A plug-in that crashed or was too slow gets another chance.
+        if (run && now && run->files == files_ && *run->setup->value == *now->setup->value && now->faults.empty())
+            return sayUnchanged();
+        takeReloaded(std::move(run), why);
+    });
 }
 
-void WindowFiles::recordingChanged(const QString& path, const QString& error) {
-    const QString before = std::exchange(recordedTo_, path);
-    recordingError_ = error;
-    // Unattended, whoever started it reports it.
-    if (!error.isEmpty() && frame_.actions.unattended()) {
-        if (!before.isEmpty()) recordingError_ += tr("; the run went on, and its recording ends there");
-        return emit recordingTo(path);
+void WindowFiles::sayUnchanged() {
+    frame_.messages.remove("reload");
+    changedMeanwhile_.clear();
+    frame_.messages.add(
+        {Kind::note, tr("Nothing has changed in what %1 is made from").arg(nameOf(qtText(opened_->file))), "reload"});
+}
+
+std::vector<WindowFiles::Extent> WindowFiles::extentsOf(const OpenRun& run) {
+    std::vector<Extent> extents;
+    for (const OpenRun::Recorded& recorded : run.branches) {
+        const Timeline& timeline = recorded.branch.timeline;
+        const bool any = timeline.last() > timeline.first();
+        extents.push_back({timeline.last(), any ? timeline.hashAt(timeline.last()) : hashOf(recorded.start)});
     }
-    if (!error.isEmpty())
+    return extents;
+}
+
+/// A recording that is being written: from the place that is shown one goes on.
+void WindowFiles::takeGrown(const OpenRun& run) {
+    const QString name = nameOf(qtText(run.source.file));
+    const bool same = extentsOf(run) == extents_;
+    if (same)
         frame_.messages.add(
-            {Kind::error,
-             before.isEmpty()
-                 ? tr("%1. Nothing is recorded; choose another file").arg(error)
-                 : tr("%1. The recording ends here, and the run goes on: %2").arg(error, adviceAfter(error)),
-             "record",
-             {before.isEmpty()
-                  ? MessageBar::Button{tr("Record elsewhere\u2026"), tr("Choose another file"),
-                                       [this] { frame_.actions["record_to"].trigger(); }}
-                  : MessageBar::Button{tr("Save elsewhere\u2026"), tr("Save the run up to here to another file"),
-                                       [this] { frame_.actions["save_recording"].trigger(); }}}});
-    else if (path.isEmpty() && !before.isEmpty()) {
-        if (frame_.session.current()) savedBranches_ = frame_.session.current()->branches.size();
-        frame_.messages.add({Kind::note, tr("Recorded in %1").arg(before), "record"});
-    }
-    emit recordingTo(path);
+            {Kind::note, tr("Nothing has changed: %1 goes no further than it did").arg(name), "reload"});
+    if (same || !saver_.mayLeave([this, run] { takeGrown(run); })) return;
+    const Shown* const shown = frame_.session.current();
+    const bool known = shown && shown->branch < extents_.size();
+    const ShownPlace place = known ? ShownPlace{shown->branch, shown->tick()} : ShownPlace{};
+    frame_.messages.clear();
+    const auto selected = field_.selected();
+    const std::optional<ViewTransform> view = field_.showsAll() ? std::nullopt : std::optional(field_.transform());
+    show(run, run.source.file);
+    if (view) field_.setView(*view);
+    field_.setSelected(selected);
+    log_->follow(run);
+    for (const std::string& note : run.notes) frame_.messages.add({Kind::note, qtText(note)});
+    if (known && place.branch < run.branches.size()) frame_.session.show(place.branch, place.tick);
+    const Nanoseconds end = run.setup->scene().timeOf(run.branches.front().branch.timeline.last());
+    frame_.messages.add(
+        {Kind::note, tr("%1 was read on: it goes up to %2 s now").arg(name).arg(toSeconds(end), 0, 'f', 2), "reload"});
 }
 
-bool WindowFiles::hasUnsaved() const {
-    return frame_.session.current() && listedBranches(frame_.session.current()->branches, savedBranches_) > 0;
+/// What is said of the files' earlier contents is no more.
+void WindowFiles::sayGone(const QString& names, std::size_t count) {
+    frame_.messages.remove("reload");
+    const bool recorded = !extents_.empty();
+    frame_.messages.add(
+        {Kind::note,
+         (recorded    ? tr("%1 was removed or emptied. All of it is still here, and can be saved")
+          : count > 1 ? tr("%1 were removed. The run goes on with what was read from them")
+                      : tr("%1 was removed. The run goes on with what was read from it"))
+             .arg(names),
+         goneTopic,
+         {recorded ? MessageBar::Button{tr("Save recording\u2026"), tr("Save the run and all its branches"),
+                                        [this] { frame_.actions["save_recording"].trigger(); }}
+                   : MessageBar::Button{tr("Save state\u2026"), tr("Save a scenario that goes on from the shown tick"),
+                                        [this] { frame_.actions["save_scenario"].trigger(); }}}});
 }
 
-bool WindowFiles::mayLeave(const std::function<void()>& then) {
-    if (frame_.actions.unattended() || !hasUnsaved()) return true;
-    const int count = listedBranches(frame_.session.current()->branches, savedBranches_);
-    switch (ask_(tr(count == 1 ? "%1 of this run is not saved." : "%1 of this run are not saved.")
-                     .arg(qtText(branchesText(count))))) {
-        case Answer::discard:
-            savedBranches_ = frame_.session.current()->branches.size();
-            return true;
-        case Answer::cancel:
-            return false;
-        case Answer::save:
-            break;
+void WindowFiles::takeReloaded(Expected<OpenRun> run, const QString& why) {
+    const Shown* const shown = frame_.session.current();
+    if (!run) {
+        if (!extents_.empty()) return sayError(run.error(), "reload");
+        frame_.messages.add({Kind::error,
+                             tr("%1. What was read before goes on; once the file is mended it is read again")
+                                 .arg(qtText(run.error().message())),
+                             "reload",
+                             {{tr("Show file"), tr("Open it with the program for such files"),
+                               [file = qtText(run.error().file)] {
+                                   QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(file).absoluteFilePath()));
+                               }},
+                              {tr("Reload"), tr("Read it again now"), [this, why] { reload(why); }}}});
+        return;
     }
-    const QString path = frame_.actions.ask("save_recording");
-    if (path.isEmpty()) return false;
-    if (const auto saving = saveRecording(path, then); !saving) sayError(saving.error(), "save");
-    return false;
+    frame_.messages.remove("reload");
+    changedMeanwhile_.clear();  // what was not read yet is found by looking again
+    files_ = run->files;
+    watch_.watch(run->files);
+    if (!shown) return;
+    Edit edit;
+    edit.name = why.toStdString();
+    edit.tick = shown->first;
+    edit.setup = run->setup;
+    edit.start = std::move(run->start);
+    const bool goesOn = shown->playing;
+    const auto unattendedWork = [this, of = run_] {
+        if (run_ == of) saver_.addSaved();
+    };
+    frame_.session.branchOff(edit, shown->tick(), [this, unattendedWork] {
+        QMetaObject::invokeMethod(this, unattendedWork, Qt::QueuedConnection);
+    });
+    if (goesOn) frame_.session.play();
+    frame_.messages.add({Kind::note,
+                         tr("%1: the run was simulated again up to here; the run before is shown as a ghost").arg(why),
+                         "reload",
+                         {{tr("Undo"), tr("Back to the run before"), [this] {
+                               frame_.session.ask(&Debugger::undo);
+                               frame_.messages.remove("reload");
+                           }}}});
 }
 
 void WindowFiles::sayError(const Error& error, const QString& topic) {

@@ -11,6 +11,7 @@
 #include "files/description_watch.h"
 #include "files/laid_over_log.h"
 #include "files/opener.h"
+#include "files/run_saver.h"
 #include "frame/frame.h"
 #include "world/state_hash.h"
 
@@ -22,8 +23,8 @@ class FieldView;
 
 namespace mrose::gui {
 
-/// What the window does with files: opens runs and opens them again when a description changes, saves, and says what
-/// is wrong with a file. Nothing here waits for a disk, but where it says so.
+/// What the window opens: runs, which are opened again when a description changes, logs, networks, results; and what is
+/// wrong with a file is said. Nothing here waits for a disk, but where it says so.
 class WindowFiles final : public QObject {
     Q_OBJECT
 
@@ -51,36 +52,11 @@ public:
     /// Ends what is being opened; false: nothing is.
     bool cancel() { return opener_.cancel(); }
 
-    /// The run with its branches, in the background; once it is saved, `then`. Unattended, it waits. Error: such a file
-    /// must not be written; unattended, all errors.
-    Expected<void> saveRecording(const QString& path, const std::function<void()>& then = {});
-    /// The shown state as a scenario that goes on from there; otherwise as saveRecording().
-    Expected<void> saveScenario(const QString& path);
-    /// Writes the run to a file while it goes on; an empty one: no more.
-    void record(const QString& path, bool overwrite = true);
-    /// For what is saved of what is open: a free name in the folder used last, as "soccer_2.mcap" for ".mcap".
-    QString suggestedName(const QString& ending) const;
-    /// Asks `over` for such a file, whose extension is that of `ending` unless another is typed. Empty: the user
-    /// cancelled.
-    QString askForName(QWidget& over, const QString& title, const QString& kinds, const QString& ending) const;
-    const QString& recordedTo() const { return recordedTo_; }
-    /// Why the last recording was not begun, or ended too early; empty: nothing went wrong.
-    const QString& recordingError() const { return recordingError_; }
-
-    /// What a user may answer to the question about what would be lost.
-    enum class Answer { save, discard, cancel };
-    void setQuestion(std::function<Answer(const QString& what)> ask) { ask_ = std::move(ask); }
-    bool hasUnsaved() const;
-    /// Whether what is unsaved may go. Saves first, where that is the answer, and then calls `then` itself.
-    bool mayLeave(const std::function<void()>& then);
-
+    RunSaver& saver() { return saver_; }
     /// How the run that is open was opened; nothing is open: nothing.
     const std::optional<OpenRequest>& opened() const { return opened_; }
     Opener& opener() { return opener_; }
     DescriptionWatch& watch() { return watch_; }
-
-signals:
-    void recordingTo(const QString& path);  ///< empty: nowhere
 
 private:
     void openRunOf(const OpenRequest& request, std::function<void(Expected<OpenRun>)> take);
@@ -98,12 +74,7 @@ private:
     void takeGrown(const OpenRun& run);
     void sayGone(const QString& names, std::size_t count);
     void offerBranches(const OpenRun& run, bool atItsPlace);
-    Expected<void> checkNotRead(const QString& path) const;
     std::uint64_t show(const OpenRun& run, const std::string& breakpointsOf);
-    bool saved(const QString& path, const Expected<bool>& done, std::uint64_t run, std::size_t branches);
-    void savedScenario(const QString& path, const Expected<void>& done);
-    void recordingChanged(const QString& path, const QString& error);
-    void sayNotSaved(const Error& error, const QString& action);
     void sayError(const Error& error, const QString& topic);
 
     Frame frame_;
@@ -111,16 +82,14 @@ private:
     LaidOverLog* log_ = nullptr;
     Opener opener_;
     DescriptionWatch watch_;
+    RunSaver saver_;
     static constexpr const char* goneTopic = "gone";
     std::optional<OpenRequest> opened_;
     std::map<std::string, std::string> files_;  ///< that it was read from, with their hashes
     std::vector<Extent> extents_;               ///< of a recording's branches, as it was read; empty: it is none
-    std::function<Answer(const QString&)> ask_;
-    std::uint64_t run_ = 0;  ///< that is open, as Shown::run
-    std::size_t savedBranches_ = 1;
-    QString network_;  ///< to be offered once a run is open
-    QString recordedTo_, recordingError_;
-    QString changedMeanwhile_;  ///< why it is to be read again, reported while it was being read
+    std::uint64_t run_ = 0;                     ///< that is open, as Shown::run
+    QString network_;                           ///< to be offered once a run is open
+    QString changedMeanwhile_;                  ///< why it is to be read again, reported while it was being read
 };
 
 }  // namespace mrose::gui

@@ -97,7 +97,7 @@ void Overlay::take(Expected<OpenedLog> opened, const Opening& opening, bool kind
             sayError(opened.error());
         return readAgain();
     }
-    if (!files_.mayLeave([this, opening] { post(opening); })) return readAgain();
+    if (!files_.saver().mayLeave([this, opening] { post(opening); })) return readAgain();
     leave();
     begin(std::move(opened->world), opened->plan, std::move(opened->requests));
     const PlayedLog& log = *rollouts_.log();
@@ -223,7 +223,7 @@ Expected<void> Overlay::setPlan(const RolloutPlan& plan) {
     if (!isOpen() || plan == rollouts_.plan()) return {};
     auto rollouts = plannedRollouts(*rollouts_.log(), plan);
     if (!rollouts) return tl::unexpected(rollouts.error());
-    if (!files_.mayLeave([this, plan] { (void)setPlan(plan); })) return {};
+    if (!files_.saver().mayLeave([this, plan] { (void)setPlan(plan); })) return {};
     frame_.messages.remove(planTopic);
     replace(rollouts_.log(), plan, std::move(*rollouts));
     shown_.show(0);

@@ -122,7 +122,7 @@ void ShownRollout::showLeaving() {
 
 bool ShownRollout::show(std::size_t rollout, std::optional<std::size_t> robot, const Then& then) {
     if (!rollouts_.log() || rollout >= rollouts_.requests().size()) return false;
-    if (!files_.mayLeave([this, rollout, robot, then] { show(rollout, robot, then); })) return false;
+    if (!files_.saver().mayLeave([this, rollout, robot, then] { show(rollout, robot, then); })) return false;
     emit opens();
     opener_.open(
         rollouts_.log()->place,
@@ -183,7 +183,7 @@ void ShownRollout::followShown() {
     if (shown.event == RunEvent::noBreak) return lookInOthers();
     if (shown.event != RunEvent::playedOut || !atRolloutEnd()) return;
     if (rollouts_.showsLast()) return sayLogEnds();
-    if (files_.hasUnsaved())
+    if (files_.saver().hasUnsaved())
         return frame_.status.say(tr("This rollout has branches that are not saved: the next one waits"));
     Then on;
     on.play = true;
@@ -233,7 +233,7 @@ bool ShownRollout::playsNext() {
     if (shown->tick() != shown->frame->scene().ticksOf(rollouts_.length(*rollouts_.shown()))) return false;
     Then on;
     on.play = true;
-    if (!rollouts_.showsLast()) return !files_.hasUnsaved() && showNext(1, on);
+    if (!rollouts_.showsLast()) return !files_.saver().hasUnsaved() && showNext(1, on);
     if (reportedEnd_ == run_) return false;
     sayLogEnds();
     return true;
@@ -262,7 +262,7 @@ void ShownRollout::lookInOthers() {
         searcher_.stop();
         frame_.status.say(why);
     };
-    if (files_.hasUnsaved())
+    if (files_.saver().hasUnsaved())
         return give(tr("This rollout has branches that are not saved: the other rollouts are not looked through"));
     if (diverges && !allCompared_)
         return give(tr("The other rollouts are still being compared: where they leave the log is known then"));

@@ -198,7 +198,7 @@ void MainWindow::makeStatusBar() {
     auto* recording = new QLabel;
     recording->setObjectName("recording");
     recording->hide();
-    connect(files_, &WindowFiles::recordingTo, recording, [recording](const QString& path) {
+    connect(&files_->saver(), &RunSaver::recordingTo, recording, [recording](const QString& path) {
         constexpr int widestName = 200;  // pixels
         const QString name =
             recording->fontMetrics().elidedText(QFileInfo(path).fileName(), Qt::ElideMiddle, widestName);
@@ -270,7 +270,7 @@ bool MainWindow::event(QEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (!files_->mayLeave([this] { close(); })) return event->ignore();
+    if (!files_->saver().mayLeave([this] { close(); })) return event->ignore();
     memory_->save();
     session_->pause();
     QMainWindow::closeEvent(event);
