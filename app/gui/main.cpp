@@ -147,7 +147,8 @@ Expected<bool> script(MainWindow& window, const std::string& path) {
 Expected<void> finishRecording(MainWindow& window) {
     window.files().saver().record({});
     settle(window.scripted());
-    if (const QString& error = window.files().saver().recordingError(); !error.isEmpty()) return fail("", error.toStdString());
+    if (const QString& error = window.files().saver().recordingError(); !error.isEmpty())
+        return fail("", error.toStdString());
     return {};
 }
 

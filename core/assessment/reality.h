@@ -54,8 +54,8 @@ struct Reality : RealRobots {
 
     /// Of the simulated robot of that name; nullptr: none really drove beside it.
     const Robot* robotNamed(const std::string& simulated) const;
-    /// Instants between which it is not known where a robot is, from the run's start on; nullptr: in which it is not known
-    /// of any. What has not been measured at the end is unknown for good.
+    /// Instants between which it is not known where a robot is, from the run's start on; nullptr: in which it is not
+    /// known of any. What has not been measured at the end is unknown for good.
     std::vector<Robot::Stretch> unknownOf(const Robot* robot) const;
     /// How far a model is from a robot of `robots`, at the last of its instants up to `now`; nullopt where one of the
     /// two is unknown then.
