@@ -30,7 +30,8 @@ Edit moveBody(const FieldFrame& frame, std::size_t body, const Pose& pose) {
 }
 
 Expected<Edit> putBody(const FieldFrame& frame, std::size_t body, const Pose& pose) {
-    const std::string why = hindranceAt(frame, body, pose), name = frame.nameOf(body);
+    const std::string why = hindranceAt(frame, body, pose);
+    const std::string& name = frame.nameOf(body);
     const auto place = freePlaceNear(frame, body, pose);
     if (!place)
         return fail("", name + " stays where it was: there it would stand " + why + ", and no place near it is free");

@@ -70,14 +70,15 @@ std::optional<Pose> freePlaceNear(const FieldFrame& frame, std::size_t body, con
     const auto away = [&](double radius, double angle) {
         return Pose{pose.x + radius * std::cos(angle), pose.y + radius * std::sin(angle), pose.heading};
     };
-    for (double radius = ring; radius <= reach; radius += ring) {
+    for (int k = 1; k * ring <= reach; ++k) {
+        const double radius = k * ring;
         const double turn = 2 * std::numbers::pi;
         const int places = std::clamp(static_cast<int>(turn * radius / ring), 8, mostOnRing);
         for (int i = 0; i < places; ++i) {
             const double angle = turn * i / places;
             if (!surroundings.isFree(away(radius, angle))) continue;
             double blocked = radius - ring, free = radius;
-            for (int k = 0; k < halvings; ++k) {
+            for (int half = 0; half < halvings; ++half) {
                 const double middle = (blocked + free) / 2;
                 (surroundings.isFree(away(middle, angle)) ? free : blocked) = middle;
             }
