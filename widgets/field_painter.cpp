@@ -201,8 +201,9 @@ void FieldPainter::legend(const FieldFrame& frame, const QRectF& covered) {
     painter.drawRoundedRect(box, 5, 5);
     for (std::size_t i = 0; i < grid.rows.size(); ++i) {
         const LegendRow& one = grid.rows[i];
-        const double left = box.left() + margin + grid.columnWidth * static_cast<double>(i / grid.inColumn);
-        const double top = box.top() + margin / 2 + grid.rowHeight * static_cast<double>(i % grid.inColumn);
+        const std::size_t column = i / grid.inColumn, row = i % grid.inColumn;
+        const double left = box.left() + margin + grid.columnWidth * static_cast<double>(column);
+        const double top = box.top() + margin / 2 + grid.rowHeight * static_cast<double>(row);
         const QRectF sample(left, top + 2, sampleWidth, grid.rowHeight - 4);
         if (one.model)
             drawModelSample(painter, sample, *one.model);
