@@ -144,7 +144,7 @@ QString CommandPanel::missing() const {
 }
 
 QString CommandPanel::edit() {
-    if (const QString what = missing(); !what.isEmpty()) return what;
+    if (QString what = missing(); !what.isEmpty()) return what;
     v_->setFocus(Qt::ShortcutFocusReason);
     v_->selectAll();
     return {};
@@ -164,7 +164,7 @@ bool CommandPanel::eventFilter(QObject* watched, QEvent* event) {
 }
 
 QString CommandPanel::apply() {
-    if (const QString what = missing(); !what.isEmpty() || shown_.playing) return what;
+    if (QString what = missing(); !what.isEmpty() || shown_.playing) return what;
     const RobotInsight* decided = decision();
     for (QDoubleSpinBox* box : {v_, w_, power_}) box->interpretText();
     periods_->interpretText();
