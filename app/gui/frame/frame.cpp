@@ -18,7 +18,7 @@ void Frame::showDock(const char* name) const {
 }
 
 void Frame::whenStanding(const QString& why, const std::function<void()>& then) const {
-    const auto done = [this, then] {
+    const auto done = [then] {
         if (then) then();
     };
     if (shown() == nullptr || !shown()->playing) return done();
