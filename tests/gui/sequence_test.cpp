@@ -142,6 +142,9 @@ TEST_F(SequenceTest, BranchesFramesBeginInTheirParent) {
     seek(40);
     drag(pixelOf(0), pixelOf(0) + QPointF(40, 25));
     ASSERT_EQ(window.shown()->branches.size(), 2u);
+    // The inspector has something to show now, and takes its room from the field once no second click is to come.
+    const QSize before = window.field().size();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window.field().size() != before; }));
     seek(60);
     ASSERT_EQ(alone([&] { return exportFrames(window.exports(), path("branch"), stretch(0.7, 0.9, 10)); }), "");
     for (const auto& [number, at] : {std::pair{"0000", 35}, std::pair{"0002", 45}}) {
