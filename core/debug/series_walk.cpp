@@ -113,8 +113,8 @@ std::optional<std::int64_t> SeriesWalk::go(const ValueSeries::Task& task, std::o
         const std::int64_t reached = walker.cursor->tick();
         const bool goesOn = reached < end && asked.goesOn();
         if (!goesOn || Clock::now() - added >= addedAfter) {
-            const bool more = asked.add(first, columns);
-            if (!goesOn || !more) return {};
+            asked.add(first, columns);
+            if (!goesOn) return {};
             first = reached + 1;
             for (std::vector<float>& column : columns) column.clear();
             added = Clock::now();
@@ -130,7 +130,6 @@ void computeAll(ValueSeries& series, const TimeTravel& travel) {
     while (const auto task = series.nextTask()) {
         const auto add = [&](std::int64_t first, const std::vector<std::vector<float>>& columns) {
             series.add(*task, first, columns);
-            return true;
         };
         auto stretch = SeriesWalk::stretchOf(travel, walk.wishFor(*task));
         if (const auto unknown = walk.go(*task, std::move(stretch), {add, [] { return true; }}))

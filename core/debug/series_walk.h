@@ -40,8 +40,8 @@ public:
     static std::optional<Stretch> stretchOf(const TimeTravel& travel, const Wish& wish);
 
     struct Asked {
-        /// Numbers of the task's ticks from `first` on. False: that is enough for now.
-        std::function<bool(std::int64_t first, const std::vector<std::vector<float>>& columns)> add;
+        /// Numbers of the task's ticks from `first` on, as ValueSeries::add() takes them.
+        std::function<void(std::int64_t first, const std::vector<std::vector<float>>& columns)> add;
         std::function<bool()> goesOn;  ///< asked before each tick
     };
     /// From the task's first tick to the end of the stretch. nullopt: as far as it goes on; otherwise the task's ticks

@@ -123,12 +123,6 @@ Docks::Panel& Docks::panelOf(const QObject* dock) {
 
 bool Docks::Panel::folded() const { return dock->features().testFlag(QDockWidget::DockWidgetVerticalTitleBar); }
 
-void Docks::show(const char* name) {
-    QDockWidget& dock = (*this)[name];
-    dock.show();
-    dock.raise();
-}
-
 void Docks::setEmpty(const char* name, bool empty) {
     panelOf(&(*this)[name]).empty = empty;
     if (field_.held())

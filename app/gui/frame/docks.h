@@ -37,7 +37,6 @@ public:
     void keepAsNew();
 
     QDockWidget& operator[](const char* name) const;
-    void show(const char* name);  ///< in front of those that it shares its place with
     /// There is nothing to be seen in it, or is again. What the mouse holds in the field does not move meanwhile, nor
     /// between two clicks.
     void setEmpty(const char* name, bool empty);

@@ -18,17 +18,14 @@ void Frame::showDock(const char* name) const {
 }
 
 void Frame::whenStanding(const QString& why, const std::function<void()>& then) const {
-    const auto done = [then] {
-        if (then) then();
-    };
-    if (shown() == nullptr || !shown()->playing) return done();
+    if (shown() == nullptr || !shown()->playing) return then();
     session.pause();
     const auto once = std::make_shared<QMetaObject::Connection>();
-    *once = QObject::connect(&session, &Session::shown, &window, [this, once, why, done] {
+    *once = QObject::connect(&session, &Session::shown, &window, [this, once, why, then] {
         if (shown()->playing) return;
         QObject::disconnect(*once);
         say(why);
-        done();
+        then();
     });
 }
 

@@ -29,7 +29,8 @@ struct Frame {
     void say(const QString& text) const;
     void showDock(const char* name) const;  ///< to the front of those that it shares its place with
     /// Stops the run, if it plays, and says why; then, at once where it stands, does what needs that.
-    void whenStanding(const QString& why, const std::function<void()>& then = {}) const;
+    void whenStanding(
+        const QString& why, const std::function<void()>& then = [] {}) const;
     /// Asks the user for a line; empty: the user cancelled.
     QString askText(const QString& title, const QString& label, const QString& suggestion = {}) const;
 };

@@ -63,7 +63,6 @@ void SeriesWorker::goOn() {
                 series_.add(task, first, columns);
                 emit grown();
             });
-            return true;
         };
         return walk->go(task, std::move(stretch), {add, goesOn});
     };
