@@ -25,6 +25,8 @@ target_compile_options(mrose_flags INTERFACE -ffile-prefix-map=${PROJECT_SOURCE_
 if(MROSE_SANITIZE)
   target_compile_options(mrose_flags INTERFACE -fsanitize=${MROSE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(mrose_flags INTERFACE -fsanitize=${MROSE_SANITIZE})
+  # An empty optional that is read or an index beyond a vector's end is memory that there is: the library tells it.
+  target_compile_definitions(mrose_flags INTERFACE _GLIBCXX_ASSERTIONS)
   if(MROSE_SANITIZE MATCHES "address")
     target_compile_definitions(mrose_flags INTERFACE MROSE_ADDRESS_SANITIZER)
   endif()
