@@ -286,12 +286,12 @@ int runWindow(const CommandLine& line) {
         std::fputs(shortcutText(shortcutGroups(window.actions())).toUtf8().constData(), stdout);
         return 0;
     }
-    if (line.interactive() || line.remember) window.memory().restore(WindowMemory::ofUser());
+    if (line.interactive() || line.remember) window.frame().memory.restore(WindowMemory::ofUser());
     window.overlay().setFollows(!line.run);
     if (line.size) window.resize(line.size->first, line.size->second);
     if (line.dark && !window.actions()["dark"].isChecked()) window.actions()["dark"].trigger();
     const int status = line.interactive() ? work(window, line) : runAlone(window, line);
-    if (line.remember && !line.interactive()) window.memory().save();
+    if (line.remember && !line.interactive()) window.frame().memory.save();
     return status;
 }
 

@@ -272,7 +272,7 @@ TEST_F(BranchEditTest, BodiesThatAreDroppedOnOthersAreSetBesideThem) {
     emit window.field().bodyMoved(0, {1000, 0, 0});
     settle();
     EXPECT_EQ(listed(), 2);
-    EXPECT_THAT(window.status().said().toStdString(), HasSubstr("stays where it was"));
+    EXPECT_THAT(window.frame().status.said().toStdString(), HasSubstr("stays where it was"));
 }
 
 }  // namespace

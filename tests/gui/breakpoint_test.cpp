@@ -408,7 +408,7 @@ TEST_F(BreakpointTest, AreKeptByScenario) {
     const auto settings = [&] {
         return std::make_unique<QSettings>(folder.filePath("kept.ini"), QSettings::IniFormat);
     };
-    window.memory().restore(settings());
+    window.frame().memory.restore(settings());
     ASSERT_TRUE(window.open("soccer.toml"));
     settle();
     only(fast);
@@ -417,9 +417,9 @@ TEST_F(BreakpointTest, AreKeptByScenario) {
     settle();
     add("contact red 2");
     key(Qt::Key_F9);
-    window.memory().save();
+    window.frame().memory.save();
     MainWindow other;
-    other.memory().restore(settings());
+    other.frame().memory.restore(settings());
     ASSERT_TRUE(other.open("b21_corridor.toml"));
     other.session().settle();
     EXPECT_EQ(other.shown()->breakpoints.size(), 1u);

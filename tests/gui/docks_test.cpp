@@ -44,7 +44,7 @@ protected:
 constexpr QSize sizes[] = {{1024, 620}, {1280, 800}, {1920, 1080}};
 
 TEST_F(DocksTest, AGameKeepsItsLayoutWhateverIsDoneWithALog) {
-    window.memory().restore(settings());
+    window.frame().memory.restore(settings());
     ASSERT_NO_FATAL_FAILURE(openGame());
     dock("command").close();
     ASSERT_NO_FATAL_FAILURE(openLog(shipped()));
@@ -54,7 +54,7 @@ TEST_F(DocksTest, AGameKeepsItsLayoutWhateverIsDoneWithALog) {
     window.close();
 
     MainWindow later;
-    later.memory().restore(settings());
+    later.frame().memory.restore(settings());
     later.QWidget::show();
     ASSERT_TRUE(later.files().openNow({"soccer.toml"}));
     gui::settle(later.scripted());

@@ -365,22 +365,22 @@ TEST_F(FileTest, RecentFilesOutliveTheWindow) {
     const std::string file = writeGame();
     write("other.toml", game(0.5));
     MainWindow other;
-    window.memory().restore(settingsIn(qPath("settings.ini")));
-    other.memory().restore(settingsIn(qPath("settings.ini")));
+    window.frame().memory.restore(settingsIn(qPath("settings.ini")));
+    other.frame().memory.restore(settingsIn(qPath("settings.ini")));
     open(file);
     ASSERT_TRUE(other.files().openNow({path("other.toml")}));
-    EXPECT_THAT(other.memory().recentFiles(), ElementsAre(qPath("other.toml"), qPath("game.toml")));
+    EXPECT_THAT(other.frame().memory.recentFiles(), ElementsAre(qPath("other.toml"), qPath("game.toml")));
     MainWindow later;
-    later.memory().restore(settingsIn(qPath("settings.ini")));
-    EXPECT_THAT(later.memory().recentFiles(), ElementsAre(qPath("other.toml"), qPath("game.toml")));
+    later.frame().memory.restore(settingsIn(qPath("settings.ini")));
+    EXPECT_THAT(later.frame().memory.recentFiles(), ElementsAre(qPath("other.toml"), qPath("game.toml")));
     // One that is gone is forgotten when it is asked for.
     std::filesystem::remove(path("other.toml"));
     EXPECT_FALSE(later.files().openNow({path("other.toml")}));
-    EXPECT_THAT(later.memory().recentFiles(), ElementsAre(qPath("game.toml")));
+    EXPECT_THAT(later.frame().memory.recentFiles(), ElementsAre(qPath("game.toml")));
 }
 
 TEST_F(FileTest, LayoutOutlivesTheWindowAndIsReset) {
-    window.memory().restore(settingsIn(qPath("settings.ini")));
+    window.frame().memory.restore(settingsIn(qPath("settings.ini")));
     auto* dock = window.findChild<QDockWidget*>("branches");
     ASSERT_NE(dock, nullptr);
     ASSERT_TRUE(dock->isVisible());
@@ -391,7 +391,7 @@ TEST_F(FileTest, LayoutOutlivesTheWindowAndIsReset) {
     window.close();
 
     MainWindow later;
-    later.memory().restore(settingsIn(qPath("settings.ini")));
+    later.frame().memory.restore(settingsIn(qPath("settings.ini")));
     later.QWidget::show();
     EXPECT_FALSE(later.findChild<QDockWidget*>("branches")->isVisible());
     EXPECT_EQ(later.size(), QSize(1000, 700));

@@ -14,6 +14,7 @@
 
 #include "actions/first_steps.h"
 #include "actions/window_actions.h"
+#include "frame/status_line.h"
 #include "gui/window_fixture.h"
 #include "panels/plot_panel.h"
 #include "panels/shortcut_sheet.h"
@@ -313,15 +314,16 @@ TEST_F(HelpTest, WhatCameToNothingIsNotTickedOff) {
 
 TEST_F(HelpTest, WhatIsAskedForIsNotSaidAnyLongerOnceItIsDone) {
     key(Qt::Key_E);
-    ASSERT_TRUE(window.status().said().startsWith("Select a robot first")) << window.status().said().toStdString();
+    ASSERT_TRUE(window.frame().status.said().startsWith("Select a robot first"))
+        << window.frame().status.said().toStdString();
     window.field().setSelected(2);
-    EXPECT_EQ(window.status().said(), "");
-    EXPECT_FALSE(window.status().quietMessage().isVisible());
+    EXPECT_EQ(window.frame().status.said(), "");
+    EXPECT_FALSE(window.frame().status.quietMessage().isVisible());
     // What is said otherwise stays for a while.
     window.frame().say("something");
     window.field().setSelected(1);
-    EXPECT_EQ(window.status().said(), "something");
-    EXPECT_TRUE(QTest::qWaitFor([&] { return window.status().said().isEmpty(); }, 10'000));
+    EXPECT_EQ(window.frame().status.said(), "something");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window.frame().status.said().isEmpty(); }, 10'000));
 }
 
 TEST_F(HelpTest, ClosedFirstStepsStayAwayUntilTheyAreAskedFor) {

@@ -140,7 +140,8 @@ TEST_F(InputKeysTest, WhatNeedsAPausePausesAndSaysSo) {
     press(Qt::Key_E);
     EXPECT_FALSE(window.shown()->playing);
     EXPECT_TRUE(boxes[0]->hasFocus());
-    EXPECT_TRUE(window.status().said().startsWith("Stopped, since commands")) << window.status().said().toStdString();
+    EXPECT_TRUE(window.frame().status.said().startsWith("Stopped, since commands"))
+        << window.frame().status.said().toStdString();
     begin(1);
     QTest::keyClick(window.windowHandle(), Qt::Key_Left, Qt::AltModifier);
     settle();
@@ -150,7 +151,8 @@ TEST_F(InputKeysTest, WhatNeedsAPausePausesAndSaysSo) {
     EXPECT_EQ(window.shown()->branches.size(), 2u) << "and does it";
     begin({});
     press(Qt::Key_E);
-    EXPECT_TRUE(window.status().said().startsWith("Select a robot first")) << window.status().said().toStdString();
+    EXPECT_TRUE(window.frame().status.said().startsWith("Select a robot first"))
+        << window.frame().status.said().toStdString();
 }
 
 TEST_F(InputKeysTest, ShortMessagesAreSeenWhileTheRunPlays) {
@@ -159,8 +161,8 @@ TEST_F(InputKeysTest, ShortMessagesAreSeenWhileTheRunPlays) {
     window.frame().say("seen");
     const std::int64_t tick = window.shown()->tick();
     while (window.shown()->tick() < tick + 5) QTest::qWait(20);
-    EXPECT_EQ(window.status().said(), "seen");
-    EXPECT_TRUE(window.status().quietMessage().isVisible());
+    EXPECT_EQ(window.frame().status.said(), "seen");
+    EXPECT_TRUE(window.frame().status.quietMessage().isVisible());
 }
 
 TEST_F(InputKeysTest, TabReachesAllToolsAndTheTimelineAndTheyAreUsedThere) {

@@ -71,7 +71,9 @@ protected:
         QApplication::processEvents();
         settleAll();
     }
-    void remember() { window.memory().restore(std::make_unique<QSettings>(qPath("kept.ini"), QSettings::IniFormat)); }
+    void remember() {
+        window.frame().memory.restore(std::make_unique<QSettings>(qPath("kept.ini"), QSettings::IniFormat));
+    }
 
     /// All that a user sees of a log and its run.
     struct State {
@@ -237,7 +239,7 @@ TEST_F(LogOpeningTest, WhatDroveInOnesOwnLogIsAsked) {
     EXPECT_EQ(overlay.rollouts().log()->request.robotFile, "pioneer1.toml");
     EXPECT_EQ(overlay.rollouts().world().parts().scene.typeOf(0).name, "Pioneer 1");
     EXPECT_EQ(overlay.rollouts().shown(), 0u);
-    EXPECT_THAT(window.memory().recentFiles(), Contains(qtText(file)));
+    EXPECT_THAT(window.frame().memory.recentFiles(), Contains(qtText(file)));
     // Once more: what was said stands ready.
     overlay.close();
     dropAndSettle(file);

@@ -141,7 +141,7 @@ TEST_F(LogWindowTest, WhoRemovesTheErrorsDoesNotGetThemAgain) {
 
 TEST_F(LogWindowTest, WhoHasClosedThePlotsDoesNotGetThemAgain) {
     const auto settings = [&] { return std::make_unique<QSettings>(qPath("settings.ini"), QSettings::IniFormat); };
-    window.memory().restore(settings());
+    window.frame().memory.restore(settings());
     ASSERT_NO_FATAL_FAILURE(openLog());
     ASSERT_TRUE(dock("plots").isVisible());
     dock("plots").close();
@@ -149,7 +149,7 @@ TEST_F(LogWindowTest, WhoHasClosedThePlotsDoesNotGetThemAgain) {
     settleAll();
     EXPECT_FALSE(dock("plots").isVisible());
     MainWindow later;
-    later.memory().restore(settings());
+    later.frame().memory.restore(settings());
     later.QWidget::show();
     ASSERT_TRUE(later.overlay().openNow({shipped(), ""}));
     later.overlay().settle();

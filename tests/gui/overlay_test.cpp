@@ -292,13 +292,13 @@ TEST_F(OverlayTest, CancelledComparisonKeepsWhatIsDone) {
     ASSERT_TRUE(waitFor([&] { return !done.empty(); }));
     QObject::disconnect(cancel);
     settleAll();
-    EXPECT_EQ(overlay.share(), 1);
+    EXPECT_EQ(overlay.comparing().share(), 1);
     EXPECT_EQ(overlay.rollouts().comparison(), nullptr);
     std::vector<std::size_t> kept;
     for (const RolloutRow& row : overlay.rollouts().rows()) kept.push_back(row.rollout);
     EXPECT_EQ(kept, done);
     EXPECT_LT(kept.size(), overlay.rollouts().requests().size());
-    EXPECT_THAT(overlay.error().toStdString(), HasSubstr("Cancelled"));
+    EXPECT_THAT(overlay.comparing().error().toStdString(), HasSubstr("Cancelled"));
 }
 
 TEST_F(OverlayTest, EachWrongLogIsAnsweredByOneLineThatSaysWhatToDo) {

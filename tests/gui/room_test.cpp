@@ -188,11 +188,11 @@ TEST_F(RoomTest, MessageOverTheFieldLeavesTheFirstStepsFree) {
         settleLayout();
         window.frame().say(QString("something that is %1 of words ").arg(size.width()).repeated(4));
         settleLayout();
-        ASSERT_TRUE(window.status().quietMessage().isVisible());
+        ASSERT_TRUE(window.frame().status.quietMessage().isVisible());
         const QRect about =
             card->isVisible() ? card->geometry() : window.findChild<QToolButton*>("first_steps_button")->geometry();
-        EXPECT_FALSE(window.status().quietMessage().geometry().intersects(about)) << size.width();
-        EXPECT_TRUE(window.field().rect().contains(window.status().quietMessage().geometry()));
+        EXPECT_FALSE(window.frame().status.quietMessage().geometry().intersects(about)) << size.width();
+        EXPECT_TRUE(window.field().rect().contains(window.frame().status.quietMessage().geometry()));
     }
 }
 

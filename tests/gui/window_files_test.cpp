@@ -61,15 +61,15 @@ TEST_F(WindowFilesTest, LogsBreakpointsAreKeptByTheLog) {
         in.session().settle();
         QApplication::processEvents();
     };
-    window.memory().restore(settings());
+    window.frame().memory.restore(settings());
     const std::string file = writeGame();
     open(file);
     only("time > 7");
     openLog(window);
     only("time > 3");
-    window.memory().save();
+    window.frame().memory.save();
     MainWindow other;
-    other.memory().restore(settings());
+    other.frame().memory.restore(settings());
     ASSERT_TRUE(other.files().openNow({file}));
     other.session().settle();
     EXPECT_THAT(texts(other), ElementsAre("time > 7"));

@@ -98,8 +98,10 @@ TEST(Ensemble, OutputsOfMembersOfWholeFoursAreTheirsToTheBit) {
     for (const int hidden : {4, 24, 8, 12})
         members.push_back(test::normalNetwork({3, hidden, 2}, static_cast<unsigned>(hidden)));
     const std::vector<float> x = test::normalNumbers(3, 9), all = allOutputs(mergedMean(members), members, x);
-    for (std::size_t i = 0; i < 4; ++i)
-        EXPECT_EQ(std::vector<float>(&all[2 + 2 * i], &all[4 + 2 * i]), outputsOf(members[i], x)) << i;
+    for (std::ptrdiff_t i = 0; i < 4; ++i)
+        EXPECT_EQ(std::vector<float>(all.begin() + 2 + 2 * i, all.begin() + 4 + 2 * i),
+                  outputsOf(members[static_cast<std::size_t>(i)], x))
+            << i;
 }
 
 TEST(Ensemble, ThatIsNotMadeOfItsMembersIsToldApart) {

@@ -83,7 +83,8 @@ Expected<void> removeModel(Overlay& overlay, const std::string& name) {
 void goToDivergence(const Frame& frame, Overlay& overlay) {
     if (overlay.shown().goToDivergence()) return;
     frame.say(!overlay.rollouts().shown() ? QObject::tr("No rollout of the log is shown")
-              : overlay.share() < 1 ? QObject::tr("Nothing leaves the real trajectory as far as they are compared")
+              : overlay.comparing().share() < 1
+                  ? QObject::tr("Nothing leaves the real trajectory as far as they are compared")
               : overlay.rollouts().comparison()
                   ? QObject::tr("Nothing leaves the real trajectory by more than the bound in any of the rollouts")
                   : QObject::tr("The rollouts are not compared"));

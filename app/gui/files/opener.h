@@ -48,7 +48,7 @@ private:
     OpenProgress progress(const JobQueue::GoesOn& goesOn);
     void report();
 
-    Frame frame_;
+    const Frame& frame_;
     QString topic_;
     std::string reading_;
     QTimer patience_;

@@ -61,7 +61,7 @@ private:
     void sayNotSaved(const Error& error, const QString& action);
     void sayError(const Error& error, const QString& topic);
 
-    Frame frame_;
+    const Frame& frame_;
     const DescriptionWatch& watch_;
     std::function<Answer(const QString&)> ask_;
     std::optional<OpenRequest> opened_;

@@ -230,13 +230,13 @@ void WindowFiles::reload(const QString& why) {
     }
     if (log_->reload(why)) return;
     OpenRequest request = *opened_;
-    const Shown* const shown = frame_.session.current();
+    const Shown* const shown = frame_.session.current().get();
     // A seed of the user's own stays; the scenario's may be what has changed.
     if (shown && shown->frame->state.seed != shown->frame->scenario->parts().seed)
         request.seed = shown->frame->state.seed;
     openRunOf(request, [this, why](Expected<OpenRun> run) {
         if (run && run->recorded()) return takeGrown(*run);
-        const Shown* const now = frame_.session.current();
+        const Shown* const now = frame_.session.current().get();
         // A plug-in that crashed or was too slow gets another chance.
         if (run && now && run->files == files_ && *run->setup->value == *now->setup->value && now->faults.empty())
             return sayUnchanged();
@@ -269,7 +269,7 @@ void WindowFiles::takeGrown(const OpenRun& run) {
         frame_.messages.add(
             {Kind::note, tr("Nothing has changed: %1 goes no further than it did").arg(name), "reload"});
     if (same || !saver_.mayLeave([this, run] { takeGrown(run); })) return;
-    const Shown* const shown = frame_.session.current();
+    const Shown* const shown = frame_.session.current().get();
     const bool known = shown && shown->branch < extents_.size();
     const ShownPlace place = known ? ShownPlace{shown->branch, shown->tick()} : ShownPlace{};
     frame_.messages.clear();
@@ -304,7 +304,7 @@ void WindowFiles::sayGone(const QString& names, std::size_t count) {
 }
 
 void WindowFiles::takeReloaded(Expected<OpenRun> run, const QString& why) {
-    const Shown* const shown = frame_.session.current();
+    const Shown* const shown = frame_.session.current().get();
     if (!run) {
         if (!extents_.empty()) return sayError(run.error(), "reload");
         frame_.messages.add({Kind::error,

@@ -77,7 +77,7 @@ private:
     std::uint64_t show(const OpenRun& run, const std::string& breakpointsOf);
     void sayError(const Error& error, const QString& topic);
 
-    Frame frame_;
+    const Frame& frame_;
     FieldView& field_;
     LaidOverLog* log_ = nullptr;
     Opener opener_;

@@ -25,7 +25,7 @@ struct Frame {
     StatusLine& status;
     WindowMemory& memory;
 
-    const Shown* shown() const { return session.current(); }
+    const Shown* shown() const { return session.current().get(); }
     void say(const QString& text) const;
     void showDock(const char* name) const;  ///< to the front of those that it shares its place with
     /// Stops the run, if it plays, and says why; then, at once where it stands, does what needs that.

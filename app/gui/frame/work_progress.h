@@ -41,7 +41,7 @@ private:
     void show();
     void reportBackground(const QString& what, double share);
 
-    Frame frame_;
+    const Frame& frame_;
     BackgroundWork& background_;
     End endOpening_ = [] { return false; }, endSearch_ = endOpening_;
     QString work_;

@@ -36,13 +36,58 @@ QFont smallOf(QFont font) {
     return font;
 }
 
-}  // namespace
-
 /// Ticks of a lineage: those of a branch, and before it of those that it came from.
-struct PlotPanel::Piece {
+struct Piece {
     std::uint32_t branch = 0;
     std::int64_t from = 0, to = 0;
 };
+
+std::vector<Piece> lineageOf(const Shown& shown, std::uint32_t branch) {
+    std::vector<Piece> lineage;
+    std::int64_t to = std::numeric_limits<std::int64_t>::max();
+    for (std::uint32_t at = branch;; at = shown.branches[at].parent) {
+        const BranchInfo& info = shown.branches[at];
+        const bool root = info.parent == at;
+        lineage.insert(lineage.begin(), Piece{at, root ? info.first : info.departed, to});
+        if (root) return lineage;
+        to = info.departed - 1;
+    }
+}
+
+PlotCurve curveOf(const ValueSeries& known, const ValueKey& key, const PlottedValue& value,
+                  const std::vector<Piece>& lineage) {
+    PlotCurve curve;
+    curve.id = qtText(key.quantity + '\n' + key.body + '\n' + key.of);
+    curve.name = qtText(value.name);
+    curve.unit = qtText(value.unit);
+    curve.decimals = value.decimals;
+    const ValueSeries* series = &known;
+    curve.sample = [series, key, lineage, angle = value.angle](std::int64_t from, std::int64_t to, std::int64_t step,
+                                                               QVector<QPointF>& points) {
+        for (const Piece& piece : lineage)
+            if (const TickNumbers* const numbers = series->find(piece.branch, key))
+                sampleCurve(*numbers, std::max(from, piece.from), std::min(to, piece.to), step, angle, points);
+    };
+    curve.at = [series, key, lineage](std::int64_t tick) {
+        double found = std::numeric_limits<double>::quiet_NaN();
+        for (const Piece& piece : lineage)
+            if (tick >= piece.from && tick <= piece.to)
+                if (const TickNumbers* const numbers = series->find(piece.branch, key))
+                    found = static_cast<double>(numbers->at(tick));
+        return found;
+    };
+    return curve;
+}
+
+std::vector<PlottedValue> valuesOf(const std::shared_ptr<const Shown>& shown, const std::vector<ValueKey>& keys) {
+    std::vector<PlottedValue> values;
+    if (shown)
+        for (const ValueKey& key : keys)
+            values.push_back(plottedValue(*shown->frame->scenario, key).value_or(PlottedValue{}));
+    return values;
+}
+
+}  // namespace
 
 PlotPanel::PlotPanel(Session& session, QWidget* parent)
     : QWidget(parent),
@@ -279,7 +324,9 @@ void PlotPanel::setShown(std::shared_ptr<const Shown> shown) {
     const bool sameReality = shown_ && shown_->frame->reality == shown->frame->reality;
     shown_ = std::move(shown);
     if (!sameRun) {
-        dropUnknown();
+        // It may have other bodies.
+        const auto unknown = [this](const ValueKey& key) { return !plottedValue(*shown_->frame->scenario, key); };
+        if (std::erase_if(keys_, unknown) > 0) emit changed();
         view_->showAll();
     }
     if (!before || *before != lineages() || !sameReality)
@@ -287,24 +334,6 @@ void PlotPanel::setShown(std::shared_ptr<const Shown> shown) {
     else
         follow();
     updateNumbers();
-}
-
-/// Another run may have other bodies.
-void PlotPanel::dropUnknown() {
-    const auto unknown = [&](const ValueKey& key) { return !plottedValue(*shown_->frame->scenario, key); };
-    if (std::erase_if(keys_, unknown) > 0) emit changed();
-}
-
-std::vector<PlotPanel::Piece> PlotPanel::lineageOf(std::uint32_t branch) const {
-    std::vector<Piece> lineage;
-    std::int64_t to = std::numeric_limits<std::int64_t>::max();
-    for (std::uint32_t at = branch;; at = shown_->branches[at].parent) {
-        const BranchInfo& info = shown_->branches[at];
-        const bool root = info.parent == at;
-        lineage.insert(lineage.begin(), Piece{at, root ? info.first : info.departed, to});
-        if (root) return lineage;
-        to = info.departed - 1;
-    }
 }
 
 /// Says which ticks are wanted, the shown branch's first, and how far time has come.
@@ -323,48 +352,16 @@ void PlotPanel::follow() {
         first = std::min(first, std::max(piece.from, info.first));
         if (ghost) last = std::max(last, end);
     };
-    const std::vector<Piece> lineage = lineageOf(shown_->branch);
+    const std::vector<Piece> lineage = lineageOf(*shown_, shown_->branch);
     for (auto piece = lineage.rbegin(); piece != lineage.rend(); ++piece) want(*piece, false);
     if (const auto ghost = ghostBranch())
-        for (const Piece& piece : lineageOf(*ghost)) want(piece, true);
+        for (const Piece& piece : lineageOf(*shown_, *ghost)) want(piece, true);
     std::erase_if(ways, [](const ValueSeries::Way& way) { return way.last < way.first; });
     series_->follow(shown_->run, shown_->frame->reality,
                     keys_.empty() ? std::vector<ValueSeries::Way>{} : std::move(ways));
     view_->setTime({first, last, shown_->tick(), shown_->frame->scene().tickLength,
                     foresight() != nullptr ? foresight()->end : 0});
     updateProgress();
-}
-
-PlotCurve PlotPanel::curveOf(const ValueKey& key, const PlottedValue& value, const std::vector<Piece>& lineage) const {
-    PlotCurve curve;
-    curve.id = qtText(key.quantity + '\n' + key.body + '\n' + key.of);
-    curve.name = qtText(value.name);
-    curve.unit = qtText(value.unit);
-    curve.decimals = value.decimals;
-    const ValueSeries* series = &series_->series();
-    curve.sample = [series, key, lineage, angle = value.angle](std::int64_t from, std::int64_t to, std::int64_t step,
-                                                               QVector<QPointF>& points) {
-        for (const Piece& piece : lineage)
-            if (const TickNumbers* const numbers = series->find(piece.branch, key))
-                sampleCurve(*numbers, std::max(from, piece.from), std::min(to, piece.to), step, angle, points);
-    };
-    curve.at = [series, key, lineage](std::int64_t tick) {
-        double found = std::numeric_limits<double>::quiet_NaN();
-        for (const Piece& piece : lineage)
-            if (tick >= piece.from && tick <= piece.to)
-                if (const TickNumbers* const numbers = series->find(piece.branch, key))
-                    found = static_cast<double>(numbers->at(tick));
-        return found;
-    };
-    return curve;
-}
-
-std::vector<PlottedValue> PlotPanel::values() const {
-    std::vector<PlottedValue> values;
-    if (shown_)
-        for (const ValueKey& key : keys_)
-            values.push_back(plottedValue(*shown_->frame->scenario, key).value_or(PlottedValue{}));
-    return values;
 }
 
 QString PlotPanel::ghostName() const {
@@ -375,15 +372,15 @@ QString PlotPanel::ghostName() const {
 
 std::vector<PlotCurve> PlotPanel::curvesIn(const Theme& theme, ModelNames names) const {
     if (!shown_ || keys_.empty()) return {};
-    const std::vector<PlottedValue> plotted = values();
+    const std::vector<PlottedValue> plotted = valuesOf(shown_, keys_);
     const std::vector<CurveLook> looks = looksOf(keys_, plotted, realityOf(shown_), theme);
     const Foresight* const known = foresight();
     const std::vector<CurveWords> words = wordsOf(keys_, plotted, known != nullptr ? known->model : QString(), names);
     std::vector<PlotCurve> curves;
     const auto addCurves = [&](std::uint32_t branch, bool ghost) {
-        const std::vector<Piece> lineage = lineageOf(branch);
+        const std::vector<Piece> lineage = lineageOf(*shown_, branch);
         for (std::size_t i = 0; i < plotted.size(); ++i) {
-            PlotCurve curve = curveOf(keys_[i], plotted[i], lineage);
+            PlotCurve curve = curveOf(series_->series(), keys_[i], plotted[i], lineage);
             curve.colour = looks[i].colour;
             curve.style = looks[i].style;
             curve.label = words[i].label;
@@ -405,7 +402,7 @@ std::vector<PlotCurve> PlotPanel::curvesIn(const Theme& theme, ModelNames names)
 void PlotPanel::rebuild() {
     hint_->setVisible(keys_.empty());
     area_->setVisible(!keys_.empty());
-    looks_ = looksOf(keys_, values(), realityOf(shown_), theme_);
+    looks_ = looksOf(keys_, valuesOf(shown_, keys_), realityOf(shown_), theme_);
     series_->want(keys_);
     view_->setCurves(curvesIn(theme_, ModelNames::brief), ghostName());
     ghostNote_->setText(tr("thin: %1").arg(ghostName()));
@@ -416,7 +413,7 @@ void PlotPanel::rebuild() {
 
 /// Axis after axis, what its curves are held against last. Several axes of one body are named.
 void PlotPanel::updateList() {
-    const std::vector<PlottedValue> plotted = values();
+    const std::vector<PlottedValue> plotted = valuesOf(shown_, keys_);
     const std::vector<CurveWords> words =
         wordsOf(keys_, plotted, foresight() != nullptr ? foresight()->model : QString(), ModelNames::brief);
     std::map<QString, std::pair<std::size_t, QString>> axes;  // by unit: its place and its name
@@ -450,7 +447,7 @@ void PlotPanel::updateList() {
 
 std::vector<PlotLevel> PlotPanel::levels() const {
     std::vector<PlotLevel> levels;
-    const std::vector<PlottedValue> plotted = values();
+    const std::vector<PlottedValue> plotted = valuesOf(shown_, keys_);
     for (const PlotLevel& level : view_->levels())
         if (std::any_of(plotted.begin(), plotted.end(),
                         [&](const auto& value) { return qtText(value.unit) == level.unit; }))

@@ -93,13 +93,8 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    struct Piece;  ///< of a lineage: some ticks of a branch
     QWidget* makeSide();
     void rebuild();
-    void dropUnknown();
-    std::vector<Piece> lineageOf(std::uint32_t branch) const;
-    PlotCurve curveOf(const ValueKey& key, const PlottedValue& value, const std::vector<Piece>& lineage) const;
-    std::vector<PlottedValue> values() const;
     const Foresight* foresight() const;
     void follow();
     void updateList();

@@ -154,7 +154,7 @@ std::optional<std::size_t> ErrorPlot::robot() const {
 }
 
 void ErrorPlot::plot() {
-    const std::shared_ptr<const Shown> shown = frame_.session.currentPointer();
+    const std::shared_ptr<const Shown> shown = frame_.session.current();
     const auto which = robot();
     Plotted now{rollout_, shown ? shown->frame->reality : nullptr, which,
                 shown && shown->branch == overlay_.shown().comparedBranch(), on_ && frame_.memory.errorPlot()};

@@ -48,7 +48,7 @@ private:
     void plot();
     PlotPanel::Foresight foresight(std::optional<std::size_t> robot) const;
 
-    Frame frame_;
+    const Frame& frame_;
     const FieldView& field_;
     PlotPanel& plots_;
     QDockWidget& dock_;

@@ -66,7 +66,7 @@ private:
     void take(const Wanted& wanted, Expected<JudgedModel> model);
     JudgedModel* named(const std::string& name);
 
-    Frame frame_;
+    const Frame& frame_;
     const LogRollouts& rollouts_;
     JobQueue& computing_;
     std::vector<JudgedModel> models_;

@@ -42,6 +42,7 @@ Overlay::Overlay(const Frame& frame, FieldView& field, WindowFiles& files)
     : QObject(&frame.window),
       frame_(frame),
       files_(files),
+      comparing_(rollouts_, computing_),
       models_(frame, rollouts_, computing_),
       causes_(rollouts_, models_),
       searcher_(rollouts_),
@@ -53,6 +54,24 @@ Overlay::Overlay(const Frame& frame, FieldView& field, WindowFiles& files)
     connect(&shown_, &ShownRollout::taken, this, &Overlay::readAgain);
     connect(&shown_, &ShownRollout::failed, this, &Overlay::sayError);
     connect(&shown_, &ShownRollout::done, this, [this] { frame_.messages.remove(overlayTopic); });
+    connect(&comparing_, &RolloutComparer::begun, this, [this] {
+        searcher_.hits().forget("divergence");
+        shown_.setCompared(false);
+        emit changed();
+    });
+    connect(&comparing_, &RolloutComparer::grown, this, [this] {
+        if (!causes_.finding() && rollouts_.shownRow() != nullptr) {
+            shown_.reportDivergences();
+            causes_.find();
+        }
+        emit changed();
+    });
+    connect(&comparing_, &RolloutComparer::ended, this, [this](const Expected<ComparedSummary>& all) {
+        shown_.setCompared(true);
+        models_.setOwnFigures(all);
+        if (!all) sayError(all.error());
+        emit changed();
+    });
     connect(&models_, &LaidModels::changed, this, &Overlay::changed);
     connect(&models_, &LaidModels::failed, this, &Overlay::sayError);
     connect(&causes_, &CauseFinder::changed, this, &Overlay::changed);
@@ -176,7 +195,7 @@ void Overlay::leave() {
     rollouts_.setRobot({});
     reload_.reset();
     reading_.reset();
-    share_ = 1;
+    comparing_.forget();
     shown_.reportDivergences();
     emit changed();
 }
@@ -191,7 +210,7 @@ void Overlay::replace(PlayedLogPointer log, const RolloutPlan& plan, std::vector
     models_.forgetDriven();
     causes_.forget();
     if (other) models_.enter({});
-    error_.clear();
+    comparing_.forget();
     searcher_.hits().clear();
 }
 
@@ -249,52 +268,13 @@ void Overlay::setRestarts(bool on) {
 
 void Overlay::compareAll() {
     if (!isOpen()) return;
-    computing_.drop();
-    rollouts_.forgetRows();
-    searcher_.hits().forget("divergence");
-    share_ = 0;
-    shown_.setCompared(false);
-    error_.clear();
-    emit changed();
-    computing_.run(
-        [this, log = rollouts_.log(), requests = rollouts_.requests(),
-         bounds = rollouts_.divergenceOptions()](const JobQueue::GoesOn& goesOn) {
-            return compareRollouts(*log, requests, bounds, [&](std::vector<RolloutRow> rows, double share) {
-                computing_.report([this, rows = std::move(rows), share] { takeRows(rows, share); });
-                return goesOn();
-            });
-        },
-        [this](Expected<Comparison> compared) { takeComparison(std::move(compared)); });
+    comparing_.compareAll();
     models_.judge();
-}
-
-void Overlay::takeRows(const std::vector<RolloutRow>& rows, double share) {
-    share_ = std::min(share, 0.999);
-    rollouts_.addRows(rows);
-    if (!causes_.finding() && rollouts_.shownRow() != nullptr) {
-        shown_.reportDivergences();
-        causes_.find();
-    }
-    emit changed();
-}
-
-void Overlay::takeComparison(Expected<Comparison> comparison) {
-    share_ = 1;
-    shown_.setCompared(true);
-    if (comparison) {
-        models_.setOwnFigures(comparison->all);
-        rollouts_.setComparison(std::move(*comparison));
-    } else {
-        error_ = qtText(comparison.error().message());
-        models_.setOwnFigures(tl::unexpected(comparison.error()));
-        sayError(comparison.error());
-    }
-    emit changed();
 }
 
 std::optional<LaidModels::Work> Overlay::work() const {
     if (!isOpen()) return {};
-    if (share_ < 1) return LaidModels::Work{tr("comparing"), share_};
+    if (comparing_.share() < 1) return LaidModels::Work{tr("comparing"), comparing_.share()};
     return models_.work();
 }
 
@@ -308,8 +288,7 @@ bool Overlay::cancel() {
     reading_.reset();
     models_.giveUp();
     causes_.giveUp();
-    if (share_ < 1 && isOpen()) error_ = tr("Cancelled: not all rollouts are compared");
-    share_ = 1;
+    comparing_.cancel();
     shown_.setCompared(true);
     emit changed();
     return true;

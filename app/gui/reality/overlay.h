@@ -5,6 +5,7 @@
 
 #include "files/laid_over_log.h"
 #include "frame/frame.h"
+#include "reality/rollout_comparer.h"
 #include "reality/shown_rollout.h"
 #include "workflow/open_log.h"
 
@@ -48,9 +49,8 @@ public:
     void setBound(const LogRollouts::Bound& bound);
     /// At the end of a rollout the next one begins, where rollouts follow each other.
     void setRestarts(bool on);
-    void compareAll();                               ///< once more, where that was cancelled
-    double share() const { return share_; }          ///< that is compared; 1: all, or it was cancelled
-    const QString& error() const { return error_; }  ///< of the comparison
+    void compareAll();  ///< once more, where that was cancelled
+    const RolloutComparer& comparing() const { return comparing_; }
     /// What is done about rollouts and models now.
     std::optional<LaidModels::Work> work() const;
 
@@ -83,21 +83,18 @@ private:
     void setAside();
     void readAgain();
     void takeReopened(Expected<OpenedLog> again, const QString& why);
-    void takeRows(const std::vector<RolloutRow>& rows, double share);
-    void takeComparison(Expected<Comparison> comparison);
     void sayError(const Error& error);
 
-    Frame frame_;
+    const Frame& frame_;
     WindowFiles& files_;
     LogRollouts rollouts_;
     JobQueue computing_;
+    RolloutComparer comparing_;
     LaidModels models_;
     CauseFinder causes_;
     RolloutSearcher searcher_;
     Opener opener_;
     ShownRollout shown_;
-    double share_ = 1;
-    QString error_;
     bool follows_ = true;
     std::optional<Error> openError_;
     std::optional<QString> reload_, reading_;  ///< why all is to be read again, and why it is being

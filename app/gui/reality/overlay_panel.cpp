@@ -371,9 +371,9 @@ void OverlayPanel::refresh() {
     restarts_->setChecked(overlay_.rollouts().restarts());
     filling_ = false;
     const auto work = overlay_.work();
-    const bool ended = world != nullptr && !work && !overlay_.error().isEmpty();
+    const bool ended = world != nullptr && !work && !overlay_.comparing().error().isEmpty();
     progress_->setVisible(work.has_value() || ended);
-    bar_->setFormat(work ? work->what + " %p %" : overlay_.error());
+    bar_->setFormat(work ? work->what + " %p %" : overlay_.comparing().error());
     bar_->setValue(work ? static_cast<int>(100 * work->share) : 0);
     stop_->setText(ended ? tr("Compare") : tr("Cancel"));
     stop_->setToolTip(ended ? tr("Compare all rollouts") : tr("End this here (Esc)"));

@@ -149,7 +149,7 @@ void ShownRollout::take(Expected<OpenRun> run, std::size_t rollout, std::optiona
         return emit taken();
     }
     emit done();
-    const Shown* const shown = frame_.session.current();
+    const Shown* const shown = frame_.session.current().get();
     const bool sameLog = shown != nullptr && shown->run == run_;
     coming_ = Coming{run->setup, rollout, robot, run->reality, view_.keep(robot, sameLog), then};
     // Breakpoints go along from rollout to rollout.
@@ -228,7 +228,7 @@ void ShownRollout::sayLogEnds() {
 }
 
 bool ShownRollout::playsNext() {
-    const Shown* const shown = frame_.session.current();
+    const Shown* const shown = frame_.session.current().get();
     if (shown == nullptr || !inRollouts() || opener_.busy() || coming_ || shown->branch != 0) return false;
     if (shown->tick() != shown->frame->scene().ticksOf(rollouts_.length(*rollouts_.shown()))) return false;
     Then on;

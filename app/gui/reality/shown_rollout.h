@@ -102,7 +102,7 @@ private:
     void lookInOthers();
     void showLeaving();
 
-    Frame frame_;
+    const Frame& frame_;
     WindowFiles& files_;
     LogRollouts& rollouts_;
     LaidModels& models_;

@@ -75,7 +75,7 @@ Expected<bool> LineageWalk::reach(std::int64_t tick, const QString& what, const 
                                   TimeTravel& travel, const Progress& progress) {
         const auto wanted = [&](double share) { return progress(share) && errand->wanted; };
         Expected<bool> reached = otherRun();
-        if (session.runNumber() == run) reached = learnAll(travel, wanted);
+        if (session.newestRun() == run) reached = learnAll(travel, wanted);
         if (reached && *reached) reached = extend(travel, branch, tick, wanted);
         errand->promise.set_value(std::move(reached));
     });

@@ -3,6 +3,7 @@
 #include <future>
 
 #include "session/awaited.h"
+#include "widgets/qt_text.h"
 
 namespace mrose::gui {
 namespace {
@@ -68,7 +69,7 @@ void SeriesWorker::goOn() {
     };
     computing_.run(work, [this, task = *task](Expected<std::optional<std::int64_t>> unknown) {
         enough_.reset();
-        if (!unknown) session_.reportFailure(unknown.error());
+        if (!unknown) emit session_.failed(qtText(unknown.error().message()));
         if (!unknown || *unknown) {
             series_.giveUp(task, unknown ? **unknown : task.last);
             emit grown();

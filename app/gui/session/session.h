@@ -2,18 +2,14 @@
 
 #include <QObject>
 #include <QString>
-#include <atomic>
-#include <chrono>
-#include <condition_variable>
-#include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <thread>
 
-#include "debug/debugger.h"
-#include "debug/run_recorder.h"
+#include "debug/live_run.h"
+#include "session/requests.h"
 
 namespace mrose::gui {
 
@@ -33,9 +29,10 @@ public:
     /// Another run, standing at its start. It ends what takes long in the one before, but for what `finishes`. The
     /// number that Shown::run will have.
     std::uint64_t open(const OpenRun& run);
-    const std::string& runName() const { return runName_; }  ///< of the one that was opened last
-    std::uint64_t newestRun() const { return opened_; }      ///< the number of the one that was opened last
-    /// Something of the run's debugger, which is quick. Nothing where there is no run, or another than `ofRun`.
+    const std::string& runName() const { return runName_; }       ///< of the one that was opened last
+    std::uint64_t newestRun() const { return requests_.runs(); }  ///< its number
+    /// Something of the run's debugger, which is quick. Nothing where there is no run, or another than `ofRun`, by its
+    /// number.
     void ask(std::function<void(Debugger&)> what, std::optional<std::uint64_t> ofRun = {});
     void play() { ask(&Debugger::play); }
     void pause();
@@ -64,6 +61,8 @@ public:
     void setReality(std::uint64_t run, std::shared_ptr<const Reality> reality) {
         ask([reality = std::move(reality)](Debugger& debugger) { debugger.setReality(reality); }, run);
     }
+    /// What frames are made with; for those whom its thread calls.
+    const FrameOptions& frameOptions() const { return frameOptions_; }
     void setFrameOptions(const FrameOptions& options);
 
     /// Long work over the run, in the session's thread: meanwhile nothing is stepped. What
@@ -73,24 +72,18 @@ public:
     void record(const QString& path, const QString& commandLine, bool overwrite);
     void stopRecording();
     /// Ends what takes long, or waits for its turn: a job, a search, the way to a tick. False: there is none.
-    bool cancel();
+    bool cancel() { return requests_.cancel(); }
 
     /// Lets another thread look at the run between two ticks, in the session's thread and for at most some
     /// milliseconds, however busy it is. `run` counts openings. Nothing is given where there is no run, or the session
     /// ends.
     using Look = std::function<void(TimeTravel* travel, std::uint64_t run)>;
     void look(Look what);
-    // For those whom its thread calls: what frames are made with, and which run is open, as Shown::run.
-    const FrameOptions& frameOptions() const { return frameOptions_; }
-    std::uint64_t runNumber() const { return runNumber_; }
     /// Whether something is under way that was asked for, or a tick.
-    bool busy();
-    /// What work in any thread threw becomes failed().
-    void reportFailure(const Error& error);
+    bool busy() const { return requests_.busy(); }
 
     /// What was shown last; null: nothing yet. In the window's thread.
-    const Shown* current() const { return current_.get(); }
-    const std::shared_ptr<const Shown>& currentPointer() const { return current_; }
+    const std::shared_ptr<const Shown>& current() const { return current_; }
 
     /// Blocks until all requests so far have been carried out and shown; for scripts and tests.
     void settle();
@@ -101,34 +94,16 @@ signals:
     void working(const QString& what, double share);  ///< share 1: it has ended
     /// The file that is written now; empty: none. `error`: why one was not begun, or ended before it was asked to.
     void recordingChanged(const QString& path, const QString& error);
-    /// Something that was under way has come to nothing; the session goes on without it.
+    /// Something that was under way, in any thread, has come to nothing; the session goes on without it.
     void failed(const QString& error);
 
 private:
-    enum class Kind { quick, lasting, seek };
-    struct Request {
-        std::function<void()> carryOut;
-        Kind kind = Kind::quick;
-        std::uint64_t cancels = 0, opened = 0;  ///< those before it
-    };
-    void request(std::function<void()> what, Kind kind = Kind::quick);
-    void carryOut(const Request& request);
     void work();
-    bool turn(bool changed);
-    void giveUp(const Error& error);
-    bool playTicks();
-    bool learn();
-    bool judge();
     void goTo(std::int64_t tick, bool breaks);
     Progress progressOf(const QString& what, bool finishes = false);
     Watch watch(Progress goesOn);
-    void followRecording();
-    void endRecording(const Expected<void>& done);
-    bool cancelled() const { return quit_ || cancels_ != cancelsBefore_; }
-    bool ended() const { return cancelled() || opened_ != openedBefore_; }
-    bool superseded();
     void serveLooks();
-    void anchor();
+    void giveUp(const Error& error);
     void publish();
     void deliver();
 
@@ -137,36 +112,15 @@ private:
     std::string runName_;
 
     // The thread's own.
-    using Clock = std::chrono::steady_clock;
-    Debugger debugger_;
+    LiveRun live_;
+    Debugger& debugger_ = live_.debugger();
     std::uint64_t runNumber_ = 0;
-    std::uint64_t cancelsBefore_ = 0, openedBefore_ = 0;  ///< when what is carried out was asked for
-    bool learning_ = false;                               ///< there are ticks of a file that have not been looked at
-    bool judging_ = false;  ///< there may be ticks of which breakpoints do not know whether they are met
-    std::optional<RunRecorder> recorder_;
-    bool recording_ = false;  ///< there are ticks that it has not yet written
-    Clock::time_point nextFlush_;
     FrameOptions frameOptions_;
-    double speed_ = 1;
-    /// An instant, and the tick that was shown then.
-    struct Instant {
-        Clock::time_point time;
-        std::int64_t tick = 0;
-    };
-    Instant anchor_;    ///< ticks are due from there on
-    Instant measured_;  ///< the speed achieved is measured from there on
-    double factor_ = 0;
+    bool quits_ = false;
 
     // Shared.
+    Requests requests_;
     std::mutex mutex_;
-    std::condition_variable wake_, settled_;
-    std::deque<Request> requests_;
-    std::deque<Look> looks_;
-    std::size_t lasting_ = 0;                 ///< requests that are not quick and not done yet
-    std::atomic<std::uint64_t> cancels_ = 0;  ///< how often something was to be ended
-    std::atomic<std::uint64_t> opened_ = 0;   ///< how many runs
-    std::atomic<bool> quit_ = false;
-    bool busy_ = false;
     std::shared_ptr<const Shown> ready_;
     bool deliveryPending_ = false;
 

@@ -223,7 +223,7 @@ void MainWindow::update() {
     const Shown& now = *shown();
     view_->setShown(now);
     inspector_->setFrame(now.frame);
-    plots_->setShown(shownPointer());
+    plots_->setShown(session_->current());
     branches_->setShown(now);
     command_->setShown(now);
     if (now.subject) lookAtKick(*now.subject);

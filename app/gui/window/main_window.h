@@ -45,8 +45,7 @@ public:
     /// Its number, as Shown::run will have it.
     std::uint64_t show(const OpenRun& run) { return session_->open(run); }
     Session& session() { return *session_; }
-    const Shown* shown() const { return session_->current(); }
-    const std::shared_ptr<const Shown>& shownPointer() const { return session_->currentPointer(); }
+    const Shown* shown() const { return session_->current().get(); }
     const Frame& frame() const { return frame_; }
     const Exports& exports() const { return exports_; }
     ScriptedWindow scripted() const;
@@ -67,9 +66,7 @@ public:
     RolloutStrip& rolloutStrip() const { return *strip_; }
     MessageBar& messages() const { return *messages_; }
     WindowFiles& files() const { return *files_; }
-    WindowMemory& memory() const { return *memory_; }
     BackgroundWork& background() const { return *background_; }
-    StatusLine& status() const { return *status_; }
     void setTheme(const Theme& theme);
 
 protected:
