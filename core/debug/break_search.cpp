@@ -18,9 +18,9 @@ const TickRanges& BreakSearch::ticksOf(const Question& question, Set set, std::u
     return found == question.known.end() ? none : found->second.*set;
 }
 
-const TimeTravel::Part& BreakSearch::partOf(std::int64_t tick) const {
+const BranchTree::Part& BreakSearch::partOf(std::int64_t tick) const {
     const auto found = std::lower_bound(parts_.begin(), parts_.end(), tick,
-                                        [](const TimeTravel::Part& part, std::int64_t t) { return part.last < t; });
+                                        [](const BranchTree::Part& part, std::int64_t t) { return part.last < t; });
     assert(found != parts_.end() && found->first <= tick);
     return *found;
 }
@@ -28,7 +28,7 @@ const TimeTravel::Part& BreakSearch::partOf(std::int64_t tick) const {
 /// The earliest tick from which on all up to `tick` are in the set; the one after `tick` where it is not in it itself.
 std::int64_t BreakSearch::reachDown(const Question& question, Set set, std::int64_t tick) const {
     while (tick >= first() && tick <= last()) {
-        const TimeTravel::Part& part = partOf(tick);
+        const BranchTree::Part& part = partOf(tick);
         const TickRanges::Range* const range = ticksOf(question, set, part.branch).rangeOf(tick);
         if (range == nullptr) break;
         if (range->first > part.first) return range->first;
@@ -39,7 +39,7 @@ std::int64_t BreakSearch::reachDown(const Question& question, Set set, std::int6
 
 std::int64_t BreakSearch::reachUp(const Question& question, Set set, std::int64_t tick) const {
     while (tick >= first() && tick <= last()) {
-        const TimeTravel::Part& part = partOf(tick);
+        const BranchTree::Part& part = partOf(tick);
         const TickRanges::Range* const range = ticksOf(question, set, part.branch).rangeOf(tick);
         if (range == nullptr) break;
         if (range->last < part.last) return range->last;
@@ -58,7 +58,7 @@ std::optional<std::int64_t> BreakSearch::lastUpTo(const Question& question, Set 
 }
 
 std::optional<std::int64_t> BreakSearch::firstFrom(const Question& question, Set set, std::int64_t tick) const {
-    for (const TimeTravel::Part& part : parts_) {
+    for (const BranchTree::Part& part : parts_) {
         if (part.last < tick) continue;
         const auto found = ticksOf(question, set, part.branch).firstFrom(std::max(tick, part.first));
         if (found && *found <= part.last) return found;
@@ -96,16 +96,16 @@ Verdicts BreakSearch::walk(const Question& question, const BlockTicks& block, st
     Verdicts verdicts;
     if (question.predicate) {
         for (std::int64_t at = block.first; at <= block.last; ++at)
-            verdicts.add(at, question.predicate(run_, branch, at));
+            verdicts.add(at, question.predicate(run_.branches(), branch, at));
         return verdicts;
     }
     const Scenario& scenario = *block.setup->scenario;
     const Reality* const reality = run_.reality().get();
     auto condition = compileCondition(question.text, scenario, "condition", reality);
-    auto cursor = run_.cursorAt(branch, block.first);
+    auto cursor = run_.branches().cursorAt(branch, block.first);
     for (std::int64_t at = block.first; at <= block.last; ++at) {
         if (cursor && at > block.first)
-            if (auto done = run_.advance(*cursor, branch); !done) cursor = tl::unexpected(done.error());
+            if (auto done = run_.branches().advance(*cursor, branch); !done) cursor = tl::unexpected(done.error());
         verdicts.add(at, condition && cursor ? condition->holds(cursor->moment(scenario, reality)) : false);
     }
     return verdicts;
@@ -114,10 +114,11 @@ Verdicts BreakSearch::walk(const Question& question, const BlockTicks& block, st
 /// Asks in so many blocks, of which the first has `tick`, further ones lie before it or after it.
 Expected<void> BreakSearch::ask(const std::vector<Question*>& questions, std::int64_t tick, bool backwards,
                                 std::size_t most) {
-    const TimeTravel::Part& part = partOf(tick);
+    const BranchTree::Part& part = partOf(tick);
     const Timeline& timeline = run_.branches()[part.branch].timeline;
     const auto isJudged = [&](const Question& question) {
-        return !question.predicate && !readsControl(question.text, *run_.record(part.branch).setup().scenario);
+        return !question.predicate &&
+               !readsControl(question.text, *run_.branches().record(part.branch).setup().scenario);
     };
     // A condition that walks does so on one core.
     if (std::any_of(questions.begin(), questions.end(),
@@ -127,7 +128,7 @@ Expected<void> BreakSearch::ask(const std::vector<Question*>& questions, std::in
     for (std::int64_t at = tick; blocks.size() < most && at >= part.first && at <= part.last;) {
         const TimelineBlock& block = timeline.blockOf(std::max(at - 1, timeline.first()));
         const std::int64_t begin = block.first == timeline.first() ? block.first : block.first + 1;
-        blocks.push_back({&run_.record(part.branch).setup(), &block, std::max(begin, part.first),
+        blocks.push_back({&run_.branches().record(part.branch).setup(), &block, std::max(begin, part.first),
                           std::min(block.last(), part.last)});
         at = backwards ? blocks.back().first - 1 : blocks.back().last + 1;
     }
@@ -232,7 +233,7 @@ Expected<bool> BreakSearch::learn(const std::vector<Question*>& questions) {
 
 std::vector<std::int64_t> BreakSearch::beginnings(const Question& question) const {
     std::vector<std::int64_t> ticks;
-    for (const TimeTravel::Part& part : parts_)
+    for (const BranchTree::Part& part : parts_)
         for (const TickRanges::Range& range : ticksOf(question, &Verdicts::holds, part.branch).ranges()) {
             if (range.last < part.first) continue;
             if (range.first > part.last) break;
@@ -244,7 +245,7 @@ std::vector<std::int64_t> BreakSearch::beginnings(const Question& question) cons
 
 std::int64_t BreakSearch::beginningsUpTo(const Question& question, std::int64_t tick) const {
     std::int64_t count = 0;
-    for (const TimeTravel::Part& part : parts_) {
+    for (const BranchTree::Part& part : parts_) {
         if (part.first > tick) break;
         const TickRanges& holds = ticksOf(question, &Verdicts::holds, part.branch);
         count += holds.beginningsWithin(part.first + 1, std::min(tick, part.last));

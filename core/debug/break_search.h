@@ -18,10 +18,10 @@ namespace mrose {
 using KnownVerdicts = std::map<std::uint32_t, Verdicts>;
 
 /// Whether something holds at one of a branch's own ticks, asked in the session's thread.
-using TickPredicate = std::function<bool(const TimeTravel& run, std::uint32_t branch, std::int64_t tick)>;
+using TickPredicate = std::function<bool(const BranchTree& branches, std::uint32_t branch, std::int64_t tick)>;
 
 /// What is to be said of one.
-using TickText = std::function<std::string(const TimeTravel& run, std::uint32_t branch, std::int64_t tick)>;
+using TickText = std::function<std::string(const BranchTree& branches, std::uint32_t branch, std::int64_t tick)>;
 
 /// What is looked for: a condition's text or a predicate.
 struct Question {
@@ -34,7 +34,8 @@ struct Question {
 /// as has been simulated. What is already known is not computed again; the rest is, block after block, on all cores.
 class BreakSearch {
 public:
-    BreakSearch(const TimeTravel& run, BlockJudge& judge) : run_(run), judge_(judge), parts_(run.parts()) {}
+    BreakSearch(const TimeTravel& run, BlockJudge& judge)
+        : run_(run), judge_(judge), parts_(run.branches().parts(run.branch())) {}
 
     struct Found {
         std::size_t question = 0;  ///< its place among those asked
@@ -77,7 +78,7 @@ private:
     static const TickRanges& ticksOf(const Question& question, Set set, std::uint32_t branch);
     std::int64_t first() const { return parts_.front().first; }
     std::int64_t last() const { return parts_.back().last; }
-    const TimeTravel::Part& partOf(std::int64_t tick) const;
+    const BranchTree::Part& partOf(std::int64_t tick) const;
     std::int64_t reachDown(const Question& question, Set set, std::int64_t tick) const;
     std::int64_t reachUp(const Question& question, Set set, std::int64_t tick) const;
     std::optional<std::int64_t> lastUpTo(const Question& question, Set set, std::int64_t tick) const;
@@ -93,7 +94,7 @@ private:
 
     const TimeTravel& run_;
     BlockJudge& judge_;
-    std::vector<TimeTravel::Part> parts_;
+    std::vector<BranchTree::Part> parts_;
 };
 
 }  // namespace mrose

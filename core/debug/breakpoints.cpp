@@ -21,9 +21,9 @@ std::string clockAt(const TimeTravel& run) {
 /// What happened at a tick of the shown branch. What a branch begins with has come about in the one before.
 std::vector<TimelineMark> marksAt(const TimeTravel& run, std::int64_t tick) {
     std::vector<TimelineMark> marks;
-    for (const TimeTravel::Part& part : run.parts()) {
+    for (const BranchTree::Part& part : run.branches().parts(run.branch())) {
         if (tick < part.first || tick > part.last + (part.branch == run.branch() ? 0 : 1)) continue;
-        const std::vector<TimelineMark>& all = run.record(part.branch).marks();
+        const std::vector<TimelineMark>& all = run.branches().record(part.branch).marks();
         const auto begin = std::lower_bound(all.begin(), all.end(), tick,
                                             [](const TimelineMark& mark, std::int64_t t) { return mark.tick < t; });
         for (auto mark = begin; mark != all.end() && mark->tick == tick; ++mark) marks.push_back(*mark);
@@ -40,7 +40,7 @@ std::string trimmedText(const std::string& text) {
 Expected<void> learnMarks(TimeTravel& run, std::int64_t tick, const Progress& progress) {
     constexpr std::int64_t atOnce = 500;
     for (std::int64_t at = run.first(); at < tick + atOnce; at += atOnce) {
-        if (auto learned = run.learnUpTo(std::min(at, tick)); !learned) return learned;
+        if (auto learned = run.branches().learnUpTo(run.branch(), std::min(at, tick)); !learned) return learned;
         const double all = static_cast<double>(std::max<std::int64_t>(1, tick - run.first()));
         if (!progress(std::min(1.0, static_cast<double>(at - run.first()) / all))) break;
     }
@@ -187,7 +187,7 @@ bool Breakpoints::fitsElsewhere(const TimeTravel& run, const std::string& text) 
 
 /// At the shown tick.
 Expected<bool> Breakpoints::answer(const TimeTravel& run, const Question& question) {
-    if (question.predicate) return question.predicate(run, run.owner(), run.tick());
+    if (question.predicate) return question.predicate(run.branches(), run.owner(), run.tick());
     Expected<Condition>& condition = compiled(run, question.text);
     return condition ? condition->holds(run.moment()) : false;
 }
@@ -229,13 +229,14 @@ Expected<std::optional<bool>> Breakpoints::meets(TimeTravel& run, const Breakpoi
     if (std::none_of(here.begin(), here.end(), meant)) return false;
     const std::int64_t asked = breakpoint.from - metBefore(breakpoint);
     if (asked <= 1) return true;
-    const std::vector<TimelineMark> all = run.marks();
+    const std::vector<TimelineMark> all = run.branches().marks(run.branch());
     return std::count_if(all.begin(), all.end(),
                          [&](const TimelineMark& mark) { return mark.tick <= tick && meant(mark); }) >= asked;
 }
 
 Expected<Breakpoints::Arrival> Breakpoints::arrive(TimeTravel& run, const Progress& progress) {
-    if (auto learned = run.learnUpTo(run.tick()); !learned) return tl::unexpected(learned.error());
+    if (auto learned = run.branches().learnUpTo(run.branch(), run.tick()); !learned)
+        return tl::unexpected(learned.error());
     Stop stop{run.tick()};
     std::vector<std::uint32_t> ids;
     const std::vector<Question*> asked = questions(&ids);
@@ -266,7 +267,7 @@ Breakpoints::Answer Breakpoints::lastOfAll(TimeTravel& run, std::int64_t before,
     if (auto known = learnMarks(run, before, progress); !known) return tl::unexpected(known.error());
     Stop stop{run.first() - 1};
     stop.backwards = true;
-    const std::vector<TimelineMark> marks = run.marks();
+    const std::vector<TimelineMark> marks = run.branches().marks(run.branch());
     for (const Breakpoint& breakpoint : breakpoints_) {
         const BreakText text = readBreakText(breakpoint.text);
         if (!breakpoint.enabled || !isEvent(text.kind)) continue;
@@ -319,7 +320,7 @@ Breakpoints::Answer Breakpoints::ahead(TimeTravel& run, const Progress& progress
     const std::int64_t until = std::min(upTo.value_or(run.last()), run.last());
     if (auto known = learnMarks(run, until, progress); !known) return tl::unexpected(known.error());
     Stop stop{until + 1};
-    const std::vector<TimelineMark> marks = run.marks();
+    const std::vector<TimelineMark> marks = run.branches().marks(run.branch());
     for (const Breakpoint& breakpoint : breakpoints_) {
         const BreakText text = readBreakText(breakpoint.text);
         if (!breakpoint.enabled || !isEvent(text.kind)) continue;
@@ -380,8 +381,10 @@ std::string Breakpoints::reasonOf(const TimeTravel& run, const std::string& wait
     const BreakText text = readBreakText(waitsFor);
     if (text.kind == BreakKind::condition) return std::string(text.name);
     if (text.kind == BreakKind::divergence)
-        return diverged_.who ? diverged_.who(run, run.owner(), run.tick()) : "a robot leaves the real trajectory";
-    if (text.kind == BreakKind::breakHere && text.name.empty() && !run.breakReason().empty()) return run.breakReason();
+        return diverged_.who ? diverged_.who(run.branches(), run.owner(), run.tick())
+                             : "a robot leaves the real trajectory";
+    if (text.kind == BreakKind::breakHere && text.name.empty() && !run.cursor().breakReason().empty())
+        return run.cursor().breakReason();
     std::string reason;
     for (const TimelineMark& mark : marksAt(run, run.tick()))
         if (isMeant(text, mark, run.setup())) join(reason, textOf(mark, run.setup()), ", ");
@@ -461,7 +464,7 @@ std::vector<BreakpointState> Breakpoints::states(const TimeTravel& run, const st
                 if (mark.tick <= run.tick()) ++state.hits;
                 state.here = state.here || mark.tick == run.tick();
             }
-            state.known = run.record(run.branch()).last() >= run.last();
+            state.known = run.branches().record(run.branch()).last() >= run.last();
         } else if (const Question* question = knownOf(breakpoint); question != nullptr) {
             state.hits = search.beginningsUpTo(*question, run.tick());
             state.inRun = search.beginningsUpTo(*question, run.last());

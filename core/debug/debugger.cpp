@@ -100,19 +100,19 @@ bool Debugger::branchOff(const Edit& edit) {
 
 void Debugger::sayBranched() {
     if (!message_.empty()) return;
-    message_ = run_->edited() ? "This branch now begins with \u201c" + run_->branches()[run_->branch()].name +
-                                    "\u201d: Space plays it, S shows both branches side by side"
-                              : "A branch begins here: Space plays it, S shows both branches side by side";
+    message_ = run_->origin(run_->branch()).replaced
+                   ? "This branch now begins with \u201c" + run_->branches()[run_->branch()].name +
+                         "\u201d: Space plays it, S shows both branches side by side"
+                   : "A branch begins here: Space plays it, S shows both branches side by side";
 }
 
 void Debugger::undo() {
-    const std::string what = run_->undoName();
+    const std::string what = run_->origin(run_->branch()).edit;
     if (run_->undo()) stop("Undone: " + what + "; " + secondsAt(run_->tick()) + " s is shown as it was before");
 }
 
 void Debugger::redo() {
-    const std::string what = run_->redoName();
-    if (run_->redo()) stop("Done again: " + what);
+    if (run_->redo()) stop("Done again: " + run_->origin(run_->branch()).edit);
 }
 
 void Debugger::removeBranch(std::uint32_t branch) {
@@ -256,9 +256,9 @@ void Debugger::simulateToBreak(std::int64_t end, const Watch& watch) {
 Shown Debugger::takeShown(const FrameOptions& options) {
     Shown what = shownOf(*run_, options);
     std::size_t known = 0;  // marks of branches never grow but at their ends
-    for (std::uint32_t i = 0; i < run_->branches().size(); ++i) known += run_->record(i).marks().size();
+    for (std::uint32_t i = 0; i < run_->branches().size(); ++i) known += run_->branches().record(i).marks().size();
     const bool others = !happened_ || marksOf_ != run_->branch() || marksKnown_ != known;
-    if (others) happened_ = std::make_shared<const std::vector<TimelineMark>>(run_->marks());
+    if (others) happened_ = std::make_shared<const std::vector<TimelineMark>>(run_->branches().marks(run_->branch()));
     if (!marks_ || others || marksBreaks_ != breakpoints_.version()) {
         const std::vector<TimelineMark> hits = breakpoints_.marks(*run_);
         std::vector<TimelineMark> all;

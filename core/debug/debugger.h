@@ -84,8 +84,6 @@ public:
     /// Playing, one tick on; where it waits, that search goes on instead. False of `goesOn` ends it.
     void playOn(const Progress& goesOn = {});
 
-    /// Looks through some ticks of a file for trails and marks; whether there are more.
-    Expected<bool> learn(std::int64_t ticks) { return run_->learn(ticks); }
     /// Looks where breakpoints were met, at some more ticks; whether there are more.
     Expected<bool> judge() { return breakpoints_.learn(*run_); }
 

@@ -79,10 +79,10 @@ bool LiveRun::learn() {
     learning_ = false;
     bool any = false;
     do {
-        const std::size_t marks = run.record(run.branch()).marks().size();
-        const auto more = debugger_.learn(50);
+        const std::size_t marks = run.branches().record(run.branch()).marks().size();
+        const auto more = debugger_.run().branches().learn(50);
         if (!more) return debugger_.say(more.error().message()), true;
-        any = any || *more || marks != run.record(run.branch()).marks().size();
+        any = any || *more || marks != run.branches().record(run.branch()).marks().size();
         learning_ = *more;
     } while (learning_ && Clock::now() - begin < framePeriod);
     return any;

@@ -9,25 +9,25 @@ namespace mrose {
 namespace {
 
 /// After so many steps of the comparison; nullopt: unknown.
-std::optional<PoseError> errorAfter(const TimeTravel& run, std::uint32_t branch, const Reality& reality,
+std::optional<PoseError> errorAfter(const BranchTree& branches, std::uint32_t branch, const Reality& reality,
                                     const LeavingRobots::Robot& robot, std::int64_t steps) {
-    const Scene& scene = run.record(branch).setup().scene();
+    const Scene& scene = branches.record(branch).setup().scene();
     const Nanoseconds now = steps * WindowOptions{}.step;
     const Reality::Robot* const real = reality.robotNamed(robot.name);
     const std::uint32_t body = bodyNamed(scene, robot.name);
     const auto truth = real != nullptr ? real->poseAt(now) : std::nullopt;
-    const auto simulated = run.posesAt(branch, scene.ticksOf(now));
+    const auto simulated = branches.posesAt(branch, scene.ticksOf(now));
     if (!truth || !simulated || body >= simulated->size()) return {};
     return poseError(*truth, (*simulated)[body]);
 }
 
-bool hasLeft(const TimeTravel& run, std::uint32_t branch, std::int64_t tick, const Reality& reality,
+bool hasLeft(const BranchTree& branches, std::uint32_t branch, std::int64_t tick, const Reality& reality,
              const LeavingRobots::Robot& robot) {
     using State = DivergenceRule::State;
     const Nanoseconds step = WindowOptions{}.step;
     DivergenceRule rule(robot.bound.held);
-    for (std::int64_t k = run.record(branch).setup().scene().timeOf(tick) / step; k >= 1; --k) {
-        const auto error = errorAfter(run, branch, reality, robot, k);
+    for (std::int64_t k = branches.record(branch).setup().scene().timeOf(tick) / step; k >= 1; --k) {
+        const auto error = errorAfter(branches, branch, reality, robot, k);
         if (!error) continue;
         const State state = rule.add(k * step, *error, robot.bound.at(static_cast<std::size_t>(k - 1)));
         if (state != State::beyond) return state == State::left;
@@ -35,11 +35,11 @@ bool hasLeft(const TimeTravel& run, std::uint32_t branch, std::int64_t tick, con
     return false;
 }
 
-bool leaves(const TimeTravel& run, std::uint32_t branch, std::int64_t tick, const LeavingRobots& leaving,
+bool leaves(const BranchTree& branches, std::uint32_t branch, std::int64_t tick, const LeavingRobots& leaving,
             const LeavingRobots::Robot& robot) {
-    const Scene& scene = run.record(branch).setup().scene();
+    const Scene& scene = branches.record(branch).setup().scene();
     if (branch == leaving.compared) return robot.leaves && scene.ticksOf(*robot.leaves) == tick;
-    return leaving.reality && hasLeft(run, branch, tick, *leaving.reality, robot);
+    return leaving.reality && hasLeft(branches, branch, tick, *leaving.reality, robot);
 }
 
 /// Whether there is one in a run that stands at its beginning.
@@ -72,18 +72,19 @@ LeavingRobots leavingRobots(const LogWorld& world, std::span<const RolloutRow> r
 }
 
 TickPredicate leavesReality(const LeavingRobots& leaving) {
-    return [leaving](const TimeTravel& run, std::uint32_t branch, std::int64_t tick) {
+    return [leaving](const BranchTree& branches, std::uint32_t branch, std::int64_t tick) {
         return std::any_of(leaving.robots.begin(), leaving.robots.end(),
-                           [&](const auto& robot) { return leaves(run, branch, tick, leaving, robot); });
+                           [&](const auto& robot) { return leaves(branches, branch, tick, leaving, robot); });
     };
 }
 
 TickText whoLeaves(const LeavingRobots& leaving) {
-    return [leaving](const TimeTravel& run, std::uint32_t branch, std::int64_t tick) {
+    return [leaving](const BranchTree& branches, std::uint32_t branch, std::int64_t tick) {
         std::string names;
         std::size_t count = 0;
         for (const LeavingRobots::Robot& robot : leaving.robots) {
-            if (!leaves(run, branch, tick, leaving, robot) || leaves(run, branch, tick - 1, leaving, robot)) continue;
+            if (!leaves(branches, branch, tick, leaving, robot) || leaves(branches, branch, tick - 1, leaving, robot))
+                continue;
             names += (names.empty() ? "" : ", ") + robot.name;
             ++count;
         }
@@ -113,7 +114,8 @@ Expected<RolloutFound> rolloutWithBreak(const PlayedLog& log, const RolloutSearc
             found.rollout = place.rollout;
             return found;
         }
-        if (!search.wish.back) found.hits.learn(place.rollout, breakpoints.states(run, run.marks()));
+        if (!search.wish.back)
+            found.hits.learn(place.rollout, breakpoints.states(run, run.branches().marks(run.branch())));
     }
     return found;
 }

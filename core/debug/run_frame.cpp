@@ -8,18 +8,18 @@ namespace {
 /// Predicted paths have a point every so many ticks.
 constexpr std::int64_t predictedEvery = 5;
 
-const std::shared_ptr<const Scenario>& scenarioOf(const TimeTravel& run, std::uint32_t branch) {
-    return run.record(branch).setup().scenario;
+const std::shared_ptr<const Scenario>& scenarioOf(const BranchTree& branches, std::uint32_t branch) {
+    return branches.record(branch).setup().scenario;
 }
 
 /// Of a branch, and before it of those that it came from, where they have the same bodies.
-void addTrails(const TimeTravel& run, std::uint32_t branch, std::int64_t tick, std::size_t ticks, Trails& trails) {
-    const Branch& way = run.branches()[branch];
+void addTrails(const BranchTree& branches, std::uint32_t branch, std::int64_t tick, std::size_t ticks, Trails& trails) {
+    const Branch& way = branches[branch];
     const auto since = static_cast<std::size_t>(std::max<std::int64_t>(0, tick - way.tick));
     if (way.parent != branch && since < ticks &&
-        scenarioOf(run, branch)->scene().bodyCount() == scenarioOf(run, way.parent)->scene().bodyCount())
-        addTrails(run, way.parent, way.tick, ticks - since, trails);
-    run.record(branch).track().addTrails(tick, ticks, trails);
+        scenarioOf(branches, branch)->scene().bodyCount() == scenarioOf(branches, way.parent)->scene().bodyCount())
+        addTrails(branches, way.parent, way.tick, ticks - since, trails);
+    branches.record(branch).track().addTrails(tick, ticks, trails);
 }
 
 std::vector<std::vector<Pose>> predictedPaths(const Scenario& scenario, const Cursor& at, Nanoseconds ahead) {
@@ -37,20 +37,21 @@ std::vector<std::vector<Pose>> predictedPaths(const Scenario& scenario, const Cu
 /// The branch from which the shown one departed, those that departed from it, and the one beside: what was changed is
 /// seen with what was before.
 std::vector<Ghost> ghostsOf(const TimeTravel& run, const Cursor& at, std::size_t trailTicks) {
-    const std::vector<Branch>& branches = run.branches();
+    const BranchTree& branches = run.branches();
     std::vector<Ghost> ghosts;
     const std::uint32_t own = at.branch();
     const std::int64_t then = at.tick();
     for (std::uint32_t other = 0; other < branches.size(); ++other) {
         const bool related = other != own && !run.hidden(other) &&
                              (branches[own].parent == other || branches[other].parent == own || run.beside() == other);
-        const PoseTrack& track = run.record(other).track();
-        const bool sameClock = scenarioOf(run, other)->scene().tickLength == scenarioOf(run, own)->scene().tickLength;
+        const PoseTrack& track = branches.record(other).track();
+        const bool sameClock =
+            scenarioOf(branches, other)->scene().tickLength == scenarioOf(branches, own)->scene().tickLength;
         const std::int64_t departed = std::max(branches[other].tick, branches[own].tick);
         if (!related || !sameClock || then < std::max(departed, track.first()) || then > track.last()) continue;
         const auto since = static_cast<std::size_t>(std::max<std::int64_t>(0, then - departed));
         Ghost& ghost =
-            ghosts.emplace_back(Ghost{branches[other].name, scenarioOf(run, other), track.posesAt(then), {}});
+            ghosts.emplace_back(Ghost{branches[other].name, scenarioOf(branches, other), track.posesAt(then), {}});
         track.addTrails(then, std::min(trailTicks, since), ghost.trails);
     }
     return ghosts;
@@ -69,12 +70,13 @@ std::optional<FieldFrame> besideFrame(const TimeTravel& run, const FrameOptions&
 }
 
 FieldFrame frameOf(const TimeTravel& run, const Cursor& at, const FrameOptions& options) {
-    const std::shared_ptr<const Scenario>& scenario = scenarioOf(run, at.branch());
+    const BranchTree& branches = run.branches();
+    const std::shared_ptr<const Scenario>& scenario = scenarioOf(branches, at.branch());
     FieldFrame frame = at.frame(scenario);
     frame.reality = run.reality();
-    for (const BranchRecord::FirstFault& fault : run.faults(at.branch(), at.tick()))
+    for (const BranchRecord::FirstFault& fault : branches.faults(at.branch(), at.tick()))
         frame.failed.push_back(fault.robot);
-    addTrails(run, at.branch(), at.tick(), options.trailTicks, frame.trails);
+    addTrails(branches, at.branch(), at.tick(), options.trailTicks, frame.trails);
     if (options.ahead > 0 && frame.scene().bodyCount() <= options.mostBodiesAhead) {
         frame.predicted = predictedPaths(*scenario, at, options.ahead);
         frame.predictedStep = predictedEvery * frame.scene().tickLength;

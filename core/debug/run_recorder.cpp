@@ -8,15 +8,15 @@ namespace mrose {
 
 Expected<RunRecorder> RunRecorder::begin(const std::filesystem::path& path, const TimeTravel& run,
                                          const std::string& commandLine, bool overwrite) {
-    const BranchSetup& setup = run.record(0).setup();
-    const Timeline& timeline = run.branches().front().timeline;
+    const BranchSetup& setup = run.branches().record(0).setup();
+    const Timeline& timeline = run.branches()[0].timeline;
     auto start = Playback(*setup.scenario).reach(timeline, timeline.first());
     if (!start) return tl::unexpected(start.error());
     auto writer = RecordingWriter::create(path, *setup.scenario, start->state, setup.value, commandLine,
                                           {.overwrite = overwrite});
     if (!writer) return tl::unexpected(writer.error());
     RunRecorder recorder(path, std::move(*writer));
-    recorder.branches_.emplace_back(run.record(0).setupPointer(), std::move(*start));
+    recorder.branches_.emplace_back(run.branches().record(0).setupPointer(), std::move(*start));
     recorder.places_.emplace_back(0);
     return recorder;
 }
@@ -25,12 +25,12 @@ Expected<void> RunRecorder::open(const TimeTravel& run, std::uint32_t branch) {
     if (opened(branch)) return {};
     const Branch& begun = run.branches()[branch];
     if (auto parent = open(run, begun.parent); !parent) return parent;
-    const BranchSetupPointer& setup = run.record(branch).setupPointer();
+    const BranchSetupPointer& setup = run.branches().record(branch).setupPointer();
     auto start = Playback(*setup->scenario).reach(begun.timeline, begun.timeline.first());
     if (!start) return tl::unexpected(start.error());
     const std::uint32_t parent = *places_[begun.parent];
     places_.resize(std::max<std::size_t>(places_.size(), branch + 1));
-    if (setup == run.record(begun.parent).setupPointer())
+    if (setup == run.branches().record(begun.parent).setupPointer())
         places_[branch] = writer_.beginBranch(parent, start->state, begun.name);
     else
         places_[branch] = writer_.beginBranch(parent, start->state, begun.name, *setup->scenario, setup->value);
@@ -90,7 +90,7 @@ Expected<bool> saveRun(const std::filesystem::path& path, const TimeTravel& run,
         places[branch] = static_cast<std::uint32_t>(branches.size());
         branches.push_back(run.branches()[branch]);
         branches.back().parent = places[branches.back().parent];
-        scenarios.push_back(run.record(branch).setup().scenario);
+        scenarios.push_back(run.branches().record(branch).setup().scenario);
     }
     SaveRecordingOptions options;
     options.overwrite = true;
@@ -99,7 +99,7 @@ Expected<bool> saveRun(const std::filesystem::path& path, const TimeTravel& run,
     options.progress = [&](std::int64_t done, std::int64_t all) {
         return progress(static_cast<double>(done) / static_cast<double>(std::max<std::int64_t>(1, all)));
     };
-    return saveRecording(path, branches, scenarios, run.record(0).setup().value, options);
+    return saveRecording(path, branches, scenarios, run.branches().record(0).setup().value, options);
 }
 
 }  // namespace mrose

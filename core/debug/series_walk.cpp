@@ -52,16 +52,16 @@ SeriesWalk::Wish SeriesWalk::wishFor(const ValueSeries::Task& task) {
     return {task.run, task.branch, stands ? cursor->tick() : task.tick, !stands};
 }
 
-std::optional<SeriesWalk::Stretch> SeriesWalk::stretchOf(const TimeTravel& travel, const Wish& wish) {
-    if (wish.branch >= travel.branches().size()) return {};
-    const Timeline& timeline = travel.branches()[wish.branch].timeline;
-    const BranchRecord& record = travel.record(wish.branch);
+std::optional<SeriesWalk::Stretch> SeriesWalk::stretchOf(const BranchTree& branches, const Wish& wish) {
+    if (wish.branch >= branches.size()) return {};
+    const Timeline& timeline = branches[wish.branch].timeline;
+    const BranchRecord& record = branches.record(wish.branch);
     Stretch stretch{record.setupPointer(), timeline.first(), {}, {}, {}};
     if (wish.from < timeline.first() || wish.from > timeline.last()) return stretch;
     stretch.timeline = copyFrom(timeline, wish.from);
     stretch.insightsAtStart = record.insightsAtStart();
     if (wish.cursor)
-        if (auto cursor = travel.cursorAt(wish.branch, wish.from)) stretch.cursor = std::move(*cursor);
+        if (auto cursor = branches.cursorAt(wish.branch, wish.from)) stretch.cursor = std::move(*cursor);
     return stretch;
 }
 
@@ -125,13 +125,13 @@ std::optional<std::int64_t> SeriesWalk::go(const ValueSeries::Task& task, std::o
     }
 }
 
-void computeAll(ValueSeries& series, const TimeTravel& travel) {
+void computeAll(ValueSeries& series, const BranchTree& branches) {
     SeriesWalk walk;
     while (const auto task = series.nextTask()) {
         const auto add = [&](std::int64_t first, const std::vector<std::vector<float>>& columns) {
             series.add(*task, first, columns);
         };
-        auto stretch = SeriesWalk::stretchOf(travel, walk.wishFor(*task));
+        auto stretch = SeriesWalk::stretchOf(branches, walk.wishFor(*task));
         if (const auto unknown = walk.go(*task, std::move(stretch), {add, [] { return true; }}))
             series.giveUp(*task, *unknown);
     }

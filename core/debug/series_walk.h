@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "debug/time_travel.h"
+#include "debug/branch_tree.h"
 #include "debug/value_series.h"
 
 namespace mrose {
@@ -37,7 +37,7 @@ public:
     };
     Wish wishFor(const ValueSeries::Task& task);
     /// The answer, in the thread that the run belongs to. nullopt: there is no such branch.
-    static std::optional<Stretch> stretchOf(const TimeTravel& travel, const Wish& wish);
+    static std::optional<Stretch> stretchOf(const BranchTree& branches, const Wish& wish);
 
     struct Asked {
         /// Numbers of the task's ticks from `first` on, as ValueSeries::add() takes them.
@@ -58,6 +58,6 @@ private:
 };
 
 /// All that is wanted of a run that nobody else goes on with.
-void computeAll(ValueSeries& series, const TimeTravel& travel);
+void computeAll(ValueSeries& series, const BranchTree& branches);
 
 }  // namespace mrose

@@ -6,27 +6,28 @@ namespace mrose {
 namespace {
 
 std::vector<BranchInfo> branchInfos(const TimeTravel& run) {
+    const BranchTree& branches = run.branches();
     std::vector<BranchInfo> infos;
     const auto count = [&](std::uint32_t branch, std::int64_t until) {
         BranchInfo::Events events;
-        for (const TimelineMark& mark : run.record(branch).marks()) {
+        for (const TimelineMark& mark : branches.record(branch).marks()) {
             if (mark.tick > until) break;
             events.kicks += mark.kind == TimelineMark::Kind::kick ? 1 : 0;
             events.contacts += mark.kind == TimelineMark::Kind::contact ? 1 : 0;
         }
         return events;
     };
-    for (std::uint32_t i = 0; i < run.branches().size(); ++i) {
-        const Branch& branch = run.branches()[i];
+    for (std::uint32_t i = 0; i < branches.size(); ++i) {
+        const Branch& branch = branches[i];
         BranchInfo info{branch.name,   branch.parent, branch.tick, branch.timeline.first(), branch.timeline.last(),
                         run.hidden(i), run.undone(i)};
         std::int64_t until = run.tick();
-        for (std::uint32_t at = i;; at = run.branches()[at].parent) {
+        for (std::uint32_t at = i;; at = branches[at].parent) {
             const BranchInfo::Events events = count(at, until);
             info.events.kicks += events.kicks;
             info.events.contacts += events.contacts;
-            if (run.branches()[at].parent == at) break;
-            until = std::min(until, run.branches()[at].tick);
+            if (branches[at].parent == at) break;
+            until = std::min(until, branches[at].tick);
         }
         infos.push_back(std::move(info));
     }
@@ -50,17 +51,19 @@ Shown shownOf(const TimeTravel& run, const FrameOptions& options) {
         what.beside = std::make_shared<const FieldFrame>(std::move(*beside));
         what.besideBranch = run.beside();
     }
-    what.setup = run.record(run.owner()).setupPointer();
+    what.setup = run.branches().record(run.owner()).setupPointer();
     what.hash = hashOf(run.state());
     what.branch = run.branch();
     what.first = run.first();
     what.last = run.last();
     what.branches = branchInfos(run);
-    what.faults = run.faults(run.branch(), run.tick());
-    what.canUndo = run.canUndo();
-    what.canRedo = run.canRedo();
-    what.undoName = run.undoName();
-    what.redoName = run.redoName();
+    what.faults = run.branches().faults(run.branch(), run.tick());
+    what.canUndo = run.branch() != 0;
+    what.undoName = run.origin(run.branch()).edit;
+    if (const TimeTravel::Origin* const undone = run.lastUndone()) {
+        what.canRedo = true;
+        what.redoName = undone->edit;
+    }
     return what;
 }
 

@@ -1,7 +1,6 @@
 #include "debug/time_travel.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace mrose {
@@ -10,129 +9,53 @@ namespace {
 /// Of a branch beside that ended long ago not all comes at once, so that no tick is long.
 constexpr std::int64_t mostBeside = 4;
 
-/// So many ticks before it, every robot has decided once, and kicks that are still shown have happened.
-std::int64_t ticksToLookBack(const Scene& scene) {
-    std::int64_t most = scene.ticksOf(kickShown);
-    for (std::size_t robot = 0; robot < scene.robots.size(); ++robot) most = std::max(most, scene.periodTicks(robot));
-    return most + 1;
+/// "red 4 moved, blue 3 turned"; each once.
+std::string together(const std::string& name, const std::string& edit) {
+    const std::string comma = ", ";
+    if (name.empty()) return edit;
+    return (comma + name + comma).find(comma + edit + comma) != std::string::npos ? name : name + comma + edit;
 }
 
-History historyOf(const OpenRun& run) {
-    if (!run.recorded()) return History(run.start);
-    std::vector<Branch> branches;
-    for (const OpenRun::Recorded& recorded : run.branches) branches.push_back(recorded.branch);
-    return History(std::move(branches));
+/// At the start a robot has observed and decided already, as `after`, a tick later, has it.
+void takeMemories(const Cursor& after, std::uint32_t robot, BranchStart& start) {
+    const Scenario& scenario = *start.setup->scenario;
+    std::ranges::copy(scenario.memoryOf(after.state(), robot), scenario.memoryOf(start.state, robot).begin());
+    std::ranges::copy(scenario.sensorMemory(after.state(), robot), scenario.sensorMemory(start.state, robot).begin());
+    start.insightsAtStart.push_back({robot, after.insights()[robot]});
 }
 
 }  // namespace
 
 TimeTravel::TimeTravel(const OpenRun& run, std::size_t mostTrackBytes)
-    : history_(historyOf(run)), mostTrackBytes_(mostTrackBytes), shown_(0, {run.start}), reality_(run.reality) {
-    if (!run.recorded()) records_.emplace_back(run.setup, run.start, std::vector<HandOrder>{});
-    for (const OpenRun::Recorded& recorded : run.branches)
-        records_.emplace_back(recorded.setup, recorded.start, std::vector<HandOrder>{});
-    for (const Branch& branch : branches())
+    : branches_(run, mostTrackBytes), shown_(0, {run.start}), reality_(run.reality), origins_(1) {
+    for (std::uint32_t i = 1; i < branches_.size(); ++i) {
+        const Branch& branch = branches_[i];
         origins_.push_back({branch.name, branch.parent, branch.tick, branch.timeline.first()});
-    for (std::uint32_t branch = 1; branch < branches().size(); ++branch) takeOver(branch);
-    if (branches().size() > 1) setBeside(static_cast<std::uint32_t>(branches().size() - 1));
-}
-
-bool TimeTravel::departs(std::uint32_t branch) const {
-    const Branch& way = branches()[branch];
-    return way.parent != branch && way.timeline.first() == way.tick && timelineOf(way.parent).last() >= way.tick &&
-           firstOf(way.parent) < way.tick;
-}
-
-std::uint32_t TimeTravel::ownerOf(std::uint32_t branch, std::int64_t tick) const {
-    while (tick < timelineOf(branch).first() && departs(branch)) branch = branches()[branch].parent;
-    return branch;
-}
-
-std::optional<std::vector<Pose>> TimeTravel::posesAt(std::uint32_t branch, std::int64_t tick) const {
-    const PoseTrack& track = records_[ownerOf(branch, tick)].track();
-    if (tick < track.first() || tick > track.last()) return {};
-    return track.posesAt(tick);
-}
-
-std::int64_t TimeTravel::firstOf(std::uint32_t branch) const {
-    return departs(branch) ? firstOf(branches()[branch].parent) : timelineOf(branch).first();
-}
-
-std::vector<TimeTravel::Part> TimeTravel::parts() const {
-    std::vector<Part> parts{{branch_, timelineOf(branch_).first(), last()}};
-    for (;;) {
-        const std::int64_t begin = parts.front().first;
-        const std::uint32_t before = ownerOf(parts.front().branch, begin - 1);
-        if (before == parts.front().branch) return parts;
-        parts.insert(parts.begin(), {before, timelineOf(before).first(), begin - 1});
     }
-}
-
-std::vector<TimelineMark> TimeTravel::marks() const {
-    std::vector<TimelineMark> marks;
-    for (const Part& part : parts()) {
-        // What a branch begins with has come about in the one before.
-        const std::int64_t until = part.branch == branch_ ? part.last : part.last + 1;
-        for (const TimelineMark& mark : records_[part.branch].marks())
-            if (mark.tick <= until) marks.push_back(mark);
-    }
-    return marks;
-}
-
-Expected<void> TimeTravel::advance(Cursor& cursor, std::uint32_t branch) const {
-    const std::uint32_t owner = ownerOf(branch, cursor.tick() + 1);
-    if (owner != cursor.branch()) {
-        Expected<Cursor> there = cursorAt(owner, cursor.tick() + 1);
-        if (!there) return tl::unexpected(there.error());
-        cursor = std::move(*there);
-        return {};
-    }
-    const BranchRecord& record = records_[owner];
-    return cursor.advance(record, timelineOf(owner));
+    if (branches_.size() > 1) setBeside(static_cast<std::uint32_t>(branches_.size() - 1));
 }
 
 Expected<void> TimeTravel::forward() {
-    if (tick() < last()) {
-        if (auto advanced = advance(shown_, branch_); !advanced) return advanced;
-    } else {
-        BranchRecord& record = records_[branch_];
-        const bool known = record.last() == tick();
-        const StepTrace& trace = shown_.step(record, buffers_);
-        history_.add(state(), trace, branch_);
-        if (known) record.add(state(), trace);
-        // What would have happened goes on beside what was changed.
-        goOnWith(branches()[branch_].parent, std::numeric_limits<std::int64_t>::max());
-        keepTracksSmall();
-    }
+    if (tick() >= last())
+        branches_.simulate(shown_);
+    else if (auto advanced = branches_.advance(shown_, branch_); !advanced)
+        return advanced;
     followBeside();
     return {};
-}
-
-/// A branch that is not shown goes on as well, up to the shown tick, but by so many ticks at the most.
-void TimeTravel::goOnWith(std::uint32_t branch, std::int64_t most) {
-    BranchRecord& record = records_[branch];
-    if (branch == branch_ || record.last() != timelineOf(branch).last()) return;
-    StepTrace trace;
-    for (; most > 0 && record.last() < tick(); --most) {
-        WorldState state = record.end();
-        step(*record.setup().scenario, state, buffers_, record.overrides(state), &trace);
-        history_.add(state, trace, branch);
-        record.add(state, trace);
-    }
 }
 
 void TimeTravel::followBeside() {
     if (!beside_ || beside_->at.tick() == tick()) return;
     const std::uint32_t other = beside_->branch;
-    goOnWith(other, mostBeside);
-    const std::int64_t there = std::clamp(tick(), firstOf(other), timelineOf(other).last());
-    if (there == beside_->at.tick() + 1 && advance(beside_->at, other)) return;
+    branches_.goOn(other, tick(), mostBeside);
+    const std::int64_t there = std::clamp(tick(), branches_.first(other), branches_.last(other));
+    if (there == beside_->at.tick() + 1 && branches_.advance(beside_->at, other)) return;
     if (there == beside_->at.tick()) return;
-    if (auto cursor = lineageAt(other, there)) beside_->at = std::move(*cursor);
+    if (auto cursor = branches_.lineageAt(other, there)) beside_->at = std::move(*cursor);
 }
 
 Expected<void> TimeTravel::show(std::uint32_t branch, std::int64_t tick) {
-    Expected<Cursor> cursor = lineageAt(branch, tick);
+    Expected<Cursor> cursor = branches_.lineageAt(branch, tick);
     if (!cursor) return tl::unexpected(cursor.error());
     const std::uint32_t left = std::exchange(branch_, branch);
     shown_ = std::move(*cursor);
@@ -143,89 +66,133 @@ Expected<void> TimeTravel::show(std::uint32_t branch, std::int64_t tick) {
     return {};
 }
 
-Expected<Cursor> TimeTravel::lineageAt(std::uint32_t branch, std::int64_t tick) const {
-    return cursorAt(ownerOf(branch, tick), tick);
-}
-
-Expected<Cursor> TimeTravel::cursorAt(std::uint32_t branch, std::int64_t tick) const {
-    tick = std::clamp(tick, timelineOf(branch).first(), timelineOf(branch).last());
-    Cursor cursor(branch, {});
-    // From a little earlier, so that what robots saw and decided is known.
-    const std::int64_t from = tick - ticksToLookBack(records_[branch].setup().scene());
-    if (auto walked = walk(cursor, branch, from, tick); !walked) return tl::unexpected(walked.error());
-    return cursor;
-}
-
-Expected<void> TimeTravel::walk(Cursor& cursor, std::uint32_t branch, std::int64_t from, std::int64_t to) const {
-    const Branch& way = branches()[branch];
-    const bool fromParent = from < way.timeline.first() && departs(branch) && sharesMemories(branch);
-    if (fromParent)
-        if (auto walked = walk(cursor, way.parent, from, way.tick); !walked) return walked;
-    const BranchRecord& record = records_[branch];
-    Expected<ReachedState> reached = record.playback().reach(way.timeline, std::clamp(from, way.timeline.first(), to));
-    if (!reached) return tl::unexpected(reached.error());
-    cursor.moveTo(branch, std::move(*reached), fromParent);
-    while (cursor.tick() < to)
-        if (auto done = cursor.advance(record, way.timeline); !done) return done;
-    return {};
-}
-
 void TimeTravel::setBeside(std::optional<std::uint32_t> branch) {
     beside_.reset();
-    if (!branch || *branch >= branches().size()) return;
-    if (auto cursor = lineageAt(*branch, tick())) beside_ = Beside{*branch, std::move(*cursor)};
+    if (!branch || *branch >= branches_.size()) return;
+    if (auto cursor = branches_.lineageAt(*branch, tick())) beside_ = Beside{*branch, std::move(*cursor)};
 }
 
 std::optional<std::uint32_t> TimeTravel::beside() const {
     return beside_ ? std::optional(beside_->branch) : std::nullopt;
 }
 
-std::size_t TimeTravel::trackBytes() const {
-    std::size_t sum = 0;
-    for (const BranchRecord& record : records_) sum += record.track().bytes();
-    return sum;
+bool TimeTravel::mergesInto(const Edit& edit) const {
+    return branch_ != 0 && !branches_.hasBegun(branch_) && owner() == branch_ && edit.tick.value_or(tick()) == tick() &&
+           !edit.start && !edit.afterDeciding;
 }
 
-void TimeTravel::keepTracksSmall() {
-    while (trackBytes() > mostTrackBytes_) {
-        const auto smaller = [](const BranchRecord& a, const BranchRecord& b) {
-            return a.track().bytes() < b.track().bytes();
-        };
-        if (!std::max_element(records_.begin(), records_.end(), smaller)->track().forgetEarliest()) return;
+Expected<void> TimeTravel::branchOff(const Edit& edit) {
+    Expected<Cursor> at = shown_;
+    if (edit.tick && *edit.tick != tick()) at = branches_.lineageAt(branch_, *edit.tick);
+    if (!at) return tl::unexpected(at.error());
+    const BranchRecord& before = branches_.record(at->branch());
+    BranchStart start{edit.setup ? edit.setup : before.setupPointer(), edit.start ? *edit.start : at->state()};
+    const Scenario& scenario = *start.setup->scenario;
+    if (edit.afterDeciding) {
+        const Expected<Cursor> after = branches_.lineageAt(branch_, start.state.tick + 1);
+        if (!after) return tl::unexpected(after.error());
+        takeMemories(*after, *edit.afterDeciding, start);
     }
-}
-
-Expected<bool> TimeTravel::learn(std::int64_t ticks) {
-    for (std::uint32_t branch = 0; branch < records_.size(); ++branch)
-        if (records_[branch].last() < timelineOf(branch).last()) {
-            auto more = records_[branch].learn(timelineOf(branch), ticks);
-            keepTracksSmall();
-            if (!more || *more) return more;
-            return learn(0);
-        }
-    return false;
-}
-
-Expected<void> TimeTravel::learnUpTo(std::int64_t tick) {
-    for (const Part& part : parts()) {
-        BranchRecord& record = records_[part.branch];
-        const std::int64_t missing = std::min(tick, part.last) - record.last();
-        if (missing <= 0) continue;
-        if (auto more = record.learn(timelineOf(part.branch), missing); !more) return tl::unexpected(more.error());
-    }
+    if (edit.change) edit.change(scenario, start.state);
+    if (const std::string wrong = validate(scenario, start.state); !wrong.empty())
+        return tl::unexpected(Error{"", 0, 0, "", "the state does not fit the scenario: " + wrong});
+    const bool merges = mergesInto(edit);
+    if (merges) start.orders = before.orders();
+    start.orders.insert(start.orders.end(), edit.orders.begin(), edit.orders.end());
+    // As in any editor what was undone cannot be done again after something else.
+    for (const std::uint32_t branch : std::exchange(undone_, {}))
+        if (!branches_.isFrom(branch_, branch)) origins_[branch].removed = true;
+    const std::uint32_t parent = merges ? branches_[branch_].parent : at->branch();
+    const std::string name = merges ? together(branches_[branch_].name, edit.name) : freeName(edit.name);
+    ReachedState first{start.state};
+    const bool follows = first.state.tick == at->tick() && sameMemories(*before.setup().scenario, scenario);
+    const std::uint32_t made = branches_.begin(parent, name, std::move(start));
+    const std::int64_t arrived = first.state.tick + (edit.afterDeciding ? 1 : 0);
+    origins_.push_back({edit.name, branch_, tick(), arrived, merges ? std::optional(branch_) : std::nullopt});
+    if (merges) origins_[branch_].replacement = made;
+    at->moveTo(made, std::move(first), follows);
+    branch_ = made;
+    shown_ = std::move(*at);
+    setBeside(parent);
     return {};
 }
 
-std::vector<BranchRecord::FirstFault> TimeTravel::faults(std::uint32_t branch, std::int64_t until) const {
-    std::vector<BranchRecord::FirstFault> faults;
-    for (;;) {
-        for (const BranchRecord::FirstFault& fault : records_[branch].faults())
-            if (fault.tick <= until) faults.push_back(fault);
-        const std::uint32_t parent = branches()[branch].parent;
-        if (parent == branch || records_[branch].setupPointer() != records_[parent].setupPointer()) return faults;
-        until = std::min(until, branches()[branch].tick);
-        branch = parent;
+bool TimeTravel::superseded(std::uint32_t branch) const {
+    if (!origins_[branch].replacement || branches_.hasBegun(branch) || branch == branch_ || beside() == branch)
+        return false;
+    for (std::uint32_t other = 1; other < branches_.size(); ++other)
+        if (branches_[other].parent == branch) return false;
+    return true;
+}
+
+/// "red 1 moved (2)" where there is one of that name.
+std::string TimeTravel::freeName(const std::string& name) const {
+    const auto taken = [&](const std::string& some) {
+        for (std::uint32_t branch = 0; branch < branches_.size(); ++branch)
+            if (branches_[branch].name == some && !hidden(branch)) return true;
+        return false;
+    };
+    std::string free = name;
+    for (int number = 2; taken(free); ++number) free = name + " (" + std::to_string(number) + ')';
+    return free;
+}
+
+bool TimeTravel::hidden(std::uint32_t branch) const {
+    for (std::uint32_t at = branch;; at = branches_[at].parent) {
+        if (origins_[at].removed) return true;
+        if (branches_[at].parent == at) return superseded(branch);
     }
+}
+
+bool TimeTravel::remove(std::uint32_t branch) {
+    if (branch == 0 || branch >= branches_.size() || hidden(branch)) return false;
+    if (branches_.isFrom(branch_, branch) && !show(branches_[branch].parent, tick())) return false;
+    origins_[branch].removed = true;
+    std::erase_if(undone_, [&](std::uint32_t other) { return hidden(other); });
+    if (beside_ && hidden(beside_->branch)) beside_.reset();
+    return true;
+}
+
+std::size_t TimeTravel::removeOthers() {
+    std::size_t count = 0;
+    for (std::uint32_t branch = 1; branch < branches_.size(); ++branch)
+        if (!branches_.isFrom(branch_, branch) && remove(branch)) ++count;
+    return count;
+}
+
+std::size_t TimeTravel::restore() {
+    std::size_t count = 0;
+    for (Origin& origin : origins_) count += std::exchange(origin.removed, false) ? 1 : 0;
+    return count;
+}
+
+bool TimeTravel::undone(std::uint32_t branch) const {
+    return std::find(undone_.begin(), undone_.end(), branch) != undone_.end();
+}
+
+const TimeTravel::Origin* TimeTravel::lastUndone() const {
+    return undone_.empty() ? nullptr : &origins_[undone_.back()];
+}
+
+/// Beside what remains of edits made at one tick is what all of them departed from; beside that, all of them.
+bool TimeTravel::undo() {
+    const std::uint32_t from = branch();
+    const Origin& origin = origins_[from];
+    if (from == 0 || !show(origin.from, origin.stood)) return false;
+    undone_.push_back(from);
+    std::uint32_t all = from;
+    while (origins_[all].replacement) all = *origins_[all].replacement;
+    setBeside(origin.replaced ? branches_[branch()].parent : all);
+    return true;
+}
+
+bool TimeTravel::redo() {
+    if (undone_.empty()) return false;
+    const std::uint32_t to = undone_.back();
+    if (!show(to, origins_[to].arrived)) return false;
+    undone_.pop_back();
+    if (origins_[to].replaced) setBeside(branches_[to].parent);
+    return true;
 }
 
 }  // namespace mrose

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "io/format.h"
 #include "io/nearest_word.h"
@@ -27,6 +26,37 @@ std::optional<double> numberOf(const Value& value) {
     const std::int64_t* const integer = value.asInteger();
     if (!integer || *integer > most || *integer < -most) return {};
     return static_cast<double>(*integer);
+}
+
+/// The value at a place of a file, with those of `putIn`, which has their places, instead of what it holds there.
+Value withPutIn(const Value& value, const std::string& place, const std::map<std::string, Value>& putIn) {
+    const auto next = putIn.lower_bound(place);
+    if (next == putIn.end() || !next->first.starts_with(place)) return value;
+    if (next->first == place) return next->second;
+    Value changed;
+    if (const Value::Table* const table = value.asTable()) {
+        Value::Table copy;
+        for (const auto& [key, element] : *table)
+            copy.emplace(key, withPutIn(element, place + (place.empty() ? "" : ".") + key, putIn));
+        changed = std::move(copy);
+    } else if (const Value::Array* const array = value.asArray()) {
+        Value::Array copy;
+        for (std::size_t i = 0; i < array->size(); ++i)
+            copy.push_back(withPutIn((*array)[i], place + '[' + std::to_string(i + 1) + ']', putIn));
+        changed = std::move(copy);
+    } else {
+        return value;
+    }
+    changed.line = value.line;
+    changed.column = value.column;
+    return changed;
+}
+
+/// Each once, in the order of the alphabet.
+std::string listed(const std::vector<std::string>& keys) {
+    std::string all;
+    for (const std::string& key : std::set(keys.begin(), keys.end())) all += (all.empty() ? "" : ", ") + key;
+    return all;
 }
 
 }  // namespace
@@ -60,7 +90,7 @@ bool TomlTable::has(std::string_view key) {
 }
 
 const Value* TomlTable::find(std::string_view key) {
-    asked_.emplace_back(key);
+    asked_.emplace(key);
     known_.emplace_back(key);
     const Value* node = table_->find(key);
     if (node || failed()) return node;
@@ -72,7 +102,7 @@ const Value* TomlTable::find(std::string_view key) {
 
 bool TomlTable::rejectMisspelt(std::string_view key) {
     for (const auto& [other, value] : *table_->asTable()) {
-        if (isAsked(other) || 4 * wordDistance(other, key) > key.size()) continue;
+        if (asked_.contains(other) || 4 * wordDistance(other, key) > key.size()) continue;
         rejectAt(&value, other, "is not a known key; did you mean " + std::string(key) + '?');
         return true;
     }
@@ -83,10 +113,6 @@ void TomlTable::expectOneOf(std::string_view one, std::string_view other, const 
     const bool hasOne = has(one), hasOther = has(other);
     if (hasOne != hasOther || (!hasOne && (rejectMisspelt(one) || rejectMisspelt(other)))) return;
     reject(hasOne ? one : other, "expected either " + expected);
-}
-
-bool TomlTable::isAsked(std::string_view key) const {
-    return std::find(asked_.begin(), asked_.end(), key) != asked_.end();
 }
 
 void TomlTable::reject(std::string_view key, std::string cause) { rejectAt(table_->find(key), key, std::move(cause)); }
@@ -288,30 +314,7 @@ void TomlTable::resolve(std::string_view key, Value value) {
     state_->resolved.insert_or_assign(place_ + std::string(key), std::move(value));
 }
 
-Value TomlTable::resolved() const { return resolved(state_->root, ""); }
-
-Value TomlTable::resolved(const Value& value, const std::string& place) const {
-    const auto next = state_->resolved.lower_bound(place);
-    if (next == state_->resolved.end() || !next->first.starts_with(place)) return value;
-    if (next->first == place) return next->second;
-    Value changed;
-    if (const Value::Table* const table = value.asTable()) {
-        Value::Table copy;
-        for (const auto& [key, element] : *table)
-            copy.emplace(key, resolved(element, place + (place.empty() ? "" : ".") + key));
-        changed = std::move(copy);
-    } else if (const Value::Array* const array = value.asArray()) {
-        Value::Array copy;
-        for (std::size_t i = 0; i < array->size(); ++i)
-            copy.push_back(resolved((*array)[i], place + '[' + std::to_string(i + 1) + ']'));
-        changed = std::move(copy);
-    } else {
-        return value;
-    }
-    changed.line = value.line;
-    changed.column = value.column;
-    return changed;
-}
+Value TomlTable::resolved() const { return withPutIn(state_->root, "", state_->resolved); }
 
 std::string TomlTable::text() const { return tomlText(*table_); }
 
@@ -322,17 +325,10 @@ std::string TomlTable::meantFor(std::string_view key) const {
     return std::string(nearestWord(key, candidates));
 }
 
-std::string TomlTable::knownKeys() const {
-    const std::set<std::string> known(known_.begin(), known_.end());
-    std::string all;
-    for (const std::string& key : known) all += (all.empty() ? "" : ", ") + key;
-    return all;
-}
-
 void TomlTable::rejectUnknown() {
     if (failed() && state_->lacking != table_) return;
     for (const auto& [key, node] : *table_->asTable()) {
-        if (isAsked(key)) continue;
+        if (asked_.contains(key)) continue;
         const std::string meant = meantFor(key);
         // After an error not all keys need to have been asked for.
         if (failed() && meant.empty()) continue;
@@ -342,7 +338,7 @@ void TomlTable::rejectUnknown() {
         if (!meant.empty())
             cause += "; did you mean " + meant + '?';
         else if (!known_.empty())
-            cause += "; expected one of " + knownKeys();
+            cause += "; expected one of " + listed(known_);
         return rejectAt(&node, key, std::move(cause));
     }
 }

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -97,21 +98,19 @@ private:
     bool rejectMisspelt(std::string_view key);
     const Value* find(std::string_view key);
     void rejectAt(const Value* node, std::string_view key, std::string cause);
-    Value resolved(const Value& value, const std::string& place) const;
-    bool isAsked(std::string_view key) const;
     /// The key that a misspelt one is meant for; "" where none is near.
     std::string meantFor(std::string_view key) const;
-    std::string knownKeys() const;
     /// A finite number in `range`; nothing, after remembering the error, for anything else.
     std::optional<double> numberIn(const Value& node, std::string_view key, NumberRange range);
     void appendRow(const Value* node, std::string_view key, std::size_t count, NumberRange range,
                    std::vector<double>& out);
 
     std::shared_ptr<State> state_;
-    const Value* table_;                      ///< a table
-    std::string path_;                        ///< as messages name it, with a dot at its end
-    std::string place_;                       ///< the same with the numbers of elements
-    std::vector<std::string> asked_, known_;  ///< keys read; those and the ones looked for
+    const Value* table_;                        ///< a table
+    std::string path_;                          ///< as messages name it, with a dot at its end
+    std::string place_;                         ///< the same with the numbers of elements
+    std::set<std::string, std::less<>> asked_;  ///< keys read
+    std::vector<std::string> known_;            ///< those and the ones looked for
 };
 
 }  // namespace mrose

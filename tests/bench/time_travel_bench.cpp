@@ -37,7 +37,7 @@ int bench(double minutes) {
     std::printf("%.0f min played in %.1f s: %.0f x real time, %.1f us a tick\n", minutes, took, minutes * 60 / took,
                 1e6 * took / static_cast<double>(ticks));
     std::printf("memory: %.0f MB more than before, of which timelines %.0f MB\n", residentMegabytes() - before,
-                static_cast<double>(travel.memory()) / (1 << 20));
+                static_cast<double>(travel.branches().memory()) / (1 << 20));
 
     std::mt19937 random(1);
     std::vector<double> seeks, back, frames;

@@ -101,7 +101,7 @@ TEST_F(BranchListTest, DeletedOnesGoWithAllThatDepartedFromThem) {
     EXPECT_EQ(debugger.run().tick(), 55) << "nothing of it was lost";
     debugger.removeOtherBranches();
     EXPECT_THAT(listed(), ElementsAre("", moved(1), moved(2)));
-    EXPECT_FALSE(debugger.run().canRedo());
+    EXPECT_FALSE(debugger.run().lastUndone());
 }
 
 TEST_F(BranchListTest, DeletedOnesAreNotSaved) {

@@ -202,7 +202,7 @@ TEST(BreakSearch, PredicatesAreLookedForLikeConditions) {
     TimeTravel run(fieldRun(2));
     runTo(run, 1200);
     BlockJudge judge;
-    Question between{"divergence", [](const TimeTravel&, std::uint32_t branch, std::int64_t tick) {
+    Question between{"divergence", [](const BranchTree&, std::uint32_t branch, std::int64_t tick) {
                          return branch == 0 && tick >= 300 && tick < 400;
                      }};
     BreakSearch search(run, judge);
@@ -294,10 +294,10 @@ TEST(Breakpoints, EventsAreThoseOfTheTimeline) {
         runTo(run, 1500);
         const Scene& scene = run.setup().scene();
         std::uint32_t one = 0;
-        for (const TimelineMark& mark : run.marks())
+        for (const TimelineMark& mark : run.branches().marks(run.branch()))
             if (mark.kind == TimelineMark::Kind::contact) one = mark.body;
         std::set<std::int64_t> expected;
-        for (const TimelineMark& mark : run.marks())
+        for (const TimelineMark& mark : run.branches().marks(run.branch()))
             if (mark.kind == TimelineMark::Kind::contact && (anyBody || mark.body == one || mark.other == one))
                 expected.insert(mark.tick);
         ASSERT_GT(expected.size(), 1u);
@@ -320,7 +320,7 @@ TEST(Breakpoints, AllThatAreMetAtATickStopTogether) {
     TimeTravel run(fieldRun(5, 12));
     runTo(run, 1500);
     std::int64_t contact = 0;
-    for (const TimelineMark& mark : run.marks())
+    for (const TimelineMark& mark : run.branches().marks(run.branch()))
         if (mark.kind == TimelineMark::Kind::contact && mark.tick > 9 && contact == 0) contact = mark.tick;
     ASSERT_GT(contact, 9);
     const std::string tick = "tick == " + std::to_string(contact);

@@ -80,7 +80,7 @@ TEST_F(DebuggerTest, BreakpointsStopPlayingAndOnlyThoseWaysThatMayBreak) {
     debugger.goTo(100, false);
     EXPECT_EQ(tick(), 100);
     EXPECT_FALSE(debugger.atBreak());
-    debugger.open({.setup = debugger.run().record(0).setupPointer(), .start = start});
+    debugger.open({.setup = debugger.run().branches().record(0).setupPointer(), .start = start});
     stopOn("tick == 60");
     debugger.goTo(100, true);
     EXPECT_EQ(tick(), 60);
@@ -155,7 +155,7 @@ TEST_F(DebuggerTest, EditsBeginBranchesWhichAreTakenBack) {
 
 TEST_F(DebuggerTest, SeedsAndNoiseAreEditsToo) {
     debugger.goTo(40, false);
-    ASSERT_TRUE(debugger.branchOff(restartWithSeed(debugger.run().record(0).setupPointer(), 8)));
+    ASSERT_TRUE(debugger.branchOff(restartWithSeed(debugger.run().branches().record(0).setupPointer(), 8)));
     EXPECT_TRUE(isAt(scenario->initialState(8)));
     debugger.show(0, 40);
     ASSERT_TRUE(debugger.branchOff(changeNoise()));

@@ -39,7 +39,7 @@ TEST_F(ValueSeriesTest, AreThoseOfSteppingInEveryBranch) {
     series.want({x, speed});
     series.follow(1, nullptr, {{1, 200, 250}, {0, 0, 200}});
     EXPECT_EQ(series.behind(), 51 + 201);
-    computeAll(series, debugger.run());
+    computeAll(series, debugger.run().branches());
     EXPECT_EQ(series.behind(), 0);
     WorldState state = scenario->initialState(7);
     StepBuffers buffers;
@@ -61,7 +61,7 @@ TEST_F(ValueSeriesTest, AreThoseOfSteppingInEveryBranch) {
 TEST_F(ValueSeriesTest, OnlyWhatIsMissingIsComputedAndCancelledTicksStayUnknown) {
     series.want({x});
     series.follow(1, nullptr, {{0, 0, 100}});
-    computeAll(series, debugger.run());
+    computeAll(series, debugger.run().branches());
     series.want({x, speed});
     const auto task = series.nextTask();
     ASSERT_TRUE(task);
@@ -69,7 +69,7 @@ TEST_F(ValueSeriesTest, OnlyWhatIsMissingIsComputedAndCancelledTicksStayUnknown)
     series.cancel();
     EXPECT_EQ(series.behind(), 0);
     series.follow(1, nullptr, {{0, 0, 120}});
-    computeAll(series, debugger.run());
+    computeAll(series, debugger.run().branches());
     EXPECT_TRUE(std::isnan(series.find(0, speed)->at(100)));
     EXPECT_TRUE(std::isfinite(series.find(0, speed)->at(101)));
     EXPECT_TRUE(std::isfinite(series.find(0, x)->at(100)));
@@ -82,7 +82,7 @@ TEST_F(ValueSeriesTest, OnlyWhatIsMissingIsComputedAndCancelledTicksStayUnknown)
 TEST_F(ValueSeriesTest, BranchesThatAreNotThereGiveNothing) {
     series.want({x});
     series.follow(1, nullptr, {{7, 0, 10}});
-    computeAll(series, debugger.run());
+    computeAll(series, debugger.run().branches());
     EXPECT_EQ(series.behind(), 0);
     EXPECT_TRUE(std::isnan(series.find(7, x)->at(5)));
 }

@@ -33,5 +33,5 @@ int main(int count, char** words) {
     const std::uint32_t body = bodyNamed(scene, rollouts.world().robots()[row->robot].name);
     debugger.branchOff(changeDecision(frameOf(debugger.run()), body, {.command = {0, 0}, .periods = 5}));
     debugger.goTo(debugger.run().tick() + 100, false);
-    std::printf("%s\n", debugger.run().branches().back().name.c_str());
+    std::printf("%s\n", debugger.run().branches()[debugger.run().branch()].name.c_str());
 }

@@ -204,8 +204,8 @@ TEST(BranchTravel, ContactsThatGoOnAreNotCountedAgain) {
     std::int64_t touching = 0;
     while (touching == 0 && run.tick() < 3000) {
         ASSERT_TRUE(run.forward());
-        if (run.tick() > 5 && !run.trace()->contacts.empty() &&
-            contacts(run.record(0), run.tick() - 1, run.tick()) == 0)
+        if (run.tick() > 5 && !run.cursor().trace()->contacts.empty() &&
+            contacts(run.branches().record(0), run.tick() - 1, run.tick()) == 0)
             touching = run.tick();
     }
     ASSERT_GT(touching, 0);
@@ -214,17 +214,18 @@ TEST(BranchTravel, ContactsThatGoOnAreNotCountedAgain) {
     ASSERT_TRUE(run.seek(root));
     ASSERT_TRUE(run.branchOff({"the same", {}, [](const Scenario&, WorldState&) {}}));
     while (run.tick() < root + 40) ASSERT_TRUE(run.forward());
-    EXPECT_EQ(contacts(run.record(1), root, root + 40), contacts(run.record(0), root, root + 40));
+    EXPECT_EQ(contacts(run.branches().record(1), root, root + 40), contacts(run.branches().record(0), root, root + 40));
     // Opened from a file it is the same.
     OpenRun file = *opened;
-    for (const Branch& branch : run.branches()) {
+    for (std::uint32_t i = 0; i < run.branches().size(); ++i) {
+        const Branch& branch = run.branches()[i];
         auto start = Playback(*opened->setup->scenario).reach(branch.timeline, branch.timeline.first());
         file.branches.push_back({branch, opened->setup, start->state});
     }
     TimeTravel again(file);
-    while (*again.learn(1000)) {
+    while (*again.branches().learn(1000)) {
     }
-    EXPECT_EQ(again.record(1).marks(), run.record(1).marks());
+    EXPECT_EQ(again.branches().record(1).marks(), run.branches().record(1).marks());
 }
 
 TEST_F(BranchEditTest, BranchThatBeginsNearTheEndPlaysOn) {

@@ -311,11 +311,11 @@ TEST_F(BranchTest, TracksOfAllBranchesShareTheirRoom) {
             for (int i = 0; i < 400; ++i) ASSERT_TRUE(run->forward());
             ASSERT_TRUE(run->seek(run->tick() - 100));
         }
-        EXPECT_LE(limited.trackBytes(), most);
+        EXPECT_LE(limited.branches().trackBytes(), most);
     }
-    EXPECT_GT(whole.trackBytes(), most);
+    EXPECT_GT(whole.branches().trackBytes(), most);
     // What is kept is the newest, and as it was.
-    const PoseTrack &all = whole.record(3).track(), &kept = limited.record(3).track();
+    const PoseTrack &all = whole.branches().record(3).track(), &kept = limited.branches().record(3).track();
     EXPECT_GT(kept.first(), all.first());
     EXPECT_EQ(kept.last(), all.last());
     EXPECT_EQ(kept.posesAt(kept.first()), all.posesAt(kept.first()));

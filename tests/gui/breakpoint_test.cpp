@@ -385,8 +385,8 @@ TEST_F(BreakpointTest, DivergenceIsOfferedOnceThereIsALog) {
     EXPECT_FALSE(window.actions().perform("break_on_divergence", {}));
     window.session().setBreakpoints({});
     window.session().changeBreakpoints([](Breakpoints& all) {
-        all.setDivergence({[](const TimeTravel&, std::uint32_t, std::int64_t tick) { return tick >= 77; },
-                           [](const TimeTravel&, std::uint32_t, std::int64_t) { return "it leaves"; }});
+        all.setDivergence({[](const BranchTree&, std::uint32_t, std::int64_t tick) { return tick >= 77; },
+                           [](const BranchTree&, std::uint32_t, std::int64_t) { return "it leaves"; }});
     });
     settle();
     ASSERT_TRUE(action.isEnabled());

@@ -48,7 +48,7 @@ TEST_F(RoomTest, NamesOfAnyLengthLeaveTheWindowItsWidth) {
     move(2);
     for (const QString& name : {QString("word ").repeated(40), QString(200, 'w')}) {
         window.session().ask([branch = window.shown()->branch, name = name.toStdString()](Debugger& debugger) {
-            debugger.run().rename(branch, name);
+            debugger.run().branches().rename(branch, name);
         });
         settle();
         key(Qt::Key_S);

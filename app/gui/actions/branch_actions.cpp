@@ -126,19 +126,19 @@ void addBranchViews(const Frame& frame, SideView& view, const BranchPanel& branc
     actions.add(menu,
                 {"rename_branch", QObject::tr("Ren&ame\u2026"), QKeySequence("F2"),
                  QObject::tr("Another name for the branch that is shown")},
-                Actions::Asking{[&] {
-                                    return frame.askText(
-                                        QObject::tr("Rename"), QObject::tr("Name of the branch:"),
-                                        frame.shown() ? qtText(frame.shown()->branches[frame.shown()->branch].name)
-                                                      : QString());
-                                },
-                                [&](const QString& text) -> Expected<void> {
-                                    if (text.trimmed().isEmpty()) return fail("", "a branch's name must not be empty");
-                                    if (!frame.shown()) return {};
-                                    session.ask([branch = frame.shown()->branch, name = text.trimmed().toStdString()](
-                                                    Debugger& debugger) { debugger.run().rename(branch, name); });
-                                    return {};
-                                }});
+                Actions::Asking{
+                    [&] {
+                        return frame.askText(
+                            QObject::tr("Rename"), QObject::tr("Name of the branch:"),
+                            frame.shown() ? qtText(frame.shown()->branches[frame.shown()->branch].name) : QString());
+                    },
+                    [&](const QString& text) -> Expected<void> {
+                        if (text.trimmed().isEmpty()) return fail("", "a branch's name must not be empty");
+                        if (!frame.shown()) return {};
+                        session.ask([branch = frame.shown()->branch, name = text.trimmed().toStdString()](
+                                        Debugger& debugger) { debugger.run().branches().rename(branch, name); });
+                        return {};
+                    }});
     const auto remove = [&session](std::uint32_t branch) {
         session.ask([=](Debugger& debugger) { debugger.removeBranch(branch); });
     };

@@ -190,7 +190,7 @@ public:
     }
 
     void read(const TimeTravel& travel, const Cursor& at) {
-        const Scenario& scenario = *travel.record(at.branch()).setup().scenario;
+        const Scenario& scenario = *travel.branches().record(at.branch()).setup().scenario;
         if (scenario_ != &scenario) {
             scenario_ = &scenario;
             values_.clear();

@@ -40,7 +40,7 @@ std::optional<Expected<Answer>> answerOf(Errand<Answer>& errand, const LineageWa
 /// Simulates what is missing, and shows again what was shown.
 Expected<bool> extend(TimeTravel& run, std::uint32_t branch, std::int64_t tick,
                       const std::function<bool(double)>& progress) {
-    const std::int64_t known = run.lastOf(branch);
+    const std::int64_t known = run.branches().last(branch);
     if (tick <= known) return true;
     const std::uint32_t shown = run.branch();
     const std::int64_t at = run.tick();
@@ -60,7 +60,7 @@ Expected<bool> extend(TimeTravel& run, std::uint32_t branch, std::int64_t tick,
 
 Expected<bool> learnAll(TimeTravel& run, const std::function<bool(double)>& progress) {
     for (;;) {
-        const auto more = run.learn(learnedAtOnce);
+        const auto more = run.branches().learn(learnedAtOnce);
         if (!more) return tl::unexpected(more.error());
         if (!*more) return true;
         if (!progress(0)) return false;
@@ -88,7 +88,7 @@ Expected<std::optional<LineageWalk::Known>> LineageWalk::known(const GoesOn& goe
         if (travel == nullptr || run != wanted)
             errand->promise.set_value(otherRun());
         else
-            errand->promise.set_value(Known{travel->firstOf(branch), travel->lastOf(branch)});
+            errand->promise.set_value(Known{travel->branches().first(branch), travel->branches().last(branch)});
     });
     const auto known = answerOf(*errand, goesOn);
     if (!known) return std::optional<Known>{};
@@ -105,7 +105,7 @@ Expected<std::size_t> LineageWalk::goAlong(TimeTravel& travel, std::span<const s
         const std::int64_t next = ticks[visited];
         const bool near = cursor_ && next >= cursor_->tick() && next - cursor_->tick() <= longestWay;
         if (!near) {
-            auto there = travel.lineageAt(branch_, next);
+            auto there = travel.branches().lineageAt(branch_, next);
             if (!there) return tl::unexpected(there.error());
             cursor_ = std::move(*there);
             if (cursor_->tick() != next) return fail("", "tick " + std::to_string(next) + " is not known any more");
@@ -113,7 +113,7 @@ Expected<std::size_t> LineageWalk::goAlong(TimeTravel& travel, std::span<const s
         if (cursor_->tick() == next) {
             visit(travel, *cursor_);
             ++visited;
-        } else if (auto done = travel.advance(*cursor_, branch_); !done) {
+        } else if (auto done = travel.branches().advance(*cursor_, branch_); !done) {
             return tl::unexpected(done.error());
         }
     }

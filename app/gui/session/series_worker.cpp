@@ -13,7 +13,8 @@ std::optional<SeriesWalk::Stretch> ask(Session& session, const SeriesWalk::Wish&
                                        const std::function<bool()>& goesOn) {
     auto promise = std::make_shared<std::promise<std::optional<SeriesWalk::Stretch>>>();
     session.look([promise, wish](TimeTravel* travel, std::uint64_t run) {
-        promise->set_value(travel != nullptr && run == wish.run ? SeriesWalk::stretchOf(*travel, wish) : std::nullopt);
+        promise->set_value(travel != nullptr && run == wish.run ? SeriesWalk::stretchOf(travel->branches(), wish)
+                                                                : std::nullopt);
     });
     // Long work of the session may keep it from answering.
     return awaited(promise->get_future(), goesOn).value_or(std::nullopt);

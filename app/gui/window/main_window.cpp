@@ -153,7 +153,9 @@ void MainWindow::connectAll() {
         field().setFocus();
     });
     connect(branches_, &BranchPanel::renamed, session_, [this](std::uint32_t branch, const QString& name) {
-        session_->ask([branch, name = name.toStdString()](Debugger& debugger) { debugger.run().rename(branch, name); });
+        session_->ask([branch, name = name.toStdString()](Debugger& debugger) {
+            debugger.run().branches().rename(branch, name);
+        });
     });
     connect(branches_, &BranchPanel::besideRequested, session_, [this](std::uint32_t branch) {
         session_->ask([=](Debugger& debugger) { debugger.run().setBeside(branch); });
