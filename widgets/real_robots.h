@@ -30,7 +30,8 @@ std::optional<RealRobot> realRobotOf(const FieldFrame& frame, std::size_t body);
 /// The body that stands for a real robot; nullopt: it is not in the world.
 std::optional<std::size_t> bodyOf(const FieldFrame& frame, const Reality::Robot& robot);
 
-/// The colour of a real robot, by RealRobot::place; grey without.
+/// The colour of a real robot, by RealRobot::place: of the simulated one's hue, nearer to that of writing; grey
+/// without.
 QColor realColour(std::optional<std::size_t> place, const Theme& theme);
 
 /// "12 cm, 4.1 deg", with the sign of a degree.

@@ -124,20 +124,25 @@ CausePanel::CausePanel(Overlay& overlay, QWidget* parent)
     goThere_->setText(tr("Go there"));
     goThere_->setToolTip(tr("To the instant at which it leaves the real trajectory (D)"));
     connect(goThere_, &QToolButton::clicked, this, [this] { overlay_.shown().goToDivergence(); });
-    // What is not there leaves its room free: nothing moves from rollout to rollout.
     for (QWidget* part : {static_cast<QWidget*>(goThere_), static_cast<QWidget*>(causes_)}) {
         QSizePolicy policy = part->sizePolicy();
         policy.setRetainSizeWhenHidden(true);
         part->setSizePolicy(policy);
     }
+    why_ = new QWidget;
+    auto* why = new QVBoxLayout(why_);
+    why->setContentsMargins(0, 0, 0, 0);
+    why->setSpacing(layout->spacing());
+    why->addWidget(onset_);
+    why->addWidget(cause_);
+    why->addWidget(causes_);
+    why_->hide();
     where->addWidget(divergence_, 1);
     where->addWidget(goThere_, 0, Qt::AlignTop);
     where->addWidget(speeds_, 0, Qt::AlignTop);
     layout->addLayout(where);
-    layout->addWidget(onset_);
-    layout->addWidget(cause_);
     makeCauses();
-    layout->addWidget(causes_);
+    layout->addWidget(why_);
     layout->addWidget(makeBound());
 }
 
@@ -227,6 +232,9 @@ void CausePanel::refresh() {
             .arg(robot, start, offText(*row)));
     const auto& divergence = row->divergence;
     goThere_->setVisible(divergence.has_value());
+    // From the first that leaves on, nothing moves from rollout to rollout; before, the list has the room.
+    if (divergence) whyOf_ = overlay_.rollouts().log();
+    why_->setVisible(whyOf_.lock() == overlay_.rollouts().log());
     if (!divergence)
         divergence_->setText(row->position ? tr("It stays within the bound.") : QString());
     else
