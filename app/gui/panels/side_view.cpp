@@ -4,7 +4,7 @@
 
 #include "widgets/eliding_label.h"
 #include "widgets/qt_text.h"
-#include "widgets/timeline_bar.h"
+#include "widgets/fixed_text.h"
 
 namespace mrose::gui {
 namespace {

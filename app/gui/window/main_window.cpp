@@ -33,6 +33,7 @@
 #include "reality/run_timeline.h"
 #include "session/background_work.h"
 #include "widgets/field_view.h"
+#include "widgets/fixed_text.h"
 #include "widgets/inspector.h"
 #include "widgets/message_bar.h"
 #include "widgets/qt_text.h"
