@@ -137,7 +137,7 @@ void MainWindow::connectAll() {
     connect(session_, &Session::opening, this, [this](const OpenRun& run) {
         setWindowTitle(qtText(run.name) + " \u2013 mrose");
         field().setSelected(std::nullopt);
-        field().fit();
+        field().viewport().fit();
     });
     connect(&field(), &FieldView::bodySelected, inspector_, &Inspector::setBody);
     connect(&field(), &FieldView::bodySelected, status_, &StatusLine::done);
