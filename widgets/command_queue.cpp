@@ -9,7 +9,6 @@
 #include <cmath>
 
 #include "widgets/fixed_text.h"
-#include "widgets/timeline_bar.h"
 
 namespace mrose {
 namespace {

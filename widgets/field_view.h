@@ -1,13 +1,14 @@
 #pragma once
 
-#include <QMarginsF>
 #include <QPixmap>
 #include <QWidget>
 #include <memory>
 #include <optional>
 
 #include "debug/field_frame.h"
+#include "widgets/field_drag.h"
 #include "widgets/field_picture.h"
+#include "widgets/field_viewport.h"
 
 namespace mrose {
 
@@ -32,34 +33,17 @@ public:
     /// Whether bodies can be dragged: while the run stands.
     void setEditable(bool editable);
     void setSelected(std::optional<std::size_t> body);
-    /// The view goes along with the selected body.
-    void setFollowing(bool following);
-
     /// Shows the same part of the field as another view.
     void setView(const ViewTransform& view);
 
     /// A button of the mouse is down that was pressed there.
-    bool held() const { return drag_ != Drag::none; }
+    bool held() const { return drag_.kind != FieldDrag::Kind::none; }
 
     const FieldLayers& layers() const { return layers_; }
-    const ViewTransform& transform() const { return view_; }
+    /// What is seen; changed there, it is drawn so.
+    FieldViewport& viewport() { return viewport_; }
+    const ViewTransform& transform() const { return viewport_.transform(); }
     std::optional<std::size_t> selected() const { return focus_.selected; }
-    /// The uppermost body there, within a few pixels.
-    std::optional<std::size_t> bodyAt(const QPointF& pixels) const;
-
-    /// All of the place; empty where nothing is shown.
-    Area wholeArea() const;
-    void fit();
-    /// A part of it instead, until the user looks elsewhere.
-    void fit(const Area& area);
-    bool showsPart() const { return fitted_ && part_; }  ///< of fit(area), still
-    bool showsAll() const { return fitted_ && !part_; }  ///< as fit() left it
-    /// Where all of the place lies in the view when it is fitted, pixels.
-    QRectF fittedPlace() const;
-    /// Of all of the place when it is fitted into a view of that size, pixels per metre; 0: nothing is shown.
-    double fittedScale(const QSizeF& size) const;
-    /// What lies over a corner: labels, the legend and what is fitted stay clear of it, but no smaller. Empty: nothing.
-    void setCovered(const QRectF& covered);
     /// Shows some bodies, near enough to see what they do, and all others quietly, until another one is selected, all
     /// of the place is shown or the run goes on.
     void lightUp(const std::vector<std::size_t>& bodies);
@@ -67,8 +51,6 @@ public:
     void setElsewhere(std::vector<std::optional<Point>> elsewhere);
     /// Labels stand where those of another view do, where they can.
     void followLabels(const LabelPlacer& labels);
-    void zoom(double factor);  ///< about the middle
-    void panBy(const QPointF& pixels);
     /// Moves the selected body by metres and radians, if that is allowed. While the Alt key is held the moves add up,
     /// and are asked for when it is released.
     void nudge(const Pose& by);
@@ -100,38 +82,24 @@ protected:
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
-    void leaveEvent(QEvent* event) override;
     bool event(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    enum class Drag { none, pressed, pan, move, turn, measure };
-    void drag(const QPointF& at, bool round);
-    void beginDrag();
-    Pose draggedPose(const QPointF& at, bool round) const;
-    bool onKnob(const QPointF& at) const;
-    QMarginsF fitMargins() const;
-    void fitAgain();
-    void cancelDrag();
-    void finishNudge();
-    void drawPlace(double ratio);
-    void followSelected();
+    /// Of the mouse or of nudges; `keep`: it is asked to put the selected body where they brought it.
+    void endDrag(bool keep);
 
     std::shared_ptr<const FieldFrame> frame_;
     Theme theme_ = Theme::light();
     FieldLayers layers_;
-    ViewTransform view_;
+    FieldViewport viewport_;
     FieldFocus focus_;
     mutable LabelPlacer labels_;  ///< where they stood in the last picture
     LabelPlacer reportedLabels_;
     std::optional<LabelPlacer> likeLabels_;  ///< those of another view
-    bool editable_ = false, following_ = false, fitted_ = true, nudging_ = false, pressedOnBody_ = false,
-         pressedOnKnob_ = false;
-    std::optional<Area> part_;  ///< that is fitted; nullopt: all of the place
     QString emptyText_;
-    Drag drag_ = Drag::none;
-    Qt::MouseButton button_ = Qt::NoButton;
-    QPointF pressedAt_, draggedTo_;
+    FieldDrag drag_;
+    bool nudging_ = false;
 
     QPixmap place_;  ///< what does not change from tick to tick, for placeView_
     ViewTransform placeView_, reportedView_;

@@ -9,7 +9,6 @@
 #include "widgets/fixed_text.h"
 #include "widgets/inspector_rows.h"
 #include "widgets/qt_text.h"
-#include "widgets/timeline_bar.h"
 
 namespace mrose {
 namespace {

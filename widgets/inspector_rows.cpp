@@ -7,7 +7,6 @@
 #include "widgets/fixed_text.h"
 #include "widgets/qt_text.h"
 #include "widgets/real_robots.h"
-#include "widgets/timeline_bar.h"
 
 namespace mrose {
 namespace {

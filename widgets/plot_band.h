@@ -1,26 +1,71 @@
 #pragma once
 
+#include <QString>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
 #include <qcustomplot.h>
 
-#include "widgets/plot_view.h"
+#include "widgets/plot_axis.h"
+#include "widgets/plot_curve.h"
+#include "widgets/theme.h"
 
 namespace mrose {
 
-constexpr int leftMargin = 46, rightMargin = 12;  ///< pixels beside a plot's axes
+/// The curves of one unit in a plot, over the time that bands above and below share: their axis, its title, the levels
+/// that they are held against, and upright lines at instants. The plot owns what is drawn.
+class PlotBand {
+public:
+    static constexpr int leftMargin = 46, rightMargin = 12;  ///< pixels beside the axes
+    static constexpr int least = 62, timeRoom = 30;  ///< pixels: of one with its title, for the time below the last
 
-struct PlotView::Band {
-    QString unit;
-    QCPAxisRect* rect = nullptr;
-    QCPItemLine *now = nullptr, *mouse = nullptr, *instant = nullptr;
-    std::vector<std::pair<std::size_t, QCPGraph*>> levels;  ///< with the level's index
-    QCPItemRect* unknown = nullptr;                         ///< the ground where nothing has happened yet
-    std::vector<std::pair<std::size_t, QCPGraph*>> graphs;  ///< with the curve's index
-    std::vector<std::pair<std::size_t, QCPGraph*>> ahead;   ///< the same, of what has not happened yet
-    QCPItemText* title = nullptr;
-    QString called;  ///< all of its title
+    PlotBand(QCustomPlot& plot, const QString& unit, int row);
 
-    QCPAxis* time() const { return rect->axis(QCPAxis::atBottom); }
-    QCPAxis* value() const { return rect->axis(QCPAxis::atLeft); }
+    // They outlive the band.
+    void addCurve(const PlotCurve& curve);
+    void addLevel(const PlotLevel& level);
+    /// When all curves are there: with the time below it, or above another one.
+    void finish(const QFont& font, bool last);
+    void setTheme(const Theme& theme, const QFont& font);
+
+    const QString& unit() const { return unit_; }
+    const QString& title() const { return called_; }
+    std::pair<double, double> range() const;  ///< least and greatest number that is seen
+    bool has(const QString& curve) const;
+    QPointF placeOf(double second, double number) const;
+    /// How many points of the curves lie there, of which each has one in every fourth pixel.
+    int coveredBy(const QRect& place, const std::function<std::int64_t(double)>& tickAt,
+                  const PlotAxis::Time& time) const;
+
+    /// Takes from the curves what is seen of them, on one of so many bands.
+    void fill(const PlotAxis& axis, int bands);
+    void moveCursors(const PlotAxis& axis, std::optional<std::int64_t> instant);
+    void setMouse(std::optional<double> second);
+    void hideCursors();
+
+private:
+    QCPAxis* time() const { return rect_->axis(QCPAxis::atBottom); }
+    QCPAxis* value() const { return rect_->axis(QCPAxis::atLeft); }
+    struct Extent;
+    void fillCurves(const PlotAxis& axis, Extent& extent);
+    void fillAhead(const PlotAxis& axis, Extent& extent);
+    void fillLevels(const PlotAxis& axis, Extent& extent);
+    void fitRange(const Extent& extent);
+
+    QString unit_;
+    QString called_;  ///< all of its title
+    QColor known_;    ///< the ground where something has happened
+    QCustomPlot& plot_;
+    QCPAxisRect* rect_;
+    QCPItemLine *now_, *mouse_, *instant_;
+    QCPItemRect* unknown_;  ///< the ground where nothing has happened yet
+    QCPItemText* title_;
+    std::vector<std::pair<const PlotCurve*, QCPGraph*>> graphs_;
+    std::vector<std::pair<const PlotCurve*, QCPGraph*>> ahead_;  ///< of what has not happened yet
+    std::vector<std::pair<const PlotLevel*, QCPGraph*>> levels_;
 };
 
 }  // namespace mrose

@@ -26,6 +26,13 @@ QPen aheadPen(const PlotCurve& curve, const QColor& ground) {
     return pen;
 }
 
+double numberAt(const PlotCurve& curve, std::int64_t tick, std::int64_t last) {
+    if (tick <= last || curve.ahead.isEmpty()) return curve.at(tick);
+    const auto after = std::upper_bound(curve.ahead.begin(), curve.ahead.end(), static_cast<double>(tick),
+                                        [](double at, const QPointF& point) { return at < point.x(); });
+    return after == curve.ahead.begin() ? curve.at(tick) : std::prev(after)->y();
+}
+
 double levelAt(const PlotLevel& level, double tick) {
     const auto after = std::lower_bound(level.points.begin(), level.points.end(), tick,
                                         [](const QPointF& point, double at) { return point.x() < at; });

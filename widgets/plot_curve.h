@@ -28,6 +28,8 @@ struct PlotCurve {
     std::function<double(std::int64_t tick)> at;  ///< NaN: unknown
 };
 
+/// What has happened up to the `last` tick that is known, or else what is known ahead of it.
+double numberAt(const PlotCurve& curve, std::int64_t tick, std::int64_t last);
 /// What it is drawn with, also in a legend.
 QPen curvePen(const PlotCurve& curve);
 /// What is drawn of it ahead of time, on a ground of that colour: thinner, and as pale as can still be seen there. It

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "widgets/field_readout.h"
-#include "widgets/timeline_bar.h"
+#include "widgets/fixed_text.h"
 #include "widgets/tool_tip.h"
 
 namespace mrose {

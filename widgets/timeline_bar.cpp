@@ -12,8 +12,7 @@
 #include <cmath>
 #include <limits>
 
-#include "widgets/timeline_glyphs.h"
-#include "widgets/timeline_signs.h"
+#include "widgets/fixed_text.h"
 
 namespace mrose {
 namespace {
@@ -54,15 +53,6 @@ QString scaleText(double time, double end, int decimals) {
 
 }  // namespace
 
-QString clockText(Nanoseconds time) {
-    const double seconds = toSeconds(time);
-    if (seconds < 60) return QString::number(seconds, 'f', 2) + " s";
-    const auto minutes = static_cast<std::int64_t>(seconds / 60);
-    const QString rest = QString::number(seconds - 60 * static_cast<double>(minutes), 'f', 2).rightJustified(5, '0');
-    if (minutes < 60) return QString("%1:%2").arg(minutes).arg(rest);
-    return QString("%1:%2:%3").arg(minutes / 60).arg(minutes % 60, 2, 10, QChar('0')).arg(rest);
-}
-
 TimelineBar::TimelineBar(QWidget* parent) : QWidget(parent) {
     setAttribute(Qt::WA_OpaquePaintEvent);
     setAccessibleName(tr("Timeline"));
@@ -86,26 +76,6 @@ void TimelineBar::setContent(Content content) {
 void TimelineBar::setTheme(const Theme& theme) {
     theme_ = theme;
     update();
-}
-
-QColor TimelineBar::colourOf(TimelineMark::Kind kind, const Theme& theme) {
-    switch (kind) {
-        case TimelineMark::Kind::contact:
-            return theme.contact;
-        case TimelineMark::Kind::kick:
-            return theme.dark ? QColor(240, 228, 66) : QColor(176, 132, 0);
-        case TimelineMark::Kind::goal:
-            return theme.dark ? QColor(40, 210, 150) : QColor(0, 158, 115);
-        case TimelineMark::Kind::fault:
-            return theme.warning;
-        case TimelineMark::Kind::divergence:
-            return theme.dark ? QColor(90, 210, 220) : QColor(0, 120, 140);
-        case TimelineMark::Kind::hit:
-            return theme.dark ? QColor(200, 150, 255) : QColor(120, 50, 190);
-        case TimelineMark::Kind::stop:
-            break;
-    }
-    return theme.accent;
 }
 
 double TimelineBar::room() const { return std::max(1.0, width() - 2 * sideMargin); }
@@ -136,26 +106,6 @@ void TimelineBar::zoom(double factor, double pixel) {
 }
 
 void TimelineBar::pan(double pixels) { setOffset(offset_ + pixels); }
-
-std::optional<std::int64_t> TimelineBar::nextMark(bool contacts) const {
-    std::optional<std::int64_t> next;
-    for (const Content::Noted& noted : content_.noted)
-        if (noted.mark.tick > content_.now && noted.mark.tick <= content_.end && (!next || noted.mark.tick < *next))
-            next = noted.mark.tick;
-    for (const TimelineMark& mark : marksBetween(content_.now + 1, next.value_or(content_.end)))
-        if (contacts || mark.kind != TimelineMark::Kind::contact) return mark.tick;
-    return next;
-}
-
-std::optional<std::int64_t> TimelineBar::previousMark(bool contacts) const {
-    std::optional<std::int64_t> previous;
-    for (const Content::Noted& noted : content_.noted)
-        if (noted.mark.tick < content_.now && (!previous || noted.mark.tick > *previous)) previous = noted.mark.tick;
-    const auto marks = marksBetween(previous.value_or(content_.first), content_.now - 1);
-    for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark)
-        if (contacts || mark->kind != TimelineMark::Kind::contact) return mark->tick;
-    return previous;
-}
 
 void TimelineBar::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
@@ -227,16 +177,6 @@ void TimelineBar::paintScale(QPainter& painter) const {
     }
 }
 
-/// Those from one tick to another, both among them.
-std::span<const TimelineMark> TimelineBar::marksBetween(std::int64_t from, std::int64_t to) const {
-    if (!content_.marks) return {};
-    const auto begin = std::lower_bound(content_.marks->begin(), content_.marks->end(), from,
-                                        [](const TimelineMark& mark, std::int64_t tick) { return mark.tick < tick; });
-    const auto end = std::upper_bound(begin, content_.marks->end(), to,
-                                      [](std::int64_t tick, const TimelineMark& mark) { return tick < mark.tick; });
-    return {begin, end};
-}
-
 std::vector<TimelineSign> TimelineBar::signs() const {
     if (!content_.marks) return {};
     const QFontMetricsF metrics(countFont(font()));
@@ -253,13 +193,13 @@ void TimelineBar::paintContacts(QPainter& painter) const {
     std::vector<int> counts(static_cast<std::size_t>(std::max(width(), 1)), 0);
     const double origin = pixelOf(0), perTick = pixelOf(1) - origin;
     int most = few;
-    for (const TimelineMark& mark : marksBetween(tickAt(-1), tickAt(width()))) {
+    for (const TimelineMark& mark : content_.marksBetween(tickAt(-1), tickAt(width()))) {
         const double x = origin + perTick * static_cast<double>(mark.tick);
         if (mark.kind != TimelineMark::Kind::contact || x < 0 || x >= width()) continue;
         most = std::max(most, ++counts[static_cast<std::size_t>(x)]);
     }
     painter.setRenderHint(QPainter::Antialiasing, false);
-    const QColor touched = colourOf(TimelineMark::Kind::contact, theme_);
+    const QColor touched = markColour(TimelineMark::Kind::contact, theme_);
     for (std::size_t x = 0; x < counts.size(); ++x) {
         if (counts[x] == 0) continue;
         const int high = least + (static_cast<int>(contactHeight) - least) * counts[x] / most;
@@ -272,7 +212,7 @@ void TimelineBar::paintContacts(QPainter& painter) const {
 /// A sign in its lane, on a thin line that leads to its instant.
 void TimelineBar::paintSign(QPainter& painter, double x, TimelineMark::Kind kind) const {
     const double lane = laneOf(kind);
-    QColor stem = colourOf(kind, theme_);
+    QColor stem = markColour(kind, theme_);
     stem.setAlpha(120);
     painter.fillRect(QRectF(x - 0.5, lane + 4, 1, trackTop + trackHeight - lane - 4), stem);
     drawMark(painter, {x, lane}, kind, theme_);
@@ -320,7 +260,7 @@ double TimelineBar::roomBeside(const Content::Noted& noted) const {
     const auto stopAt = [&](std::int64_t tick) { room = std::min(room, pixelOf(tick) - nameGap - begin); };
     for (const Content::Noted& other : content_.noted)
         if (other.mark.tick > noted.mark.tick) stopAt(other.mark.tick);
-    for (const TimelineMark& mark : marksBetween(noted.mark.tick + 1, tickAt(width())))
+    for (const TimelineMark& mark : content_.marksBetween(noted.mark.tick + 1, tickAt(width())))
         if (mark.kind != TimelineMark::Kind::contact) {
             stopAt(mark.tick);
             break;
@@ -426,6 +366,87 @@ void TimelineBar::keyPressEvent(QKeyEvent* event) {
 void TimelineBar::leaveEvent(QEvent* /*event*/) {
     hovered_.reset();
     update();
+}
+
+/// From where to where the marks of a kind are described at a pixel: within a few of it, and all that one sign holds.
+std::array<std::pair<double, double>, markKinds> TimelineBar::tipRanges(double pixel) const {
+    std::array<std::pair<double, double>, markKinds> ranges;
+    ranges.fill({pixel - tipReach, pixel + tipReach});
+    for (const TimelineSign& sign : signs()) {
+        if (pixel < sign.x - tipReach ||
+            pixel > sign.x + std::max(tipReach, sign.count > 1 ? sign.width - tipReach : 0))
+            continue;
+        auto& [from, to] = ranges[static_cast<std::size_t>(sign.kind)];
+        from = std::min(from, sign.x);
+        to = std::max(to, pixelOf(sign.last));
+    }
+    return ranges;
+}
+
+QString TimelineBar::textAt(double pixel) const {
+    constexpr int mostLines = 6;
+    const std::int64_t tick = tickAt(pixel);
+    QString text = tr("%1, tick %2").arg(clockText(tick * content_.tickLength)).arg(tick);
+    std::array<int, markKinds> counts{};
+    std::array<QStringList, markKinds> names;
+    const auto ranges = tipRanges(pixel);
+    const auto least = std::min_element(ranges.begin(), ranges.end())->first;
+    double most = pixel;
+    for (const auto& range : ranges) most = std::max(most, range.second);
+    for (const TimelineMark& mark : content_.marksBetween(tickAt(least - 1), tickAt(most + 1))) {
+        const auto kind = static_cast<std::size_t>(mark.kind);
+        const double x = pixelOf(mark.tick);
+        if (x < ranges[kind].first || x > ranges[kind].second) continue;
+        ++counts[kind];
+        QString name = content_.nameOf(mark).toHtmlEscaped();
+        if (mark.kind != TimelineMark::Kind::contact)
+            name = tr("%1 at %2").arg(name, clockText(mark.tick * content_.tickLength)).trimmed();
+        if (!name.isEmpty() && names[kind].size() < mostLines && !names[kind].contains(name)) names[kind] += name;
+    }
+    for (int kind = markKinds - 1; kind >= 0; --kind) {
+        const auto i = static_cast<std::size_t>(kind);
+        if (counts[i] == 0) continue;
+        const auto which = static_cast<TimelineMark::Kind>(kind);
+        text += QString("<br><span style=\"color:%1\">%2</span> %3")
+                    .arg(markColour(which, theme_).name(), markLetter(which), markName(which));
+        if (counts[i] > 1) text += QString::fromUtf8(" \u00d7 %1").arg(counts[i]);
+        if (!names[i].isEmpty()) text += ": " + names[i].join(", ");
+        if (names[i].size() == mostLines) text += QString::fromUtf8(" \u2026");
+    }
+    for (const Content::Noted& noted : content_.noted)
+        if (std::abs(pixelOf(noted.mark.tick) - pixel) <= tipReach + 2)
+            text += QString("<br><span style=\"color:%1\">%2</span> %3: %4")
+                        .arg(markColour(noted.mark.kind, theme_).name(), markLetter(noted.mark.kind),
+                             markName(noted.mark.kind), noted.text.toHtmlEscaped());
+    for (const auto& [from, to] : content_.unknown)
+        if (tick > from && tick < to) {
+            text += "<br>" + tr("no ground truth");
+            break;
+        }
+    for (const std::int64_t branch : content_.branches)
+        if (std::abs(pixelOf(branch) - pixel) <= tipReach) text += "<br>" + tr("a branch departs");
+    return text;
+}
+
+/// Above the bar, whose times it would hide otherwise, and all of it on the screen.
+void TimelineBar::showToolTip(double pixel) {
+    const QPoint at = mapToGlobal(QPoint(static_cast<int>(pixel), 0));
+    QToolTip::showText(at, textAt(pixel), this);
+    for (QWidget* top : QApplication::topLevelWidgets()) {
+        if (!top->inherits("QTipLabel") || top->isHidden()) continue;
+        const QRect all = screen()->geometry();
+        const int left = std::clamp(at.x(), all.left(), std::max(all.left(), all.right() - top->width()));
+        top->move(left, std::max(all.top(), at.y() - top->height() - 3));
+    }
+}
+
+bool TimelineBar::event(QEvent* event) {
+    if (event->type() == QEvent::ToolTip) {
+        const auto* help = static_cast<QHelpEvent*>(event);
+        showToolTip(pixelOf(tickOf(help->pos())));  // on a mark, its instant
+        return true;
+    }
+    return QWidget::event(event);
 }
 
 }  // namespace mrose

@@ -3,19 +3,14 @@
 #include <QWidget>
 #include <array>
 #include <cstdint>
-#include <map>
-#include <memory>
 #include <optional>
-#include <span>
 #include <utility>
 #include <vector>
 
-#include "debug/timeline_mark.h"
-#include "scenario/scenario.h"
 #include "widgets/theme.h"
+#include "widgets/timeline_content.h"
 #include "widgets/timeline_glyphs.h"
 #include "widgets/timeline_signs.h"
-#include "world/time.h"
 
 namespace mrose {
 
@@ -26,29 +21,11 @@ class TimelineBar final : public QWidget {
     Q_OBJECT
 
 public:
-    struct Content {
-        std::int64_t first = 0, last = 0, now = 0;
-        std::int64_t end = 0;        ///< how far the bar reaches: what has not happened yet can be asked for as well
-        std::int64_t departed = -1;  ///< tick at which the branch began; -1: it is the run itself
-        Nanoseconds tickLength = 20'000'000;
-        std::shared_ptr<const std::vector<TimelineMark>> marks;  ///< in the order of their ticks
-        /// Marks of others than the run itself, in the order of their ticks, each with what is said of it.
-        struct Noted {
-            TimelineMark mark;
-            QString text;
-            QString name = {};   ///< beside the mark, where there is room
-            bool faint = false;  ///< of a robot that is not asked about
-        };
-        std::vector<Noted> noted;
-        /// From one tick to another: there is no ground truth.
-        std::vector<std::pair<std::int64_t, std::int64_t>> unknown;
-        std::vector<std::int64_t> branches;            ///< ticks at which others departed from it
-        std::shared_ptr<const Scenario> scenario;      ///< for names; may be null
-        std::map<std::uint32_t, QString> breakpoints;  ///< what they wait for, by their numbers
-    };
+    using Content = TimelineContent;
     explicit TimelineBar(QWidget* parent = nullptr);
 
     void setContent(Content content);
+    const Content& content() const { return content_; }
     void setTheme(const Theme& theme);
 
     double pixelOf(std::int64_t tick) const;
@@ -59,13 +36,8 @@ public:
     void pan(double pixels);
     double zoomed() const { return zoom_; }  ///< 1: all is shown
 
-    /// The next mark after now, or the one before: of all kinds, or without contacts. nullopt: there is none.
-    std::optional<std::int64_t> nextMark(bool contacts) const;
-    std::optional<std::int64_t> previousMark(bool contacts) const;
     /// What happened near a pixel, in rich text.
     QString textAt(double pixel) const;
-
-    static QColor colourOf(TimelineMark::Kind kind, const Theme& theme);
 
     QSize sizeHint() const override { return {600, timeline::height}; }
     QSize minimumSizeHint() const override { return {200, timeline::height}; }
@@ -104,8 +76,6 @@ private:
     void paintUnknown(QPainter& painter) const;
     void paintBranches(QPainter& painter) const;
     void paintFlag(QPainter& painter, std::int64_t tick, bool now) const;
-    std::span<const TimelineMark> marksBetween(std::int64_t from, std::int64_t to) const;
-    QString nameOf(const TimelineMark& mark) const;
 
     Content content_;
     Theme theme_ = Theme::light();
@@ -114,8 +84,5 @@ private:
     std::optional<double> pressedAt_;  ///< until it is dragged
     double zoom_ = 1, offset_ = 0;     ///< pixels of all ticks that lie left of what is seen
 };
-
-/// "12.40 s", "1:02.40", "1:00:02.40": an instant of a run.
-QString clockText(Nanoseconds time);
 
 }  // namespace mrose

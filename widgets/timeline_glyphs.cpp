@@ -5,8 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "widgets/timeline_bar.h"
-
 namespace mrose {
 namespace {
 
@@ -27,8 +25,28 @@ QPolygonF at(const QPointF& middle, std::initializer_list<QPointF> corners) {
 
 }  // namespace
 
+QColor markColour(TimelineMark::Kind kind, const Theme& theme) {
+    switch (kind) {
+        case TimelineMark::Kind::contact:
+            return theme.contact;
+        case TimelineMark::Kind::kick:
+            return theme.dark ? QColor(240, 228, 66) : QColor(176, 132, 0);
+        case TimelineMark::Kind::goal:
+            return theme.dark ? QColor(40, 210, 150) : QColor(0, 158, 115);
+        case TimelineMark::Kind::fault:
+            return theme.warning;
+        case TimelineMark::Kind::divergence:
+            return theme.dark ? QColor(90, 210, 220) : QColor(0, 120, 140);
+        case TimelineMark::Kind::hit:
+            return theme.dark ? QColor(200, 150, 255) : QColor(120, 50, 190);
+        case TimelineMark::Kind::stop:
+            break;
+    }
+    return theme.accent;
+}
+
 void drawMark(QPainter& painter, const QPointF& middle, TimelineMark::Kind kind, const Theme& theme) {
-    const QColor colour = TimelineBar::colourOf(kind, theme);
+    const QColor colour = markColour(kind, theme);
     painter.setPen(Qt::NoPen);
     painter.setBrush(colour);
     switch (kind) {

@@ -9,6 +9,7 @@ namespace mrose {
 
 constexpr int markKinds = 7;
 
+QColor markColour(TimelineMark::Kind kind, const Theme& theme);
 /// A sign about 9 pixels wide, of another shape for each kind: not everyone distinguishes colours.
 void drawMark(QPainter& painter, const QPointF& middle, TimelineMark::Kind kind, const Theme& theme);
 /// "kick", "controller failed"

@@ -28,7 +28,7 @@
 #include "widgets/field_view.h"
 #include "widgets/message_bar.h"
 #include "widgets/qt_text.h"
-#include "widgets/timeline_bar.h"
+#include "widgets/fixed_text.h"
 #include "window/main_window.h"
 #include "workflow/plugins.h"
 #include "workflow/resources.h"

@@ -183,6 +183,31 @@ TEST(Layering, PartsOfTheWindowIncludeOnlyThoseBelowThem) {
     }
 }
 
+/// Widgets draw values, and so are used in any order: they know one another without circles.
+TEST(Layering, WidgetsIncludeOneAnotherWithoutCircles) {
+    std::map<std::string, std::set<std::string>> needs;
+    for (const SourceFile& file : sourceFiles({"widgets"})) {
+        const std::string stem = file.path.substr(0, file.path.rfind('.'));
+        for (const Include& include : file.includes)
+            if (include.quoted && include.name.starts_with("widgets/"))
+                if (const std::string other = include.name.substr(0, include.name.rfind('.')); other != stem)
+                    needs[stem].insert(other);
+    }
+    EXPECT_FALSE(needs.empty());
+    // Who needs nobody that is left goes, and whom nobody needs, until none such is left.
+    const auto leads = [&](const std::string& from, const std::string& to) {
+        const auto found = needs.find(from);
+        return found != needs.end() && found->second.count(to) > 0;
+    };
+    while (std::erase_if(needs, [&](const auto& entry) {
+        const auto needed = [&](const auto& other) { return leads(entry.first, other.first); };
+        const auto needing = [&](const auto& other) { return leads(other.first, entry.first); };
+        return std::none_of(needs.begin(), needs.end(), needed) || std::none_of(needs.begin(), needs.end(), needing);
+    })) {
+    }
+    for (const auto& [file, others] : needs) ADD_FAILURE() << file << " includes itself by way of other widgets";
+}
+
 /// Its parts know what they need of one another, and not the window that they are parts of.
 TEST(Layering, TheWindowIsNamedInItsOwnFilesAndMain) {
     const std::regex window(R"(\bMainWindow\b)");

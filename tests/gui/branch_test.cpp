@@ -353,7 +353,7 @@ TEST_F(BranchTest, BothBranchesAreSeenSideBySide) {
     const QColor ball = ballPixel(window.field(), here);
     EXPECT_EQ(ballPixel(window.view().beside(), there), ball);
     EXPECT_NE(ballPixel(window.view().beside(), here), ball);
-    window.field().zoom(2);
+    window.field().viewport().zoom(2);
     window.field().grab();
     EXPECT_NEAR(window.field().transform().scale(), window.view().beside().transform().scale(), 1e-9);
 }
@@ -412,7 +412,7 @@ TEST_F(BranchTest, TheCauseOfAKickIsShownFromNearBy) {
         EXPECT_TRUE(view.adjusted(margin, margin, -margin, -margin).contains(pixelOf(body))) << body;
     }
     // Another way of seeing both well is the user's own choice.
-    window.field().zoom(1.1);
+    window.field().viewport().zoom(1.1);
     const ViewTransform own = window.field().transform();
     key(Qt::Key_K);
     EXPECT_TRUE(window.field().transform() == own);

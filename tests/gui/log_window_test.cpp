@@ -89,7 +89,7 @@ TEST_F(LogWindowTest, ErrorsOfTheWholeRolloutArePlottedUnasked) {
     const PlotView& view = window.plots().view();
     const Scene& scene = window.shown()->frame->scene();
     EXPECT_EQ(window.shown()->last, 0) << "nothing is simulated yet";
-    EXPECT_EQ(view.to(), static_cast<double>(scene.ticksOf(compared().real.steps() * WindowOptions{}.step)));
+    EXPECT_EQ(view.axis().to(), static_cast<double>(scene.ticksOf(compared().real.steps() * WindowOptions{}.step)));
     const PlotCurve& position = curve({positionErrorQuantity, robot()});
     ASSERT_EQ(position.ahead.size(), static_cast<int>(compared().errors.position.size()));
     for (int k = 0; k < position.ahead.size(); ++k)
@@ -210,7 +210,7 @@ TEST_F(LogWindowTest, PictureOfPlotsNamesLogRolloutModelsAndBound) {
                                     std::string("velocity = command"), std::string("bound"),
                                     std::string("leaves the real trajectory"), std::string("error (cm)")})
         EXPECT_THAT(text, HasSubstr(part));
-    const QString colour = TimelineBar::colourOf(TimelineMark::Kind::divergence, Theme::light()).name();
+    const QString colour = markColour(TimelineMark::Kind::divergence, Theme::light()).name();
     EXPECT_GE(qtText(text).count(colour), 6) << "bound and mark of both axes and in the legend";
 }
 

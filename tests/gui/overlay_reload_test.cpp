@@ -379,8 +379,8 @@ TEST_F(OverlayReloadTest, WhereOneLooksAndWhatIsSelectedStay) {
     ASSERT_NO_FATAL_FAILURE(openLog(makeLog(), twoSeconds));
     window.field().setSelected(0);
     settleAll();
-    window.field().zoom(2.5);
-    window.field().panBy({30, 20});
+    window.field().viewport().zoom(2.5);
+    window.field().viewport().pan({30, 20});
     const ViewTransform view = window.field().transform();
     makeLog(stretch);
     reload();

@@ -52,28 +52,28 @@ protected:
 
 TEST_F(OverlayViewTest, PickedRolloutIsSeenFromNearUntilTheUserLooksElsewhere) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {RolloutPlan::Cut::every, 0, 2}));
-    EXPECT_FALSE(field().showsPart()) << "a log that is opened is seen whole";
+    EXPECT_FALSE(field().viewport().showsPart()) << "a log that is opened is seen whole";
     clickLine(0);
-    ASSERT_TRUE(field().showsPart());
+    ASSERT_TRUE(field().viewport().showsPart());
     expectNear();
     window.resize(1000, 700);
     settleAll();
     expectNear();
     ASSERT_TRUE(overlay.shown().showNext(overlay.rollouts().shown() == 0u ? 1 : -1));
     settleAll();
-    EXPECT_TRUE(field().showsPart()) << "the next rollout as the one before";
+    EXPECT_TRUE(field().viewport().showsPart()) << "the next rollout as the one before";
     expectNear();
-    field().zoom(0.5);
-    EXPECT_FALSE(field().showsPart());
+    field().viewport().zoom(0.5);
+    EXPECT_FALSE(field().viewport().showsPart());
     const Area chosen = field().transform().shown();
     ASSERT_TRUE(overlay.shown().showNext(1));
     settleAll();
     EXPECT_EQ(field().transform().shown().least, chosen.least) << "what the user looks at stays";
     EXPECT_EQ(field().transform().shown().most, chosen.most);
     clickLine(1);
-    EXPECT_TRUE(field().showsPart());
+    EXPECT_TRUE(field().viewport().showsPart());
     window.actions()["fit"].trigger();
-    EXPECT_FALSE(field().showsPart());
+    EXPECT_FALSE(field().viewport().showsPart());
 }
 
 TEST_F(OverlayViewTest, ScaleAndTheFollowedRobotGoAlongFromRolloutToRollout) {
@@ -83,7 +83,7 @@ TEST_F(OverlayViewTest, ScaleAndTheFollowedRobotGoAlongFromRolloutToRollout) {
     window.session().seek(10);
     settleAll();
     const double near = field().transform().scale();
-    ASSERT_GT(near, 1.5 * field().fittedScale(field().size()));
+    ASSERT_GT(near, 1.5 * field().viewport().fittedScale(field().size()));
     const int by = *overlay.rollouts().shown() + 1 < overlay.rollouts().requests().size() ? 1 : -1;
     ASSERT_TRUE(overlay.shown().showNext(by));
     settleAll();
@@ -97,13 +97,13 @@ TEST_F(OverlayViewTest, ScaleAndTheFollowedRobotGoAlongFromRolloutToRollout) {
     window.actions()["fit"].trigger();
     ASSERT_TRUE(overlay.shown().showNext(-by));
     settleAll();
-    EXPECT_TRUE(field().showsAll()) << "all of the place stays all of it";
+    EXPECT_TRUE(field().viewport().showsAll()) << "all of the place stays all of it";
 }
 
 TEST_F(OverlayViewTest, RolloutAsideOfWhatTheUserLooksAtIsSeenFromNear) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {RolloutPlan::Cut::every, 0, 2}));
-    field().zoom(3);
-    field().panBy({1e6, 0});
+    field().viewport().zoom(3);
+    field().viewport().pan({1e6, 0});
     ASSERT_TRUE(overlay.shown().showNext(1));
     settleAll();
     expectNear();
@@ -180,14 +180,14 @@ TEST_F(TwoRobotsTest, ClickOnTheFloorLeavesTheRolloutThatIsAskedAbout) {
 TEST_F(TwoRobotsTest, KeySelectsTheOneThatLeavesAndShowsItFromNear) {
     field().setSelected({});
     settleAll();
-    ASSERT_TRUE(field().showsAll());
+    ASSERT_TRUE(field().viewport().showsAll());
     const double whole = field().transform().scale();
     QTest::keyClick(&window, Qt::Key_D);
     settleAll();
     EXPECT_EQ(field().selected(), 1u);
-    EXPECT_TRUE(field().showsPart());
+    EXPECT_TRUE(field().viewport().showsPart());
     EXPECT_GT(field().transform().scale(), whole);
-    field().zoom(0.5);
+    field().viewport().zoom(0.5);
     const double chosen = field().transform().scale();
     QTest::keyClick(&window, Qt::Key_D);
     settleAll();
@@ -199,7 +199,7 @@ TEST_F(TwoRobotsTest, KeySelectsTheOneThatLeavesAndShowsItFromNear) {
     };
     const auto lookAside = [&] {
         seek(0);
-        field().panBy({4.0 * field().width(), 0});
+        field().viewport().pan({4.0 * field().width(), 0});
         ASSERT_FALSE(seen());
     };
     ASSERT_NO_FATAL_FAILURE(lookAside());

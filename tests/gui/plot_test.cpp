@@ -288,18 +288,18 @@ TEST_F(PlotTest, WheelZoomsTheTimeAtTheMouseAndADoubleClickShowsAll) {
     settlePlots();
     const QPoint at = onCanvas(200);
     const std::int64_t under = view().tickAt(at.x());
-    const double before = view().to() - view().from();
+    const double before = view().axis().to() - view().axis().from();
     QWheelEvent wheel(at, canvas().mapToGlobal(at), {}, {0, 240}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
                       false);
     QApplication::sendEvent(&canvas(), &wheel);
-    EXPECT_NEAR((view().to() - view().from()) * 1.44, before, 1e-6);
+    EXPECT_NEAR((view().axis().to() - view().axis().from()) * 1.44, before, 1e-6);
     EXPECT_EQ(view().tickAt(at.x()), under);
     seek(0);
-    EXPECT_LE(view().from(), 0) << "the view goes along with now";
+    EXPECT_LE(view().axis().from(), 0) << "the view goes along with now";
     QTest::mouseDClick(&canvas(), Qt::LeftButton, Qt::NoModifier, onCanvas(100));
-    EXPECT_TRUE(view().showsAll());
-    EXPECT_LE(view().from(), 0);
-    EXPECT_GE(view().to(), 800);
+    EXPECT_TRUE(view().axis().showsAll());
+    EXPECT_LE(view().axis().from(), 0);
+    EXPECT_GE(view().axis().to(), 800);
 }
 
 TEST_F(PlotTest, ReadOutSaysNumbersWithUnits) {

@@ -219,7 +219,7 @@ TEST_F(RealityPlotTest, PlotsShowTheBoundAndTheInstantBeyondIt) {
     ASSERT_TRUE(window.plots().add({"error", "sim b"}));
     settlePlots();
     PlotView& view = window.plots().view();
-    const QColor colour = TimelineBar::colourOf(TimelineMark::Kind::divergence, Theme::light());
+    const QColor colour = markColour(TimelineMark::Kind::divergence, Theme::light());
     view.draw();
     EXPECT_EQ(blobOf(rendered(view), colour, 8).pixels, 0);
     view.setReferences({{"cm", {{0, 60}}}, {"m", {{0, 1}}}}, 200);

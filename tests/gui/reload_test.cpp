@@ -57,8 +57,8 @@ TEST_F(ReloadTest, WhereOneLooksAndWhatIsSelectedStay) {
     window.field().setSelected(1);
     window.timeline().zoom(3);
     settle();
-    window.field().zoom(2.5);
-    window.field().panBy({30, 20});
+    window.field().viewport().zoom(2.5);
+    window.field().viewport().pan({30, 20});
     const ViewTransform view = window.field().transform();
     write("mine.toml", robot(30));
     ASSERT_TRUE(reloaded());
@@ -69,7 +69,7 @@ TEST_F(ReloadTest, WhereOneLooksAndWhatIsSelectedStay) {
     // Another file is another matter.
     write("other.toml", game(0.4));
     open(path("other.toml"));
-    EXPECT_TRUE(window.field().showsAll());
+    EXPECT_TRUE(window.field().viewport().showsAll());
     EXPECT_EQ(window.field().selected(), std::nullopt);
 }
 
@@ -229,7 +229,7 @@ TEST_F(GrowingTest, SaysSoAndIsReadOn) {
     EXPECT_EQ(window.shown()->hash, hashAt(*scenarioOf(path("game.toml")), 200));
     // Where one looks stays.
     window.field().setSelected(1);
-    window.field().zoom(2.5);
+    window.field().viewport().zoom(2.5);
     const ViewTransform view = window.field().transform();
     // And to its end.
     other_.session().seek(210);

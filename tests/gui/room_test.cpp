@@ -99,7 +99,7 @@ TEST_F(RoomTest, FirstStepsFoldWhereTheyAreHigherThanTheField) {
     int folded = 0;
     const auto check = [&](const char* what) {
         settleLayout();
-        const FieldView& field = window.field();
+        FieldView& field = window.field();
         EXPECT_NE(card->isVisible(), button->isVisible()) << what;
         if (!card->isVisible()) {
             ++folded;
@@ -131,18 +131,19 @@ TEST_F(RoomTest, SideBySideTakesTheLargerOfBothArrangements) {
             window.resize(size);
             settleLayout();
             key(Qt::Key_F);
-            const FieldView &here = window.field(), &there = window.view().beside();
+            FieldView &here = window.field(), &there = window.view().beside();
             const bool across = here.mapTo(&window, QPoint()).y() == there.mapTo(&window, QPoint()).y();
             const double w = across ? here.width() * 2 : here.width(), h = across ? here.height() : here.height() * 2;
-            const double other = across ? here.fittedScale({w, h / 2 - 14}) : here.fittedScale({w / 2, h + 27});
+            const double other =
+                across ? here.viewport().fittedScale({w, h / 2 - 14}) : here.viewport().fittedScale({w / 2, h + 27});
             EXPECT_GE(here.transform().scale(), 0.97 * other) << size.width() << (plots ? " with plots" : "");
         }
 }
 
 TEST_F(RoomTest, SideBySideKeepsWhereOneLooks) {
     move(2);
-    window.field().zoom(3);
-    window.field().panBy({70, 40});
+    window.field().viewport().zoom(3);
+    window.field().viewport().pan({70, 40});
     const ViewTransform before = window.field().transform();
     key(Qt::Key_S);
     EXPECT_EQ(window.field().transform().scale(), before.scale());

@@ -64,7 +64,7 @@ protected:
         return QImage(path(of + "/frame_" + number + ".png")).convertToFormat(QImage::Format_RGB32);
     }
     static void follow(MainWindow& window) {
-        window.field().zoom(1.7);
+        window.field().viewport().zoom(1.7);
         window.field().setSelected(1);
         window.actions()["follow"].trigger();
         window.actions()["layer_grid"].trigger();
@@ -174,7 +174,7 @@ TEST_F(SequenceTest, OtherSizesShowTheSameLargerAndSharper) {
 
 /// The whole field stays the whole field, as large as it goes.
 TEST_F(SequenceTest, BroaderPicturesOfTheWholeFieldAreFilledByIt) {
-    window.field().fit();
+    window.field().viewport().fit();
     SequenceSettings settings = stretch(0, 0);
     const auto green = [&](const char* name) {
         EXPECT_EQ(alone([&] { return exportFrames(window.exports(), path(name), settings); }), "");

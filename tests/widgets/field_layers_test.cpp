@@ -131,7 +131,7 @@ TEST(FieldLayers, GridLinesLieAtRoundMetres) {
     view.resize(800, 640);
     view.setFrame(std::make_shared<const FieldFrame>(frameOfDiscs({})));
     view.setLayers(FieldLayers::none());
-    view.zoom(1);  // otherwise what is fitted makes room for rulers
+    view.viewport().zoom(1);  // otherwise what is fitted makes room for rulers
     const QImage nothing = rendered(view);
     view.setLayers(only({FieldLayer::grid}));
     const QImage grid = rendered(view);

@@ -26,7 +26,7 @@ TEST_F(FieldViewTest, FileShowsTheSameAsTheWindow) {
     const Pose pose{1.3, -0.7, 0.4};
     show(frameOfDiscs({pose}, {-2, 2, 0}));
     view.setLayers(only({FieldLayer::names}));
-    view.zoom(1.4);
+    view.viewport().zoom(1.4);
     QByteArray text;
     QBuffer buffer(&text);
     QSvgGenerator svg;
@@ -75,8 +75,8 @@ TEST_F(FieldViewTest, WhatAControllerMarksIsNotCovered) {
     for (const double zoom : {1.0, 6.0}) {
         view.setLayers(only({}));
         show(frame);
-        view.fit();
-        view.zoom(zoom);
+        view.viewport().fit();
+        view.viewport().zoom(zoom);
         const Blob alone = blobOf(rendered(view), ballColour);
         view.setLayers(only({FieldLayer::targets}));
         const Blob marked = blobOf(rendered(view), ballColour);
@@ -84,7 +84,7 @@ TEST_F(FieldViewTest, WhatAControllerMarksIsNotCovered) {
         EXPECT_EQ(marked.pixels, alone.pixels) << zoom;
     }
     // Where nothing lies, the cross is in the middle.
-    view.fit();
+    view.viewport().fit();
     frame.state.objects[0].pose = {3, 3, 0};
     show(frame);
     const QImage with = rendered(view);
@@ -99,7 +99,7 @@ TEST_F(FieldViewTest, NoNameStandsOnTheScaleBar) {
     for (double x = -6; x < 0; x += 0.21) {
         view.setLayers(only({}));
         show(frameOfDiscs({{x, -3.75, 0}}));
-        view.fit();
+        view.viewport().fit();
         const QImage without = rendered(view);
         view.setLayers(only({FieldLayer::names}));
         for (const QPoint& p : differences(without, rendered(view)))
@@ -117,7 +117,7 @@ TEST_F(FieldViewTest, AKicksNumberStandsBesideTheRobotThatKicked) {
     frame.scenario = std::make_shared<const Scenario>(std::move(parts));
     view.setLayers(only({}));
     show(frame);
-    view.fit();
+    view.viewport().fit();
     const QImage without = rendered(view);
     StepTrace::Kicked kick;
     kick.robot = 0;
@@ -143,7 +143,7 @@ TEST_F(FieldViewTest, LegendLeavesALowFieldItsLargerPart) {
     for (const QSize& size : {QSize(460, 200), QSize(900, 600)}) {
         view.resize(size);
         view.setLayers(only({}));
-        view.fit();
+        view.viewport().fit();
         const QImage without = rendered(view);
         FieldLayers all;
         all.set(FieldLayer::names, false);

@@ -28,9 +28,9 @@ TEST_F(FieldViewTest, PixelsOfARobotLieWhereItsPoseSays) {
     show(frameOfDiscs({pose}));
     for (const double zoom : {1.0, 2.3, 0.6})
         for (const double ratio : {1.0, 2.0, 1.5}) {
-            view.fit();
-            view.zoom(zoom);
-            view.panBy({-30, -20});
+            view.viewport().fit();
+            view.viewport().zoom(zoom);
+            view.viewport().pan({-30, -20});
             const double scale = view.transform().scale() * ratio;
             const Blob blob = blobOf(rendered(view, ratio), bodyColour);
             const QPointF expected = ratio * pixelOf(position(pose));
@@ -44,8 +44,8 @@ TEST_F(FieldViewTest, ArrowPointsWhereTheRobotFaces) {
     view.setLayers(only({FieldLayer::headings}));
     for (const double heading : {0.0, 90.0, 137.0, -60.0, 180.0}) {
         show(frameOfDiscs({{0.5, 0.2, heading * degree}}));
-        view.fit();
-        view.zoom(3);
+        view.viewport().fit();
+        view.viewport().zoom(3);
         const Blob arrow = blobOf(rendered(view), QColor(255, 255, 255), 4);
         ASSERT_GT(arrow.pixels, 50);
         const QPointF along = arrow.middle - pixelOf({0.5, 0.2});
@@ -91,7 +91,7 @@ TEST_F(FieldViewTest, WheelZoomsAtTheCursorAndFitShowsAll) {
     EXPECT_GT(view.transform().scale(), 1.2 * fitted);
     EXPECT_NEAR(view.transform().toMetres(cursor).x, before.x, 1e-9);
     EXPECT_NEAR(view.transform().toMetres(cursor).y, before.y, 1e-9);
-    view.fit();
+    view.viewport().fit();
     EXPECT_DOUBLE_EQ(view.transform().scale(), fitted);
     for (const Point corner : {Point{-5, -4}, Point{5, 4}})
         EXPECT_TRUE(QRectF(view.rect()).contains(pixelOf(corner))) << corner.x;
@@ -103,25 +103,25 @@ TEST_F(FieldViewTest, PartThatIsFittedStaysSoUntilTheUserLooksElsewhere) {
     show(frameOfDiscs({{0, 0, 0}}));
     const double whole = view.transform().scale();
     const auto expectPart = [&] {
-        EXPECT_TRUE(view.showsPart());
+        EXPECT_TRUE(view.viewport().showsPart());
         const QPointF least = pixelOf({1, 0}), most = pixelOf({2, 0.5});
         EXPECT_TRUE(QRectF(view.rect()).contains(least) && QRectF(view.rect()).contains(most));
         EXPECT_NEAR((least.x() + most.x()) / 2, view.width() / 2.0, 30) << "in the middle, but for rulers";
         EXPECT_GT(most.x() - least.x(), 0.8 * view.width()) << "as large as it can be";
     };
-    view.fit({{1, 0}, {2, 0.5}});
+    view.viewport().fit({{1, 0}, {2, 0.5}});
     expectPart();
     view.resize(700, 560);
     expectPart();
-    view.panBy({5, 0});
-    EXPECT_FALSE(view.showsPart());
-    view.fit({{1, 0}, {2, 0.5}});
-    view.zoom(2);
-    EXPECT_FALSE(view.showsPart());
+    view.viewport().pan({5, 0});
+    EXPECT_FALSE(view.viewport().showsPart());
+    view.viewport().fit({{1, 0}, {2, 0.5}});
+    view.viewport().zoom(2);
+    EXPECT_FALSE(view.viewport().showsPart());
     view.resize(900, 560);
-    view.fit({{1, 0}, {2, 0.5}});
-    view.fit();
-    EXPECT_FALSE(view.showsPart());
+    view.viewport().fit({{1, 0}, {2, 0.5}});
+    view.viewport().fit();
+    EXPECT_FALSE(view.viewport().showsPart());
     view.resize(400, 320);
     EXPECT_TRUE(QRectF(view.rect()).contains(pixelOf({5, 4})));
     EXPECT_LT(view.transform().scale(), 2 * whole);
@@ -139,7 +139,7 @@ TEST_F(FieldViewTest, DraggedFloorGoesWithTheCursor) {
 TEST_F(FieldViewTest, FollowsTheSelectedBody) {
     show(frameOfDiscs({{0, 0, 0}, {2, 1, 0}}));
     view.setSelected(1);
-    view.setFollowing(true);
+    view.viewport().setFollowing(true);
     EXPECT_EQ(view.transform().centre(), (Point{2, 1}));
     auto later =
         std::make_shared<FieldFrame>(*std::make_shared<const FieldFrame>(frameOfDiscs({{0, 0, 0}, {2, 1, 0}})));
@@ -166,7 +166,7 @@ TEST_F(FieldViewTest, DragMovesAndTurnsOnlyWhileTheRunStands) {
     const QPointF at = pixelOf({1.1, 1}), to = at + QPointF(80, 50);
     drag(at, to);
     EXPECT_TRUE(moved.empty());
-    view.fit();
+    view.viewport().fit();
     view.setEditable(true);
     drag(at, to);
     ASSERT_EQ(moved.size(), 1u);
@@ -270,20 +270,20 @@ TEST_F(FieldViewTest, FittedPlaceStaysClearOfRulersAndScaleBar) {
     EXPECT_GE(place().top(), rulerHeight);
     view.setLayers(FieldLayers::none());
     const double scale = view.transform().scale();
-    EXPECT_EQ(view.fittedPlace(), place());
+    EXPECT_EQ(view.viewport().fittedPlace(), place());
     const QRectF large(500, 400, 290, 230), small(700, 600, 90, 30);
-    view.setCovered(large);
+    view.viewport().setCovered(large);
     EXPECT_EQ(view.transform().scale(), scale) << "what lies over a corner does not make it smaller";
     view.resize(1300, 640);
     for (const QRectF& card : {large.translated(500, 0), small.translated(500, 0)}) {
-        view.setCovered(card);
+        view.viewport().setCovered(card);
         EXPECT_FALSE(place().intersects(card)) << "where there is room beside it";
         EXPECT_EQ(view.transform().scale(), scale);
-        EXPECT_EQ(view.fittedPlace(), place());
+        EXPECT_EQ(view.viewport().fittedPlace(), place());
     }
-    view.zoom(3);
+    view.viewport().zoom(3);
     const ViewTransform zoomed = view.transform();
-    view.setCovered({});
+    view.viewport().setCovered({});
     EXPECT_TRUE(view.transform() == zoomed) << "who has zoomed keeps what is seen";
 }
 
@@ -300,7 +300,7 @@ TEST_F(FieldViewTest, LabelsStayClearOfWhatLiesOverTheView) {
     };
     EXPECT_GT(on(before), 20);
     view.setLayers(only({FieldLayer::names}));
-    view.setCovered(card);
+    view.viewport().setCovered(card);
     const QImage after = rendered(view);
     EXPECT_EQ(on(after), 0);
     EXPECT_GT(differences(none, after).size(), 50u) << "it is elsewhere";

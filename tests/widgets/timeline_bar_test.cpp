@@ -87,7 +87,7 @@ TEST_F(TimelineBarTest, MarksStandAtTheirTicks) {
         for (const auto& [tick, kind] : {std::pair{1200, TimelineMark::Kind::contact},
                                          {1300, TimelineMark::Kind::kick},
                                          {1400, TimelineMark::Kind::fault}}) {
-            const std::vector<int> columns = columnsOf(TimelineBar::colourOf(kind, theme));
+            const std::vector<int> columns = columnsOf(markColour(kind, theme));
             ASSERT_FALSE(columns.empty()) << tick;
             EXPECT_NEAR((columns.front() + columns.back()) / 2.0, bar.pixelOf(tick), 3) << tick;
             EXPECT_LE(columns.back() - columns.front(), 12) << tick;
@@ -104,10 +104,10 @@ TEST_F(TimelineBarTest, OfThousandsOfMarksInAnHourTheRareOnesAreSeen) {
     marks.push_back({90'300, TimelineMark::Kind::kick, 0, 0});
     std::stable_sort(marks.begin(), marks.end(), [](const auto& a, const auto& b) { return a.tick < b.tick; });
     show(marks);
-    const std::vector<int> goal = columnsOf(TimelineBar::colourOf(TimelineMark::Kind::goal, Theme::light()), 40);
+    const std::vector<int> goal = columnsOf(markColour(TimelineMark::Kind::goal, Theme::light()), 40);
     ASSERT_FALSE(goal.empty());
     EXPECT_NEAR((goal.front() + goal.back()) / 2.0, bar.pixelOf(90'000), 3);
-    const std::vector<int> contacts = columnsOf(TimelineBar::colourOf(TimelineMark::Kind::contact, Theme::light()));
+    const std::vector<int> contacts = columnsOf(markColour(TimelineMark::Kind::contact, Theme::light()));
     EXPECT_GT(contacts.size(), 900u);
     const QString told = bar.textAt(bar.pixelOf(90'000));
     EXPECT_TRUE(told.contains("30:00.00") && told.contains("tick 90000") && told.contains("goal") &&
@@ -121,13 +121,13 @@ TEST_F(TimelineBarTest, GoesFromMarkToMark) {
           {500, TimelineMark::Kind::goal, 0, 0},
           {600, TimelineMark::Kind::contact, 0, 1},
           {900, TimelineMark::Kind::stop, 0, 0}});
-    EXPECT_EQ(bar.nextMark(true), 600);
-    EXPECT_EQ(bar.nextMark(false), 900);
-    EXPECT_EQ(bar.previousMark(true), 400);
-    EXPECT_EQ(bar.previousMark(false), 100);
+    EXPECT_EQ(bar.content().nextMark(true), 600);
+    EXPECT_EQ(bar.content().nextMark(false), 900);
+    EXPECT_EQ(bar.content().previousMark(true), 400);
+    EXPECT_EQ(bar.content().previousMark(false), 100);
     content.now = 50;
     show({{100, TimelineMark::Kind::kick, 0, 0}});
-    EXPECT_EQ(bar.previousMark(true), std::nullopt);
+    EXPECT_EQ(bar.content().previousMark(true), std::nullopt);
 }
 
 TEST_F(TimelineBarTest, WheelZoomsAtTheCursorAndNowStaysInSight) {
@@ -160,21 +160,21 @@ TEST_F(TimelineBarTest, NotedMarksAreReachedAmongTheRunsOwn) {
     show({{400, TimelineMark::Kind::kick, 0, 0},
           {650, TimelineMark::Kind::contact, 0, 1},
           {900, TimelineMark::Kind::goal, 0, 0}});
-    EXPECT_EQ(bar.nextMark(true), 650);
-    EXPECT_EQ(bar.nextMark(false), 700);
-    EXPECT_EQ(bar.previousMark(false), 400);
+    EXPECT_EQ(bar.content().nextMark(true), 650);
+    EXPECT_EQ(bar.content().nextMark(false), 700);
+    EXPECT_EQ(bar.content().previousMark(false), 400);
     content.now = 800;
     bar.setContent(content);
-    EXPECT_EQ(bar.previousMark(true), 700);
-    EXPECT_EQ(bar.nextMark(true), 900);
+    EXPECT_EQ(bar.content().previousMark(true), 700);
+    EXPECT_EQ(bar.content().nextMark(true), 900);
     content.marks.reset();
     bar.setContent(content);
-    EXPECT_EQ(bar.previousMark(true), 700);
-    EXPECT_FALSE(bar.nextMark(true));
+    EXPECT_EQ(bar.content().previousMark(true), 700);
+    EXPECT_FALSE(bar.content().nextMark(true));
     const QString text = bar.textAt(bar.pixelOf(700));
     EXPECT_TRUE(text.contains("first divergence: create 1, 12 cm")) << text.toStdString();
     EXPECT_FALSE(bar.textAt(bar.pixelOf(700) + 20).contains("divergence"));
-    const std::vector<int> columns = columnsOf(TimelineBar::colourOf(TimelineMark::Kind::divergence, Theme::light()));
+    const std::vector<int> columns = columnsOf(markColour(TimelineMark::Kind::divergence, Theme::light()));
     ASSERT_FALSE(columns.empty());
     EXPECT_NEAR(columns.front(), bar.pixelOf(700), 7);
     EXPECT_NEAR(columns.back(), bar.pixelOf(700), 7);
@@ -203,7 +203,7 @@ TEST_F(TimelineBarTest, NotedMarksAreNamedWhereThereIsRoomAndThoseOfOthersAreFai
     // Another mark stands where the name would.
     EXPECT_FALSE(named({noted(1000, "create 1", true), noted(1100, "create 2", false)}, 1000, 28));
     EXPECT_TRUE(named({noted(1000, "create 1", true), noted(1100, "create 2", false)}, 1100));
-    const QColor colour = TimelineBar::colourOf(TimelineMark::Kind::divergence, Theme::light());
+    const QColor colour = markColour(TimelineMark::Kind::divergence, Theme::light());
     content.noted = {noted(1000, "", true), noted(2000, "", false)};
     show();
     const std::vector<int> strong = columnsOf(colour);
@@ -232,7 +232,7 @@ TEST_F(TimelineBarTest, AGoalSoonAfterAKickHidesItNot) {
     content.last = content.end = 4550;
     show({{793, TimelineMark::Kind::kick, 0, noBody}, {841, TimelineMark::Kind::goal, 0, 0}});
     for (const auto& [tick, kind] : {std::pair{793, TimelineMark::Kind::kick}, {841, TimelineMark::Kind::goal}}) {
-        const std::vector<int> columns = columnsOf(TimelineBar::colourOf(kind, Theme::light()));
+        const std::vector<int> columns = columnsOf(markColour(kind, Theme::light()));
         ASSERT_FALSE(columns.empty());
         EXPECT_NEAR((columns.front() + columns.back()) / 2.0, bar.pixelOf(tick), 3) << tick;
     }
@@ -272,13 +272,13 @@ TEST_F(TimelineBarTest, AfterThreeQuartersOfAnHourKicksAreStillSeenAndContactsTe
     std::stable_sort(marks.begin(), marks.end(), [](const auto& a, const auto& b) { return a.tick < b.tick; });
     show(marks);
     for (const TimelineMark::Kind kind : {TimelineMark::Kind::kick, TimelineMark::Kind::goal})
-        EXPECT_GT(columnsOf(TimelineBar::colourOf(kind, Theme::light())).size(), 150u);
+        EXPECT_GT(columnsOf(markColour(kind, Theme::light())).size(), 150u);
     const QString text = bar.textAt(bar.pixelOf(300));
     EXPECT_TRUE(text.contains(QString::fromUtf8("kick \u00d7 ")) && text.contains("at 6.00 s") &&
                 text.contains("at 17.00 s"))
         << text.toStdString();
     const QImage image = rendered(bar);
-    const QColor touched = TimelineBar::colourOf(TimelineMark::Kind::contact, Theme::light());
+    const QColor touched = markColour(TimelineMark::Kind::contact, Theme::light());
     const auto highest = [&](std::int64_t tick) {
         int most = 0;
         for (int x = static_cast<int>(bar.pixelOf(tick)); x < bar.pixelOf(tick) + 30; ++x) {

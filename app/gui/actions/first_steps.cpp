@@ -128,18 +128,18 @@ void FirstSteps::place() {
     const QRect card = corner(sizeHint());
     QRect small = corner(button_->sizeHint());
     if (small.left() < scaleRight) small.translate(0, -scaleHeight);
-    field_.setCovered(wanted_ ? QRectF(card) : QRectF());
+    field_.viewport().setCovered(wanted_ ? QRectF(card) : QRectF());
     const QSize room = parentWidget()->size(), needed = sizeHint() + QSize(2 * margin, 2 * margin);
     const bool fits = needed.width() <= room.width() && needed.height() <= room.height();
     const bool hides = mostCovered * card.width() * card.height() > room.width() * room.height() ||
-                       field_.fittedPlace().intersects(card);
+                       field_.viewport().fittedPlace().intersects(card);
     const bool fold = wanted_ && (!fits || (!opened_ && hides));
     setGeometry(card);
     button_->setGeometry(small);
     if (isHidden() == (wanted_ && !fold)) raise();
     QFrame::setVisible(wanted_ && !fold);
     button_->setVisible(wanted_ && fold);
-    if (fold) field_.setCovered(small);
+    if (fold) field_.viewport().setCovered(small);
 }
 
 bool FirstSteps::folded() const { return !button_->isHidden(); }

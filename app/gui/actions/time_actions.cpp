@@ -31,19 +31,19 @@ void addMarkActions(const Frame& frame, TimelineBar& timeline, const QString& me
     actions.add(menu,
                 {"previous_mark", QObject::tr("Pre&vious mark"), QKeySequence(","),
                  QObject::tr("To the last contact, kick, goal, fault or stop before now")},
-                [&timeline, go](bool) { go(timeline.previousMark(true)); });
+                [&timeline, go](bool) { go(timeline.content().previousMark(true)); });
     actions.add(menu,
                 {"next_mark", QObject::tr("Next &mark"), QKeySequence("."),
                  QObject::tr("To the next contact, kick, goal, fault or stop")},
-                [&timeline, go](bool) { go(timeline.nextMark(true)); });
+                [&timeline, go](bool) { go(timeline.content().nextMark(true)); });
     actions.add(menu,
                 {"previous_event", QObject::tr("Previous mark but contacts"), QKeySequence("Ctrl+,"),
                  QObject::tr("To the last kick, goal, fault or stop before now")},
-                [&timeline, go](bool) { go(timeline.previousMark(false)); });
+                [&timeline, go](bool) { go(timeline.content().previousMark(false)); });
     actions.add(menu,
                 {"next_event", QObject::tr("Next mark but contacts"), QKeySequence("Ctrl+."),
                  QObject::tr("To the next kick, goal, fault or stop")},
-                [&timeline, go](bool) { go(timeline.nextMark(false)); });
+                [&timeline, go](bool) { go(timeline.content().nextMark(false)); });
     actions.add(menu,
                 {"timeline_zoom_in", QObject::tr("Zoom timeline in"), QKeySequence("]"),
                  QObject::tr("A shorter part of the run on the timeline, about now")},

@@ -28,7 +28,7 @@ void addPanActions(const Frame& frame, FieldView& field, const QString& menu) {
           Way{"pan_up", "Move view up", "Ctrl+Shift+Up", "Show what lies above", {0, panStep}},
           Way{"pan_down", "Move view down", "Ctrl+Shift+Down", "Show what lies below", {0, -panStep}}})
         frame.actions.add(menu, {way.name, QObject::tr(way.text), QKeySequence(way.key), QObject::tr(way.tip)},
-                          [&field, by = way.by](bool) { field.panBy(by); });
+                          [&field, by = way.by](bool) { field.viewport().pan(by); });
 }
 
 void addNudgeActions(const Frame& frame, FieldView& field, const QString& menu) {
@@ -88,15 +88,15 @@ void addViewActions(const Frame& frame, FieldView& field, const std::function<vo
     Actions& actions = frame.actions;
     const QString menu = QObject::tr("&View");
     actions.add(menu, {"fit", QObject::tr("&Whole field"), QKeySequence("F"), QObject::tr("Show all of the field")},
-                [&](bool) { field.fit(); });
+                [&](bool) { field.viewport().fit(); });
     actions.add(menu, {"zoom_in", QObject::tr("Zoom &in"), QKeySequence("Ctrl++"), QObject::tr("Larger")},
-                [&](bool) { field.zoom(1.25); });
+                [&](bool) { field.viewport().zoom(1.25); });
     actions.add(menu, {"zoom_out", QObject::tr("Zoom &out"), QKeySequence("Ctrl+-"), QObject::tr("Smaller")},
-                [&](bool) { field.zoom(0.8); });
+                [&](bool) { field.viewport().zoom(0.8); });
     actions.add(menu,
                 {"follow", QObject::tr("&Follow the selected"), QKeySequence("L"),
                  QObject::tr("The view goes along with the selected robot"), true},
-                [&](bool on) { field.setFollowing(on); });
+                [&](bool on) { field.viewport().setFollowing(on); });
     QObject::connect(&field, &FieldView::followRequested, &field, [&actions] {
         if (!actions["follow"].isChecked()) actions["follow"].trigger();
     });

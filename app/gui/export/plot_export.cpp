@@ -17,7 +17,7 @@
 #include "panels/plot_panel.h"
 #include "session/lineage_walk.h"
 #include "widgets/qt_text.h"
-#include "widgets/timeline_bar.h"
+#include "widgets/timeline_glyphs.h"
 #include "world/seconds_text.h"
 
 namespace mrose::gui {
@@ -69,7 +69,7 @@ std::vector<LegendEntry> legendOf(const std::vector<PlotCurve>& curves, const QS
 
 /// What curves are held against, where it is drawn.
 void addReferences(std::vector<LegendEntry>& legend, const PlotPanel& plots, const Theme& theme) {
-    const QColor colour = TimelineBar::colourOf(TimelineMark::Kind::divergence, theme);
+    const QColor colour = markColour(TimelineMark::Kind::divergence, theme);
     if (!plots.levels().empty()) legend.push_back({QObject::tr("bound"), QPen(colour, 1, Qt::DashLine)});
     if (plots.view().instant()) legend.push_back({QObject::tr("upright: leaves the real trajectory"), QPen(colour, 1)});
 }
@@ -77,7 +77,7 @@ void addReferences(std::vector<LegendEntry>& legend, const PlotPanel& plots, con
 /// What was driven, and by whom if it is one.
 QString headingOf(const Exports& exports) {
     const PlotPanel& plots = exports.plots;
-    const PlotView::Time& time = plots.view().time();
+    const PlotView::Time& time = plots.view().axis().time();
     QString heading = qtText(exports.frame.session.runName());
     if (time.end > 0) heading += QObject::tr(" for %1 s").arg(toSeconds(time.end * time.tickLength), 0, 'f', 1);
     std::set<std::string> bodies;
@@ -113,7 +113,7 @@ void drawLegend(QPainter& painter, const std::vector<LegendEntry>& legend, const
 Picture plotPicture(const Exports& exports) {
     const PlotPanel& plots = exports.plots;
     const PlotView& shown = plots.view();
-    const PlotView::Time& time = shown.time();
+    const PlotView::Time& time = shown.axis().time();
     const Theme theme = paperTheme();
     std::vector<PlotCurve> curves = plots.curvesIn(theme);
     QFont font;
@@ -134,7 +134,7 @@ Picture plotPicture(const Exports& exports) {
     view->setReferences(shown.levels(), shown.instant());
     view->setTime(time);
     const auto last = static_cast<double>(std::max(time.last, time.end));
-    view->showRange(std::max(shown.from(), static_cast<double>(time.first)), std::min(shown.to(), last));
+    view->showRange(std::max(shown.axis().from(), static_cast<double>(time.first)), std::min(shown.axis().to(), last));
     return {{size.width(), size.height() + top}, paperInch, exports.frame.window.windowTitle(), [=](QPainter& painter) {
                 painter.fillRect(QRect(0, 0, size.width(), size.height() + top), Qt::white);
                 painter.setPen(theme.text);

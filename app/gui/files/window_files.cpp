@@ -274,7 +274,8 @@ void WindowFiles::takeGrown(const OpenRun& run) {
     const ShownPlace place = known ? ShownPlace{shown->branch, shown->tick()} : ShownPlace{};
     frame_.messages.clear();
     const auto selected = field_.selected();
-    const std::optional<ViewTransform> view = field_.showsAll() ? std::nullopt : std::optional(field_.transform());
+    const std::optional<ViewTransform> view =
+        field_.viewport().showsAll() ? std::nullopt : std::optional(field_.transform());
     show(run, run.source.file);
     if (view) field_.setView(*view);
     field_.setSelected(selected);

@@ -7,7 +7,7 @@
 #include "session/session.h"
 #include "widgets/message_bar.h"
 #include "widgets/qt_text.h"
-#include "widgets/timeline_bar.h"
+#include "widgets/fixed_text.h"
 
 namespace mrose::gui {
 namespace {

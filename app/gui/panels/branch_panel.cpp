@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "widgets/qt_text.h"
-#include "widgets/timeline_bar.h"
+#include "widgets/fixed_text.h"
 
 namespace mrose::gui {
 namespace {

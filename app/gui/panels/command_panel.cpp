@@ -13,7 +13,7 @@
 #include <cmath>
 
 #include "widgets/qt_text.h"
-#include "widgets/timeline_bar.h"
+#include "widgets/fixed_text.h"
 
 namespace mrose::gui {
 namespace {

@@ -16,7 +16,7 @@
 #include "widgets/curve_sampling.h"
 #include "widgets/eliding_label.h"
 #include "widgets/qt_text.h"
-#include "widgets/timeline_bar.h"
+#include "widgets/timeline_glyphs.h"
 
 namespace mrose::gui {
 namespace {
@@ -435,7 +435,7 @@ void PlotPanel::updateList() {
         add(curvePen(curve), words[i].inGroup, qtText(plotted[i].unit), qtText(plotted[i].name).simplified(),
             words[i].group);
     }
-    const QPen dashed(TimelineBar::colourOf(TimelineMark::Kind::divergence, theme_), 1, Qt::DashLine);
+    const QPen dashed(markColour(TimelineMark::Kind::divergence, theme_), 1, Qt::DashLine);
     for (const PlotLevel& level : levels())
         add(dashed, tr("bound"), level.unit,
             tr("Farther off for 0.3 s it has left the real trajectory; the upright line is where"), {});

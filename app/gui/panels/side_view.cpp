@@ -3,8 +3,8 @@
 #include <QBoxLayout>
 
 #include "widgets/eliding_label.h"
+#include "widgets/fixed_text.h"
 #include "widgets/qt_text.h"
-#include "widgets/timeline_bar.h"
 
 namespace mrose::gui {
 namespace {
@@ -121,8 +121,8 @@ void SideView::resizeEvent(QResizeEvent* event) {
 
 void SideView::arrange() {
     const int name = fieldName_->sizeHint().height(), gap = panes_->spacing();
-    const double across = field_->fittedScale(QSizeF((width() - gap) / 2.0, height() - name));
-    const double down = field_->fittedScale(QSizeF(width(), (height() - gap) / 2.0 - name));
+    const double across = field_->viewport().fittedScale(QSizeF((width() - gap) / 2.0, height() - name));
+    const double down = field_->viewport().fittedScale(QSizeF(width(), (height() - gap) / 2.0 - name));
     panes_->setDirection(across >= down ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
 }
 

@@ -15,7 +15,7 @@ void RolloutView::showNear() {
     const Point middle = row->area.middle(), size = row->area.most - row->area.least;
     const auto half = [&](double length) { return std::max(least / 2, (1 + margin) * (length / 2 + reach)); };
     const Point reaches{half(size.x), half(size.y)};
-    field_.fit({middle - reaches, middle + reaches});
+    field_.viewport().fit({middle - reaches, middle + reaches});
 }
 
 /// Whether the rollout of the robot that is asked about lies outside of the view.
@@ -28,7 +28,7 @@ bool RolloutView::isAside() const {
 }
 
 void RolloutView::showNearer() {
-    if (field_.showsAll() || isAside()) showNear();
+    if (field_.viewport().showsAll() || isAside()) showNear();
 }
 
 void RolloutView::showNearIfAside() {
@@ -47,8 +47,8 @@ RolloutView::Kept RolloutView::keep(std::optional<std::size_t> robot, bool sameL
     else if (const auto body = field_.selected(); body && session_.current() != nullptr)
         kept.selected = session_.current()->frame->nameOf(*body);
     if (!sameLog) return kept;
-    kept.near = robot || field_.showsPart();
-    if (!field_.showsAll()) kept.view = field_.transform();
+    kept.near = robot || field_.viewport().showsPart();
+    if (!field_.viewport().showsAll()) kept.view = field_.transform();
     return kept;
 }
 

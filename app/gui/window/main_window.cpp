@@ -33,6 +33,7 @@
 #include "reality/run_timeline.h"
 #include "session/background_work.h"
 #include "widgets/field_view.h"
+#include "widgets/fixed_text.h"
 #include "widgets/inspector.h"
 #include "widgets/message_bar.h"
 #include "widgets/qt_text.h"
@@ -136,7 +137,7 @@ void MainWindow::connectAll() {
     connect(session_, &Session::opening, this, [this](const OpenRun& run) {
         setWindowTitle(qtText(run.name) + " \u2013 mrose");
         field().setSelected(std::nullopt);
-        field().fit();
+        field().viewport().fit();
     });
     connect(&field(), &FieldView::bodySelected, inspector_, &Inspector::setBody);
     connect(&field(), &FieldView::bodySelected, status_, &StatusLine::done);
