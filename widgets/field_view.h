@@ -42,6 +42,7 @@ public:
     const FieldLayers& layers() const { return layers_; }
     /// What is seen; changed there, it is drawn so.
     FieldViewport& viewport() { return viewport_; }
+    const FieldViewport& viewport() const { return viewport_; }
     const ViewTransform& transform() const { return viewport_.transform(); }
     std::optional<std::size_t> selected() const { return focus_.selected; }
     /// Shows some bodies, near enough to see what they do, and all others quietly, until another one is selected, all
