@@ -154,7 +154,7 @@ void Inspector::showMenu(const QPoint& place) {
 
 /// Where there is little room, names give way: numbers are never cut.
 void Inspector::fitColumns() {
-    const int numbers = tree_->fontMetrics().horizontalAdvance("-000.000 rad/s") + 14;
+    const int numbers = tree_->fontMetrics().horizontalAdvance("-000.000 rad/s") + 10;
     const int room = tree_->viewport()->width() - Delegate::markWidth - numbers;
     fitting_ = true;
     tree_->header()->resizeSection(Delegate::nameColumn,

@@ -40,7 +40,7 @@ public:
     CommandQueue& queue() const { return *queue_; }
 
     QSize sizeHint() const override { return {330, 560}; }
-    QSize minimumSizeHint() const override { return {230, 160}; }
+    QSize minimumSizeHint() const override { return {240, 160}; }
 
 signals:
     /// To be plotted, or not any longer.

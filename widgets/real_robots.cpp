@@ -61,7 +61,7 @@ std::optional<RealRobot> realRobotOf(const FieldFrame& frame, std::size_t body) 
 }
 
 QColor realColour(std::optional<std::size_t> place, const Theme& theme) {
-    return place ? mixed(robotColour(*place), theme.onFloor, 0.5) : mixed(theme.quietText, theme.onFloor, 0.3);
+    return place ? mixed(robotColour(*place), theme.onFloor, 0.6) : mixed(theme.quietText, theme.onFloor, 0.3);
 }
 
 QString errorText(const PoseError& error) { return lengthText(error.position) + ", " + degreesText(error.heading); }

@@ -6,6 +6,8 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QMouseEvent>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSettings>
 #include <QTabBar>
 #include <cmath>
@@ -155,6 +157,11 @@ TEST_F(DocksTest, FieldKeepsItsShareOfEachWindow) {
     for (const QSize& size : sizes) {
         resizeTo(size);
         expectRoomForTheField("log with inspector and plots");
+        // Where there is room for all that is in the panel, it need not be scrolled.
+        const auto& panel = static_cast<const QScrollArea&>(*dock("reality").widget());
+        if (size.width() >= 1280) {
+            EXPECT_EQ(panel.horizontalScrollBar()->maximum(), 0) << size.width();
+        }
     }
 }
 

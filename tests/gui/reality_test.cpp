@@ -78,13 +78,18 @@ TEST_F(RealityTest, OutlinesLieWhereTheTruthSays) {
     }
 }
 
-TEST_F(RealityTest, RobotsKeepTheirColourAndTheirBodiesShowThrough) {
+/// Of a real robot the outline has the simulated one's hue, but not its colour.
+TEST_F(RealityTest, RobotsAreToldFromSimulatedOnesAndTheirBodiesShowThrough) {
     show(3);
     const QImage with = picture({FieldLayer::reality});
     for (std::size_t i = 0; i < 2; ++i) {
         const QPointF real = px(position((i == 0 ? straight : round).poseAt(4)));
         const QRect box(real.toPoint() - QPoint(30, 30), QSize(61, 61));
-        EXPECT_GT(blobOf(with.copy(box), robotColour(i), 20).pixels, 60) << i;
+        for (const Theme& theme : {Theme::light(), Theme::darkOne()}) {
+            EXPECT_GT(contrast(realColour(i, theme), robotColour(i)), 1.5) << i;
+            EXPECT_LT(std::abs(realColour(i, theme).hue() - robotColour(i).hue()), 12) << i;
+        }
+        EXPECT_GT(blobOf(with.copy(box), realColour(i, Theme::light()), 20).pixels, 60) << i;
         // Away from the line and the nose the outline is hollow: the floor is seen in it.
         EXPECT_EQ(with.pixel((real + QPointF(-3, 14)).toPoint()), with.pixel(QPoint(400, 20))) << i;
     }

@@ -260,11 +260,14 @@ void Docks::arrangeColumns() {
         content.least = std::max(content.least, least.least);
         if (!column.empty()) room -= separator();
     }
-    for (const QTabBar* tabs : window_.findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
-        if (tabs->isVisible() && tabs->shape() == QTabBar::RoundedWest) room -= tabs->width();
+    int tabs = 0;  // of the left column, which takes them as its own
+    for (const QTabBar* bar : window_.findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
+        if (bar->isVisible() && bar->shape() == QTabBar::RoundedWest) tabs += bar->width();
+    room -= tabs;
     const QList<int> unscrolled = fitted(toContents, room);
     for (std::size_t i = 0; i < columns.size(); ++i) toLeast[i].wanted = unscrolled[static_cast<int>(i)];
-    const QList<int> widths = fitted(toLeast, room);
+    QList<int> widths = fitted(toLeast, room);
+    widths.front() += tabs;
     for (std::size_t i = 0; i < columns.size(); ++i)
         for (const Panel* panel : columns[i])
             window_.resizeDocks({panel->dock}, {widths[static_cast<int>(i)]}, Qt::Horizontal);
