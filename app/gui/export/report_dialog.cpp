@@ -336,11 +336,12 @@ ReportDialog* showComparisonDialog(const Exports& exports) {
           QObject::tr("s, how long; empty: to the log's end, or what the scenario says")}});
     dialog->addWords("windows", QObject::tr("W&indows"),
                      QObject::tr("Instead: all, as mrose evaluate cuts the log; or a CSV file"));
-    dialog->addNumbers(QObject::tr("Bou&nd"),
-                       {{"position", QObject::tr("held out"), QObject::tr("cm or"),
-                         QObject::tr("cm: farther off it has left the real trajectory; empty: as held out")},
-                        {"heading", QObject::tr("held out"), QString::fromUtf8("\u00b0"),
-                         QObject::tr("degrees: turned by more it has left the real trajectory; empty: as held out")}});
+    dialog->addNumbers(
+        QObject::tr("Bou&nd"),
+        {{"position", QObject::tr("usual error"), QObject::tr("cm or"),
+          QObject::tr("cm: farther off it has left the real trajectory; empty: three times the usual error")},
+         {"heading", QObject::tr("usual error"), QString::fromUtf8("\u00b0"),
+          QObject::tr("degrees: turned by more it has left the real trajectory; empty: three times the usual error")}});
     dialog->addWords("models", QObject::tr("&Models"),
                      QObject::tr("Networks that may explain it, beside those that ship; or nothing"));
     const auto* folder = addFolder(*dialog);
