@@ -27,7 +27,7 @@ void drawDot(const FieldCanvas& canvas, const FieldFrame& frame, std::size_t bod
     canvas.painter.drawRect(QRectF(at - QPointF(radius, radius), QSizeF(2 * radius, 2 * radius)));
     if (!robot || !heading || radius < 2.5) return;
     canvas.painter.setPen(hairline(QColor(0, 0, 0)));
-    canvas.painter.drawLine(at, at + 1.8 * radius * QPointF(std::cos(pose.heading), -std::sin(pose.heading)));
+    canvas.painter.drawLine(at, at + 1.8 * radius * canvas.view.along(pose.heading));
 }
 
 /// The colour that a robot is known by, as a rim about its body's own colours.
@@ -99,7 +99,7 @@ bool hasKnob(const FieldFrame& frame, const FieldFocus& focus) {
 QPointF knobAt(const ViewTransform& view, const FieldFrame& frame, std::size_t robot) {
     const Pose& pose = frame.poseOf(robot);
     const double away = view.scale() * frame.scene().shapeOf(robot).reach + ringGap + knobStalk + knobRadius;
-    return view.toPixels(position(pose)) + away * QPointF(std::cos(pose.heading), -std::sin(pose.heading));
+    return view.toPixels(position(pose)) + away * view.along(pose.heading);
 }
 
 QRectF knobBox(const ViewTransform& view, const FieldFrame& frame, std::size_t robot) {

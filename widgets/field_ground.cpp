@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "widgets/field_drawing.h"
 
@@ -9,13 +10,6 @@ namespace {
 QString metresText(double value, double step) {
     const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
     return QString::number(std::abs(value) < step / 2 ? 0 : value, 'f', decimals);
-}
-
-template <class Draw>
-void forEachStep(double least, double most, double step, Draw draw) {
-    const auto last = static_cast<std::int64_t>(std::floor(most / step + 1e-9));
-    for (auto i = static_cast<std::int64_t>(std::ceil(least / step - 1e-9)); i <= last; ++i)
-        draw(static_cast<double>(i) * step);
 }
 
 void drawMarking(const FieldCanvas& canvas, const Marking& marking) {
@@ -33,6 +27,31 @@ void drawMarking(const FieldCanvas& canvas, const Marking& marking) {
         painter.drawPolyline(canvas.mapped(marking.points, {}));
 }
 
+/// Of the picture: the field's coordinates that run along it, and where each lies.
+struct Axis {
+    double least = 0, most = 0;
+    std::function<double(double)> at;
+};
+
+Axis across(const FieldCanvas& canvas) {
+    if (canvas.view.turned())
+        return {canvas.shown.least.y, canvas.shown.most.y, [&](double y) { return canvas.at({0, y}).x(); }};
+    return {canvas.shown.least.x, canvas.shown.most.x, [&](double x) { return canvas.at({x, 0}).x(); }};
+}
+
+Axis down(const FieldCanvas& canvas) {
+    if (canvas.view.turned())
+        return {canvas.shown.least.x, canvas.shown.most.x, [&](double x) { return canvas.at({x, 0}).y(); }};
+    return {canvas.shown.least.y, canvas.shown.most.y, [&](double y) { return canvas.at({0, y}).y(); }};
+}
+
+template <class Draw>
+void forEachStep(const Axis& axis, double step, Draw draw) {
+    const auto last = static_cast<std::int64_t>(std::floor(axis.most / step + 1e-9));
+    for (auto i = static_cast<std::int64_t>(std::ceil(axis.least / step - 1e-9)); i <= last; ++i)
+        draw(static_cast<double>(i) * step, axis.at(static_cast<double>(i) * step));
+}
+
 void drawRulers(const FieldCanvas& canvas, double step) {
     QPainter& painter = canvas.painter;
     const double width = canvas.view.size().width(), height = canvas.view.size().height();
@@ -47,17 +66,16 @@ void drawRulers(const FieldCanvas& canvas, double step) {
     font.setPointSizeF(8);
     painter.setFont(font);
     painter.setPen(canvas.theme.quietText);
-    forEachStep(canvas.shown.least.x, canvas.shown.most.x, step, [&](double x) {
-        const double at = canvas.at({x, 0}).x();
+    forEachStep(across(canvas), step, [&](double value, double at) {
         if (at < rulerWidth + 14) return;
         painter.drawLine(QPointF(at, rulerHeight - 4), QPointF(at, rulerHeight));
-        painter.drawText(QRectF(at - 30, 0, 60, rulerHeight - 3), Qt::AlignCenter, metresText(x, step));
+        painter.drawText(QRectF(at - 30, 0, 60, rulerHeight - 3), Qt::AlignCenter, metresText(value, step));
     });
-    forEachStep(canvas.shown.least.y, canvas.shown.most.y, step, [&](double y) {
-        const double at = canvas.at({0, y}).y();
+    forEachStep(down(canvas), step, [&](double value, double at) {
         if (at < rulerHeight + 8) return;
         painter.drawLine(QPointF(rulerWidth - 4, at), QPointF(rulerWidth, at));
-        painter.drawText(QRectF(0, at - 8, rulerWidth - 6, 16), Qt::AlignRight | Qt::AlignVCenter, metresText(y, step));
+        painter.drawText(QRectF(0, at - 8, rulerWidth - 6, 16), Qt::AlignRight | Qt::AlignVCenter,
+                         metresText(value, step));
     });
     painter.drawText(QRectF(0, 0, rulerWidth, rulerHeight), Qt::AlignCenter, "m");
 }
@@ -89,14 +107,9 @@ void drawGrid(const FieldCanvas& canvas) {
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.setPen(hairline(withAlpha(canvas.theme.dark ? QColor(255, 255, 255) : QColor(0, 0, 0), 42)));
     const double width = canvas.view.size().width(), height = canvas.view.size().height();
-    forEachStep(canvas.shown.least.x, canvas.shown.most.x, step, [&](double x) {
-        const double at = canvas.at({x, 0}).x();
-        painter.drawLine(QPointF(at, 0), QPointF(at, height));
-    });
-    forEachStep(canvas.shown.least.y, canvas.shown.most.y, step, [&](double y) {
-        const double at = canvas.at({0, y}).y();
-        painter.drawLine(QPointF(0, at), QPointF(width, at));
-    });
+    forEachStep(across(canvas), step,
+                [&](double, double at) { painter.drawLine(QPointF(at, 0), QPointF(at, height)); });
+    forEachStep(down(canvas), step, [&](double, double at) { painter.drawLine(QPointF(0, at), QPointF(width, at)); });
     drawRulers(canvas, step);
     painter.setRenderHint(QPainter::Antialiasing);
 }

@@ -53,7 +53,7 @@ struct LegendGrid {
                                mostLegendRow);
         const auto fitting = static_cast<std::size_t>(std::max(1.0, room / rowHeight));
         inColumn = std::clamp<std::size_t>(fitting, 1, std::max<std::size_t>(1, rows.size()));
-        inColumn = (rows.size() + columns() - 1) / columns();
+        inColumn = (rows.size() + columns() - 1) / std::max<std::size_t>(1, columns());
     }
     std::size_t columns() const { return (rows.size() + inColumn - 1) / inColumn; }
     QSizeF size() const {
@@ -74,7 +74,7 @@ QRectF legendBox(const FieldCanvas& canvas, const FieldFrame& frame, const Field
     const QRectF above = corner.translated(0, covered.top() - 8 - corner.bottom());
     const QRectF aside = corner.translated(covered.left() - 8 - corner.right(), -aboveScale);
     const Area area = areaOf(frame.scene().environment);
-    const QRectF place(canvas.at({area.least.x, area.most.y}), canvas.at({area.most.x, area.least.y}));
+    const QRectF place = canvas.view.box(area);
     const auto hidden = [&](const QRectF& box) {
         const QRectF common = box & place;
         return common.width() * common.height();

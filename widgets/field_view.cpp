@@ -234,7 +234,8 @@ void FieldView::endDrag(bool keep) {
 void FieldView::nudge(const Pose& by) {
     if (!focus_.turnable || !frame_ || !focus_.selected || held()) return;
     Pose pose = focus_.moved.value_or(frame_->poseOf(*focus_.selected));
-    pose = {pose.x + by.x, pose.y + by.y, wrapAngle(pose.heading + by.heading)};
+    const Point way = transform().onField(position(by));
+    pose = {pose.x + way.x, pose.y + way.y, wrapAngle(pose.heading + by.heading)};
     focus_.moved = pose;
     update();
     if (!std::exchange(nudging_, true)) QCoreApplication::instance()->installEventFilter(this);

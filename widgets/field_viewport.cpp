@@ -10,10 +10,8 @@ namespace {
 
 /// About bodies that are to be seen well, m, and how large the largest of them is then, pixels from its middle.
 constexpr double nearMargin = 2, leastNear = 24;
-
-QRectF pixelsOf(const ViewTransform& view, const Area& area) {
-    return {view.toPixels({area.least.x, area.most.y}), view.toPixels({area.most.x, area.least.y})};
-}
+/// A place is turned where it is so many times as large then.
+constexpr double worthATurn = 1.2;
 
 QRectF within(const QSizeF& size, const QMarginsF& margins) { return QRectF({0, 0}, size).marginsRemoved(margins); }
 
@@ -35,7 +33,7 @@ std::optional<Area> FieldViewport::fitted() const {
 void FieldViewport::fitInto(ViewTransform& view, const Area& area) const {
     const QRectF into = within(view.size(), margins_);
     view.fit(area, into);
-    const QRectF place = pixelsOf(view, area);
+    const QRectF place = view.box(area);
     if (!place.intersects(covered_)) return;
     const double up = place.bottom() + fitMargin - covered_.top();
     const double left = place.right() + fitMargin - covered_.left();
@@ -50,7 +48,7 @@ QRectF FieldViewport::fittedPlace() const {
     if (area.empty()) return {};
     ViewTransform fitted = view_;
     fitInto(fitted, area);
-    return pixelsOf(fitted, area);
+    return fitted.box(area);
 }
 
 double FieldViewport::fittedScale(const QSizeF& size) const {
@@ -61,8 +59,35 @@ double FieldViewport::fittedScale(const QSizeF& size) const {
     return fitted.scale();
 }
 
+/// As it is, unless all of the place is much larger the other way. What the user chose counts.
+void FieldViewport::turnAsSuits() {
+    const Area area = whole();
+    if (part_ || area.empty()) return;
+    if (!place_ || place_->least != area.least || place_->most != area.most) chosen_ = false;
+    place_ = area;
+    if (chosen_) return;
+    ViewTransform present = view_, other = view_;
+    other.setTurned(!view_.turned());
+    for (ViewTransform* view : {&present, &other}) view->fit(area, within(view_.size(), margins_));
+    if (other.scale() > worthATurn * present.scale()) view_.setTurned(other.turned());
+}
+
+void FieldViewport::fit() {
+    chosen_ = false;
+    fitPart(std::nullopt);
+}
+
+void FieldViewport::setTurned(bool turned) {
+    if (turned == view_.turned()) return;
+    view_.setTurned(turned);
+    chosen_ = true;
+    refit();
+    changed_(false);
+}
+
 void FieldViewport::refit() {
     if (!fitted_ || !frame_) return;
+    turnAsSuits();
     fitInto(view_, part_.value_or(whole()));
     changed_(true);
 }

@@ -40,7 +40,9 @@ public:
     /// The view goes along with the selected body.
     void setFollowing(bool following);
 
-    void fit() { fitPart(std::nullopt); }  ///< all of the place
+    /// All of the place, turned by a quarter where it is much larger then.
+    void fit();
+    void setTurned(bool turned);  ///< by a quarter, until another place is shown or all of it is fitted
     void fit(const Area& part) { fitPart(part); }
     /// Some bodies, so near that it is seen what they do, unless they are seen well already.
     void showNear(const std::vector<std::size_t>& bodies);
@@ -54,6 +56,7 @@ public:
 private:
     static constexpr double fitMargin = 16, scaleBarHeight = 26;  ///< pixels
     Area whole() const;
+    void turnAsSuits();
     void fitInto(ViewTransform& view, const Area& area) const;
     void fitPart(const std::optional<Area>& part);
     void refit();
@@ -62,11 +65,13 @@ private:
     std::function<void(bool fits)> changed_;
     std::shared_ptr<const FieldFrame> frame_;
     ViewTransform view_;
-    std::optional<Area> part_;  ///< that is fitted; nullopt: all of the place
+    std::optional<Area> place_;  ///< that was fitted last
+    std::optional<Area> part_;   ///< that is fitted; nullopt: all of the place
     std::optional<std::size_t> selected_;
     QMarginsF margins_{fitMargin, fitMargin, fitMargin, scaleBarHeight};
     QRectF covered_;
     bool fitted_ = true, following_ = false;
+    bool chosen_ = false;  ///< by the user, whether it is turned
 };
 
 }  // namespace mrose

@@ -1,11 +1,13 @@
 #include "widgets/view_transform.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace mrose {
 
 Area ViewTransform::shown() const {
-    const Point half{size_.width() / 2 / scale_, size_.height() / 2 / scale_};
+    Point half{size_.width() / 2 / scale_, size_.height() / 2 / scale_};
+    if (turned_) std::swap(half.x, half.y);
     return {centre_ - half, centre_ + half};
 }
 
@@ -19,12 +21,12 @@ void ViewTransform::pan(const QPointF& from, const QPointF& to) { centre_ = cent
 
 void ViewTransform::fit(const Area& area, const QRectF& into) {
     if (area.empty()) return;
-    const Point extent = area.most - area.least;
+    Point extent = area.most - area.least;
+    if (turned_) std::swap(extent.x, extent.y);
     const double width = std::max(1.0, into.width()), height = std::max(1.0, into.height());
     scale_ = std::clamp(std::min(width / std::max(extent.x, 1e-3), height / std::max(extent.y, 1e-3)), leastScale,
                         mostScale);
-    const QPointF off = into.center() - QPointF(size_.width() / 2, size_.height() / 2);
-    centre_ = area.middle() - Point{off.x() / scale_, -off.y() / scale_};
+    centre_ = area.middle() - turnBack((into.center() - middle()) / scale_);
 }
 
 }  // namespace mrose

@@ -173,7 +173,7 @@ Expected<void> BranchTree::walk(Cursor& cursor, std::uint32_t branch, std::int64
     return {};
 }
 
-std::uint32_t BranchTree::begin(std::uint32_t parent, const std::string& name, BranchStart start) {
+std::uint32_t BranchTree::begin(std::uint32_t parent, const std::string& name, NewBranch start) {
     const bool otherSetup = start.setup != record(parent).setupPointer();
     const std::uint32_t made =
         history_.beginBranch(parent, start.state, name, otherSetup ? start.setup->value : nullptr);

@@ -17,7 +17,7 @@
 namespace mrose {
 
 /// What a branch begins with.
-struct BranchStart {
+struct NewBranch {
     BranchSetupPointer setup;
     WorldState state;
     std::vector<HandOrder> orders = {};
@@ -72,7 +72,7 @@ public:
     std::size_t trackBytes() const;
 
     /// A new branch; its index.
-    std::uint32_t begin(std::uint32_t parent, const std::string& name, BranchStart start);
+    std::uint32_t begin(std::uint32_t parent, const std::string& name, NewBranch start);
     void rename(std::uint32_t branch, const std::string& name) { history_.rename(branch, name); }
     /// One tick beyond the end of a branch, where the cursor stands. What would have happened, in its parent, goes on
     /// as far.

@@ -17,7 +17,7 @@ std::string together(const std::string& name, const std::string& edit) {
 }
 
 /// At the start a robot has observed and decided already, as `after`, a tick later, has it.
-void takeMemories(const Cursor& after, std::uint32_t robot, BranchStart& start) {
+void takeMemories(const Cursor& after, std::uint32_t robot, NewBranch& start) {
     const Scenario& scenario = *start.setup->scenario;
     std::ranges::copy(scenario.memoryOf(after.state(), robot), scenario.memoryOf(start.state, robot).begin());
     std::ranges::copy(scenario.sensorMemory(after.state(), robot), scenario.sensorMemory(start.state, robot).begin());
@@ -86,7 +86,7 @@ Expected<void> TimeTravel::branchOff(const Edit& edit) {
     if (edit.tick && *edit.tick != tick()) at = branches_.lineageAt(branch_, *edit.tick);
     if (!at) return tl::unexpected(at.error());
     const BranchRecord& before = branches_.record(at->branch());
-    BranchStart start{edit.setup ? edit.setup : before.setupPointer(), edit.start ? *edit.start : at->state()};
+    NewBranch start{edit.setup ? edit.setup : before.setupPointer(), edit.start ? *edit.start : at->state()};
     const Scenario& scenario = *start.setup->scenario;
     if (edit.afterDeciding) {
         const Expected<Cursor> after = branches_.lineageAt(branch_, start.state.tick + 1);

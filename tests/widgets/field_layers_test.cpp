@@ -126,6 +126,23 @@ TEST(FieldLayers, EachChangesItsOwnPlaceOnly) {
     for (const QPoint& p : legend) ASSERT_TRUE(expected.back().where(p));
 }
 
+/// Also where there is nothing to explain.
+TEST(FieldLayers, LegendAloneIsNoBox) {
+    FieldView view;
+    view.resize(800, 640);
+    view.setFrame(std::make_shared<const FieldFrame>(frameOfDiscs({})));
+    view.setLayers(FieldLayers::none());
+    const QImage nothing = rendered(view);
+    for (const FieldLayer other : {FieldLayer::legend, FieldLayer::names}) {
+        view.setLayers(only({other}));
+        const QImage without = rendered(view);
+        view.setLayers(only({FieldLayer::legend, other}));
+        EXPECT_TRUE(differences(without, rendered(view)).empty()) << static_cast<int>(other);
+    }
+    view.setLayers(only({FieldLayer::legend}));
+    EXPECT_TRUE(differences(nothing, rendered(view)).empty());
+}
+
 TEST(FieldLayers, GridLinesLieAtRoundMetres) {
     FieldView view;
     view.resize(800, 640);

@@ -30,6 +30,25 @@ TEST(FieldViewport, FollowsTheSelectedBodyAndIsFittedNoLonger) {
     EXPECT_EQ(seen.transform().centre(), (Point{-1, 3})) << "that body is no more";
 }
 
+TEST(FieldViewport, PlaceIsTurnedWhereItIsMuchLargerThenUnlessTheUserTurnedIt) {
+    FieldViewport seen;
+    seen.setSize({640, 480});
+    seen.setFrame(frameAt({{0, 0, 0}}));
+    EXPECT_FALSE(seen.transform().turned());
+    const double upright = seen.fittedScale({200, 900});
+    seen.setSize({200, 900});
+    EXPECT_TRUE(seen.transform().turned());
+    EXPECT_GT(seen.transform().scale(), 1.2 * upright);
+    EXPECT_TRUE(QRectF(0, 0, 200, 900).contains(seen.fittedPlace()));
+    seen.setSize({640, 480});
+    EXPECT_FALSE(seen.transform().turned());
+    seen.setTurned(true);
+    seen.setSize({640, 500});
+    EXPECT_TRUE(seen.transform().turned()) << "chosen";
+    seen.fit();
+    EXPECT_FALSE(seen.transform().turned());
+}
+
 TEST(FieldViewport, RulersTakeRoomOfWhatIsFitted) {
     FieldViewport seen;
     seen.setSize({640, 480});

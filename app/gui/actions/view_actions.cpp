@@ -100,6 +100,10 @@ void addViewActions(const Frame& frame, FieldView& field, const std::function<vo
     QObject::connect(&field, &FieldView::followRequested, &field, [&actions] {
         if (!actions["follow"].isChecked()) actions["follow"].trigger();
     });
+    actions.add(menu,
+                {"turn", QObject::tr("&Turn the field"), QKeySequence("Shift+L"),
+                 QObject::tr("By a quarter, as it is where it is much larger then; all of it again as suits: F")},
+                [&](bool) { field.viewport().setTurned(!field.transform().turned()); });
     addPanActions(frame, field, menu);
     actions.addSeparator(menu);
     actions.add(menu,
