@@ -11,7 +11,7 @@ namespace {
 /// About bodies that are to be seen well, m, and how large the largest of them is then, pixels from its middle.
 constexpr double nearMargin = 2, leastNear = 24;
 /// A place is turned where it is so many times as large then.
-constexpr double worthATurn = 1.2;
+constexpr double worthATurn = 1.3;
 
 QRectF within(const QSizeF& size, const QMarginsF& margins) { return QRectF({0, 0}, size).marginsRemoved(margins); }
 

@@ -31,22 +31,29 @@ TEST(FieldViewport, FollowsTheSelectedBodyAndIsFittedNoLonger) {
 }
 
 TEST(FieldViewport, PlaceIsTurnedWhereItIsMuchLargerThenUnlessTheUserTurnedIt) {
+    FieldFrame frame = frameOfDiscs({{0, 0, 0}});
+    ScenarioParts parts = frame.scenario->parts();
+    Environment& arena = parts.scene.environment;
+    arena.obstacles.clear();
+    arena.markings.clear();
+    arena.floor.area = {{-2, -1}, {2, -1}, {2, 9}, {-2, 9}};
+    frame.scenario = std::make_shared<const Scenario>(std::move(parts));
     FieldViewport seen;
-    seen.setSize({640, 480});
-    seen.setFrame(frameAt({{0, 0, 0}}));
+    seen.setSize({300, 600});
+    seen.setFrame(std::make_shared<const FieldFrame>(frame));
     EXPECT_FALSE(seen.transform().turned());
-    const double upright = seen.fittedScale({200, 900});
-    seen.setSize({200, 900});
+    const double upright = seen.fittedScale({640, 480});
+    seen.setSize({640, 480});
     EXPECT_TRUE(seen.transform().turned());
-    EXPECT_GT(seen.transform().scale(), 1.2 * upright);
-    EXPECT_TRUE(QRectF(0, 0, 200, 900).contains(seen.fittedPlace()));
-    seen.setSize({640, 480});
-    EXPECT_FALSE(seen.transform().turned());
-    seen.setTurned(true);
+    EXPECT_GT(seen.transform().scale(), 1.3 * upright);
+    const QRectF place = seen.fittedPlace();
+    EXPECT_TRUE(QRectF(0, 0, 640, 480).contains(place));
+    EXPECT_GT(place.width(), place.height());
+    seen.setTurned(false);
     seen.setSize({640, 500});
-    EXPECT_TRUE(seen.transform().turned()) << "chosen";
+    EXPECT_FALSE(seen.transform().turned()) << "chosen";
     seen.fit();
-    EXPECT_FALSE(seen.transform().turned());
+    EXPECT_TRUE(seen.transform().turned());
 }
 
 TEST(FieldViewport, RulersTakeRoomOfWhatIsFitted) {
