@@ -2,6 +2,7 @@
 
 #include "condition/lua_paths.h"
 #include "io/format.h"
+#include "io/text_position.h"
 
 namespace mrose {
 namespace {

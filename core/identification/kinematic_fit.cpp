@@ -12,9 +12,9 @@ KinematicParameters::Channel toChannel(const ResponseFit& fit) {
     return channel;
 }
 
-Expected<KinematicParameters::Channel> fitChannel(std::span<const RobotLog> robots, Channel channel,
-                                                  KinematicBaseline baseline, const std::string& source) {
-    const bool dynamic = baseline == KinematicBaseline::dynamic;
+Expected<KinematicParameters::Channel> fitChannel(std::span<const RobotLog> robots, Channel channel, KinematicFit fit,
+                                                  const std::string& source) {
+    const bool dynamic = fit == KinematicFit::dynamic;
     DelayedResponse response(channel, dynamic ? StaticMap::affine : StaticMap::command);
     for (const RobotLog& robot : robots)
         for (const Trajectory& trajectory : robot.trajectories) response.add(trajectory);
@@ -37,14 +37,14 @@ double fitLateral(std::span<const RobotLog> robots) {
 
 }  // namespace
 
-Expected<KinematicParameters> fitKinematics(std::span<const RobotLog> robots, KinematicBaseline baseline,
+Expected<KinematicParameters> fitKinematics(std::span<const RobotLog> robots, KinematicFit fit,
                                             const std::string& source) {
-    const auto v = fitChannel(robots, Channel::v, baseline, source);
+    const auto v = fitChannel(robots, Channel::v, fit, source);
     if (!v) return tl::unexpected(v.error());
-    const auto w = fitChannel(robots, Channel::w, baseline, source);
+    const auto w = fitChannel(robots, Channel::w, fit, source);
     if (!w) return tl::unexpected(w.error());
     KinematicParameters parameters{*v, *w};
-    if (baseline == KinematicBaseline::dynamic) parameters.lateralPerRotation = fitLateral(robots);
+    if (fit == KinematicFit::dynamic) parameters.lateralPerRotation = fitLateral(robots);
     return parameters;
 }
 

@@ -8,9 +8,9 @@
 
 namespace mrose {
 
-/// The kinematic baselines, each with all that the one before it has. The first, velocity = command, needs no fit: it
-/// is KinematicParameters{}.
-enum class KinematicBaseline {
+/// What is fitted, each with all that the one before it has. The first of the kinematic baselines, velocity = command,
+/// needs none: it is KinematicParameters{}.
+enum class KinematicFit {
     deadTime,  ///< + a dead time for each channel
     dynamic    ///< + lag, gain, bias, and the sideways shift per rotation
 };
@@ -19,7 +19,7 @@ enum class KinematicBaseline {
 /// commands of a channel have one dead time here, so that jitter turns up as lag: it is what predicts best, while
 /// identifyDeadTimes tells them apart. A channel whose command never changes keeps its defaults. Error: too little
 /// ground truth beside commands; `source` names the log in it.
-Expected<KinematicParameters> fitKinematics(std::span<const RobotLog> robots, KinematicBaseline baseline,
+Expected<KinematicParameters> fitKinematics(std::span<const RobotLog> robots, KinematicFit fit,
                                             const std::string& source = "log");
 
 }  // namespace mrose

@@ -33,9 +33,9 @@ MotionNetwork::Identified::Delay delayOf(const ChannelDelay& channel) {
 }
 
 Expected<MotionNetwork::Identified> identify(const Pooled& pool) {
-    const auto delayed = fitKinematics(pool.logs, KinematicBaseline::deadTime, pool.source);
+    const auto delayed = fitKinematics(pool.logs, KinematicFit::deadTime, pool.source);
     if (!delayed) return tl::unexpected(delayed.error());
-    const auto dynamic = fitKinematics(pool.logs, KinematicBaseline::dynamic, pool.source);
+    const auto dynamic = fitKinematics(pool.logs, KinematicFit::dynamic, pool.source);
     if (!dynamic) return tl::unexpected(dynamic.error());
     const DeadTimes times = identifyDeadTimes(pool.logs);
     return MotionNetwork::Identified{pool.robot, {}, delayOf(times.v), delayOf(times.w), *delayed, *dynamic};

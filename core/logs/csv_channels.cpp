@@ -29,7 +29,7 @@ Expected<void> endStream(CsvStream<Sample>& stream, std::string_view content, co
     const auto fresh = stream.samples.end() - static_cast<std::ptrdiff_t>(stream.places.size());
     if (!std::is_sorted(fresh, stream.samples.end(), earlier<Sample>)) {
         std::vector<Sample> added(fresh, stream.samples.end());
-        const auto lineOf = [&](std::size_t row) { return positionOf(content, stream.places[row]).line; };
+        const auto lineOf = [&](std::size_t row) { return positionIn(content, stream.places[row]).line; };
         if (auto checked = checkDirection(added, name, lineOf); !checked) return checked;
         sortByTime(added, defects);
         std::copy(added.begin(), added.end(), fresh);

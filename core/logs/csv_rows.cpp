@@ -47,7 +47,7 @@ bool CsvRows::readHeader() {
 
 int CsvRows::headerLine() const {
     const char* const end = content_.data() + content_.size();
-    return positionOf(content_, nextLine(content_.data(), end)).line;
+    return positionIn(content_, nextLine(content_.data(), end)).line;
 }
 
 void CsvRows::setKinds(std::vector<CellKind> kinds) {
@@ -55,7 +55,7 @@ void CsvRows::setKinds(std::vector<CellKind> kinds) {
     cells_.resize(kinds_.size());
 }
 
-int CsvRows::line() const { return positionOf(content_, row_).line; }
+int CsvRows::line() const { return positionIn(content_, row_).line; }
 
 Error CsvRows::about(std::string key, std::string cause) const {
     return {*name_, line(), 0, std::move(key), std::move(cause)};

@@ -88,7 +88,7 @@ Expected<std::vector<Window>> parseWindows(std::string_view content, const std::
 
 /// Rows in order and counted from the window's first one. Error: too short, too long, backwards in time for good.
 Expected<void> arrange(Window& item, std::string_view content, const std::string& name, LogDefects& defects) {
-    const auto lineOf = [&](std::size_t row) { return positionOf(content, item.rows[row].place).line; };
+    const auto lineOf = [&](std::size_t row) { return positionIn(content, item.rows[row].place).line; };
     const int line = lineOf(0);
     if (auto checked = checkDirection(item.rows, name, lineOf); !checked) return checked;
     sortByTime(item.rows, defects);

@@ -77,7 +77,7 @@ private:
     int lineOf(std::size_t row) const {
         const char* at = nextLine(content_.data(), end_);
         for (std::size_t i = 0; i < row; ++i) at = nextLine(lineEnd(at, end_), end_);
-        return positionOf(content_, at).line;
+        return positionIn(content_, at).line;
     }
 
     std::string_view content_;

@@ -1,18 +1,10 @@
 #include "logs/row_check.h"
 
-#include <algorithm>
 #include <cctype>
 #include <cstdio>
 #include <filesystem>
 
 namespace mrose {
-
-TextPosition positionOf(std::string_view text, const char* character) {
-    const std::string_view before = text.substr(0, static_cast<std::size_t>(character - text.data()));
-    const auto lines = std::count(before.begin(), before.end(), '\n');
-    const std::size_t lineStart = before.rfind('\n') + 1;  // npos + 1 is 0
-    return {static_cast<int>(lines) + 1, static_cast<int>(before.size() - lineStart) + 1};
-}
 
 std::string quoted(std::string_view text, const char* character, std::string_view separators) {
     constexpr std::size_t longest = 24;
@@ -32,7 +24,7 @@ std::string noNumberCause(std::string_view text, const char* character, std::str
 
 tl::unexpected<Error> failAt(const std::string& name, std::string_view text, const char* character, std::string key,
                              std::string cause) {
-    const TextPosition position = positionOf(text, character);
+    const TextPosition position = positionIn(text, character);
     return tl::unexpected<Error>(Error{name, position.line, position.column, std::move(key), std::move(cause)});
 }
 

@@ -7,16 +7,11 @@
 #include <vector>
 
 #include "io/error.h"
+#include "io/text_position.h"
 #include "logs/conditioning.h"
 #include "logs/decimal.h"
 
 namespace mrose {
-
-/// One-based line and column of a character of a text.
-struct TextPosition {
-    int line = 1, column = 1;
-};
-TextPosition positionOf(std::string_view text, const char* character);
 
 /// The text at `character` up to the next separator, shortened and made printable, for messages: `'12x4'`.
 std::string quoted(std::string_view text, const char* character, std::string_view separators);

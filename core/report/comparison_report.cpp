@@ -289,8 +289,8 @@ std::string comparisonHtml(const Comparison& comparison, const Scene& scene, con
             remarks.empty() ? "" : element("ul", "soft", remarks), heading("Error against time"),
             paragraph("One line for each robot: the median of its rollouts at that time, where ground truth is known."),
             robotLegend(comparison, divergences),
-            figurePair(errorOverTimeFigure(comparison, Channel::position, divergences),
-                       errorOverTimeFigure(comparison, Channel::heading, divergences)),
+            figurePair(errorOverTimeFigure(comparison, ErrorChannel::position, divergences),
+                       errorOverTimeFigure(comparison, ErrorChannel::heading, divergences)),
             divergences == nullptr ? "" : divergenceSection(comparison, *divergences),
             pictures(comparison, scene.environment, divergences), heading("What the words mean"),
             definitions(comparison), provenance(comparison, context));

@@ -12,10 +12,12 @@ namespace {
 
 using Points = std::vector<Point>;
 
-double inUnit(Channel channel, double error) { return (channel == Channel::position ? 100 : degrees) * error; }
+double inUnit(ErrorChannel channel, double error) {
+    return (channel == ErrorChannel::position ? 100 : degrees) * error;
+}
 
-SvgPlot plotOverTime(Channel channel, double lastTime, double highestError) {
-    const bool position = channel == Channel::position;
+SvgPlot plotOverTime(ErrorChannel channel, double lastTime, double highestError) {
+    const bool position = channel == ErrorChannel::position;
     SvgPlot plot({}, {0, lastTime}, {0, 1.06 * highestError},
                  position ? "Position error against time" : "Heading error against time");
     plot.axes("time since the start (s)", position ? "position error (cm)" : "heading error (°)");
@@ -23,10 +25,11 @@ SvgPlot plotOverTime(Channel channel, double lastTime, double highestError) {
 }
 
 /// From the origin.
-Points over(const std::vector<ErrorsAt>& errors, Channel channel, double Distribution::*part) {
+Points over(const std::vector<ErrorsAt>& errors, ErrorChannel channel, double Distribution::*part) {
     Points points{{0, 0}};
     for (const ErrorsAt& at : errors)
-        points.push_back({at.time, inUnit(channel, (channel == Channel::position ? at.position : at.heading).*part)});
+        points.push_back(
+            {at.time, inUnit(channel, (channel == ErrorChannel::position ? at.position : at.heading).*part)});
     return points;
 }
 
@@ -39,10 +42,10 @@ Point extent(const std::vector<Points>& lines) {
     return most;
 }
 
-std::vector<double> perWindow(const LogWindows& log, const Assessment& model, Channel channel) {
+std::vector<double> perWindow(const LogWindows& log, const Assessment& model, ErrorChannel channel) {
     std::vector<double> values;
     for (std::size_t i = 0; i < model.errors.size(); ++i)
-        if (channel == Channel::heading)
+        if (channel == ErrorChannel::heading)
             values.push_back(degrees * model.errors[i].headingFinal);
         else if (drives(log.windows[i], log.options))
             values.push_back(100 * model.errors[i].positionMean / log.windows[i].path);
@@ -51,12 +54,12 @@ std::vector<double> perWindow(const LogWindows& log, const Assessment& model, Ch
 }
 
 /// A robot's median errors, from the start on; not a number where none is known.
-Points medianErrors(const Comparison& comparison, std::size_t robot, Channel channel) {
+Points medianErrors(const Comparison& comparison, std::size_t robot, ErrorChannel channel) {
     std::vector<std::vector<double>> known;
     for (const ComparedRollout& rollout : comparison.rollouts) {
         if (rollout.robot != robot || rollout.simulated.empty()) continue;
         const WindowErrors& of = rollout.errors;
-        const std::vector<double>& errors = channel == Channel::position ? of.position : of.heading;
+        const std::vector<double>& errors = channel == ErrorChannel::position ? of.position : of.heading;
         known.resize(std::max(known.size(), errors.size()));
         for (std::size_t k = 0; k < errors.size(); ++k)
             if (std::isfinite(errors[k])) known[k].push_back(errors[k]);
@@ -104,7 +107,7 @@ std::string robotLegend(const Comparison& comparison, const ComparedDivergences*
     return legend(entries);
 }
 
-std::string errorOverTimeFigure(const Evaluation& evaluation, Channel channel) {
+std::string errorOverTimeFigure(const Evaluation& evaluation, ErrorChannel channel) {
     const auto& first = evaluation.models.front().overTime;
     std::vector<Points> lines;
     for (const Assessment& model : evaluation.models)
@@ -118,7 +121,7 @@ std::string errorOverTimeFigure(const Evaluation& evaluation, Channel channel) {
     return plot.text();
 }
 
-std::string cumulativeFigure(const Evaluation& evaluation, Channel channel) {
+std::string cumulativeFigure(const Evaluation& evaluation, ErrorChannel channel) {
     double right = 0;
     std::vector<std::vector<double>> values;
     for (const Assessment& model : evaluation.models) {
@@ -126,7 +129,7 @@ std::string cumulativeFigure(const Evaluation& evaluation, Channel channel) {
         std::vector<double> reordered = values.back();
         right = std::max(right, 1.15 * quantile(reordered, 0.9));
     }
-    const bool position = channel == Channel::position;
+    const bool position = channel == ErrorChannel::position;
     SvgPlot plot({}, {0, right}, {0, 100},
                  position ? "Cumulative distribution of position errors" : "Cumulative distribution of heading errors");
     plot.axes(position ? "position error, time-mean / path (%)" : "heading error at the end (°)",
@@ -174,8 +177,9 @@ std::optional<std::size_t> stepLeft(const Comparison& comparison, std::size_t ro
     return static_cast<std::size_t>(diverging->divergence.time / comparison.log.options.step) - 1;
 }
 
-std::string errorOverTimeFigure(const Comparison& comparison, Channel channel, const ComparedDivergences* divergences) {
-    const bool position = channel == Channel::position;
+std::string errorOverTimeFigure(const Comparison& comparison, ErrorChannel channel,
+                                const ComparedDivergences* divergences) {
+    const bool position = channel == ErrorChannel::position;
     std::vector<Points> lines;
     for (std::size_t i = 0; i < comparison.robots.size(); ++i) lines.push_back(medianErrors(comparison, i, channel));
     const Point most = extent(lines);

@@ -9,21 +9,21 @@ namespace mrose {
 
 // How large errors are, as plots. Positions are in cm, headings in degrees.
 
-enum class Channel { position, heading };
+enum class ErrorChannel { position, heading };
 
 /// Error against time: the first model's 10-90 % and 25-75 % bands and every model's median.
-std::string errorOverTimeFigure(const Evaluation& evaluation, Channel channel);
+std::string errorOverTimeFigure(const Evaluation& evaluation, ErrorChannel channel);
 /// The same of a comparison, a line for each robot: the median of its rollouts at each instant at which some are known,
 /// which is the error itself where it has but one. With `divergences` the bound, where it is a constant, and a ring
 /// where a robot leaves a single rollout by that error.
-std::string errorOverTimeFigure(const Comparison& comparison, Channel channel,
+std::string errorOverTimeFigure(const Comparison& comparison, ErrorChannel channel,
                                 const ComparedDivergences* divergences = nullptr);
 
 std::string modelLegend(const Evaluation& evaluation);
 std::string robotLegend(const Comparison& comparison, const ComparedDivergences* divergences = nullptr);
 
 /// Part of the windows with an error up to x: position, time-mean over path in %; heading at the end in degrees.
-std::string cumulativeFigure(const Evaluation& evaluation, Channel channel);
+std::string cumulativeFigure(const Evaluation& evaluation, ErrorChannel channel);
 
 /// One bar per window of one robot in the log's order: the first model's time-mean position error.
 std::string barsFigure(const Evaluation& evaluation, std::size_t robot, double highest);

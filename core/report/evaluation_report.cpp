@@ -203,13 +203,14 @@ std::string errorSection(const Evaluation& evaluation) {
         paragraph("Lines are medians over the windows. Of the first model, the dark band holds the middle half of "
                   "the windows (25–75 %), the light one 10–90 %."),
         modelLegend(evaluation),
-        figurePair(errorOverTimeFigure(evaluation, Channel::position),
-                   errorOverTimeFigure(evaluation, Channel::heading)),
+        figurePair(errorOverTimeFigure(evaluation, ErrorChannel::position),
+                   errorOverTimeFigure(evaluation, ErrorChannel::heading)),
         heading("How errors are distributed over the windows"),
         paragraph("For each error, the part of the windows that stay below it: further left is better. Curves that "
                   "leave the frame on the right have larger errors still."),
         modelLegend(evaluation),
-        figurePair(cumulativeFigure(evaluation, Channel::position), cumulativeFigure(evaluation, Channel::heading)));
+        figurePair(cumulativeFigure(evaluation, ErrorChannel::position),
+                   cumulativeFigure(evaluation, ErrorChannel::heading)));
 }
 
 std::string barsSection(const Evaluation& evaluation) {

@@ -1,6 +1,5 @@
 #include "script/lua_sandbox.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <new>
@@ -9,6 +8,7 @@
 #include <lua.hpp>
 
 #include "io/nearest_word.h"
+#include "io/text_position.h"
 
 namespace mrose {
 namespace {
@@ -341,13 +341,6 @@ int LuaSandbox::lineOf(const Statements& statements) const {
 
 void LuaSandbox::forget(const Statements& statements) {
     luaL_unref(interpreter_->lua, LUA_REGISTRYINDEX, statements.reference);
-}
-
-TextPosition positionIn(std::string_view text, std::size_t offset) {
-    const std::string_view before = text.substr(0, std::min(offset, text.size()));
-    const auto lineStart = before.rfind('\n') + 1;  // npos + 1 is 0
-    return {1 + static_cast<int>(std::count(before.begin(), before.end(), '\n')),
-            1 + static_cast<int>(before.size() - lineStart)};
 }
 
 }  // namespace mrose

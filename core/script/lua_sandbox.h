@@ -84,10 +84,4 @@ private:
 /// huge. Angles are radians.
 void addMath(LuaSandbox& sandbox);
 
-/// The line and column, both from 1, of a byte of a text.
-struct TextPosition {
-    int line = 1, column = 1;
-};
-TextPosition positionIn(std::string_view text, std::size_t offset);
-
 }  // namespace mrose

@@ -4,6 +4,7 @@
 #include <map>
 #include <regex>
 #include <set>
+#include <sstream>
 
 #include <gtest/gtest.h>
 
@@ -241,6 +242,37 @@ TEST(SourceFiles, OwnHeaderComesFirst) {
         ASSERT_FALSE(file.includes.empty()) << file.path;
         EXPECT_EQ(file.includes.front().name, file.ownHeader) << file.path;
     }
+}
+
+/// The types and type aliases that a header defines, but for those within a class.
+std::vector<std::string> typesOf(const SourceFile& header) {
+    static const std::regex type(
+        R"(^(?:(?:class|struct|union|enum(?: class)?) (\w+)(?: final)?(?: ?:(?!:)[^;]*)?(?: \{.*)?|using (\w+) =.*)$)");
+    std::vector<std::string> types;
+    std::istringstream lines(header.text);
+    for (std::string line; std::getline(lines, line);)
+        if (std::smatch match; std::regex_match(line, match, type)) types.push_back(match[match[1].matched ? 1 : 2]);
+    return types;
+}
+
+TEST(SourceFiles, TypesOfAHeaderAreSeen) {
+    const SourceFile header = parseSource("core/a/b.h",
+                                          "class Ahead;\nclass A {\n    struct Within {};\n};\nstruct B {};\n"
+                                          "struct A::Part {\n};\nenum class C : std::uint8_t { c };\nenum D { d };\n"
+                                          "class E final : public A {\n};\nusing F = int;\nstruct G\n    : A {};\n");
+    EXPECT_EQ(typesOf(header), (std::vector<std::string>{"A", "B", "C", "D", "E", "F", "G"}));
+}
+
+/// Who reads a name need not ask which one is meant.
+TEST(SourceFiles, NoTwoHeadersNameATypeAlike) {
+    std::map<std::string, std::string> headers;
+    for (const SourceFile& file : sourceFiles({"core", "app", "widgets"})) {
+        if (!file.header) continue;
+        for (const std::string& type : typesOf(file))
+            if (const auto [other, isNew] = headers.emplace(type, file.path); !isNew)
+                ADD_FAILURE() << type << " is defined in " << other->second << " and in " << file.path;
+    }
+    EXPECT_GT(headers.size(), 300u);
 }
 
 TEST(SourceFiles, NoneIsLongerThan500Lines) {

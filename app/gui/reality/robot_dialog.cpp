@@ -49,49 +49,49 @@ QPixmap pictureOf(const Shape& shape, double reach, double pixelRatio) {
     return picture;
 }
 
-QString kindText(const RobotKind& kind) {
+QString choiceText(const RobotChoice& choice) {
     return QObject::tr("%1\n%2 \u00d7 %3 m, %4, dead time %5 s")
-        .arg(qtText(kind.name), fixedText(kind.length, 2), fixedText(kind.width, 2), qtText(kind.motion),
-             fixedText(kind.deadTime, 2));
+        .arg(qtText(choice.name), fixedText(choice.length, 2), fixedText(choice.width, 2), qtText(choice.motion),
+             fixedText(choice.deadTime, 2));
 }
 
 }  // namespace
 
-Expected<RobotKind> robotKindOf(const std::string& file) {
+Expected<RobotChoice> robotChoiceOf(const std::string& file) {
     DiskDescriptions source = openDescriptions();
     const auto description = loadDescription(file, source);
     if (!description) return tl::unexpected(description.error());
     const auto* robot = std::get_if<RobotDescription>(&*description);
     if (robot == nullptr) return fail(file, "describes no robot; expected format = \"mrose robot\"");
     const Area outline = outlineOf(*robot->type.shape);
-    return RobotKind{file,
-                     robot->type.name,
-                     robot->type.shape,
-                     outline.most.x - outline.least.x,
-                     outline.most.y - outline.least.y,
-                     motionKind(*robot),
-                     robot->deadTime};
+    return RobotChoice{file,
+                       robot->type.name,
+                       robot->type.shape,
+                       outline.most.x - outline.least.x,
+                       outline.most.y - outline.least.y,
+                       motionKind(*robot),
+                       robot->deadTime};
 }
 
-std::vector<RobotKind> robotKindsThatShip() {
-    std::vector<RobotKind> kinds;
+std::vector<RobotChoice> robotsThatShip() {
+    std::vector<RobotChoice> choices;
     std::error_code ignored;
     for (const auto& entry : std::filesystem::directory_iterator(resourceFolder() / "resources" / "robots", ignored))
         if (entry.path().extension() == ".toml")
-            if (auto kind = robotKindOf(entry.path().string())) {
-                kind->file = entry.path().filename().string();
-                kinds.push_back(std::move(*kind));
+            if (auto choice = robotChoiceOf(entry.path().string())) {
+                choice->file = entry.path().filename().string();
+                choices.push_back(std::move(*choice));
             }
-    std::sort(kinds.begin(), kinds.end(), [](const RobotKind& a, const RobotKind& b) {
+    std::sort(choices.begin(), choices.end(), [](const RobotChoice& a, const RobotChoice& b) {
         return QString::compare(qtText(a.name), qtText(b.name), Qt::CaseInsensitive) < 0;
     });
-    return kinds;
+    return choices;
 }
 
 RobotDialog::RobotDialog(const QString& log, QWidget* parent)
     : QDialog(parent),
       log_(log),
-      kinds_(robotKindsThatShip()),
+      choices_(robotsThatShip()),
       robots_(new QListWidget),
       error_(new QLabel),
       open_(new QPushButton(tr("&Open the log"))) {
@@ -138,31 +138,32 @@ void RobotDialog::fill() {
     const int current = robots_->currentRow();
     robots_->clear();
     double reach = 0;
-    for (const RobotKind& kind : kinds_) reach = std::max(reach, kind.shape->reach);
-    for (const RobotKind& kind : kinds_) {
-        const QPixmap picture = pictureOf(*kind.shape, reach, devicePixelRatioF());
-        auto* item = new QListWidgetItem(QIcon(picture), kindText(kind), robots_);
-        item->setToolTip(qtText(kind.file));
+    for (const RobotChoice& choice : choices_) reach = std::max(reach, choice.shape->reach);
+    for (const RobotChoice& choice : choices_) {
+        const QPixmap picture = pictureOf(*choice.shape, reach, devicePixelRatioF());
+        auto* item = new QListWidgetItem(QIcon(picture), choiceText(choice), robots_);
+        item->setToolTip(qtText(choice.file));
     }
-    open_->setEnabled(!kinds_.empty());
+    open_->setEnabled(!choices_.empty());
     robots_->setCurrentRow(current);
 }
 
 void RobotDialog::choose(const QString& robotFile) {
     const std::string file = robotFile.toStdString();
-    auto found = std::find_if(kinds_.begin(), kinds_.end(), [&](const RobotKind& kind) { return kind.file == file; });
+    auto found =
+        std::find_if(choices_.begin(), choices_.end(), [&](const RobotChoice& choice) { return choice.file == file; });
     error_->hide();
     error_->clear();
-    if (found == kinds_.end()) {
-        auto kind = robotKindOf(file);
-        if (!kind) {
-            error_->setText(qtText(kind.error().message()));
+    if (found == choices_.end()) {
+        auto choice = robotChoiceOf(file);
+        if (!choice) {
+            error_->setText(qtText(choice.error().message()));
             return error_->show();
         }
-        found = kinds_.insert(kinds_.end(), std::move(*kind));
+        found = choices_.insert(choices_.end(), std::move(*choice));
         fill();
     }
-    robots_->setCurrentRow(static_cast<int>(found - kinds_.begin()));
+    robots_->setCurrentRow(static_cast<int>(found - choices_.begin()));
     robots_->setFocus();
 }
 
@@ -176,7 +177,7 @@ void RobotDialog::accept() {
     const int row = robots_->currentRow();
     if (row < 0) return;
     QDialog::accept();
-    emit chosen(qtText(kinds_[static_cast<std::size_t>(row)].file));
+    emit chosen(qtText(choices_[static_cast<std::size_t>(row)].file));
 }
 
 }  // namespace mrose::gui

@@ -14,7 +14,7 @@ class QPushButton;
 namespace mrose::gui {
 
 /// What a robot file describes, as far as it distinguishes robots.
-struct RobotKind {
+struct RobotChoice {
     std::string file;  ///< as PlayedLogRequest::robotFile has it: a path, or the name of one that ships
     std::string name;
     std::shared_ptr<const Shape> shape;
@@ -24,8 +24,8 @@ struct RobotKind {
 };
 
 /// Error: the first thing wrong with the file; it describes something else.
-Expected<RobotKind> robotKindOf(const std::string& file);
-std::vector<RobotKind> robotKindsThatShip();  ///< by their names
+Expected<RobotChoice> robotChoiceOf(const std::string& file);
+std::vector<RobotChoice> robotsThatShip();  ///< by their names
 
 /// What drove in a log that does not say it? A robot that ships, or one of a file.
 class RobotDialog final : public QDialog {
@@ -50,7 +50,7 @@ private:
     void askForFile();
 
     QString log_;
-    std::vector<RobotKind> kinds_;
+    std::vector<RobotChoice> choices_;
     QListWidget* robots_;
     QLabel* error_;
     QPushButton* open_;
