@@ -32,7 +32,7 @@ Progress halfOf(const Progress& progress, double from) {
 JudgedModel ownModel(const PlayedLog& log) { return {ownName(log), "", {{}, {}}, log.played}; }
 
 Expected<Summary> evaluatedModel(const PlayedLog& log, const JudgedModel& model, Nanoseconds horizon,
-                                 const std::function<bool(double share)>& progress) {
+                                 const Progress& progress) {
     const LogWorld& world = *model.world;
     EvaluationOptions options;
     for (const ComparedRobot& robot : world.robots()) options.robots.push_back(robot.realName);
@@ -50,7 +50,7 @@ Expected<Summary> evaluatedModel(const PlayedLog& log, const JudgedModel& model,
 }
 
 Reality::ModelRollout modelRollout(const PlayedLog& log, const JudgedModel& model, const RolloutRequest& rollout,
-                                   const std::function<bool()>& goesOn) {
+                                   const GoesOn& goesOn) {
     const Nanoseconds length = rollout.steps * WindowOptions{}.step;
     LogWorld::Opened opened = model.world->openAt(rollout.session, rollout.start, length, log.seed);
     const Scene& scene = opened.scenario->scene();

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,7 +11,7 @@
 
 namespace mrose {
 
-/// A motion model by which the robots of an log are moved, and how true it is.
+/// A motion model by which the robots of a log are moved, and how true it is.
 struct JudgedModel {
     /// As `mrose compare` has it, of the plan's rollouts: with contacts. As `mrose evaluate`, of its windows: through
     /// everything. nullopt: not known yet; an error: why it will not be.
@@ -33,11 +32,11 @@ struct JudgedModel {
 JudgedModel ownModel(const PlayedLog& log);
 /// P, Hd and errors as of `mrose evaluate`: windows of that length, and no contacts. Error: as of evaluate().
 Expected<Summary> evaluatedModel(const PlayedLog& log, const JudgedModel& model, Nanoseconds horizon,
-                                 const std::function<bool(double share)>& progress);
+                                 const Progress& progress);
 
 /// What a model makes of one rollout, at each tick of the scenario. `goesOn` false: up to there.
 Reality::ModelRollout modelRollout(const PlayedLog& log, const JudgedModel& model, const RolloutRequest& rollout,
-                                   const std::function<bool()>& goesOn);
+                                   const GoesOn& goesOn);
 
 /// How true a model is. What is known of it already is left out: `compared` of the scenario's own.
 JudgedModel::Figures judge(const PlayedLog& log, const JudgedModel& model, const std::vector<RolloutRequest>& requests,

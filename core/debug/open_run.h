@@ -10,6 +10,7 @@
 #include "assessment/reality.h"
 #include "debug/branch_setup.h"
 #include "io/error.h"
+#include "io/progress.h"
 #include "recording/history.h"
 #include "recording/recording.h"
 #include "world/world_state.h"
@@ -49,7 +50,7 @@ struct OpenRun {
 
 /// How a long opening is watched and ended.
 struct OpenProgress {
-    std::function<bool()> goesOn = [] { return true; };
+    GoesOn goesOn = [] { return true; };
     std::function<void(const std::string& file)> reads = [](const std::string&) {};
 };
 

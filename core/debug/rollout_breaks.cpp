@@ -43,8 +43,7 @@ bool leaves(const BranchTree& branches, std::uint32_t branch, std::int64_t tick,
 }
 
 /// Whether there is one in a run that stands at its beginning.
-Expected<bool> hasBreak(TimeTravel& run, Breakpoints& breakpoints, const BreakWish& wish,
-                        const std::function<bool()>& goesOn) {
+Expected<bool> hasBreak(TimeTravel& run, Breakpoints& breakpoints, const BreakWish& wish, const GoesOn& goesOn) {
     const auto progress = [&](double) { return goesOn(); };
     const std::int64_t end = usualEnd(run);
     while (run.tick() < end) {
@@ -92,13 +91,12 @@ TickText whoLeaves(const LeavingRobots& leaving) {
     };
 }
 
-Expected<RolloutFound> rolloutWithBreak(const PlayedLog& log, const RolloutSearch& search,
-                                        const std::function<bool(double share)>& progress) {
+Expected<RolloutFound> rolloutWithBreak(const PlayedLog& log, const RolloutSearch& search, const Progress& progress) {
     RolloutFound found{{}, search.hits};
     for (std::size_t i = 0; i < search.places.size(); ++i) {
         const RolloutSearch::Place& place = search.places[i];
         const auto goesOn = [&] {
-            return progress(static_cast<double>(i) / static_cast<double>(search.places.size()));
+            return mayGoOn(progress, static_cast<double>(i) / static_cast<double>(search.places.size()));
         };
         if (!goesOn()) return found;
         const auto opened = openRollout(log, place.request, false);

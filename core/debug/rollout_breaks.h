@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,6 +11,7 @@
 #include "debug/rollout_hits.h"
 #include "debug/rollout_rows.h"
 #include "diagnosis/divergence.h"
+#include "io/progress.h"
 
 namespace mrose {
 
@@ -53,7 +53,6 @@ struct RolloutFound {
 };
 /// The first of them in which there is one, as of Debugger::goToBreak(); a rollout that cannot be opened, as where no
 /// robot has ground truth, has none. Error: of the text.
-Expected<RolloutFound> rolloutWithBreak(const PlayedLog& log, const RolloutSearch& search,
-                                        const std::function<bool(double share)>& progress);
+Expected<RolloutFound> rolloutWithBreak(const PlayedLog& log, const RolloutSearch& search, const Progress& progress);
 
 }  // namespace mrose

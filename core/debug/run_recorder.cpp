@@ -81,7 +81,7 @@ Expected<void> RunRecorder::finish(const TimeTravel& run) {
 }
 
 Expected<bool> saveRun(const std::filesystem::path& path, const TimeTravel& run, const std::string& commandLine,
-                       const std::function<bool(double share)>& progress) {
+                       const Progress& progress) {
     std::vector<Branch> branches;
     std::vector<std::shared_ptr<const Scenario>> scenarios;
     std::vector<std::uint32_t> places(run.branches().size());  // a parent comes before what departs from it
@@ -97,7 +97,7 @@ Expected<bool> saveRun(const std::filesystem::path& path, const TimeTravel& run,
     options.commandLine = commandLine;
     options.shown = {places[run.branch()], run.tick()};
     options.progress = [&](std::int64_t done, std::int64_t all) {
-        return progress(static_cast<double>(done) / static_cast<double>(std::max<std::int64_t>(1, all)));
+        return mayGoOn(progress, static_cast<double>(done) / static_cast<double>(std::max<std::int64_t>(1, all)));
     };
     return saveRecording(path, branches, scenarios, run.branches().record(0).setup().value, options);
 }

@@ -2,12 +2,12 @@
 
 #include <deque>
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "debug/time_travel.h"
+#include "io/progress.h"
 #include "recording/playback.h"
 #include "recording/recording_writer.h"
 
@@ -56,6 +56,6 @@ private:
 /// All that a run keeps, with its branches and the place that is shown, as a file that replaces what is there. False:
 /// `progress`, called with the share that is done, ended it. Error: as of saveRecording().
 Expected<bool> saveRun(const std::filesystem::path& path, const TimeTravel& run, const std::string& commandLine,
-                       const std::function<bool(double share)>& progress);
+                       const Progress& progress);
 
 }  // namespace mrose

@@ -10,6 +10,7 @@
 
 #include "debug/branch_tree.h"
 #include "debug/value_series.h"
+#include "io/progress.h"
 
 namespace mrose {
 
@@ -42,7 +43,7 @@ public:
     struct Asked {
         /// Numbers of the task's ticks from `first` on, as ValueSeries::add() takes them.
         std::function<void(std::int64_t first, const std::vector<std::vector<float>>& columns)> add;
-        std::function<bool()> goesOn;  ///< asked before each tick
+        GoesOn goesOn;  ///< asked before each tick
     };
     /// From the task's first tick to the end of the stretch. nullopt: as far as it goes on; otherwise the task's ticks
     /// up to this one cannot be computed.

@@ -7,6 +7,7 @@
 
 #include "experiment/results_row.h"
 #include "io/error.h"
+#include "io/progress.h"
 #include "scenario/scenario.h"
 #include "scenario/scenario_value.h"
 
@@ -29,7 +30,7 @@ struct BatchOptions {
     /// Called with how many runs are done of how many, from any thread, one at a time. May be empty.
     std::function<void(std::int64_t, std::int64_t)> progress = {};
     /// Asked after every tick, from any thread; false ends the batch, and runs that are done stay. May be empty.
-    std::function<bool()> goesOn = {};
+    GoesOn goesOn = {};
 };
 
 /// More runs than this are refused.

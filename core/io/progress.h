@@ -8,6 +8,9 @@ namespace mrose {
 /// Empty: progress is not reported.
 using Progress = std::function<bool(double share)>;
 
+/// Asked now and then by a work of unknown length; false: it is to end.
+using GoesOn = std::function<bool()>;
+
 /// Whether a work that has come so far is to go on.
 inline bool mayGoOn(const Progress& progress, double share) { return !progress || progress(share); }
 

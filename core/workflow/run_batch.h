@@ -6,6 +6,7 @@
 #include <string>
 
 #include "experiment/batch.h"
+#include "io/progress.h"
 #include "workflow/open_scenario.h"
 
 namespace mrose {
@@ -28,7 +29,7 @@ struct BatchWatch {
     std::function<void(const OpenedScenario&)> opened = {};
     std::function<void(const RunKey&)> runBegins = {};
     std::function<void(std::int64_t done, std::int64_t all)> progress = {};
-    std::function<bool()> goesOn = {};
+    GoesOn goesOn = {};
 };
 
 /// Runs what is not done yet. Error: as of openScenario(), openCondition() and of the runBatch() of experiment/batch.h.

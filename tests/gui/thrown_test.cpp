@@ -25,14 +25,14 @@ protected:
         queue.run(job, [this](const Answer& answer) { said.push_back(answer ? *answer : answer.error().message()); });
     }
     void runAnswer(const std::string& answer) {
-        run([answer](const JobQueue::GoesOn&) -> Answer { return answer; });
+        run([answer](const GoesOn&) -> Answer { return answer; });
     }
     JobQueue queue;
     std::vector<std::string> said;
 };
 
 TEST_F(JobQueueTest, JobThatThrowsHasFailedAndTheNextOneIsDone) {
-    run([](const JobQueue::GoesOn&) -> Answer { throwLength(); });
+    run([](const GoesOn&) -> Answer { throwLength(); });
     runAnswer("the next one");
     queue.settle();
     EXPECT_THAT(said, ElementsAre("failed: vector::_M_default_append", "the next one"));
@@ -41,7 +41,7 @@ TEST_F(JobQueueTest, JobThatThrowsHasFailedAndTheNextOneIsDone) {
 TEST_F(JobQueueTest, AnswersThatThrowHaveFailedToo) {
     int taken = 0;
     queue.run(
-        [this](const JobQueue::GoesOn&) -> Answer {
+        [this](const GoesOn&) -> Answer {
             queue.report([] { throwLength(); });
             return "done";
         },
@@ -56,7 +56,7 @@ TEST_F(JobQueueTest, AnswersThatThrowHaveFailedToo) {
 
 TEST_F(JobQueueTest, WhoIsNotWantedAnyMoreSaysNothingAndHoldsNobodyUp) {
     std::promise<void> begun, go;
-    run([&begun, going = go.get_future().share()](const JobQueue::GoesOn&) -> Answer {
+    run([&begun, going = go.get_future().share()](const GoesOn&) -> Answer {
         begun.set_value();
         going.wait();
         throwLength();

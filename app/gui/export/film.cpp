@@ -46,11 +46,10 @@ Expected<void> checkFilm(const QString& path) {
     return checkWritable(name);
 }
 
-Film::Film(const QString& path, std::function<bool()> goesOn)
-    : path_(path), file_(path.toStdString()), goesOn_(std::move(goesOn)) {}
+Film::Film(const QString& path, GoesOn goesOn) : path_(path), file_(path.toStdString()), goesOn_(std::move(goesOn)) {}
 
 Expected<std::unique_ptr<FrameSink>> Film::begin(const QString& path, const QSize& size, double framesPerSecond,
-                                                 std::function<bool()> goesOn) {
+                                                 GoesOn goesOn) {
     if (auto can = checkFilm(path); !can) return tl::unexpected(can.error());
     std::unique_ptr<Film> film(new Film(path, std::move(goesOn)));
     if (auto begun = film->file_.write({}); !begun) return tl::unexpected(begun.error());

@@ -3,11 +3,11 @@
 #include <QProcess>
 #include <QSize>
 #include <QString>
-#include <functional>
 #include <memory>
 
 #include "export/frame_sink.h"
 #include "io/pending_file.h"
+#include "io/progress.h"
 
 namespace mrose::gui {
 
@@ -24,7 +24,7 @@ public:
     /// Frames of this size, even in both directions. It does not wait for ffmpeg once `goesOn` says no more. Error: as
     /// checkFilm(); ffmpeg cannot be started.
     static Expected<std::unique_ptr<FrameSink>> begin(const QString& path, const QSize& size, double framesPerSecond,
-                                                      std::function<bool()> goesOn);
+                                                      GoesOn goesOn);
     ~Film() override;
 
     /// Error: what ffmpeg said last.
@@ -32,12 +32,12 @@ public:
     Expected<bool> finish() override;
 
 private:
-    Film(const QString& path, std::function<bool()> goesOn);
+    Film(const QString& path, GoesOn goesOn);
     tl::unexpected<Error> broken();
 
     QString path_;
     PendingFile file_;
-    std::function<bool()> goesOn_;
+    GoesOn goesOn_;
     QProcess ffmpeg_;
     QByteArray said_;
 };

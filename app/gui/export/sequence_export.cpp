@@ -21,7 +21,6 @@ constexpr double mostFrames = 200'000, mostRate = 1000, mostTime = 1e7;
 constexpr int leastPixels = 16, mostPixels = 8192;
 constexpr auto shortPause = std::chrono::milliseconds(5);
 
-using GoesOn = std::function<bool()>;
 /// A frame's picture; nullopt where it is not to go on.
 using FramePicture = std::optional<Expected<QImage>>;
 using FrameSource = std::function<FramePicture(std::int64_t tick, const GoesOn&)>;

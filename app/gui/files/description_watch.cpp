@@ -71,8 +71,7 @@ void DescriptionWatch::watchPlaces() {
 
 void DescriptionWatch::check() {
     if (looking_.busy()) return settled_.start();
-    looking_.run([known = contents_](
-                     const JobQueue::GoesOn& goesOn) -> Expected<Contents> { return contentsNow(known, goesOn); },
+    looking_.run([known = contents_](const GoesOn& goesOn) -> Expected<Contents> { return contentsNow(known, goesOn); },
                  [this](const Expected<Contents>& now) {
                      if (now)
                          take(*now);
@@ -82,7 +81,7 @@ void DescriptionWatch::check() {
 }
 
 /// Of those files that may have another content, and of those that are missed, or were.
-DescriptionWatch::Contents DescriptionWatch::contentsNow(const Contents& known, const JobQueue::GoesOn& goesOn) {
+DescriptionWatch::Contents DescriptionWatch::contentsNow(const Contents& known, const GoesOn& goesOn) {
     Contents now;
     for (const auto& [file, content] : known) {
         if (!goesOn()) break;

@@ -54,7 +54,7 @@ private:
         int missed = 0;              ///< how often in a row it was not there
     };
     using Contents = std::map<std::string, Content>;
-    static Contents contentsNow(const Contents& known, const JobQueue::GoesOn& goesOn);
+    static Contents contentsNow(const Contents& known, const GoesOn& goesOn);
     void take(const Contents& now);
     void reportGone();
     void watchPlaces();

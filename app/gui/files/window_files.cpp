@@ -38,7 +38,7 @@ WindowFiles::WindowFiles(const Frame& frame, FieldView& field)
     const auto readAgain = [this] {
         if (!changedMeanwhile_.isEmpty()) reload(std::exchange(changedMeanwhile_, {}));
     };
-    connect(&opener_, &Opener::ended, this, readAgain, Qt::QueuedConnection);
+    connect(&opener_, &OpeningQueue::ended, this, readAgain, Qt::QueuedConnection);
     const auto namesOf = [](const std::vector<std::string>& files) {
         QStringList names;
         for (const std::string& file : files) names << nameOf(qtText(file));

@@ -10,7 +10,7 @@
 
 #include "files/description_watch.h"
 #include "files/laid_over_log.h"
-#include "files/opener.h"
+#include "files/opening_queue.h"
 #include "files/run_saver.h"
 #include "frame/frame.h"
 #include "world/state_hash.h"
@@ -55,7 +55,7 @@ public:
     RunSaver& saver() { return saver_; }
     /// How the run that is open was opened; nothing is open: nothing.
     const std::optional<OpenRequest>& opened() const { return opened_; }
-    Opener& opener() { return opener_; }
+    OpeningQueue& opener() { return opener_; }
     DescriptionWatch& watch() { return watch_; }
 
 private:
@@ -80,7 +80,7 @@ private:
     const Frame& frame_;
     FieldView& field_;
     LaidOverLog* log_ = nullptr;
-    Opener opener_;
+    OpeningQueue opener_;
     DescriptionWatch watch_;
     RunSaver saver_;
     static constexpr const char* goneTopic = "gone";

@@ -26,7 +26,7 @@ void CauseFinder::find() {
     diagnosing_.run(
         [this, log = rollouts_.log(), laidOver = models_.all(), report,
          question = CauseQuestion{rollouts_.requests()[row->rollout], *row, rollouts_.divergenceOptions(), {}}](
-            const JobQueue::GoesOn& goesOn) {
+            const GoesOn& goesOn) {
             CauseQuestion asked = question;
             asked.models = causeModels(*log, laidOver);
             return whyItLeaves(*log, asked, diagnosing_.progress(goesOn, report));

@@ -124,7 +124,7 @@ void ErrorPlot::lookAtRollout() {
     showDock();
     computing_.run(
         [log = overlay_.rollouts().log(),
-         request = overlay_.rollouts().requests()[*overlay_.rollouts().shown()]](const JobQueue::GoesOn& goesOn) {
+         request = overlay_.rollouts().requests()[*overlay_.rollouts().shown()]](const GoesOn& goesOn) {
             ComparisonOptions options;
             options.seed = log->seed;
             options.progress = [&](std::span<const ComparedRollout>, double) { return goesOn(); };

@@ -51,7 +51,7 @@ void LaidModels::judge(std::size_t model) {
     };
     computing_.run(
         [this, log = rollouts_.log(), judged, requests = rollouts_.requests(), horizon = fromSeconds(horizon),
-         report](const JobQueue::GoesOn& goesOn) -> Expected<JudgedModel::Figures> {
+         report](const GoesOn& goesOn) -> Expected<JudgedModel::Figures> {
             return mrose::judge(*log, judged, requests, horizon, computing_.progress(goesOn, report));
         },
         [this, name = judged.name](const Expected<JudgedModel::Figures>& figures) {
@@ -88,7 +88,7 @@ void LaidModels::add(const std::string& named) {
 }
 
 void LaidModels::load(const Wanted& wanted) {
-    computing_.run([log = rollouts_.log(), wanted](const JobQueue::GoesOn&) { return openModel(*log, wanted.named); },
+    computing_.run([log = rollouts_.log(), wanted](const GoesOn&) { return openModel(*log, wanted.named); },
                    [this, wanted](Expected<JudgedModel> model) { take(wanted, std::move(model)); });
 }
 
@@ -135,7 +135,7 @@ void LaidModels::drive() {
     for (std::size_t model = 1; model < models_.size(); ++model)
         driving_.run(
             [log = rollouts_.log(), drives = models_[model], request = rollouts_.requests()[*rollouts_.shown()]](
-                const JobQueue::GoesOn& goesOn) -> Expected<Reality::ModelRollout> {
+                const GoesOn& goesOn) -> Expected<Reality::ModelRollout> {
                 return modelRollout(*log, drives, request, goesOn);
             },
             [this](Expected<Reality::ModelRollout> driven) {

@@ -75,7 +75,7 @@ Overlay::Overlay(const Frame& frame, FieldView& field, WindowFiles& files)
     connect(&models_, &LaidModels::changed, this, &Overlay::changed);
     connect(&models_, &LaidModels::failed, this, &Overlay::sayError);
     connect(&causes_, &CauseFinder::changed, this, &Overlay::changed);
-    connect(&opener_, &Opener::cancelled, this, [this] { setAside(), readAgain(); });
+    connect(&opener_, &OpeningQueue::cancelled, this, [this] { setAside(), readAgain(); });
 }
 
 void Overlay::open(const PlayedLogRequest& request, const std::optional<RolloutPlan>& asked) { post({request, asked}); }

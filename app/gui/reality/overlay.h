@@ -93,7 +93,7 @@ private:
     LaidModels models_;
     CauseFinder causes_;
     RolloutSearcher searcher_;
-    Opener opener_;
+    OpeningQueue opener_;
     ShownRollout shown_;
     bool follows_ = true;
     std::optional<Error> openError_;

@@ -20,7 +20,7 @@ void RolloutComparer::compareAll() {
     };
     computing_.run(
         [this, take, log = rollouts_.log(), requests = rollouts_.requests(),
-         bounds = rollouts_.divergenceOptions()](const JobQueue::GoesOn& goesOn) {
+         bounds = rollouts_.divergenceOptions()](const GoesOn& goesOn) {
             return compareRollouts(*log, requests, bounds, [&](std::vector<RolloutRow> rows, double share) {
                 computing_.report([take, rows = std::move(rows), share] { take(rows, share); });
                 return goesOn();

@@ -24,7 +24,7 @@ void RolloutSearcher::look(std::vector<Breakpoint> breakpoints,
     const QString what = tr("Looking for a break in the other rollouts");
     const auto report = [this, what](double share) { emit searching(what, share); };
     searching_.run(
-        [this, log = rollouts_.log(), search, report](const JobQueue::GoesOn& goesOn) {
+        [this, log = rollouts_.log(), search, report](const GoesOn& goesOn) {
             return rolloutWithBreak(*log, search, searching_.progress(goesOn, report));
         },
         [this, what, take = std::move(take)](const Expected<RolloutFound>& found) {

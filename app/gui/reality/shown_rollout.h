@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "files/opener.h"
+#include "files/opening_queue.h"
 #include "frame/frame.h"
 #include "reality/cause_finder.h"
 #include "reality/laid_models.h"
@@ -26,7 +26,7 @@ public:
         LaidModels& models;
         CauseFinder& causes;
         RolloutSearcher& searcher;
-        Opener& opener;
+        OpeningQueue& opener;
     };
     ShownRollout(const Frame& frame, FieldView& field, WindowFiles& files, const Parts& parts);
 
@@ -108,7 +108,7 @@ private:
     LaidModels& models_;
     CauseFinder& causes_;
     RolloutSearcher& searcher_;
-    Opener& opener_;
+    OpeningQueue& opener_;
     RolloutView view_;
     std::shared_ptr<const Reality> reality_;     ///< of the shown rollout, without models
     std::uint64_t run_ = 0;                      ///< the session's count of the shown rollout

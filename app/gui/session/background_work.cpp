@@ -26,7 +26,7 @@ Expected<void> BackgroundWork::start(const QString& what, Job job, Done done) {
     reporting_.start();
     atWork_ = true;
     queue_.run(
-        [this, job = std::move(job)](const JobQueue::GoesOn&) {
+        [this, job = std::move(job)](const GoesOn&) {
             Outcome outcome = caught([&] {
                 return job([this](double share) {
                     share_ = share;

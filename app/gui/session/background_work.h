@@ -55,8 +55,7 @@ private:
 /// Asks in the window's thread from another one, and waits for the answer; nullopt where it is not to go on. The
 /// question may be asked all the same then: it holds what it needs.
 template <class Answer>
-std::optional<Answer> askWindow(QObject& window, std::function<Answer()> question,
-                                const std::function<bool()>& goesOn) {
+std::optional<Answer> askWindow(QObject& window, std::function<Answer()> question, const GoesOn& goesOn) {
     auto promise = std::make_shared<std::promise<Answer>>();
     auto answer = promise->get_future();
     const auto ask = [promise, question = std::move(question)] {

@@ -25,14 +25,12 @@ class JobQueue final : public QObject {
     Q_OBJECT
 
 public:
-    /// Asked by a job now and then: whether it is still wanted.
-    using GoesOn = std::function<bool()>;
-
     explicit JobQueue(QObject* parent = nullptr);
     ~JobQueue() override;
 
-    /// `work` gives an Expected; `take` gets it in the window's thread, unless it was dropped. What `work` throws is
-    /// its error; what `take` throws comes to it as an error once more.
+    /// `work` gets a GoesOn, which says whether it is still wanted, and gives an Expected; `take` gets it in the
+    /// window's thread, unless it was dropped. What `work` throws is its error; what `take` throws comes to it as an
+    /// error once more.
     template <class Work, class Take>
     void run(Work work, Take take) {
         using Result = std::invoke_result_t<Work, const GoesOn&>;

@@ -29,7 +29,7 @@ struct Errand {
 
 /// nullopt: it is not to go on.
 template <class Answer>
-std::optional<Expected<Answer>> answerOf(Errand<Answer>& errand, const LineageWalk::GoesOn& goesOn) {
+std::optional<Expected<Answer>> answerOf(Errand<Answer>& errand, const GoesOn& goesOn) {
     auto answer = awaited(errand.promise.get_future(), goesOn);
     if (answer) return answer;
     const std::lock_guard lock(errand.mutex);
@@ -38,8 +38,7 @@ std::optional<Expected<Answer>> answerOf(Errand<Answer>& errand, const LineageWa
 }
 
 /// Simulates what is missing, and shows again what was shown.
-Expected<bool> extend(TimeTravel& run, std::uint32_t branch, std::int64_t tick,
-                      const std::function<bool(double)>& progress) {
+Expected<bool> extend(TimeTravel& run, std::uint32_t branch, std::int64_t tick, const Progress& progress) {
     const std::int64_t known = run.branches().last(branch);
     if (tick <= known) return true;
     const std::uint32_t shown = run.branch();
@@ -58,7 +57,7 @@ Expected<bool> extend(TimeTravel& run, std::uint32_t branch, std::int64_t tick,
     return goesOn;
 }
 
-Expected<bool> learnAll(TimeTravel& run, const std::function<bool(double)>& progress) {
+Expected<bool> learnAll(TimeTravel& run, const Progress& progress) {
     for (;;) {
         const auto more = run.branches().learn(learnedAtOnce);
         if (!more) return tl::unexpected(more.error());

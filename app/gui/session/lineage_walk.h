@@ -16,7 +16,6 @@ public:
     LineageWalk(Session& session, std::uint64_t run, std::uint32_t branch)
         : session_(session), run_(run), branch_(branch) {}
 
-    using GoesOn = std::function<bool()>;
     /// Makes the way there known: simulates on where the branch has not come so far, and looks through what came from
     /// a file. That is long work of the session, which does nothing else meanwhile. What is shown stays. False: ended
     /// by `goesOn`, or by the session's own cancel(). Error: another run was opened; what stepping says.

@@ -9,8 +9,7 @@ namespace mrose::gui {
 namespace {
 
 /// In the thread of a job. nullopt: the run is not there any more, or that is not waited for any longer.
-std::optional<SeriesWalk::Stretch> ask(Session& session, const SeriesWalk::Wish& wish,
-                                       const std::function<bool()>& goesOn) {
+std::optional<SeriesWalk::Stretch> ask(Session& session, const SeriesWalk::Wish& wish, const GoesOn& goesOn) {
     auto promise = std::make_shared<std::promise<std::optional<SeriesWalk::Stretch>>>();
     session.look([promise, wish](TimeTravel* travel, std::uint64_t run) {
         promise->set_value(travel != nullptr && run == wish.run ? SeriesWalk::stretchOf(travel->branches(), wish)
@@ -57,7 +56,7 @@ void SeriesWorker::goOn() {
     enough_ = enough;
     front_ = task->front;
     const auto work = [this, task = *task, enough,
-                       walk = walk_](const JobQueue::GoesOn& wanted) -> Expected<std::optional<std::int64_t>> {
+                       walk = walk_](const GoesOn& wanted) -> Expected<std::optional<std::int64_t>> {
         const auto goesOn = [&] { return !*enough && wanted(); };
         auto stretch = ask(session_, walk->wishFor(task), wanted);
         const auto add = [&](std::int64_t first, const std::vector<std::vector<float>>& columns) {

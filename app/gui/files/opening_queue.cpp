@@ -1,4 +1,4 @@
-#include "files/opener.h"
+#include "files/opening_queue.h"
 
 #include <QFileInfo>
 
@@ -14,35 +14,35 @@ constexpr int openingPatience = 300;  // ms
 
 }  // namespace
 
-Opener::Opener(const Frame& frame, const QString& topic) : frame_(frame), topic_(topic) {
+OpeningQueue::OpeningQueue(const Frame& frame, const QString& topic) : frame_(frame), topic_(topic) {
     patience_.setInterval(openingPatience);
-    connect(&patience_, &QTimer::timeout, this, &Opener::report);
+    connect(&patience_, &QTimer::timeout, this, &OpeningQueue::report);
 }
 
-void Opener::begin(const std::string& place) {
+void OpeningQueue::begin(const std::string& place) {
     queue_.drop();
     reading_ = place;
     patience_.start();
 }
 
-void Opener::end() {
+void OpeningQueue::end() {
     patience_.stop();
     frame_.messages.remove(topic_);
     emit ended();
 }
 
-bool Opener::cancel() {
+bool OpeningQueue::cancel() {
     if (!busy()) return false;
     queue_.drop();
     end();
     return true;
 }
 
-OpenProgress Opener::progress(const JobQueue::GoesOn& goesOn) {
+OpenProgress OpeningQueue::progress(const GoesOn& goesOn) {
     return {goesOn, [this](const std::string& file) { queue_.report([this, file] { reading_ = file; }); }};
 }
 
-void Opener::report() {
+void OpeningQueue::report() {
     if (frame_.actions.unattended()) return;
     frame_.messages.add({MessageBar::Kind::progress,
                          tr("Opening %1").arg(QFileInfo(qtText(reading_)).fileName()),

@@ -14,19 +14,19 @@ namespace mrose::gui {
 
 /// Opens runs and logs beside the window, which says what takes longer than a moment. The newest wish counts: one that
 /// was asked for before it comes to nothing, whatever it would have given.
-class Opener final : public QObject {
+class OpeningQueue final : public QObject {
     Q_OBJECT
 
 public:
     /// `topic` of what it says.
-    Opener(const Frame& frame, const QString& topic);
+    OpeningQueue(const Frame& frame, const QString& topic);
 
     /// `work` gets an OpenProgress and gives an Expected, which `take` gets in the window's thread unless something
     /// else is opened before, or it is cancelled.
     template <class Work, class Take>
     void open(const std::string& place, Work work, Take take) {
         begin(place);
-        queue_.run([this, work = std::move(work)](const JobQueue::GoesOn& goesOn) { return work(progress(goesOn)); },
+        queue_.run([this, work = std::move(work)](const GoesOn& goesOn) { return work(progress(goesOn)); },
                    [this, take = std::move(take)](auto opened) {
                        end();
                        take(std::move(opened));
@@ -45,7 +45,7 @@ signals:
 private:
     void begin(const std::string& place);
     void end();
-    OpenProgress progress(const JobQueue::GoesOn& goesOn);
+    OpenProgress progress(const GoesOn& goesOn);
     void report();
 
     const Frame& frame_;
