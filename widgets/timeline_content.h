@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "debug/tick_ranges.h"
 #include "debug/timeline_mark.h"
 #include "scenario/scenario.h"
 #include "world/time.h"
@@ -30,8 +31,7 @@ struct TimelineContent {
         bool faint = false;  ///< of a robot that is not asked about
     };
     std::vector<Noted> noted;
-    /// From one tick to another: there is no ground truth.
-    std::vector<std::pair<std::int64_t, std::int64_t>> unknown;
+    std::vector<TickRange> unknown;                ///< without ground truth
     std::vector<std::int64_t> branches;            ///< ticks at which others departed from it
     std::shared_ptr<const Scenario> scenario;      ///< for names; may be null
     std::map<std::uint32_t, QString> breakpoints;  ///< what they wait for, by their numbers

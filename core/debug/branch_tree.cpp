@@ -17,10 +17,10 @@ std::int64_t ticksToLookBack(const Scene& scene) {
     return most + 1;
 }
 
-History historyOf(const OpenRun& run) {
+History historyOf(const OpenedRun& run) {
     if (!run.recorded()) return History(run.start);
     std::vector<Branch> branches;
-    for (const OpenRun::Recorded& recorded : run.branches) branches.push_back(recorded.branch);
+    for (const OpenedRun::Recorded& recorded : run.branches) branches.push_back(recorded.branch);
     return History(std::move(branches));
 }
 
@@ -63,10 +63,10 @@ bool sameMemories(const Scenario& one, const Scenario& other) {
     return true;
 }
 
-BranchTree::BranchTree(const OpenRun& run, std::size_t mostTrackBytes)
+BranchTree::BranchTree(const OpenedRun& run, std::size_t mostTrackBytes)
     : history_(historyOf(run)), mostTrackBytes_(mostTrackBytes) {
     if (!run.recorded()) records_.emplace_back(run.setup, run.start, std::vector<HandOrder>{});
-    for (const OpenRun::Recorded& recorded : run.branches)
+    for (const OpenedRun::Recorded& recorded : run.branches)
         records_.emplace_back(recorded.setup, recorded.start, std::vector<HandOrder>{});
     for (std::uint32_t branch = 1; branch < size(); ++branch) takeOver(branch);
 }
@@ -98,8 +98,8 @@ bool BranchTree::isFrom(std::uint32_t branch, std::uint32_t ancestor) const {
 
 bool BranchTree::hasBegun(std::uint32_t branch) const { return last(branch) > (*this)[branch].timeline.first(); }
 
-std::vector<BranchTree::Part> BranchTree::parts(std::uint32_t branch) const {
-    std::vector<Part> parts{{branch, (*this)[branch].timeline.first(), last(branch)}};
+std::vector<BranchTicks> BranchTree::parts(std::uint32_t branch) const {
+    std::vector<BranchTicks> parts{{branch, (*this)[branch].timeline.first(), last(branch)}};
     for (;;) {
         const std::int64_t begin = parts.front().first;
         const std::uint32_t before = owner(parts.front().branch, begin - 1);
@@ -110,7 +110,7 @@ std::vector<BranchTree::Part> BranchTree::parts(std::uint32_t branch) const {
 
 std::vector<TimelineMark> BranchTree::marks(std::uint32_t branch) const {
     std::vector<TimelineMark> marks;
-    for (const Part& part : parts(branch)) {
+    for (const BranchTicks& part : parts(branch)) {
         // What a branch begins with has come about in the one before.
         const std::int64_t until = part.branch == branch ? part.last : part.last + 1;
         for (const TimelineMark& mark : record(part.branch).marks())
@@ -246,7 +246,7 @@ Expected<bool> BranchTree::learn(std::int64_t ticks) {
 }
 
 Expected<void> BranchTree::learnUpTo(std::uint32_t branch, std::int64_t tick) {
-    for (const Part& part : parts(branch)) {
+    for (const BranchTicks& part : parts(branch)) {
         BranchRecord& record = records_[part.branch];
         const std::int64_t missing = std::min(tick, part.last) - record.last();
         if (missing <= 0) continue;

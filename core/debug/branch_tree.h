@@ -9,7 +9,8 @@
 #include "debug/branch_record.h"
 #include "debug/branch_setup.h"
 #include "debug/cursor.h"
-#include "debug/open_run.h"
+#include "debug/opened_run.h"
+#include "debug/tick_ranges.h"
 #include "debug/timeline_mark.h"
 #include "io/error.h"
 #include "recording/history.h"
@@ -33,7 +34,7 @@ class BranchTree {
 public:
     /// Of `mostTrackBytes` all branches together keep where bodies were, for trails and ghosts; of the largest track
     /// the earliest ticks are forgotten.
-    BranchTree(const OpenRun& run, std::size_t mostTrackBytes);
+    BranchTree(const OpenedRun& run, std::size_t mostTrackBytes);
 
     std::size_t size() const { return records_.size(); }
     const Branch& operator[](std::uint32_t branch) const { return history_.branches()[branch]; }
@@ -47,13 +48,8 @@ public:
     /// It departs from a tick of its parent, and its robots go on with what they remember there.
     bool follows(std::uint32_t branch) const;
 
-    /// A branch's ticks in another one's lineage, or its own.
-    struct Part {
-        std::uint32_t branch = 0;
-        std::int64_t first = 0, last = 0;
-    };
     /// What a branch's lineage consists of, in the order of time.
-    std::vector<Part> parts(std::uint32_t branch) const;
+    std::vector<BranchTicks> parts(std::uint32_t branch) const;
     /// What happened in a branch's lineage, in the order of time.
     std::vector<TimelineMark> marks(std::uint32_t branch) const;
     /// Of a branch's lineage up to a tick, each text of a robot once; the branch's own first.

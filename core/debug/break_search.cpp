@@ -18,9 +18,9 @@ const TickRanges& BreakSearch::ticksOf(const Question& question, Set set, std::u
     return found == question.known.end() ? none : found->second.*set;
 }
 
-const BranchTree::Part& BreakSearch::partOf(std::int64_t tick) const {
+const BranchTicks& BreakSearch::partOf(std::int64_t tick) const {
     const auto found = std::lower_bound(parts_.begin(), parts_.end(), tick,
-                                        [](const BranchTree::Part& part, std::int64_t t) { return part.last < t; });
+                                        [](const BranchTicks& part, std::int64_t t) { return part.last < t; });
     assert(found != parts_.end() && found->first <= tick);
     return *found;
 }
@@ -28,8 +28,8 @@ const BranchTree::Part& BreakSearch::partOf(std::int64_t tick) const {
 /// The earliest tick from which on all up to `tick` are in the set; the one after `tick` where it is not in it itself.
 std::int64_t BreakSearch::reachDown(const Question& question, Set set, std::int64_t tick) const {
     while (tick >= first() && tick <= last()) {
-        const BranchTree::Part& part = partOf(tick);
-        const TickRanges::Range* const range = ticksOf(question, set, part.branch).rangeOf(tick);
+        const BranchTicks& part = partOf(tick);
+        const TickRange* const range = ticksOf(question, set, part.branch).rangeOf(tick);
         if (range == nullptr) break;
         if (range->first > part.first) return range->first;
         tick = part.first - 1;
@@ -39,8 +39,8 @@ std::int64_t BreakSearch::reachDown(const Question& question, Set set, std::int6
 
 std::int64_t BreakSearch::reachUp(const Question& question, Set set, std::int64_t tick) const {
     while (tick >= first() && tick <= last()) {
-        const BranchTree::Part& part = partOf(tick);
-        const TickRanges::Range* const range = ticksOf(question, set, part.branch).rangeOf(tick);
+        const BranchTicks& part = partOf(tick);
+        const TickRange* const range = ticksOf(question, set, part.branch).rangeOf(tick);
         if (range == nullptr) break;
         if (range->last < part.last) return range->last;
         tick = part.last + 1;
@@ -58,7 +58,7 @@ std::optional<std::int64_t> BreakSearch::lastUpTo(const Question& question, Set 
 }
 
 std::optional<std::int64_t> BreakSearch::firstFrom(const Question& question, Set set, std::int64_t tick) const {
-    for (const BranchTree::Part& part : parts_) {
+    for (const BranchTicks& part : parts_) {
         if (part.last < tick) continue;
         const auto found = ticksOf(question, set, part.branch).firstFrom(std::max(tick, part.first));
         if (found && *found <= part.last) return found;
@@ -114,15 +114,15 @@ Verdicts BreakSearch::walk(const Question& question, const BlockTicks& block, st
 /// Asks in so many blocks, of which the first has `tick`, further ones lie before it or after it.
 Expected<void> BreakSearch::ask(const std::vector<Question*>& questions, std::int64_t tick, bool backwards,
                                 std::size_t most) {
-    const BranchTree::Part& part = partOf(tick);
+    const BranchTicks& part = partOf(tick);
     const Timeline& timeline = run_.branches()[part.branch].timeline;
-    const auto isJudged = [&](const Question& question) {
+    const auto isEvaluated = [&](const Question& question) {
         return !question.predicate &&
                !readsControl(question.text, *run_.branches().record(part.branch).setup().scenario);
     };
     // A condition that walks does so on one core.
     if (std::any_of(questions.begin(), questions.end(),
-                    [&](const Question* one) { return !one->predicate && !isJudged(*one); }))
+                    [&](const Question* one) { return !one->predicate && !isEvaluated(*one); }))
         most = std::min(most, fewBlocks);
     std::vector<BlockTicks> blocks;
     for (std::int64_t at = tick; blocks.size() < most && at >= part.first && at <= part.last;) {
@@ -135,7 +135,7 @@ Expected<void> BreakSearch::ask(const std::vector<Question*>& questions, std::in
     std::vector<std::string> texts;
     std::vector<Question*> conditions;
     for (Question* question : questions) {
-        if (isJudged(*question)) {
+        if (isEvaluated(*question)) {
             texts.push_back(question->text);
             conditions.push_back(question);
             continue;
@@ -143,7 +143,7 @@ Expected<void> BreakSearch::ask(const std::vector<Question*>& questions, std::in
         for (const BlockTicks& block : blocks) question->known[part.branch].add(walk(*question, block, part.branch));
     }
     if (conditions.empty()) return {};
-    const auto verdicts = judge_.judge(blocks, texts, run_.reality());
+    const auto verdicts = evaluator_.evaluate(blocks, texts, run_.reality());
     if (!verdicts) return tl::unexpected(verdicts.error());
     for (const std::vector<Verdicts>& ofBlock : *verdicts)
         for (std::size_t i = 0; i < conditions.size(); ++i) conditions[i]->known[part.branch].add(ofBlock[i]);
@@ -233,8 +233,8 @@ Expected<bool> BreakSearch::learn(const std::vector<Question*>& questions) {
 
 std::vector<std::int64_t> BreakSearch::beginnings(const Question& question) const {
     std::vector<std::int64_t> ticks;
-    for (const BranchTree::Part& part : parts_)
-        for (const TickRanges::Range& range : ticksOf(question, &Verdicts::holds, part.branch).ranges()) {
+    for (const BranchTicks& part : parts_)
+        for (const TickRange& range : ticksOf(question, &Verdicts::holds, part.branch).ranges()) {
             if (range.last < part.first) continue;
             if (range.first > part.last) break;
             const std::int64_t begin = std::max(range.first, part.first);
@@ -245,7 +245,7 @@ std::vector<std::int64_t> BreakSearch::beginnings(const Question& question) cons
 
 std::int64_t BreakSearch::beginningsUpTo(const Question& question, std::int64_t tick) const {
     std::int64_t count = 0;
-    for (const BranchTree::Part& part : parts_) {
+    for (const BranchTicks& part : parts_) {
         if (part.first > tick) break;
         const TickRanges& holds = ticksOf(question, &Verdicts::holds, part.branch);
         count += holds.beginningsWithin(part.first + 1, std::min(tick, part.last));

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "debug/block_judge.h"
+#include "debug/condition_evaluator.h"
 #include "debug/time_travel.h"
 #include "io/progress.h"
 
@@ -34,8 +34,8 @@ struct Question {
 /// as has been simulated. What is already known is not computed again; the rest is, block after block, on all cores.
 class BreakSearch {
 public:
-    BreakSearch(const TimeTravel& run, BlockJudge& judge)
-        : run_(run), judge_(judge), parts_(run.branches().parts(run.branch())) {}
+    BreakSearch(const TimeTravel& run, ConditionEvaluator& evaluator)
+        : run_(run), evaluator_(evaluator), parts_(run.branches().parts(run.branch())) {}
 
     struct Found {
         std::size_t question = 0;  ///< its place among those asked
@@ -78,7 +78,7 @@ private:
     static const TickRanges& ticksOf(const Question& question, Set set, std::uint32_t branch);
     std::int64_t first() const { return parts_.front().first; }
     std::int64_t last() const { return parts_.back().last; }
-    const BranchTree::Part& partOf(std::int64_t tick) const;
+    const BranchTicks& partOf(std::int64_t tick) const;
     std::int64_t reachDown(const Question& question, Set set, std::int64_t tick) const;
     std::int64_t reachUp(const Question& question, Set set, std::int64_t tick) const;
     std::optional<std::int64_t> lastUpTo(const Question& question, Set set, std::int64_t tick) const;
@@ -93,8 +93,8 @@ private:
     Expected<void> ask(const std::vector<Question*>& questions, std::int64_t tick, bool backwards, std::size_t blocks);
 
     const TimeTravel& run_;
-    BlockJudge& judge_;
-    std::vector<BranchTree::Part> parts_;
+    ConditionEvaluator& evaluator_;
+    std::vector<BranchTicks> parts_;
 };
 
 }  // namespace mrose

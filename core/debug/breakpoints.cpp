@@ -21,7 +21,7 @@ std::string clockAt(const TimeTravel& run) {
 /// What happened at a tick of the shown branch. What a branch begins with has come about in the one before.
 std::vector<TimelineMark> marksAt(const TimeTravel& run, std::int64_t tick) {
     std::vector<TimelineMark> marks;
-    for (const BranchTree::Part& part : run.branches().parts(run.branch())) {
+    for (const BranchTicks& part : run.branches().parts(run.branch())) {
         if (tick < part.first || tick > part.last + (part.branch == run.branch() ? 0 : 1)) continue;
         const std::vector<TimelineMark>& all = run.branches().record(part.branch).marks();
         const auto begin = std::lower_bound(all.begin(), all.end(), tick,
@@ -66,7 +66,7 @@ void Breakpoints::forgetRun() {
     questions_.clear();
     compiled_.clear();
     fitElsewhere_.clear();
-    judge_ = std::make_unique<BlockJudge>();
+    evaluator_ = std::make_unique<ConditionEvaluator>();
     diverged_ = {};
     elsewhere_ = {};
     Breakpoint here;
@@ -205,7 +205,7 @@ Expected<std::optional<bool>> Breakpoints::oftenEnough(const TimeTravel& run, co
     const std::int64_t asked = breakpoint.from - metBefore(breakpoint);
     if (asked <= 1) return true;
     Question& question = questionOf(breakpoint);
-    BreakSearch search(run, *judge_);
+    BreakSearch search(run, *evaluator_);
     while (!search.knownUpTo(question, tick)) {
         if (!progress(0)) return std::nullopt;
         if (auto more = search.learn({&question}); !more) return tl::unexpected(more.error());
@@ -218,7 +218,7 @@ Expected<std::optional<bool>> Breakpoints::meets(TimeTravel& run, const Breakpoi
     const std::int64_t tick = run.tick();
     if (asks(breakpoint)) {
         const Question& question = questionOf(breakpoint);
-        const BreakSearch search(run, *judge_);
+        const BreakSearch search(run, *evaluator_);
         if (!search.holdsAt(question, tick) || search.holdsAt(question, tick - 1)) return false;
         return oftenEnough(run, breakpoint, tick, progress);
     }
@@ -281,7 +281,7 @@ Breakpoints::Answer Breakpoints::lastOfAll(TimeTravel& run, std::int64_t before,
     }
     std::vector<std::uint32_t> ids;
     const std::vector<Question*> asked = questions(&ids);
-    BreakSearch search(run, *judge_);
+    BreakSearch search(run, *evaluator_);
     const auto found = (search.*looks)(before, asked, progress, stop.tick);
     ++version_;
     if (!found) return tl::unexpected(found.error());
@@ -301,7 +301,7 @@ Breakpoints::Answer Breakpoints::lastOfAll(TimeTravel& run, std::int64_t before,
 Expected<std::optional<Breakpoints::Stop>> Breakpoints::conditionsAt(TimeTravel& run, std::int64_t tick,
                                                                      const Progress& progress) {
     Stop stop{tick};
-    BreakSearch search(run, *judge_);
+    BreakSearch search(run, *evaluator_);
     for (const Breakpoint& breakpoint : breakpoints_) {
         if (!asks(breakpoint)) continue;
         const auto found = search.after(tick - 1, {&questionOf(breakpoint)}, progress, tick + 1);
@@ -334,7 +334,7 @@ Breakpoints::Answer Breakpoints::ahead(TimeTravel& run, const Progress& progress
         stop.ids.push_back(breakpoint.id);
     }
     const std::vector<Question*> asked = questions();
-    BreakSearch search(run, *judge_);
+    BreakSearch search(run, *evaluator_);
     ++version_;
     for (std::int64_t from = run.tick();;) {
         const auto found = search.after(from, asked, progress, stop.tick);
@@ -423,14 +423,14 @@ Expected<bool> Breakpoints::learn(const TimeTravel& run) {
         if (!fails) open.push_back(question);
     }
     if (open.empty()) return false;
-    Expected<bool> more = BreakSearch(run, *judge_).learn(open);
+    Expected<bool> more = BreakSearch(run, *evaluator_).learn(open);
     if (more && *more) ++version_;
     return more;
 }
 
 std::vector<TimelineMark> Breakpoints::marks(const TimeTravel& run) const {
     std::vector<TimelineMark> marks;
-    const BreakSearch search(run, *judge_);
+    const BreakSearch search(run, *evaluator_);
     for (const Breakpoint& breakpoint : breakpoints_) {
         const Question* const question = knownOf(breakpoint);
         if (question == nullptr || !asks(breakpoint)) continue;
@@ -444,7 +444,7 @@ std::vector<TimelineMark> Breakpoints::marks(const TimeTravel& run) const {
 
 std::vector<BreakpointState> Breakpoints::states(const TimeTravel& run, const std::vector<TimelineMark>& happened) {
     std::vector<BreakpointState> states;
-    const BreakSearch search(run, *judge_);
+    const BreakSearch search(run, *evaluator_);
     for (const Breakpoint& breakpoint : breakpoints_) {
         BreakpointState& state = states.emplace_back(BreakpointState{breakpoint});
         const BreakText text = readBreakText(breakpoint.text);

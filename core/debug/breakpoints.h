@@ -35,8 +35,8 @@ struct BreakWish {
     bool operator==(const BreakWish&) const = default;
 };
 
-/// The breakpoints of a run: they judge each tick that playing arrives at, and find where they held before and hold
-/// next. Without Qt, thread or clock, as TimeTravel.
+/// The breakpoints of a run: they are asked at each tick that playing arrives at, and find where they held before and
+/// hold next. Without Qt, thread or clock, as TimeTravel.
 class Breakpoints {
 public:
     Breakpoints() { forgetRun(); }
@@ -129,7 +129,7 @@ private:
     std::map<std::uint32_t, Question> questions_;  ///< of breakpoints that ask, by their number
     DivergenceQuestion diverged_;
     HitsInOtherRuns elsewhere_;
-    std::unique_ptr<BlockJudge> judge_;
+    std::unique_ptr<ConditionEvaluator> evaluator_;
     Compiled compiled_;
     std::map<std::string, bool> fitElsewhere_;  ///< texts that do not fit the shown branch
     std::uint64_t version_ = 0;

@@ -21,7 +21,7 @@ double shareOf(std::int64_t done, std::int64_t all) { return static_cast<double>
 
 }  // namespace
 
-void Debugger::open(const OpenRun& run) {
+void Debugger::open(const OpenedRun& run) {
     run_.emplace(run);
     breakpoints_.forgetRun();
     stop();

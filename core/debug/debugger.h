@@ -36,10 +36,10 @@ struct Watch {
 class Debugger {
 public:
     Debugger() = default;
-    explicit Debugger(const OpenRun& run) { open(run); }
+    explicit Debugger(const OpenedRun& run) { open(run); }
 
     /// Another run, standing at its start. Its breakpoints are none but breakHere().
-    void open(const OpenRun& run);
+    void open(const OpenedRun& run);
     bool isOpen() const { return run_.has_value(); }
     // All that follows is for a run that is open.
 
@@ -85,7 +85,7 @@ public:
     void playOn(const Progress& goesOn = {});
 
     /// Looks where breakpoints were met, at some more ticks; whether there are more.
-    Expected<bool> judge() { return breakpoints_.learn(*run_); }
+    Expected<bool> learnBreaks() { return breakpoints_.learn(*run_); }
 
     /// All of the shown tick. What is reported once is not in the next.
     Shown takeShown(const FrameOptions& options = {});

@@ -13,27 +13,27 @@ constexpr auto mostBehind = 100ms;
 
 }  // namespace
 
-void LiveRun::open(const OpenRun& run) {
+void LiveRun::open(const OpenedRun& run) {
     stopRecording();
     debugger_.open(run);
     factor_ = 0;
     learning_ = true;
-    judging_ = false;
+    learningBreaks_ = false;
 }
 
 bool LiveRun::turn(bool changed, const Progress& goesOn) {
     if (!debugger_.isOpen()) return changed;
     if (debugger_.playing()) changed = playTicks(goesOn) || changed;
     if (learning_) changed = learn() || changed;
-    judging_ = changed || judging_;
-    if (judging_ && !debugger_.playing() && !learning_) changed = judge() || changed;
+    learningBreaks_ = changed || learningBreaks_;
+    if (learningBreaks_ && !debugger_.playing() && !learning_) changed = learnBreaks() || changed;
     if (changed || recording_) followRecording();
     return changed;
 }
 
 void LiveRun::giveUp() {
     debugger_.stop();
-    learning_ = judging_ = recording_ = false;
+    learning_ = learningBreaks_ = recording_ = false;
 }
 
 void LiveRun::setSpeed(double speed) {
@@ -89,15 +89,15 @@ bool LiveRun::learn() {
 }
 
 /// Some ticks more, for half a frame's time; whether there is something new to show.
-bool LiveRun::judge() {
+bool LiveRun::learnBreaks() {
     const auto begin = Clock::now();
     bool any = false;
     do {
-        const auto more = debugger_.judge();
-        judging_ = more && *more;
+        const auto more = debugger_.learnBreaks();
+        learningBreaks_ = more && *more;
         if (!more) debugger_.say(more.error().message());
-        any = any || judging_ || !more;
-    } while (judging_ && Clock::now() - begin < framePeriod / 2);
+        any = any || learningBreaks_ || !more;
+    } while (learningBreaks_ && Clock::now() - begin < framePeriod / 2);
     return any;
 }
 

@@ -23,13 +23,13 @@ public:
     explicit LiveRun(RecordingEnded recordingEnded) : recordingEnded_(std::move(recordingEnded)) {}
 
     /// Another run, standing at its start; recording ends.
-    void open(const OpenRun& run);
+    void open(const OpenedRun& run);
     Debugger& debugger() { return debugger_; }
 
     /// What is due; whether there is something new to show. False of `goesOn` ends it. `changed`: there is in any case.
     bool turn(bool changed, const Progress& goesOn);
     /// Whether there will be something due without anybody asking.
-    bool goesOn() const { return debugger_.playing() || learning_ || judging_ || recording_; }
+    bool goesOn() const { return debugger_.playing() || learning_ || learningBreaks_ || recording_; }
     /// What cannot be gone on with is not tried again.
     void giveUp();
 
@@ -48,7 +48,7 @@ public:
 private:
     bool playTicks(const Progress& goesOn);
     bool learn();
-    bool judge();
+    bool learnBreaks();
     void endRecording(const Expected<void>& written);
 
     /// An instant, and the tick that was shown then.
@@ -58,8 +58,8 @@ private:
     };
 
     Debugger debugger_;
-    bool learning_ = false;  ///< there are ticks of a file that have not been looked at
-    bool judging_ = false;   ///< there may be ticks of which breakpoints do not know whether they are met
+    bool learning_ = false;        ///< there are ticks of a file that have not been looked at
+    bool learningBreaks_ = false;  ///< there may be ticks of which breakpoints do not know whether they are met
     std::optional<RunRecorder> recorder_;
     bool recording_ = false;  ///< there are ticks that it has not yet written
     Clock::time_point nextFlush_;

@@ -17,14 +17,14 @@ std::string rolloutName(const PlayedLog& log, const RolloutRequest& rollout) {
     return log.name() + (session.empty() ? "" : ", " + session) + ", from " + fixed(toSeconds(rollout.start), 1) + " s";
 }
 
-Expected<OpenRun> openRollout(const PlayedLog& log, const RolloutRequest& rollout, bool commandsToLogEnd) {
+Expected<OpenedRun> openRollout(const PlayedLog& log, const RolloutRequest& rollout, bool commandsToLogEnd) {
     const LogWorld& world = log.world();
     const Nanoseconds step = WindowOptions{}.step;
     const Nanoseconds left = world.sessions()[rollout.session].length - rollout.start;
     const Nanoseconds duration = commandsToLogEnd ? std::max(left, rollout.steps * step) : rollout.steps * step;
     auto opened = mrose::openRollout(world, *log.value, log.place, rollout, log.seed, rollout.steps * step, duration);
     if (!opened) return tl::unexpected(opened.error());
-    OpenRun run{rolloutName(log, rollout), {}, nullptr, std::move(opened->state), {}, {}, {}, {}};
+    OpenedRun run{rolloutName(log, rollout), {}, nullptr, std::move(opened->state), {}, {}, {}, {}};
     run.source = {log.request.scenario.empty() ? log.place : log.request.scenario, 0, log.request.seed, log.place,
                   log.request.pluginLimit};
     run.setup = std::make_shared<const BranchSetup>(BranchSetup{std::move(opened->value), std::move(opened->scenario)});

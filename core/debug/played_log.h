@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "assessment/compare.h"
-#include "debug/open_run.h"
+#include "debug/opened_run.h"
 #include "scenario/scenario_value.h"
 
 namespace mrose {
@@ -31,7 +31,7 @@ struct PlayedLog {
     ScenarioValuePointer value;  ///< without what comes from the log
     std::shared_ptr<const LogWorld> played;
     std::uint64_t seed = 1;
-    std::map<std::string, std::string> files;  ///< as OpenRun::files
+    std::map<std::string, std::string> files;  ///< as OpenedRun::files
     std::vector<std::string> notes;            ///< what must be known before its figures are believed
 
     const LogWorld& world() const { return *played; }
@@ -46,6 +46,6 @@ std::string rolloutName(const PlayedLog& log, const RolloutRequest& rollout);
 
 /// One rollout as a run that begins as the comparison's does. With `commandsToLogEnd` its robots get their commands up
 /// to the log's end, and not to the rollout's alone. Error: as of mrose::openRollout().
-Expected<OpenRun> openRollout(const PlayedLog& log, const RolloutRequest& rollout, bool commandsToLogEnd);
+Expected<OpenedRun> openRollout(const PlayedLog& log, const RolloutRequest& rollout, bool commandsToLogEnd);
 
 }  // namespace mrose

@@ -1,6 +1,7 @@
 #include "debug/shown.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace mrose {
 namespace {
@@ -40,6 +41,18 @@ int listedBranches(const std::vector<BranchInfo>& branches, std::size_t first) {
     int count = 0;
     for (std::size_t i = first; i < branches.size(); ++i) count += branches[i].hidden ? 0 : 1;
     return count;
+}
+
+std::vector<BranchTicks> lineageOf(const Shown& shown, std::uint32_t branch) {
+    std::vector<BranchTicks> lineage;
+    std::int64_t last = std::numeric_limits<std::int64_t>::max();
+    for (std::uint32_t at = branch;; at = shown.branches[at].parent) {
+        const BranchInfo& info = shown.branches[at];
+        const bool root = info.parent == at;
+        lineage.insert(lineage.begin(), {at, root ? info.first : info.departed, last});
+        if (root) return lineage;
+        last = info.departed - 1;
+    }
 }
 
 std::string branchesText(int count) { return count == 1 ? "1 branch" : std::to_string(count) + " branches"; }

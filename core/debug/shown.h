@@ -71,6 +71,9 @@ int listedBranches(const std::vector<BranchInfo>& branches, std::size_t first = 
 /// "1 branch", "2 branches"
 std::string branchesText(int count);
 
+/// What a branch's lineage consists of, in the order of time, the branch itself without an end: it may grow.
+std::vector<BranchTicks> lineageOf(const Shown& shown, std::uint32_t branch);
+
 /// What a run itself says of its shown tick; what only its debugger knows is left empty.
 Shown shownOf(const TimeTravel& run, const FrameOptions& options);
 

@@ -6,9 +6,9 @@
 namespace mrose {
 namespace {
 
-bool endsBefore(const TickRanges::Range& range, std::int64_t tick) { return range.last < tick; }
+bool endsBefore(const TickRange& range, std::int64_t tick) { return range.last < tick; }
 
-bool beginsBefore(const TickRanges::Range& range, std::int64_t tick) { return range.first < tick; }
+bool beginsBefore(const TickRange& range, std::int64_t tick) { return range.first < tick; }
 
 }  // namespace
 
@@ -25,7 +25,7 @@ void TickRanges::add(std::int64_t first, std::int64_t last) {
     ranges_.erase(begin + 1, end);
 }
 
-const TickRanges::Range* TickRanges::rangeOf(std::int64_t tick) const {
+const TickRange* TickRanges::rangeOf(std::int64_t tick) const {
     const auto found = std::lower_bound(ranges_.begin(), ranges_.end(), tick, endsBefore);
     return found != ranges_.end() && found->first <= tick ? &*found : nullptr;
 }

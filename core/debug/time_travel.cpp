@@ -26,7 +26,7 @@ void takeMemories(const Cursor& after, std::uint32_t robot, NewBranch& start) {
 
 }  // namespace
 
-TimeTravel::TimeTravel(const OpenRun& run, std::size_t mostTrackBytes)
+TimeTravel::TimeTravel(const OpenedRun& run, std::size_t mostTrackBytes)
     : branches_(run, mostTrackBytes), shown_(0, {run.start}), reality_(run.reality), origins_(1) {
     for (std::uint32_t i = 1; i < branches_.size(); ++i) {
         const Branch& branch = branches_[i];

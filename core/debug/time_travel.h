@@ -15,7 +15,7 @@ namespace mrose {
 /// debugger (debugger.h) drives it.
 class TimeTravel {
 public:
-    explicit TimeTravel(const OpenRun& run, std::size_t mostTrackBytes = std::size_t{64} << 20);
+    explicit TimeTravel(const OpenedRun& run, std::size_t mostTrackBytes = std::size_t{64} << 20);
 
     const BranchTree& branches() const { return branches_; }
     BranchTree& branches() { return branches_; }

@@ -22,7 +22,7 @@ void ValueSeries::want(std::vector<ValueKey> values) {
     ++version_;
 }
 
-void ValueSeries::follow(std::uint64_t run, std::shared_ptr<const Reality> reality, std::vector<Way> ways) {
+void ValueSeries::follow(std::uint64_t run, std::shared_ptr<const Reality> reality, std::vector<BranchTicks> wanted) {
     if (reality != reality_) {
         std::erase_if(series_, [](const auto& one) { return readsReality(one.first.second); });
         reality_ = std::move(reality);
@@ -32,14 +32,15 @@ void ValueSeries::follow(std::uint64_t run, std::shared_ptr<const Reality> reali
         series_.clear();
         ++version_;
     }
-    ways_ = std::move(ways);
+    wanted_ = std::move(wanted);
 }
 
 void ValueSeries::cancel() {
     ++version_;
-    for (const Way& way : ways_)
+    for (const BranchTicks& wanted : wanted_)
         for (const ValueKey& key : values_)
-            fillUpTo(series_.try_emplace({way.branch, key}, TickNumbers{way.first, {}}).first->second, way.last);
+            fillUpTo(series_.try_emplace({wanted.branch, key}, TickNumbers{wanted.first, {}}).first->second,
+                     wanted.last);
 }
 
 const TickNumbers* ValueSeries::find(std::uint32_t branch, const ValueKey& key) const {
@@ -50,38 +51,38 @@ const TickNumbers* ValueSeries::find(std::uint32_t branch, const ValueKey& key) 
 /// Of each branch as many as its value that is farthest behind.
 std::int64_t ValueSeries::behind() const {
     std::int64_t behind = 0;
-    for (const Way& way : ways_) {
+    for (const BranchTicks& wanted : wanted_) {
         std::int64_t most = 0;
         for (const ValueKey& key : values_) {
-            const TickNumbers* const known = find(way.branch, key);
-            most = std::max(most, way.last + 1 - (known == nullptr ? way.first : known->end()));
+            const TickNumbers* const known = find(wanted.branch, key);
+            most = std::max(most, wanted.last + 1 - (known == nullptr ? wanted.first : known->end()));
         }
         behind += most;
     }
     return behind;
 }
 
-std::optional<NextTicks> nextTicks(const ValueSeries::Way& way, const std::vector<std::int64_t>& ends) {
+std::optional<NextTicks> nextTicks(const BranchTicks& wanted, const std::vector<std::int64_t>& ends) {
     const auto [least, most] = std::minmax_element(ends.begin(), ends.end());
-    if (ends.empty() || *least > way.last) return {};
+    if (ends.empty() || *least > wanted.last) return {};
     NextTicks next;
-    next.front = *most <= way.last && *most > std::max(*least, way.first);
-    next.tick = std::max(way.first, next.front ? *most : *least);
+    next.front = *most <= wanted.last && *most > std::max(*least, wanted.first);
+    next.tick = std::max(wanted.first, next.front ? *most : *least);
     for (std::size_t i = 0; i < ends.size(); ++i)
-        if (next.front ? ends[i] == *most : ends[i] <= way.last) next.values.push_back(i);
+        if (next.front ? ends[i] == *most : ends[i] <= wanted.last) next.values.push_back(i);
     return next;
 }
 
 std::optional<ValueSeries::Task> ValueSeries::nextTask() const {
-    for (const Way& way : ways_) {
+    for (const BranchTicks& wanted : wanted_) {
         std::vector<std::int64_t> ends;
         for (const ValueKey& key : values_) {
-            const TickNumbers* const known = find(way.branch, key);
-            ends.push_back(known == nullptr ? way.first : known->end());
+            const TickNumbers* const known = find(wanted.branch, key);
+            ends.push_back(known == nullptr ? wanted.first : known->end());
         }
-        const auto next = nextTicks(way, ends);
+        const auto next = nextTicks(wanted, ends);
         if (!next) continue;
-        Task task{run_, way.branch, next->tick, way.last, {}, reality_, next->front};
+        Task task{run_, wanted.branch, next->tick, wanted.last, {}, reality_, next->front};
         for (const std::size_t value : next->values) task.values.push_back(values_[value]);
         return task;
     }
@@ -90,14 +91,15 @@ std::optional<ValueSeries::Task> ValueSeries::nextTask() const {
 
 void ValueSeries::add(const Task& task, std::int64_t first, const std::vector<std::vector<float>>& columns) {
     if (run_ != task.run || reality_ != task.reality) return;
-    const auto way = std::find_if(ways_.begin(), ways_.end(), [&](const Way& w) { return w.branch == task.branch; });
-    if (way == ways_.end()) return;
+    const auto wanted =
+        std::find_if(wanted_.begin(), wanted_.end(), [&](const BranchTicks& w) { return w.branch == task.branch; });
+    if (wanted == wanted_.end()) return;
     for (std::size_t i = 0; i < columns.size(); ++i) {
         if (std::find(values_.begin(), values_.end(), task.values[i]) == values_.end()) continue;
         TickNumbers& numbers =
-            series_.try_emplace({task.branch, task.values[i]}, TickNumbers{way->first, {}}).first->second;
+            series_.try_emplace({task.branch, task.values[i]}, TickNumbers{wanted->first, {}}).first->second;
         // What was forgotten of a long run's beginning stays unknown.
-        if (first <= way->first) fillUpTo(numbers, first - 1);
+        if (first <= wanted->first) fillUpTo(numbers, first - 1);
         const std::int64_t known = numbers.end() - first;
         if (known < 0 || known >= static_cast<std::int64_t>(columns[i].size())) continue;
         numbers.values.insert(numbers.values.end(), columns[i].begin() + known, columns[i].end());

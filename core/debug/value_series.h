@@ -10,6 +10,7 @@
 #include "assessment/reality.h"
 #include "debug/plotted_value.h"
 #include "debug/tick_numbers.h"
+#include "debug/tick_ranges.h"
 
 namespace mrose {
 
@@ -19,14 +20,9 @@ class ValueSeries {
 public:
     /// The numbers of all others are forgotten.
     void want(std::vector<ValueKey> values);
-    /// The branches of which they are wanted, the most urgent first, and how far each is known.
-    struct Way {
-        std::uint32_t branch = 0;
-        std::int64_t first = 0, last = 0;  ///< ticks
-    };
-    /// Of the `run`th that was opened. Numbers that depend on the real log are forgotten where they came from another
-    /// one.
-    void follow(std::uint64_t run, std::shared_ptr<const Reality> reality, std::vector<Way> ways);
+    /// The branches of the `run`th run that was opened of which they are wanted, the most urgent first, as far as each
+    /// is known. Numbers that depend on the real log are forgotten where they came from another one.
+    void follow(std::uint64_t run, std::shared_ptr<const Reality> reality, std::vector<BranchTicks> wanted);
     /// Leaves out what has not been computed of the past. What comes is computed as ever.
     void cancel();
 
@@ -54,7 +50,7 @@ public:
 
 private:
     std::uint64_t run_ = 0;
-    std::vector<Way> ways_;
+    std::vector<BranchTicks> wanted_;  ///< the most urgent first
     std::vector<ValueKey> values_;
     std::shared_ptr<const Reality> reality_;
     std::map<std::pair<std::uint32_t, ValueKey>, TickNumbers> series_;
@@ -68,6 +64,6 @@ struct NextTicks {
     std::vector<std::size_t> values;
 };
 /// `ends`: for each value the tick after the last that is known. nullopt: all are known.
-std::optional<NextTicks> nextTicks(const ValueSeries::Way& way, const std::vector<std::int64_t>& ends);
+std::optional<NextTicks> nextTicks(const BranchTicks& wanted, const std::vector<std::int64_t>& ends);
 
 }  // namespace mrose

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "debug/rollout_rows.h"
+#include "workflow/open_run.h"
 
 namespace mrose {
 
@@ -19,7 +20,7 @@ struct OpenedLog {
     RolloutPlan plan;
     std::vector<RolloutRequest> requests;
     std::size_t rollout = 0;
-    OpenRun run;
+    OpenedRun run;
 };
 /// Its first rollout; `asked`: none, then the plan that suits it. Error, and `kindUnknown`: as of openPlayedLog();
 /// no rollout of the plan fits in; the first one cannot be opened.

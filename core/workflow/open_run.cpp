@@ -1,4 +1,4 @@
-#include "debug/open_run.h"
+#include "workflow/open_run.h"
 
 #include <filesystem>
 
@@ -62,7 +62,7 @@ PluginLoader isolating(const OpenRequest& request, const OpenProgress& progress)
     };
 }
 
-Expected<OpenRun> openToRun(const OpenRequest& request, const OpenProgress& progress) {
+Expected<OpenedRun> openToRun(const OpenRequest& request, const OpenProgress& progress) {
     WatchedDescriptions source(openDescriptions(request.log), progress);
     ScenarioRequest wanted{request.file};
     wanted.trial = request.trial;
@@ -72,7 +72,7 @@ Expected<OpenRun> openToRun(const OpenRequest& request, const OpenProgress& prog
     auto opened = openScenario(wanted, source);
     if (!opened) return tl::unexpected(opened.error());
     auto& [loaded, plugins, scenario, notes] = *opened;
-    OpenRun run{scenario->parts().name, request, nullptr, scenario->initialState(), {}, {}, std::move(notes), {}};
+    OpenedRun run{scenario->parts().name, request, nullptr, scenario->initialState(), {}, {}, std::move(notes), {}};
     if (request.seed) run.start = scenario->initialState(*request.seed);
     if (request.trial > 0) run.name += ", trial " + std::to_string(request.trial);
     run.setup = std::make_shared<const BranchSetup>(
@@ -117,10 +117,10 @@ Expected<BranchSetupPointer> setupOf(const Recording& recording, std::uint32_t b
 }
 
 /// Branches of the same scenario share a setup.
-Expected<std::vector<OpenRun::Recorded>> branchesOf(const Recording& recording, const PluginLoader& load,
-                                                    std::vector<std::string>& notes) {
+Expected<std::vector<OpenedRun::Recorded>> branchesOf(const Recording& recording, const PluginLoader& load,
+                                                      std::vector<std::string>& notes) {
     std::map<ScenarioValuePointer, BranchSetupPointer> setups;
-    std::vector<OpenRun::Recorded> branches;
+    std::vector<OpenedRun::Recorded> branches;
     for (std::uint32_t i = 0; i < recording.branches.size(); ++i) {
         const Branch& branch = recording.branches[i];
         BranchSetupPointer& setup = setups[branch.value];
@@ -153,10 +153,10 @@ std::vector<std::string> damageText(const std::string& file, const Recording& re
             "; it is shown as far as it goes: " + lengthText(recording) + ". Reload (F5) reads on"};
 }
 
-Expected<OpenRun> openRecorded(const OpenRequest& request, const OpenProgress& progress) {
+Expected<OpenedRun> openRecorded(const OpenRequest& request, const OpenProgress& progress) {
     auto recording = openRecording(request.file);
     if (!recording) return tl::unexpected(recording.error());
-    OpenRun run;
+    OpenedRun run;
     run.source = request;
     run.name = std::filesystem::path(request.file).filename().string();
     run.notes = damageText(request.file, *recording);
@@ -177,7 +177,7 @@ Expected<OpenRun> openRecorded(const OpenRequest& request, const OpenProgress& p
     return run;
 }
 
-Expected<OpenRun> openAny(const OpenRequest& request, const OpenProgress& progress) {
+Expected<OpenedRun> openAny(const OpenRequest& request, const OpenProgress& progress) {
     std::error_code ignored;
     if (!std::filesystem::exists(request.file, ignored)) return openToRun(request, progress);  // it may ship
     const auto kind = fileKind(request.file);
@@ -201,7 +201,7 @@ Expected<OpenRun> openAny(const OpenRequest& request, const OpenProgress& progre
 
 }  // namespace
 
-Expected<OpenRun> openRun(const OpenRequest& request, const OpenProgress& progress) {
+Expected<OpenedRun> openRun(const OpenRequest& request, const OpenProgress& progress) {
     auto run = caught([&] { return openAny(request, progress); });
     if (!run && run.error().file.empty()) run.error().file = request.file;
     return run;

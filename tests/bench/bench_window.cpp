@@ -19,9 +19,9 @@ struct Run {
         for (std::size_t i = 0; i < trailTicks; ++i) (void)travel.forward();
     }
 
-    static OpenRun open(Scenario scenario) {
+    static OpenedRun open(Scenario scenario) {
         const auto shared = std::make_shared<const Scenario>(std::move(scenario));
-        OpenRun run;
+        OpenedRun run;
         run.name = "crowd";
         run.setup = std::make_shared<const BranchSetup>(BranchSetup{{}, shared});
         run.start = shared->initialState();

@@ -9,6 +9,7 @@
 #include "bench/timing.h"
 #include "debug/breakpoints.h"
 #include "support/scenes.h"
+#include "workflow/open_run.h"
 
 namespace mrose::gui {
 namespace {
@@ -19,7 +20,7 @@ Breakpoint waitingFor(const char* text) {
     return breakpoint;
 }
 
-int bench(const char* name, const OpenRun& run, std::int64_t ticks) {
+int bench(const char* name, const OpenedRun& run, std::int64_t ticks) {
     TimeTravel travel(run);
     const std::clock_t begin = std::clock();
     const double played = bench::secondsOf([&] {
@@ -47,13 +48,13 @@ int bench(const char* name, const OpenRun& run, std::int64_t ticks) {
     breakpoints.replace({waitingFor("robot[2].x > robot[3].x")});
     const double near = bench::secondsOf([&] { (void)breakpoints.last({true}, travel, travel.tick(), goOn); });
     std::printf("  one that held not long ago: %.1f ms\n", 1e3 * near);
-    Breakpoints judging;
-    judging.replace({waitingFor("robot[2].speed > 50"), waitingFor("contact robot"), waitingFor("kick")});
+    Breakpoints breakpoints;
+    breakpoints.replace({waitingFor("robot[2].speed > 50"), waitingFor("contact robot"), waitingFor("kick")});
     const double playing = bench::secondsOf([&] {
         for (std::int64_t i = 0; i < ticks / 10; ++i) {
-            judging.leave(travel);
+            breakpoints.leave(travel);
             if (!travel.forward()) return;
-            (void)judging.arrive(travel, [](double) { return true; });
+            (void)breakpoints.arrive(travel, [](double) { return true; });
         }
     });
     std::printf("  simulating with three breakpoints takes %.2f times as long as without\n", 10 * playing / played);
@@ -63,9 +64,9 @@ int bench(const char* name, const OpenRun& run, std::int64_t ticks) {
 int benchAll(double minutes) {
     const auto run = openRun({.file = "soccer.toml"});
     if (!run) return std::fprintf(stderr, "%s\n", run.error().message().c_str()), 1;
-    const auto ticks = [&](const OpenRun& of) { return of.setup->scene().ticksOf(fromSeconds(60 * minutes)); };
+    const auto ticks = [&](const OpenedRun& of) { return of.setup->scene().ticksOf(fromSeconds(60 * minutes)); };
     bench("soccer.toml", *run, ticks(*run));
-    OpenRun heavy;
+    OpenedRun heavy;
     auto scenario = std::make_shared<const Scenario>(fieldScenario({}));
     heavy.start = scenario->initialState();
     heavy.setup = std::make_shared<const BranchSetup>(BranchSetup{{}, scenario});

@@ -87,7 +87,7 @@ std::shared_ptr<const Log> hourOf(double seconds) {
     return log;
 }
 
-Expected<OpenRun> overlaid(double minutes) {
+Expected<OpenedRun> overlaid(double minutes) {
     auto log = hourOf(60 * minutes);
     auto network = loadNetwork("nets/create.net");
     if (!network) return tl::unexpected(network.error());
@@ -119,7 +119,7 @@ Expected<OpenRun> overlaid(double minutes) {
         }
         reality.models.push_back(std::move(rollout));
     }
-    OpenRun run;
+    OpenedRun run;
     run.name = "overlaid";
     run.setup = std::make_shared<const BranchSetup>(BranchSetup{{}, opened.scenario});
     run.start = opened.state;
@@ -141,7 +141,7 @@ std::vector<std::int64_t> someTicks(std::int64_t last) {
     return ticks;
 }
 
-int benchFrames(const OpenRun& run, std::int64_t last) {
+int benchFrames(const OpenedRun& run, std::int64_t last) {
     TimeTravel travel(run);
     const double took = milliseconds([&] {
         while (travel.tick() < last && travel.forward()) continue;
@@ -172,7 +172,7 @@ int benchFrames(const OpenRun& run, std::int64_t last) {
     return 0;
 }
 
-int benchWindow(const OpenRun& run, std::int64_t last) {
+int benchWindow(const OpenedRun& run, std::int64_t last) {
     MainWindow window;
     window.resize(1280, 800);
     window.QWidget::show();

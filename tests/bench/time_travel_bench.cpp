@@ -11,6 +11,7 @@
 #include <sys/resource.h>
 
 #include "session/session.h"
+#include "workflow/open_run.h"
 
 namespace mrose::gui {
 namespace {

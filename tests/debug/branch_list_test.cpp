@@ -1,4 +1,6 @@
 // Which branches a run lists: their names, those that are undone, deleted and brought back.
+#include <limits>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +19,7 @@ using testing::HasSubstr;
 class BranchListTest : public testing::Test {
 protected:
     BranchListTest() {
-        OpenRun run;
+        OpenedRun run;
         run.setup = std::make_shared<const BranchSetup>(
             BranchSetup{{}, std::make_shared<const Scenario>(fieldScenario({.robots = 3}))});
         run.start = run.setup->scenario->initialState(7);
@@ -49,6 +51,19 @@ TEST_F(BranchListTest, NamesAreNumberedWhereTheyAreTaken) {
         move(40, 1);
     }
     EXPECT_THAT(listed(), ElementsAre("", moved(1), moved(1, " (2)"), moved(1, " (3)")));
+}
+
+TEST_F(BranchListTest, LineageIsThatOfTheTreeWithoutAnEnd) {
+    move(40, 1);
+    move(70, 2);
+    debugger.stepBy(10);
+    const Shown shown = debugger.takeShown();
+    for (std::uint32_t branch = 0; branch < 3; ++branch) {
+        std::vector<BranchTicks> expected = debugger.run().branches().parts(branch);
+        ASSERT_EQ(expected.size(), branch + 1);
+        expected.back().last = std::numeric_limits<std::int64_t>::max();
+        EXPECT_EQ(lineageOf(shown, branch), expected);
+    }
 }
 
 TEST_F(BranchListTest, UndoneOnesGoWithTheNextEditAndCanBeBroughtBack) {

@@ -16,8 +16,8 @@ bool goOn(double /*share*/) { return true; }
 /// What a condition gives at one tick.
 enum class Is { no, yes, failing };
 
-OpenRun fieldRun(std::uint64_t seed, std::uint32_t robots = 4) {
-    OpenRun run;
+OpenedRun fieldRun(std::uint64_t seed, std::uint32_t robots = 4) {
+    OpenedRun run;
     auto scenario = std::make_shared<const Scenario>(fieldScenario({.robots = robots}));
     run.start = scenario->initialState(seed);
     run.setup = std::make_shared<const BranchSetup>(BranchSetup{{}, scenario});
@@ -143,12 +143,12 @@ TEST_P(BreakSearchTest, FindsWhatAWalkOverAllTicksFinds) {
     departAt(run, 1400 + 3 * GetParam(), 1);
     runTo(run, 2300);
     ASSERT_EQ(run.first(), 0);
-    BlockJudge judge;
+    ConditionEvaluator evaluator;
     for (int i = 0; i < 12; ++i) {
         std::vector<Question> questions{{someCondition(random)}, {someCondition(random)}};
         const std::vector<std::vector<Is>> is{walked(run, questions[0].text), walked(run, questions[1].text)};
         SCOPED_TRACE(questions[0].text + "   " + questions[1].text);
-        BreakSearch search(run, judge);
+        BreakSearch search(run, evaluator);
         for (int j = 0; j < 60; ++j) {
             const auto tick = static_cast<std::int64_t>(random() % 2301);
             const auto before = search.before(tick, {&questions[0], &questions[1]}, goOn);
@@ -185,27 +185,27 @@ INSTANTIATE_TEST_SUITE_P(Seeds, BreakSearchTest, testing::Range(1, 5));
 TEST(BreakSearch, EndsWhenToldTo) {
     TimeTravel run(fieldRun(1));
     runTo(run, 4000);
-    BlockJudge judge;
+    ConditionEvaluator evaluator;
     Question never{"time < 0"};
     int told = 0;
-    const auto ended = BreakSearch(run, judge).before(4000, {&never}, [&](double share) {
+    const auto ended = BreakSearch(run, evaluator).before(4000, {&never}, [&](double share) {
         EXPECT_TRUE(share >= 0 && share <= 1);
         return ++told < 2;
     });
     ASSERT_TRUE(ended);
     EXPECT_FALSE(*ended);
     EXPECT_EQ(told, 2);
-    EXPECT_FALSE(BreakSearch(run, judge).knownUpTo(never, 4000));
+    EXPECT_FALSE(BreakSearch(run, evaluator).knownUpTo(never, 4000));
 }
 
 TEST(BreakSearch, PredicatesAreLookedForLikeConditions) {
     TimeTravel run(fieldRun(2));
     runTo(run, 1200);
-    BlockJudge judge;
+    ConditionEvaluator evaluator;
     Question between{"divergence", [](const BranchTree&, std::uint32_t branch, std::int64_t tick) {
                          return branch == 0 && tick >= 300 && tick < 400;
                      }};
-    BreakSearch search(run, judge);
+    BreakSearch search(run, evaluator);
     const auto tickOf = [](const BreakSearch::Answer& answer) { return *answer ? (*answer)->tick : -1; };
     EXPECT_EQ(tickOf(search.before(1200, {&between}, goOn)), 399);
     EXPECT_EQ(tickOf(search.before(399, {&between}, goOn)), 300);

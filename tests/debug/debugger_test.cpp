@@ -19,7 +19,7 @@ protected:
         ScenarioParts parts = fieldScenario({.robots = 3}).parts();
         parts.duration = 4 * nanosecondsPerSecond;
         scenario = std::make_shared<const Scenario>(std::move(parts));
-        OpenRun run;
+        OpenedRun run;
         run.start = scenario->initialState(7);
         run.setup = std::make_shared<const BranchSetup>(BranchSetup{{}, scenario});
         debugger.open(run);

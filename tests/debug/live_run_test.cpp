@@ -8,6 +8,7 @@
 #include "support/full_disk.h"
 #include "support/scenes.h"
 #include "support/temporary_folder.h"
+#include "workflow/open_run.h"
 #include "world/state_hash.h"
 
 namespace mrose {

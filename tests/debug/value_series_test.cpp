@@ -17,7 +17,7 @@ class ValueSeriesTest : public testing::Test {
 protected:
     ValueSeriesTest() {
         scenario = std::make_shared<const Scenario>(fieldScenario({.robots = 3}));
-        OpenRun run;
+        OpenedRun run;
         run.setup = std::make_shared<const BranchSetup>(BranchSetup{{}, scenario});
         run.start = scenario->initialState(7);
         debugger.open(run);
@@ -88,8 +88,8 @@ TEST_F(ValueSeriesTest, BranchesThatAreNotThereGiveNothing) {
 }
 
 TEST(ValueSeries, NewestTicksGoBeforeThePastOfAnotherValue) {
-    const ValueSeries::Way way{0, 100, 999};
-    const auto next = [&](const std::vector<std::int64_t>& ends) { return nextTicks(way, ends); };
+    const BranchTicks wanted{0, 100, 999};
+    const auto next = [&](const std::vector<std::int64_t>& ends) { return nextTicks(wanted, ends); };
     EXPECT_FALSE(next({}));
     EXPECT_FALSE(next({1000, 1000}));
     // One is new and has all of its past before it: those that have come far go on first.

@@ -11,6 +11,7 @@
 #include "gui/window_fixture.h"
 #include "panels/branch_panel.h"
 #include "panels/command_panel.h"
+#include "workflow/open_run.h"
 
 namespace mrose::gui {
 namespace {
@@ -177,7 +178,7 @@ TEST(BranchTravel, BackIsExactAtTheRootOfANestedBranch) {
     ASSERT_TRUE(std::any_of(memories.begin(), memories.end(), [](const RobotInsight& one) { return one.tick >= 0; }));
     ASSERT_TRUE(made.branchOff({"one", {}, nudge}));
     ASSERT_TRUE(made.branchOff({"two", {}, nudge}));
-    OpenRun nested = *opened;
+    OpenedRun nested = *opened;
     for (std::uint32_t i = 0; i < made.branches().size(); ++i) {
         Branch branch = made.branches()[i];
         if (i == 2) branch.parent = 1;
@@ -216,7 +217,7 @@ TEST(BranchTravel, ContactsThatGoOnAreNotCountedAgain) {
     while (run.tick() < root + 40) ASSERT_TRUE(run.forward());
     EXPECT_EQ(contacts(run.branches().record(1), root, root + 40), contacts(run.branches().record(0), root, root + 40));
     // Opened from a file it is the same.
-    OpenRun file = *opened;
+    OpenedRun file = *opened;
     for (std::uint32_t i = 0; i < run.branches().size(); ++i) {
         const Branch& branch = run.branches()[i];
         auto start = Playback(*opened->setup->scenario).reach(branch.timeline, branch.timeline.first());

@@ -11,6 +11,7 @@
 #include "scenario/carry_over.h"
 #include "support/places.h"
 #include "widgets/qt_text.h"
+#include "workflow/open_run.h"
 #include "world/state_hash.h"
 
 namespace mrose::gui {

@@ -59,14 +59,14 @@ std::shared_ptr<const Log> logOfDrives(const std::vector<RealDrive>& drives, dou
     return log;
 }
 
-OpenRun overlaidRun(std::shared_ptr<const Log> log, double start, double duration, double gain) {
+OpenedRun overlaidRun(std::shared_ptr<const Log> log, double start, double duration, double gain) {
     const auto world = LogWorld::create(playersOn(*log, gain), log);
     if (!world) {
         ADD_FAILURE() << world.error().message();
         return {};
     }
     const LogWorld::Opened opened = world->openAt(0, fromSeconds(start), fromSeconds(duration), 1);
-    OpenRun run;
+    OpenedRun run;
     run.name = "overlaid";
     run.setup = std::make_shared<const BranchSetup>(BranchSetup{{}, opened.scenario});
     run.start = opened.state;

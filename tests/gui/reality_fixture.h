@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "assessment/reality.h"
-#include "debug/open_run.h"
+#include "debug/opened_run.h"
 
 namespace mrose::gui {
 
@@ -26,6 +26,6 @@ std::shared_ptr<const Log> logOfDrives(const std::vector<RealDrive>& drives, dou
 /// Discs of 0.3 m that play all robots of a log on a floor of 10 m x 8 m about the origin, overlaid with it, from
 /// `start` s of it on. They drive as told but `gain` times as fast. The bodies are called "sim " and the real one's
 /// name.
-OpenRun overlaidRun(std::shared_ptr<const Log> log, double start, double duration, double gain = 1);
+OpenedRun overlaidRun(std::shared_ptr<const Log> log, double start, double duration, double gain = 1);
 
 }  // namespace mrose::gui

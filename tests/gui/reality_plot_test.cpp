@@ -61,7 +61,7 @@ protected:
         settle();
     }
 
-    OpenRun run;
+    OpenedRun run;
     MainWindow window;
 };
 

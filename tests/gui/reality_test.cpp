@@ -23,7 +23,7 @@ protected:
 
     /// The run, begun at 1 s of the log, after so many seconds.
     void show(double seconds, double gain = 0.5, double duration = 10, const Reality* reality = nullptr) {
-        OpenRun run = overlaidRun(log, 1, duration, gain);
+        OpenedRun run = overlaidRun(log, 1, duration, gain);
         if (reality != nullptr) run.reality = std::make_shared<const Reality>(*reality);
         TimeTravel travel(run);
         while (travel.tick() < run.setup->scene().ticksOf(fromSeconds(seconds))) ASSERT_TRUE(travel.forward());
@@ -148,7 +148,7 @@ TEST_F(RealityTest, ReadOutSaysHowFarItIs) {
 }
 
 TEST_F(RealityTest, ModelsHaveTheirOwnColoursAndLines) {
-    const OpenRun run = overlaidRun(log, 1, 10);
+    const OpenedRun run = overlaidRun(log, 1, 10);
     Reality reality = *run.reality;
     for (int m = 0; m < 2; ++m) {
         Reality::ModelRollout rollout{m == 0 ? "first" : "second", 100'000'000, {{}, {}}};

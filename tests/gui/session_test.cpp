@@ -10,6 +10,7 @@
 #include "support/temporary_folder.h"
 #include "widgets/message_bar.h"
 #include "widgets/qt_text.h"
+#include "workflow/open_run.h"
 
 namespace mrose::gui {
 namespace {

@@ -13,6 +13,7 @@
 #include "io/file.h"
 #include "reality/overlay.h"
 #include "support/places.h"
+#include "workflow/open_run.h"
 
 namespace mrose::gui {
 namespace {

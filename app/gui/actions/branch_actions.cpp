@@ -16,7 +16,7 @@ namespace mrose::gui {
 namespace {
 
 /// The shown branch's child that was shown last, or its parent: where `beside` is another one, that.
-void showOther(const Frame& frame) {
+void showOther(const WindowFrame& frame) {
     const Shown* shown = frame.shown();
     if (shown != nullptr && shown->besideBranch)
         frame.session.show(*shown->besideBranch, shown->tick());
@@ -24,7 +24,7 @@ void showOther(const Frame& frame) {
         frame.say(QObject::tr("There is no other branch yet: change something while the run stands"));
 }
 
-Expected<void> swapModel(const Frame& frame, const FieldView& field, const QString& file) {
+Expected<void> swapModel(const WindowFrame& frame, const FieldView& field, const QString& file) {
     const Shown* shown = frame.shown();
     const std::optional<std::size_t> selected = field.selected();
     if (shown == nullptr || !selected || *selected >= shown->frame->state.robots.size())
@@ -55,7 +55,7 @@ Expected<std::uint64_t> seedFrom(const QString& text) {
 }
 
 /// What begins a branch.
-void addChanges(const Frame& frame, const FieldView& field, CommandPanel& command, const QString& menu) {
+void addChanges(const WindowFrame& frame, const FieldView& field, CommandPanel& command, const QString& menu) {
     Actions& actions = frame.actions;
     Session& session = frame.session;
     const auto edit = [&frame, &command] {
@@ -120,7 +120,7 @@ void addChanges(const Frame& frame, const FieldView& field, CommandPanel& comman
 }
 
 /// What is done with branches that are there.
-void addBranchViews(const Frame& frame, SideView& view, const BranchPanel& branches, const QString& menu) {
+void addBranchViews(const WindowFrame& frame, SideView& view, const BranchPanel& branches, const QString& menu) {
     Actions& actions = frame.actions;
     Session& session = frame.session;
     actions.add(menu,
@@ -191,7 +191,7 @@ void addBranchViews(const Frame& frame, SideView& view, const BranchPanel& branc
 
 }  // namespace
 
-void addBranchActions(const Frame& frame, SideView& view, BranchPanel& branches, CommandPanel& command) {
+void addBranchActions(const WindowFrame& frame, SideView& view, BranchPanel& branches, CommandPanel& command) {
     const QString menu = QObject::tr("&Branch");
     addChanges(frame, view.field(), command, menu);
     frame.actions.addSeparator(menu);

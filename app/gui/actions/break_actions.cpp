@@ -13,19 +13,19 @@ namespace mrose::gui {
 namespace {
 
 /// The breakpoint chosen in the list; nothing, and says so: there is none.
-std::optional<Breakpoint> chosenBreak(const Frame& frame, const BreakpointPanel& panel) {
+std::optional<Breakpoint> chosenBreak(const WindowFrame& frame, const BreakpointPanel& panel) {
     auto chosen = panel.current();
     if (!chosen) frame.say(QObject::tr("Choose a breakpoint in the list first"));
     return chosen;
 }
 
-Expected<void> addText(const Frame& frame, BreakpointPanel& panel, const QString& text) {
+Expected<void> addText(const WindowFrame& frame, BreakpointPanel& panel, const QString& text) {
     frame.showDock("breakpoints");
     return panel.add(text);
 }
 
 /// A word, and the name of the body that is selected, where it is one that counts for that.
-void addEvent(const Frame& frame, const FieldView& field, BreakpointPanel& panel, const QString& word,
+void addEvent(const WindowFrame& frame, const FieldView& field, BreakpointPanel& panel, const QString& word,
               bool robotsOnly) {
     QString text = word;
     const Shown* const shown = frame.shown();
@@ -36,7 +36,7 @@ void addEvent(const Frame& frame, const FieldView& field, BreakpointPanel& panel
     if (const auto added = addText(frame, panel, text); !added) frame.say(qtText(added.error().message()));
 }
 
-void addWays(const Frame& frame, const BreakpointPanel& panel, Overlay& overlay, const QString& menu) {
+void addWays(const WindowFrame& frame, const BreakpointPanel& panel, Overlay& overlay, const QString& menu) {
     Actions& actions = frame.actions;
     actions.add(menu,
                 {"break_forward", QObject::tr("&Run to the next break"), QKeySequence("F6"),
@@ -65,7 +65,7 @@ void addWays(const Frame& frame, const BreakpointPanel& panel, Overlay& overlay,
                                 }});
 }
 
-void addKinds(const Frame& frame, const FieldView& field, BreakpointPanel& panel, const QString& menu) {
+void addKinds(const WindowFrame& frame, const FieldView& field, BreakpointPanel& panel, const QString& menu) {
     Actions& actions = frame.actions;
     auto* offers = new QMenu(&frame.window);
     offers->setToolTipsVisible(true);
@@ -119,7 +119,7 @@ void addKinds(const Frame& frame, const FieldView& field, BreakpointPanel& panel
                      [&frame, update] { update(frame.shown()->canDiverge); });
 }
 
-void addChosen(const Frame& frame, BreakpointPanel& panel, const QString& menu) {
+void addChosen(const WindowFrame& frame, BreakpointPanel& panel, const QString& menu) {
     Actions& actions = frame.actions;
     Session& session = frame.session;
     panel.offer(&actions["break_last"]);
@@ -187,7 +187,7 @@ void addChosen(const Frame& frame, BreakpointPanel& panel, const QString& menu) 
 
 }  // namespace
 
-void addBreakActions(const Frame& frame, const FieldView& field, BreakpointPanel& panel, Overlay& overlay) {
+void addBreakActions(const WindowFrame& frame, const FieldView& field, BreakpointPanel& panel, Overlay& overlay) {
     const QString menu = QObject::tr("B&reak");
     addWays(frame, panel, overlay, menu);
     frame.actions.addSeparator(menu);

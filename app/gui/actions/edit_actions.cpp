@@ -9,7 +9,7 @@ namespace mrose::gui {
 namespace {
 
 /// With what it would do.
-void nameIt(const Frame& frame, const char* action, const QString& does, bool possible, const QString& what) {
+void nameIt(const WindowFrame& frame, const char* action, const QString& does, bool possible, const QString& what) {
     constexpr int widestName = 400;  // pixels
     QString quoted = frame.window.fontMetrics().elidedText(what, Qt::ElideMiddle, widestName);
     frame.actions[action].setText(
@@ -18,7 +18,7 @@ void nameIt(const Frame& frame, const char* action, const QString& does, bool po
 
 }  // namespace
 
-void addEditActions(const Frame& frame, FieldView& field) {
+void addEditActions(const WindowFrame& frame, FieldView& field) {
     const QString menu = QObject::tr("&Edit");
     frame.actions.add(
         menu, {"undo", QObject::tr("&Undo"), QKeySequence("Ctrl+Z"), QObject::tr("Back to before the last change")},

@@ -15,7 +15,7 @@
 namespace mrose::gui {
 namespace {
 
-QString askForFile(const Frame& frame) {
+QString askForFile(const WindowFrame& frame) {
     LogDialog dialog(&frame.window, QObject::tr("Open"), frame.memory.lastFolder(),
                      QObject::tr("What mrose opens (*.toml *.mcap *.net *.csv *.dat);;Scenarios (*.toml);;"
                                  "Recordings (*.mcap);;Networks (*.net);;Logs (*.csv *.dat);;Results of a batch "
@@ -23,13 +23,13 @@ QString askForFile(const Frame& frame) {
     return dialog.ask();
 }
 
-QString askForLog(const Frame& frame) {
+QString askForLog(const WindowFrame& frame) {
     LogDialog dialog(&frame.window, QObject::tr("Open a real log"), frame.memory.lastFolder(),
                      QObject::tr("Logs (*.csv *_Odometry.dat *_Groundtruth.dat);;All files (*)"));
     return dialog.ask();
 }
 
-Expected<void> openLogAt(const Frame& frame, Overlay& overlay, const QString& path) {
+Expected<void> openLogAt(const WindowFrame& frame, Overlay& overlay, const QString& path) {
     const PlayedLogRequest request{placeOfLog(path.toStdString()), ""};
     if (frame.actions.unattended()) return overlay.openNow(request);
     overlay.open(request);
@@ -37,14 +37,14 @@ Expected<void> openLogAt(const Frame& frame, Overlay& overlay, const QString& pa
 }
 
 /// The view as the extension says.
-Expected<void> savePicture(const Frame& frame, FieldView& field, const QString& path) {
+Expected<void> savePicture(const WindowFrame& frame, FieldView& field, const QString& path) {
     return writePicture({field.size(), field.logicalDpiX(), frame.window.windowTitle(),
                          [&field](QPainter& painter) { field.paint(painter, field.size()); }},
                         path);
 }
 
 /// Scripts wait until it is open, people need not.
-Expected<void> openPath(const Frame& frame, WindowFiles& files, Overlay& overlay, const QString& path) {
+Expected<void> openPath(const WindowFrame& frame, WindowFiles& files, Overlay& overlay, const QString& path) {
     if (frame.actions.unattended() && looksLikeLog(logOfFile(path.toStdString())))
         return overlay.openNow({placeOfLog(path.toStdString()), ""});
     if (frame.actions.unattended()) return files.openNow({path.toStdString()});
@@ -53,7 +53,7 @@ Expected<void> openPath(const Frame& frame, WindowFiles& files, Overlay& overlay
 }
 
 /// Beside Open.
-void addOpenLog(const Frame& frame, Overlay& overlay) {
+void addOpenLog(const WindowFrame& frame, Overlay& overlay) {
     frame.actions.add(QObject::tr("&File"),
                       {"open_log", QObject::tr("Open a real &log\u2026"), QKeySequence("Ctrl+L"),
                        QObject::tr("Lay a log of real robots over their simulation")},
@@ -63,7 +63,7 @@ void addOpenLog(const Frame& frame, Overlay& overlay) {
 
 }  // namespace
 
-void addFileActions(const Frame& frame, FieldView& field, WindowFiles& files, Overlay& overlay,
+void addFileActions(const WindowFrame& frame, FieldView& field, WindowFiles& files, Overlay& overlay,
                     WorkProgress& progress) {
     Actions& actions = frame.actions;
     const QString menu = QObject::tr("&File");

@@ -21,7 +21,7 @@ constexpr int mostCovered = 4;                     // a fourth of the view
 
 }  // namespace
 
-FirstSteps::FirstSteps(const Frame& frame, FieldView& field, PlotPanel& plots, CommandPanel& command)
+FirstSteps::FirstSteps(const WindowFrame& frame, FieldView& field, PlotPanel& plots, CommandPanel& command)
     : QFrame(&field), frame_(frame), field_(field), plots_(plots), button_(new QToolButton(&field)) {
     setObjectName("first_steps");
     hide();

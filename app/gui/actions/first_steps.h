@@ -3,7 +3,7 @@
 #include <QFrame>
 #include <vector>
 
-#include "frame/frame.h"
+#include "frame/window_frame.h"
 
 class QLabel;
 class QToolButton;
@@ -24,7 +24,7 @@ class FirstSteps final : public QFrame {
     Q_OBJECT
 
 public:
-    FirstSteps(const Frame& frame, FieldView& field, PlotPanel& plots, CommandPanel& command);
+    FirstSteps(const WindowFrame& frame, FieldView& field, PlotPanel& plots, CommandPanel& command);
 
     struct Step {
         QString keys, text;
@@ -48,7 +48,7 @@ private:
     void place();
     QRect corner(const QSize& size) const;
 
-    const Frame& frame_;
+    const WindowFrame& frame_;
     FieldView& field_;
     PlotPanel& plots_;
     std::vector<Step> steps_;

@@ -20,7 +20,7 @@ constexpr const char* stepsClosed = "first_steps/closed";
 
 QSettings userSettings() { return QSettings(QSettings::IniFormat, QSettings::UserScope, "mrose", "mrose-gui"); }
 
-void showShortcuts(const Frame& frame) {
+void showShortcuts(const WindowFrame& frame) {
     auto* sheet = frame.window.findChild<ShortcutSheet*>();
     if (sheet == nullptr) sheet = new ShortcutSheet(frame.actions, &frame.window);
     sheet->show();
@@ -28,7 +28,7 @@ void showShortcuts(const Frame& frame) {
     sheet->activateWindow();
 }
 
-void showAbout(const Frame& frame) {
+void showAbout(const WindowFrame& frame) {
     auto* box = new QMessageBox(&frame.window);
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setObjectName("about");
@@ -54,7 +54,8 @@ Expected<void> showDocumentation() {
 
 }  // namespace
 
-void addHelpActions(const Frame& frame, FieldView& field, PlotPanel& plots, CommandPanel& command, Overlay& overlay) {
+void addHelpActions(const WindowFrame& frame, FieldView& field, PlotPanel& plots, CommandPanel& command,
+                    Overlay& overlay) {
     Actions& actions = frame.actions;
     const QString menu = QObject::tr("&Help");
     QAction* steps = actions.add(menu,

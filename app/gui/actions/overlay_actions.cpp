@@ -20,7 +20,7 @@ namespace mrose::gui {
 namespace {
 
 /// Of a log that does not say it; cancelled, what is open stays.
-void askWhatDrove(const Frame& frame, Overlay& overlay, const PlayedLogRequest& request,
+void askWhatDrove(const WindowFrame& frame, Overlay& overlay, const PlayedLogRequest& request,
                   const std::optional<RolloutPlan>& asked) {
     delete frame.window.findChild<RobotDialog*>();
     const QString log = QFileInfo(qtText(request.log)).absoluteFilePath();
@@ -37,7 +37,7 @@ void askWhatDrove(const Frame& frame, Overlay& overlay, const PlayedLogRequest& 
     dialog->open();
 }
 
-void layModelOfFile(const Frame& frame, Overlay& overlay) {
+void layModelOfFile(const WindowFrame& frame, Overlay& overlay) {
     const QString file =
         QFileDialog::getOpenFileName(&frame.window, QObject::tr("Motion network"), frame.memory.lastFolder(),
                                      QObject::tr("Networks (*.net);;All files (*)"));
@@ -45,7 +45,7 @@ void layModelOfFile(const Frame& frame, Overlay& overlay) {
 }
 
 /// Those that ship, as a menu over the field; other ones are files.
-void offerModels(const Frame& frame, const FieldView& field, Overlay& overlay) {
+void offerModels(const WindowFrame& frame, const FieldView& field, Overlay& overlay) {
     auto* menu = new QMenu(&frame.window);
     menu->setObjectName("models_menu");
     menu->setAttribute(Qt::WA_DeleteOnClose);
@@ -59,7 +59,7 @@ void offerModels(const Frame& frame, const FieldView& field, Overlay& overlay) {
 
 /// The one of the list's current line, otherwise the only one beside the scenario's own; empty: there are none, or it
 /// is not clear which.
-QString modelToRemove(const Frame& frame, const Overlay& overlay, const OverlayPanel& panel) {
+QString modelToRemove(const WindowFrame& frame, const Overlay& overlay, const OverlayPanel& panel) {
     const QTreeWidget& list = panel.models();
     const auto& models = overlay.models().all();
     const int line = models.size() == 2 ? 1 : list.indexOfTopLevelItem(list.currentItem());
@@ -80,7 +80,7 @@ Expected<void> removeModel(Overlay& overlay, const std::string& name) {
     return fail(name, "is not laid over" + (names.empty() ? std::string() : "; expected one of " + names));
 }
 
-void goToDivergence(const Frame& frame, Overlay& overlay) {
+void goToDivergence(const WindowFrame& frame, Overlay& overlay) {
     if (overlay.shown().goToDivergence()) return;
     frame.say(!overlay.rollouts().shown() ? QObject::tr("No rollout of the log is shown")
               : overlay.comparing().share() < 1
@@ -91,7 +91,7 @@ void goToDivergence(const Frame& frame, Overlay& overlay) {
 }
 
 /// The robot of the overlay that a body of the run is.
-std::optional<std::size_t> robotOf(const Frame& frame, const Overlay& overlay, std::optional<std::size_t> body) {
+std::optional<std::size_t> robotOf(const WindowFrame& frame, const Overlay& overlay, std::optional<std::size_t> body) {
     if (!body || !frame.shown() || !overlay.rollouts().log() || *body >= frame.shown()->frame->scene().bodyCount())
         return {};
     const std::vector<ComparedRobot>& robots = overlay.rollouts().world().robots();
@@ -102,7 +102,8 @@ std::optional<std::size_t> robotOf(const Frame& frame, const Overlay& overlay, s
 }
 
 /// Selection, strip and panel follow the overlay, and it them.
-void bindOverlay(const Frame& frame, FieldView& field, Overlay& overlay, OverlayPanel& panel, RolloutStrip& strip) {
+void bindOverlay(const WindowFrame& frame, FieldView& field, Overlay& overlay, OverlayPanel& panel,
+                 RolloutStrip& strip) {
     strip.setObjectName("courses_strip");
     strip.hide();
     QObject::connect(&overlay, &Overlay::changed, &strip, [&overlay, &strip] {
@@ -126,7 +127,7 @@ void bindOverlay(const Frame& frame, FieldView& field, Overlay& overlay, Overlay
 
 }  // namespace
 
-void addOverlayActions(const Frame& frame, FieldView& field, Overlay& overlay, OverlayPanel& panel,
+void addOverlayActions(const WindowFrame& frame, FieldView& field, Overlay& overlay, OverlayPanel& panel,
                        RolloutStrip& strip) {
     Actions& actions = frame.actions;
     const QString menu = QObject::tr("&Reality");

@@ -14,7 +14,7 @@ namespace mrose::gui {
 namespace {
 
 /// Of the selected robot, or of all that really drove.
-std::vector<ValueKey> errorsOf(const Frame& frame, const FieldView& field) {
+std::vector<ValueKey> errorsOf(const WindowFrame& frame, const FieldView& field) {
     std::vector<ValueKey> keys;
     if (frame.shown() == nullptr || !frame.shown()->frame->reality) return keys;
     const FieldFrame& now = *frame.shown()->frame;
@@ -31,8 +31,8 @@ std::vector<ValueKey> errorsOf(const Frame& frame, const FieldView& field) {
 
 }  // namespace
 
-void addPlotActions(const Frame& frame, FieldView& field, PlotPanel& plots, Inspector& inspector, Overlay& overlay,
-                    OverlayPanel& panel, ErrorPlot& errorPlot) {
+void addPlotActions(const WindowFrame& frame, FieldView& field, PlotPanel& plots, Inspector& inspector,
+                    Overlay& overlay, OverlayPanel& panel, ErrorPlot& errorPlot) {
     Actions& actions = frame.actions;
     auto* speeds = new SpeedPlot(frame.session, field, plots, overlay);
     const QString menu = QObject::tr("&Plot");

@@ -11,7 +11,7 @@ namespace mrose::gui {
 namespace {
 
 /// Of the selected robot, in ticks.
-std::int64_t controlPeriod(const Frame& frame, const FieldView& field) {
+std::int64_t controlPeriod(const WindowFrame& frame, const FieldView& field) {
     if (!frame.shown()) return 1;
     const Scene& scene = frame.shown()->frame->scene();
     const std::optional<std::size_t> body = field.selected();
@@ -20,7 +20,7 @@ std::int64_t controlPeriod(const Frame& frame, const FieldView& field) {
 }
 
 /// To the next mark of the timeline, to the one before, to those that are no contacts.
-void addMarkActions(const Frame& frame, TimelineBar& timeline, const QString& menu) {
+void addMarkActions(const WindowFrame& frame, TimelineBar& timeline, const QString& menu) {
     const auto go = [&frame](std::optional<std::int64_t> tick) {
         if (tick)
             frame.session.seek(*tick);
@@ -56,7 +56,8 @@ void addMarkActions(const Frame& frame, TimelineBar& timeline, const QString& me
 
 }  // namespace
 
-void addTimeActions(const Frame& frame, const FieldView& field, TimelineBar& timeline, Overlay& overlay, TimeBar& bar) {
+void addTimeActions(const WindowFrame& frame, const FieldView& field, TimelineBar& timeline, Overlay& overlay,
+                    TimeBar& bar) {
     Actions& actions = frame.actions;
     Session& session = frame.session;
     const QString menu = QObject::tr("&Time");

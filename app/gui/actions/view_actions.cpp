@@ -17,7 +17,7 @@ constexpr double nudgeTurn = std::numbers::pi / 180;
 constexpr std::array trailSeconds{2, 5, 10, 20, 40, 120, 600};
 constexpr std::size_t usualTrail = 2;
 
-void addPanActions(const Frame& frame, FieldView& field, const QString& menu) {
+void addPanActions(const WindowFrame& frame, FieldView& field, const QString& menu) {
     struct Way {
         const char *name, *text, *key, *tip;
         QPointF by;
@@ -31,7 +31,7 @@ void addPanActions(const Frame& frame, FieldView& field, const QString& menu) {
                           [&field, by = way.by](bool) { field.viewport().pan(by); });
 }
 
-void addNudgeActions(const Frame& frame, FieldView& field, const QString& menu) {
+void addNudgeActions(const WindowFrame& frame, FieldView& field, const QString& menu) {
     struct Way {
         const char *name, *text, *key, *tip;
         Pose by;
@@ -53,7 +53,7 @@ void addNudgeActions(const Frame& frame, FieldView& field, const QString& menu) 
 }
 
 /// How far back trails reach, by steps of a list.
-void addTrailActions(const Frame& frame, const QString& menu) {
+void addTrailActions(const WindowFrame& frame, const QString& menu) {
     const auto chosen = std::make_shared<std::size_t>(usualTrail);
     const auto change = [&frame, chosen](int by) {
         const std::size_t next = *chosen + static_cast<std::size_t>(by);
@@ -75,7 +75,7 @@ void addTrailActions(const Frame& frame, const QString& menu) {
                       [change](bool) { change(-1); });
 }
 
-void selectNext(const Frame& frame, FieldView& field, int by) {
+void selectNext(const WindowFrame& frame, FieldView& field, int by) {
     if (!frame.shown()) return;
     const auto count = static_cast<int>(frame.shown()->frame->scene().bodyCount());
     const int now = field.selected() ? static_cast<int>(*field.selected()) : (by > 0 ? -1 : 0);
@@ -84,7 +84,7 @@ void selectNext(const Frame& frame, FieldView& field, int by) {
 
 }  // namespace
 
-void addViewActions(const Frame& frame, FieldView& field, const std::function<void(const Theme&)>& setTheme) {
+void addViewActions(const WindowFrame& frame, FieldView& field, const std::function<void(const Theme&)>& setTheme) {
     Actions& actions = frame.actions;
     const QString menu = QObject::tr("&View");
     actions.add(menu, {"fit", QObject::tr("&Whole field"), QKeySequence("F"), QObject::tr("Show all of the field")},
@@ -132,7 +132,7 @@ void addViewActions(const Frame& frame, FieldView& field, const std::function<vo
         [&](bool on) { frame.window.setWindowState(frame.window.windowState().setFlag(Qt::WindowFullScreen, on)); });
 }
 
-void addLayerActions(const Frame& frame, FieldView& field) {
+void addLayerActions(const WindowFrame& frame, FieldView& field) {
     for (const FieldLayerText& layer : fieldLayerTexts) {
         QAction* action = frame.actions.add(
             QObject::tr("&Layers"),

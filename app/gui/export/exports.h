@@ -1,6 +1,6 @@
 #pragma once
 
-#include "frame/frame.h"
+#include "frame/window_frame.h"
 
 namespace mrose {
 class FieldView;
@@ -16,7 +16,7 @@ class WorkProgress;
 
 /// What exports are made of, and who carries them out and reports them.
 struct Exports {
-    const Frame& frame;
+    const WindowFrame& frame;
     FieldView& field;
     PlotPanel& plots;
     WindowFiles& files;

@@ -3,7 +3,7 @@
 #include <QString>
 #include <string>
 
-#include "debug/open_run.h"
+#include "debug/opened_run.h"
 
 namespace mrose::gui {
 
@@ -15,7 +15,7 @@ public:
     virtual void openLog(const std::string& place) = 0;
     virtual bool isOpen() const = 0;
     /// A run that was opened as such is shown: where it plays a log, that is laid over it.
-    virtual void follow(const OpenRun& run) = 0;
+    virtual void follow(const OpenedRun& run) = 0;
     /// Reads log and scenario again, where the run is one of the log's rollouts; false: it is none.
     virtual bool reload(const QString& why) = 0;
     /// Shows what another motion model makes of the same commands.

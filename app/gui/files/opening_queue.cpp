@@ -14,7 +14,7 @@ constexpr int openingPatience = 300;  // ms
 
 }  // namespace
 
-OpeningQueue::OpeningQueue(const Frame& frame, const QString& topic) : frame_(frame), topic_(topic) {
+OpeningQueue::OpeningQueue(const WindowFrame& frame, const QString& topic) : frame_(frame), topic_(topic) {
     patience_.setInterval(openingPatience);
     connect(&patience_, &QTimer::timeout, this, &OpeningQueue::report);
 }

@@ -6,9 +6,9 @@
 #include <string>
 #include <utility>
 
-#include "debug/open_run.h"
-#include "frame/frame.h"
+#include "frame/window_frame.h"
 #include "session/job_queue.h"
+#include "workflow/open_run.h"
 
 namespace mrose::gui {
 
@@ -19,7 +19,7 @@ class OpeningQueue final : public QObject {
 
 public:
     /// `topic` of what it says.
-    OpeningQueue(const Frame& frame, const QString& topic);
+    OpeningQueue(const WindowFrame& frame, const QString& topic);
 
     /// `work` gets an OpenProgress and gives an Expected, which `take` gets in the window's thread unless something
     /// else is opened before, or it is cancelled.
@@ -48,7 +48,7 @@ private:
     OpenProgress progress(const GoesOn& goesOn);
     void report();
 
-    const Frame& frame_;
+    const WindowFrame& frame_;
     QString topic_;
     std::string reading_;
     QTimer patience_;

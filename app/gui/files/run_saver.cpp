@@ -60,7 +60,7 @@ QString adviceAfter(const QString& cause) {
 
 }  // namespace
 
-RunSaver::RunSaver(const Frame& frame, const DescriptionWatch& watch) : frame_(frame), watch_(watch) {
+RunSaver::RunSaver(const WindowFrame& frame, const DescriptionWatch& watch) : frame_(frame), watch_(watch) {
     ask_ = [this](const QString& what) { return askUser(frame_.window, what); };
     connect(&frame.session, &Session::recordingChanged, this, &RunSaver::recordingChanged);
 }

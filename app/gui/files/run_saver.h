@@ -6,8 +6,8 @@
 #include <functional>
 #include <optional>
 
-#include "debug/open_run.h"
-#include "frame/frame.h"
+#include "debug/opened_run.h"
+#include "frame/window_frame.h"
 
 namespace mrose::gui {
 
@@ -19,7 +19,7 @@ class RunSaver final : public QObject {
 
 public:
     /// What `watch` watches is never written over.
-    RunSaver(const Frame& frame, const DescriptionWatch& watch);
+    RunSaver(const WindowFrame& frame, const DescriptionWatch& watch);
     /// Another run is open, so many branches of which are in a file.
     void setRun(std::uint64_t run, const OpenRequest& opened, std::size_t branches);
     /// One more branch is made from files alone.
@@ -61,7 +61,7 @@ private:
     void sayNotSaved(const Error& error, const QString& action);
     void sayError(const Error& error, const QString& topic);
 
-    const Frame& frame_;
+    const WindowFrame& frame_;
     const DescriptionWatch& watch_;
     std::function<Answer(const QString&)> ask_;
     std::optional<OpenRequest> opened_;

@@ -16,6 +16,7 @@
 #include "widgets/message_bar.h"
 #include "widgets/qt_text.h"
 #include "workflow/file_kind.h"
+#include "workflow/open_run.h"
 #include "workflow/resources.h"
 #include "world/seconds_text.h"
 
@@ -31,7 +32,7 @@ QString nameOf(const QString& path) { return QFileInfo(path).fileName(); }
 
 }  // namespace
 
-WindowFiles::WindowFiles(const Frame& frame, FieldView& field)
+WindowFiles::WindowFiles(const WindowFrame& frame, FieldView& field)
     : QObject(&frame.window), frame_(frame), field_(field), opener_(frame, "opening"), saver_(frame, watch_) {
     connect(&saver_, &RunSaver::openWanted, this, [this](const QString& path) { open(path); });
     // Later: what was opened is taken first.
@@ -70,22 +71,22 @@ void WindowFiles::open(const QString& path, OpenRequest how, std::optional<doubl
 
 void WindowFiles::open(const OpenRequest& request, std::optional<double> at) {
     if (!saver_.mayLeave([this, request, at] { open(request, at); })) return;
-    openRunOf(request, [this, at](Expected<OpenRun> run) { (void)take(std::move(run), at); });
+    openRunOf(request, [this, at](Expected<OpenedRun> run) { (void)take(std::move(run), at); });
 }
 
-void WindowFiles::openRunOf(const OpenRequest& request, std::function<void(Expected<OpenRun>)> take) {
+void WindowFiles::openRunOf(const OpenRequest& request, std::function<void(Expected<OpenedRun>)> take) {
     opener_.open(
         request.file, [request](const OpenProgress& progress) { return openRun(request, progress); }, std::move(take));
 }
 
 Expected<void> WindowFiles::openNow(const OpenRequest& request, std::optional<double> at) {
     Expected<void> done;
-    openRunOf(request, [&, at](Expected<OpenRun> run) { done = take(std::move(run), at); });
+    openRunOf(request, [&, at](Expected<OpenedRun> run) { done = take(std::move(run), at); });
     opener_.settle();
     return done;
 }
 
-Expected<void> WindowFiles::take(Expected<OpenRun> run, std::optional<double> at) {
+Expected<void> WindowFiles::take(Expected<OpenedRun> run, std::optional<double> at) {
     if (!run) {
         sayError(run.error(), openingOf(run.error()));
         frame_.memory.forgetRecent(qtText(run.error().file));
@@ -102,7 +103,7 @@ Expected<void> WindowFiles::take(Expected<OpenRun> run, std::optional<double> at
 }
 
 /// A recording has no more; a run can be simulated beyond the end that its scenario gives, where the user can end that.
-Expected<void> WindowFiles::goTo(const OpenRun& run, double at) {
+Expected<void> WindowFiles::goTo(const OpenedRun& run, double at) {
     const Scene& scene = run.setup->scene();
     const std::int64_t end = run.recorded() ? run.branches.front().branch.timeline.last()
                                             : scene.ticksOf(run.setup->scenario->parts().duration);
@@ -122,9 +123,9 @@ Expected<void> WindowFiles::goTo(const OpenRun& run, double at) {
     return {};
 }
 
-std::uint64_t WindowFiles::takeRollout(const OpenRun& run) { return show(run, run.source.log); }
+std::uint64_t WindowFiles::takeRollout(const OpenedRun& run) { return show(run, run.source.log); }
 
-std::uint64_t WindowFiles::show(const OpenRun& run, const std::string& breakpointsOf) {
+std::uint64_t WindowFiles::show(const OpenedRun& run, const std::string& breakpointsOf) {
     opened_ = run.source;
     changedMeanwhile_.clear();
     files_ = run.files;
@@ -137,7 +138,7 @@ std::uint64_t WindowFiles::show(const OpenRun& run, const std::string& breakpoin
 }
 
 /// A recording is shown where it was saved, or from the run's beginning: what else it holds is one click away.
-void WindowFiles::offerBranches(const OpenRun& run, bool atItsPlace) {
+void WindowFiles::offerBranches(const OpenedRun& run, bool atItsPlace) {
     if (atItsPlace) frame_.session.show(run.shown->branch, run.shown->tick);
     if (run.branches.size() < 2) return;
     const bool runShown = !atItsPlace || run.shown->branch == 0;
@@ -234,7 +235,7 @@ void WindowFiles::reload(const QString& why) {
     // A seed of the user's own stays; the scenario's may be what has changed.
     if (shown && shown->frame->state.seed != shown->frame->scenario->parts().seed)
         request.seed = shown->frame->state.seed;
-    openRunOf(request, [this, why](Expected<OpenRun> run) {
+    openRunOf(request, [this, why](Expected<OpenedRun> run) {
         if (run && run->recorded()) return takeGrown(*run);
         const Shown* const now = frame_.session.current().get();
         // A plug-in that crashed or was too slow gets another chance.
@@ -251,9 +252,9 @@ void WindowFiles::sayUnchanged() {
         {Kind::note, tr("Nothing has changed in what %1 is made from").arg(nameOf(qtText(opened_->file))), "reload"});
 }
 
-std::vector<WindowFiles::Extent> WindowFiles::extentsOf(const OpenRun& run) {
+std::vector<WindowFiles::Extent> WindowFiles::extentsOf(const OpenedRun& run) {
     std::vector<Extent> extents;
-    for (const OpenRun::Recorded& recorded : run.branches) {
+    for (const OpenedRun::Recorded& recorded : run.branches) {
         const Timeline& timeline = recorded.branch.timeline;
         const bool any = timeline.last() > timeline.first();
         extents.push_back({timeline.last(), any ? timeline.hashAt(timeline.last()) : hashOf(recorded.start)});
@@ -262,7 +263,7 @@ std::vector<WindowFiles::Extent> WindowFiles::extentsOf(const OpenRun& run) {
 }
 
 /// A recording that is being written: from the place that is shown one goes on.
-void WindowFiles::takeGrown(const OpenRun& run) {
+void WindowFiles::takeGrown(const OpenedRun& run) {
     const QString name = nameOf(qtText(run.source.file));
     const bool same = extentsOf(run) == extents_;
     if (same)
@@ -304,7 +305,7 @@ void WindowFiles::sayGone(const QString& names, std::size_t count) {
                                         [this] { frame_.actions["save_scenario"].trigger(); }}}});
 }
 
-void WindowFiles::takeReloaded(Expected<OpenRun> run, const QString& why) {
+void WindowFiles::takeReloaded(Expected<OpenedRun> run, const QString& why) {
     const Shown* const shown = frame_.session.current().get();
     if (!run) {
         if (!extents_.empty()) return sayError(run.error(), "reload");

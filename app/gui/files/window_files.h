@@ -12,7 +12,7 @@
 #include "files/laid_over_log.h"
 #include "files/opening_queue.h"
 #include "files/run_saver.h"
-#include "frame/frame.h"
+#include "frame/window_frame.h"
 #include "world/state_hash.h"
 
 class QMimeData;
@@ -29,7 +29,7 @@ class WindowFiles final : public QObject {
     Q_OBJECT
 
 public:
-    WindowFiles(const Frame& frame, FieldView& field);
+    WindowFiles(const WindowFrame& frame, FieldView& field);
     void setLog(LaidOverLog& log) { log_ = &log; }  ///< before anything is opened
 
     /// What a file holds, of whatever kind, is opened; a network is offered to the selected robot.
@@ -41,12 +41,12 @@ public:
     /// Passes a network to swap_model, or says what is missing for it.
     void offerNetwork(const QString& path);
     /// A rollout of the log that is open: the window's run from now on. Its number, as Shown::run will have it.
-    std::uint64_t takeRollout(const OpenRun& run);
+    std::uint64_t takeRollout(const OpenedRun& run);
     /// What is open, once more from its files: as a branch that goes up to the shown tick. Of a recording, what was
     /// written to it since.
     void reload(const QString& why);
     /// What came of that.
-    void takeReloaded(Expected<OpenRun> run, const QString& why);
+    void takeReloaded(Expected<OpenedRun> run, const QString& why);
     /// What was read again has the contents that it had.
     void sayUnchanged();
     /// Ends what is being opened; false: nothing is.
@@ -59,25 +59,25 @@ public:
     DescriptionWatch& watch() { return watch_; }
 
 private:
-    void openRunOf(const OpenRequest& request, std::function<void(Expected<OpenRun>)> take);
-    Expected<void> take(Expected<OpenRun> run, std::optional<double> at);
+    void openRunOf(const OpenRequest& request, std::function<void(Expected<OpenedRun>)> take);
+    Expected<void> take(Expected<OpenedRun> run, std::optional<double> at);
     void offerModel(const QString& path);
     void listTrials(const QString& path);
-    Expected<void> goTo(const OpenRun& run, double at);
+    Expected<void> goTo(const OpenedRun& run, double at);
     /// How far a branch of a recording goes, and where to.
     struct Extent {
         std::int64_t last = 0;
         StateHash state;
         bool operator==(const Extent&) const = default;
     };
-    static std::vector<Extent> extentsOf(const OpenRun& run);
-    void takeGrown(const OpenRun& run);
+    static std::vector<Extent> extentsOf(const OpenedRun& run);
+    void takeGrown(const OpenedRun& run);
     void sayGone(const QString& names, std::size_t count);
-    void offerBranches(const OpenRun& run, bool atItsPlace);
-    std::uint64_t show(const OpenRun& run, const std::string& breakpointsOf);
+    void offerBranches(const OpenedRun& run, bool atItsPlace);
+    std::uint64_t show(const OpenedRun& run, const std::string& breakpointsOf);
     void sayError(const Error& error, const QString& topic);
 
-    const Frame& frame_;
+    const WindowFrame& frame_;
     FieldView& field_;
     LaidOverLog* log_ = nullptr;
     OpeningQueue opener_;

@@ -17,7 +17,7 @@ constexpr int wholeShare = 1000;
 
 }  // namespace
 
-WorkProgress::WorkProgress(const Frame& frame, BackgroundWork& background)
+WorkProgress::WorkProgress(const WindowFrame& frame, BackgroundWork& background)
     : QObject(&frame.window), frame_(frame), background_(background) {
     patience_.setSingleShot(true);
     patience_.setInterval(workPatience);

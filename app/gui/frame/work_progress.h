@@ -6,7 +6,7 @@
 #include <QTimer>
 #include <functional>
 
-#include "frame/frame.h"
+#include "frame/window_frame.h"
 
 class QProgressDialog;
 
@@ -20,7 +20,7 @@ class WorkProgress final : public QObject {
     Q_OBJECT
 
 public:
-    WorkProgress(const Frame& frame, BackgroundWork& background);
+    WorkProgress(const WindowFrame& frame, BackgroundWork& background);
     /// How to end what the session knows nothing of: what is being opened, and what is looked for in other runs. Each
     /// says whether there was something.
     using End = std::function<bool()>;
@@ -41,7 +41,7 @@ private:
     void show();
     void reportBackground(const QString& what, double share);
 
-    const Frame& frame_;
+    const WindowFrame& frame_;
     BackgroundWork& background_;
     End endOpening_ = [] { return false; }, endSearch_ = endOpening_;
     QString work_;

@@ -36,26 +36,8 @@ QFont smallOf(QFont font) {
     return font;
 }
 
-/// Ticks of a lineage: those of a branch, and before it of those that it came from.
-struct Piece {
-    std::uint32_t branch = 0;
-    std::int64_t from = 0, to = 0;
-};
-
-std::vector<Piece> lineageOf(const Shown& shown, std::uint32_t branch) {
-    std::vector<Piece> lineage;
-    std::int64_t to = std::numeric_limits<std::int64_t>::max();
-    for (std::uint32_t at = branch;; at = shown.branches[at].parent) {
-        const BranchInfo& info = shown.branches[at];
-        const bool root = info.parent == at;
-        lineage.insert(lineage.begin(), Piece{at, root ? info.first : info.departed, to});
-        if (root) return lineage;
-        to = info.departed - 1;
-    }
-}
-
 PlotCurve curveOf(const ValueSeries& known, const ValueKey& key, const PlottedValue& value,
-                  const std::vector<Piece>& lineage) {
+                  const std::vector<BranchTicks>& lineage) {
     PlotCurve curve;
     curve.id = qtText(key.quantity + '\n' + key.body + '\n' + key.of);
     curve.name = qtText(value.name);
@@ -64,15 +46,15 @@ PlotCurve curveOf(const ValueSeries& known, const ValueKey& key, const PlottedVa
     const ValueSeries* series = &known;
     curve.sample = [series, key, lineage, angle = value.angle](std::int64_t from, std::int64_t to, std::int64_t step,
                                                                QVector<QPointF>& points) {
-        for (const Piece& piece : lineage)
-            if (const TickNumbers* const numbers = series->find(piece.branch, key))
-                sampleCurve(*numbers, std::max(from, piece.from), std::min(to, piece.to), step, angle, points);
+        for (const BranchTicks& part : lineage)
+            if (const TickNumbers* const numbers = series->find(part.branch, key))
+                sampleCurve(*numbers, std::max(from, part.first), std::min(to, part.last), step, angle, points);
     };
     curve.at = [series, key, lineage](std::int64_t tick) {
         double found = std::numeric_limits<double>::quiet_NaN();
-        for (const Piece& piece : lineage)
-            if (tick >= piece.from && tick <= piece.to)
-                if (const TickNumbers* const numbers = series->find(piece.branch, key))
+        for (const BranchTicks& part : lineage)
+            if (tick >= part.first && tick <= part.last)
+                if (const TickNumbers* const numbers = series->find(part.branch, key))
                     found = static_cast<double>(numbers->at(tick));
         return found;
     };
@@ -338,27 +320,27 @@ void PlotPanel::setShown(std::shared_ptr<const Shown> shown) {
 
 /// Says which ticks are wanted, the shown branch's first, and how far time has come.
 void PlotPanel::follow() {
-    std::vector<ValueSeries::Way> ways;
+    std::vector<BranchTicks> wanted;
     std::int64_t first = shown_->first, last = shown_->last;
-    const auto want = [&](const Piece& piece, bool ghost) {
-        const BranchInfo& info = shown_->branches[piece.branch];
-        const std::int64_t end = std::min(piece.to, info.last);
-        const auto known = std::find_if(ways.begin(), ways.end(),
-                                        [&](const ValueSeries::Way& way) { return way.branch == piece.branch; });
-        if (known == ways.end())
-            ways.push_back({piece.branch, info.first, end});
+    const auto want = [&](const BranchTicks& part, bool ghost) {
+        const BranchInfo& info = shown_->branches[part.branch];
+        const std::int64_t end = std::min(part.last, info.last);
+        const auto known = std::find_if(wanted.begin(), wanted.end(),
+                                        [&](const BranchTicks& one) { return one.branch == part.branch; });
+        if (known == wanted.end())
+            wanted.push_back({part.branch, info.first, end});
         else
             known->last = std::max(known->last, end);
-        first = std::min(first, std::max(piece.from, info.first));
+        first = std::min(first, std::max(part.first, info.first));
         if (ghost) last = std::max(last, end);
     };
-    const std::vector<Piece> lineage = lineageOf(*shown_, shown_->branch);
-    for (auto piece = lineage.rbegin(); piece != lineage.rend(); ++piece) want(*piece, false);
+    const std::vector<BranchTicks> lineage = lineageOf(*shown_, shown_->branch);
+    for (auto part = lineage.rbegin(); part != lineage.rend(); ++part) want(*part, false);
     if (const auto ghost = ghostBranch())
-        for (const Piece& piece : lineageOf(*shown_, *ghost)) want(piece, true);
-    std::erase_if(ways, [](const ValueSeries::Way& way) { return way.last < way.first; });
+        for (const BranchTicks& part : lineageOf(*shown_, *ghost)) want(part, true);
+    std::erase_if(wanted, [](const BranchTicks& one) { return one.last < one.first; });
     series_->follow(shown_->run, shown_->frame->reality,
-                    keys_.empty() ? std::vector<ValueSeries::Way>{} : std::move(ways));
+                    keys_.empty() ? std::vector<BranchTicks>{} : std::move(wanted));
     view_->setTime({first, last, shown_->tick(), shown_->frame->scene().tickLength,
                     foresight() != nullptr ? foresight()->end : 0});
     updateProgress();
@@ -378,7 +360,7 @@ std::vector<PlotCurve> PlotPanel::curvesIn(const Theme& theme, ModelNames names)
     const std::vector<CurveWords> words = wordsOf(keys_, plotted, known != nullptr ? known->model : QString(), names);
     std::vector<PlotCurve> curves;
     const auto addCurves = [&](std::uint32_t branch, bool ghost) {
-        const std::vector<Piece> lineage = lineageOf(*shown_, branch);
+        const std::vector<BranchTicks> lineage = lineageOf(*shown_, branch);
         for (std::size_t i = 0; i < plotted.size(); ++i) {
             PlotCurve curve = curveOf(series_->series(), keys_[i], plotted[i], lineage);
             curve.colour = looks[i].colour;

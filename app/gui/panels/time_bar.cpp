@@ -24,7 +24,7 @@ QString speedName(double speed) {
 
 }  // namespace
 
-TimeBar::TimeBar(const Frame& frame)
+TimeBar::TimeBar(const WindowFrame& frame)
     : QToolBar(tr("Time")), frame_(frame), speed_(new QComboBox), factor_(new QLabel), seed_(new QToolButton) {
     setObjectName("time_bar");
     setMovable(false);

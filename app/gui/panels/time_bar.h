@@ -2,7 +2,7 @@
 
 #include <QToolBar>
 
-#include "frame/frame.h"
+#include "frame/window_frame.h"
 
 class QComboBox;
 class QLabel;
@@ -19,7 +19,7 @@ class TimeBar final : public QToolBar {
     Q_OBJECT
 
 public:
-    explicit TimeBar(const Frame& frame);
+    explicit TimeBar(const WindowFrame& frame);
     void addActions();  ///< once all of them are there
 
     void changeSpeed(int by);  ///< steps of the list of speeds
@@ -30,7 +30,7 @@ public:
 private:
     void refresh();
 
-    const Frame& frame_;
+    const WindowFrame& frame_;
     QComboBox* speed_;
     QLabel* factor_;
     QToolButton* seed_;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "debug/open_run.h"
+#include "debug/opened_run.h"
 
 class QTableWidget;
 

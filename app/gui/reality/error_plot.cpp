@@ -59,7 +59,8 @@ std::vector<ValueKey> errorKeysOf(const Reality& reality, const std::string& rob
     return keys;
 }
 
-ErrorPlot::ErrorPlot(const Frame& frame, const FieldView& field, PlotPanel& plots, QDockWidget& dock, Overlay& overlay)
+ErrorPlot::ErrorPlot(const WindowFrame& frame, const FieldView& field, PlotPanel& plots, QDockWidget& dock,
+                     Overlay& overlay)
     : QObject(&frame.window), frame_(frame), field_(field), plots_(plots), dock_(dock), overlay_(overlay) {
     connect(&overlay, &Overlay::changed, this, &ErrorPlot::follow);
     connect(&overlay, &Overlay::closed, &plots, &PlotPanel::removeReal);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "assessment/compare.h"
-#include "frame/frame.h"
+#include "frame/window_frame.h"
 #include "panels/plot_panel.h"
 #include "session/job_queue.h"
 
@@ -31,7 +31,7 @@ class ErrorPlot final : public QObject {
     Q_OBJECT
 
 public:
-    ErrorPlot(const Frame& frame, const FieldView& field, PlotPanel& plots, QDockWidget& dock, Overlay& overlay);
+    ErrorPlot(const WindowFrame& frame, const FieldView& field, PlotPanel& plots, QDockWidget& dock, Overlay& overlay);
 
     void setOn(bool on);  ///< of the log that is open
     /// Shows the plots' dock, unless it was closed.
@@ -48,7 +48,7 @@ private:
     void plot();
     PlotPanel::Foresight foresight(std::optional<std::size_t> robot) const;
 
-    const Frame& frame_;
+    const WindowFrame& frame_;
     const FieldView& field_;
     PlotPanel& plots_;
     QDockWidget& dock_;

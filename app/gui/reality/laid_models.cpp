@@ -14,7 +14,7 @@ QString topicOf(const std::string& model) { return "model " + qtText(model); }
 
 }  // namespace
 
-LaidModels::LaidModels(const Frame& frame, const LogRollouts& rollouts, JobQueue& computing)
+LaidModels::LaidModels(const WindowFrame& frame, const LogRollouts& rollouts, JobQueue& computing)
     : frame_(frame), rollouts_(rollouts), computing_(computing) {}
 
 void LaidModels::enter(const std::vector<std::string>& more) {

@@ -8,7 +8,7 @@
 
 #include "debug/judged_model.h"
 #include "debug/log_rollouts.h"
-#include "frame/frame.h"
+#include "frame/window_frame.h"
 #include "session/job_queue.h"
 
 namespace mrose::gui {
@@ -20,7 +20,7 @@ class LaidModels final : public QObject {
 
 public:
     /// `computing` compares, too; one after the other.
-    LaidModels(const Frame& frame, const LogRollouts& rollouts, JobQueue& computing);
+    LaidModels(const WindowFrame& frame, const LogRollouts& rollouts, JobQueue& computing);
 
     const std::vector<JudgedModel>& all() const { return models_; }  ///< the scenario's own first
     void add(const std::string& named);
@@ -66,7 +66,7 @@ private:
     void take(const Wanted& wanted, Expected<JudgedModel> model);
     JudgedModel* named(const std::string& name);
 
-    const Frame& frame_;
+    const WindowFrame& frame_;
     const LogRollouts& rollouts_;
     JobQueue& computing_;
     std::vector<JudgedModel> models_;

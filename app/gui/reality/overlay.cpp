@@ -38,7 +38,7 @@ QString planNote(const PlayedLog& log, const RolloutPlan& plan) {
 
 }  // namespace
 
-Overlay::Overlay(const Frame& frame, FieldView& field, WindowFiles& files)
+Overlay::Overlay(const WindowFrame& frame, FieldView& field, WindowFiles& files)
     : QObject(&frame.window),
       frame_(frame),
       files_(files),
@@ -127,7 +127,7 @@ void Overlay::take(Expected<OpenedLog> opened, const Opening& opening, bool kind
     compareAll();
 }
 
-void Overlay::follow(const OpenRun& run) {
+void Overlay::follow(const OpenedRun& run) {
     if (!follows_ || run.setup->scenario->parts().players.empty()) return close();
     leave();
     PlayedLogRequest request{run.source.log, run.source.file};

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "files/laid_over_log.h"
-#include "frame/frame.h"
+#include "frame/window_frame.h"
 #include "reality/rollout_comparer.h"
 #include "reality/shown_rollout.h"
 #include "workflow/open_log.h"
@@ -19,7 +19,7 @@ class Overlay final : public QObject, public LaidOverLog {
     Q_OBJECT
 
 public:
-    Overlay(const Frame& frame, FieldView& field, WindowFiles& files);
+    Overlay(const WindowFrame& frame, FieldView& field, WindowFiles& files);
 
     /// Reads the log, shows its first rollout, and compares all of them. No plan: the one that suits it. What is wrong
     /// with it is said, and then all stays as it is; where the log does not say what kind of robot drove,
@@ -29,7 +29,7 @@ public:
     /// The same, asks nothing, and waits until the first rollout is shown. Error: it is said, too.
     Expected<void> openNow(const PlayedLogRequest& request, const std::optional<RolloutPlan>& asked = {});
     bool isOpen() const override { return rollouts_.log() != nullptr; }
-    void follow(const OpenRun& run) override;
+    void follow(const OpenedRun& run) override;
     void setFollows(bool on) { follows_ = on; }  ///< false: runs are opened as they are
     bool reload(const QString& why) override;
     void addModel(const std::string& named) override { models_.add(named); }
@@ -85,7 +85,7 @@ private:
     void takeReopened(Expected<OpenedLog> again, const QString& why);
     void sayError(const Error& error);
 
-    const Frame& frame_;
+    const WindowFrame& frame_;
     WindowFiles& files_;
     LogRollouts rollouts_;
     JobQueue computing_;

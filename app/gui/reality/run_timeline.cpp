@@ -10,13 +10,13 @@
 
 namespace mrose::gui {
 
-RunTimeline::RunTimeline(const Frame& frame, TimelineBar& timeline, FieldView& field, PlotPanel& plots,
+RunTimeline::RunTimeline(const WindowFrame& frame, TimelineBar& timeline, FieldView& field, PlotPanel& plots,
                          Overlay& overlay)
     : QObject(&frame.window), frame_(frame), timeline_(timeline), field_(field), plots_(plots), overlay_(overlay) {
     // Who scrubs is not stopped.
     connect(&timeline, &TimelineBar::tickRequested, this,
             [this](std::int64_t tick) { frame_.session.seek(tick, false); });
-    connect(&frame.session, &Session::opening, this, [this](const OpenRun& run) {
+    connect(&frame.session, &Session::opening, this, [this](const OpenedRun& run) {
         plannedTicks_ = run.setup->scene().ticksOf(run.setup->scenario->parts().duration);
         noted_.clear();
         plots_.setReferences({}, {});
@@ -75,7 +75,7 @@ void RunTimeline::addUnknown(TimelineBar::Content& content, const Shown& shown) 
         const Nanoseconds from = stretch.from / scene.tickLength;
         if (from >= content.end) break;
         const Nanoseconds to = std::min(stretch.to / scene.tickLength, content.end);
-        content.unknown.emplace_back(from, stretch.to % scene.tickLength > 0 ? to + 1 : to);
+        content.unknown.push_back({from, stretch.to % scene.tickLength > 0 ? to + 1 : to});
     }
 }
 

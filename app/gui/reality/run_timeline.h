@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "assessment/reality.h"
-#include "frame/frame.h"
+#include "frame/window_frame.h"
 #include "widgets/timeline_bar.h"
 
 namespace mrose {
@@ -24,7 +24,7 @@ class RunTimeline final : public QObject {
     Q_OBJECT
 
 public:
-    RunTimeline(const Frame& frame, TimelineBar& timeline, FieldView& field, PlotPanel& plots, Overlay& overlay);
+    RunTimeline(const WindowFrame& frame, TimelineBar& timeline, FieldView& field, PlotPanel& plots, Overlay& overlay);
 
     /// Marks that the run does not know of, for as long as it is open.
     void note(std::vector<TimelineBar::Content::Noted> marks);
@@ -35,7 +35,7 @@ private:
     /// Of the selected robot, or of all of them.
     void addUnknown(TimelineBar::Content& content, const Shown& shown);
 
-    const Frame& frame_;
+    const WindowFrame& frame_;
     TimelineBar& timeline_;
     FieldView& field_;
     PlotPanel& plots_;

@@ -7,7 +7,7 @@
 
 namespace mrose::gui {
 
-ShownRollout::ShownRollout(const Frame& frame, FieldView& field, WindowFiles& files, const Parts& parts)
+ShownRollout::ShownRollout(const WindowFrame& frame, FieldView& field, WindowFiles& files, const Parts& parts)
     : frame_(frame),
       files_(files),
       rollouts_(parts.rollouts),
@@ -26,7 +26,7 @@ void ShownRollout::takeFollowed(BranchSetupPointer run, std::shared_ptr<const Re
     if (frame_.session.current()) followShown();
 }
 
-void ShownRollout::takeReopened(std::size_t rollout, const OpenRun& run) {
+void ShownRollout::takeReopened(std::size_t rollout, const OpenedRun& run) {
     rollouts_.setShown(rollout);
     compared_.reset();
     reloaded_ = run.setup;
@@ -130,7 +130,7 @@ bool ShownRollout::show(std::size_t rollout, std::optional<std::size_t> robot, c
          toLogEnd = playsToLogEnd(rollouts_.plan(), rollouts_.restarts())](const OpenProgress&) {
             return openRollout(*log, request, toLogEnd);
         },
-        [this, rollout, robot, then](Expected<OpenRun> run) { take(std::move(run), rollout, robot, then); });
+        [this, rollout, robot, then](Expected<OpenedRun> run) { take(std::move(run), rollout, robot, then); });
     return true;
 }
 
@@ -142,7 +142,7 @@ bool ShownRollout::showNext(int by, const Then& then) {
     return true;
 }
 
-void ShownRollout::take(Expected<OpenRun> run, std::size_t rollout, std::optional<std::size_t> robot,
+void ShownRollout::take(Expected<OpenedRun> run, std::size_t rollout, std::optional<std::size_t> robot,
                         const Then& then) {
     if (!run) {
         emit failed(run.error());

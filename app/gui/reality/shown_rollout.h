@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "files/opening_queue.h"
-#include "frame/frame.h"
+#include "frame/window_frame.h"
 #include "reality/cause_finder.h"
 #include "reality/laid_models.h"
 #include "reality/rollout_searcher.h"
@@ -28,7 +28,7 @@ public:
         RolloutSearcher& searcher;
         OpeningQueue& opener;
     };
-    ShownRollout(const Frame& frame, FieldView& field, WindowFiles& files, const Parts& parts);
+    ShownRollout(const WindowFrame& frame, FieldView& field, WindowFiles& files, const Parts& parts);
 
     /// Opens a rollout as the window's run. A robot that is picked is selected, and its rollout seen from near. False:
     /// there is none, or what is unsaved is to stay.
@@ -36,11 +36,11 @@ public:
     /// To the rollout before or after; false: there is none.
     bool showNext(int by) { return showNext(by, Then{}); }
     /// One that has been opened.
-    void take(Expected<OpenRun> run, std::size_t rollout) { take(std::move(run), rollout, {}, Then{}); }
+    void take(Expected<OpenedRun> run, std::size_t rollout) { take(std::move(run), rollout, {}, Then{}); }
     /// A run that was opened as such plays the log: what really happened is laid beside it, once it is shown.
     void takeFollowed(BranchSetupPointer run, std::shared_ptr<const Reality> reality);
     /// The shown one goes on as a branch, in what was read again.
-    void takeReopened(std::size_t rollout, const OpenRun& run);
+    void takeReopened(std::size_t rollout, const OpenedRun& run);
     void forget();
     /// One is on its way to be shown.
     bool coming() const { return coming_.has_value(); }
@@ -92,7 +92,7 @@ private:
     };
     bool show(std::size_t rollout, std::optional<std::size_t> robot, const Then& then);
     bool showNext(int by, const Then& then);
-    void take(Expected<OpenRun> run, std::size_t rollout, std::optional<std::size_t> robot, const Then& then);
+    void take(Expected<OpenedRun> run, std::size_t rollout, std::optional<std::size_t> robot, const Then& then);
     void layReality();
     void followShown();
     void finishComing();
@@ -102,7 +102,7 @@ private:
     void lookInOthers();
     void showLeaving();
 
-    const Frame& frame_;
+    const WindowFrame& frame_;
     WindowFiles& files_;
     LogRollouts& rollouts_;
     LaidModels& models_;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "export/exports.h"
-#include "frame/frame.h"
+#include "frame/window_frame.h"
 
 namespace mrose::gui {
 
@@ -11,7 +11,7 @@ class TimeBar;
 
 /// What a script works with beside the window's actions.
 struct ScriptedWindow {
-    const Frame& frame;
+    const WindowFrame& frame;
     FieldView& field;
     PlotPanel& plots;
     ErrorPlot& errors;

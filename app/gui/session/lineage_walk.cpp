@@ -81,18 +81,18 @@ Expected<bool> LineageWalk::reach(std::int64_t tick, const QString& what, const 
     return answerOf(*errand, goesOn).value_or(false);
 }
 
-Expected<std::optional<LineageWalk::Known>> LineageWalk::known(const GoesOn& goesOn) {
-    const auto errand = std::make_shared<Errand<Known>>();
+Expected<std::optional<TickRange>> LineageWalk::known(const GoesOn& goesOn) {
+    const auto errand = std::make_shared<Errand<TickRange>>();
     session_.look([errand, wanted = run_, branch = branch_](TimeTravel* travel, std::uint64_t run) {
         if (travel == nullptr || run != wanted)
             errand->promise.set_value(otherRun());
         else
-            errand->promise.set_value(Known{travel->branches().first(branch), travel->branches().last(branch)});
+            errand->promise.set_value(TickRange{travel->branches().first(branch), travel->branches().last(branch)});
     });
     const auto known = answerOf(*errand, goesOn);
-    if (!known) return std::optional<Known>{};
+    if (!known) return std::optional<TickRange>{};
     if (!*known) return tl::unexpected(known->error());
-    return std::optional<Known>(**known);
+    return std::optional<TickRange>(**known);
 }
 
 /// How many of the ticks have been visited when it is time to let the session go on.

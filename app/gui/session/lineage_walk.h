@@ -21,11 +21,8 @@ public:
     /// by `goesOn`, or by the session's own cancel(). Error: another run was opened; what stepping says.
     Expected<bool> reach(std::int64_t tick, const QString& what, const GoesOn& goesOn);
 
-    /// The first and the last tick that are known of the lineage; nullopt: ended by `goesOn`. Error: as of reach().
-    struct Known {
-        std::int64_t first = 0, last = 0;
-    };
-    Expected<std::optional<Known>> known(const GoesOn& goesOn);
+    /// The ticks that are known of the lineage; nullopt: ended by `goesOn`. Error: as of reach().
+    Expected<std::optional<TickRange>> known(const GoesOn& goesOn);
 
     using Visit = std::function<void(const TimeTravel& travel, const Cursor& at)>;
     /// Calls `visit` in the session's thread at each of these ticks, which are known and ascend. Otherwise as reach().

@@ -27,10 +27,9 @@ void SeriesWorker::want(std::vector<ValueKey> values) {
     goOn();
 }
 
-void SeriesWorker::follow(std::uint64_t run, std::shared_ptr<const Reality> reality,
-                          std::vector<ValueSeries::Way> ways) {
+void SeriesWorker::follow(std::uint64_t run, std::shared_ptr<const Reality> reality, std::vector<BranchTicks> wanted) {
     const std::uint64_t version = series_.version();
-    series_.follow(run, std::move(reality), std::move(ways));
+    series_.follow(run, std::move(reality), std::move(wanted));
     if (version != series_.version() && enough_) *enough_ = true;
     goOn();
 }

@@ -20,7 +20,7 @@ public:
     explicit SeriesWorker(Session& session) : session_(session) {}
 
     void want(std::vector<ValueKey> values);
-    void follow(std::uint64_t run, std::shared_ptr<const Reality> reality, std::vector<ValueSeries::Way> ways);
+    void follow(std::uint64_t run, std::shared_ptr<const Reality> reality, std::vector<BranchTicks> wanted);
     void cancel();
     void settle();  ///< blocks until all that is wanted is known; for scripts and tests
 

@@ -27,7 +27,7 @@ void Session::quit() {
     if (worker_.joinable()) worker_.join();
 }
 
-std::uint64_t Session::open(const OpenRun& run) {
+std::uint64_t Session::open(const OpenedRun& run) {
     runName_ = run.name;
     emit opening(run);
     const std::uint64_t number = requests_.beginRun();

@@ -28,7 +28,7 @@ public:
 
     /// Another run, standing at its start. It ends what takes long in the one before, but for what `finishes`. The
     /// number that Shown::run will have.
-    std::uint64_t open(const OpenRun& run);
+    std::uint64_t open(const OpenedRun& run);
     const std::string& runName() const { return runName_; }       ///< of the one that was opened last
     std::uint64_t newestRun() const { return requests_.runs(); }  ///< its number
     /// Something of the run's debugger, which is quick. Nothing where there is no run, or another than `ofRun`, by its
@@ -89,7 +89,7 @@ public:
     void settle();
 
 signals:
-    void opening(const OpenRun& run);  ///< it is the session's from now on, and shown soon
+    void opening(const OpenedRun& run);  ///< it is the session's from now on, and shown soon
     void shown(std::shared_ptr<const Shown> what);
     void working(const QString& what, double share);  ///< share 1: it has ended
     /// The file that is written now; empty: none. `error`: why one was not begun, or ended before it was asked to.

@@ -134,7 +134,7 @@ void MainWindow::connectAll() {
     files_->setLog(*overlay_);
     progress_->setEnds([this] { return files_->cancel(); }, [this] { return overlay_->cancel(); });
     connect(&overlay_->searcher(), &RolloutSearcher::searching, progress_, &WorkProgress::report);
-    connect(session_, &Session::opening, this, [this](const OpenRun& run) {
+    connect(session_, &Session::opening, this, [this](const OpenedRun& run) {
         setWindowTitle(qtText(run.name) + " \u2013 mrose");
         field().setSelected(std::nullopt);
         field().viewport().fit();

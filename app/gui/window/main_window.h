@@ -3,11 +3,11 @@
 #include <QMainWindow>
 #include <memory>
 
-#include "debug/open_run.h"
+#include "debug/opened_run.h"
 #include "export/exports.h"
 #include "frame/actions.h"
-#include "frame/frame.h"
 #include "frame/status_line.h"
+#include "frame/window_frame.h"
 #include "scripting/scripted_window.h"
 #include "session/session.h"
 #include "widgets/theme.h"
@@ -43,10 +43,10 @@ public:
     /// Opens a scenario, a recording or one that ships, by its name. Errors are shown, too.
     Expected<void> open(const QString& name);
     /// Its number, as Shown::run will have it.
-    std::uint64_t show(const OpenRun& run) { return session_->open(run); }
+    std::uint64_t show(const OpenedRun& run) { return session_->open(run); }
     Session& session() { return *session_; }
     const Shown* shown() const { return session_->current().get(); }
-    const Frame& frame() const { return frame_; }
+    const WindowFrame& frame() const { return frame_; }
     const Exports& exports() const { return exports_; }
     ScriptedWindow scripted() const;
     Actions& actions() { return actions_; }
@@ -99,7 +99,7 @@ private:
     FocusRing* focusRing_;
     Docks* docks_;
     WindowMemory* memory_;
-    Frame frame_;
+    WindowFrame frame_;
     TimeBar* time_;
     WindowFiles* files_;
     BackgroundWork* background_;

@@ -35,16 +35,16 @@ struct BlockTicks {
 
 /// Asks conditions over blocks that have been, on all cores. It steps again by the recorded decisions and asks no
 /// controller: the world comes out as it was, to the last bit; of the rest conditions must ask nothing (readsControl).
-class BlockJudge {
+class ConditionEvaluator {
 public:
-    BlockJudge();
-    ~BlockJudge();
+    ConditionEvaluator();
+    ~ConditionEvaluator();
 
     /// For each block the verdicts on each of `texts`. What does not compile for the block's branch holds nowhere in
     /// it. Error: a block is damaged.
-    Expected<std::vector<std::vector<Verdicts>>> judge(std::span<const BlockTicks> blocks,
-                                                       std::span<const std::string> texts,
-                                                       const RealityPointer& reality);
+    Expected<std::vector<std::vector<Verdicts>>> evaluate(std::span<const BlockTicks> blocks,
+                                                          std::span<const std::string> texts,
+                                                          const RealityPointer& reality);
 
 private:
     struct Worker;

@@ -1,4 +1,4 @@
-#include "frame/frame.h"
+#include "frame/window_frame.h"
 
 #include <QDockWidget>
 #include <QInputDialog>
@@ -9,15 +9,15 @@
 
 namespace mrose::gui {
 
-void Frame::say(const QString& text) const { status.say(text); }
+void WindowFrame::say(const QString& text) const { status.say(text); }
 
-void Frame::showDock(const char* name) const {
+void WindowFrame::showDock(const char* name) const {
     auto* dock = window.findChild<QDockWidget*>(name);
     dock->show();
     dock->raise();
 }
 
-void Frame::whenStanding(const QString& why, const std::function<void()>& then) const {
+void WindowFrame::whenStanding(const QString& why, const std::function<void()>& then) const {
     if (shown() == nullptr || !shown()->playing) return then();
     session.pause();
     const auto once = std::make_shared<QMetaObject::Connection>();
@@ -29,7 +29,7 @@ void Frame::whenStanding(const QString& why, const std::function<void()>& then) 
     });
 }
 
-QString Frame::askText(const QString& title, const QString& label, const QString& suggestion) const {
+QString WindowFrame::askText(const QString& title, const QString& label, const QString& suggestion) const {
     return QInputDialog::getText(&window, title, label, QLineEdit::Normal, suggestion);
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -9,8 +8,6 @@
 
 #include "assessment/reality.h"
 #include "debug/branch_setup.h"
-#include "io/error.h"
-#include "io/progress.h"
 #include "recording/history.h"
 #include "recording/recording.h"
 #include "world/world_state.h"
@@ -27,7 +24,7 @@ struct OpenRequest {
 };
 
 /// What a debugger is given to go through.
-struct OpenRun {
+struct OpenedRun {
     std::string name;  ///< for the title
     OpenRequest source;
     BranchSetupPointer setup;
@@ -47,14 +44,5 @@ struct OpenRun {
 
     bool recorded() const { return !branches.empty(); }
 };
-
-/// How a long opening is watched and ended.
-struct OpenProgress {
-    GoesOn goesOn = [] { return true; };
-    std::function<void(const std::string& file)> reads = [](const std::string&) {};
-};
-
-/// Opens a scenario or a recording. Error: the first thing wrong in any file that it is made from.
-Expected<OpenRun> openRun(const OpenRequest& request, const OpenProgress& progress = {});
 
 }  // namespace mrose

@@ -17,7 +17,7 @@ class WindowMemory;
 
 /// What all parts of a window may use: the run's thread, what can be done, where something is said, what is kept from
 /// one start to the next. It lives as long as the window.
-struct Frame {
+struct WindowFrame {
     QMainWindow& window;  ///< above which dialogues open
     Session& session;
     Actions& actions;

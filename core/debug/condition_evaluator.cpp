@@ -1,4 +1,4 @@
-#include "debug/block_judge.h"
+#include "debug/condition_evaluator.h"
 
 #include <map>
 #include <optional>
@@ -20,13 +20,13 @@ void Verdicts::add(std::int64_t tick, const Expected<bool>& answer) {
 }
 
 void Verdicts::add(const Verdicts& others) {
-    for (const TickRanges::Range& range : others.asked.ranges()) asked.add(range.first, range.last);
-    for (const TickRanges::Range& range : others.holds.ranges()) holds.add(range.first, range.last);
-    for (const TickRanges::Range& range : others.failed.ranges()) failed.add(range.first, range.last);
+    for (const TickRange& range : others.asked.ranges()) asked.add(range.first, range.last);
+    for (const TickRange& range : others.holds.ranges()) holds.add(range.first, range.last);
+    for (const TickRange& range : others.failed.ranges()) failed.add(range.first, range.last);
 }
 
 /// What a thread works with: an interpreter serves one at a time.
-struct BlockJudge::Worker {
+struct ConditionEvaluator::Worker {
     StepBuffers buffers;
     StepTrace trace;
     const Scenario* scenario = nullptr;
@@ -35,13 +35,13 @@ struct BlockJudge::Worker {
 
     std::vector<Condition*> compiled(const Scenario& wanted, std::span<const std::string> texts,
                                      const RealityPointer& real);
-    Expected<std::vector<Verdicts>> judge(const BlockTicks& ticks, std::span<const std::string> texts,
-                                          const RealityPointer& real);
+    Expected<std::vector<Verdicts>> evaluate(const BlockTicks& ticks, std::span<const std::string> texts,
+                                             const RealityPointer& real);
 };
 
 /// nullptr: it does not compile.
-std::vector<Condition*> BlockJudge::Worker::compiled(const Scenario& wanted, std::span<const std::string> texts,
-                                                     const RealityPointer& real) {
+std::vector<Condition*> ConditionEvaluator::Worker::compiled(const Scenario& wanted, std::span<const std::string> texts,
+                                                             const RealityPointer& real) {
     if (scenario != &wanted || reality != real) known.clear();
     scenario = &wanted;
     reality = real;
@@ -55,8 +55,9 @@ std::vector<Condition*> BlockJudge::Worker::compiled(const Scenario& wanted, std
     return all;
 }
 
-Expected<std::vector<Verdicts>> BlockJudge::Worker::judge(const BlockTicks& ticks, std::span<const std::string> texts,
-                                                          const RealityPointer& real) {
+Expected<std::vector<Verdicts>> ConditionEvaluator::Worker::evaluate(const BlockTicks& ticks,
+                                                                     std::span<const std::string> texts,
+                                                                     const RealityPointer& real) {
     const Scenario& world = *ticks.setup->scenario;
     const TimelineBlock& block = *ticks.block;
     const std::vector<Condition*> conditions = compiled(world, texts, real);
@@ -81,10 +82,10 @@ Expected<std::vector<Verdicts>> BlockJudge::Worker::judge(const BlockTicks& tick
     return verdicts;
 }
 
-BlockJudge::BlockJudge() = default;
-BlockJudge::~BlockJudge() = default;
+ConditionEvaluator::ConditionEvaluator() = default;
+ConditionEvaluator::~ConditionEvaluator() = default;
 
-std::unique_ptr<BlockJudge::Worker> BlockJudge::takeWorker() {
+std::unique_ptr<ConditionEvaluator::Worker> ConditionEvaluator::takeWorker() {
     const std::lock_guard lock(mutex_);
     if (idle_.empty()) return std::make_unique<Worker>();
     std::unique_ptr<Worker> worker = std::move(idle_.back());
@@ -92,13 +93,13 @@ std::unique_ptr<BlockJudge::Worker> BlockJudge::takeWorker() {
     return worker;
 }
 
-Expected<std::vector<std::vector<Verdicts>>> BlockJudge::judge(std::span<const BlockTicks> blocks,
-                                                               std::span<const std::string> texts,
-                                                               const RealityPointer& reality) {
+Expected<std::vector<std::vector<Verdicts>>> ConditionEvaluator::evaluate(std::span<const BlockTicks> blocks,
+                                                                          std::span<const std::string> texts,
+                                                                          const RealityPointer& reality) {
     std::vector<Expected<std::vector<Verdicts>>> answers(blocks.size());
     parallelFor(blocks.size(), [&](std::size_t i) {
         std::unique_ptr<Worker> worker = takeWorker();
-        answers[i] = worker->judge(blocks[i], texts, reality);
+        answers[i] = worker->evaluate(blocks[i], texts, reality);
         const std::lock_guard lock(mutex_);
         idle_.push_back(std::move(worker));
     });
