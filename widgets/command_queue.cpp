@@ -29,28 +29,6 @@ double roundUp(double value) {
 
 }  // namespace
 
-CommandQueue::Content commandsOf(const Scenario& scenario, const WorldState& state, std::size_t robot) {
-    const CommandView view = scenario.commandsOf(state, robot);
-    const Scene& scene = scenario.scene();
-    CommandQueue::Content content{{}, view.beforeFirst(), scene.timeOf(state.tick), scene.modelOf(robot).deadTimes()};
-    for (std::size_t i = 0; i < view.size(); ++i) content.commands.push_back({view.issueTime(i), view.command(i)});
-    content.period = scene.modelOf(robot).period();
-    content.lastInstant = scene.timeOf(state.robots[robot].nextControl) - content.period;
-    return content;
-}
-
-CommandsOnTheWay commandsOnTheWay(const CommandQueue::Content& content) {
-    CommandsOnTheWay way{content.before, {}};
-    for (const StampedCommand& issued : content.commands) {
-        const Nanoseconds untilV = std::max<Nanoseconds>(0, issued.time + content.deadTimes.v - content.now);
-        const Nanoseconds untilW = std::max<Nanoseconds>(0, issued.time + content.deadTimes.w - content.now);
-        if (untilV == 0) way.active.v = issued.command.v;
-        if (untilW == 0) way.active.w = issued.command.w;
-        if (untilV > 0 || untilW > 0) way.coming.push_back({issued, untilV, untilW});
-    }
-    return way;
-}
-
 CommandQueue::CommandQueue(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Commands on their way"));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);

@@ -4,10 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "motion/motion_model.h"
-#include "scenario/scenario.h"
+#include "debug/dead_time_queue.h"
 #include "widgets/theme.h"
-#include "world/command.h"
 
 namespace mrose {
 
@@ -18,14 +16,8 @@ class CommandQueue final : public QWidget {
     Q_OBJECT
 
 public:
-    struct Content {
-        std::vector<StampedCommand> commands;  ///< oldest first
-        Command before;                        ///< in force before those
-        Nanoseconds now = 0;
-        MotionModel::DeadTimes deadTimes;
-        Nanoseconds period = 0;       ///< between control instants; 0: unknown
-        Nanoseconds lastInstant = 0;  ///< the last one
-        QColor colour = {};           ///< the robot's
+    struct Content : DeadTimeQueue {
+        QColor colour = {};  ///< the robot's
     };
     explicit CommandQueue(QWidget* parent = nullptr);
 
@@ -75,19 +67,5 @@ private:
     std::optional<Nanoseconds> marked_;  ///< the issue time of the instant under the mouse, or chosen by keys
     Theme theme_ = Theme::light();
 };
-
-/// Of a robot at a state.
-CommandQueue::Content commandsOf(const Scenario& scenario, const WorldState& state, std::size_t robot);
-
-/// The command that takes effect now, and those still on their way with the time until they do, in order.
-struct CommandsOnTheWay {
-    Command active;
-    struct Coming {
-        StampedCommand issued;
-        Nanoseconds untilV = 0, untilW = 0;  ///< 0: already in effect
-    };
-    std::vector<Coming> coming;
-};
-CommandsOnTheWay commandsOnTheWay(const CommandQueue::Content& content);
 
 }  // namespace mrose

@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "debug/real_robot.h"
 #include "widgets/field_drawing.h"
 #include "widgets/field_readout.h"
 #include "widgets/qt_text.h"
-#include "widgets/real_robots.h"
 
 namespace mrose {
 namespace {

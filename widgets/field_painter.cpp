@@ -9,7 +9,6 @@
 #include "widgets/field_readout.h"
 #include "widgets/layer_sample.h"
 #include "widgets/qt_text.h"
-#include "widgets/real_robots.h"
 
 namespace mrose {
 namespace {

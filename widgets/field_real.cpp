@@ -6,7 +6,7 @@
 #include "logs/pose_grid.h"
 #include "widgets/field_drawing.h"
 #include "widgets/qt_text.h"
-#include "widgets/real_robots.h"
+#include "widgets/real_readout.h"
 
 namespace mrose {
 namespace {

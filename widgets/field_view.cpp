@@ -13,7 +13,7 @@
 
 #include "widgets/field_readout.h"
 #include "widgets/qt_text.h"
-#include "widgets/real_robots.h"
+#include "widgets/real_readout.h"
 
 namespace mrose {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "debug/real_robot.h"
 #include "widgets/field_painter.h"
-#include "widgets/real_robots.h"
 
 namespace mrose {
 namespace {

@@ -216,9 +216,8 @@ void Inspector::refreshHead(bool robot) {
     if (!robot) return;
     chip_->setStyleSheet(QString("background:%1;border:1px solid %2;border-radius:7px")
                              .arg(robotColour(frame_->scene(), *body_).name(), theme_.line.name()));
-    CommandQueue::Content content = commandsOf(*frame_->scenario, frame_->state, *body_);
-    content.colour = robotColour(frame_->scene(), *body_);
-    queue_->setContent(std::move(content));
+    queue_->setContent(
+        {deadTimeQueueOf(*frame_->scenario, frame_->state, *body_), robotColour(frame_->scene(), *body_)});
 }
 
 void Inspector::refresh() {

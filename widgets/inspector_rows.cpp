@@ -2,11 +2,11 @@
 
 #include <cmath>
 
+#include "debug/real_robot.h"
 #include "diagnosis/other_models.h"
 #include "widgets/command_queue.h"
 #include "widgets/fixed_text.h"
 #include "widgets/qt_text.h"
-#include "widgets/real_robots.h"
 
 namespace mrose {
 namespace {
@@ -30,8 +30,8 @@ QString commandCount(int count) {
 InspectorRow commandRows(const RowWriter& write) {
     InspectorRow section = write.section("Commands");
     auto& rows = section.children;
-    const CommandQueue::Content content = commandsOf(*write.frame.scenario, write.frame.state, write.body);
-    const CommandsOnTheWay way = commandsOnTheWay(content);
+    const DeadTimeQueue queue = deadTimeQueueOf(*write.frame.scenario, write.frame.state, write.body);
+    const CommandsOnTheWay way = commandsOnTheWay(queue);
     const auto waiting = static_cast<int>(way.coming.size());
     InspectorRow coming = RowWriter::text(
         QObject::tr("Not active yet"), waiting == 0 ? QObject::tr("none") : commandCount(waiting),
@@ -46,8 +46,8 @@ InspectorRow commandRows(const RowWriter& write) {
         row.unit = "s";
         rows.push_back(std::move(row));
     };
-    deadTime(QObject::tr("Delay, forward"), content.deadTimes.v);
-    deadTime(QObject::tr("Delay, turning"), content.deadTimes.w);
+    deadTime(QObject::tr("Delay, forward"), queue.deadTimes.v);
+    deadTime(QObject::tr("Delay, turning"), queue.deadTimes.w);
     return section;
 }
 

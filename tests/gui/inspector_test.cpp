@@ -10,6 +10,7 @@
 #include <functional>
 #include <numbers>
 
+#include "debug/dead_time_queue.h"
 #include "debug/plotted_value.h"
 #include "gui/window_fixture.h"
 #include "panels/plot_panel.h"

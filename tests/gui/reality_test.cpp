@@ -9,7 +9,7 @@
 #include "widgets/field_drawing.h"
 #include "widgets/field_fixture.h"
 #include "widgets/field_readout.h"
-#include "widgets/real_robots.h"
+#include "widgets/real_readout.h"
 
 namespace mrose::gui {
 namespace {

@@ -6,6 +6,7 @@
 #include "support/game_folder.h"
 #include "support/places.h"
 #include "workflow/expect_error.h"
+#include "workflow/read_trials.h"
 #include "workflow/replay_recording.h"
 #include "workflow/run_batch.h"
 #include "workflow/run_scenario.h"
@@ -185,6 +186,32 @@ TEST_F(Running, BatchIsEndedAndGoesOn) {
     const auto other = runBatch(batch);
     ASSERT_FALSE(other);
     EXPECT_THAT(other.error().message(), testing::HasSubstr("--duration"));
+}
+
+TEST_F(Running, RowsOfABatchSayHowTheirRunsAreOpened) {
+    BatchRequest batch{{game()}, path("games")};
+    batch.duration = 0.2;
+    batch.trials = 2;
+    batch.seeds = {{3, 4}};
+    ASSERT_TRUE(runBatch(batch));
+    const auto table = readTrials(path("games/results.csv"));
+    ASSERT_TRUE(table) << table.error().message();
+    const auto rows = csvRows(read("games/results.csv"));
+    ASSERT_EQ(table->rows.size(), rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const TrialRow& row = table->rows[i];
+        EXPECT_EQ(row.request.file, game());
+        EXPECT_EQ(std::to_string(row.request.trial), rows[i].at("trial"));
+        EXPECT_EQ(std::to_string(row.request.seed.value()), rows[i].at("seed"));
+        EXPECT_EQ(row.end, 0.2);
+        ASSERT_EQ(row.cells.size(), table->columns.size());
+        for (std::size_t column = 0; column < row.cells.size(); ++column)
+            EXPECT_EQ(row.cells[column], rows[i].at(table->columns[column]));
+    }
+    const std::string header = read("games/results.csv").substr(0, read("games/results.csv").find('\n') + 1);
+    expectError(readTrials(write("cut.csv", header + "1,3\n")), path("cut.csv"), {"cut.csv:2: ", "no row of a batch"});
+    expectError(readTrials(write("none.csv", header)), path("none.csv"), {"holds no runs"});
+    expectError(readTrials(write("other.csv", "a,b\n1,2\n")), path("other.csv"), {"other.csv:1: ", "mrose batch"});
 }
 
 TEST_F(Running, BatchOfSeveralSeedsAndAWrongCondition) {

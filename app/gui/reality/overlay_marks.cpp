@@ -5,7 +5,7 @@
 
 #include "reality/overlay.h"
 #include "widgets/qt_text.h"
-#include "widgets/real_robots.h"
+#include "widgets/real_readout.h"
 
 namespace mrose::gui {
 namespace {

@@ -1,0 +1,92 @@
+#include "workflow/read_trials.h"
+
+#include <charconv>
+#include <filesystem>
+
+#include "experiment/results_row.h"
+#include "io/file.h"
+
+namespace mrose {
+namespace {
+
+/// What every batch's first line begins with, and where the end stands.
+constexpr const char* firstColumns = "trial,seed,end,time_s,touches,kicks,hits,faults,driven_m";
+constexpr std::size_t endColumn = 3;
+
+/// As a shell takes a line apart that was quoted for it by apostrophes.
+std::vector<std::string> wordsOf(const std::string& command) {
+    std::vector<std::string> words(1);
+    bool quoted = false;
+    for (std::size_t i = 0; i < command.size(); ++i) {
+        if (command[i] == '\'')
+            quoted = !quoted;
+        else if (command[i] == '\\' && !quoted && i + 1 < command.size())
+            words.back() += command[++i];
+        else if (command[i] == ' ' && !quoted)
+            words.emplace_back();
+        else
+            words.back() += command[i];
+    }
+    return words;
+}
+
+/// Where a file lies that a command named, which was typed in a folder that is not known.
+std::string found(const std::string& name, const std::filesystem::path& results) {
+    std::error_code ignored;
+    std::filesystem::path folder = std::filesystem::absolute(results, ignored).parent_path();
+    if (std::filesystem::exists(name, ignored)) return name;
+    for (; folder.has_relative_path(); folder = folder.parent_path())
+        if (std::filesystem::exists(folder / name, ignored)) return (folder / name).string();
+    return name;
+}
+
+template <class Number>
+bool parse(const std::string& text, Number& number) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc() && end == text.data() + text.size();
+}
+
+std::optional<TrialRow> rowOf(std::vector<std::string> cells, std::size_t command, const std::string& path) {
+    TrialRow row;
+    std::uint64_t seed = 0;
+    if (cells.size() <= command || !parse(cells[0], row.request.trial) || !parse(cells[1], seed) ||
+        !parse(cells[endColumn], row.end))
+        return {};
+    row.request.seed = seed;
+    const std::vector<std::string> words = wordsOf(cells[command]);
+    if (words.size() < 3 || words[1] != "run") return {};
+    row.request.file = found(words[2], path);
+    for (std::size_t i = 3; i + 1 < words.size(); ++i)
+        if (words[i] == "--log") row.request.log = found(words[i + 1], path);
+    row.cells = std::move(cells);
+    return row;
+}
+
+}  // namespace
+
+Expected<TrialTable> readTrials(const std::string& path) {
+    const auto text = readFile(path);
+    if (!text) return tl::unexpected(text.error());
+    if (!text->starts_with(firstColumns)) return fail(path, "is no results.csv of mrose batch", 1);
+    TrialTable table;
+    std::size_t command = 0;
+    int line = 0;
+    for (std::size_t begin = 0; begin < text->size();) {
+        const std::size_t end = std::min(text->find('\n', begin), text->size());
+        std::vector<std::string> cells = resultsCells(std::string_view(*text).substr(begin, end - begin));
+        begin = end + 1;
+        if (++line == 1) {
+            while (command < cells.size() && cells[command] != "command") ++command;
+            table.columns = std::move(cells);
+            continue;
+        }
+        // A table is as wide as its first line: no row is filled up to that.
+        auto row = cells.size() == table.columns.size() ? rowOf(std::move(cells), command, path) : std::nullopt;
+        if (!row) return fail(path, "is no row of a batch; expected trial, seed and the command that runs it", line);
+        table.rows.push_back(std::move(*row));
+    }
+    if (table.rows.empty()) return fail(path, "holds no runs");
+    return table;
+}
+
+}  // namespace mrose
