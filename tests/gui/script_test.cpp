@@ -5,9 +5,11 @@
 
 #include "actions/window_actions.h"
 #include "gui/window_fixture.h"
+#include "io/file.h"
 #include "panels/plot_panel.h"
 #include "scripting/window_script.h"
 #include "simulation/step.h"
+#include "support/places.h"
 #include "support/run_program.h"
 
 namespace mrose::gui {
@@ -166,6 +168,14 @@ TEST_F(ScriptTest, EveryActionCanBeCalled) {
             const std::string result = run(name + "()");
             EXPECT_TRUE(result.empty() || result.starts_with("tour.lua:1: " + name + '(')) << result;
         }
+}
+
+TEST_F(ScriptTest, EveryFunctionIsNamedInTheReadme) {
+    const std::string readme = readFile(sourceFolder() / "app" / "README.md").value_or("");
+    for (const std::string& name : scriptFunctions(window.actions()))
+        EXPECT_TRUE(readme.find('`' + name + '`') != std::string::npos ||
+                    readme.find('`' + name + '(') != std::string::npos)
+            << name;
 }
 
 TEST_F(ScriptTest, EndsWithTheWindow) { EXPECT_EQ(run("say(1)\nquit()\nsay(2)"), "1\n"); }

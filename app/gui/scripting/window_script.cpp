@@ -124,9 +124,7 @@ public:
     WindowScript(const ScriptedWindow& window, const std::string& source, const ScriptOutput& output)
         : window_(window), source_(source), output_(output), sandbox_(scriptLimits), world_(sandbox_, window) {
         addMath(sandbox_);
-        for (const Actions::Group& group : window.frame.actions.groups())
-            for (const QAction* action : group.actions) addFunction(action->objectName().toStdString());
-        for (const auto& [name, run] : functions()) addFunction(name);
+        for (const std::string& name : scriptFunctions(window.frame.actions)) addFunction(name);
     }
 
     Expected<ScriptOutcome> run(std::string_view text) {
@@ -153,7 +151,6 @@ public:
         }
     }
 
-private:
     using Function = Expected<Value> (WindowScript::*)(Given&);
     static const std::map<std::string, Function>& functions() {
         static const std::map<std::string, Function> all{
@@ -179,6 +176,7 @@ private:
         return all;
     }
 
+private:
     void addFunction(const std::string& name) {
         lua_State* const lua = sandbox_.state();
         lua_pushstring(lua, name.c_str());
@@ -447,6 +445,14 @@ private:
 };
 
 }  // namespace
+
+std::vector<std::string> scriptFunctions(const Actions& actions) {
+    std::vector<std::string> names;
+    for (const Actions::Group& group : actions.groups())
+        for (const QAction* action : group.actions) names.push_back(action->objectName().toStdString());
+    for (const auto& [name, run] : WindowScript::functions()) names.push_back(name);
+    return names;
+}
 
 void settle(const ScriptedWindow& window) {
     window.frame.session.settle();

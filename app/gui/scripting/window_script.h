@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "debug/field_frame.h"
 #include "debug/shown.h"
@@ -33,6 +34,9 @@ std::string stateText(const Shown& shown);
 
 /// A body by its name or by its number from 1, as robot[1] of conditions. Error: the names that there are.
 Expected<std::size_t> bodyCalled(const FieldFrame& frame, const std::string& text);
+
+/// All functions that a script knows: the actions by their names, and its own.
+std::vector<std::string> scriptFunctions(const Actions& actions);
 
 /// Runs Lua statements that drive the window as a user does (app/README.md): all actions by name, what the mouse does,
 /// and expect() about what is shown, with the names of conditions. Each call is carried out before the next. No modal
