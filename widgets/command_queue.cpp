@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drawing/axis_ticks.h"
 #include "widgets/fixed_text.h"
 
 namespace mrose {
@@ -18,14 +19,6 @@ constexpr Nanoseconds millisecond = 1'000'000;
 
 const char* unitOf(bool rotation) { return rotation ? "rad/s" : "m/s"; }
 double partOf(const Command& command, bool rotation) { return rotation ? command.w : command.v; }
-
-/// The next of 1, 2, 5, 10 ... so that the scale seldom changes while playing.
-double roundUp(double value) {
-    const double power = std::pow(10, std::floor(std::log10(value)));
-    for (const double step : {1.0, 2.0, 5.0})
-        if (step * power >= value * (1 - 1e-9)) return step * power;
-    return 10 * power;
-}
 
 }  // namespace
 
@@ -104,7 +97,8 @@ QString CommandQueue::textOf(const Instant& instant) const {
 double CommandQueue::highest(bool rotation) const {
     double most = rotation ? 0.2 : 0.1;
     for (const Instant& instant : instants_) most = std::max(most, std::abs(partOf(instant.command, rotation)));
-    return roundUp(std::max(most, std::abs(partOf(commandsOnTheWay(content_).active, rotation))));
+    // So that the scale seldom changes while playing.
+    return roundStep(std::max(most, std::abs(partOf(commandsOnTheWay(content_).active, rotation))));
 }
 
 void CommandQueue::paintEvent(QPaintEvent* /*event*/) {

@@ -34,13 +34,6 @@ double frontOf(const Shape& shape) {
     return most;
 }
 
-double roundStep(double least) {
-    const double power = std::pow(10, std::floor(std::log10(least)));
-    for (const double factor : {1.0, 2.0, 5.0})
-        if (factor * power >= least * (1 - 1e-9)) return factor * power;
-    return 10 * power;
-}
-
 bool FieldCanvas::visible(const Point& middle, double reach) const {
     return middle.x + reach >= shown.least.x && middle.x - reach <= shown.most.x && middle.y + reach >= shown.least.y &&
            middle.y - reach <= shown.most.y;

@@ -47,7 +47,4 @@ struct FieldCanvas {
 /// m, from the reference point to the foremost point.
 double frontOf(const Shape& shape);
 
-/// 1, 2 or 5 times a power of ten, at least `least`.
-double roundStep(double least);
-
 }  // namespace mrose

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <functional>
 
+#include "drawing/axis_ticks.h"
 #include "widgets/field_drawing.h"
 
 namespace mrose {

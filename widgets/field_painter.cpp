@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "debug/placement.h"
+#include "drawing/axis_ticks.h"
 #include "widgets/field_readout.h"
 #include "widgets/layer_sample.h"
 #include "widgets/qt_text.h"

@@ -9,27 +9,7 @@ namespace {
 
 Attributes classed(std::string_view cssClass) { return {{"class", cssClass}}; }
 
-PlotRange usable(PlotRange range) {
-    if (!std::isfinite(range.low) || !std::isfinite(range.high) || range.high <= range.low)
-        return {std::isfinite(range.low) ? range.low : 0, (std::isfinite(range.low) ? range.low : 0) + 1};
-    return range;
-}
-
 }  // namespace
-
-Ticks niceTicks(PlotRange range, int wanted) {
-    range = usable(range);
-    const double raw = (range.high - range.low) / wanted;
-    const double power = std::pow(10, std::floor(std::log10(raw)));
-    const double lead = raw / power;
-    Ticks ticks;
-    ticks.step = power * (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10);
-    ticks.decimals = std::max(0, static_cast<int>(-std::floor(std::log10(ticks.step) + 1e-9)));
-    const auto first = static_cast<long>(std::ceil(range.low / ticks.step - 1e-9));
-    for (long i = first; static_cast<double>(i) * ticks.step <= range.high + 1e-9 * ticks.step; ++i)
-        ticks.values.push_back(static_cast<double>(i) * ticks.step);
-    return ticks;
-}
 
 SvgPlot::SvgPlot(const Layout& layout, PlotRange x, PlotRange y, std::string_view description)
     : layout_(layout), x_(usable(x)), y_(usable(y)), description_(description) {}
@@ -54,13 +34,13 @@ Point SvgPlot::pixel(const Point& at) const {
 
 void SvgPlot::axes(std::string_view xTitle, std::string_view yTitle) {
     const Point corner = pixel({x_.low, y_.low});
-    const Ticks xTicks = niceTicks(x_, static_cast<int>(innerWidth() / 70));
+    const AxisTicks xTicks = axisTicks(x_, static_cast<int>(innerWidth() / 70));
     for (const double value : xTicks.values) {
         const Point foot = pixel({value, y_.low});
         grid_.moveTo(foot).lineTo(pixel({value, y_.high}));
         around_ += svgText(foot + Point{0, 17}, fixed(value, xTicks.decimals), classed("tick middle"));
     }
-    const Ticks yTicks = niceTicks(y_, std::max(2, static_cast<int>(innerHeight() / 42)));
+    const AxisTicks yTicks = axisTicks(y_, std::max(2, static_cast<int>(innerHeight() / 42)));
     for (const double value : yTicks.values) {
         const Point foot = pixel({x_.low, value});
         grid_.moveTo(foot).lineTo(pixel({x_.high, value}));

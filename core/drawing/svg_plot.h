@@ -3,23 +3,11 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
+#include "drawing/axis_ticks.h"
 #include "drawing/svg.h"
 
 namespace mrose {
-
-struct PlotRange {
-    double low = 0, high = 1;
-};
-
-/// Multiples of 1, 2 or 5 times a power of ten within [low, high], about `wanted` of them.
-struct Ticks {
-    std::vector<double> values;
-    double step = 1;
-    int decimals = 0;  ///< that tell them apart
-};
-Ticks niceTicks(PlotRange range, int wanted);
 
 /// One diagram as an <svg> element. Colours, widths and dashes come from the page's style sheet: each mark has the CSS
 /// classes that it is given. Lines are interrupted at points that are not finite; what lies outside the frame is

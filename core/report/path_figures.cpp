@@ -73,7 +73,7 @@ std::string drawn(const PathFigure& figure) {
         SvgPlot::equalScale({.width = width, .height = 290, .left = 0, .right = 0, .top = 0, .bottom = 28},
                             widened(area.least.x, area.most.x, most), widened(area.least.y, area.most.y, most),
                             cat(capitalised(figure.what), " and predicted path"));
-    const double bar = niceTicks({0, width * plot.unitsPerPixel()}, 5).step;
+    const double bar = axisTicks({0, width * plot.unitsPerPixel()}, 5).step;
     plot.grid(bar);
     for (std::size_t i = figure.predicted.size(); i-- > 1;)
         plot.line(positions(withStart(figure.start, *figure.predicted[i])),

@@ -1,6 +1,7 @@
 // Who may include whom, from the include lines of the source itself.
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <regex>
 #include <set>
@@ -273,6 +274,19 @@ TEST(SourceFiles, NoTwoHeadersNameATypeAlike) {
                 ADD_FAILURE() << type << " is defined in " << other->second << " and in " << file.path;
     }
     EXPECT_GT(headers.size(), 300u);
+}
+
+/// Where a table of a README says what is in a folder, it says it of each file.
+TEST(SourceFiles, ReadmesNameTheFilesOfTheirFolders) {
+    for (const char* folder :
+         {"core/debug", "core/diagnosis", "core/drawing", "core/report", "core/workflow", "widgets"}) {
+        std::ostringstream readme;
+        readme << std::ifstream(sourceFolder() / folder / "README.md").rdbuf();
+        for (const SourceFile& file : sourceFiles({folder})) {
+            const std::string name = std::filesystem::path(file.path).stem().string();
+            EXPECT_TRUE(std::regex_search(readme.str(), std::regex('`' + name + "(\\.h)?`"))) << file.path;
+        }
+    }
 }
 
 TEST(SourceFiles, NoneIsLongerThan500Lines) {

@@ -290,15 +290,15 @@ TEST(Escaped, ReplacesMarkupControlsAndBrokenUtf8) {
 }
 
 TEST(NiceTicks, AreRoundNumbersWithinTheRange) {
-    const Ticks ticks = niceTicks({0, 10.3}, 5);
+    const AxisTicks ticks = axisTicks({0, 10.3}, 5);
     EXPECT_EQ(ticks.values, (std::vector<double>{0, 2, 4, 6, 8, 10}));
     EXPECT_EQ(ticks.decimals, 0);
-    const Ticks small = niceTicks({-0.012, 0.021}, 4);
+    const AxisTicks small = axisTicks({-0.012, 0.021}, 4);
     EXPECT_EQ(small.decimals, 2);
     EXPECT_EQ(small.values.size(), 4u);
     EXPECT_NEAR(small.values.front(), -0.01, 1e-15);
-    EXPECT_FALSE(niceTicks({3, 3}, 5).values.empty());
-    EXPECT_FALSE(niceTicks({std::nan(""), 1}, 5).values.empty());
+    EXPECT_FALSE(axisTicks({3, 3}, 5).values.empty());
+    EXPECT_FALSE(axisTicks({std::nan(""), 1}, 5).values.empty());
 }
 
 TEST(SvgPlot, EqualScaleHasSquarePixelsAndContainsTheRanges) {
