@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "debug/field_frame.h"
+#include "geometry/area.h"
 
 namespace mrose {
 

@@ -1,7 +1,11 @@
 #include "workflow/read_trials.h"
 
+#include <algorithm>
 #include <charconv>
+#include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <string_view>
 
 #include "experiment/results_row.h"
 #include "io/file.h"
