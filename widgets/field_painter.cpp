@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "debug/placement.h"
+#include "debug/real_robot.h"
 #include "drawing/axis_ticks.h"
 #include "widgets/field_readout.h"
 #include "widgets/layer_sample.h"
