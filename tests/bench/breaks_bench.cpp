@@ -48,13 +48,13 @@ int bench(const char* name, const OpenedRun& run, std::int64_t ticks) {
     breakpoints.replace({waitingFor("robot[2].x > robot[3].x")});
     const double near = bench::secondsOf([&] { (void)breakpoints.last({true}, travel, travel.tick(), goOn); });
     std::printf("  one that held not long ago: %.1f ms\n", 1e3 * near);
-    Breakpoints breakpoints;
-    breakpoints.replace({waitingFor("robot[2].speed > 50"), waitingFor("contact robot"), waitingFor("kick")});
+    Breakpoints waiting;
+    waiting.replace({waitingFor("robot[2].speed > 50"), waitingFor("contact robot"), waitingFor("kick")});
     const double playing = bench::secondsOf([&] {
         for (std::int64_t i = 0; i < ticks / 10; ++i) {
-            breakpoints.leave(travel);
+            waiting.leave(travel);
             if (!travel.forward()) return;
-            (void)breakpoints.arrive(travel, [](double) { return true; });
+            (void)waiting.arrive(travel, [](double) { return true; });
         }
     });
     std::printf("  simulating with three breakpoints takes %.2f times as long as without\n", 10 * playing / played);
