@@ -14,7 +14,7 @@
 namespace mrose {
 namespace {
 
-constexpr double side = 4, activeWidth = 78, laneTop = 2, laneHeight = 44, laneGap = 6;
+constexpr double side = 4, activeWidth = 78, laneTop = 17, laneHeight = 44, laneGap = 6;
 constexpr Nanoseconds millisecond = 1'000'000;
 
 const char* unitOf(bool rotation) { return rotation ? "rad/s" : "m/s"; }
@@ -106,6 +106,9 @@ void CommandQueue::paintEvent(QPaintEvent* /*event*/) {
     QFont small = font();
     small.setPointSizeF(8);
     painter.setFont(small);
+    painter.setPen(theme_.quietText);
+    painter.drawText(QRectF(side, 0, width() - 2 * side, laneTop - 2), Qt::AlignLeft | Qt::AlignVCenter,
+                     tr("Commands on their way"));
     paintLane(painter, false);
     paintLane(painter, true);
     paintScale(painter);

@@ -38,8 +38,8 @@ public:
     std::optional<std::size_t> instantAt(const QPointF& place) const;
     QString textOf(const Instant& instant) const;
 
-    QSize sizeHint() const override { return {290, 118}; }
-    QSize minimumSizeHint() const override { return {160, 118}; }
+    QSize sizeHint() const override { return {290, 133}; }
+    QSize minimumSizeHint() const override { return {160, 133}; }
 
 signals:
     /// Asked for by a double click or Enter: the command issued at this instant.

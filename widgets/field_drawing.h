@@ -64,6 +64,9 @@ QColor floorColour(const Environment& environment, const Theme& theme);
 void drawGround(const FieldCanvas& canvas, const Environment& environment);
 /// Lines at round metres, and rulers along two edges.
 void drawGrid(const FieldCanvas& canvas);
+/// How wide and far one looks for others, by what every robot has and by its further cameras; but for those that look
+/// nowhere, or everywhere.
+std::vector<const BodySight*> sightsOf(const RobotType& type);
 void drawSensors(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus);
 void drawTrails(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus);
 void drawGhosts(const FieldCanvas& canvas, const FieldFrame& frame);

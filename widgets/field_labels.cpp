@@ -12,6 +12,7 @@ namespace {
 
 constexpr double chipSize = 7, padding = 4, chipGap = 4;  // pixels
 constexpr double quietOpacity = 0.7;
+constexpr double mostNamed = 0.04;  // of one of two fields
 
 /// From a label that had to go far away to what it names.
 void drawLeader(const FieldCanvas& canvas, const QRectF& box, const FieldLabel& label) {
@@ -70,11 +71,18 @@ void drawPlate(const FieldCanvas& canvas, const QRectF& box, const FieldLabel& l
 void addNames(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus,
               std::vector<FieldLabel>& labels) {
     constexpr double leastReach = 5;  // pixels: whose bodies are smaller are nameless
-    const std::vector<std::size_t> bodies = visibleBodies(canvas, frame);
+    const auto isLooked = [&](std::size_t body) { return focus.selected == body || focus.hovered == body; };
+    const auto isElsewhere = [&](std::size_t body) { return body < focus.elsewhere.size() && focus.elsewhere[body]; };
+    std::vector<std::size_t> bodies = visibleBodies(canvas, frame);
+    // Where two fields share the room, those that differ come first, and no more than leave the field to be seen.
+    const bool shared = !focus.elsewhere.empty();
+    double room = mostNamed * canvas.view.size().width() * canvas.view.size().height();
+    if (shared) std::stable_partition(bodies.begin(), bodies.end(), isElsewhere);
+    std::stable_partition(bodies.begin(), bodies.end(), isLooked);
     for (const std::size_t body : bodies) {
-        const bool looked = focus.selected == body || focus.hovered == body;
+        const bool looked = isLooked(body);
         const double reach = canvas.pixels(frame.scene().shapeOf(body).reach);
-        if (!looked && (bodies.size() > mostNames || reach < leastReach)) continue;
+        if (!looked && (bodies.size() > mostNames || reach < leastReach || (shared && room < 0))) continue;
         FieldLabel& label = labels.emplace_back();
         label.key = std::uint64_t{1} << 56 | body;
         label.at = position(frame.poseOf(body));
@@ -87,8 +95,10 @@ void addNames(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFoc
         }
         if (body < frame.state.robots.size()) label.chip = robotColour(frame.scene(), body);
         label.first = looked;
-        label.last = body < focus.elsewhere.size() && focus.elsewhere[body];
+        label.last = isElsewhere(body);
         label.quiet = focus.isQuiet(body);
+        const QSizeF size = plateSize(canvas, label);
+        room -= size.width() * size.height();
     }
 }
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "widgets/field_drawing.h"
+#include "widgets/field_legend.h"
 
 namespace mrose {
 
@@ -18,12 +19,10 @@ public:
 
     /// What does not change from tick to tick: floor, markings, goals, walls, grid.
     void place(const Environment& environment);
-    /// Bodies and all layers. `labels` remembers where names stood.
-    void frame(const FieldFrame& frame, const FieldFocus& focus, LabelPlacer& labels);
-    /// A scale bar in the lower left corner and, if its layer is shown, the legend in the lower right one:
-    /// what the shown layers draw of this frame.
-    /// Clear of what is `covered` (pixels).
-    void corners(const FieldFrame& frame, const QRectF& covered = {});
+    /// Bodies and all layers. `labels` remembers where names stood, `legend` where it did itself.
+    void frame(const FieldFrame& frame, const FieldFocus& focus, LabelPlacer& labels, FieldLegend& legend);
+    /// A scale bar in the lower left corner and, if its layer is shown, the legend.
+    void corners(const FieldFrame& frame, const FieldLegend& legend);
     /// A distance measured by hand.
     void measure(const Point& from, const Point& to);
 
@@ -36,7 +35,6 @@ private:
     };
     ScaleBar scaleBar() const;
     void ruler();
-    void legend(const FieldFrame& frame, const QRectF& covered);
     std::pair<QRectF, FieldLabel> moved(const FieldFrame& frame, std::size_t body, const Pose& pose) const;
 
     FieldCanvas canvas_;

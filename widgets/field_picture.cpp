@@ -16,8 +16,8 @@ void FieldPicture::paint(QPainter& painter, const QSizeF& size, const FieldFrame
     painter.setFont(font);
     FieldPainter field(painter, as, theme, layers);
     field.place(frame.scene().environment);
-    field.frame(frame, on, labels);
-    field.corners(frame);
+    field.frame(frame, on, labels, legend);
+    field.corners(frame, legend);
 }
 
 }  // namespace mrose

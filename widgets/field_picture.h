@@ -19,6 +19,7 @@ struct FieldPicture {
     std::optional<Area> whole = {};  ///< the view is fitted to it: so are pictures of any size
     QMarginsF margins = {};          ///< about it, pixels
     LabelPlacer labels = {};
+    FieldLegend legend = {};
 
     /// In a picture of another size at least as much is seen as in the view.
     void paint(QPainter& painter, const QSizeF& size, const FieldFrame& frame);

@@ -15,8 +15,8 @@ bool hasLimits(const BodySight& sight) {
     return sight.present && (sight.range > 0 || sight.fieldOfView < 2 * std::numbers::pi - 1e-6);
 }
 
-/// How wide and far one looks for others, by what every robot has and by its further cameras; but for those that look
-/// nowhere, or everywhere.
+}  // namespace
+
 std::vector<const BodySight*> sightsOf(const RobotType& type) {
     std::vector<const BodySight*> sights;
     for (const BodySight* sight : {&type.perception.objects, &type.perception.robots})
@@ -25,6 +25,8 @@ std::vector<const BodySight*> sightsOf(const RobotType& type) {
         if (const BodySight* sight = sensor->sight(); sight != nullptr && hasLimits(*sight)) sights.push_back(sight);
     return sights;
 }
+
+namespace {
 
 /// How far along a ray of length 1 a piece begins, if nearer than `least`.
 double hit(const ConvexPiece& piece, const Point& from, const Point& along, double least) {

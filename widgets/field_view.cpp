@@ -128,8 +128,8 @@ void FieldView::paintEvent(QPaintEvent* /*event*/) {
     painter.drawPixmap(0, 0, place_);
     FieldPainter field(painter, transform(), theme_, layers_);
     if (likeLabels_) labels_.followOther(*likeLabels_);
-    field.frame(*frame_, focus_, labels_);
-    field.corners(*frame_, focus_.covered);
+    field.frame(*frame_, focus_, labels_, legend_);
+    field.corners(*frame_, legend_);
     if (!labels_.standsLike(reportedLabels_)) emit labelsMoved(reportedLabels_ = labels_);
     if (!(reportedView_ == transform())) emit viewChanged(reportedView_ = transform());
     if (drag_.kind == FieldDrag::Kind::measure)

@@ -95,6 +95,7 @@ private:
     FieldLayers layers_;
     FieldViewport viewport_;
     FieldFocus focus_;
+    FieldLegend legend_;
     mutable LabelPlacer labels_;  ///< where they stood in the last picture
     LabelPlacer reportedLabels_;
     std::optional<LabelPlacer> likeLabels_;  ///< those of another view

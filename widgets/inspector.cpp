@@ -56,7 +56,7 @@ Inspector::Inspector(QWidget* parent)
     layout->addWidget(queue_);
     tree_->setColumnCount(3);
     tree_->setHeaderHidden(true);
-    tree_->setIndentation(11);
+    tree_->setIndentation(7);
     tree_->setFrameShape(QFrame::NoFrame);
     tree_->setFont(smallFont(font()));
     tree_->setExpandsOnDoubleClick(false);
@@ -154,7 +154,7 @@ void Inspector::showMenu(const QPoint& place) {
 
 /// Where there is little room, names give way: numbers are never cut.
 void Inspector::fitColumns() {
-    const int numbers = tree_->fontMetrics().horizontalAdvance("-000.000 rad/s") + 10;
+    const int numbers = tree_->fontMetrics().horizontalAdvance("-00.000 rad/s") + 10;
     const int room = tree_->viewport()->width() - Delegate::markWidth - numbers;
     fitting_ = true;
     tree_->header()->resizeSection(Delegate::nameColumn,

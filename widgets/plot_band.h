@@ -20,7 +20,7 @@ namespace mrose {
 class PlotBand {
 public:
     static constexpr int leftMargin = 46, rightMargin = 12;  ///< pixels beside the axes
-    static constexpr int least = 62, timeRoom = 30;  ///< pixels: of one with its title, for the time below the last
+    static constexpr int least = 84, timeRoom = 30;  ///< pixels: of one with its title, for the time below the last
 
     PlotBand(QCustomPlot& plot, const QString& unit, int row);
 

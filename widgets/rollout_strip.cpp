@@ -73,12 +73,18 @@ QFont RolloutStrip::smallFont() const {
 QRectF RolloutStrip::legendRoom() const {
     if (worst_ <= 0) return {};
     const QFontMetricsF metrics(smallFont());
-    const double wide = metrics.horizontalAdvance("0") + metrics.horizontalAdvance(lengthText(worst_));
+    const double wide = metrics.horizontalAdvance("0") + metrics.horizontalAdvance(worstText());
     return {stripMargin + trackWidth() - wide - rampWidth - 2 * gap, 2, wide + rampWidth + 2 * gap, cellsTop - 4};
 }
 
+QString RolloutStrip::worstText() const {
+    const bool more = std::any_of(content_.cells.begin(), content_.cells.end(),
+                                  [this](const Cell& cell) { return cell.error > worst_; });
+    return (more ? QString::fromUtf8("\u2265 ") : QString()) + lengthText(worst_);
+}
+
 QString RolloutStrip::shownTitle() const {
-    const QString title = tr("%1, %2").arg(content_.title, clockText(content_.length));
+    const QString title = tr("%1, %2").arg(content_.title, logTimeText(content_.length));
     return QFontMetricsF(smallFont()).elidedText(title, Qt::ElideRight, trackWidth() - legendRoom().width() - 2 * gap);
 }
 
@@ -104,8 +110,8 @@ const RolloutStrip::Cell* RolloutStrip::cellAt(double pixel) const {
 
 QString RolloutStrip::textAt(double pixel) const {
     const Cell* const cell = cellAt(pixel);
-    if (cell == nullptr) return tr("No rollout begins here: there is no ground truth, or the robot stands");
-    const QString where = tr("%1 to %2").arg(clockText(cell->from), clockText(cell->to));
+    if (cell == nullptr) return tr("No rollout begins here: there is no ground truth, or the robot moves too little");
+    const QString where = tr("%1 to %2").arg(logTimeText(cell->from), logTimeText(cell->to));
     if (!std::isfinite(cell->error)) return tr("%1: no ground truth").arg(where);
     QString text = tr("%1: %2 off on average").arg(where, lengthText(cell->error));
     if (cell->diverges)
@@ -157,7 +163,7 @@ void RolloutStrip::paintLegend(QPainter& painter) const {
     const QRectF room = legendRoom();
     painter.setPen(theme_.quietText);
     painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter, "0");
-    painter.drawText(room, Qt::AlignRight | Qt::AlignVCenter, lengthText(worst_));
+    painter.drawText(room, Qt::AlignRight | Qt::AlignVCenter, worstText());
     const double left = room.left() + gap + QFontMetricsF(painter.font()).horizontalAdvance("0");
     for (int x = 0; x < static_cast<int>(rampWidth); ++x)
         painter.fillRect(QRectF(left + x, room.top() + 2, 1.5, room.height() - 3), rampColour(x / rampWidth));

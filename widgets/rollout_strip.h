@@ -45,6 +45,7 @@ public:
     double pixelOf(std::size_t rollout) const;
     QString textAt(double pixel) const;
     double worst() const { return worst_; }  ///< m: what the last colour stands for
+    QString worstText() const;               ///< of the legend: "2.3 cm"; with a sign where some are off by more
     QString shownTitle() const;              ///< what there is room for
     QRectF legendRoom() const;               ///< beside it, of the colours; empty: there are none
 

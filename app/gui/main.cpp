@@ -26,9 +26,9 @@
 #include "session/background_work.h"
 #include "shared/interrupts.h"
 #include "widgets/field_view.h"
+#include "widgets/fixed_text.h"
 #include "widgets/message_bar.h"
 #include "widgets/qt_text.h"
-#include "widgets/fixed_text.h"
 #include "window/main_window.h"
 #include "workflow/plugins.h"
 #include "workflow/resources.h"
@@ -182,8 +182,16 @@ void begin(MainWindow& window, const CommandLine& line) {
     window.session().play();
 }
 
+/// The window is no smaller than what is in it.
+void saySize(const MainWindow& window, const CommandLine& line) {
+    if (!line.size || (window.width() <= line.size->first && window.height() <= line.size->second)) return;
+    std::fprintf(stderr, "mrose-gui: --size %dx%d: the window needs %dx%d at least\n", line.size->first,
+                 line.size->second, window.width(), window.height());
+}
+
 int work(MainWindow& window, const CommandLine& line) {
     window.QWidget::show();
+    saySize(window, line);
     // Until the run is there: who called from a terminal may look there.
     const QMetaObject::Connection said =
         QObject::connect(&window.messages(), &MessageBar::added, [](MessageBar::Kind kind, const QString& text) {
@@ -246,6 +254,7 @@ int runAlone(MainWindow& window, const CommandLine& line) {
     settle(window.scripted());
     for (const MessageBar::Message& message : window.messages().messages())
         std::fprintf(stderr, "mrose-gui: %s\n", message.text.toStdString().c_str());
+    saySize(window, line);
     if (!line.screenshot.empty())
         if (const auto saved = writeWidget(window, qtText(line.screenshot)); !saved) return report(saved.error());
     if (!line.film.empty())

@@ -26,6 +26,9 @@ RolloutRow rolloutRow(const LogWorld& world, const ComparedRollout& rollout,
     row.session = requests[rollout.request].session;
     row.start = requests[rollout.request].start;
     row.use = rollout.use;
+    row.path = rollout.real.path;
+    row.rotation = rollout.real.rotation;
+    row.length = rollout.real.steps() * WindowOptions{}.step;
     if (const double mean = knownMean(rollout); mean >= 0) row.position = mean;
     if (row.position && rollout.real.path > 0 && rollout.use != RolloutUse::still)
         row.share = 100 * *row.position / rollout.real.path;

@@ -34,6 +34,8 @@ struct RolloutRow {
     std::optional<double> position;  ///< m, time-mean over what is known; nullopt: there is no ground truth
     std::optional<double> share;     ///< %: of the path; nullopt where it hardly drives
     std::optional<double> heading;   ///< rad, time-mean; nullopt where not all is known
+    double path = 0, rotation = 0;   ///< m, rad, of the real robot; not a number where not all is known
+    Nanoseconds length = 0;
     std::optional<Manoeuvre> manoeuvre;
     std::optional<Divergence> divergence;
     DivergenceBound bound;

@@ -48,9 +48,8 @@ std::string onsetText(const Diagnosis& diagnosis, const std::string& real) {
     add(onset.turn, onset.bound.heading,
         "turned " + inDegrees(std::abs(onset.turn)) + " more to the" + side(onset.turn));
     if (parts.empty()) return {};
-    std::string text = onset.explained >= 0.5 ? "most of it" : "a part of it";
-    text += " (" + fixed(100 * onset.explained, 0) + " %) arose from " + secondsText(onset.from) + " to " +
-            secondsText(onset.to) + " s, when the " + real + " robot ";
+    std::string text = fixed(100 * onset.explained, 0) + " % of the error at leaving arose from " +
+                       secondsText(onset.from) + " to " + secondsText(onset.to) + " s, when the " + real + " robot ";
     for (std::size_t i = 0; i < parts.size(); ++i)
         text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
     return text + " than the simulated one";

@@ -17,8 +17,8 @@ std::string divergenceText(const Divergence& divergence, const std::string& real
 /// the error".
 std::string causeText(const Diagnosis& diagnosis);
 
-/// "most of it (93 %) from 0.9 to 1.4 s, when the real robot went 2.0 cm less and turned 4.1° more to the left than the
-/// simulated one"; empty where it is not known.
+/// "93 % of the error at leaving arose from 0.9 to 1.4 s, when the real robot went 2.0 cm less and turned 4.1° more to
+/// the left than the simulated one"; empty where it is not known.
 std::string onsetText(const Diagnosis& diagnosis, const std::string& real = "real");
 
 /// "defect of the log 14, dead time 2, none of these 28": of the rollouts whose causes were looked for.

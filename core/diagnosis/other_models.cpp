@@ -53,7 +53,7 @@ std::vector<OtherModel> otherKinematics(const LogWorld& world) {
 std::string briefName(const std::string& model) {
     if (!model.starts_with(plainKinematics)) return model;
     const std::string more = model.substr(plainKinematics.size());
-    return more.starts_with(" + ") ? more.substr(3) : "ideal" + more;
+    return more.starts_with(" + ") ? more.substr(1) : model;
 }
 
 }  // namespace mrose

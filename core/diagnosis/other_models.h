@@ -23,8 +23,8 @@ OtherModel otherNetwork(const std::string& name, const std::shared_ptr<const Lea
 /// moves by no network: velocity = command alone. Their period is a tick, so that a command acts when it was issued.
 std::vector<OtherModel> otherKinematics(const LogWorld& world);
 
-/// What tells a model from the others at the front of its name: "ideal" of velocity = command, "dead time", "lag,
-/// gains, biases"; that of a network as it is.
+/// As `mrose evaluate` calls it: "velocity = command", "+ dead time", "+ lag, gains, biases"; the name of a network as
+/// it is.
 std::string briefName(const std::string& model);
 
 /// The network that a compared robot moves by; null where it moves by none.

@@ -4,7 +4,7 @@
 
 namespace mrose {
 
-/// Differential-drive kinematics with what a real drive adds. The defaults are ideal: velocity = command.
+/// Differential-drive kinematics with what a real drive adds. By default velocity = command.
 struct KinematicParameters {
     struct Channel {
         double deadTime = 0;  ///< s, from issue to effect

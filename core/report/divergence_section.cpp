@@ -59,8 +59,7 @@ std::string diagnosisCard(const Comparison& comparison, const RolloutDivergence&
     if (comparison.requests.size() > 1) text += element("p", "soft", rolloutText(comparison, rollout));
     text += element("p", "", cat("It ", unbroken(divergenceText(diverging.divergence, comparison.log.real())), "."));
     if (diverging.diagnosis && diverging.diagnosis->onset)
-        text +=
-            element("p", "soft", cat("It is ", unbroken(onsetText(*diverging.diagnosis, comparison.log.real())), "."));
+        text += element("p", "soft", cat(unbroken(onsetText(*diverging.diagnosis, comparison.log.real())), "."));
     if (diverging.diagnosis)
         text += cat(element("p", "", cat("Likely cause: ", unbroken(causeText(*diverging.diagnosis)), ".")),
                     trialTable(*diverging.diagnosis));

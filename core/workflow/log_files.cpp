@@ -13,7 +13,9 @@ Expected<Log> openLog(const std::string& source, const std::vector<std::string>&
                       const std::optional<DifferentialDrive>& drive) {
     LogOptions options;
     if (drive) options.drive = *drive;
-    auto log = readLog(placeOfLog(source), options);
+    const auto place = existingLog(source);
+    if (!place) return tl::unexpected(place.error());
+    auto log = readLog(*place, options);
     if (!log || robots.empty()) return log;
     std::vector<RobotLog> chosen;
     for (const std::string& name : robots) {

@@ -80,7 +80,9 @@ Expected<LoadedScenario> scenarioMade(PlayedLog& played, std::shared_ptr<const L
     const PlayedLogRequest& request = played.request;
     if (!request.robotFile.empty())
         if (const auto there = checkRobotFile(request.robotFile); !there) return tl::unexpected(there.error());
-    played.place = fullPath(placeOfLog(request.log));
+    const auto place = existingLog(request.log);
+    if (!place) return tl::unexpected(place.error());
+    played.place = fullPath(*place);
     auto read = logAt(played.place, {}, progress);
     if (!read) return tl::unexpected(read.error());
     log = std::move(*read);

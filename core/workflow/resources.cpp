@@ -44,6 +44,19 @@ std::string placeOfLog(const std::string& name) {
     return name;
 }
 
+Expected<std::string> existingLog(const std::string& name) {
+    std::error_code ignored;
+    const std::string place = placeOfLog(name);
+    if (std::filesystem::exists(place, ignored)) return place;
+    std::string sought;
+    if (!std::filesystem::path(name).is_absolute()) {
+        for (const std::filesystem::path& folder : dataFolders())
+            sought += (sought.empty() ? ", nor in the folders of MROSE_DATA: " : ", ") + folder.string();
+        if (sought.empty()) sought = " here; MROSE_DATA, which would name another folder to look in, is not set";
+    }
+    return fail(name, "does not exist" + sought);
+}
+
 Expected<void> checkRobotFile(const std::string& name) {
     DiskDescriptions source = openDescriptions();
     const std::string shipped = joinedName(std::string(shippedPrefix) + "resources/robots/", name);

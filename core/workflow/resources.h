@@ -19,6 +19,8 @@ Expected<RobotKinds> robotKinds();
 /// Where a log of that name is: as it is named; otherwise in the folder that MROSE_DATA names, or in mrclam/ or drive/
 /// there; as it is named, too, where it is nowhere.
 std::string placeOfLog(const std::string& name);
+/// Likewise. Error: there is none; says where it was looked for.
+Expected<std::string> existingLog(const std::string& name);
 
 /// That there is a robot file of that name, as given or among those that ship, where --robot names it: errors would
 /// name what is made from it otherwise.

@@ -58,10 +58,10 @@ TEST(ErrorOnset, IsWhenMostOfTheErrorArose) {
     EXPECT_EQ(onsetText(diagnosis), "");
     diagnosis.onset = onset;
     diagnosis.onset->explained = 0.934;
-    EXPECT_EQ(
-        onsetText(diagnosis),
-        "most of it (93 %) arose from 2.0 to 2.5 s, when the real robot went 5.0 cm less, moved 1.2 cm more to the "
-        "right and turned 10.0° more to the right than the simulated one");
+    EXPECT_EQ(onsetText(diagnosis),
+              "93 % of the error at leaving arose from 2.0 to 2.5 s, when the real robot went 5.0 cm less, moved 1.2 "
+              "cm more to the "
+              "right and turned 10.0° more to the right than the simulated one");
 }
 
 TEST(ErrorOnset, LooksNoFartherThanTheDivergenceAndNotAcrossGaps) {

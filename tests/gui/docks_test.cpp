@@ -188,6 +188,26 @@ TEST_F(DocksTest, BothFieldsSideBySideUseTheirRoom) {
     }
 }
 
+/// The run alone is no list of branches.
+TEST_F(DocksTest, EmptyListOfBranchesLeavesItsRoomToTheBreakpoints) {
+    ASSERT_NO_FATAL_FAILURE(openGame());
+    resizeTo({1280, 800});
+    const int alone = dock("branches").height(), breaks = dock("breakpoints").height();
+    EXPECT_LT(alone, 160);
+    EXPECT_GT(breaks, 200);
+    EXPECT_TRUE(dock("branches").findChild<QLabel*>()->isVisible());
+    const auto* area = static_cast<const QScrollArea*>(dock("branches").widget());
+    EXPECT_EQ(area->verticalScrollBar()->maximum(), 0) << "what it says is whole";
+    window.session().seek(100);
+    settleAll();
+    window.session().branchOff(moveBody(*window.shown()->frame, 2, {0, 1, 0}));
+    settleAll();
+    QTest::qWait(QApplication::doubleClickInterval() + 50);
+    settleAll();
+    EXPECT_GT(dock("branches").height(), alone);
+    EXPECT_LT(dock("breakpoints").height(), breaks);
+}
+
 TEST_F(DocksTest, ResetLayoutLeavesAMaximisedWindowItsSize) {
     ASSERT_NO_FATAL_FAILURE(openGame());
     window.showMaximized();

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QStatusBar>
 #include <QToolBar>
 
@@ -34,6 +35,14 @@ protected:
         }
         return parts;
     }
+    std::vector<const ShrinkingArea*> areas() {
+        std::vector<const ShrinkingArea*> areas;
+        for (const QDockWidget* dock : window.findChildren<QDockWidget*>())
+            if (const auto* area = dynamic_cast<const ShrinkingArea*>(dock->widget());
+                area != nullptr && !area->visibleRegion().isEmpty())
+                areas.push_back(area);
+        return areas;
+    }
     static std::string nameOf(const QWidget* widget) {
         QString name = widget->metaObject()->className();
         if (const auto* label = qobject_cast<const QLabel*>(widget)) name += " \u201c" + label->text() + '"';
@@ -60,6 +69,9 @@ protected:
             window.resize(size);
             settleAll();
             ASSERT_EQ(window.size(), size) << view;
+            for (const ShrinkingArea* area : areas())
+                EXPECT_EQ(area->horizontalScrollBar()->maximum(), 0)
+                    << view << " at " << size.width() << ": " << area->parentWidget()->windowTitle().toStdString();
             const std::vector<QWidget*> all = parts();
             ASSERT_GT(all.size(), 15u);
             const std::string at = std::string(view) + " at " + std::to_string(size.width());

@@ -220,7 +220,7 @@ TEST_F(HelpTest, LegendStandsClearOfTheFirstSteps) {
         const auto draw = [&](QImage& image, bool legend) {
             FieldLayers layers = window.field().layers();
             layers.set(FieldLayer::legend, legend);
-            layers.set(FieldLayer::trails, true);
+            layers.set(FieldLayer::headings, true);
             window.field().setLayers(layers);
             window.field().render(&image, {}, {}, QWidget::DrawWindowBackground);
         };

@@ -172,7 +172,7 @@ TEST_F(LogWindowTest, CurvesAreCalledByWhatDiffersAndAxesByTheirQuantity) {
     ASSERT_EQ(list->topLevelItemCount(), 8);
     for (int axis = 0; axis < 2; ++axis) {
         const QString named = axis == 0 ? "error (cm)" : QString::fromUtf8("heading_error (\u00b0)");
-        const QStringList names{named, own, "ideal", "bound"};
+        const QStringList names{named, own, "velocity = command", "bound"};
         for (int i = 0; i < 4; ++i) EXPECT_EQ(list->topLevelItem(4 * axis + i)->text(0), names[i]);
     }
     // What is dashed is named, with its number at the shown instant.

@@ -95,6 +95,55 @@ TEST_F(OverlayPanelTest, BoundThatIsShownIsTheOneInForce) {
     EXPECT_THAT(shown(), testing::Not(HasSubstr(end)));
 }
 
+/// Whoever sees a robot move does not read that it stands.
+TEST_F(OverlayPanelTest, SaysWhatIsLeftOutAndWhy) {
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {RolloutPlan::Cut::every, 0, 1}));
+    const ComparedSummary& all = overlay.rollouts().comparison()->all;
+    const RolloutList& rollouts = *panel.rollouts();
+    std::size_t little = 0;
+    for (int line = 0; line < rollouts.rowCount(); ++line) {
+        const RolloutRow& row = rollouts.row(line);
+        if (row.use != RolloutUse::still) continue;
+        ++little;
+        EXPECT_EQ(rollouts.text(row, RolloutList::drives), "moves little");
+        const QString tip = rollouts.index(line, RolloutList::drives).data(Qt::ToolTipRole).toString();
+        EXPECT_TRUE(tip.contains(fixedText(100 * row.path, 0) + " cm")) << tip.toStdString();
+        EXPECT_TRUE(tip.contains("less than 3 cm and 6")) << "of 30 cm and 57 degrees in 10 s: " << tip.toStdString();
+    }
+    ASSERT_GT(little, 0u) << "a log in which it hardly moves somewhere";
+    QStringList words;
+    for (const QLabel* label : panel.findChildren<QLabel*>()) words << label->text();
+    const std::string said = words.join('\n').toStdString();
+    EXPECT_THAT(said, HasSubstr(std::to_string(all.of(RolloutUse::counted)) + " of " + std::to_string(all.rollouts()) +
+                                " count"));
+    EXPECT_THAT(said, HasSubstr(std::to_string(little) + " move little"));
+    for (int column = 1; column < 5; ++column)
+        EXPECT_FALSE(panel.models().headerItem()->text(column).contains("way")) << "a path is a path";
+    EXPECT_TRUE(panel.models().headerItem()->text(3).contains("median"));
+}
+
+TEST_F(OverlayPanelTest, WhereThereIsLittleRoomTheLessImportantColumnsAreLeftOut) {
+    ASSERT_NO_FATAL_FAILURE(openLog(shipped()));
+    const auto shown = [&] {
+        std::set<int> columns;
+        for (int column = 0; column < RolloutList::columns; ++column)
+            if (!list().isColumnHidden(column)) columns.insert(column);
+        return columns;
+    };
+    list().setFixedWidth(600);
+    settleAll();
+    const std::set<int> all = shown();
+    EXPECT_TRUE(all.count(RolloutList::path) == 1 && all.count(RolloutList::drives) == 1);
+    list().setFixedWidth(240);
+    settleAll();
+    for (const int column : {RolloutList::start, RolloutList::error}) EXPECT_EQ(shown().count(column), 1u);
+    EXPECT_LT(shown().size(), all.size());
+    EXPECT_EQ(list().horizontalScrollBar()->maximum(), 0);
+    list().setFixedWidth(600);
+    settleAll();
+    EXPECT_EQ(shown(), all);
+}
+
 /// Laid out once more as the style does it.
 TEST_F(OverlayPanelTest, NamesOfCausesAreWhole) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped()));

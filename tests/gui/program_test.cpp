@@ -190,6 +190,26 @@ TEST_F(GuiProgram, ScriptLeavesTheRunAsMroseHasIt) {
     EXPECT_EQ(result.out, plain.out.substr(plain.out.find("state ")));
 }
 
+TEST_F(GuiProgram, SaysHowSmallTheWindowMayBe) {
+    const std::vector<std::string> run{"--run", "soccer.toml", "--ticks", "2", "--size"};
+    const auto sized = [&](const char* size) {
+        std::vector<std::string> words = run;
+        words.push_back(size);
+        return offscreen(words);
+    };
+    const ProgramResult small = sized("300x200");
+    EXPECT_EQ(small.status, 0);
+    EXPECT_TRUE(small.err.starts_with("mrose-gui: --size 300x200: the window needs ")) << small.err;
+    EXPECT_EQ(sized("1024x620").err, "");
+}
+
+TEST_F(GuiProgram, LogThatIsNotThereIsSaidWithWhereItWasLookedFor) {
+    const ProgramResult unset = offscreen({"--log", "nolog"});
+    EXPECT_EQ(unset.status, 1);
+    EXPECT_NE(unset.err.find("nolog: does not exist"), std::string::npos) << unset.err;
+    EXPECT_NE(unset.err.find("MROSE_DATA"), std::string::npos) << unset.err;
+}
+
 TEST_F(GuiProgram, WrongUsageIsOneLineAndStatusTwo) {
     const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
         {{"--size", "12"}, "--size"},

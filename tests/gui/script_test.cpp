@@ -11,6 +11,7 @@
 #include "simulation/step.h"
 #include "support/places.h"
 #include "support/run_program.h"
+#include "widgets/message_bar.h"
 
 namespace mrose::gui {
 namespace {
@@ -176,6 +177,15 @@ TEST_F(ScriptTest, EveryFunctionIsNamedInTheReadme) {
         EXPECT_TRUE(readme.find('`' + name + '`') != std::string::npos ||
                     readme.find('`' + name + '(') != std::string::npos)
             << name;
+}
+
+TEST_F(ScriptTest, KeyThatWouldOpenADialogueSaysWhatToCallInstead) {
+    window.actions().setUnattended(true);
+    EXPECT_EQ(run("press('Ctrl+L')"), "");
+    ASSERT_EQ(window.messages().messages().size(), 1u);
+    const std::string said = window.messages().messages().front().text.toStdString();
+    EXPECT_NE(said.find("open_log"), std::string::npos) << said;
+    EXPECT_NE(said.find("dialogues cannot be opened"), std::string::npos) << said;
 }
 
 TEST_F(ScriptTest, EndsWithTheWindow) { EXPECT_EQ(run("say(1)\nquit()\nsay(2)"), "1\n"); }

@@ -75,8 +75,9 @@ TEST_F(FieldViewTest, ScreenOfTwoDevicePixelsAPixelIsDrawnAtItsFullResolution) {
         FieldPainter field(painter, view.transform(), theme, view.layers());
         LabelPlacer labels;
         field.place(frame.scene().environment);
-        field.frame(frame, {}, labels);
-        field.corners(frame);
+        FieldLegend legend;
+        field.frame(frame, {}, labels, legend);
+        field.corners(frame, legend);
         painter.end();
         EXPECT_EQ(differences(rendered(view, ratio), direct).size(), 0u) << ratio;
     }

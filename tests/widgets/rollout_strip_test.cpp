@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "widgets/fixed_text.h"
+
 namespace mrose {
 namespace {
 
@@ -30,7 +32,30 @@ TEST(RolloutStrip, TitleAndLegendLeaveEachOtherRoomAtAnyWidth) {
         // The colours take no room of the rollouts.
         EXPECT_GT(strip.pixelOf(79), 0.95 * width - 18) << width;
     }
-    EXPECT_TRUE(strip.shownTitle().contains("14:51.88")) << strip.shownTitle().toStdString();
+    EXPECT_TRUE(strip.shownTitle().contains("14:51.9")) << strip.shownTitle().toStdString();
+}
+
+TEST(RolloutStrip, ScaleSaysWhereItEndsThatSomeAreOffByMore) {
+    RolloutStrip strip;
+    RolloutStrip::Content content = contentOf("create 3");
+    strip.setContent(content);
+    EXPECT_EQ(strip.worstText().toStdString(), "\u2265 7.6 cm");
+    for (RolloutStrip::Cell& cell : content.cells) cell.error = 0.02;
+    strip.setContent(content);
+    EXPECT_EQ(strip.worstText().toStdString(), "2.0 cm");
+}
+
+TEST(RolloutStrip, TimesOfALogHaveOneForm) {
+    EXPECT_EQ(logTimeText(0), "0:00.0");
+    EXPECT_EQ(logTimeText(fromSeconds(9.96)), "0:10.0");
+    EXPECT_EQ(logTimeText(fromSeconds(59.97)), "1:00.0");
+    EXPECT_EQ(logTimeText(fromSeconds(760)), "12:40.0");
+    EXPECT_EQ(logTimeText(fromSeconds(3662.4)), "1:01:02.4");
+    RolloutStrip strip;
+    strip.resize(900, strip.sizeHint().height());
+    strip.setContent(contentOf("create 3"));
+    EXPECT_TRUE(strip.textAt(strip.pixelOf(10)).startsWith("1:50.0 to 2:01.0"))
+        << strip.textAt(strip.pixelOf(10)).toStdString();
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ namespace {
 constexpr int margin = 12;                         // pixels
 constexpr int scaleRight = 210, scaleHeight = 16;  // pixels: the scale bar keeps its corner
 constexpr int mostCovered = 4;                     // a fourth of the view
+constexpr double mostOfPlace = 0.04;               // a corner in which nobody plays
 
 }  // namespace
 
@@ -131,8 +132,9 @@ void FirstSteps::place() {
     field_.viewport().setCovered(wanted_ ? QRectF(card) : QRectF());
     const QSize room = parentWidget()->size(), needed = sizeHint() + QSize(2 * margin, 2 * margin);
     const bool fits = needed.width() <= room.width() && needed.height() <= room.height();
+    const QRectF place = field_.viewport().fittedPlace(), common = place & QRectF(card);
     const bool hides = mostCovered * card.width() * card.height() > room.width() * room.height() ||
-                       field_.viewport().fittedPlace().intersects(card);
+                       common.width() * common.height() > mostOfPlace * place.width() * place.height();
     const bool fold = wanted_ && (!fits || (!opened_ && hides));
     setGeometry(card);
     button_->setGeometry(small);

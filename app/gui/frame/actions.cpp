@@ -24,12 +24,15 @@ QAction* Actions::add(const QString& menu, const Text& text, std::function<void(
 QAction* Actions::add(const QString& menu, const Text& text, Asking asking) {
     QAction* action = make(menu, text);
     asking_[text.name] = asking;
-    QObject::connect(action, &QAction::triggered, &window_, [this, asking = std::move(asking)] {
-        if (unattended_) return;
-        const QString answer = asking.ask();
-        if (answer.isEmpty()) return;
-        if (const auto done = asking.run(answer); !done && onError_) onError_(done.error());
-    });
+    QObject::connect(
+        action, &QAction::triggered, &window_, [this, asking = std::move(asking), name = text.name.toStdString()] {
+            if (unattended_ && onError_)
+                onError_({"", 0, 0, name, "dialogues cannot be opened here; a script calls " + name + "(\"...\")"});
+            if (unattended_) return;
+            const QString answer = asking.ask();
+            if (answer.isEmpty()) return;
+            if (const auto done = asking.run(answer); !done && onError_) onError_(done.error());
+        });
     return action;
 }
 

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "frame/shrinking_area.h"
 #include "widgets/field_view.h"
@@ -80,6 +81,13 @@ void raiseInsteadOfHiding(QDockWidget& dock) {
     });
 }
 
+/// Without scrolling, its words in as many lines as they take now.
+int leastHeight(const QWidget& content) {
+    const QLayout* const layout = content.layout();
+    const bool wraps = layout != nullptr && layout->hasHeightForWidth();
+    return std::max(content.minimumSizeHint().height(), wraps ? layout->heightForWidth(content.width()) : 0);
+}
+
 bool isBeside(Qt::DockWidgetArea area) { return area == Qt::LeftDockWidgetArea || area == Qt::RightDockWidgetArea; }
 
 }  // namespace
@@ -124,7 +132,7 @@ Docks::Panel& Docks::panelOf(const QObject* dock) {
 bool Docks::Panel::folded() const { return dock->features().testFlag(QDockWidget::DockWidgetVerticalTitleBar); }
 
 void Docks::setEmpty(const char* name, bool empty) {
-    panelOf(&(*this)[name]).empty = empty;
+    if (std::exchange(panelOf(&(*this)[name]).empty, empty) == empty) return;
     if (field_.held())
         afterClick_.start();
     else if (!afterClick_.isActive())
@@ -273,19 +281,32 @@ void Docks::arrangeColumns() {
             window_.resizeDocks({panel->dock}, {widths[static_cast<int>(i)]}, Qt::Horizontal);
 }
 
-/// One above another, each as high as wanted, and where there is no room for that, at least as what is in it.
+/// One above another, each as high as wanted, and where there is no room for that, at least as what is in it; so is one
+/// that has nothing to show, and the others have its room.
 void Docks::arrangeColumn(Qt::DockWidgetArea area) {
     std::vector<Extent> extents;
     QList<QDockWidget*> docks;
-    int room = -separator();
+    int room = 0, spare = 0, full = 0;
     for (const Panel* panel : shownIn(area)) {
         if (!window_.tabifiedDockWidgets(panel->dock).isEmpty()) return;
         const auto* content = static_cast<const QScrollArea*>(panel->dock->widget());
         const int title = panel->dock->height() - content->height();
-        const int least = panel->leastHeight.value_or(title + content->widget()->minimumSizeHint().height());
-        extents.push_back({panel->size.height(), least});
+        const int contents = title + leastHeight(*content->widget());
+        const int least = panel->empty ? contents : panel->leastHeight.value_or(contents);
+        extents.push_back({panel->empty ? least : panel->size.height(), least});
         docks << panel->dock;
-        room += panel->dock->height() + separator();
+        if (!panel->empty) ++full;
+        spare -= extents.back().wanted;
+        room += panel->dock->height();
+    }
+    spare += room;
+    std::size_t i = 0;
+    for (const Panel* panel : shownIn(area)) {
+        Extent& extent = extents[i++];
+        if (spare <= 0 || panel->empty) continue;
+        const int more = spare / full--;
+        extent.wanted += more;
+        spare -= more;
     }
     if (docks.size() > 1) window_.resizeDocks(docks, fitted(extents, room), Qt::Vertical);
 }

@@ -10,8 +10,8 @@
 #include <numbers>
 #include <utility>
 
-#include "widgets/qt_text.h"
 #include "widgets/fixed_text.h"
+#include "widgets/qt_text.h"
 
 namespace mrose::gui {
 namespace {
@@ -112,6 +112,7 @@ BranchPanel::BranchPanel(QWidget* parent)
     layout->addWidget(tree_, 2);
     heading_->setContentsMargins(8, 8, 8, 4);
     heading_->setWordWrap(true);
+    heading_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     heading_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // a long name does not widen it
     layout->addWidget(heading_);
     layout->addWidget(differences_, 3);
@@ -238,12 +239,12 @@ void BranchPanel::compare(const Shown& shown) {
                        clockText(shown.branches[*shown.besideBranch].first * shown.setup->scene().tickLength),
                        clockText(shown.branches[*shown.besideBranch].last * shown.setup->scene().tickLength))
         : any ? tr("At this tick, beside \u201c%1\u201d").arg(otherName())
-              : tr("Change something while the run stands \u2013 drag a robot, change its command \u2013 "
-                   "and a branch begins. What would have happened stays as a ghost."));
+              : tr("Drag a robot or change its command while the run stands, and a branch begins."));
     heading_->setStyleSheet("color: " + theme_.quietText.name());
     differences_->setVisible(any);
-    // The list takes what it needs then, and the differences have the rest.
-    tree_->setMaximumHeight(any ? tree_->minimumHeight() + tree_->sizeHintForRow(0) : QWIDGETSIZE_MAX);
+    // The list takes what it needs then, and the differences or the hint have the rest.
+    const bool alone = listedBranches(shown.branches) <= 1;
+    tree_->setMaximumHeight(any || alone ? tree_->minimumHeight() + tree_->sizeHintForRow(0) : QWIDGETSIZE_MAX);
     if (!any) return;
     const std::vector<Difference> rows = differencesOf(shown);
     while (differences_->topLevelItemCount() > static_cast<int>(rows.size()))

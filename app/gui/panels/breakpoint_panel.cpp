@@ -113,7 +113,7 @@ std::pair<QString, bool> noteOf(const BreakpointState& state) {
         return {QObject::tr("where a controller asks for it"), false};
     if (state.here) parts << QObject::tr("here");
     if (state.all > 0)
-        parts << QObject::tr("met %1 of %2").arg(state.hits).arg(state.all);
+        parts << QObject::tr("met %1 times up to here, %2 in all").arg(state.hits).arg(state.all);
     else if (breakpoint.enabled)
         parts << QObject::tr("not met yet");
     if (!breakpoint.enabled) parts << QObject::tr("off");
@@ -144,7 +144,7 @@ BreakpointPanel::BreakpointPanel(QWidget* parent)
     list_->setUniformItemSizes(true);
     list_->setMinimumHeight(leastList);
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    list_->setVerticalScrollMode(QAbstractItemView::ScrollPerItem);
     list_->setEditTriggers(QAbstractItemView::DoubleClicked);
     list_->setContextMenuPolicy(Qt::ActionsContextMenu);
     list_->installEventFilter(this);

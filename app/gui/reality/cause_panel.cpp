@@ -26,7 +26,8 @@ namespace {
 constexpr int explainedRole = Qt::UserRole;
 /// So many lines are seen at once.
 constexpr int shownLines = 4;
-constexpr int barWidth = 30, numberWidth = 44;  // pixels
+constexpr int narrowWords = 420, narrowestWords = 330;  // pixels
+constexpr int barWidth = 30, numberWidth = 44;          // pixels
 
 /// A share as a bar with its number.
 class ShareBar final : public QStyledItemDelegate {
@@ -139,7 +140,6 @@ CausePanel::CausePanel(Overlay& overlay, QWidget* parent)
     why_->hide();
     where->addWidget(divergence_, 1);
     where->addWidget(goThere_, 0, Qt::AlignTop);
-    where->addWidget(speeds_, 0, Qt::AlignTop);
     layout->addLayout(where);
     makeCauses();
     layout->addWidget(why_);
@@ -148,8 +148,12 @@ CausePanel::CausePanel(Overlay& overlay, QWidget* parent)
 
 QWidget* CausePanel::makeBound() {
     auto* bound = new QWidget;
-    auto* layout = new QHBoxLayout(bound);
-    layout->setContentsMargins(0, 0, 0, 0);
+    auto* lines = new QVBoxLayout(bound);
+    lines->setContentsMargins(0, 0, 0, 0);
+    lines->setSpacing(4);
+    auto *layout = new QHBoxLayout, *below = new QHBoxLayout;
+    lines->addLayout(layout);
+    lines->addLayout(below);
     position_ = boundBox(" cm", 1000, tr("It has left the real trajectory when it is farther off than this for 0.3 s"));
     heading_ =
         boundBox("\u00b0", 180, tr("It has left the real trajectory when it is turned by more than this for 0.3 s"));
@@ -164,8 +168,10 @@ QWidget* CausePanel::makeBound() {
     layout->addWidget(position_);
     layout->addWidget(heading_);
     layout->addWidget(inForce_);
-    layout->addWidget(heldOut_);
     layout->addStretch(1);
+    below->addWidget(heldOut_);
+    below->addStretch(1);
+    below->addWidget(speeds_);
     connect(position_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &CausePanel::applyBound);
     connect(heading_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &CausePanel::applyBound);
     connect(heldOut_, &QCheckBox::toggled, this, &CausePanel::applyBound);
@@ -222,14 +228,13 @@ void CausePanel::refresh() {
     heading_->setVisible(!heldOut_->isChecked());
     inForce_->setVisible(heldOut_->isChecked());
     inForce_->setText(inForceText(row->bound));
-    rollout_->setLines(overlay_.rollouts().world().sessions().size() > 1 ? 2 : 1);
+    fitLines();
     QString robot = qtText(overlay_.rollouts().world().robots()[row->robot].name);
     if (const std::string session = sessionText(overlay_.rollouts().world().sessions()[row->session]); !session.empty())
         robot += tr(" in %1").arg(qtText(session));
-    const QString start = fixedText(toSeconds(row->start), 1);
-    rollout_->setText(
-        (overlay_.shown().showsCompared() ? tr("%1 from %2 s: %3") : tr("%1 from %2 s (not this branch): %3"))
-            .arg(robot, start, offText(*row)));
+    const QString start = logTimeText(row->start);
+    rollout_->setText((overlay_.shown().showsCompared() ? tr("%1 from %2: %3") : tr("%1 from %2 (not this branch): %3"))
+                          .arg(robot, start, offText(*row)));
     const auto& divergence = row->divergence;
     goThere_->setVisible(divergence.has_value());
     // From the first that leaves on, nothing moves from rollout to rollout; before, the list has the room.
@@ -243,6 +248,19 @@ void CausePanel::refresh() {
                                       fixedText(100 * divergence->position, 1),
                                       fixedText(degrees * divergence->heading, 1)));
     refreshCauses();
+}
+
+/// Where there is little room words take another line.
+void CausePanel::fitLines() {
+    const auto& log = overlay_.rollouts().log();
+    rollout_->setLines(width() < narrowWords || (log && log->world().sessions().size() > 1) ? 2 : 1);
+    onset_->setLines(width() < narrowestWords ? 5 : width() < narrowWords ? 4 : 3);
+    cause_->setLines(width() < narrowWords ? 3 : 2);
+}
+
+void CausePanel::resizeEvent(QResizeEvent* event) {
+    fitLines();
+    QWidget::resizeEvent(event);
 }
 
 /// The verdict in a line.
@@ -262,9 +280,7 @@ void CausePanel::refreshCauses() {
     cause_->setText(likely());
     const auto& finding = overlay_.causes().finding();
     const bool known = finding && finding->diagnosis;
-    QString onset = known ? qtText(onsetText(*finding->diagnosis)) : QString();
-    onset.replace(0, 1, onset.left(1).toUpper());
-    onset_->setText(onset);
+    onset_->setText(known ? qtText(onsetText(*finding->diagnosis)) : QString());
     causes_->setVisible(known);
     causes_->clear();
     if (!known) return;

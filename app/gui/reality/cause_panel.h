@@ -30,7 +30,11 @@ public:
     QTreeWidget& causes() const { return *causes_; }
     QString text() const;  ///< what it says, plain
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
+    void fitLines();
     QWidget* makeBound();
     void makeCauses();
     void applyBound();

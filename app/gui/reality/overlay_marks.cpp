@@ -19,7 +19,7 @@ std::vector<PlotLevel> levelsOf(const DivergenceBound& bound, Nanoseconds tickLe
         position.points.append({tick, 100 * at.position});
         heading.points.append({tick, at.heading * 180 / std::numbers::pi});
     };
-    if (bound.bySteps.empty()) add(0, bound.constant);
+    add(0, bound.at(0));
     for (std::size_t k = 0; k < bound.bySteps.size(); ++k)
         add(static_cast<double>(k + 1) * toSeconds(WindowOptions{}.step) / toSeconds(tickLength), bound.bySteps[k]);
     return {position, heading};

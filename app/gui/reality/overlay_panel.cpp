@@ -6,7 +6,6 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QItemSelectionModel>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QMenu>
 #include <QProgressBar>
@@ -14,7 +13,6 @@
 #include <QShortcut>
 #include <QSignalBlocker>
 #include <QToolButton>
-#include <QTreeView>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -23,7 +21,7 @@
 
 #include "diagnosis/other_models.h"
 #include "io/format.h"
-#include "reality/whole_rows.h"
+#include "widgets/eliding_text.h"
 #include "widgets/fixed_text.h"
 #include "widgets/qt_text.h"
 #include "workflow/open_model.h"
@@ -31,22 +29,15 @@
 namespace mrose::gui {
 namespace {
 
-constexpr double longestLog = 1e6;   // s
-constexpr int widestName = 84;       // pixels: tool tips show longer ones
-constexpr int leastRows = 4;         // of the list
-constexpr int leastListWidth = 404;  // pixels: all columns of five robots for half an hour
-
-QString minutes(Nanoseconds time) {
-    const auto seconds = static_cast<int>(toSeconds(time));
-    if (seconds < 3600) return QString("%1:%2 min").arg(seconds / 60).arg(seconds % 60, 2, 10, QChar('0'));
-    return QString("%1:%2 h").arg(seconds / 3600).arg(seconds / 60 % 60, 2, 10, QChar('0'));
-}
+constexpr double longestLog = 1e6;  // s
+constexpr int leastBox = 72;        // pixels
+constexpr int narrow = 400;         // pixels, of the panel: a model's name has room beside all of its figures
 
 QString counted(std::size_t count, const QString& one, const QString& several) {
     return QString::number(count) + ' ' + (count == 1 ? one : several);
 }
 
-/// "155 rollouts of 5 robots, 26:00 min"; of a log in parts: "..., 128 sessions, 8:32 min in all".
+/// "155 rollouts of 5 robots, 26:00.0"; of a log in parts: "..., 128 sessions, 8:32.0 in all".
 QString aboutText(const Overlay& overlay) {
     const LogWorld& world = overlay.rollouts().world();
     const auto stretch = overlay.rollouts().plan().stretch;
@@ -59,15 +50,18 @@ QString aboutText(const Overlay& overlay) {
         (stretch ? QObject::tr(" in %1 s").arg(fixedText(*stretch, 1)) : QString())};
     const bool several = world.sessions().size() > 1;
     if (several) parts << counted(world.sessions().size(), QObject::tr("session"), QObject::tr("sessions"));
-    parts << minutes(length) + (several ? QObject::tr(" in all") : QString());
+    parts << logTimeText(length) + (several ? QObject::tr(" in all") : QString());
     return parts.join(", ");
 }
 
 QString figuresTip(bool open) {
     return open ? QObject::tr(
-                      "As mrose evaluate has them: of each model alone, open loop, through everything, on its windows")
+                      "As mrose evaluate has them: of each model alone, open loop, through everything,\n"
+                      "on its windows")
                 : QObject::tr(
-                      "As mrose compare has them: of these rollouts, in which robots touch each other and walls");
+                      "As mrose compare has them: of these rollouts, in which robots touch each other and walls.\n"
+                      "They begin elsewhere than the windows of mrose evaluate, and so their figures differ;\n"
+                      "with \u201cWindows of\u201d 10 s they begin where those do");
 }
 
 /// "P 1.50 %, Hd 3.10 % with contacts, as mrose compare, over 155 windows".
@@ -78,44 +72,32 @@ QString figuresText(const Summary& summary, bool open) {
              counted(summary.windows, QObject::tr("window"), QObject::tr("windows")));
 }
 
-/// "372 of 440 count: 40 have gaps, 28 stand still"; empty: all do.
-QString countText(const std::vector<RolloutRow>& rows) {
+/// "372 of 440 count: 40 have gaps, 16 move little, 12 begin unseen"; empty: all do.
+QString countText(const LogRollouts& rollouts) {
+    const std::vector<RolloutRow>& rows = rollouts.rows();
     const auto with = [&](RolloutUse use) {
         return std::count_if(rows.begin(), rows.end(), [use](const RolloutRow& row) { return row.use == use; });
     };
+    // They have no rows.
+    const auto* all = rollouts.comparison();
+    const auto absent = all == nullptr ? 0 : static_cast<std::int64_t>(all->all.of(RolloutUse::absent));
     const auto gaps = with(RolloutUse::gap), still = with(RolloutUse::still);
     QStringList others;
     if (gaps > 0) others << QObject::tr("%1 have gaps").arg(gaps);
-    if (still > 0) others << QObject::tr("%1 stand still").arg(still);
+    if (still > 0) others << QObject::tr("%1 move little").arg(still);
+    if (absent > 0) others << QObject::tr("%1 begin unseen").arg(absent);
     if (others.isEmpty()) return {};
-    const auto all = static_cast<std::int64_t>(rows.size());
+    const auto known = static_cast<std::int64_t>(rows.size());
     return QObject::tr("%1 of %2 count: %3")
-        .arg(QString::number(all - gaps - still), QString::number(all), others.join(", "));
+        .arg(QString::number(known - gaps - still), QString::number(known + absent), others.join(", "));
 }
-
-/// Rollouts that are walked through by keys are all seen. The current one stays in sight where room is taken, if it was
-/// picked: then the list scrolls by itself.
-class RolloutTable final : public WholeRows<QTreeView> {
-protected:
-    void resizeEvent(QResizeEvent* event) override {
-        const QRect before = visualRect(currentIndex());
-        const bool seen = before.isValid() && before.top() < event->oldSize().height() && before.bottom() >= 0;
-        QTreeView::resizeEvent(event);
-        if (seen && hasAutoScroll()) scrollTo(currentIndex());
-    }
-    void keyPressEvent(QKeyEvent* event) override {
-        const QModelIndex before = currentIndex();
-        setAutoScroll(true);
-        QTreeView::keyPressEvent(event);
-        if (currentIndex().isValid() && currentIndex().row() != before.row()) emit activated(currentIndex());
-    }
-};
 
 QDoubleSpinBox* secondsBox(double least, double most, const QString& tip) {
     auto* box = new QDoubleSpinBox;
     box->setRange(least, most);
     box->setDecimals(1);
     box->setSuffix(" s");
+    box->setMinimumWidth(leastBox);
     box->setKeyboardTracking(false);
     box->setAccelerated(true);
     box->setToolTip(tip);
@@ -129,13 +111,14 @@ OverlayPanel::OverlayPanel(Overlay& overlay, QWidget* parent)
       overlay_(overlay),
       rollouts_(new RolloutList(this)),
       log_(new QLabel),
-      about_(new QLabel),
+      about_(new ElidingText(1)),
+      counts_(new ElidingText(2)),
       causes_(new CausePanel(overlay)),
       cut_(new QComboBox),
       startLabel_(new QLabel(tr("from"))),
-      restarts_(new QCheckBox(tr("Play on into the next rollout"))),
+      restarts_(new QCheckBox(tr("Play into the next"))),
       progress_(makeProgress()),
-      list_(new RolloutTable) {
+      list_(new RolloutTable(*rollouts_)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 8, 8, 8);
     layout->setSpacing(6);
@@ -143,8 +126,9 @@ OverlayPanel::OverlayPanel(Overlay& overlay, QWidget* parent)
     layout->addWidget(makePlan());
     layout->addWidget(progress_);
     layout->addWidget(makeModels());
-    makeList();
     layout->addWidget(list_, 1);
+    connect(list_, &QTreeView::clicked, this, &OverlayPanel::openLine);
+    connect(list_, &QTreeView::activated, this, &OverlayPanel::openLine);
     layout->addWidget(causes_);
     connect(&overlay_, &Overlay::changed, this, &OverlayPanel::refresh);
     refresh();
@@ -160,6 +144,12 @@ QWidget* OverlayPanel::makeHead() {
     log_->setFont(bold);
     layout->addWidget(log_);
     layout->addWidget(about_);
+    layout->addWidget(counts_);
+    counts_->setToolTip(
+        tr("Of each robot in each rollout. In the models\u2019 errors count those in which the robot is "
+           "seen at the start,\nits ground truth has no gap, and it drives %1 cm or turns %2\u00b0 "
+           "in 10 s at least")
+            .arg(fixedText(100 * WindowOptions{}.leastPath, 0), fixedText(degrees * WindowOptions{}.leastRotation, 0)));
     return head;
 }
 
@@ -178,12 +168,15 @@ QWidget* OverlayPanel::makePlan() {
         secondsBox(0, longestLog, tr("Where in the log the first rollout begins, after all of its robots are there"));
     line->addWidget(cut_);
     line->addWidget(length_);
-    line->addWidget(startLabel_);
-    line->addWidget(start_);
     line->addStretch(1);
     layout->addLayout(line);
+    auto* where = new QHBoxLayout;
+    where->addWidget(startLabel_);
+    where->addWidget(start_);
+    where->addWidget(restarts_);
+    where->addStretch(1);
+    layout->addLayout(where);
     restarts_->setToolTip(tr("At the end of a rollout the next one begins, from where the real robots then are"));
-    layout->addWidget(restarts_);
     connect(cut_, QOverload<int>::of(&QComboBox::activated), this, &OverlayPanel::applyPlan);
     connect(length_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &OverlayPanel::applyPlan);
     connect(start_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &OverlayPanel::applyPlan);
@@ -211,31 +204,6 @@ QWidget* OverlayPanel::makeProgress() {
     return progress;
 }
 
-/// As wide as their titles and digits, so that all of them are seen at once. Rows come in the order of their rollouts:
-/// those that were there before are measured already.
-void OverlayPanel::fitColumns() {
-    const std::vector<RolloutRow>& rows = overlay_.rollouts().rows();
-    const QFontMetrics metrics = list_->fontMetrics();
-    if (fitted_ == 0 || rows.size() < fitted_) {
-        fitted_ = 0;
-        const std::size_t sessions = overlay_.rollouts().log() ? overlay_.rollouts().world().sessions().size() : 1;
-        list_->setColumnHidden(RolloutList::session, sessions == 1);
-        list_->setColumnHidden(RolloutList::robot, sessions > 1 && overlay_.rollouts().world().robots().size() == 1);
-    }
-    for (int column = 0; column < RolloutList::columns; ++column) {
-        if (list_->isColumnHidden(column)) continue;
-        const QString title = rollouts_->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
-        int& wide = widths_[static_cast<std::size_t>(column)];
-        if (fitted_ == 0) wide = metrics.size(0, title).width();
-        for (std::size_t row = fitted_; row < rows.size(); ++row)
-            wide = std::max(wide, metrics.horizontalAdvance(rollouts_->text(rows[row], column)));
-        if (RolloutList::isName(column)) wide = std::min(wide, widestName);
-        // The title that it is sorted by has an arrow.
-        list_->setColumnWidth(column, wide + (column == RolloutList::error ? 24 : 7));
-    }
-    fitted_ = rows.size();
-}
-
 QWidget* OverlayPanel::makeModels() {
     auto* part = new QWidget;
     auto* layout = new QVBoxLayout(part);
@@ -244,11 +212,12 @@ QWidget* OverlayPanel::makeModels() {
     models_ = new QTreeWidget;
     models_->setObjectName("models");
     models_->setAccessibleName(tr("Motion models and their errors"));
-    models_->setHeaderLabels(
-        {tr("Model"), tr("Position\n% of way"), tr("Heading\n% of turn"), tr("At end\ncm"), tr("At end\n\u00b0")});
-    models_->headerItem()->setToolTip(1,
-                                      tr("P: mean distance to the real robot over its path, summed over all windows"));
-    models_->headerItem()->setToolTip(2, tr("Hd: mean heading error over its rotation, summed over all windows"));
+    models_->setHeaderLabels({tr("Model"), tr("Position\n% of path"), tr("Heading\n% of turn"), tr("End, cm\n(median)"),
+                              tr("End, \u00b0\n(median)")});
+    models_->headerItem()->setToolTip(
+        1, tr("P: mean distance to the real robot, in percent of the path that it drove, over all windows"));
+    models_->headerItem()->setToolTip(
+        2, tr("Hd: mean heading error, in percent of how far the real robot turned, over all windows"));
     models_->headerItem()->setToolTip(3, tr("Distance at the end of a rollout, the median"));
     models_->headerItem()->setToolTip(4, tr("Heading error at the end of a rollout, the median"));
     models_->setRootIsDecorated(false);
@@ -306,23 +275,10 @@ void OverlayPanel::fillModelMenu(QMenu& menu) {
     menu.addAction(tr("From a file\u2026"), this, [this] { emit modelFileWanted(); });
 }
 
-void OverlayPanel::makeList() {
-    list_->setModel(rollouts_);
-    list_->setObjectName("rollouts");
-    list_->setAccessibleName(tr("Rollouts, by their errors"));
-    list_->setRootIsDecorated(false);
-    list_->setUniformRowHeights(true);
-    list_->setAllColumnsShowFocus(true);
-    list_->setFrameShape(QFrame::NoFrame);
-    list_->setSortingEnabled(true);
-    list_->sortByColumn(RolloutList::error, Qt::DescendingOrder);
-    list_->header()->setStretchLastSection(true);
-    list_->header()->setMinimumSectionSize(20);
-    list_->setMinimumWidth(leastListWidth);
-    list_->setMinimumHeight(list_->header()->sizeHint().height() + leastRows * (list_->fontMetrics().height() + 2));
-    list_->setIndentation(0);
-    connect(list_, &QTreeView::clicked, this, &OverlayPanel::openLine);
-    connect(list_, &QTreeView::activated, this, &OverlayPanel::openLine);
+/// What does not fit beside the models' names is left out.
+void OverlayPanel::resizeEvent(QResizeEvent* event) {
+    for (const int column : {3, 4}) models_->setColumnHidden(column, event->size().width() < narrow);
+    QWidget::resizeEvent(event);
 }
 
 void OverlayPanel::openLine(const QModelIndex& index) {
@@ -354,12 +310,9 @@ void OverlayPanel::refresh() {
     filling_ = true;
     log_->setText(world ? qtText(world->name()) : tr("No log is open"));
     log_->setToolTip(world ? qtText(world->place) : QString());
-    const QString counts = countText(overlay_.rollouts().rows());
-    about_->setToolTip(counts.isEmpty()
-                           ? QString()
-                           : tr("In the models' errors: a robot must drive, and its ground truth be known throughout"));
-    about_->setText(world ? aboutText(overlay_) + (counts.isEmpty() ? "" : '\n' + counts)
-                          : tr("File \u2192 Open a real log\u2026"));
+    about_->setText(world ? aboutText(overlay_) : tr("File \u2192 Open a real log\u2026"));
+    counts_->setText(countText(overlay_.rollouts()));
+    counts_->setVisible(!counts_->text().isEmpty());
     const RolloutPlan& plan = overlay_.rollouts().plan();
     cut_->setCurrentIndex(cut_->findData(static_cast<int>(plan.cut)));
     length_->setValue(plan.length);
@@ -403,7 +356,7 @@ void OverlayPanel::fillList() {
     rollouts_->setRows(overlay_.rollouts().log(), overlay_.rollouts().rows());
     listed_ = overlay_.rollouts().rowsVersion();
     if (overlay_.rollouts().rows().empty()) selected_.reset();
-    fitColumns();
+    list_->fitColumns(overlay_.rollouts());
     const bool picked = list_->hasAutoScroll();
     list_->setAutoScroll(false);
     if (kept) select(kept->rollout, kept->robot);

@@ -1,11 +1,10 @@
 #pragma once
 
 #include <QWidget>
-#include <array>
 
 #include "reality/cause_panel.h"
 #include "reality/overlay.h"
-#include "reality/rollout_list.h"
+#include "reality/rollout_table.h"
 
 class QCheckBox;
 class QComboBox;
@@ -14,8 +13,11 @@ class QLabel;
 class QMenu;
 class QProgressBar;
 class QToolButton;
-class QTreeView;
 class QTreeWidget;
+
+namespace mrose {
+class ElidingText;
+}
 
 namespace mrose::gui {
 
@@ -36,6 +38,9 @@ public:
 
     QSize sizeHint() const override { return {400, 600}; }
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 signals:
     void modelFileWanted();
     void modelRemovalWanted();  ///< of the list's current one
@@ -44,10 +49,8 @@ private:
     QWidget* makeHead();
     QWidget* makePlan();
     QWidget* makeProgress();
-    void makeList();
     void refresh();
     QWidget* makeModels();
-    void fitColumns();
     void fillModelMenu(QMenu& menu);
     void refreshModels();
     bool showsEvaluated() const;
@@ -59,7 +62,8 @@ private:
 
     Overlay& overlay_;
     RolloutList* rollouts_;
-    QLabel *log_, *about_;
+    QLabel* log_;
+    ElidingText *about_, *counts_;
     CausePanel* causes_;
     QComboBox* cut_;
     QDoubleSpinBox *start_, *length_;
@@ -70,10 +74,8 @@ private:
     QProgressBar* bar_;
     QTreeWidget* models_;
     QComboBox* figures_;  ///< whose the models' are
-    QTreeView* list_;
+    RolloutTable* list_;
     std::uint64_t listed_ = 0;                                     ///< Overlay::rowsVersion() of the list
-    std::size_t fitted_ = 0;                                       ///< rows that the columns are wide enough for
-    std::array<int, RolloutList::columns> widths_{};               ///< pixels: of what they show
     std::optional<std::pair<std::size_t, std::size_t>> selected_;  ///< rollout and robot
     bool filling_ = false;
     Theme theme_ = Theme::light();

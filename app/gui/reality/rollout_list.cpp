@@ -17,9 +17,10 @@ struct RolloutColumn {
 constexpr RolloutColumn rolloutColumns[] = {
     {QT_TR_NOOP("Robot"), QT_TR_NOOP("The simulated robot")},
     {QT_TR_NOOP("Session"), QT_TR_NOOP("Which of the log's trajectories")},
-    {QT_TR_NOOP("From\ns"), QT_TR_NOOP("Where in the log the rollout begins")},
+    {QT_TR_NOOP("From"), QT_TR_NOOP("Where in the log the rollout begins, min:s")},
     {QT_TR_NOOP("Error\ncm"), QT_TR_NOOP("Distance to the real robot, the mean over the rollout")},
-    {QT_TR_NOOP("% of\npath"), QT_TR_NOOP("The same in percent of the way that the real robot drove")},
+    {QT_TR_NOOP("% of\npath"),
+     QT_TR_NOOP("The same in percent of the path that the real robot drove; not where that is short")},
     {QT_TR_NOOP("Head.\n\u00b0"), QT_TR_NOOP("Heading error, the mean over the rollout")},
     {QT_TR_NOOP("Leaves\ns"), QT_TR_NOOP("When it first leaves the real trajectory by more than the bound")},
     {QT_TR_NOOP("Drives"), QT_TR_NOOP("What it is commanded; or why the rollout does not count in the models' errors")},
@@ -106,7 +107,7 @@ QString RolloutList::text(const RolloutRow& row, int column) const {
         case session:
             return qtText(world_->world().sessions()[row.session].name);
         case start:
-            return figure(toSeconds(row.start));
+            return logTimeText(row.start);
         case error:
             return figure(row.position, 100);
         case path:
@@ -119,7 +120,7 @@ QString RolloutList::text(const RolloutRow& row, int column) const {
             break;
     }
     if (row.use == RolloutUse::gap) return tr("gap in truth");
-    if (row.use == RolloutUse::still) return tr("stands");
+    if (row.use == RolloutUse::still) return tr("moves little");
     const std::string_view manoeuvre = row.manoeuvre ? name(*row.manoeuvre) : "";
     return QString::fromUtf8(manoeuvre.data(), static_cast<int>(manoeuvre.size()));
 }
@@ -130,7 +131,15 @@ QString RolloutList::tip(const RolloutRow& row) const {
     if (row.touched) words += tr("; the simulated robot touches something in it");
     if (row.use == RolloutUse::gap)
         words += tr("; the ground truth has a gap in it: it does not count in the models' errors");
-    if (row.use == RolloutUse::still) words += tr("; the robot hardly moves: it does not count in the models' errors");
+    if (row.use == RolloutUse::still) {
+        const double part = toSeconds(row.length) / 10;
+        words +=
+            tr("; the real robot drives %1 cm and turns %2\u00b0 in it, less than %3 cm and %4\u00b0: too little to "
+               "divide errors by, so that it does not count in the models' errors")
+                .arg(fixedText(100 * row.path, 0), fixedText(degrees * row.rotation, 0),
+                     fixedText(100 * part * WindowOptions{}.leastPath, 0),
+                     fixedText(degrees * part * WindowOptions{}.leastRotation, 0));
+    }
     return words;
 }
 

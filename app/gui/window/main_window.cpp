@@ -184,10 +184,12 @@ void MainWindow::makeDocks() {
     docks_->add("branches", tr("Branches"), branches_, Qt::LeftDockWidgetArea, {250, 350}, 120);
     docks_->add("breakpoints", tr("Breakpoints"), breakpoints_, Qt::LeftDockWidgetArea, {250, 160});
     docks_->add("command", tr("Change a command"), command_, Qt::LeftDockWidgetArea, {250, 240});
-    docks_->add("reality", tr("Reality"), reality_, Qt::LeftDockWidgetArea, {450, 600}).hide();
+    docks_->add("reality", tr("Reality"), reality_, Qt::LeftDockWidgetArea, {475, 600}).hide();
     docks_->add("inspector", tr("Inspector"), inspector_, Qt::RightDockWidgetArea, {330, 560});
     docks_->add("plots", tr("Plots"), plots_, Qt::BottomDockWidgetArea, {400, 240}).hide();
     docks_->setEmpty("inspector", true);
+    connect(session_, &Session::shown, docks_,
+            [this] { docks_->setEmpty("branches", listedBranches(shown()->branches) <= 1); });
     connect(overlay_, &Overlay::changed, docks_,
             [this] { docks_->setLayout(overlay_->rollouts().log() ? Docks::Layout::log : Docks::Layout::run); });
 }
@@ -233,7 +235,7 @@ void MainWindow::update() {
     const Nanoseconds time = now.frame->scene().timeOf(now.tick());
     const auto& reality = now.frame->reality;
     clock_->setText(tr("%1   tick %2").arg(clockText(time)).arg(now.tick()) +
-                    (reality ? tr("   log %1").arg(clockText(reality->start + time)) : QString()));
+                    (reality ? tr("   log %1").arg(logTimeText(reality->start + time)) : QString()));
 }
 
 /// The robot that decided to kick, and what it kicked: the object nearest to it.
