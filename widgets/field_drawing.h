@@ -61,6 +61,8 @@ double impulsePixels(double impulse, double scale);
 
 /// The floor's colour as it is drawn.
 QColor floorColour(const Environment& environment, const Theme& theme);
+/// All that is drawn of an environment, in metres.
+Area areaOf(const Environment& environment);
 void drawGround(const FieldCanvas& canvas, const Environment& environment);
 /// Lines at round metres, and rulers along two edges.
 void drawGrid(const FieldCanvas& canvas);

@@ -115,4 +115,17 @@ void drawGrid(const FieldCanvas& canvas) {
     painter.setRenderHint(QPainter::Antialiasing);
 }
 
+Area areaOf(const Environment& environment) {
+    Area area{{1, 1}, {-1, -1}};
+    for (const Point& corner : environment.floor.area) area.include(corner);
+    for (const Obstacle& obstacle : environment.obstacles)
+        for (const ConvexPiece& piece : obstacle.shape.pieces)
+            for (std::size_t i = 0; i < piece.count; ++i) area.include(piece.corners[i], piece.radius);
+    for (const Marking& marking : environment.markings) {
+        for (const Point& point : marking.points) area.include(point);
+        if (marking.radius > 0) area.include(marking.centre, marking.radius);
+    }
+    return area;
+}
+
 }  // namespace mrose

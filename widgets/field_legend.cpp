@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 
-#include "widgets/field_painter.h"
 #include "debug/real_robot.h"
 #include "widgets/layer_sample.h"
 #include "widgets/qt_text.h"

@@ -6,24 +6,13 @@
 #include <numbers>
 
 #include "debug/placement.h"
+#include "debug/real_robot.h"
 #include "drawing/axis_ticks.h"
 #include "widgets/field_legend.h"
 #include "widgets/field_readout.h"
 #include "widgets/qt_text.h"
 
 namespace mrose {
-Area areaOf(const Environment& environment) {
-    Area area{{1, 1}, {-1, -1}};
-    for (const Point& corner : environment.floor.area) area.include(corner);
-    for (const Obstacle& obstacle : environment.obstacles)
-        for (const ConvexPiece& piece : obstacle.shape.pieces)
-            for (std::size_t i = 0; i < piece.count; ++i) area.include(piece.corners[i], piece.radius);
-    for (const Marking& marking : environment.markings) {
-        for (const Point& point : marking.points) area.include(point);
-        if (marking.radius > 0) area.include(marking.centre, marking.radius);
-    }
-    return area;
-}
 
 Area areaOf(const FieldFrame& frame) {
     Area area = areaOf(frame.scene().environment);

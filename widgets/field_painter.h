@@ -7,9 +7,7 @@
 
 namespace mrose {
 
-/// All that is drawn of an environment, in metres.
-Area areaOf(const Environment& environment);
-/// Of the bodies as well.
+/// All that is drawn of an environment and of the bodies, in metres.
 Area areaOf(const FieldFrame& frame);
 
 /// Draws the place and what happens in it on anything that Qt paints on: a window, a picture, a file.

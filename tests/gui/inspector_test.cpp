@@ -346,7 +346,7 @@ TEST_F(QueueTest, DrawsEachCommandWhereItsTimeIs) {
     EXPECT_GT(queue.pixelOf(300 * ms), queue.width() - 10) << "what is told now, at the right end";
     const auto filled = [&](double x) {
         int count = 0;
-        for (int y = 3; y < 45; ++y) {
+        for (int y = 18; y < 60; ++y) {  // below the title
             const QColor pixel = image.pixelColor(static_cast<int>(x), y);
             count += pixel.blue() - pixel.red() > 60 ? 1 : 0;
         }

@@ -149,7 +149,7 @@ TEST_F(LogOpeningTest, PanelOfALogInPiecesTellsThemApart) {
     ASSERT_NO_FATAL_FAILURE(openLog(huskyLog(6)));
     EXPECT_EQ(overlay.rollouts().world().robots()[0].name, "husky");
     // Six times 1.95 s.
-    EXPECT_THAT(head(), HasSubstr("6 rollouts of 1 robot, 6 sessions, 0:11 min in all"));
+    EXPECT_THAT(head(), HasSubstr("6 rollouts of 1 robot, 6 sessions, 0:11.7 in all"));
     const QTreeView& list = panel.list();
     EXPECT_TRUE(list.isColumnHidden(RolloutList::robot));
     ASSERT_FALSE(list.isColumnHidden(RolloutList::session));

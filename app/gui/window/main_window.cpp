@@ -184,7 +184,7 @@ void MainWindow::makeDocks() {
     docks_->add("branches", tr("Branches"), branches_, Qt::LeftDockWidgetArea, {250, 350}, 120);
     docks_->add("breakpoints", tr("Breakpoints"), breakpoints_, Qt::LeftDockWidgetArea, {250, 160});
     docks_->add("command", tr("Change a command"), command_, Qt::LeftDockWidgetArea, {250, 240});
-    docks_->add("reality", tr("Reality"), reality_, Qt::LeftDockWidgetArea, {475, 600}).hide();
+    docks_->add("reality", tr("Reality"), reality_, Qt::LeftDockWidgetArea, {490, 600}).hide();
     docks_->add("inspector", tr("Inspector"), inspector_, Qt::RightDockWidgetArea, {330, 560});
     docks_->add("plots", tr("Plots"), plots_, Qt::BottomDockWidgetArea, {400, 240}).hide();
     docks_->setEmpty("inspector", true);
