@@ -24,12 +24,12 @@ void CauseFinder::find() {
         emit changed();
     };
     diagnosing_.run(
-        [this, log = rollouts_.log(), laidOver = models_.all(), report,
+        [&queue = diagnosing_, log = rollouts_.log(), laidOver = models_.all(), report,
          question = CauseQuestion{rollouts_.requests()[row->rollout], *row, rollouts_.divergenceOptions(), {}}](
             const GoesOn& goesOn) {
             CauseQuestion asked = question;
             asked.models = causeModels(*log, laidOver);
-            return whyItLeaves(*log, asked, diagnosing_.progress(goesOn, report));
+            return whyItLeaves(*log, asked, queue.progress(goesOn, report));
         },
         [this](Expected<Diagnosis> found) { take(std::move(found)); });
 }

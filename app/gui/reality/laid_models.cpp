@@ -50,9 +50,9 @@ void LaidModels::judge(std::size_t model) {
         emit changed();
     };
     computing_.run(
-        [this, log = rollouts_.log(), judged, requests = rollouts_.requests(), horizon = fromSeconds(horizon),
-         report](const GoesOn& goesOn) -> Expected<JudgedModel::Figures> {
-            return mrose::judge(*log, judged, requests, horizon, computing_.progress(goesOn, report));
+        [&queue = computing_, log = rollouts_.log(), judged, requests = rollouts_.requests(),
+         horizon = fromSeconds(horizon), report](const GoesOn& goesOn) -> Expected<JudgedModel::Figures> {
+            return mrose::judge(*log, judged, requests, horizon, queue.progress(goesOn, report));
         },
         [this, name = judged.name](const Expected<JudgedModel::Figures>& figures) {
             const auto none = [&] { return tl::unexpected(figures.error()); };

@@ -19,10 +19,11 @@ void RolloutComparer::compareAll() {
         emit grown();
     };
     computing_.run(
-        [this, take, log = rollouts_.log(), requests = rollouts_.requests(),
+        // The queue outlives this object, which a job in another thread must not know.
+        [&queue = computing_, take, log = rollouts_.log(), requests = rollouts_.requests(),
          bounds = rollouts_.divergenceOptions()](const GoesOn& goesOn) {
             return compareRollouts(*log, requests, bounds, [&](std::vector<RolloutRow> rows, double share) {
-                computing_.report([take, rows = std::move(rows), share] { take(rows, share); });
+                queue.report([take, rows = std::move(rows), share] { take(rows, share); });
                 return goesOn();
             });
         },

@@ -23,16 +23,14 @@ void RolloutSearcher::look(std::vector<Breakpoint> breakpoints,
     if (search.places.empty()) return take(std::optional<std::size_t>());
     const QString what = tr("Looking for a break in the other rollouts");
     const auto report = [this, what](double share) { emit searching(what, share); };
-    searching_.run(
-        [this, log = rollouts_.log(), search, report](const GoesOn& goesOn) {
-            return rolloutWithBreak(*log, search, searching_.progress(goesOn, report));
-        },
-        [this, what, take = std::move(take)](const Expected<RolloutFound>& found) {
-            emit searching(what, 1);
-            if (!found) return take(tl::unexpected(found.error()));
-            hits_ = found->hits;
-            take(found->rollout);
-        });
+    searching_.run([&queue = searching_, log = rollouts_.log(), search, report](
+                       const GoesOn& goesOn) { return rolloutWithBreak(*log, search, queue.progress(goesOn, report)); },
+                   [this, what, take = std::move(take)](const Expected<RolloutFound>& found) {
+                       emit searching(what, 1);
+                       if (!found) return take(tl::unexpected(found.error()));
+                       hits_ = found->hits;
+                       take(found->rollout);
+                   });
 }
 
 }  // namespace mrose::gui
