@@ -24,7 +24,8 @@ protected:
         QImage image(800, 640, QImage::Format_RGB32);
         QPainter painter(&image);
         LabelPlacer labels;
-        FieldPainter field(painter, view, Theme::light(), layers);
+        const Theme theme = Theme::light();
+        FieldPainter field(painter, view, theme, layers);
         field.frame(frame, focus, labels, legend);
         field.corners(frame, legend);
     }
