@@ -5,9 +5,9 @@
 
 #include "plugin/isolated_controller.h"
 #include "session/session.h"
+#include "widgets/fixed_text.h"
 #include "widgets/message_bar.h"
 #include "widgets/qt_text.h"
-#include "widgets/fixed_text.h"
 
 namespace mrose::gui {
 namespace {

@@ -12,8 +12,8 @@
 #include <QVBoxLayout>
 #include <cmath>
 
-#include "widgets/qt_text.h"
 #include "widgets/fixed_text.h"
+#include "widgets/qt_text.h"
 
 namespace mrose::gui {
 namespace {
