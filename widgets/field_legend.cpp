@@ -141,9 +141,9 @@ void FieldLegend::arrange(const FieldCanvas& canvas, const FieldFrame& frame, co
     const View view{layers, canvas.view.size(), canvas.view.scale(), focus.selected, focus.covered};
     const std::int64_t passed = frame.state.tick - tick_;
     const bool another =
-        view_ != view || of_ != frame.scenario.get() || passed < 0 || frame.scene().timeOf(passed) > anotherMoment;
+        view_ != view || of_.lock() != frame.scenario || passed < 0 || frame.scene().timeOf(passed) > anotherMoment;
     view_ = view;
-    of_ = frame.scenario.get();
+    of_ = frame.scenario;
     tick_ = frame.state.tick;
     if (another) drawn_.reset();
     for (std::size_t i = 0; i < drawn_.size(); ++i)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <bitset>
+#include <memory>
 #include <optional>
 
 #include "widgets/field_drawing.h"
@@ -32,7 +33,7 @@ private:
     using Drawn = std::bitset<static_cast<std::size_t>(FieldLayer::count)>;
 
     std::optional<View> view_;
-    const Scenario* of_ = nullptr;
+    std::weak_ptr<const Scenario> of_;
     std::int64_t tick_ = 0;
     Drawn drawn_;
     QSizeF size_;

@@ -20,8 +20,9 @@ std::vector<BranchInfo> branchInfos(const TimeTravel& run) {
     };
     for (std::uint32_t i = 0; i < branches.size(); ++i) {
         const Branch& branch = branches[i];
-        BranchInfo info{branch.name,   branch.parent, branch.tick, branch.timeline.first(), branch.timeline.last(),
-                        run.hidden(i), run.undone(i)};
+        BranchInfo info{branch.name,   branch.parent, branch.tick,      branch.timeline.first(), branch.timeline.last(),
+                        run.hidden(i), run.undone(i), branches.parts(i)};
+        info.lineage.back().last = std::numeric_limits<std::int64_t>::max();
         std::int64_t until = run.tick();
         for (std::uint32_t at = i;; at = branches[at].parent) {
             const BranchInfo::Events events = count(at, until);
@@ -41,18 +42,6 @@ int listedBranches(const std::vector<BranchInfo>& branches, std::size_t first) {
     int count = 0;
     for (std::size_t i = first; i < branches.size(); ++i) count += branches[i].hidden ? 0 : 1;
     return count;
-}
-
-std::vector<BranchTicks> lineageOf(const Shown& shown, std::uint32_t branch) {
-    std::vector<BranchTicks> lineage;
-    std::int64_t last = std::numeric_limits<std::int64_t>::max();
-    for (std::uint32_t at = branch;; at = shown.branches[at].parent) {
-        const BranchInfo& info = shown.branches[at];
-        const bool root = info.parent == at;
-        lineage.insert(lineage.begin(), {at, root ? info.first : info.departed, last});
-        if (root) return lineage;
-        last = info.departed - 1;
-    }
 }
 
 std::string branchesText(int count) { return count == 1 ? "1 branch" : std::to_string(count) + " branches"; }

@@ -20,6 +20,8 @@ struct BranchInfo {
     std::int64_t departed = 0, first = 0, last = 0;  ///< ticks
     bool hidden = false;                             ///< as TimeTravel has it: not to be listed
     bool undone = false;                             ///< and can be done again
+    /// What it consists of, in the order of time; itself, at the end, without one: it may grow.
+    std::vector<BranchTicks> lineage = {};
     /// What happened in it, and before it in those that it came from, up to the shown tick.
     struct Events {
         int kicks = 0, contacts = 0;
@@ -70,9 +72,6 @@ struct Shown {
 int listedBranches(const std::vector<BranchInfo>& branches, std::size_t first = 0);
 /// "1 branch", "2 branches"
 std::string branchesText(int count);
-
-/// What a branch's lineage consists of, in the order of time, the branch itself without an end: it may grow.
-std::vector<BranchTicks> lineageOf(const Shown& shown, std::uint32_t branch);
 
 /// What a run itself says of its shown tick; what only its debugger knows is left empty.
 Shown shownOf(const TimeTravel& run, const FrameOptions& options);

@@ -62,7 +62,7 @@ TEST_F(BranchListTest, LineageIsThatOfTheTreeWithoutAnEnd) {
         std::vector<BranchTicks> expected = debugger.run().branches().parts(branch);
         ASSERT_EQ(expected.size(), branch + 1);
         expected.back().last = std::numeric_limits<std::int64_t>::max();
-        EXPECT_EQ(lineageOf(shown, branch), expected);
+        EXPECT_EQ(shown.branches[branch].lineage, expected);
     }
 }
 

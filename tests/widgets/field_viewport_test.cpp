@@ -1,10 +1,7 @@
 #include "widgets/field_viewport.h"
 
-#include <numbers>
-
 #include <gtest/gtest.h>
 
-#include "widgets/field_drag.h"
 #include "widgets/field_fixture.h"
 
 namespace mrose {
@@ -82,48 +79,6 @@ TEST(FieldViewport, SaysWhenSomethingElseIsSeen) {
     seen.fit();
     EXPECT_EQ(others, 3);
     EXPECT_EQ(fits, 2);
-}
-
-TEST(FieldDrag, ButtonAndPlaceSayWhatItIs) {
-    using Kind = FieldDrag::Kind;
-    FieldDrag left{Kind::pressed, Qt::LeftButton}, right{Kind::pressed, Qt::RightButton},
-        middle{Kind::pressed, Qt::MiddleButton};
-    EXPECT_EQ(left.dragged(true, true), Kind::move);
-    EXPECT_EQ(right.dragged(true, true), Kind::turn);
-    EXPECT_EQ(middle.dragged(true, true), Kind::pan);
-    EXPECT_EQ(left.dragged(true, false), Kind::pan);
-    EXPECT_EQ(left.dragged(false, true), Kind::pan);
-    EXPECT_EQ(right.dragged(false, true), Kind::none);
-    left.onKnob = true;
-    EXPECT_EQ(left.dragged(true, true), Kind::turn);
-}
-
-TEST(FieldDrag, MovesByAsMuchAsTheMouseOrToRoundPlaces) {
-    ViewTransform view;
-    view.setSize({640, 480});
-    const Pose pose{1.02, 0.51, 0.3};
-    FieldDrag drag{FieldDrag::Kind::move, Qt::LeftButton};
-    drag.from = view.toPixels({1, 0.5});
-    drag.to = view.toPixels({1.35, 0.11});
-    const Pose free = drag.posed(pose, view, false), round = drag.posed(pose, view, true);
-    EXPECT_NEAR(free.x, 1.37, 1e-9);
-    EXPECT_NEAR(free.y, 0.12, 1e-9);
-    EXPECT_EQ(free.heading, 0.3);
-    EXPECT_NEAR(round.x, 1.4, 1e-9);
-    EXPECT_NEAR(round.y, 0.1, 1e-9);
-}
-
-TEST(FieldDrag, TurnsAlongWithWhereItWasTakenOrFacesTheCursor) {
-    ViewTransform view;
-    view.setSize({640, 480});
-    const Pose pose{0, 0, 0.3};
-    FieldDrag drag{FieldDrag::Kind::turn, Qt::RightButton};
-    drag.from = view.toPixels({1, 0});
-    drag.to = view.toPixels({0, 1});
-    EXPECT_NEAR(drag.posed(pose, view, false).heading, 0.3 + std::numbers::pi / 2, 1e-9);
-    EXPECT_NEAR(drag.posed(pose, view, true).heading, 7 * std::numbers::pi / 12, 1e-9);
-    drag.from = view.toPixels({0.01, 0});
-    EXPECT_NEAR(drag.posed(pose, view, false).heading, std::numbers::pi / 2, 1e-9);
 }
 
 }  // namespace

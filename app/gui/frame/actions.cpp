@@ -26,9 +26,11 @@ QAction* Actions::add(const QString& menu, const Text& text, Asking asking) {
     asking_[text.name] = asking;
     QObject::connect(
         action, &QAction::triggered, &window_, [this, asking = std::move(asking), name = text.name.toStdString()] {
-            if (unattended_ && onError_)
-                onError_({"", 0, 0, name, "dialogues cannot be opened here; a script calls " + name + "(\"...\")"});
-            if (unattended_) return;
+            if (unattended_) {
+                if (onError_)
+                    onError_({"", 0, 0, name, "dialogues cannot be opened here; a script calls " + name + "(\"...\")"});
+                return;
+            }
             const QString answer = asking.ask();
             if (answer.isEmpty()) return;
             if (const auto done = asking.run(answer); !done && onError_) onError_(done.error());

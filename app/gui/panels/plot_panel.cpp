@@ -334,10 +334,10 @@ void PlotPanel::follow() {
         first = std::min(first, std::max(part.first, info.first));
         if (ghost) last = std::max(last, end);
     };
-    const std::vector<BranchTicks> lineage = lineageOf(*shown_, shown_->branch);
+    const std::vector<BranchTicks>& lineage = shown_->branches[shown_->branch].lineage;
     for (auto part = lineage.rbegin(); part != lineage.rend(); ++part) want(*part, false);
     if (const auto ghost = ghostBranch())
-        for (const BranchTicks& part : lineageOf(*shown_, *ghost)) want(part, true);
+        for (const BranchTicks& part : shown_->branches[*ghost].lineage) want(part, true);
     std::erase_if(wanted, [](const BranchTicks& one) { return one.last < one.first; });
     series_->follow(shown_->run, shown_->frame->reality,
                     keys_.empty() ? std::vector<BranchTicks>{} : std::move(wanted));
@@ -360,7 +360,7 @@ std::vector<PlotCurve> PlotPanel::curvesIn(const Theme& theme, ModelNames names)
     const std::vector<CurveWords> words = wordsOf(keys_, plotted, known != nullptr ? known->model : QString(), names);
     std::vector<PlotCurve> curves;
     const auto addCurves = [&](std::uint32_t branch, bool ghost) {
-        const std::vector<BranchTicks> lineage = lineageOf(*shown_, branch);
+        const std::vector<BranchTicks>& lineage = shown_->branches[branch].lineage;
         for (std::size_t i = 0; i < plotted.size(); ++i) {
             PlotCurve curve = curveOf(series_->series(), keys_[i], plotted[i], lineage);
             curve.colour = looks[i].colour;
