@@ -90,6 +90,7 @@ FieldPainter::ScaleBar FieldPainter::scaleBar() const {
     const QPointF left(x, std::round(canvas_.view.size().height() - 13));
     FieldLabel label;
     label.text = lengthText(metres);
+    if (canvas_.view.turned()) label.text += QObject::tr(", turned: x up, y left");
     label.colour = canvas_.theme.onFloor;
     const QSizeF size = plateSize(canvas_, label);
     const QPointF right = left + QPointF(canvas_.pixels(metres), 0);

@@ -19,7 +19,8 @@ public:
     void place(const Environment& environment);
     /// Bodies and all layers. `labels` remembers where names stood, `legend` where it did itself.
     void frame(const FieldFrame& frame, const FieldFocus& focus, LabelPlacer& labels, FieldLegend& legend);
-    /// A scale bar in the lower left corner and, if its layer is shown, the legend.
+    /// A scale bar in the lower left corner, which says so where the field is turned, and the legend, if that layer is
+    /// shown.
     void corners(const FieldFrame& frame, const FieldLegend& legend);
     /// A distance measured by hand.
     void measure(const Point& from, const Point& to);

@@ -72,6 +72,16 @@ TEST_F(PictureTest, SvgIsWellFormedAndNamesTheRobots) {
     EXPECT_EQ(viewBox, QString("0 0 %1 %2").arg(window.field().width()).arg(window.field().height()));
 }
 
+TEST_F(PictureTest, TurnedFieldSaysWhereItsAxesPoint) {
+    const auto says = [&](const char* name) {
+        EXPECT_EQ(save(name), "");
+        return readFile(path(name)).value_or("").find("turned: x up, y left") != std::string::npos;
+    };
+    EXPECT_FALSE(says("upright.svg"));
+    window.actions()["turn"].trigger();
+    EXPECT_TRUE(says("turned.svg"));
+}
+
 TEST_F(PictureTest, PdfHasOnePageOfTheViewsProportions) {
     ASSERT_EQ(save("a.pdf"), "");
     const std::string bytes = readFile(path("a.pdf")).value_or("");
