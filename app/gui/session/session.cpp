@@ -144,7 +144,7 @@ void Session::setFrameOptions(const FrameOptions& options) {
     requests_.add([this, options] { frameOptions_ = options; });
 }
 
-void Session::look(Look what) {
+void Session::look(const Look& what) {
     const bool comes =
         requests_.addLook([this, what] { what(debugger_.isOpen() ? &debugger_.run() : nullptr, runNumber_); });
     if (!comes) what(nullptr, 0);

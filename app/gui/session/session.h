@@ -78,7 +78,7 @@ public:
     /// milliseconds, however busy it is. `run` counts openings. Nothing is given where there is no run, or the session
     /// ends.
     using Look = std::function<void(TimeTravel* travel, std::uint64_t run)>;
-    void look(Look what);
+    void look(const Look& what);
     /// Whether something is under way that was asked for, or a tick.
     bool busy() const { return requests_.busy(); }
 
