@@ -19,7 +19,6 @@ void RolloutComparer::compareAll() {
         emit grown();
     };
     computing_.run(
-        // The queue outlives this object, which a job in another thread must not know.
         [&queue = computing_, take, log = rollouts_.log(), requests = rollouts_.requests(),
          bounds = rollouts_.divergenceOptions()](const GoesOn& goesOn) {
             return compareRollouts(*log, requests, bounds, [&](std::vector<RolloutRow> rows, double share) {

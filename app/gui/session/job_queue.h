@@ -28,9 +28,9 @@ public:
     explicit JobQueue(QObject* parent = nullptr);
     ~JobQueue() override;
 
-    /// `work` gets a GoesOn, which says whether it is still wanted, and gives an Expected; `take` gets it in the
-    /// window's thread, unless it was dropped. What `work` throws is its error; what `take` throws comes to it as an
-    /// error once more.
+    /// `work` gets a GoesOn, which says whether it is still wanted, and gives an Expected; it knows values and this
+    /// queue, not who asked for it, which may be gone before it ends. `take` gets what it gave in the window's thread,
+    /// unless it was dropped. What `work` throws is its error; what `take` throws comes to it as an error once more.
     template <class Work, class Take>
     void run(Work work, Take take) {
         using Result = std::invoke_result_t<Work, const GoesOn&>;
