@@ -4,6 +4,8 @@
 #include <limits>
 #include <numbers>
 
+#include "geometry/contact_corners.h"
+
 namespace mrose {
 namespace {
 
@@ -63,16 +65,19 @@ void addPieces(Shape& shape, const ShapePart& part, std::uint32_t index) {
     if (part.polygon.empty()) {
         shape.pieces.push_back(ConvexPiece::circle(part.centre, part.radius));
     } else {
-        for (const Polygon& piece : convexPieces(part.polygon)) shape.pieces.push_back(ConvexPiece::polygon(piece));
+        for (const Polygon& corners : convexPieces(part.polygon, ConvexPiece::maxCorners))
+            if (const auto piece = ConvexPiece::polygon(corners)) shape.pieces.push_back(*piece);
     }
     shape.partOfPiece.resize(shape.pieces.size(), index);
 }
 
 }  // namespace
 
-ConvexPiece ConvexPiece::polygon(const Polygon& corners) {
+std::optional<ConvexPiece> ConvexPiece::polygon(const Polygon& polygon) {
+    const Polygon corners = contactCorners(polygon);
+    if (corners.empty() || corners.size() > maxCorners) return std::nullopt;
     ConvexPiece piece;
-    piece.count = std::min(corners.size(), maxCorners);
+    piece.count = corners.size();
     std::copy_n(corners.begin(), piece.count, piece.corners.begin());
     Point least = corners.front(), most = corners.front();
     for (const Point& p : corners) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,9 +27,14 @@ struct ConvexPiece {
     Point centre;       ///< of a circle that holds the piece
     double reach = 0;   ///< its radius
 
-    static ConvexPiece polygon(const Polygon& corners);
+    /// Of a convex polygon, counter-clockwise, as the contact solver can tell its corners apart (contact_corners.h).
+    /// nullopt: there is none left.
+    static std::optional<ConvexPiece> polygon(const Polygon& corners);
     static ConvexPiece circle(const Point& centre, double radius);
     bool isCircle() const { return count == 1; }
+
+private:
+    ConvexPiece() = default;  // none is without corners
 };
 
 /// The same piece elsewhere.
@@ -67,7 +73,8 @@ struct Shape {
     Point centroid;       ///< of the area
     double gyration = 0;  ///< m, radius of gyration of the area about its centroid
 
-    /// Parts that overlap count twice in centroid and gyration. Parts must be simple polygons or circles of some size.
+    /// Parts that overlap count twice in centroid and gyration. Parts must be simple polygons or circles of some size;
+    /// what of a polygon is too thin for contact is in no piece.
     static Shape fromParts(std::string name, std::vector<ShapePart> parts);
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/contact_corners.h"
 #include "io/format.h"
 
 namespace mrose {
@@ -46,15 +47,23 @@ double areaOf(const std::vector<Polygon>& pieces) {
     return area;
 }
 
+bool holdsArea(const std::vector<Polygon>& pieces, double area) {
+    return std::abs(areaOf(pieces) - area) <= 1e-3 * area;
+}
+
+constexpr const char* tooThin = "is too thin in places to be divided into convex pieces";
+
+std::string nearCorner(const Polygon& piece, const Point& origin) {
+    return " near (" + numberText(piece[0].x + origin.x) + ", " + numberText(piece[0].y + origin.y) + ')';
+}
+
 /// What is wrong with a polygon as something solid; "" for nothing. Its edges are long enough and do not meet.
 std::string solidityProblem(const Polygon& corners) {
     if (width(corners) < leastLength) return "is thinner than 0.001 m";
     const std::vector<Polygon> pieces = convexPieces(corners);
-    const double area = std::abs(signedArea(corners));
-    if (std::abs(areaOf(pieces) - area) > 1e-3 * area) return "is too thin in places to be divided into convex pieces";
+    if (!holdsArea(pieces, std::abs(signedArea(corners)))) return tooThin;
     for (const Polygon& piece : pieces)
-        if (width(piece) < 1e-4)
-            return "is thinner than 0.0001 m near (" + numberText(piece[0].x) + ", " + numberText(piece[0].y) + ')';
+        if (width(piece) < 1e-4) return "is thinner than 0.0001 m" + nearCorner(piece, {});
     return {};
 }
 
@@ -67,6 +76,16 @@ ShapePart circle(TomlTable table, double far) {
 }
 
 }  // namespace
+
+std::string contactProblem(const Polygon& corners, const Point& origin) {
+    std::vector<Polygon> left;
+    for (const Polygon& piece : convexPieces(corners)) {
+        left.push_back(contactCorners(piece));
+        if (left.back().empty())
+            return "is thinner than 0.0003 m, or than a millionth of its length," + nearCorner(piece, origin);
+    }
+    return holdsArea(left, std::abs(signedArea(corners))) ? "" : tooThin;
+}
 
 TomlTable openDescription(const Value& content, const std::string& file, DescriptionKind kind) {
     TomlTable root = TomlTable::of(content, file);
@@ -121,7 +140,7 @@ Polygon polygon(TomlTable& table, std::string_view key, double far) {
     return table.failed() ? Polygon() : corners;
 }
 
-ShapePart part(TomlTable& table, const Colour& colour, double far) {
+ShapePart part(TomlTable& table, const Colour& colour, double far, const Point& origin) {
     const std::string called = nameOr(table, "name", "");
     table.expectOneOf("circle", "polygon_m", "polygon_m = [[x, y], ...] or circle = { centre_m, radius_m }");
     ShapePart part;
@@ -129,6 +148,11 @@ ShapePart part(TomlTable& table, const Colour& colour, double far) {
         part = circle(table.table("circle"), far);
     else
         part.polygon = polygon(table, "polygon_m", far);
+    part.centre = part.centre - origin;
+    for (Point& corner : part.polygon) corner = corner - origin;
+    if (!part.polygon.empty())
+        if (const std::string problem = contactProblem(part.polygon, origin); !problem.empty())
+            table.reject("polygon_m", problem);
     part.name = called;
     part.colour = colourOr(table, "colour", colour);
     return part;

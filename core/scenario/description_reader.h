@@ -38,7 +38,9 @@ Surface surfaceOr(TomlTable& table, std::string_view key, const Surface& fallbac
 Polygon points(TomlTable& table, std::string_view key, std::size_t least, double far, bool closed);
 /// A simple polygon that is not too small; empty after an error.
 Polygon polygon(TomlTable& table, std::string_view key, double far);
-/// `polygon_m`, or `circle = { centre_m, radius_m }`, with name and colour: something solid, in convex pieces.
-ShapePart part(TomlTable& table, const Colour& colour, double far);
+/// `polygon_m`, or `circle = { centre_m, radius_m }`, with name and colour: something solid, about `origin`.
+ShapePart part(TomlTable& table, const Colour& colour, double far, const Point& origin = {});
+/// Why contact cannot be with all of a simple polygon, given about `origin`; "" for nothing.
+std::string contactProblem(const Polygon& corners, const Point& origin = {});
 
 }  // namespace mrose

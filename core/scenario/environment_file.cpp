@@ -56,6 +56,8 @@ std::vector<ShapePart> segments(TomlTable& table, const Polygon& line, bool clos
         const double least = leastLength * length(along);
         if (dot(along, rightSide[j] - rightSide[i]) < least || dot(along, leftSide[j] - leftSide[i]) < least)
             table.rejectElement("points_m", i, "begins a segment that is too short for the wall's thickness");
+        else if (const std::string problem = contactProblem(part.polygon); !problem.empty())
+            table.rejectElement("points_m", i, "begins a segment that " + problem);
         parts.push_back(std::move(part));
     }
     return parts;

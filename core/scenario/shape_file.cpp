@@ -1,5 +1,6 @@
 #include "scenario/shape_file.h"
 
+#include "io/format.h"
 #include "io/toml_text.h"
 #include "scenario/description_reader.h"
 
@@ -8,12 +9,8 @@ namespace {
 
 constexpr std::size_t mostParts = 64;
 constexpr Colour grey{128, 128, 128};
-
-ShapePart moved(ShapePart part, const Point& origin) {
-    for (Point& corner : part.polygon) corner = corner - origin;
-    part.centre = part.centre - origin;
-    return part;
-}
+/// In the contact solver's floats little is left of the moment of what is small and far from its reference point.
+constexpr double mostAside = 100;
 
 }  // namespace
 
@@ -26,12 +23,18 @@ Expected<Shape> readShape(const Value& content, const std::string& file) {
     if (tables.empty() || tables.size() > mostParts) root.reject("part", "expected 1 to 64 parts");
     for (TomlTable& table : tables) {
         if (root.failed()) break;
-        parts.push_back(moved(part(table, grey, shapeReach), reference));
+        parts.push_back(part(table, grey, shapeReach, reference));
         table.rejectUnknown();
     }
     root.rejectUnknown();
     if (root.failed()) return tl::unexpected(root.error());
-    return Shape::fromParts(called, std::move(parts));
+    Shape shape = Shape::fromParts(called, std::move(parts));
+    if (const double aside = length(shape.centroid); aside > mostAside * shape.gyration) {
+        root.reject("part", "lies " + fixed(aside, 3) + " m beside the reference point; expected at most " +
+                                fixed(mostAside * shape.gyration, 3) + " m, 100 times the radius of gyration");
+        return tl::unexpected(root.error());
+    }
+    return shape;
 }
 
 Expected<Shape> parseShape(std::string_view text, const std::string& file) {

@@ -10,7 +10,7 @@
 namespace mrose {
 namespace {
 
-const ConvexPiece block = ConvexPiece::polygon({{2, 1}, {4, 1}, {4, 2}, {2, 2}});
+const ConvexPiece block = *ConvexPiece::polygon({{2, 1}, {4, 1}, {4, 2}, {2, 2}});
 const ConvexPiece pillar = ConvexPiece::circle({-2, 0}, 0.5);
 
 void expectNear(const Point& a, const Point& b) { EXPECT_LT(distance(a, b), 1e-12) << a.x << ' ' << a.y; }
@@ -72,8 +72,8 @@ protected:
     PushingWay way(const Point& ball, double onwards) const {
         return pushingWay(ball, pointing(onwards), plan_.wallsNear(ball, 1), pusher_);
     }
-    const FloorPlan plan_{{ConvexPiece::polygon({{-1, -1}, {5, -1}, {5, 0}, {-1, 0}}),
-                           ConvexPiece::polygon({{-1, 0}, {0, 0}, {0, 5}, {-1, 5}})}};
+    const FloorPlan plan_{{*ConvexPiece::polygon({{-1, -1}, {5, -1}, {5, 0}, {-1, 0}}),
+                           *ConvexPiece::polygon({{-1, 0}, {0, 0}, {0, 5}, {-1, 5}})}};
     const Pusher pusher_{0.35, 0.22, 0.11};
 };
 

@@ -14,7 +14,7 @@
 #include "scenario/robot_file.h"
 #include "scenario/scenario_file.h"
 #include "scenario/shape_file.h"
-#include "simulation/step.h"
+#include "simulation/running_into.h"
 
 namespace mrose {
 namespace {
@@ -29,6 +29,19 @@ void requireSound(const Shape& shape) {
     require(std::abs(area - pieces) <= 1e-3 * area);
     require(std::isfinite(shape.reach) && std::isfinite(shape.gyration) && shape.gyration > 0);
     drawShape(shape);
+    RobotType type = discRobot();
+    type.shape = std::make_shared<const Shape>(shape);
+    SmallWorld world;
+    world.robot(type, {}, std::make_shared<const Told>(Command{0.5, 1}), ideal());
+    require(finite(afterRunningInto(std::move(world), shape.pieces.front(), 12)));
+}
+
+void requireSound(const Environment& environment) {
+    drawEnvironment(environment);
+    if (environment.obstacles.empty()) return;
+    const std::vector<ConvexPiece>& pieces = environment.obstacles.back().shape.pieces;
+    require(!pieces.empty());
+    require(finite(afterRunningInto(SmallWorld(environment), pieces.front(), 12)));
 }
 
 void runTicks(const LoadedScenario& loaded, int ticks) {
@@ -36,8 +49,7 @@ void runTicks(const LoadedScenario& loaded, int ticks) {
     WorldState state = scenario.initialState();
     StepBuffers buffers;
     for (int i = 0; i < ticks; ++i) step(scenario, state, buffers);
-    for (const RobotState& r : state.robots) require(std::isfinite(r.pose.x + r.pose.y + r.pose.heading));
-    for (const ObjectState& o : state.objects) require(std::isfinite(o.pose.x + o.pose.y + o.pose.heading));
+    require(finite(state));
 }
 
 void requireSound(const LoadedScenario& loaded) {
@@ -63,7 +75,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     else
         requireOneLine(shape.error());
     if (const auto environment = parseEnvironment(text, "f"))
-        drawEnvironment(*environment);
+        requireSound(*environment);
     else
         requireOneLine(environment.error());
     SmallDescriptions source({{"f", std::string(text)}});

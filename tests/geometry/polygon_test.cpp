@@ -115,8 +115,8 @@ double sampledDistance(const ConvexPiece& a, const ConvexPiece& b) {
 }
 
 TEST(ConvexPiece, DistanceAgreesWithSampledOutlines) {
-    const std::vector<ConvexPiece> kinds{ConvexPiece::polygon({{-0.2, -0.1}, {0.2, -0.1}, {0.2, 0.1}, {-0.2, 0.1}}),
-                                         ConvexPiece::polygon({{-0.1, -0.1}, {0.3, 0}, {-0.1, 0.1}}),
+    const std::vector<ConvexPiece> kinds{*ConvexPiece::polygon({{-0.2, -0.1}, {0.2, -0.1}, {0.2, 0.1}, {-0.2, 0.1}}),
+                                         *ConvexPiece::polygon({{-0.1, -0.1}, {0.3, 0}, {-0.1, 0.1}}),
                                          ConvexPiece::circle({0.05, 0}, 0.15)};
     for (std::int64_t which = 0; which < 120; ++which) {
         const ConvexPiece& a = kinds[static_cast<std::size_t>(which) % 3];
@@ -142,7 +142,7 @@ TEST(ConvexPiece, DistanceAgreesWithSampledOutlines) {
 
 TEST(ConvexPiece, NormalsStayOutwardWhenPlaced) {
     const ConvexPiece turned =
-        placed(ConvexPiece::polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), Placement(Pose{2, 3, 0.7}));
+        placed(*ConvexPiece::polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), Placement(Pose{2, 3, 0.7}));
     for (std::size_t i = 0; i < turned.count; ++i) {
         EXPECT_NEAR(length(turned.normals[i]), 1, 1e-12);
         EXPECT_NEAR(dot(turned.normals[i], turned.corners[(i + 1) % 4] - turned.corners[i]), 0, 1e-12);

@@ -41,7 +41,7 @@ ConvexPiece randomPiece(std::int64_t which) {
         const double angle = (i + draw(which, 4, 0, 1)) * 2 * std::numbers::pi / corners;
         polygon.push_back(centre + reach * Point{std::cos(angle), std::sin(angle)});
     }
-    return ConvexPiece::polygon(polygon);
+    return ConvexPiece::polygon(polygon).value();
 }
 
 TEST(LineOfSight, CrossesWhatSamplesAlongTheLineMeet) {
@@ -61,7 +61,7 @@ TEST(LineOfSight, CrossesWhatSamplesAlongTheLineMeet) {
 }
 
 TEST(LineOfSight, ParallelToAnEdgeIsDecidedByTheSide) {
-    const ConvexPiece box = ConvexPiece::polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+    const ConvexPiece box = *ConvexPiece::polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
     EXPECT_TRUE(crosses(box, {-1, 0.5}, {2, 0.5}));
     EXPECT_FALSE(crosses(box, {-1, 1.5}, {2, 1.5}));
     EXPECT_FALSE(crosses(box, {-1, -1e-9}, {2, -1e-9}));
