@@ -1,7 +1,6 @@
 #include "plugin/load_plugin.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <exception>
 #include <filesystem>
@@ -11,6 +10,7 @@
 #include "io/toml_table.h"
 #include "plugin/network_mapping.h"
 #include "plugin/plugin.h"
+#include "world/absurd_command.h"
 #include "world/command_history.h"
 
 namespace mrose {
@@ -103,14 +103,14 @@ std::string loadingCause(const std::string& path) {
     return "cannot be loaded: " + cause;
 }
 
-bool finite(const Command& command) { return std::isfinite(command.v) && std::isfinite(command.w); }
-
 bool tooLarge(const RadioMessage& message) { return message.size > RadioMessage::most; }
 
-bool allFinite(const Decision& decision) {
-    return (!decision.command || finite(*decision.command)) &&
-           std::all_of(decision.earlier.begin(), decision.earlier.end(),
-                       [](const StampedCommand& earlier) { return finite(earlier.command); });
+/// What is wrong with the first command with which something is.
+std::string commandCause(const Decision& decision) {
+    std::string cause = decision.command ? absurdity(*decision.command) : "";
+    for (std::size_t i = 0; cause.empty() && i < decision.earlier.size(); ++i)
+        cause = absurdity(decision.earlier[i].command);
+    return cause;
 }
 
 }  // namespace
@@ -190,7 +190,7 @@ void PluginController::decide(const Observation& observation, std::span<std::byt
     }
     const std::span<std::byte> own = memory.subspan(sizeof(PluginMemory));
     std::string cause = thrownBy([&] { library_->controller->decide(observation, own, decision); });
-    if (cause.empty() && !allFinite(decision)) cause = "gave a command that is not finite";
+    if (cause.empty()) cause = commandCause(decision);
     if (cause.empty() && std::ranges::any_of(decision.messages, tooLarge)) cause = "sent a message that is too large";
     if (!cause.empty()) {
         decision.clear();

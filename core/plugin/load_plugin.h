@@ -17,7 +17,7 @@ struct PluginMemory {
 };
 
 /// A controller out of a shared library. What it throws becomes a fault that names the library, as do commands that are
-/// not finite. It may be asked from several threads at once, and asks the plug-in so.
+/// not finite or absurd. It may be asked from several threads at once, and asks the plug-in so.
 class PluginController final : public Controller {
 public:
     ~PluginController() override;

@@ -1,9 +1,9 @@
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "simulation/observe.h"
 #include "simulation/step_stages.h"
+#include "world/absurd_command.h"
 
 namespace mrose {
 namespace {
@@ -12,14 +12,13 @@ void addFault(StepTrace* trace, std::size_t robot, std::string what) {
     if (trace != nullptr) trace->faults.push_back({static_cast<std::uint32_t>(robot), std::move(what)});
 }
 
-bool finite(const Command& command) { return std::isfinite(command.v) && std::isfinite(command.w); }
-
-/// What is wrong with orders; nullptr: nothing.
-const char* objection(const Decision& decision, Nanoseconds now, std::size_t manipulators) {
-    if (decision.command && !finite(*decision.command)) return "its controller gave a command that is not finite";
+/// What is wrong with orders; empty: nothing.
+std::string objection(const Decision& decision, Nanoseconds now, std::size_t manipulators) {
+    if (decision.command)
+        if (const std::string absurd = absurdity(*decision.command); !absurd.empty()) return "its controller " + absurd;
     Nanoseconds last = std::numeric_limits<Nanoseconds>::min();
     for (const StampedCommand& earlier : decision.earlier) {
-        if (!finite(earlier.command)) return "its controller gave a command that is not finite";
+        if (const std::string absurd = absurdity(earlier.command); !absurd.empty()) return "its controller " + absurd;
         if (earlier.time < last || earlier.time > now)
             return "its controller gave commands out of order or of the future";
         last = earlier.time;
@@ -28,7 +27,7 @@ const char* objection(const Decision& decision, Nanoseconds now, std::size_t man
         if (!(kick.power >= 0 && kick.power <= 1)) return "its controller gave a kick whose power is not in 0 ... 1";
         if (kick.manipulator >= manipulators) return "its controller kicked with a manipulator that it does not have";
     }
-    return nullptr;
+    return {};
 }
 
 /// More of them in one instant are a fault.
@@ -69,10 +68,12 @@ void issue(const Scenario& scenario, WorldState& state, std::size_t robot, const
 void obey(const Scenario& scenario, WorldState& state, std::size_t robot, const Decision& decision, StepTrace* trace) {
     const Nanoseconds now = scenario.scene().timeOf(state.tick);
     const std::vector<Manipulator>& manipulators = scenario.scene().typeOf(robot).manipulators;
-    const char* wrong = objection(decision, now, manipulators.size());
-    if (wrong == nullptr) wrong = messageObjection(decision, state.robots.size());
-    if (wrong != nullptr || !decision.fault.empty()) {
-        addFault(trace, robot, wrong != nullptr ? wrong : decision.fault);
+    std::string wrong = objection(decision, now, manipulators.size());
+    if (wrong.empty())
+        if (const char* const message = messageObjection(decision, state.robots.size()); message != nullptr)
+            wrong = message;
+    if (!wrong.empty() || !decision.fault.empty()) {
+        addFault(trace, robot, !wrong.empty() ? std::move(wrong) : decision.fault);
         issue(scenario, state, robot, {now, {}});
         return;
     }

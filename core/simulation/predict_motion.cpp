@@ -1,16 +1,27 @@
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "simulation/step_stages.h"
+#include "world/absurd_command.h"
 #include "world/noise.h"
 #include "world/noise_channel.h"
 
 namespace mrose {
 namespace {
 
-bool finite(const MotionStep& step) {
-    return std::isfinite(step.increment.x + step.increment.y + step.increment.heading) &&
-           std::isfinite(step.velocity.v + step.velocity.w);
+/// What is wrong with a predicted motion; empty: nothing.
+std::string motionProblem(const MotionStep& step, double period) {
+    const auto& [increment, velocity] = step;
+    if (!std::isfinite(increment.x + increment.y + increment.heading) || !std::isfinite(velocity.v + velocity.w))
+        return "its motion model predicted no finite motion";
+    std::string absurd;
+    for (const double speed : {increment.x / period, increment.y / period, velocity.v})
+        if (absurd.empty()) absurd = absurdity(speed, " m/s");
+    for (const double rate : {increment.heading / period, velocity.w})
+        if (absurd.empty()) absurd = absurdity(rate, " rad/s");
+    return absurd.empty() ? absurd : "its motion model predicted " + absurd;
 }
 
 }  // namespace
@@ -44,14 +55,14 @@ void predictMotion(const Scenario& scenario, WorldState& state, StepBuffers::Con
         const std::uint32_t i = due[k];
         RobotState& robot = state.robots[i];
         MotionStep& predicted = buffers.predictions[k];
-        if (finite(predicted)) {
-            robot.segment =
-                beginSegment(robot.pose, robot.velocity_B, predicted, state.tick, scenario.periodOf(i).seconds);
+        const double period = scenario.periodOf(i).seconds;
+        if (std::string wrong = motionProblem(predicted, period); wrong.empty()) {
+            robot.segment = beginSegment(robot.pose, robot.velocity_B, predicted, state.tick, period);
         } else {
             robot.segment = restAt(robot.pose, state.tick);
             predicted = {};
             scenario.forgetMotion(state, i);
-            if (trace != nullptr) trace->faults.push_back({i, "its motion model predicted no finite motion"});
+            if (trace != nullptr) trace->faults.push_back({i, std::move(wrong)});
         }
         if (trace != nullptr) trace->robots[i].predicted = predicted;
     }

@@ -150,10 +150,13 @@ TEST(PluginLoading, WhatItThrowsOrGivesWronglyIsAFault) {
     EXPECT_EQ(faultOf("throw int"), who + " threw something that is no std::exception");
     EXPECT_EQ(faultOf("nan"), who + " gave a command that is not finite");
     EXPECT_EQ(faultOf("infinite earlier"), who + " gave a command that is not finite");
+    EXPECT_EQ(faultOf("huge v"), who + " gave a command of 1e+160 m/s; expected at most 1000 m/s");
+    EXPECT_EQ(faultOf("huge w"), who + " gave a command of -1e+200 rad/s; expected at most 1000 rad/s");
+    EXPECT_EQ(faultOf("huge earlier"), who + " gave a command of 1001.0 rad/s; expected at most 1000 rad/s");
 }
 
 TEST(PluginLoading, RobotOfAFaultyPluginStandsAndTheRunGoesOn) {
-    for (const std::string what : {"throw", "nan"}) {
+    for (const std::string what : {"throw", "nan", "huge v", "huge w"}) {
         const auto faulty = loadPlugin(testPlugin("misbehaving"), how(what, 0.5));
         const auto good = loadPlugin(testPlugin("well_behaved"), "");
         ASSERT_TRUE(faulty && good);

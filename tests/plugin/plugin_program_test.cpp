@@ -84,6 +84,25 @@ TEST_F(PluginProgram, ThrowingEndsTheRunOnlyByChoice) {
     EXPECT_NE(ends.out.find("ended by a fault"), std::string::npos) << ends.out;
 }
 
+/// Whatever it commands, in the program and isolated; the recording has it.
+TEST_F(PluginProgram, AbsurdCommandStopsItsRobotAlone) {
+    const std::pair<const char*, const char*> cases[] = {
+        {"huge v", " gave a command of 1e+160 m/s; expected at most 1000 m/s"},
+        {"huge w", " gave a command of -1e+200 rad/s; expected at most 1000 rad/s"}};
+    for (const auto& [what, said] : cases)
+        for (const std::vector<std::string>& isolate : {std::vector<std::string>{}, {"--isolate"}}) {
+            std::vector<std::string> more{"--record", recording(), "--overwrite"};
+            more.insert(more.end(), isolate.begin(), isolate.end());
+            const ProgramResult result = run(how(what, 1), more);
+            EXPECT_EQ(result.status, 0) << what;
+            EXPECT_EQ(result.err, "");
+            EXPECT_NE(result.out.find("4.00 s"), std::string::npos) << result.out;
+            EXPECT_NE(result.out.find(testPlugin("misbehaving") + said), std::string::npos) << result.out;
+            const ProgramResult replayed = runMrose({"replay", recording(), "--quiet"});
+            EXPECT_EQ(replayed.status, 0) << replayed.out << replayed.err;
+        }
+}
+
 /// One line says who, what and when; the recording has the run up to there.
 TEST_F(PluginProgram, CrashEndsTheRunAndKeepsTheRecording) {
     const struct {

@@ -34,6 +34,8 @@ public:
         if (observation.robot == 1) decision.command = Command{std::nan("7"), 0};
         if (observation.robot == 2) decision.fault = "its plug-in threw";
         if (observation.robot == 3) decision.kicks.push_back({17, 1});
+        if (observation.robot == 4) decision.command = Command{1e160, 0};
+        if (observation.robot == 5) decision.command = Command{0, -1e200};
     }
 
 private:

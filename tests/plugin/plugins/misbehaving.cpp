@@ -65,6 +65,9 @@ public:
         if (how_ == "throw two lines") throw std::runtime_error("one\ntwo");
         if (how_ == "throw int") throw 7;
         if (how_ == "nan") decision.command->w = std::nan("");
+        if (how_ == "huge v") decision.command->v = 1e160;
+        if (how_ == "huge w") decision.command->w = -1e200;
+        if (how_ == "huge earlier") decision.earlier.push_back({0, {0, 1001}});
         if (how_ == "infinite earlier") decision.earlier.push_back({0, {INFINITY, 0}});
         if (how_ == "loop") loop();
         if (how_ == "slow") ::usleep(60'000);

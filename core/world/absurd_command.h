@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "world/command.h"
+
+namespace mrose {
+
+/// Nothing on wheels is meant to be so fast, in m/s and rad/s: a command beyond is a mistake, such as a division by
+/// almost nothing, and so is a motion that leads farther in its time. Far beyond, models and contact overflow.
+constexpr double absurdSpeed = 1000;
+
+/// What is wrong with a command: "gave a command of 1e+160 m/s; expected at most 1000 m/s". Empty: nothing.
+std::string absurdity(const Command& command);
+
+/// The same of one of its speeds, in `unit`: "1e+160 m/s; expected at most 1000 m/s".
+std::string absurdity(double speed, const char* unit);
+
+}  // namespace mrose
