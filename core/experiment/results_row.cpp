@@ -83,7 +83,7 @@ std::vector<std::string> resultsCells(std::string_view line) {
 }
 
 std::string resultsHeader(const ScenarioParts& parts) {
-    std::string line = "trial,seed,end,time_s,touches,kicks,hits,faults,driven_m";
+    std::string line = "trial,seed,end,time_s,touches,kicks,hits,faults,driven_m,ball_still_s";
     for (const Goal& goal : parts.scene.environment.goals) line += ',' + cell(goalsName(goal));
     for (const VariedValue& value : variedValues(parts)) line += ',' + cell(value.name);
     return line + ",world_hash,command,first_fault";
@@ -95,7 +95,7 @@ std::string resultsRow(const RunKey& key, const RunResult& result, const Scenari
     std::string line = std::to_string(key.trial) + ',' + std::to_string(key.seed) + ',' + name(result.end) + ',' +
                        plainSeconds(result.state.tick * parts.scene.tickLength);
     for (const std::int64_t count : {s.touches, s.kicks, s.hits, s.faults}) line += ',' + std::to_string(count);
-    line += ',' + numberText(std::accumulate(s.driven.begin(), s.driven.end(), 0.0));
+    line += ',' + numberText(std::accumulate(s.driven.begin(), s.driven.end(), 0.0)) + ',' + plainSeconds(s.ballStill);
     for (std::uint32_t goal = 0; goal < s.goals.size(); ++goal)
         line += ',' + std::to_string(std::get<std::int64_t>(goals().value({{nullptr, &result.state}, goal})));
     for (const VariedValue& value : variedValues(parts)) line += ',' + numberText(value.value);
@@ -103,7 +103,7 @@ std::string resultsRow(const RunKey& key, const RunResult& result, const Scenari
 }
 
 ResultsSummary::ResultsSummary(const Scene& scene) {
-    for (const char* const name : {"time, s", "touches", "kicks", "hits", "faults", "driven, m"})
+    for (const char* const name : {"time, s", "touches", "kicks", "hits", "faults", "driven, m", "ball still, s"})
         columns.push_back({name});
     for (const Goal& goal : scene.environment.goals) columns.push_back({goalsName(goal)});
 }

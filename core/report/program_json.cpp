@@ -83,6 +83,7 @@ std::string runJson(const Scenario& scenario, const RunResult& result, const Run
                  {"kicks", statistics.kicks},
                  {"hits", statistics.hits},
                  {"faults", statistics.faults},
+                 {"ball_still_s", static_cast<double>(statistics.ballStill) / nanosecondsPerSecond},
                  {"first_fault", statistics.firstFault}};
     for (std::size_t g = 0; g < statistics.goals.size(); ++g)
         json["goals"][scenario.scene().environment.goals[g].name] = statistics.goals[g];

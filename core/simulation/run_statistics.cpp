@@ -6,7 +6,10 @@ RunStatistics::RunStatistics(const Scenario& scenario)
     : goals(scenario.scene().environment.goals.size()),
       driven(scenario.scene().robots.size()),
       scenario_(&scenario),
-      touchCounter_(scenario.scene().tickLength) {}
+      touchCounter_(scenario.scene().tickLength) {
+    const Scene& scene = scenario.scene();
+    while (ball_ < scene.objects.size() && !scene.typeOfObject(ball_).rolls) ++ball_;
+}
 
 void RunStatistics::add(const WorldState& before, const WorldState& after, const StepTrace& trace) {
     ++ticks;
@@ -21,6 +24,10 @@ void RunStatistics::add(const WorldState& before, const WorldState& after, const
     if (firstFault.empty() && !trace.faults.empty())
         firstFault = bodyName(scenario_->scene(), trace.faults[0].robot) + ": " + trace.faults[0].what;
     touches += static_cast<std::int64_t>(touchCounter_.add(trace).size());
+    if (ball_ < after.objects.size()) {
+        const Twist& velocity = after.objects[ball_].velocity_W;
+        if (length({velocity.x, velocity.y}) < still) ballStill += scenario_->scene().tickLength;
+    }
 }
 
 std::string bodyName(const Scene& scene, std::size_t body) {

@@ -12,6 +12,9 @@ namespace mrose {
 
 /// What happened in a run, in numbers.
 struct RunStatistics {
+    /// Below this speed a ball lies still, m/s: rolling on, it would hardly come a millimetre far.
+    static constexpr double still = 0.01;
+
     std::int64_t ticks = 0;
     std::vector<std::int32_t> goals;   ///< in each of the environment's goals
     std::int64_t touches = 0;          ///< pairs that began to touch, see TouchCounter
@@ -19,6 +22,7 @@ struct RunStatistics {
     std::int64_t faults = 0;           ///< of controllers and models
     std::string firstFault;            ///< "robot 2 (keeper): its controller ..."; empty: none
     std::vector<double> driven;        ///< by each robot, m
+    Nanoseconds ballStill = 0;         ///< how long the first ball lay still: of ticks at whose end it did
 
     explicit RunStatistics(const Scenario& scenario);
     /// One tick: the state before and after it, and its trace.
@@ -27,6 +31,7 @@ struct RunStatistics {
 private:
     const Scenario* scenario_;
     TouchCounter touchCounter_;
+    std::size_t ball_ = 0;  ///< among the objects; behind the last: there is none
 };
 
 /// "robot 2 (keeper)": counted from 1, people after the robots under a word of their own.

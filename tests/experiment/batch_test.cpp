@@ -87,8 +87,8 @@ TEST_F(Batch, EveryTrialWithEverySeedHasARowInOrder) {
     const std::vector<std::string> rows = lines(results("out"));
     ASSERT_EQ(rows.size(), 19u);
     const std::vector<std::string> header = cells(rows[0]);
-    const std::vector<std::string> first{"trial", "seed", "end",    "time_s",   "touches",
-                                         "kicks", "hits", "faults", "driven_m", "goals.east"},
+    const std::vector<std::string> first{"trial", "seed",   "end",      "time_s",       "touches",   "kicks",
+                                         "hits",  "faults", "driven_m", "ball_still_s", "goals.east"},
         last{"world_hash", "command", "first_fault"};
     ASSERT_EQ(header.size(), first.size() + variedColumns + last.size());
     EXPECT_TRUE(std::equal(first.begin(), first.end(), header.begin()));
@@ -98,8 +98,8 @@ TEST_F(Batch, EveryTrialWithEverySeedHasARowInOrder) {
         const std::vector<std::string> row = cells(rows[i]);
         EXPECT_EQ(row[0], std::to_string(1 + (i - 1) / 3));
         EXPECT_EQ(row[1], std::to_string(3 + (i - 1) % 3));
-        EXPECT_EQ(row[11 + variedColumns], "mrose run it.toml --trial " + row[0] + " --seed " + row[1]);
-        hashes.insert(row[10 + variedColumns]);
+        EXPECT_EQ(row[12 + variedColumns], "mrose run it.toml --trial " + row[0] + " --seed " + row[1]);
+        hashes.insert(row[11 + variedColumns]);
     }
     EXPECT_EQ(hashes.size(), 18u) << "every run is another one";
 }
@@ -117,12 +117,13 @@ TEST_F(Batch, RowsSayWhatTheRunsDid) {
         options.duration = options_.duration;
         const auto alone = mrose::run(scenario, scenario.initialState(std::stoul(row[1])), options);
         ASSERT_TRUE(alone);
-        EXPECT_EQ(std::stoull(row[10 + variedColumns], nullptr, 16), hashOf(alone->state).world);
+        EXPECT_EQ(std::stoull(row[11 + variedColumns], nullptr, 16), hashOf(alone->state).world);
         EXPECT_EQ(row[2], "duration");
         EXPECT_EQ(std::stod(row[3]), 2);
         EXPECT_EQ(std::stoll(row[4]), alone->statistics.touches);
         EXPECT_EQ(std::stod(row[8]), alone->statistics.driven[0] + alone->statistics.driven[1]);
-        EXPECT_EQ(std::stoi(row[9]), alone->state.goals[0]);
+        EXPECT_EQ(std::stod(row[9]) * nanosecondsPerSecond, alone->statistics.ballStill);
+        EXPECT_EQ(std::stoi(row[10]), alone->state.goals[0]);
     }
 }
 
@@ -132,8 +133,8 @@ TEST_F(Batch, SummaryIsOfAllRows) {
     ASSERT_TRUE(summary) << summary.error().message();
     const std::vector<std::string> rows = lines(results("out"));
     const ResultsSummary& results = summary->results;
-    ASSERT_EQ(results.columns.size(), 7u);
-    EXPECT_EQ(results.columns[6].name, "goals.east");
+    ASSERT_EQ(results.columns.size(), 8u);
+    EXPECT_EQ(results.columns[7].name, "goals.east");
     // Each column's numbers, sorted; the first is the fourth cell.
     for (std::size_t c = 0; c < results.columns.size(); ++c) {
         std::vector<double> numbers;

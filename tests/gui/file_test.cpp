@@ -247,7 +247,8 @@ TEST_F(FileTest, RunsOfABatchAreListedAndOpenedWhereTheyEnded) {
         titles << list->horizontalHeaderItem(column)->text();
         EXPECT_GE(list->columnWidth(column), list->fontMetrics().horizontalAdvance(titles.back()) + 12);
     }
-    EXPECT_TRUE(titles.contains("Time (s)") && titles.contains("Driven (m)")) << titles.join(", ").toStdString();
+    EXPECT_TRUE(titles.contains("Time (s)") && titles.contains("Driven (m)") && titles.contains("Ball still (s)"))
+        << titles.join(", ").toStdString();
     list->sortItems(3, Qt::DescendingOrder);
     const std::string trial = list->item(0, 0)->text().toStdString(), seed = list->item(0, 1)->text().toStdString();
     const std::string end = list->item(0, 3)->text().toStdString();

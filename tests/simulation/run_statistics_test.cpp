@@ -110,6 +110,41 @@ TEST(RunStatistics, KicksHitOrMiss) {
     EXPECT_EQ(miss.hits, 0);
 }
 
+/// It rolls out by v = v0 - a t, and lies still from v = 1 cm/s on, v0^2 / (2 a) from where it was; a box is no ball.
+TEST(RunStatistics, BallThatRollsOutLiesStillForTheRest) {
+    ObjectType ball = ballType();
+    Environment floor;
+    floor.floor.rollingDeceleration = 0.25;
+    const auto world = [&](double speed) {
+        SmallWorld rolling(floor);
+        rolling.object(boxType(), {0, 5, 0}).object(ball, {0, 0, 0}, {speed, 0, 0}).object(ball, {0, -5, 0});
+        rolling.robot(discRobot(), {-5, 0, 0}, std::make_shared<const Told>(Command{}), ideal());
+        return rolling.scenario();
+    };
+    for (const double speed : {0.0, 0.3, 1.0, 2.5}) {
+        // It begins to roll without slipping: only so has it the deceleration of a rolling ball from the start.
+        const Scenario scenario = world(speed);
+        WorldState state = scenario.initialState();
+        state.objects[1].roll_W = {speed, 0};
+        StepBuffers buffers;
+        StepTrace trace;
+        RunStatistics statistics(scenario);
+        for (int i = 0; i < 1000; ++i) {
+            const WorldState before = state;
+            step(scenario, state, buffers, {}, &trace);
+            statistics.add(before, state, trace);
+        }
+        const double rolls = std::max(0.0, (speed - 0.01) / 0.25);
+        EXPECT_NEAR(toSeconds(statistics.ballStill), 20 - rolls, 0.02 + 1e-9) << speed;
+        EXPECT_NEAR(state.objects[1].pose.x, speed * speed / (2 * 0.25), 1e-3) << speed;
+    }
+}
+
+TEST(RunStatistics, WithoutABallNoneLiesStill) {
+    const Scenario scenario = SmallWorld().object(boxType(), {0, 5, 0}).scenario();
+    EXPECT_EQ(statisticsOf(scenario, 50).ballStill, 0);
+}
+
 /// A ball rolls into the goal, lies at its start again, and rests there.
 TEST(RunStatistics, GoalsAreCountedByGoal) {
     Environment field = walledField(6, 4);

@@ -13,8 +13,10 @@
 namespace mrose::gui {
 namespace {
 
-/// The columns that every batch begins with; those of its goals follow.
+/// The columns that every batch begins with, of any version; how long the ball lay still, and those of its goals
+/// follow.
 constexpr std::size_t leadingColumns = 9;
+constexpr const char* ballStill = "ball_still_s";
 
 constexpr int columnGap = 18;  // pixels, beyond what a column needs
 
@@ -22,7 +24,7 @@ constexpr int columnGap = 18;  // pixels, beyond what a column needs
 std::vector<std::size_t> shownColumns(const std::vector<std::string>& titles) {
     std::vector<std::size_t> shown;
     for (std::size_t i = 0; i < titles.size(); ++i)
-        if (i < leadingColumns || titles[i].starts_with("goals")) shown.push_back(i);
+        if (i < leadingColumns || titles[i] == ballStill || titles[i].starts_with("goals")) shown.push_back(i);
     return shown;
 }
 
@@ -36,9 +38,11 @@ std::string shortened(const std::string& cell) {
 
 /// "driven_m" as a person reads it.
 QString titleOf(const std::string& column) {
-    static const std::map<std::string, const char*> titles{
-        {"trial", "Trial"}, {"seed", "Seed"}, {"end", "Ended by"},  {"time_s", "Time (s)"},    {"touches", "Touches"},
-        {"kicks", "Kicks"}, {"hits", "Hits"}, {"faults", "Faults"}, {"driven_m", "Driven (m)"}};
+    static const std::map<std::string, const char*> titles{{"trial", "Trial"},         {"seed", "Seed"},
+                                                           {"end", "Ended by"},        {"time_s", "Time (s)"},
+                                                           {"touches", "Touches"},     {"kicks", "Kicks"},
+                                                           {"hits", "Hits"},           {"faults", "Faults"},
+                                                           {"driven_m", "Driven (m)"}, {ballStill, "Ball still (s)"}};
     if (const auto known = titles.find(column); known != titles.end()) return QObject::tr(known->second);
     // "goals.left"; of earlier versions "goals left"
     constexpr std::string_view goals = "goals.";
