@@ -41,6 +41,7 @@ struct OpenedRun {
     /// Files that it was made from, with the hashes of what was read: descriptions, logs, plug-ins.
     std::map<std::string, std::string> files = {};
     std::optional<ShownPlace> shown = {};  ///< of a recording: what was shown when it was saved
+    std::optional<Origin> origin = {};     ///< of a recording: what computed it
 
     bool recorded() const { return !branches.empty(); }
 };

@@ -95,6 +95,7 @@ Expected<bool> saveRun(const std::filesystem::path& path, const TimeTravel& run,
     SaveRecordingOptions options;
     options.overwrite = true;
     options.commandLine = commandLine;
+    if (run.recordedBy()) options.origin = *run.recordedBy();  // its ticks are kept as they are
     options.shown = {places[run.branch()], run.tick()};
     options.progress = [&](std::int64_t done, std::int64_t all) {
         return mayGoOn(progress, static_cast<double>(done) / static_cast<double>(std::max<std::int64_t>(1, all)));

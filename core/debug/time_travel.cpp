@@ -27,7 +27,11 @@ void takeMemories(const Cursor& after, std::uint32_t robot, NewBranch& start) {
 }  // namespace
 
 TimeTravel::TimeTravel(const OpenedRun& run, std::size_t mostTrackBytes)
-    : branches_(run, mostTrackBytes), shown_(0, {run.start}), reality_(run.reality), origins_(1) {
+    : branches_(run, mostTrackBytes),
+      shown_(0, {run.start}),
+      recordedBy_(run.origin),
+      reality_(run.reality),
+      origins_(1) {
     for (std::uint32_t i = 1; i < branches_.size(); ++i) {
         const Branch& branch = branches_[i];
         origins_.push_back({branch.name, branch.parent, branch.tick, branch.timeline.first()});

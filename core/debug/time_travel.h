@@ -73,6 +73,9 @@ public:
     std::optional<std::uint32_t> beside() const;
     const Cursor* besideCursor() const { return beside_ ? &beside_->at : nullptr; }  ///< at it or the nearest
 
+    /// What computed the recording that was opened; nullopt: all is of this program.
+    const std::optional<mrose::Origin>& recordedBy() const { return recordedBy_; }
+
     /// What really happened beside it; null: not known.
     const std::shared_ptr<const Reality>& reality() const { return reality_; }
     void setReality(std::shared_ptr<const Reality> reality) { reality_ = std::move(reality); }
@@ -91,6 +94,7 @@ private:
         Cursor at;
     };
     std::optional<Beside> beside_;
+    std::optional<mrose::Origin> recordedBy_;
     std::shared_ptr<const Reality> reality_;
     std::vector<Origin> origins_;  ///< of each branch
     std::vector<std::uint32_t> undone_;

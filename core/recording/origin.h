@@ -3,17 +3,18 @@
 #include <string>
 #include <vector>
 
+#include "simulation/step.h"
+
 namespace mrose {
 
-/// What computed a run: the same scenario and seed give the same bits where all of this is the same.
+/// What computed a run. The same step gives the same scenario and seed the same bits, on every x86-64 processor;
+/// another build of it may not, but mostly does.
 struct Origin {
-    std::string version;    ///< of mrose
-    std::string commit;     ///< of its source, "+" behind it where that was changed; "unknown"
-    std::string compiler;   ///< "GNU 12.2.0"
-    std::string buildType;  ///< "Release"
-    std::string cLibrary;   ///< its sines differ between versions and by the processor's instruction sets
-    std::string processor;
-    std::string instructionSets;  ///< "sse4.1 avx avx2 fma"
+    std::string version;     ///< of mrose
+    std::string commit;      ///< of its source, "+" behind it where that was changed; "unknown"
+    std::string compiler;    ///< "GNU 12.2.0"
+    std::string buildType;   ///< "Release"
+    int step = stepVersion;  ///< 1 where a recording does not say
     bool operator==(const Origin&) const = default;
 };
 

@@ -11,7 +11,7 @@ namespace mrose {
 /// A state that was reached again, and whether it is the one that was: by its hashes.
 struct ReachedState {
     WorldState state;
-    bool worldSame = true;     ///< false: this build or processor computes otherwise than the one that recorded
+    bool worldSame = true;     ///< false: this build computes otherwise than the one that recorded
     bool memoriesSame = true;  ///< false: what sensors and controllers remember is of the keyframe before
     std::size_t read = 0;      ///< bytes of its block's decisions that led there, for advance()
 };

@@ -128,10 +128,11 @@ private:
             return fail(name_, "is a recording of format " + found + "; expected " + format::version, 0,
                         format::formatKey);
         RecordingHeader& header = recording_.header;
-        header.origin = {valueOf(*run, format::versionKey),        valueOf(*run, format::commitKey),
-                         valueOf(*run, format::compilerKey),       valueOf(*run, format::buildTypeKey),
-                         valueOf(*run, format::cLibraryKey),       valueOf(*run, format::processorKey),
-                         valueOf(*run, format::instructionSetsKey)};
+        header.origin = {valueOf(*run, format::versionKey), valueOf(*run, format::commitKey),
+                         valueOf(*run, format::compilerKey), valueOf(*run, format::buildTypeKey), 1};
+        if (const std::string step = valueOf(*run, format::stepKey);
+            !step.empty() && !parseInteger(step, header.origin.step))
+            return fail(name_, "expected an integer", 0, format::stepKey);
         header.name = valueOf(*run, format::scenarioKey);
         header.commandLine = valueOf(*run, format::commandLineKey);
         if (!parseInteger(valueOf(*run, format::seedKey), header.seed))

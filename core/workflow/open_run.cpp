@@ -172,6 +172,7 @@ Expected<OpenedRun> openRecorded(const OpenRequest& request, const OpenProgress&
     }
     run.branches = std::move(*branches);
     run.shown = recording->shown;
+    run.origin = recording->header.origin;
     run.setup = run.branches.front().setup;
     run.start = run.branches.front().start;
     return run;

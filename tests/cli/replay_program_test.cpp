@@ -177,18 +177,18 @@ TEST_F(ReplayProgram, ChangedControllerIsNamedWhereItDecidesAgainAndOnlyThere) {
     EXPECT_NE(decided.out.find("robot 1 (one's)"), std::string::npos) << decided.out;
 }
 
-TEST_F(ReplayProgram, OtherBuildsVersionsAndProcessorsAreSaid) {
+TEST_F(ReplayProgram, OtherBuildsVersionsAndStepsAreSaid) {
     Origin origin = thisOrigin();
     origin.version = "0.0.7";
     origin.commit = "abcdef";
-    origin.processor = "Z80";
+    origin.step = 1;
     recordHere({.origin = origin});
     const ProgramResult result = replay("game.mcap");
     EXPECT_EQ(result.status, 0) << result.out;
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 3) << result.err;
     for (const char* part : {"mrose: it was recorded by mrose 0.0.7; this is ",
                              "mrose: it was recorded by a build of commit abcdef; this is ",
-                             "mrose: it was recorded on the processor Z80; this is "})
+                             "mrose: it was recorded by step 1 of mrose; this is step "})
         EXPECT_NE(result.err.find(part), std::string::npos) << result.err << part;
 }
 

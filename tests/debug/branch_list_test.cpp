@@ -135,5 +135,25 @@ TEST_F(BranchListTest, DeletedOnesAreNotSaved) {
     EXPECT_EQ(recording->branches[1].name, moved(2));
 }
 
+/// Its ticks are kept as they are: this program has not computed them.
+TEST_F(BranchListTest, RecordingThatIsSavedAgainKeepsItsOrigin) {
+    const TemporaryFolder folder;
+    const auto originOf = [&](const std::optional<Origin>& opened) {
+        OpenedRun run;
+        run.setup = debugger.run().branches().record(0).setupPointer();
+        run.start = run.setup->scenario->initialState(7);
+        run.origin = opened;
+        TimeTravel again(run, 1 << 20);
+        const auto file = folder.path() / "a.mcap";
+        EXPECT_TRUE(saveRun(file, again, "", [](double) { return true; }));
+        return openRecording(file)->header.origin;
+    };
+    Origin other = thisOrigin();
+    other.step = 1;
+    other.commit = "abcdef";
+    EXPECT_EQ(originOf(other), other);
+    EXPECT_EQ(originOf({}), thisOrigin());
+}
+
 }  // namespace
 }  // namespace mrose

@@ -232,7 +232,7 @@ TEST_F(RecordingFile, NothingIsOverwrittenUnasked) {
 TEST_F(RecordingFile, TellsWhatRecordedIt) {
     Origin other = thisOrigin();
     other.compiler = "Clang 99";
-    other.processor = "Z80";
+    other.step = 7;
     const auto recording = openRecording(record({true, 40, other}));
     ASSERT_TRUE(recording);
     EXPECT_EQ(recording->header.origin, other);
@@ -278,11 +278,12 @@ TEST(Origin, DifferencesAreSentences) {
     EXPECT_FALSE(here.version.empty() || here.compiler.empty() || here.buildType.empty() || here.commit.empty());
     Origin other = here;
     other.version = "0.0.7";
-    other.instructionSets = "sse4.1";
+    other.step = 1;
     const std::vector<std::string> sentences = differences(other, here);
     ASSERT_EQ(sentences.size(), 2u);
-    EXPECT_EQ(sentences[0], "it was recorded by mrose 0.0.7; this is " + here.version);
-    EXPECT_EQ(sentences[1], "it was recorded with the instruction sets sse4.1; this is " + here.instructionSets);
+    EXPECT_EQ(sentences[0], "it was recorded by step 1 of mrose; this is step " + std::to_string(stepVersion) +
+                                ": it is exact at its keyframes alone");
+    EXPECT_EQ(sentences[1], "it was recorded by mrose 0.0.7; this is " + here.version);
 }
 
 }  // namespace

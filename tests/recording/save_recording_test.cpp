@@ -71,7 +71,7 @@ TEST_F(SavedRecording, ComesBackAsItWasKept) {
     fill();
     SaveRecordingOptions options;
     options.commandLine = "mrose-gui x";
-    options.origin.processor = "Z80";
+    options.origin.step = 7;
     const auto saved = save(options);
     ASSERT_TRUE(saved) << saved.error().message();
     EXPECT_TRUE(*saved);
