@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/point.h"
 #include "world/noise.h"
 
 namespace mrose {
@@ -62,7 +63,7 @@ WindowErrors windowErrors(std::span<const Pose> truth, std::span<const Pose> pre
     if (predicted.empty()) return errors;
     for (std::size_t k = 0; k < predicted.size(); ++k) {
         const Pose& real = truth[k + 1];
-        errors.position.push_back(std::hypot(predicted[k].x - real.x, predicted[k].y - real.y));
+        errors.position.push_back(distance(position(predicted[k]), position(real)));
         errors.heading.push_back(std::abs(wrapAngle(predicted[k].heading - real.heading)));
     }
     errors.positionMean = mean(errors.position);
@@ -171,7 +172,7 @@ RelativePoseError relativePoseError(const RelativePieces& pieces, std::span<cons
     std::vector<double> position, heading;
     for (std::size_t i = 0; i < predicted.size(); ++i) {
         const Pose &real = pieces.real[i], &end = predicted[i].back();
-        position.push_back(std::hypot(end.x - real.x, end.y - real.y));
+        position.push_back(length({end.x - real.x, end.y - real.y}));
         heading.push_back(wrapAngle(end.heading - real.heading));
     }
     return {pieces.horizon, predicted.size(), rms(position), rms(heading)};

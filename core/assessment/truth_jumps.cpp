@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/point.h"
 #include "geometry/pose.h"
 #include "logs/conditioning.h"
 
@@ -39,7 +40,7 @@ std::vector<TruthJump> truthJumps(const Trajectory& trajectory, Nanoseconds from
     for (; at != poses.end() && at->time <= to; ++at) {
         const Pose &before = std::prev(at)->pose, &after = at->pose;
         if (after == before) continue;
-        const TruthJump jump{std::prev(at)->time, at->time, std::hypot(after.x - before.x, after.y - before.y),
+        const TruthJump jump{std::prev(at)->time, at->time, distance(position(before), position(after)),
                              std::abs(wrapAngle(after.heading - before.heading))};
         const double passed = toSeconds(at->time - since);
         const Command commanded = fastestCommanded(trajectory.commands, at->time - commandedBefore, at->time);

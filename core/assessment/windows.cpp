@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/point.h"
 #include "io/format.h"
 #include "logs/pose_grid.h"
 #include "world/seconds_text.h"
@@ -133,7 +134,7 @@ Travel travelled(std::span<const Pose> poses, Nanoseconds step) {
     Travel travel;
     for (std::size_t i = 0; i + 1 < poses.size(); i += stride) {
         const Pose &a = poses[i], &b = poses[std::min(i + stride, poses.size() - 1)];
-        travel.path += std::hypot(b.x - a.x, b.y - a.y);
+        travel.path += distance(position(a), position(b));
         travel.rotation += std::abs(b.heading - a.heading);
     }
     return travel;
@@ -156,8 +157,7 @@ bool measureTravel(Window& window, const WindowOptions& options) {
     window.rotation = travel.rotation;
     window.pathBySteps = 0;
     for (std::size_t i = 1; i < window.truth.size(); ++i)
-        window.pathBySteps +=
-            std::hypot(window.truth[i].x - window.truth[i - 1].x, window.truth[i].y - window.truth[i - 1].y);
+        window.pathBySteps += distance(position(window.truth[i - 1]), position(window.truth[i]));
     const double part = toSeconds(window.steps() * options.step) / 10;
     return window.path >= options.leastPath * part || window.rotation >= options.leastRotation * part;
 }

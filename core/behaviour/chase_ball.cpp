@@ -11,7 +11,7 @@
 #include "behaviour/memory_entries.h"
 #include "behaviour/pushing_way.h"
 #include "behaviour/steering.h"
-#include "geometry/direction.h"
+#include "geometry/point.h"
 
 namespace mrose {
 namespace {

@@ -10,7 +10,7 @@
 #include "behaviour/own_belief.h"
 #include "behaviour/pushing_way.h"
 #include "behaviour/steering.h"
-#include "geometry/direction.h"
+#include "geometry/point.h"
 
 namespace mrose {
 namespace {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "geometry/pose.h"
+
 namespace mrose {
 
 void MotionMemory::observe(const Observation& observation) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "geometry/direction.h"
+#include "geometry/point.h"
 
 namespace mrose {
 namespace {

@@ -1,8 +1,7 @@
 #include "debug/edit.h"
 
-#include <cmath>
-
 #include "debug/placement.h"
+#include "geometry/point.h"
 #include "io/format.h"
 #include "scenario/carry_over.h"
 
@@ -18,7 +17,7 @@ Edit moveBody(const FieldFrame& frame, std::size_t body, const Pose& pose) {
             const Pose shift = pose * inverse(robot.pose);
             robot.pose = pose;
             robot.segment.start = shift * robot.segment.start;
-            robot.segment.direction = {std::cos(robot.segment.start.heading), std::sin(robot.segment.start.heading)};
+            robot.segment.direction = towards(robot.segment.start.heading);
         } else {
             ObjectState& object = state.objects[body - state.robots.size()];
             object.pose = pose;

@@ -1,10 +1,10 @@
 #include "debug/placement.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <vector>
 
+#include "geometry/point.h"
 #include "scenario/start_check.h"
 
 namespace mrose {
@@ -68,7 +68,8 @@ std::optional<Pose> freePlaceNear(const FieldFrame& frame, std::size_t body, con
     const Surroundings surroundings(frame, body, position(pose), reach);
     if (surroundings.isFree(pose)) return pose;
     const auto away = [&](double radius, double angle) {
-        return Pose{pose.x + radius * std::cos(angle), pose.y + radius * std::sin(angle), pose.heading};
+        const Point place = position(pose) + radius * towards(angle);
+        return Pose{place.x, place.y, pose.heading};
     };
     for (int k = 1; k * ring <= reach; ++k) {
         const double radius = k * ring;

@@ -1,8 +1,8 @@
 #include "diagnosis/command_jumps.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "geometry/point.h"
 #include "logs/conditioning.h"
 
 namespace mrose {
@@ -16,8 +16,8 @@ constexpr Nanoseconds longestShown = 600'000'000;
 /// How far a robot is off, in bounds, that does not obey it for 0.1 s.
 double effectOf(const CommandJump& jump, const DivergenceBound::At& bound) {
     constexpr double late = 0.1;
-    return late * std::hypot((jump.command.command.v - jump.before.v) / bound.position,
-                             (jump.command.command.w - jump.before.w) / bound.heading);
+    return late * length({(jump.command.command.v - jump.before.v) / bound.position,
+                          (jump.command.command.w - jump.before.w) / bound.heading});
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/point.h"
+
 namespace mrose {
 namespace {
 
@@ -56,7 +58,7 @@ DivergenceBound heldOutBound(const MotionNetwork::HeldOut& heldOut, const Compar
     DivergenceBound bound;
     double path = 0, rotation = 0;
     const auto travel = [](const Pose& a, const Pose& b) {
-        const double distance = std::hypot(b.x - a.x, b.y - a.y);
+        const double distance = length({b.x - a.x, b.y - a.y});
         return std::isfinite(distance) ? std::pair{distance, std::abs(b.heading - a.heading)} : std::pair{0.0, 0.0};
     };
     auto jump = rollout.jumps.begin();

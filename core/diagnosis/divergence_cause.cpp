@@ -7,6 +7,7 @@
 #include "diagnosis/command_jumps.h"
 #include "diagnosis/log_defects_near.h"
 #include "diagnosis/rollout_rerun.h"
+#include "geometry/point.h"
 #include "io/format.h"
 #include "logs/pose_grid.h"
 #include "motion/learned_model.h"
@@ -49,7 +50,7 @@ double rmsInBounds(std::span<const Pose> real, std::span<const Pose> simulated, 
     for (std::size_t k = 0; k < simulated.size(); ++k) {
         const DivergenceBound::At& at = bound.at(k);
         if (!std::isfinite(real[k].x + real[k].y + real[k].heading)) continue;
-        const double position = std::hypot(simulated[k].x - real[k].x, simulated[k].y - real[k].y) / at.position,
+        const double position = length({simulated[k].x - real[k].x, simulated[k].y - real[k].y}) / at.position,
                      heading = wrapAngle(simulated[k].heading - real[k].heading) / at.heading;
         if (!std::isfinite(position + heading)) return std::numeric_limits<double>::infinity();
         sum += position * position + heading * heading;

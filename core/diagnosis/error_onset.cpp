@@ -1,7 +1,8 @@
 #include "diagnosis/error_onset.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "geometry/point.h"
 
 namespace mrose {
 
@@ -24,8 +25,8 @@ std::optional<ErrorOnset> errorOnsetOf(const ComparedRollout& rollout, Nanosecon
                               wrapAngle(real.heading - ours.heading),
                               divergence.bound,
                               0};
-        const double size = std::hypot(here.ahead / here.bound.position, here.left / here.bound.position,
-                                       here.turn / here.bound.heading);
+        const double position = length({here.ahead, here.left}) / here.bound.position,
+                     size = length({position, here.turn / here.bound.heading});
         if (!(size > largest)) continue;
         largest = size;
         most = here;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "behaviour/command_player.h"
+#include "geometry/point.h"
 #include "logs/conditioning.h"
 #include "logs/pose_grid.h"
 #include "simulation/step.h"
@@ -23,7 +24,7 @@ void addMeasuredNoise(const MotionNoise& noise, const NoiseKey& key, Nanoseconds
     constexpr double measuredOver = 0.2;  // s
     const double left = std::sqrt(std::min(1.0, toSeconds(period) / measuredOver));
     const NoisePair draw = normalPair(key);
-    const double turning = std::hypot(noise.rotationPerRotation * velocity.w, noise.rotationPerDistance * velocity.v);
+    const double turning = length({noise.rotationPerRotation * velocity.w, noise.rotationPerDistance * velocity.v});
     velocity.v += left * noise.distancePerDistance * velocity.v * draw.first;
     velocity.w += left * turning * draw.second;
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "geometry/elementary.h"
 #include "geometry/pose.h"
 
 namespace mrose {
@@ -21,14 +22,25 @@ inline double length(const Point& a) { return std::sqrt(dot(a, a)); }
 inline bool isFinite(const Point& a) { return std::isfinite(a.x) && std::isfinite(a.y); }
 inline double distance(const Point& a, const Point& b) { return length(b - a); }
 
+/// The angle of a vector in (-pi, pi], counter-clockwise from x; 0 for no vector.
+inline double direction(const Point& vector) { return arcTangent(vector.y, vector.x); }
+/// The vector of length 1 in a direction.
+inline Point towards(double direction) {
+    const auto [s, c] = sineCosine(direction);
+    return {c, s};
+}
+
 /// A frame with its heading's cosine and sine at hand, for placing many points.
 struct Placement {
     Point origin;
     double cosine = 1, sine = 0;
 
     Placement() = default;
-    explicit Placement(const Pose& pose)
-        : origin{pose.x, pose.y}, cosine(std::cos(pose.heading)), sine(std::sin(pose.heading)) {}
+    explicit Placement(const Pose& pose) : origin{pose.x, pose.y} {
+        const SineCosine turned = sineCosine(pose.heading);
+        cosine = turned.cosine;
+        sine = turned.sine;
+    }
 
     Point rotate(const Point& p) const { return {cosine * p.x - sine * p.y, sine * p.x + cosine * p.y}; }
     Point rotateBack(const Point& p) const { return {cosine * p.x + sine * p.y, cosine * p.y - sine * p.x}; }

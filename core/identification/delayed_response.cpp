@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "geometry/elementary.h"
+
 namespace mrose {
 namespace {
 
@@ -21,7 +23,7 @@ bool isBlip(const std::vector<StampedCommand>& commands, std::size_t i) {
 
 double stepResponse(double since, double lag) {
     if (since <= 0) return 0;
-    return lag < shortestLag ? 1 : -std::expm1(-since / lag);
+    return lag < shortestLag ? 1 : -exponentialMinusOne(-since / lag);
 }
 
 }  // namespace
@@ -129,7 +131,7 @@ std::vector<DelayedResponse::Parts> DelayedResponse::travelled(const Run& run, c
     const double lag = kernel.lag < shortestLag ? 0 : kernel.lag;
     std::vector<Parts> lagged(run.parts);  // the lag's output at each switch; settled before the first
     for (std::size_t k = 1; k < lagged.size(); ++k) {
-        const double left = lag == 0 ? 0 : std::exp((run.switchTimes[k - 1] - run.switchTimes[k]) / lag);
+        const double left = lag == 0 ? 0 : exponential((run.switchTimes[k - 1] - run.switchTimes[k]) / lag);
         lagged[k] = run.parts[k - 1] + left * (lagged[k - 1] - run.parts[k - 1]);
     }
     const auto& begin = run.moved.begin;
@@ -141,7 +143,7 @@ std::vector<DelayedResponse::Parts> DelayedResponse::travelled(const Run& run, c
             const double since = time - run.switchTimes[k];
             result[point] += run.integral[k] + (since - lag) * run.parts[k];
             if (lag > 0 && since > 0 && since < 40 * lag)
-                result[point] -= lag * std::exp(-since / lag) * (lagged[k] - run.parts[k]);
+                result[point] -= lag * exponential(-since / lag) * (lagged[k] - run.parts[k]);
         }
         result[point] /= static_cast<double>(begin[point + 1] - begin[point]);
     }

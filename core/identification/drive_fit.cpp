@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "geometry/point.h"
+
 namespace mrose {
 namespace {
 
@@ -15,7 +17,7 @@ double pathLength(const std::vector<StampedPose>& poses) {
     std::size_t last = 0;
     for (std::size_t i = 1; i < poses.size(); ++i) {
         if (poses[i].time - poses[last].time < pathStep) continue;
-        path += std::hypot(poses[i].pose.x - poses[last].pose.x, poses[i].pose.y - poses[last].pose.y);
+        path += distance(position(poses[last].pose), position(poses[i].pose));
         last = i;
     }
     return path;
@@ -93,8 +95,10 @@ Expected<DriveFit> fitDrive(const std::vector<SteadyMotion>& motions, const std:
         for (const SteadyMotion& motion : motions)
             if (motion.group != left) rest.add(motion);
         if (!rest.sufficient()) continue;
-        radius += std::pow(rest.drive().wheelRadius - fit.drive.wheelRadius, 2);
-        track += std::pow(rest.drive().track - fit.drive.track, 2);
+        const double radiusOff = rest.drive().wheelRadius - fit.drive.wheelRadius,
+                     trackOff = rest.drive().track - fit.drive.track;
+        radius += radiusOff * radiusOff;
+        track += trackOff * trackOff;
     }
     const double count = static_cast<double>(groups.size());
     fit.wheelRadiusError = std::sqrt((count - 1) / count * radius);

@@ -3,20 +3,22 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/elementary.h"
+
 namespace mrose {
 namespace {
 
 constexpr double settling = 1, longestPause = 0.2;  // s
 
-struct Point {
+struct MeanPose {
     double time = 0;
     Pose pose;
 };
 
 /// Mean of the poses [begin, end), summed as differences from the first one.
-Point meanOf(const std::vector<StampedPose>& poses, std::size_t begin, std::size_t end, Nanoseconds origin) {
+MeanPose meanOf(const std::vector<StampedPose>& poses, std::size_t begin, std::size_t end, Nanoseconds origin) {
     const StampedPose& first = poses[begin];
-    Point sum;
+    MeanPose sum;
     for (std::size_t i = begin; i < end; ++i) {
         sum.time += toSeconds(poses[i].time - first.time);
         sum.pose.x += poses[i].pose.x - first.pose.x;
@@ -29,10 +31,10 @@ Point meanOf(const std::vector<StampedPose>& poses, std::size_t begin, std::size
              first.pose.heading + share * sum.pose.heading}};
 }
 
-std::vector<Point> pointsOf(const Trajectory& trajectory, double cell, MotionWindows& result) {
+std::vector<MeanPose> pointsOf(const Trajectory& trajectory, double cell, MotionWindows& result) {
     const auto& poses = trajectory.poses;
     const Nanoseconds origin = trajectory.commands.front().time, last = trajectory.commands.back().time;
-    std::vector<Point> points;
+    std::vector<MeanPose> points;
     result.begin.push_back(0);
     for (std::size_t begin = 0, end = 0; begin < poses.size(); begin = end) {
         const Nanoseconds until = poses[begin].time + fromSeconds(cell);
@@ -49,7 +51,7 @@ std::vector<Point> pointsOf(const Trajectory& trajectory, double cell, MotionWin
 MotionWindows::Window displacement(const Pose& from, const Pose& to) {
     const double rotation = to.heading - from.heading, half = rotation / 2;
     const Pose chord = relative({from.x, from.y, from.heading + half}, to);
-    const double arc = std::abs(half) < 1e-6 ? 1 : half / std::sin(half);
+    const double arc = std::abs(half) < 1e-6 ? 1 : half / sine(half);
     return {0, 0, arc * chord.x, arc * chord.y, rotation};
 }
 
@@ -58,7 +60,7 @@ MotionWindows::Window displacement(const Pose& from, const Pose& to) {
 MotionWindows motionWindows(const Trajectory& trajectory, double length, double cell) {
     MotionWindows result;
     if (trajectory.commands.empty() || trajectory.poses.empty()) return result;
-    const std::vector<Point> points = pointsOf(trajectory, cell, result);
+    const std::vector<MeanPose> points = pointsOf(trajectory, cell, result);
     std::size_t unbroken = 0;  // the first point without a pause up to `to`
     for (std::size_t from = 0, to = 1; to < points.size(); ++to) {
         if (points[to].time - points[to - 1].time >= longestPause) unbroken = to;

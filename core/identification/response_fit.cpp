@@ -7,6 +7,8 @@
 
 #include <Eigen/Cholesky>
 
+#include "geometry/point.h"
+
 namespace mrose {
 namespace {
 
@@ -216,7 +218,7 @@ ResponseFit fitResponse(DelayedResponse response, const ResponseFitOptions& opti
     ResponseFit fit = fitter.summary(theta);
     fit.jitter = std::sqrt(events.variance);
     fit.jitterError = fit.jitter / std::sqrt(2 * events.effective);
-    fit.standardError.deadTime = std::hypot(fit.standardError.deadTime, fit.jitter / std::sqrt(events.effective));
+    fit.standardError.deadTime = length({fit.standardError.deadTime, fit.jitter / std::sqrt(events.effective)});
     response.setShifts(VectorXd::Zero(response.events()));
     const ResponseFit plain = fitter.summary(theta);
     fit.explained = plain.explained;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "geometry/point.h"
 #include "learning/parallel_for.h"
 #include "motion/percent_errors.h"
 
@@ -18,7 +19,7 @@ void addTravelled(std::span<const Pose> truth, std::size_t stepsPerHalfSecond, d
     for (std::size_t k = 0; k < truth.size(); ++k) {
         pose = pose * truth[k];
         if ((k + 1) % stepsPerHalfSecond != 0) continue;
-        path += std::hypot(pose.x - last.x, pose.y - last.y);
+        path += distance(position(last), position(pose));
         rotation += std::abs(pose.heading - last.heading);
         last = pose;
     }
@@ -159,7 +160,7 @@ OpenLoopError openLoopError(const RolloutBatch& batch, std::span<const Pose> pre
         for (std::size_t k = 0; k < length; ++k) {
             p = p * predicted[chain * length + k];
             q = q * batch.truth(chain)[k];
-            positionSum += std::hypot(p.x - q.x, p.y - q.y);
+            positionSum += distance(position(q), position(p));
             headingSum += std::abs(p.heading - q.heading);
         }
         sums.add(positionSum / static_cast<double>(length), headingSum / static_cast<double>(length), chainPath,

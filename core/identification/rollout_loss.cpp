@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "geometry/elementary.h"
+
 namespace mrose {
 
 double RolloutLoss::operator()(std::span<const Pose> predicted, std::span<const Pose> truth,
@@ -20,8 +22,9 @@ double RolloutLoss::operator()(std::span<const Pose> predicted, std::span<const 
     double loss = 0;
     for (std::size_t k = 0; k < length; ++k) {
         Instant& instant = instants[k];
-        instant.cosine = std::cos(p.heading);
-        instant.sine = std::sin(p.heading);
+        const SineCosine turned = sineCosine(p.heading);
+        instant.cosine = turned.cosine;
+        instant.sine = turned.sine;
         const Pose& d = predicted[k];
         p = {p.x + instant.cosine * d.x - instant.sine * d.y, p.y + instant.sine * d.x + instant.cosine * d.y,
              p.heading + d.heading};

@@ -1,9 +1,9 @@
 #include "identification/velocity_outputs.h"
 
-#include <cmath>
-
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+
+#include "geometry/elementary.h"
 
 namespace mrose {
 namespace {
@@ -24,8 +24,8 @@ Matrix hiddenUnits(const MotionSamples& samples, const MotionNetwork& network, s
                 (raw[std::size_t(i)] - network.inputs[std::size_t(i)].mean) / network.inputs[std::size_t(i)].scale;
     }
     Matrix h = Matrix::Ones(Eigen::Index(count), hidden + 1);
-    h.leftCols(hidden) =
-        ((x * weights.transpose().cast<double>()).rowwise() + biases.transpose().cast<double>()).array().tanh();
+    h.leftCols(hidden) = ((x * weights.transpose().cast<double>()).rowwise() + biases.transpose().cast<double>())
+                             .unaryExpr([](double sum) { return hyperbolicTangent(sum); });
     return h;
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/point.h"
+
 namespace mrose {
 namespace {
 
@@ -43,7 +45,7 @@ bool isBlip(const StampedCommand& before, const StampedCommand& sample, const St
            after.time - sample.time <= longestBlip;
 }
 
-double distance(const Pose& a, const Pose& b) { return std::hypot(a.x - b.x, a.y - b.y); }
+double distance(const Pose& a, const Pose& b) { return length(position(a) - position(b)); }
 double turn(const Pose& a, const Pose& b) { return std::abs(wrapAngle(a.heading - b.heading)); }
 
 bool isFarOff(double toBefore, double toAfter, double between, double limit) {

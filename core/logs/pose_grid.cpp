@@ -1,8 +1,9 @@
 #include "logs/pose_grid.h"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
+
+#include "geometry/point.h"
 
 namespace mrose {
 namespace {
@@ -64,8 +65,7 @@ Line chord(const StampedPose& a, const StampedPose& b, Nanoseconds time) {
 }
 
 Velocity velocityOf(const Line& line) {
-    const double heading = line.value.heading;
-    return {std::cos(heading) * line.slope.x + std::sin(heading) * line.slope.y, line.slope.heading};
+    return {dot(towards(line.value.heading), position(line.slope)), line.slope.heading};
 }
 
 /// The end of the samples at or before `time`.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "geometry/point.h"
 #include "logs/pose_grid.h"
 
 namespace mrose {
@@ -32,7 +33,7 @@ void Motion::add(const std::vector<StampedPose>& poses) {
         const double time = toSeconds(poses[i].time - poses[from].time);
         const Pose &a = poses[from].pose, &b = poses[i].pose;
         ++spans;
-        fast += std::hypot(b.x - a.x, b.y - a.y) > fastest * time;
+        fast += distance(position(a), position(b)) > fastest * time;
         fastTurns += std::abs(b.heading - a.heading) > fastestTurn * time;
         from = i;
     }

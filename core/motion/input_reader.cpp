@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/portable_math.h"
+#include "geometry/elementary.h"
 
 namespace mrose {
 namespace {

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/elementary.h"
+#include "geometry/pose.h"
+
 namespace mrose {
 namespace {
 
@@ -19,10 +22,10 @@ struct VelocityProfile {
 
     bool steady() const { return slope == 0 && transient == 0; }
     double velocity(double t) const {
-        return constant + slope * t + (transient == 0 ? 0 : transient * std::exp(-t / lag));
+        return constant + slope * t + (transient == 0 ? 0 : transient * exponential(-t / lag));
     }
     double travelled(double t) const {
-        const double settled = transient == 0 ? 0 : -transient * lag * std::expm1(-t / lag);
+        const double settled = transient == 0 ? 0 : -transient * lag * exponentialMinusOne(-t / lag);
         return constant * t + slope * t * t / 2 + settled;
     }
 };
@@ -54,7 +57,7 @@ Pose quadrature(const VelocityProfile& v, const VelocityProfile& w, double later
     for (int i = 0; i < 8; ++i) {
         const double at = t / 2 * (1 + (i < 4 ? -node[3 - i] : node[i - 4]));
         const double forward = v.velocity(at), left = lateralPerRotation * w.velocity(at);
-        const double c = std::cos(w.travelled(at)), s = std::sin(w.travelled(at));
+        const auto [s, c] = sineCosine(w.travelled(at));
         const double share = t / 2 * weight[i < 4 ? 3 - i : i - 4];
         pose.x += share * (c * forward - s * left);
         pose.y += share * (s * forward + c * left);
@@ -66,7 +69,7 @@ Pose quadrature(const VelocityProfile& v, const VelocityProfile& w, double later
 VelocityProfile later(const VelocityProfile& profile, double t) {
     VelocityProfile rest = profile;
     rest.constant += profile.slope * t;
-    if (profile.transient != 0) rest.transient *= std::exp(-t / profile.lag);
+    if (profile.transient != 0) rest.transient *= exponential(-t / profile.lag);
     return rest;
 }
 

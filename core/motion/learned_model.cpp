@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "motion/portable_math.h"
+#include "geometry/elementary.h"
 
 namespace mrose {
 

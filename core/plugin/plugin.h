@@ -31,7 +31,7 @@ protected:
 
 /// Grows with every change of what plug-ins and programs share: these declarations, control/controller.h and what it
 /// includes.
-constexpr std::uint32_t pluginInterface = 3;
+constexpr std::uint32_t pluginInterface = 4;
 
 /// Sizes of what goes from the one to the other.
 struct PluginLayout {

@@ -1,7 +1,8 @@
 // Where bodies are, how they move, what touches them, and their commands.
 #include <algorithm>
-#include <cmath>
 
+#include "geometry/elementary.h"
+#include "geometry/point.h"
 #include "quantities/quantity_tables.h"
 
 namespace mrose {
@@ -111,7 +112,7 @@ void addMotion(std::vector<Quantity>& all) {
                    {"direction", angle, "in which it moves", Of::object,
                     +[](const Subject& s) {
                         const Twist& velocity_W = objectOf(s).velocity_W;
-                        return speed(s) > 0 ? std::atan2(velocity_W.y, velocity_W.x) : unknownNumber;
+                        return speed(s) > 0 ? arcTangent(velocity_W.y, velocity_W.x) : unknownNumber;
                     }},
                    {"slip", metresPerSecond, "speed of its lowest point over the floor: 0 where it rolls", Of::object,
                     +[](const Subject& s) {
@@ -144,7 +145,7 @@ void addContacts(std::vector<Quantity>& all) {
          {"bearing", angle, "from its heading to the direction of the other; left is positive", Of::pair,
           +[](const Subject& s) {
               const Pose &from = poseOf(s), &to = otherPose(s);
-              return wrapAngle(std::atan2(to.y - from.y, to.x - from.x) - from.heading);
+              return wrapAngle(direction(position(to) - position(from)) - from.heading);
           }}});
 }
 

@@ -1,6 +1,7 @@
 // Of the real robots beside which simulated ones drive, and of how far those are off.
 #include <cmath>
 
+#include "geometry/point.h"
 #include "quantities/quantity_tables.h"
 
 namespace mrose {
@@ -43,8 +44,7 @@ std::vector<Quantity::Item> models(const Subject& s) {
 }  // namespace
 
 PoseError poseError(const Pose& real, const Pose& simulated) {
-    return {std::hypot(simulated.x - real.x, simulated.y - real.y),
-            std::abs(wrapAngle(simulated.heading - real.heading))};
+    return {distance(position(simulated), position(real)), std::abs(wrapAngle(simulated.heading - real.heading))};
 }
 
 void addRealQuantities(std::vector<Quantity>& all) {

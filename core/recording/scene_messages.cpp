@@ -1,8 +1,8 @@
 #include "recording/scene_messages.h"
 
-#include <cmath>
 #include <numbers>
 
+#include "geometry/point.h"
 #include "recording/json_text.h"
 
 namespace mrose {
@@ -154,7 +154,7 @@ Polygon circleOf(const Point& centre, double radius) {
     Polygon polygon;
     for (int i = 0; i < corners; ++i) {
         const double angle = 2 * std::numbers::pi * i / corners;
-        polygon.push_back(centre + radius * Point{std::cos(angle), std::sin(angle)});
+        polygon.push_back(centre + radius * towards(angle));
     }
     return polygon;
 }

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "geometry/elementary.h"
 #include "recording/json_text.h"
 
 namespace mrose {
@@ -21,9 +23,9 @@ void appendTransform(std::string& json, const Pose& pose, const std::string& fra
     appendField(json, R"(,"translation":{"x":)", pose.x);
     appendField(json, ",\"y\":", pose.y);
     // Half the heading, kept within half a turn so that the numbers stay small.
-    const double half = std::remainder(pose.heading, 4 * std::acos(-1.0)) / 2;
-    appendField(json, R"(,"z":0},"rotation":{"x":0,"y":0,"z":)", std::sin(half));
-    appendField(json, ",\"w\":", std::cos(half));
+    const double half = std::remainder(pose.heading, 4 * std::numbers::pi) / 2;
+    appendField(json, R"(,"z":0},"rotation":{"x":0,"y":0,"z":)", sine(half));
+    appendField(json, ",\"w\":", cosine(half));
     json += "}}";
 }
 

@@ -47,7 +47,7 @@ Expected<std::optional<std::string>> DiskDescriptions::text(const std::string& n
     return std::move(*content);
 }
 
-Expected<const Log*> DiskDescriptions::log(const std::filesystem::path& path, const DifferentialDrive& drive) {
+Expected<const Log*> DiskDescriptions::logAt(const std::filesystem::path& path, const DifferentialDrive& drive) {
     const std::tuple key(path, drive.wheelRadius, drive.track);
     if (const auto found = logs_.find(key); found != logs_.end()) return &found->second;
     LogOptions options;
@@ -71,7 +71,7 @@ std::optional<std::filesystem::path> DiskDescriptions::logPlace(const LogExcerpt
 Expected<std::optional<ExcerptContent>> DiskDescriptions::excerpt(const LogExcerpt& excerpt) {
     const auto place = logPlace(excerpt);
     if (!place) return std::nullopt;
-    const auto found = log(*place, excerpt.drive.value_or(DifferentialDrive{}));
+    const auto found = logAt(*place, excerpt.drive.value_or(DifferentialDrive{}));
     if (!found) return tl::unexpected(found.error());
     auto content = excerptOf(**found, excerpt);
     if (!content) return tl::unexpected(content.error());

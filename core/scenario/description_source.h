@@ -47,7 +47,7 @@ public:
     std::optional<std::filesystem::path> logPlace(const LogExcerpt& excerpt) const;
 
 private:
-    Expected<const Log*> log(const std::filesystem::path& path, const DifferentialDrive& drive);
+    Expected<const Log*> logAt(const std::filesystem::path& path, const DifferentialDrive& drive);
 
     Options options_;
     std::map<std::tuple<std::filesystem::path, double, double>, Log> logs_;  ///< by place and drive

@@ -5,6 +5,7 @@
 
 #include <lua.hpp>
 
+#include "geometry/elementary.h"
 #include "script/lua_sandbox.h"
 
 namespace mrose {
@@ -28,8 +29,13 @@ int choose(lua_State* lua) {
     return 1;
 }
 
-int atan(lua_State* lua) {
-    lua_pushnumber(lua, std::atan2(luaL_checknumber(lua, 1), luaL_optnumber(lua, 2, 1)));
+int applyArcTangent(lua_State* lua) {
+    lua_pushnumber(lua, arcTangent(luaL_checknumber(lua, 1), luaL_optnumber(lua, 2, 1)));
+    return 1;
+}
+
+int applyPower(lua_State* lua) {
+    lua_pushnumber(lua, power(luaL_checknumber(lua, 1), luaL_checknumber(lua, 2)));
     return 1;
 }
 
@@ -37,14 +43,23 @@ double toDegrees(double radians) { return radians * (180 / std::numbers::pi); }
 double toRadians(double degrees) { return degrees * (std::numbers::pi / 180); }
 
 constexpr luaL_Reg functions[] = {
-    {"abs", apply<std::abs>},           {"ceil", apply<std::ceil>},
-    {"floor", apply<std::floor>},       {"sqrt", apply<std::sqrt>},
-    {"exp", apply<std::exp>},           {"log", apply<std::log>},
-    {"sin", apply<std::sin>},           {"cos", apply<std::cos>},
-    {"tan", apply<std::tan>},           {"asin", apply<std::asin>},
-    {"acos", apply<std::acos>},         {"atan", atan},
-    {"deg", apply<toDegrees>},          {"rad", apply<toRadians>},
-    {"min", choose<std::less<double>>}, {"max", choose<std::greater<double>>},
+    {"abs", apply<std::abs>},
+    {"ceil", apply<std::ceil>},
+    {"floor", apply<std::floor>},
+    {"sqrt", apply<std::sqrt>},
+    {"exp", apply<exponential>},
+    {"log", apply<logarithm>},
+    {"sin", apply<sine>},
+    {"cos", apply<cosine>},
+    {"tan", apply<tangent>},
+    {"asin", apply<arcSine>},
+    {"acos", apply<arcCosine>},
+    {"atan", applyArcTangent},
+    {"pow", applyPower},
+    {"deg", apply<toDegrees>},
+    {"rad", apply<toRadians>},
+    {"min", choose<std::less<double>>},
+    {"max", choose<std::greater<double>>},
 };
 
 }  // namespace

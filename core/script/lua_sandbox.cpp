@@ -9,6 +9,7 @@
 
 #include "io/nearest_word.h"
 #include "io/text_position.h"
+#include "script/lua_tokens.h"
 
 namespace mrose {
 namespace {
@@ -161,6 +162,13 @@ Error readingError(lua_State* lua, int status, const Feed& feed, const std::stri
     return error;
 }
 
+Expected<void> refusePowers(std::string_view text, const std::string& source) {
+    const auto found = findPower(text);
+    if (!found) return {};
+    const TextPosition where = positionIn(text, *found);
+    return tl::unexpected(Error{source, where.line, where.column, "", "x^y is there for y = 2 alone; write pow(x, y)"});
+}
+
 LuaValue valueAt(lua_State* lua, int index) {
     switch (lua_type(lua, index)) {
         case LUA_TBOOLEAN:
@@ -278,6 +286,10 @@ Expected<LuaSandbox::Expression> LuaSandbox::load(std::string_view text, const s
         return tl::unexpected(error);
     }
     lua_pop(lua, 1);
+    if (const auto portable = refusePowers(text, source); !portable) {
+        lua_pop(lua, 1);
+        return tl::unexpected(portable.error());
+    }
     return Expression{luaL_ref(lua, LUA_REGISTRYINDEX)};
 }
 
@@ -304,6 +316,10 @@ Expected<LuaSandbox::Statements> LuaSandbox::loadStatements(std::string_view tex
     Feed feed{{"", text, ""}};
     if (const int status = interpreter_->read(feed); status != LUA_OK)
         return tl::unexpected(readingError(lua, status, feed, source));
+    if (const auto portable = refusePowers(text, source); !portable) {
+        lua_pop(lua, 1);
+        return tl::unexpected(portable.error());
+    }
     lua_rawgeti(lua, LUA_REGISTRYINDEX, interpreter_->environment);
     lua_setupvalue(lua, -2, 1);
     lua_State* const thread = lua_newthread(lua);

@@ -27,7 +27,8 @@ using LuaValue = std::variant<bool, double, std::string, LuaOther>;
 
 /// A Lua 5.4 interpreter for untrusted texts. They reach the names that were added and nothing else: there is no
 /// library, no metatable, no way to a file, to bytecode or to a coroutine. No evaluation leaves anything behind for the
-/// next. One thread at a time; each has its own.
+/// next. Results are the same on every processor: x^2 is there, but no other power by that operator (lua_tokens.h). One
+/// thread at a time; each has its own.
 class LuaSandbox {
 public:
     explicit LuaSandbox(const LuaLimits& limits = {});
@@ -80,8 +81,8 @@ private:
     std::unique_ptr<Interpreter> interpreter_;
 };
 
-/// abs, ceil, floor, sqrt, exp, log, sin, cos, tan, asin, acos, atan (of one or two arguments), deg, rad, min, max, pi,
-/// huge. Angles are radians.
+/// abs, ceil, floor, sqrt, exp, log, pow, sin, cos, tan, asin, acos, atan (of one or two arguments), deg, rad, min,
+/// max, pi, huge. Angles are radians. All give the same bits on every processor.
 void addMath(LuaSandbox& sandbox);
 
 }  // namespace mrose

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "motion/portable_math.h"
+#include "geometry/elementary.h"
 #include "sensing/drift.h"
 #include "sensing/line_of_sight.h"
 #include "sensing/sensor_keys.h"

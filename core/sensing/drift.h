@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "motion/portable_math.h"
+#include "geometry/elementary.h"
 
 namespace mrose {
 

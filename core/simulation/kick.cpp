@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/point.h"
 #include "simulation/step_stages.h"
 
 namespace mrose {
@@ -13,7 +14,7 @@ Point velocityAt(const RobotState& robot, const Placement& frame, const Point& p
 
 /// Whether a ball's edge lies before the manipulator's face.
 bool reaches(const Manipulator& manipulator, const Point& ball_B, double radius) {
-    const Point direction{std::cos(manipulator.direction), std::sin(manipulator.direction)};
+    const Point direction = towards(manipulator.direction);
     const Point offset = ball_B - manipulator.position;
     const double ahead = dot(offset, direction) - radius;
     // A ball that has been pressed into the face a little is before it too.
@@ -27,7 +28,7 @@ void act(const Scenario& scenario, WorldState& state, const PendingKick& kick, S
     if (robot.ready[kick.manipulator] > kick.due) return;
     robot.ready[kick.manipulator] = kick.due + manipulator.recharge;
     const Placement frame(robot.pose);
-    const Point direction = frame.rotate({std::cos(manipulator.direction), std::sin(manipulator.direction)});
+    const Point direction = frame.rotate(towards(manipulator.direction));
     StepTrace::Kicked kicked{kick.robot, kick.manipulator};
     for (std::uint32_t i = 0; i < state.objects.size() && !kicked.hit; ++i) {
         const ObjectType& type = scenario.scene().typeOfObject(i);

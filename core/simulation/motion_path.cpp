@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/elementary.h"
+#include "geometry/point.h"
+
 namespace mrose {
 namespace {
 
@@ -23,9 +26,10 @@ struct ArcTerms {
             along = 1 - u * third;
             lag = r * third;
         } else {
-            const double s = std::sin(r / 2), c = std::cos(r / 2), sine = 2 * s * c;
-            along = sine / r;
-            lag = (r - sine) / u;
+            const auto [s, c] = sineCosine(r / 2);
+            const double whole = 2 * s * c;
+            along = whole / r;
+            lag = (r - whole) / u;
             bend = 2 * s * s / u;
         }
         across = bend * r;
@@ -90,7 +94,7 @@ LogPoint logAt(const MotionSegment& segment, double s) {
 
 void beginAt(MotionSegment& segment, const Pose& pose) {
     segment.start = pose;
-    segment.direction = {std::cos(pose.heading), std::sin(pose.heading)};
+    segment.direction = towards(pose.heading);
 }
 
 }  // namespace

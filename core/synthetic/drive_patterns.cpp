@@ -7,6 +7,8 @@
 #include <functional>
 #include <numbers>
 
+#include "geometry/elementary.h"
+#include "geometry/point.h"
 #include "synthetic/reference_robot.h"
 #include "world/noise.h"
 
@@ -41,7 +43,7 @@ struct Stretch {
     Command from, to;
 };
 
-double holdTime(Draws& draws) { return 0.2 * std::pow(15, draws.uniform(0, 1)); }
+double holdTime(Draws& draws) { return 0.2 * power(15, draws.uniform(0, 1)); }
 
 /// Random driving, one stretch after the other. Half of the drivers are calm: they drive forward, turn gently and
 /// change their commands slowly; but they stop, too.
@@ -133,7 +135,7 @@ struct Curve {
 Curve ellipseCurve(const PatternShape& shape) {
     constexpr int pieces = 2000;
     const double a = shape.ellipseLong, b = shape.ellipseShort;
-    const auto rate = [=](double angle) { return std::hypot(a * std::cos(angle), b * std::sin(angle)); };
+    const auto rate = [=](double angle) { return length({a * towards(angle).x, b * towards(angle).y}); };
     std::vector<double> way{0};
     constexpr double part = 2 * pi / pieces;
     for (int i = 0; i < pieces; ++i)
@@ -142,7 +144,7 @@ Curve ellipseCurve(const PatternShape& shape) {
                 const auto next = std::upper_bound(way.begin(), way.end() - 1, s);
                 const double i = static_cast<double>(next - way.begin()) - 1;
                 const double angle = part * (i + (s - *(next - 1)) / (*next - *(next - 1)));
-                return a * b / std::pow(rate(angle), 3);
+                return a * b / power(rate(angle), 3);
             }};
 }
 
@@ -151,7 +153,7 @@ double swerveHeading(const PatternShape& shape) {
     const auto side = [&](double height) {
         constexpr int pieces = 400;
         double sum = 0;
-        for (int i = 0; i < pieces; ++i) sum += std::sin(height / 2 * (1 - std::cos(2 * pi * (i + 0.5) / pieces)));
+        for (int i = 0; i < pieces; ++i) sum += sine(height / 2 * (1 - cosine(2 * pi * (i + 0.5) / pieces)));
         return shape.jinkLength * sum / pieces;
     };
     double low = 0, high = pi / 2;
@@ -164,7 +166,7 @@ Curve jinkCurve(const PatternShape& shape) {
     return {2 * (shape.jinkStraight + length), [=](double s) {
                 const double in = s - shape.jinkStraight;
                 if (in < 0 || in >= 2 * length) return 0.0;
-                const double bend = height * pi / length * std::sin(2 * pi * in / length);
+                const double bend = height * pi / length * sine(2 * pi * in / length);
                 return in < length ? bend : -bend;
             }};
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/elementary.h"
+#include "geometry/point.h"
 #include "world/noise.h"
 
 namespace mrose {
@@ -107,7 +109,7 @@ void ReferenceRobot::servo(ReferenceRobotState& state) const {
 void ReferenceRobot::wander(ReferenceRobotState& state) const {
     const ReferenceRobotParameters& p = parameters_;
     const std::int64_t period = state.time / fromSeconds(p.servoPeriod);
-    const double kept = std::exp(-p.servoPeriod / p.gripTime), fresh = std::sqrt(1 - kept * kept);
+    const double kept = exponential(-p.servoPeriod / p.gripTime), fresh = std::sqrt(1 - kept * kept);
     const auto go = [&](double& value, double deviation, RobotChannel channel) {
         value = kept * value + fresh * deviation * normal(period, channel);
     };
@@ -146,10 +148,11 @@ void ReferenceRobot::move(ReferenceRobotState& state, double seconds) const {
 
     // The caster turns until it trails; on its way it pushes the robot aside.
     const double alongCaster = rolled, acrossCaster = -p.casterOffset * turned;
-    const double casterSpeed = std::hypot(alongCaster, acrossCaster);
-    const double misalignment = casterSpeed > 0 ? std::atan2(acrossCaster, alongCaster) - state.casterAngle : 0;
-    state.casterAngle = wrapAngle(state.casterAngle + seconds * casterSpeed / p.casterTrail * std::sin(misalignment));
-    const double push = p.casterTurn * casterSpeed / (casterSpeed + 0.05) * std::sin(misalignment);
+    const double casterSpeed = length({alongCaster, acrossCaster});
+    const double misalignment = casterSpeed > 0 ? arcTangent(acrossCaster, alongCaster) - state.casterAngle : 0;
+    const double aside = sine(misalignment);
+    state.casterAngle = wrapAngle(state.casterAngle + seconds * casterSpeed / p.casterTrail * aside);
+    const double push = p.casterTurn * casterSpeed / (casterSpeed + 0.05) * aside;
 
     const double lost = std::abs(rolled * turned);
     state.velocity.v = rolled - std::copysign(std::min(p.turnDrag * lost, std::abs(rolled)), rolled);

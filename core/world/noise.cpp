@@ -6,6 +6,8 @@
 
 #include <Random123/philox.h>
 
+#include "geometry/elementary.h"
+
 namespace mrose {
 namespace {
 
@@ -39,8 +41,9 @@ NoisePair uniformPair(const NoiseKey& key) {
 
 NoisePair normalPair(const NoiseKey& key) {
     const NoisePair u = uniformPair(key);
-    const double radius = std::sqrt(-2 * std::log(u.first)), angle = 2 * std::numbers::pi * u.second;
-    return {radius * std::cos(angle), radius * std::sin(angle)};
+    const double radius = std::sqrt(-2 * logarithm(u.first));
+    const auto [s, c] = sineCosine(2 * std::numbers::pi * u.second);
+    return {radius * c, radius * s};
 }
 
 double normalNoise(const NoiseKey& key) { return normalPair(key).first; }

@@ -60,7 +60,7 @@ const std::map<std::string, std::set<std::string>> allowedLayers{
                   "physics",    "scene",     "control",   "plugin",     "scenario",       "simulation",
                   "quantities", "condition", "recording", "experiment", "identification", "synthetic",
                   "assessment", "diagnosis", "drawing",   "report",     "debug"}},
-    {"script", {"io"}},
+    {"script", {"io", "geometry"}},
     {"condition",
      {"io", "geometry", "world", "physics", "scene", "control", "scenario", "simulation", "quantities", "script"}},
 };

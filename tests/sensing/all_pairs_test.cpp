@@ -8,7 +8,7 @@
 #include <bit>
 #include <numbers>
 
-#include "motion/portable_math.h"
+#include "geometry/elementary.h"
 #include "sensing/body_sight.h"
 #include "sensing/line_of_sight.h"
 #include "sensing/perceiving.h"

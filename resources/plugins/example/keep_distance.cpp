@@ -40,7 +40,7 @@ public:
             return;
         }
         const mrose::Point ball = self.placeBack(known.ball);
-        const double bearing = std::atan2(ball.y, ball.x), tooFar = mrose::length(ball) - distance_;
+        const double bearing = mrose::direction(ball), tooFar = mrose::length(ball) - distance_;
         const double ahead = std::abs(bearing) < 0.5 ? std::clamp(tooFar, -speed_, speed_) : 0;
         decision.command = mrose::Command{ahead, 2 * bearing};
         decision.annotations.push_back({mrose::Annotation::Kind::point, "ball", 0, "", {known.ball}});
