@@ -16,7 +16,8 @@ namespace mrose {
 namespace {
 
 /// In the child, after fork: only what is safe there.
-[[noreturn]] void become(char* const* words, int out, int err, const RunningProgram::Options& options) {
+[[noreturn]] void become(char* const* words, char* const* environment, int out, int err,
+                         const RunningProgram::Options& options) {
     ::dup2(out, STDOUT_FILENO);
     ::dup2(err, STDERR_FILENO);
     if (options.fullDisk) {
@@ -27,7 +28,7 @@ namespace {
     // Whatever who runs the tests does with them.
     for (const int number : {SIGINT, SIGTERM, SIGHUP}) ::signal(number, SIG_DFL);
     ::alarm(300);  // s; a program that should have ended and did not is ended, and the test fails
-    ::execv(words[0], words);
+    ::execve(words[0], words, environment);
     ::_exit(127);
 }
 
@@ -50,11 +51,15 @@ RunningProgram::RunningProgram(const std::vector<std::string>& words, const Opti
     std::vector<char*> raw;
     for (const std::string& word : words) raw.push_back(const_cast<char*>(word.c_str()));
     raw.push_back(nullptr);
+    std::vector<char*> environment;
+    for (char** variable = environ; *variable != nullptr; ++variable) environment.push_back(*variable);
+    if (!options.variable.empty()) environment.push_back(const_cast<char*>(options.variable.c_str()));
+    environment.push_back(nullptr);
     int out[2], err[2];
     if (::pipe2(out, O_CLOEXEC) != 0) return;
     if (::pipe2(err, O_CLOEXEC) != 0) return;
     child_ = ::fork();
-    if (child_ == 0) become(raw.data(), out[1], err[1], options);
+    if (child_ == 0) become(raw.data(), environment.data(), out[1], err[1], options);
     ::close(out[1]);
     ::close(err[1]);
     out_ = out[0];

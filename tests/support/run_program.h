@@ -19,6 +19,7 @@ public:
     struct Options {
         bool fullDisk = false;   ///< writes to files fail, as on a full disk ...
         std::uint64_t room = 0;  ///< ... beyond so many bytes of a file
+        std::string variable;    ///< "NAME=VALUE", added to its environment; empty: none
     };
 
     /// `words` are the program's path and its arguments.
