@@ -14,8 +14,8 @@ namespace mrose {
 struct TrainingKernel;
 
 /// Loss and gradient of a network over a whole batch, with float activations and double sums. Runs in the oneTBB arena
-/// of its caller; the results do not depend on the number of threads, but may on the instruction set. Parameters are
-/// those of Mlp; gradients have the same order and parameterCount() doubles. One object may be used by several threads.
+/// of its caller; the results depend neither on the number of threads nor on the instruction set. Parameters are those
+/// of Mlp; gradients have the same order and parameterCount() doubles. One object may be used by several threads.
 class MlpGradient {
 public:
     /// `set` must be available.

@@ -7,9 +7,10 @@ namespace mrose {
 /// Single steps: the mean squared error over patterns and outputs, of those learned from and of those held out.
 class SquaredError final : public TrainingObjective {
 public:
-    /// Keeps references to the patterns.
-    SquaredError(const MlpShape& shape, const PatternSet& training, const PatternSet& heldOut)
-        : engine_(shape), training_(training), heldOut_(heldOut) {}
+    /// Keeps references to the patterns. `set` as in MlpGradient.
+    SquaredError(const MlpShape& shape, const PatternSet& training, const PatternSet& heldOut,
+                 InstructionSet set = bestInstructionSet())
+        : engine_(shape, set), training_(training), heldOut_(heldOut) {}
 
     const MlpGradient& engine() const override { return engine_; }
     double lossAndGradient(std::span<const float> parameters, std::span<double> gradient) const override {

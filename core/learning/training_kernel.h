@@ -15,7 +15,8 @@ struct KernelTile {
     size_t hiddenStride = 0;            ///< of h and d
 };
 
-/// Lane sums of the gradient: [parameterCount][16] floats, of which a kernel uses as many lanes as it has.
+/// Lane sums of the gradient: [parameterCount][16] floats, whatever the number of lanes of a kernel. All kernels give
+/// the same bits.
 struct TrainingKernel {
     /// h = tanh(W x + b), y = V h + c.
     void (*forward)(const KernelTile&, float* h, float* y);

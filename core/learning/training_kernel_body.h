@@ -5,9 +5,17 @@
 #include "learning/training_kernel.h"
 
 // The training kernels, for N lanes. Lanes are patterns; tiles of sums stay in registers: `Rows` x `Vectors` of them.
+// The order of sums is part of their contract, the same for every number of lanes:
+//   of a pattern: bias, then the products with inputs (units, outputs on the way back) 0, 1, 2, ... added in order;
+//   over patterns, of the gradient and the squared error: 16 partial sums, of the patterns 0, 16, 32, ...; 1, 17, 33,
+//   ...; and so on, each in order. Where N is less, 16 / N passes make N of them each: tiles stay in the registers;
+//   over patterns, of the Gram matrix: in order.
+// Multiplications and additions round separately: compile with -ffp-contract=off.
 
 namespace mrose {
 namespace {
+
+constexpr int kPartialSums = 16;
 
 /// Sizes of the tiles of sums: as many as the registers hold.
 template <int N>
@@ -77,14 +85,14 @@ void multiply(Broadcast a, const float* start, const float* b, size_t bStride, i
                               f);
 }
 
-/// lanes[m][k] += sums over patterns, lane by lane, of a[m] * b[k]; lane sums of row m start at lanes + m * laneStride.
+/// One pass: the partial sums of the patterns that `a` and `b` begin with.
 template <int N, int Rows, int Columns>
-[[gnu::always_inline]] inline void dotTile(const float* a, size_t aStride, const float* b, size_t bStride, int columns,
+[[gnu::always_inline]] inline void dotPass(const float* a, size_t aStride, const float* b, size_t bStride, int columns,
                                            float* lanes, size_t laneStride) {
     Lanes<N> sum[Rows][Columns];
     for (int m = 0; m < Rows; ++m)
-        for (int k = 0; k < Columns; ++k) sum[m][k] = load<N>(lanes + m * laneStride + k * 16);
-    for (int p = 0; p < columns; p += N) {
+        for (int k = 0; k < Columns; ++k) sum[m][k] = load<N>(lanes + m * laneStride + k * kPartialSums);
+    for (int p = 0; p < columns; p += kPartialSums) {
         Lanes<N> left[Rows];
         for (int m = 0; m < Rows; ++m) left[m] = load<N>(a + m * aStride + p);
         for (int k = 0; k < Columns; ++k) {
@@ -93,7 +101,15 @@ template <int N, int Rows, int Columns>
         }
     }
     for (int m = 0; m < Rows; ++m)
-        for (int k = 0; k < Columns; ++k) store<N>(lanes + m * laneStride + k * 16, sum[m][k]);
+        for (int k = 0; k < Columns; ++k) store<N>(lanes + m * laneStride + k * kPartialSums, sum[m][k]);
+}
+
+/// lanes[m][k] += partial sums over patterns of a[m] * b[k]; those of row m start at lanes + m * laneStride.
+template <int N, int Rows, int Columns>
+void dotTile(const float* a, size_t aStride, const float* b, size_t bStride, int columns, float* lanes,
+             size_t laneStride) {
+    for (int first = 0; first < kPartialSums; first += N)
+        dotPass<N, Rows, Columns>(a + first, aStride, b + first, bStride, columns, lanes + first, laneStride);
 }
 
 template <int N, int Rows, int Columns>
@@ -101,10 +117,10 @@ void dotRows(const float* a, size_t aStride, const float* b, size_t bStride, int
              size_t laneStride, int count) {
     int k = 0;
     for (; k + Columns <= count; k += Columns)
-        dotTile<N, Rows, Columns>(a, aStride, b + k * bStride, bStride, columns, lanes + k * 16, laneStride);
+        dotTile<N, Rows, Columns>(a, aStride, b + k * bStride, bStride, columns, lanes + k * kPartialSums, laneStride);
     if constexpr (Columns > 1)
-        dotRows<N, Rows, Columns - 1>(a, aStride, b + k * bStride, bStride, columns, lanes + k * 16, laneStride,
-                                      count - k);
+        dotRows<N, Rows, Columns - 1>(a, aStride, b + k * bStride, bStride, columns, lanes + k * kPartialSums,
+                                      laneStride, count - k);
 }
 
 /// a [rows][columns], b [count][columns]: lane sums [rows][count] += a b'.
@@ -122,15 +138,12 @@ void dots(const float* a, size_t aStride, int rows, const float* b, size_t bStri
 
 template <int N>
 void rowSums(const float* a, size_t aStride, int rows, int columns, float* lanes) {
-    for (int m = 0; m < rows; ++m, a += aStride, lanes += 16) {
-        Lanes<N> even = load<N>(lanes), odd{};
-        for (int p = 0; p + N < columns; p += 2 * N) {
-            even += load<N>(a + p);
-            odd += load<N>(a + p + N);
+    for (int m = 0; m < rows; ++m, a += aStride, lanes += kPartialSums)
+        for (int first = 0; first < kPartialSums; first += N) {
+            Lanes<N> sum = load<N>(lanes + first);
+            for (int p = first; p < columns; p += kPartialSums) sum += load<N>(a + p);
+            store<N>(lanes + first, sum);
         }
-        if (columns % (2 * N) != 0) even += load<N>(a + columns - N);
-        store<N>(lanes, even + odd);
-    }
 }
 
 struct Parts {
@@ -174,16 +187,16 @@ struct TimesTanhSlope {
 template <int N>
 void backward(const KernelTile& t, const float* h, const float* error, float* d, float* lanes, float* dx) {
     const Parts net(t);
-    float* laneB = lanes + 16 * (net.b - net.w);
-    float* laneV = lanes + 16 * (net.v - net.w);
-    float* laneC = lanes + 16 * (net.c - net.w);
+    float* laneB = lanes + kPartialSums * (net.b - net.w);
+    float* laneV = lanes + kPartialSums * (net.v - net.w);
+    float* laneC = lanes + kPartialSums * (net.c - net.w);
     dots<N, TileSize<N>::dotRows>(error, t.stride, t.outputs, h, t.hiddenStride, t.hidden, t.columns, laneV,
-                                  size_t(t.hidden) * 16);
+                                  size_t(t.hidden) * kPartialSums);
     rowSums<N>(error, t.stride, t.outputs, t.columns, laneC);
     multiply<N, TileSize<N>::rows>({net.v, 1, size_t(t.hidden)}, nullptr, error, t.stride, t.outputs, d, t.hiddenStride,
                                    t.hidden, t.columns, TimesTanhSlope{h - d});
     dots<N, TileSize<N>::dotRows>(d, t.hiddenStride, t.hidden, t.x, t.stride, t.inputs, t.columns, lanes,
-                                  size_t(t.inputs) * 16);
+                                  size_t(t.inputs) * kPartialSums);
     rowSums<N>(d, t.hiddenStride, t.hidden, t.columns, laneB);
     if (dx)
         multiply<N, TileSize<N>::rows>({net.w, 1, size_t(t.inputs)}, nullptr, d, t.hiddenStride, t.hidden, dx, t.stride,
@@ -194,24 +207,25 @@ template <int N>
 double squaredError(const KernelTile& t, const float* y, const float* target, float* error) {
     double loss = 0;
     for (int k = 0; k < t.outputs; ++k, y += t.stride, target += t.stride, error += t.stride) {
-        Lanes<N> sum{};
-        for (int p = 0; p < t.columns; p += N) {
-            Lanes<N> e = load<N>(y + p) - load<N>(target + p);
-            for (int lane = t.valid - p; lane < N; ++lane) e[lane < 0 ? 0 : lane] = 0.0f;
-            store<N>(error + p, e);
-            sum += e * e;
+        float sums[kPartialSums];
+        for (int first = 0; first < kPartialSums; first += N) {
+            Lanes<N> sum{};
+            for (int p = first; p < t.columns; p += kPartialSums) {
+                Lanes<N> e = load<N>(y + p) - load<N>(target + p);
+                for (int lane = t.valid - p; lane < N; ++lane) e[lane < 0 ? 0 : lane] = 0.0f;
+                store<N>(error + p, e);
+                sum += e * e;
+            }
+            store<N>(sums + first, sum);
         }
-        for (int lane = 0; lane < N; ++lane) loss += sum[lane];
+        for (const float sum : sums) loss += sum;
     }
     return loss;
 }
 
-/// Sums of N lanes, by way of four.
-template <int N>
+/// The partial sums, by way of four.
 [[gnu::always_inline]] inline Lanes<4> fourSums(const float* lanes) {
-    Lanes<4> sum = load<4>(lanes);
-    for (int i = 4; i < N; i += 4) sum += load<4>(lanes + i);
-    return sum;
+    return (load<4>(lanes) + load<4>(lanes + 4)) + (load<4>(lanes + 8) + load<4>(lanes + 12));
 }
 
 template <int N>
@@ -220,9 +234,9 @@ void reduce(float* lanes, size_t count, double* gradient) {
         float sums[16] = {}, columns[16];
         const int here = count - i < 4 ? int(count - i) : 4;
         for (int row = 0; row < here; ++row) {
-            float* from = lanes + (i + row) * 16;
-            store<4>(sums + 4 * row, fourSums<N>(from));
-            store<N>(from, Lanes<N>{});
+            float* from = lanes + (i + row) * kPartialSums;
+            store<4>(sums + 4 * row, fourSums(from));
+            for (int first = 0; first < kPartialSums; first += N) store<N>(from + first, Lanes<N>{});
         }
         transpose4(sums, 4, columns, 4);
         const Lanes<4> total =

@@ -49,6 +49,18 @@ TEST(GaussNewtonMatrix, EqualsTheDifferentiatedNetworksForAllShapes) {
     }
 }
 
+TEST(GaussNewtonMatrix, HasTheSameBitsOnEveryInstructionSet) {
+    const MlpShape shapes[] = {{4, 24, 5}, {1, 1, 1}, {3, 9, 2}, {7, 11, 4}};
+    for (const MlpShape& shape : shapes) {
+        const Mlp net = test::normalNetwork(shape, 1);
+        const PatternMatrix x = test::normalPatterns(700, shape.inputs, 2);
+        const auto baseline = gaussNewtonMatrix(shape, net.parameters, x, {}, InstructionSet::baseline);
+        for (const InstructionSet set : availableInstructionSets())
+            EXPECT_TRUE(gaussNewtonMatrix(shape, net.parameters, x, {}, set) == baseline)
+                << shape.hidden << " hidden units, " << name(set);
+    }
+}
+
 TEST(GaussNewtonMatrix, IsTakenFromTheSelectedBlocks) {
     const MlpShape shape{2, 3, 2};
     const Mlp net = test::normalNetwork(shape, 1);

@@ -197,6 +197,31 @@ TEST(MlpGradient, DoesNotDependOnTheNumberOfThreads) {
     EXPECT_EQ(one, run(8));
 }
 
+TEST(MlpGradient, GivesTheSameBitsOnEveryInstructionSet) {
+    for (const Case& c : kCases) {
+        const Mlp net = test::normalNetwork(c.shape, 1);
+        const PatternMatrix x = test::normalPatterns(c.patterns, c.shape.inputs, 2);
+        const PatternMatrix t = test::normalPatterns(c.patterns, c.shape.outputs, 3);
+        const auto resultsOf = [&](InstructionSet set) {
+            std::vector<double> results(net.parameters.size());
+            const MlpGradient engine(c.shape, set);
+            const double loss = engine.meanSquaredError(net.parameters, x, t, results);
+            PatternMatrix y, hidden, dx;
+            engine.forward(net.parameters, x, y, &hidden);
+            std::vector<double> other(net.parameters.size());
+            engine.backward(net.parameters, x, y, other, &hidden, &dx);
+            results.push_back(loss);
+            results.insert(results.end(), other.begin(), other.end());
+            for (const PatternMatrix* const matrix : {&y, &hidden, &dx})
+                for (const float value : matrix->toRows()) results.push_back(value);
+            return results;
+        };
+        const std::vector<double> baseline = resultsOf(InstructionSet::baseline);
+        for (const InstructionSet set : availableInstructionSets())
+            EXPECT_TRUE(resultsOf(set) == baseline) << text(c, set);
+    }
+}
+
 TEST(WeightDecay, TakesWeightsAndLeavesBiases) {
     const MlpShape shape{2, 1, 1};  // parameters: w, w, b, v, c
     std::vector<double> gradient(5, 1.0);

@@ -81,6 +81,24 @@ TEST(Train, LearnsASmoothFunctionByEveryMethod) {
     }
 }
 
+TEST(Train, LearnsTheSameNetworkOnEveryInstructionSetByEveryMethod) {
+    const PatternSet training = noisyPatterns(1000, 1, 0.02f), validation = noisyPatterns(300, 5, 0.02f);
+    for (std::size_t i = 0; i < trainingMethodNames.size(); ++i) {
+        const TrainingOptions options{.method = static_cast<TrainingMethod>(i), .weightDecay = 1e-6, .epochs = 60};
+        const auto learnedOn = [&](InstructionSet set) {
+            SquaredError objective(kShape, training, validation, set);
+            return train(objective, start(), options);
+        };
+        const TrainingResult baseline = learnedOn(InstructionSet::baseline);
+        EXPECT_NE(baseline.parameters, start()) << nameOf(options.method);
+        for (const InstructionSet set : availableInstructionSets()) {
+            const TrainingResult result = learnedOn(set);
+            EXPECT_EQ(result.parameters, baseline.parameters) << nameOf(options.method) << ", " << name(set);
+            EXPECT_EQ(result.loss, baseline.loss) << nameOf(options.method) << ", " << name(set);
+        }
+    }
+}
+
 TEST(Train, EveryMethodIsItsOwn) {
     const PatternSet set = noisyPatterns(300, 1, 0.02f);
     std::set<double> losses;

@@ -1,7 +1,8 @@
 // The program computes the same where the C library takes other code for its sines and exponentials, as it does on a
-// processor without AVX2 and FMA.
+// processor without AVX2 and FMA, and where its own kernels are those of such a processor.
 #include <algorithm>
 
+#include "learning/instruction_set.h"
 #include "support/game_folder.h"
 #include "support/game_text.h"
 #include "support/places.h"
@@ -10,8 +11,19 @@
 namespace mrose {
 namespace {
 
-/// For glibc alone: what mrose itself chooses by processor, its networks' kernels, has tests in learning/.
+/// For glibc alone.
 const std::string olderProcessor = "GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA";
+
+/// For what mrose itself chooses by processor, its networks' kernels.
+std::string withKernels(InstructionSet set) { return std::string("MROSE_INSTRUCTION_SET=") + name(set); }
+
+/// Variables for the environment: the C library and the kernels of all other processors.
+std::vector<std::string> otherProcessors() {
+    std::vector<std::string> variables{olderProcessor};
+    for (const InstructionSet set : availableInstructionSets())
+        if (set != bestInstructionSet()) variables.push_back(withKernels(set));
+    return variables;
+}
 
 bool libraryCanChoose() {
 #if defined(__x86_64__) && defined(__GLIBC__)
@@ -27,13 +39,16 @@ protected:
         if (!libraryCanChoose())
             GTEST_SKIP() << "the C library has no choice here: no glibc, or a processor without AVX2 and FMA";
     }
-    /// What the program prints: the same on both.
-    void expectSame(const std::vector<std::string>& words) {
-        const ProgramResult here = runMrose(words), there = runMrose(words, {.variable = olderProcessor});
+    /// What the program prints: the same on all of them.
+    void expectSame(const std::vector<std::string>& words, const std::vector<std::string>& others = {olderProcessor}) {
+        const ProgramResult here = runMrose(words);
         ASSERT_EQ(here.status, 0) << here.err;
-        EXPECT_EQ(there.status, 0) << there.err;
-        EXPECT_EQ(here.out, there.out) << words[0] << ' ' << words[1];
         EXPECT_FALSE(here.out.empty());
+        for (const std::string& other : others) {
+            const ProgramResult there = runMrose(words, {.variable = other});
+            EXPECT_EQ(there.status, 0) << there.err;
+            EXPECT_EQ(here.out, there.out) << words[0] << ' ' << words[1] << ", " << other;
+        }
     }
     /// Run on both, to the same hash, and what one recorded decided again by the other.
     void expectSameRun(const std::string& scenario, const std::string& seconds,
@@ -57,6 +72,13 @@ TEST_F(EveryProcessor, TheLibraryItselfDoesDiffer) {
     ASSERT_EQ(there.status, 0);
     EXPECT_EQ(std::count(here.out.begin(), here.out.end(), '\n'), 6);
     EXPECT_NE(here.out, there.out);
+}
+
+TEST_F(EveryProcessor, KernelsAreThoseThatAreNamed) {
+    for (const InstructionSet set : availableInstructionSets()) {
+        const ProgramResult version = runMrose({"--version"}, {.variable = withKernels(set)});
+        EXPECT_TRUE(version.out.ends_with(std::string(" ") + name(set) + '\n')) << version.out;
+    }
 }
 
 TEST_F(EveryProcessor, SoccerIsTheSame) { expectSameRun("soccer.toml", "120"); }
@@ -109,13 +131,16 @@ TEST_F(EveryProcessor, GeneratedLogsAreTheSame) {
 }
 
 TEST_F(EveryProcessor, IdentificationIsTheSame) {
-    expectSame({"inspect", log(), "--json", "--quiet"});
-    expectSame({"evaluate", network(), "--log", log(), "--json", "--quiet"});
+    expectSame({"inspect", log(), "--json", "--quiet"}, otherProcessors());
+    expectSame({"evaluate", network(), "--log", log(), "--json", "--quiet"}, otherProcessors());
 }
 
 TEST_F(EveryProcessor, LearningIsTheSame) {
-    const std::vector<std::vector<std::string>> kinds{
-        {}, {"--model", "state"}, {"--model", "paper", "--loss", "one-step", "--method", "lm"}};
+    const std::vector<std::vector<std::string>> kinds{{},
+                                                      {"--model", "state"},
+                                                      {"--model", "velocity"},
+                                                      {"--model", "paper"},
+                                                      {"--model", "paper", "--loss", "one-step", "--method", "lm"}};
     for (const std::vector<std::string>& kind : kinds) {
         std::vector<std::string> words = trainWords(path("learned.net"));
         words.insert(words.end(), {"--overwrite", "--quiet"});
@@ -127,7 +152,8 @@ TEST_F(EveryProcessor, LearningIsTheSame) {
         };
         const std::string here = learned("");
         EXPECT_FALSE(here.empty());
-        EXPECT_TRUE(here == learned(olderProcessor)) << (kind.empty() ? "history" : kind[1]);
+        for (const std::string& other : otherProcessors())
+            EXPECT_TRUE(here == learned(other)) << (kind.empty() ? "history" : kind[1]) << ", " << other;
     }
 }
 
