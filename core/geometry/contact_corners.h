@@ -4,10 +4,12 @@
 
 namespace mrose {
 
-/// The contact solver works in floats of 0.1 m, and corners nearer than 0.25 mm are one to it.
+/// Contact takes corners nearer than this for one, and cuts edges in floats: what it is given is clear in floats of 0.1
+/// m too.
 struct ContactPrecision {
     static constexpr double unitsPerMetre = 10;
-    static constexpr double weld = 0.0003;  ///< m: corners are kept farther apart, a little more than it asks
+    static constexpr double weld =
+        0.0003;  ///< m: corners are kept farther apart, a little more than Box2D's shapes ask
     static constexpr double height = 1e-5;  ///< m: and, of any three, no nearer to the line through two ...
     static constexpr double heightShare = 1.0 / (1 << 20);  ///< ... nor than this share of the longest side
     static constexpr double area = 1e-8;                    ///< m2: a piece is not smaller

@@ -31,7 +31,6 @@ namespace elementary {
 /// 2^50 on, where doubles lie a sixth of a radian apart and more, the rounded turn alone.
 inline double nearAngle(double radians) {
     constexpr double turn = 2 * std::numbers::pi, lacking = 2.4492935982947064e-16;
-    if (!std::isfinite(radians)) return std::numeric_limits<double>::quiet_NaN();
     const double rest = std::remainder(radians, turn);
     if (std::abs(radians) >= 0x1p50) return rest;
     return rest - nearestWhole((radians - rest) / turn) * lacking;
@@ -87,7 +86,11 @@ inline SineCosine nearZero(double y) {
 inline SineCosine sineCosine(double radians) {
     if (std::abs(radians) < 0.78)
         return elementary::nearZero(radians);  // what a robot turns in a tick: sooner, and the same
-    if (!(std::abs(radians) < 0x1p20)) radians = elementary::nearAngle(radians);
+    if (!(std::abs(radians) < 0x1p20)) {
+        constexpr double none = std::numeric_limits<double>::quiet_NaN();
+        if (!std::isfinite(radians)) return {none, none};
+        radians = elementary::nearAngle(radians);
+    }
     // pi/2 in two parts (Cody and Waite): the product with the first is exact.
     constexpr double first = 0x1.921fb544p+0, second = 6.077100506506192e-11;
     const double quarters = nearestWhole(radians * (2 / std::numbers::pi));

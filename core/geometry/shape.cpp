@@ -5,29 +5,10 @@
 #include <numbers>
 
 #include "geometry/contact_corners.h"
+#include "geometry/gap.h"
 
 namespace mrose {
 namespace {
-
-/// How far `b` lies outside the edge of `a` that it is farthest from: a lower bound of the distance of the polygons, or
-/// minus their depth.
-double edgeSeparation(const ConvexPiece& a, const ConvexPiece& b) {
-    double most = -std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < a.count; ++i) {
-        double least = std::numeric_limits<double>::infinity();
-        for (std::size_t j = 0; j < b.count; ++j) least = std::min(least, dot(a.normals[i], b.corners[j]));
-        most = std::max(most, least - dot(a.normals[i], a.corners[i]));
-    }
-    return most;
-}
-
-double separation(const ConvexPiece& a, const ConvexPiece& b) {
-    const double radii = a.radius + b.radius;
-    if (a.isCircle() && b.isCircle()) return distance(a.corners[0], b.corners[0]) - radii;
-    if (a.isCircle()) return edgeSeparation(b, a) - radii;
-    if (b.isCircle()) return edgeSeparation(a, b) - radii;
-    return std::max(edgeSeparation(a, b), edgeSeparation(b, a));
-}
 
 /// The gap between the pieces' shadows on a line along `axis`, from a to b.
 double gapAlong(const Point& axis, const ConvexPiece& a, const ConvexPiece& b) {
@@ -44,15 +25,6 @@ Point axisToCircle(const ConvexPiece& a, const ConvexPiece& b) {
         if (const Point to = b.centre - a.corners[i]; dot(to, to) < dot(best, best)) best = to;
     const double far = length(best);
     return far > 0 ? (1 / far) * best : Point{};
-}
-
-double cornersToEdges(const ConvexPiece& corners, const ConvexPiece& edges) {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < corners.count; ++i)
-        for (std::size_t j = 0; j < edges.count; ++j)
-            least = std::min(
-                least, distanceToSegment(corners.corners[i], edges.corners[j], edges.corners[(j + 1) % edges.count]));
-    return least;
 }
 
 AreaMoments momentsOf(const ShapePart& part) {
@@ -111,20 +83,13 @@ ConvexPiece placed(const ConvexPiece& piece, const Placement& placement) {
     return result;
 }
 
-double distance(const ConvexPiece& a, const ConvexPiece& b) {
-    const double apart = separation(a, b);
-    if (a.isCircle() && b.isCircle()) return apart;
-    if (apart + a.radius + b.radius <= 0) return apart;
-    if (a.isCircle()) return cornersToEdges(a, b) - a.radius;
-    if (b.isCircle()) return cornersToEdges(b, a) - b.radius;
-    return std::min(cornersToEdges(a, b), cornersToEdges(b, a));
-}
+double distance(const ConvexPiece& a, const ConvexPiece& b) { return gapBetween(a, b).distance; }
 
-bool mayBeNearer(const ConvexPiece& a, const ConvexPiece& b, double limit) {
+bool nearer(const ConvexPiece& a, const ConvexPiece& b, double limit) {
     const double reach = a.reach + b.reach + limit;
     const Point between = b.centre - a.centre;
     if (dot(between, between) > reach * reach) return false;
-    return separation(a, b) <= limit;
+    return gapBetween(a, b).distance <= limit;
 }
 
 bool stayApart(const ConvexPiece& a0, const ConvexPiece& b0, const ConvexPiece& a1, const ConvexPiece& b1, double slack,

@@ -32,6 +32,7 @@ struct ConvexPiece {
     static std::optional<ConvexPiece> polygon(const Polygon& corners);
     static ConvexPiece circle(const Point& centre, double radius);
     bool isCircle() const { return count == 1; }
+    std::size_t cornerAfter(std::size_t i) const { return i + 1 < count ? i + 1 : 0; }
 
 private:
     ConvexPiece() = default;  // none is without corners
@@ -43,8 +44,8 @@ ConvexPiece placed(const ConvexPiece& piece, const Placement& placement);
 /// The distance between two pieces in one frame; negative where they overlap: the least depth along an edge's normal.
 double distance(const ConvexPiece& a, const ConvexPiece& b);
 
-/// Whether they may be nearer than `limit`, answered quickly: never wrongly no, and wrongly yes only corner to corner.
-bool mayBeNearer(const ConvexPiece& a, const ConvexPiece& b, double limit);
+/// Whether they are nearer than `limit`; quickly no where they are far.
+bool nearer(const ConvexPiece& a, const ConvexPiece& b, double limit);
 
 /// Whether two pieces that move on straight ways, from (a0, b0) to (a1, b1), stay apart: a line keeps more than `slack`
 /// between them all the time, or more than `touch` and they come no nearer along it.

@@ -1,22 +1,22 @@
 #pragma once
 
-#include <memory>
 #include <span>
+#include <vector>
 
 #include "geometry/shape.h"
 
 namespace mrose {
 
-/// Convex pieces made ready for the contact solver; shared by all bodies of one shape.
-class CollisionShape {
-public:
-    explicit CollisionShape(std::span<const ConvexPiece> pieces);
+/// Convex pieces made ready for contact; one for all bodies of a shape.
+struct CollisionShape {
+    struct Piece {
+        ConvexPiece outline;
+        double turning;  ///< m: a point of it gets no farther from the body's centre of mass, but by its roundness
+    };
+    std::vector<Piece> pieces;
 
-    struct Prepared;
-    const Prepared& prepared() const { return *prepared_; }
-
-private:
-    std::shared_ptr<const Prepared> prepared_;
+    /// `centre`: of mass, about which the pieces turn.
+    explicit CollisionShape(std::span<const ConvexPiece> outlines, const Point& centre = {});
 };
 
 }  // namespace mrose

@@ -7,7 +7,7 @@
 #include <typeinfo>
 
 #include "motion/same_motion.h"
-#include "physics/contact_plan.h"
+#include "physics/kept_impulses.h"
 
 namespace mrose {
 namespace {

@@ -105,14 +105,14 @@ void Scenario::prepareContacts() {
     const Scene& scene = parts_.scene;
     for (const RobotType& type : scene.robotTypes) {
         const Shape& shape = *type.shape;
-        contactTypes_.push_back({CollisionShape(shape.pieces), type.surface, type.mass,
+        contactTypes_.push_back({CollisionShape(shape.pieces, shape.centroid), type.surface, type.mass,
                                  type.mass * shape.gyration * shape.gyration, shape.centroid, shape.reach});
     }
     for (const ObjectType& type : scene.objectTypes) {
         const Shape& shape = *type.shape;
         const double inertia = type.rolls ? type.inertia * shape.reach * shape.reach : shape.gyration * shape.gyration;
-        contactTypes_.push_back(
-            {CollisionShape(shape.pieces), type.surface, type.mass, type.mass * inertia, shape.centroid, shape.reach});
+        contactTypes_.push_back({CollisionShape(shape.pieces, shape.centroid), type.surface, type.mass,
+                                 type.mass * inertia, shape.centroid, shape.reach});
     }
     for (const SceneRobot& robot : scene.robots) contactTypeOf_.push_back(robot.type);
     for (const SceneObject& object : scene.objects)

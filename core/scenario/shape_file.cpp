@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t mostParts = 64;
 constexpr Colour grey{128, 128, 128};
-/// In the contact solver's floats little is left of the moment of what is small and far from its reference point.
+/// In floats, in which contact cuts edges, little is left of what is small and far from its reference point.
 constexpr double mostAside = 100;
 
 }  // namespace

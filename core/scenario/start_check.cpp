@@ -46,7 +46,7 @@ std::optional<StartOverlap> findStartOverlap(const Scene& scene, double toleranc
         std::erase_if(open, [&](const Item* other) { return other->end < item.begin; });
         for (const Item* other : open) {
             const auto [first, second] = std::minmax(item.owner, other->owner);
-            if (first == second || first >= bodies || !mayBeNearer(item.piece, other->piece, -tolerance)) continue;
+            if (first == second || first >= bodies || !nearer(item.piece, other->piece, -tolerance)) continue;
             const double depth = -distance(item.piece, other->piece);
             if (depth <= tolerance) continue;
             if (second < bodies) return StartOverlap{second, first, 0, depth};

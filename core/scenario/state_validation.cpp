@@ -9,7 +9,7 @@
 namespace mrose {
 namespace {
 
-/// Places, speeds, impulses: nothing comes so far, and the contact solver's single precision has room for them.
+/// Places, speeds, impulses: nothing comes so far, and the kept impulses' single precision has room for them.
 constexpr double farthest = 1e9;
 /// Commands may ask for more than a robot does.
 constexpr double largest = std::numeric_limits<double>::max();

@@ -34,7 +34,7 @@ void ObstacleIndex::visitCells(const ConvexPiece& piece, Visit visit) const {
             // A slanted wall's box is much larger than the wall.
             const Point centre =
                 corner_ + Point{(static_cast<double>(c) + 0.5) * cell_, (static_cast<double>(r) + 0.5) * cell_};
-            if (mayBeNearer(ConvexPiece::circle(centre, cell_ * 0.7072), piece, margin_)) visit(cellOf(c, r));
+            if (nearer(ConvexPiece::circle(centre, cell_ * 0.7072), piece, margin_)) visit(cellOf(c, r));
         }
 }
 

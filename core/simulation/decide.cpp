@@ -73,7 +73,7 @@ void obey(const Scenario& scenario, WorldState& state, std::size_t robot, const 
         if (const char* const message = messageObjection(decision, state.robots.size()); message != nullptr)
             wrong = message;
     if (!wrong.empty() || !decision.fault.empty()) {
-        addFault(trace, robot, !wrong.empty() ? std::move(wrong) : decision.fault);
+        addFault(trace, robot, wrong.empty() ? decision.fault : wrong);
         issue(scenario, state, robot, {now, {}});
         return;
     }

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
+#include "physics/kept_impulses.h"
 #include "scene/floor_motion.h"
 #include "simulation/step_stages.h"
 #include "world/noise.h"
@@ -44,12 +46,11 @@ void findClusters(StepBuffers::Content& buffers) {
     }
 }
 
-ContactBody contactBody(const Scenario& scenario, const StepBuffers::Content& buffers, std::uint32_t body,
-                        std::uint32_t cluster) {
+ContactBody contactBody(const Scenario& scenario, StepBuffers::Content& buffers, std::uint32_t body) {
     const Scenario::ContactBodyType& type = scenario.contactType(body);
     return {body,
-            cluster,
             &type.shape,
+            buffers.search.piecesOf(buffers.swept[body], body),
             type.mass,
             type.inertia,
             type.centre,
@@ -60,76 +61,122 @@ ContactBody contactBody(const Scenario& scenario, const StepBuffers::Content& bu
             buffers.swept[body].planned};
 }
 
-void makeTask(const Scenario& scenario, const WorldState& state, StepBuffers::Content& buffers) {
-    findClusters(buffers);
-    ContactTask& task = buffers.task;
-    task.bodies.clear();
-    task.obstacles.clear();
-    task.obstacleShape = &scenario.obstacleShape();
-    task.duration = toSeconds(scenario.scene().tickLength);
-    task.randomFactor = scenario.scene().randomFactor;
-    task.seed = state.seed;
-    task.tick = state.tick;
-    // Clusters in which no pair meets need no solver.
-    std::vector<std::uint32_t>& bodies = buffers.touching;
-    std::vector<bool>& meets = buffers.meets;
-    meets.assign(buffers.swept.size(), false);
-    bodies.clear();
-    for (const TouchSearch::Pair& pair : buffers.search.bodyPairs()) {
-        bodies.insert(bodies.end(), {pair.a, pair.b});
-        if (pair.meet) meets[rootOf(buffers.cluster, pair.a)] = true;
+/// Sorts the pairs that the search found by cluster, but for clusters that need not be solved.
+void sortByCluster(StepBuffers::Content& buffers, const std::vector<bool>& solves) {
+    std::vector<StepBuffers::Content::ClusterPair>& pairs = buffers.pairs;
+    pairs.clear();
+    const auto add = [&](const TouchSearch::Pair& pair, bool grounded) {
+        if (const std::uint32_t root = rootOf(buffers.cluster, pair.a); solves[root])
+            pairs.push_back({root, pair.a, pair.b, grounded});
+    };
+    for (const TouchSearch::Pair& pair : buffers.search.bodyPairs()) add(pair, false);
+    for (const TouchSearch::Pair& pair : buffers.search.obstaclePairs()) add(pair, true);
+    std::stable_sort(pairs.begin(), pairs.end(), [](const auto& p, const auto& q) { return p.cluster < q.cluster; });
+}
+
+/// The cluster whose pairs these are. Its bodies are in the order of where they are: what they do to each other does
+/// not depend on their numbers.
+void fillCluster(const Scenario& scenario, StepBuffers::Content& buffers,
+                 std::span<const StepBuffers::Content::ClusterPair> pairs) {
+    ContactCluster& cluster = buffers.contacts;
+    cluster.clear();
+    std::vector<std::uint32_t>& members = buffers.touching;
+    members.clear();
+    for (const auto& pair : pairs) {
+        members.push_back(pair.a);
+        if (!pair.grounded) members.push_back(pair.b);
     }
-    for (const TouchSearch::Pair& pair : buffers.search.obstaclePairs()) {
-        bodies.push_back(pair.a);
-        if (pair.meet) meets[rootOf(buffers.cluster, pair.a)] = true;
-    }
-    std::sort(bodies.begin(), bodies.end());
-    bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
-    std::erase_if(bodies, [&](std::uint32_t body) { return !meets[rootOf(buffers.cluster, body)]; });
-    for (const std::uint32_t body : bodies)
-        task.bodies.push_back(contactBody(scenario, buffers, body, rootOf(buffers.cluster, body)));
-    std::sort(task.bodies.begin(), task.bodies.end(), [](const ContactBody& a, const ContactBody& b) {
-        return a.cluster != b.cluster ? a.cluster < b.cluster : a.body < b.body;
+    std::sort(members.begin(), members.end(), [&](std::uint32_t p, std::uint32_t q) {
+        const Pose &a = buffers.swept[p].pose, &b = buffers.swept[q].pose;
+        return std::tie(a.x, a.y, a.heading, p) < std::tie(b.x, b.y, b.heading, q);
     });
-    for (const auto& [body, piece, meet] : buffers.search.obstaclePairs()) {
-        if (!meets[rootOf(buffers.cluster, body)]) continue;
-        const Surface& surface = scenario.obstacles().surfaceOf(piece);
-        task.obstacles.push_back({piece, rootOf(buffers.cluster, body), surface.friction, surface.restitution});
+    members.erase(std::unique(members.begin(), members.end()), members.end());
+    buffers.place.resize(buffers.swept.size());
+    for (const std::uint32_t body : members) buffers.search.piecesOf(buffers.swept[body], body);  // may move others'
+    for (const std::uint32_t body : members) {
+        buffers.place[body] = static_cast<std::uint32_t>(cluster.bodies.size());
+        cluster.bodies.push_back(contactBody(scenario, buffers, body));
     }
-    const auto key = [](const ContactObstacle& o) { return std::pair{o.cluster, o.piece}; };
-    std::sort(task.obstacles.begin(), task.obstacles.end(),
-              [&](const ContactObstacle& a, const ContactObstacle& b) { return key(a) < key(b); });
-    const auto same = [&](const ContactObstacle& a, const ContactObstacle& b) { return key(a) == key(b); };
-    task.obstacles.erase(std::unique(task.obstacles.begin(), task.obstacles.end(), same), task.obstacles.end());
+    for (const auto& pair : pairs) {
+        const std::uint32_t a = buffers.place[pair.a];
+        if (!pair.grounded) {
+            const std::uint32_t b = buffers.place[pair.b];
+            cluster.pairs.push_back({std::min(a, b), std::max(a, b)});
+            continue;
+        }
+        const Surface& surface = scenario.obstacles().surfaceOf(pair.b);
+        cluster.obstacles.push_back({a, pair.b, surface.friction, surface.restitution});
+    }
+    std::sort(cluster.pairs.begin(), cluster.pairs.end(),
+              [](const BodyPair& p, const BodyPair& q) { return std::tie(p.a, p.b) < std::tie(q.a, q.b); });
+    std::sort(cluster.obstacles.begin(), cluster.obstacles.end(), [](const ObstaclePair& p, const ObstaclePair& q) {
+        return std::tie(p.body, p.piece) < std::tie(q.body, q.piece);
+    });
 }
 
-/// Whether contact has sent a body farther than the search for touches took into account.
-bool outranged(StepBuffers::Content& buffers) {
-    bool any = false;
-    for (std::size_t k = 0; k < buffers.task.bodies.size(); ++k) {
-        if (!buffers.outcomes[k].moved) continue;
-        SweptBody& body = buffers.swept[buffers.task.bodies[k].body];
-        const double travel = SweptBody::of(*body.shape, body.pose, buffers.outcomes[k].pose).travel;
-        if (travel <= body.travel + TouchSearch::margin / 2) continue;
-        body.travel = travel;
-        any = true;
-    }
-    return any;
+ContactTick contactTick(const Scenario& scenario, const WorldState& state) {
+    const Scene& scene = scenario.scene();
+    return {&scenario.obstacleShape(), toSeconds(scene.tickLength), scene.randomFactor, state.seed, state.tick};
 }
 
-void solve(const Scenario& scenario, const WorldState& state, StepBuffers::Content& buffers, StepTrace* trace) {
-    constexpr int mostRounds = 4;
-    for (int round = 0; round < mostRounds; ++round) {
-        makeTask(scenario, state, buffers);
-        if (trace != nullptr) trace->contacts.clear();
-        if (buffers.task.bodies.empty()) return;
-        buffers.solver.solve(buffers.task, state.contacts, buffers.impulses, buffers.outcomes,
+/// Solves the clusters of buffers.pairs. What contact sent farther than the search for touches took into account is in
+/// buffers.outranged then.
+void solveClusters(const Scenario& scenario, const WorldState& state, StepBuffers::Content& buffers, StepTrace* trace) {
+    const ContactTick tick = contactTick(scenario, state);
+    buffers.outranged.clear();
+    for (std::size_t first = 0, last = 0; first < buffers.pairs.size(); first = last) {
+        while (last < buffers.pairs.size() && buffers.pairs[last].cluster == buffers.pairs[first].cluster) ++last;
+        fillCluster(scenario, buffers, std::span(buffers.pairs).subspan(first, last - first));
+        const std::size_t count = buffers.contacts.bodies.size();
+        buffers.outcomes.resize(count);
+        buffers.solver.solve(tick, buffers.contacts, state.contacts, buffers.impulses, buffers.outcomes,
                              trace != nullptr ? &trace->contacts : nullptr);
-        if (!outranged(buffers)) return;
-        const std::size_t pairs = buffers.search.bodyPairs().size(), walls = buffers.search.obstaclePairs().size();
-        buffers.search.find(buffers.swept, scenario.obstacles());
-        if (buffers.search.bodyPairs().size() == pairs && buffers.search.obstaclePairs().size() == walls) return;
+        for (std::size_t i = 0; i < count; ++i) {
+            const ContactOutcome& outcome = buffers.outcomes[i];
+            if (!outcome.moved) continue;
+            const std::uint32_t body = buffers.contacts.bodies[i].body;
+            buffers.moved.push_back({body, outcome});
+            SweptBody& swept = buffers.swept[body];
+            if (outcome.travel <= swept.travel + TouchSearch::margin / 2) continue;
+            swept.travel = 2 * outcome.travel;
+            buffers.outranged.push_back(body);
+        }
     }
+}
+
+/// Takes back what was found for the bodies of the clusters that are solved again.
+void forgetClusters(StepBuffers::Content& buffers, const std::vector<bool>& solves, StepTrace* trace) {
+    const auto again = [&](std::uint32_t body) { return solves[rootOf(buffers.cluster, body)]; };
+    std::erase_if(buffers.moved, [&](const auto& moved) { return again(moved.body); });
+    std::erase_if(buffers.impulses, [&](const ContactImpulse& impulse) { return again(impulse.bodyA); });
+    if (trace != nullptr)
+        std::erase_if(trace->contacts, [&](const ContactReport& report) { return again(report.bodyA); });
+}
+
+/// Clusters in which no pair meets need no solver. Where contact sends a body farther than the search knew, whom it may
+/// reach there is looked for; if there is somebody new, its cluster, which is larger now, is solved again.
+void solve(const Scenario& scenario, const WorldState& state, StepBuffers::Content& buffers, StepTrace* trace) {
+    findClusters(buffers);
+    std::vector<bool>& solves = buffers.solves;
+    solves.assign(buffers.swept.size(), false);
+    for (const TouchSearch::Pair& pair : buffers.search.bodyPairs())
+        if (pair.meet) solves[rootOf(buffers.cluster, pair.a)] = true;
+    for (const TouchSearch::Pair& pair : buffers.search.obstaclePairs())
+        if (pair.meet) solves[rootOf(buffers.cluster, pair.a)] = true;
+    sortByCluster(buffers, solves);
+    solveClusters(scenario, state, buffers, trace);
+    while (!buffers.outranged.empty()) {
+        const std::vector<std::uint32_t> met =
+            buffers.search.widen(buffers.swept, buffers.outranged, scenario.obstacles());
+        if (met.empty()) break;
+        findClusters(buffers);
+        solves.assign(buffers.swept.size(), false);
+        for (const std::uint32_t body : met) solves[rootOf(buffers.cluster, body)] = true;
+        forgetClusters(buffers, solves, trace);
+        sortByCluster(buffers, solves);
+        solveClusters(scenario, state, buffers, trace);
+    }
+    std::sort(buffers.impulses.begin(), buffers.impulses.end(), keyLess);
 }
 
 void moveRobot(RobotState& r, const ContactOutcome& outcome) {
@@ -175,10 +222,7 @@ void commit(const Scenario& scenario, WorldState& state, StepBuffers::Content& b
         if (trace != nullptr) trace->robots[i].planned = point.pose;
     }
     std::swap(state.objects, buffers.objects);
-    for (std::size_t k = 0; k < buffers.task.bodies.size(); ++k) {
-        const ContactOutcome& outcome = buffers.outcomes[k];
-        if (!outcome.moved) continue;
-        const std::size_t body = buffers.task.bodies[k].body;
+    for (const auto& [body, outcome] : buffers.moved) {
         if (body < robots) {
             moveRobot(state.robots[body], outcome);
             if (trace != nullptr) trace->robots[body].touched = true;
@@ -216,8 +260,8 @@ void planFreeMotion(const Scenario& scenario, WorldState& state, StepBuffers::Co
 }
 
 void resolveContacts(const Scenario& scenario, WorldState& state, StepBuffers::Content& buffers, StepTrace* trace) {
-    buffers.search.find(buffers.swept, scenario.obstacles());
-    buffers.task.bodies.clear();
+    buffers.search.find(buffers.swept, scenario.obstacles(), state.contacts);
+    buffers.moved.clear();
     buffers.impulses.clear();
     if (!buffers.search.bodyPairs().empty() || !buffers.search.obstaclePairs().empty())
         solve(scenario, state, buffers, trace);

@@ -8,7 +8,7 @@
 
 #include "control/controller.h"
 #include "motion/motion_model.h"
-#include "physics/contact_physics.h"
+#include "physics/contact_task.h"
 #include "scenario/scenario.h"
 #include "world/world_state.h"
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "physics/contact_solver.h"
 #include "sensing/sensing_buffers.h"
 #include "simulation/motion_path.h"
 #include "simulation/step.h"
@@ -19,11 +20,24 @@ struct StepBuffers::Content {
     std::vector<std::byte> motion;     ///< WorldState::motion at the tick's start, where objects remember
     std::vector<SweptBody> swept;
     TouchSearch search;
-    std::vector<std::uint32_t> cluster, touching;
-    std::vector<bool> meets;
-    ContactTask task;
+    std::vector<std::uint32_t> cluster;  ///< of each body
+    std::vector<bool> solves;            ///< by cluster: whether the solver is asked
+    /// Two bodies, or a body and an obstacle's piece, that may touch.
+    struct ClusterPair {
+        std::uint32_t cluster = 0, a = 0, b = 0;
+        bool grounded = false;
+    };
+    std::vector<ClusterPair> pairs;
+    std::vector<std::uint32_t> touching, place;  ///< bodies of a cluster; by body, where it is among them
+    ContactCluster contacts;
     ContactSolver solver;
     std::vector<ContactOutcome> outcomes;
+    struct Moved {
+        std::uint32_t body = 0;
+        ContactOutcome outcome;
+    };
+    std::vector<Moved> moved;              ///< whom contact takes off their plan
+    std::vector<std::uint32_t> outranged;  ///< bodies that it sends farther than the search knew
     std::vector<ContactImpulse> impulses;
 };
 

@@ -17,6 +17,27 @@ double sagOf(const SweptBody& body) {
 
 constexpr std::uint32_t notPlaced = 0xffffffff;
 
+using Pair = TouchSearch::Pair;
+
+bool before(const Pair& p, const Pair& q) { return p.a != q.a ? p.a < q.a : p.b < q.b; }
+
+/// Of the pairs behind the first `known`, which are in order, keeps those that are not among them, and puts all in
+/// order. The first bodies of the new ones.
+std::vector<std::uint32_t> addNew(std::vector<Pair>& pairs, std::size_t known) {
+    const auto behind = pairs.begin() + static_cast<std::ptrdiff_t>(known);
+    std::sort(behind, pairs.end(), before);
+    pairs.erase(std::unique(behind, pairs.end(), [](const Pair& p, const Pair& q) { return p.a == q.a && p.b == q.b; }),
+                pairs.end());
+    pairs.erase(
+        std::remove_if(behind, pairs.end(),
+                       [&](const Pair& pair) { return std::binary_search(pairs.begin(), behind, pair, before); }),
+        pairs.end());
+    std::vector<std::uint32_t> bodies;
+    for (auto pair = behind; pair != pairs.end(); ++pair) bodies.push_back(pair->a);
+    std::inplace_merge(pairs.begin(), behind, pairs.end(), before);
+    return bodies;
+}
+
 }  // namespace
 
 SweptBody SweptBody::of(const Shape& shape, const Pose& pose, const Pose& planned) {
@@ -52,23 +73,55 @@ void TouchSearch::consider(std::span<const SweptBody> bodies, std::uint32_t a, s
     if (dot(between, between) <= reach * reach) considerNear(bodies[a], a, bodies[b], b);
 }
 
+void TouchSearch::remember(std::span<const ContactImpulse> pressed, std::size_t bodies) {
+    pressedBodies_.clear();
+    pressedObstacles_.clear();
+    leans_.assign(bodies, false);
+    for (const ContactImpulse& impulse : pressed) {
+        if (impulse.bodyA >= bodies) continue;
+        leans_[impulse.bodyA] = true;
+        if (impulse.bodyB == noBody)
+            pressedObstacles_.emplace_back(impulse.bodyA, impulse.pieceB);
+        else
+            pressedBodies_.push_back(std::minmax(impulse.bodyA, impulse.bodyB));
+    }
+    std::sort(pressedBodies_.begin(), pressedBodies_.end());
+    std::sort(pressedObstacles_.begin(), pressedObstacles_.end());
+}
+
+bool TouchSearch::pressedBodies(std::uint32_t a, std::uint32_t b) const {
+    return (leans_[a] || leans_[b]) && std::binary_search(pressedBodies_.begin(), pressedBodies_.end(), Key(a, b));
+}
+
+bool TouchSearch::pressedObstacle(std::uint32_t body, std::uint32_t piece) const {
+    return leans_[body] && std::binary_search(pressedObstacles_.begin(), pressedObstacles_.end(), Key(body, piece));
+}
+
 void TouchSearch::considerNear(const SweptBody& first, std::uint32_t a, const SweptBody& second, std::uint32_t b) {
+    if (pressedBodies(a, b)) {
+        bodyPairs_.push_back({a, b, true});
+        return;
+    }
     const double limit = first.travel + second.travel + margin;
     const auto [own, theirs] = both(before_, first, a, second, b);
     bool near = false, meet = false;
     for (std::size_t x = 0; x < own.size() && !meet; ++x)
         for (std::size_t y = 0; y < theirs.size() && !meet; ++y) {
-            if (!mayBeNearer(own[x], theirs[y], limit)) continue;
+            if (!nearer(own[x], theirs[y], limit)) continue;
             near = true;
             const double sag = sagOf(first) + sagOf(second);
             const auto [ownAfter, theirsAfter] = both(after_, first, a, second, b);
-            meet = !stayApart(own[x], theirs[y], ownAfter[x], theirsAfter[y], margin + sag, pressed + sag);
+            meet = !stayApart(own[x], theirs[y], ownAfter[x], theirsAfter[y], margin + sag, touching + sag);
         }
     if (near) bodyPairs_.push_back({a, b, meet});
 }
 
 void TouchSearch::considerObstacle(const SweptBody& body, std::uint32_t index, std::uint32_t piece,
                                    const ConvexPiece& obstacle) {
+    if (pressedObstacle(index, piece)) {
+        obstaclePairs_.push_back({index, piece, true});
+        return;
+    }
     const double limit = body.travel + margin;
     const Point centre = position(body.pose);
     // How far the middle is outside the obstacle's edges separates most bodies from it.
@@ -79,10 +132,10 @@ void TouchSearch::considerObstacle(const SweptBody& body, std::uint32_t index, s
     const std::span<const ConvexPiece> own = before_.of(body, index);
     bool near = false, meet = false;
     for (std::size_t x = 0; x < own.size() && !meet; ++x) {
-        if (!mayBeNearer(own[x], obstacle, limit)) continue;
+        if (!nearer(own[x], obstacle, limit)) continue;
         near = true;
         const double sag = sagOf(body);
-        meet = !stayApart(own[x], obstacle, after_.of(body, index)[x], obstacle, margin + sag, pressed + sag);
+        meet = !stayApart(own[x], obstacle, after_.of(body, index)[x], obstacle, margin + sag, touching + sag);
     }
     if (near) obstaclePairs_.push_back({index, piece, meet});
 }
@@ -97,11 +150,12 @@ void TouchSearch::findNearInGrid(std::span<const SweptBody> bodies) {
     const double widest = *std::max_element(radii_.begin(), radii_.end());
     grid_.fill(centres_, 2 * widest, 4);
     grid_.visitNeighbours([&](std::uint32_t a, std::uint32_t b) { consider(bodies, a, b); });
-    std::sort(bodyPairs_.begin(), bodyPairs_.end(),
-              [](const Pair& p, const Pair& q) { return p.a != q.a ? p.a < q.a : p.b < q.b; });
+    std::sort(bodyPairs_.begin(), bodyPairs_.end(), before);
 }
 
-void TouchSearch::find(std::span<const SweptBody> bodies, const ObstacleIndex& obstacles) {
+void TouchSearch::find(std::span<const SweptBody> bodies, const ObstacleIndex& obstacles,
+                       std::span<const ContactImpulse> pressed) {
+    remember(pressed, bodies.size());
     bodyPairs_.clear();
     obstaclePairs_.clear();
     before_.forget(bodies.size());
@@ -116,15 +170,41 @@ void TouchSearch::find(std::span<const SweptBody> bodies, const ObstacleIndex& o
         findNear(bodies);
     else
         findNearInGrid(bodies);
-    for (std::uint32_t i = 0; i < bodies.size(); ++i) {
-        const SweptBody& body = bodies[i];
-        const auto tryPiece = [&](std::uint32_t piece) { considerObstacle(body, i, piece, obstacles.pieces()[piece]); };
-        if (body.shape->reach + body.travel + margin <= obstacles.margin()) {
-            for (const std::uint32_t piece : obstacles.near(position(body.pose))) tryPiece(piece);
-        } else {
-            for (std::uint32_t piece = 0; piece < obstacles.pieces().size(); ++piece) tryPiece(piece);
-        }
+    for (std::uint32_t i = 0; i < bodies.size(); ++i) considerObstacles(bodies[i], i, obstacles);
+}
+
+void TouchSearch::considerObstacles(const SweptBody& body, std::uint32_t index, const ObstacleIndex& obstacles) {
+    const auto tryPiece = [&](std::uint32_t piece) { considerObstacle(body, index, piece, obstacles.pieces()[piece]); };
+    if (body.shape->reach + body.travel + margin <= obstacles.margin()) {
+        for (const std::uint32_t piece : obstacles.near(position(body.pose))) tryPiece(piece);
+    } else {
+        for (std::uint32_t piece = 0; piece < obstacles.pieces().size(); ++piece) tryPiece(piece);
     }
+}
+
+std::vector<std::uint32_t> TouchSearch::widen(std::span<const SweptBody> bodies, std::span<const std::uint32_t> grown,
+                                              const ObstacleIndex& obstacles) {
+    const std::size_t known = bodyPairs_.size(), knownObstacles = obstaclePairs_.size();
+    for (const std::uint32_t a : grown) radii_[a] = bodies[a].shape->reach + bodies[a].travel + margin / 2;
+    const double widest = *std::max_element(radii_.begin(), radii_.end());
+    for (const std::uint32_t a : grown) {
+        const auto with = [&](std::uint32_t b) {
+            if (b != a) consider(bodies, std::min(a, b), std::max(a, b));
+        };
+        if (bodies.size() <= fewBodies) {
+            for (std::uint32_t b = 0; b < bodies.size(); ++b) with(b);
+        } else {
+            const Point reach{radii_[a] + widest, radii_[a] + widest};
+            grid_.visitBox(centres_[a] - reach, centres_[a] + reach, [&](std::span<const PointGrid::Entry> entries) {
+                for (const PointGrid::Entry& entry : entries) with(entry.number);
+            });
+        }
+        considerObstacles(bodies[a], a, obstacles);
+    }
+    std::vector<std::uint32_t> met;
+    for (const std::uint32_t body : addNew(bodyPairs_, known)) met.push_back(body);
+    for (const std::uint32_t body : addNew(obstaclePairs_, knownObstacles)) met.push_back(body);
+    return met;
 }
 
 }  // namespace mrose

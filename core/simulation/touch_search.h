@@ -8,6 +8,7 @@
 #include "geometry/shape.h"
 #include "scene/obstacle_index.h"
 #include "scene/point_grid.h"
+#include "world/world_state.h"
 
 namespace mrose {
 
@@ -31,18 +32,28 @@ public:
         bool operator==(const Pair&) const = default;
     };
 
-    /// Pairs of bodies (a < b) and of a body and an obstacle's piece, both in ascending order.
-    void find(std::span<const SweptBody> bodies, const ObstacleIndex& obstacles);
+    /// Pairs of bodies (a < b) and of a body and an obstacle's piece, both in ascending order. Those that pressed on
+    /// each other when the last tick ended are taken for meeting without a look.
+    void find(std::span<const SweptBody> bodies, const ObstacleIndex& obstacles,
+              std::span<const ContactImpulse> pressed = {});
+    /// Adds the pairs of those bodies whose travel has grown since. A body of each pair that is new.
+    std::vector<std::uint32_t> widen(std::span<const SweptBody> bodies, std::span<const std::uint32_t> grown,
+                                     const ObstacleIndex& obstacles);
+    /// A body's pieces where it begins, until the next search. It must be one of a pair.
+    std::span<const ConvexPiece> piecesOf(const SweptBody& body, std::uint32_t index) {
+        return before_.of(body, index);
+    }
     const std::vector<Pair>& bodyPairs() const { return bodyPairs_; }
     const std::vector<Pair>& obstaclePairs() const { return obstaclePairs_; }
 
     /// Distance at which the contact solver sees a touch, and a little more: m.
-    static constexpr double margin = 0.0022;
-    /// Nearer than this it presses bodies apart.
-    static constexpr double pressed = 0.0016;
+    static constexpr double margin = 2e-4;
+    /// Nearer than this it takes them for touching.
+    static constexpr double touching = 1e-4;
 
 private:
     void findNear(std::span<const SweptBody> bodies);
+    void considerObstacles(const SweptBody& body, std::uint32_t index, const ObstacleIndex& obstacles);
     void findNearInGrid(std::span<const SweptBody> bodies);
     void consider(std::span<const SweptBody> bodies, std::uint32_t a, std::uint32_t b);
     void considerNear(const SweptBody& first, std::uint32_t a, const SweptBody& second, std::uint32_t b);
@@ -59,6 +70,14 @@ private:
     /// Those of two bodies.
     static std::pair<std::span<const ConvexPiece>, std::span<const ConvexPiece>> both(
         PlacedPieces& placed, const SweptBody& first, std::uint32_t a, const SweptBody& second, std::uint32_t b);
+
+    /// Pairs that pressed, in ascending order; by body, whether it is in one.
+    void remember(std::span<const ContactImpulse> pressed, std::size_t bodies);
+    bool pressedBodies(std::uint32_t a, std::uint32_t b) const;
+    bool pressedObstacle(std::uint32_t body, std::uint32_t piece) const;
+    using Key = std::pair<std::uint32_t, std::uint32_t>;
+    std::vector<Key> pressedBodies_, pressedObstacles_;
+    std::vector<bool> leans_;
 
     std::vector<Pair> bodyPairs_, obstaclePairs_;
     // Circles that the bodies do not leave.

@@ -53,7 +53,7 @@ struct ContactImpulse {
     std::uint32_t bodyA = 0, pieceA = 0;  ///< bodies: robots first, then objects, then noBody for what stands still
     std::uint32_t bodyB = 0, pieceB = 0;
     std::uint32_t feature = 0;
-    float normal = 0, tangent = 0;  ///< in the solver's units
+    float normal = 0, tangent = 0;  ///< N s
 };
 constexpr std::uint32_t noBody = 0xffffffff;
 

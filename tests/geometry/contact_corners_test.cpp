@@ -30,7 +30,7 @@ Polygon randomConvex(std::int64_t which) {
     return polygon;
 }
 
-/// What the contact solver does with corners first: in float, and those nearer than 0.25 mm are one.
+/// What Box2D does with corners first: in float, and those nearer than 0.25 mm are one.
 struct InFloat {
     float x, y;
 };

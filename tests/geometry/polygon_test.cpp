@@ -125,8 +125,8 @@ TEST(ConvexPiece, DistanceAgreesWithSampledOutlines) {
         const double d = distance(a, b);
         if (d > 0) {
             EXPECT_NEAR(d, sampledDistance(a, b), 0.004) << which;
-            EXPECT_TRUE(mayBeNearer(a, b, d + 1e-9));
-            EXPECT_FALSE(mayBeNearer(a, b, 0) && d > 0.2);
+            EXPECT_TRUE(nearer(a, b, d + 1e-9));
+            EXPECT_FALSE(nearer(a, b, 0) && d > 0.2);
         } else {
             // Moved apart by the depth and a little more, they touch no longer in at least one direction.
             bool apart = false;

@@ -44,9 +44,9 @@ TEST_F(OldRecording, OpensAndSaysItsStep) {
     EXPECT_TRUE(sentences[0].starts_with("it was recorded by step 1 of mrose; this is step ")) << sentences[0];
 }
 
-/// The step has changed since by the last bits of sines, and nothing touches anything: by the recorded decisions, and
-/// also where the controllers decide again, all go where the messages for other programs say, rounded to the
-/// millimetre.
+/// By the recorded decisions, and also where the controllers decide again, all go where the messages for other programs
+/// say, rounded to the millimetre, until a rover touches the ball: this step solves contacts otherwise. From there on
+/// they go nearly where they went.
 TEST_F(OldRecording, GoesWhereItWent) {
     const Timeline& timeline = recording->branches.front().timeline;
     ASSERT_EQ(timeline.last(), 200);
@@ -54,6 +54,7 @@ TEST_F(OldRecording, GoesWhereItWent) {
     ASSERT_TRUE(start) << start.error().message();
     WorldState decided = start->state;
     StepBuffers buffers;
+    constexpr std::int64_t firstTouch = 116;
     int compared = 0;
     const std::string file = readFile(path).value();
     for (const WalkedMessage& message : walkMessages(file)) {
@@ -63,12 +64,13 @@ TEST_F(OldRecording, GoesWhereItWent) {
         const auto played = Playback(*scenario).reach(timeline, tick);
         ASSERT_TRUE(played) << played.error().message();
         const auto bodies = nlohmann::json::parse(message.json);
+        const double allowed = tick < firstTouch ? 0.0006 : 0.02;
         for (const WorldState* const state : {&played->state, static_cast<const WorldState*>(&decided)}) {
             const std::pair<const char*, Pose> reached[] = {
                 {"one", state->robots[0].pose}, {"two", state->robots[1].pose}, {"ball", state->objects[0].pose}};
             for (const auto& [name, pose] : reached) {
-                EXPECT_NEAR(pose.x, bodies[name]["x"], 0.0006) << name << " at tick " << tick;
-                EXPECT_NEAR(pose.y, bodies[name]["y"], 0.0006) << name << " at tick " << tick;
+                EXPECT_NEAR(pose.x, bodies[name]["x"], allowed) << name << " at tick " << tick;
+                EXPECT_NEAR(pose.y, bodies[name]["y"], allowed) << name << " at tick " << tick;
             }
         }
         ++compared;

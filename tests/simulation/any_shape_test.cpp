@@ -30,7 +30,7 @@ private:
     std::uint32_t next_ = 0;
 };
 
-Polygon needle(Dice& dice, double far) {
+Polygon randomNeedle(Dice& dice, double far) {
     const double length = dice.power(-2, std::log10(far)), width = dice.power(-4, -1);
     Polygon polygon{{0, 0}, {length, 0}, {length * dice(0, 1), width}};
     if (dice.below(2) == 0) polygon.insert(polygon.begin() + 2, {length * dice(0.5, 1), width * dice(0, 1)});
@@ -78,7 +78,7 @@ Polygon comb(Dice& dice) {
 Polygon nasty(std::int64_t which, double far) {
     Dice dice(which);
     const std::size_t kind = dice.below(4);
-    Polygon polygon = kind == 0   ? needle(dice, far)
+    Polygon polygon = kind == 0   ? randomNeedle(dice, far)
                       : kind == 1 ? hourglass(dice)
                       : kind == 2 ? star(dice, far)
                                   : comb(dice);

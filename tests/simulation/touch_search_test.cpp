@@ -69,6 +69,12 @@ double nearest(const SweptBody& a, const Other& other) {
     return least;
 }
 
+/// What is said of two that do not meet: `least` is their distance on the way, by samples, `now` where they begin.
+bool staysApart(double least, double now) {
+    constexpr double rounding = 1e-6;
+    return least > TouchSearch::margin - rounding || (least > TouchSearch::touching - rounding && least > now - 1e-4);
+}
+
 TEST(TouchSearch, FindsAllThatMayTouchAndFewOthers) {
     for (const std::uint32_t count : {5U, 24U, 25U, 120U, 600U}) {
         const Strewn strewn(count);
@@ -88,8 +94,7 @@ TEST(TouchSearch, FindsAllThatMayTouchAndFewOthers) {
                 EXPECT_TRUE(pair || now > own.travel + strewn.bodies[b].travel) << count << ": " << a << ", " << b;
                 if (pair) {
                     const double least = nearest(own, strewn.bodies[b]);
-                    EXPECT_TRUE(*pair || least > 0.002 || (least > 0.001 && least > now - 1e-4))
-                        << count << ": " << a << ", " << b << ": " << least;
+                    EXPECT_TRUE(*pair || staysApart(least, now)) << count << ": " << a << ", " << b << ": " << least;
                     far += *pair && least > 0.03;
                 }
             }
@@ -98,7 +103,7 @@ TEST(TouchSearch, FindsAllThatMayTouchAndFewOthers) {
                 const auto pair = found(search.obstaclePairs(), a, piece);
                 EXPECT_TRUE(pair || exactDistance(own, wall) > own.travel) << count << ": " << a << ", " << piece;
                 const double now = exactDistance(own, wall), least = pair ? nearest(own, wall) : now;
-                EXPECT_TRUE(!pair || *pair || least > 0.002 || (least > 0.001 && least > now - 1e-4));
+                EXPECT_TRUE(!pair || *pair || staysApart(least, now));
             }
         }
         EXPECT_LE(far, static_cast<int>(count) / 20);

@@ -50,6 +50,10 @@ std::shared_ptr<const Shape> shippedShape(const std::string& name) {
     return std::make_shared<const Shape>(descriptionOf<Shape>("shapes/" + name + ".toml"));
 }
 
+Environment shippedEnvironment(const std::string& name) {
+    return descriptionOf<Environment>("resources/environments/" + name + ".toml");
+}
+
 Scenario shippedScenario(const std::string& name) {
     return Scenario(descriptionOf<LoadedScenario>("resources/scenarios/" + name + ".toml").parts);
 }

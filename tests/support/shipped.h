@@ -23,6 +23,9 @@ std::shared_ptr<const MotionModel> shippedModel(const std::string& network, cons
 /// An outline that ships: "husky" of shapes/husky.toml.
 std::shared_ptr<const Shape> shippedShape(const std::string& name);
 
+/// A place that ships: "midsize_2001" of resources/environments/midsize_2001.toml.
+Environment shippedEnvironment(const std::string& name);
+
 /// A scenario that ships: "soccer". Logs are looked for in the folder of real logs.
 Scenario shippedScenario(const std::string& name);
 
