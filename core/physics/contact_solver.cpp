@@ -79,8 +79,7 @@ void ContactSolver::join(const Meeting& meeting) {
 /// Whether two that do not touch yet will in this tick, and will not bounce: then they may press from its start on, by
 /// so much that they just touch when it ends.
 bool ContactSolver::comesToPress(const Meeting& meeting) const {
-    const Point other = meeting.grounded() ? Point{} : bodies_[meeting.b].velocityAt(meeting.gap.at);
-    const double approach = dot(bodies_[meeting.a].velocityAt(meeting.gap.at) - other, meeting.gap.axis);
+    const double approach = -partingAt(meeting, meeting.gap.at, meeting.gap.axis);
     if (approach >= bounceThreshold && !meeting.leant) return false;
     if (meeting.gap.distance - touchDistance >= approach * tick_->duration) return false;
     return timeOfTouch(pieceA(meeting), pieceB(meeting), meeting.gap, 0, tick_->duration) != never;
@@ -166,6 +165,12 @@ void ContactSolver::findImpulses() {
     if (!exact_.find(rigid_, pairs_)) sweeps_.find(rigid_, pairs_, mostSweeps);
 }
 
+bool ContactSolver::mayBounce(const Meeting& meeting, const Meeting* arriving) const {
+    return (arriving == nullptr || &meeting == arriving) && meeting.state == Meeting::State::apart && !meeting.leant &&
+           meeting.restitution > 0 && meeting.bounces < mostBounces;
+}
+
+/// Adds what is to be solved for of a pair that presses or bounces at a time.
 void ContactSolver::addPair(Meeting& meeting, double time, const Meeting* arriving) {
     const bool starts = arriving == nullptr;
     const MovingBody& a = bodies_[meeting.a];
@@ -182,8 +187,7 @@ void ContactSolver::addPair(Meeting& meeting, double time, const Meeting* arrivi
     pair.normal = touch.normal;
     pair.friction = meeting.friction;
     const double left = tick_->duration - time;
-    const bool mayBounce = (starts || &meeting == arriving) && meeting.state == Meeting::State::apart &&
-                           !meeting.leant && meeting.restitution > 0 && meeting.bounces < mostBounces;
+    const bool may = mayBounce(meeting, arriving);
     const auto apart = [&](int i) { return touch.spots[i].distance - touchDistance; };
     std::array<double, 2> parts{};
     bool bounces = false;
@@ -191,10 +195,8 @@ void ContactSolver::addPair(Meeting& meeting, double time, const Meeting* arrivi
         PressedPair::Spot& s = pair.spots[i];
         s.armOfA = touch.spots[i].position - a.centre;
         s.armOfB = meeting.grounded() ? Point{} : touch.spots[i].position - bodies_[meeting.b].centre;
-        const Point of = touch.spots[i].position;
-        const Point other = meeting.grounded() ? Point{} : bodies_[meeting.b].velocityAt(of);
-        parts[i] = dot(other - a.velocityAt(of), touch.normal);
-        bounces = bounces || (mayBounce && apart(i) <= touchSlack && parts[i] < -bounceThreshold);
+        parts[i] = partingAt(meeting, touch.spots[i].position, touch.normal);
+        bounces = bounces || (may && apart(i) <= touchSlack && parts[i] < -bounceThreshold);
     }
     for (int i = 0; i < touch.count; ++i) {
         PressedPair::Spot& s = pair.spots[pair.count];
@@ -281,13 +283,16 @@ void ContactSolver::lookAhead(Meeting& meeting, double time) {
         meeting.next = until;
 }
 
+/// m/s, of the second from the first at a point.
+double ContactSolver::partingAt(const Meeting& meeting, const Point& where, const Point& axis) const {
+    const Point other = meeting.grounded() ? Point{} : bodies_[meeting.b].velocityAt(where);
+    return dot(other - bodies_[meeting.a].velocityAt(where), axis);
+}
+
 /// Whether a pair that pressed leaves the tick going apart.
 bool ContactSolver::parting(const Meeting& meeting) const {
-    for (int i = 0; i < meeting.touch.count; ++i) {
-        const Point& where = meeting.touch.spots[i].position;
-        const Point other = meeting.grounded() ? Point{} : bodies_[meeting.b].velocityAt(where);
-        if (dot(other - bodies_[meeting.a].velocityAt(where), meeting.touch.normal) <= partingSpeed) return false;
-    }
+    for (int i = 0; i < meeting.touch.count; ++i)
+        if (partingAt(meeting, meeting.touch.spots[i].position, meeting.touch.normal) <= partingSpeed) return false;
     return true;
 }
 

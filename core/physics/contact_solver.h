@@ -30,6 +30,8 @@ private:
     void findImpulses();
     void collectSolution(double time, const Meeting* arriving);
     void lookAhead(Meeting& meeting, double time);
+    bool mayBounce(const Meeting& meeting, const Meeting* arriving) const;
+    double partingAt(const Meeting& meeting, const Point& where, const Point& axis) const;
     bool parting(const Meeting& meeting) const;
     ContactOutcome outcomeOf(MovingBody& body) const;
     void report(const Meeting& meeting, std::vector<ContactReport>& reports) const;

@@ -5,7 +5,6 @@
 #include <limits>
 
 namespace mrose {
-namespace {}  // namespace
 
 ImpulseSweeps::Change ImpulseSweeps::sweep() {
     Change change;

@@ -31,11 +31,6 @@ struct MovingBody {
         const Point arm = point_W - centre;
         return {velocity.x - rotation * arm.y, velocity.y + rotation * arm.x};
     }
-    /// An impulse (N s) at a point that lies at `arm` from the centre.
-    void push(const Point& impulse, const Point& arm) {
-        velocity = velocity + inverseMass * impulse;
-        rotation += inverseInertia * cross(arm, impulse);
-    }
 
     const ContactBody* body;
     double inverseMass, inverseInertia;
