@@ -14,11 +14,10 @@ void addFault(StepTrace* trace, std::size_t robot, std::string what) {
 
 /// What is wrong with orders; empty: nothing.
 std::string objection(const Decision& decision, Nanoseconds now, std::size_t manipulators) {
-    if (decision.command)
-        if (const std::string absurd = absurdity(*decision.command); !absurd.empty()) return "its controller " + absurd;
+    if (decision.command && isAbsurd(*decision.command)) return "its controller " + absurdity(*decision.command);
     Nanoseconds last = std::numeric_limits<Nanoseconds>::min();
     for (const StampedCommand& earlier : decision.earlier) {
-        if (const std::string absurd = absurdity(earlier.command); !absurd.empty()) return "its controller " + absurd;
+        if (isAbsurd(earlier.command)) return "its controller " + absurdity(earlier.command);
         if (earlier.time < last || earlier.time > now)
             return "its controller gave commands out of order or of the future";
         last = earlier.time;

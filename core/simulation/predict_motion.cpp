@@ -11,7 +11,13 @@
 namespace mrose {
 namespace {
 
-/// What is wrong with a predicted motion; empty: nothing.
+bool plausible(const MotionStep& step, double period) {
+    const auto& [increment, velocity] = step;
+    return !isAbsurd(increment.x / period) && !isAbsurd(increment.y / period) && !isAbsurd(increment.heading / period) &&
+           !isAbsurd(velocity.v) && !isAbsurd(velocity.w);
+}
+
+/// What is wrong with one that is not plausible.
 std::string motionProblem(const MotionStep& step, double period) {
     const auto& [increment, velocity] = step;
     if (!std::isfinite(increment.x + increment.y + increment.heading) || !std::isfinite(velocity.v + velocity.w))
@@ -21,7 +27,7 @@ std::string motionProblem(const MotionStep& step, double period) {
         if (absurd.empty()) absurd = absurdity(speed, " m/s");
     for (const double rate : {increment.heading / period, velocity.w})
         if (absurd.empty()) absurd = absurdity(rate, " rad/s");
-    return absurd.empty() ? absurd : "its motion model predicted " + absurd;
+    return "its motion model predicted " + absurd;
 }
 
 }  // namespace
@@ -56,13 +62,13 @@ void predictMotion(const Scenario& scenario, WorldState& state, StepBuffers::Con
         RobotState& robot = state.robots[i];
         MotionStep& predicted = buffers.predictions[k];
         const double period = scenario.periodOf(i).seconds;
-        if (std::string wrong = motionProblem(predicted, period); wrong.empty()) {
+        if (plausible(predicted, period)) {
             robot.segment = beginSegment(robot.pose, robot.velocity_B, predicted, state.tick, period);
         } else {
+            if (trace != nullptr) trace->faults.push_back({i, motionProblem(predicted, period)});
             robot.segment = restAt(robot.pose, state.tick);
             predicted = {};
             scenario.forgetMotion(state, i);
-            if (trace != nullptr) trace->faults.push_back({i, std::move(wrong)});
         }
         if (trace != nullptr) trace->robots[i].predicted = predicted;
     }

@@ -14,8 +14,7 @@ std::string absurdity(const Command& command) {
 }
 
 std::string absurdity(double speed, const char* unit) {
-    constexpr double rounding = 1e-9;
-    if (std::abs(speed) <= absurdSpeed * (1 + rounding)) return {};
+    if (!isAbsurd(speed)) return {};
     return numberText(speed) + unit + "; expected at most " + fixed(absurdSpeed, 0) + unit;
 }
 
