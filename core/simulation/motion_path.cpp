@@ -10,8 +10,24 @@
 namespace mrose {
 namespace {
 
-Twist operator*(double factor, const Twist& t) { return {factor * t.x, factor * t.y, factor * t.rotation}; }
-Twist operator+(const Twist& a, const Twist& b) { return {a.x + b.x, a.y + b.y, a.rotation + b.rotation}; }
+/// Two numbers that are computed with at once, each as by itself.
+typedef double TwoDoubles __attribute__((vector_size(2 * sizeof(double))));
+
+TwoDoubles both(double first, double second) { return TwoDoubles{first, second}; }
+/// A vector turned by a quarter, counter-clockwise.
+TwoDoubles quarterTurned(const TwoDoubles& p) { return both(-1, 1) * __builtin_shufflevector(p, p, 1, 0); }
+
+/// A twist whose x and y are computed at once.
+struct PairedTwist {
+    TwoDoubles way;
+    double rotation;
+
+    PairedTwist(const TwoDoubles& way, double rotation) : way(way), rotation(rotation) {}
+    PairedTwist(const Twist& t) : way(both(t.x, t.y)), rotation(t.rotation) {}
+    operator Twist() const { return {way[0], way[1], rotation}; }
+};
+PairedTwist operator*(double factor, const PairedTwist& t) { return {factor * t.way, factor * t.rotation}; }
+PairedTwist operator+(const PairedTwist& a, const PairedTwist& b) { return {a.way + b.way, a.rotation + b.rotation}; }
 
 /// What exponential and right Jacobian of SE(2) at a rotation r are made of, by one sine and cosine.
 struct ArcTerms {
@@ -21,10 +37,10 @@ struct ArcTerms {
     explicit ArcTerms(double r) {
         const double u = r * r;
         if (u < 0.25) {  // what a robot turns in a period: the series to rounding, without cancellation
-            const double third = series<3>(u);  // (r - sin(r)) / r3
-            bend = series<2>(u);
-            along = 1 - u * third;
-            lag = r * third;
+            const TwoDoubles sums = series(u);
+            bend = sums[0];
+            along = 1 - u * sums[1];
+            lag = r * sums[1];
         } else {
             const auto [s, c] = sineCosine(r / 2);
             const double whole = 2 * s * c;
@@ -35,21 +51,23 @@ struct ArcTerms {
         across = bend * r;
     }
 
-    /// 1/n! - u/(n+2)! + u2/(n+4)! ..., by Horner's rule; u at most 1/4, where what is left out is below rounding.
-    template <int n>
-    static double series(double u) {
+    /// (1 - cos(r))/r2 and (r - sin(r))/r3: 1/n! - u/(n+2)! + u2/(n+4)! ... for n = 2 and 3, by Horner's rule; u at
+    /// most 1/4, where what is left out is below rounding.
+    static TwoDoubles series(double u) {
         constexpr int terms = 7;
-        constexpr std::array<double, terms> coefficients = [] {
-            std::array<double, terms> list{n == 2 ? 1.0 / 2 : 1.0 / 6};
-            for (int i = 1; i < terms; ++i) list[i] = -list[i - 1] / ((n + 2 * i - 1) * (n + 2 * i));
+        static constexpr std::array<std::array<double, 2>, terms> coefficients = [] {
+            std::array<std::array<double, 2>, terms> list{{{1.0 / 2, 1.0 / 6}}};
+            for (int i = 1; i < terms; ++i)
+                for (int n = 2; n <= 3; ++n) list[i][n - 2] = -list[i - 1][n - 2] / ((n + 2 * i - 1) * (n + 2 * i));
             return list;
         }();
-        double sum = coefficients.back();
-        for (int i = terms - 1; i-- > 0;) sum = sum * u + coefficients[i];
+        const auto term = [](int i) { return both(coefficients[i][0], coefficients[i][1]); };
+        TwoDoubles sum = term(terms - 1);
+        for (int i = terms - 1; i-- > 0;) sum = sum * u + term(i);
         return sum;
     }
 
-    Point displacement(const Twist& p) const { return {along * p.x - across * p.y, across * p.x + along * p.y}; }
+    TwoDoubles displacement(const TwoDoubles& way) const { return along * way + across * quarterTurned(way); }
     Twist logarithm(const Pose& pose) const {
         const double squared = along * along + across * across;
         return {(along * pose.x + across * pose.y) / squared, (along * pose.y - across * pose.x) / squared,
@@ -60,35 +78,33 @@ struct ArcTerms {
 /// The right Jacobian of SE(2) at p (Sola, Deray, Atchuthan 2018, eq. 163): body velocity = J p'.
 struct RightJacobian {
     double along, across;
-    Point fromRotation;
+    TwoDoubles fromRotation;
 
-    RightJacobian(const Twist& p, const ArcTerms& terms)
+    RightJacobian(const PairedTwist& p, const ArcTerms& terms)
         : along(terms.along),
           across(terms.across),
-          fromRotation{terms.lag * p.x - terms.bend * p.y, terms.bend * p.x + terms.lag * p.y} {}
+          fromRotation(terms.lag * p.way + terms.bend * quarterTurned(p.way)) {}
 
-    Twist apply(const Twist& rate) const {
-        return {along * rate.x + across * rate.y + fromRotation.x * rate.rotation,
-                along * rate.y - across * rate.x + fromRotation.y * rate.rotation, rate.rotation};
+    PairedTwist apply(const PairedTwist& rate) const {
+        return {along * rate.way - across * quarterTurned(rate.way) + fromRotation * rate.rotation, rate.rotation};
     }
     Twist solve(const Twist& velocity) const {
-        const double x = velocity.x - fromRotation.x * velocity.rotation;
-        const double y = velocity.y - fromRotation.y * velocity.rotation;
+        const double x = velocity.x - fromRotation[0] * velocity.rotation;
+        const double y = velocity.y - fromRotation[1] * velocity.rotation;
         const double squared = along * along + across * across;
         return {(along * x - across * y) / squared, (along * y + across * x) / squared, velocity.rotation};
     }
 };
 
 struct LogPoint {
-    Twist value, rate;  ///< p(s), p'(s)
+    PairedTwist value, rate;  ///< p(s), p'(s)
 };
 
 /// Hermite's cubic from 0 to the logarithm.
 LogPoint logAt(const MotionSegment& segment, double s) {
-    const Twist& m0 = segment.startRate;
-    const Twist& m1 = segment.endRate;
-    const Twist b = 3 * segment.logarithm + -2 * m0 + -1 * m1;
-    const Twist c = m0 + m1 + -2 * segment.logarithm;
+    const PairedTwist m0 = segment.startRate, m1 = segment.endRate, whole = segment.logarithm;
+    const PairedTwist b = 3 * whole + -2 * m0 + -1 * m1;
+    const PairedTwist c = m0 + m1 + -2 * whole;
     return {s * (m0 + s * (b + s * c)), m0 + s * (2 * b + 3 * s * c)};
 }
 
@@ -125,8 +141,8 @@ PathPoint fromStart(const MotionSegment& segment, double share, double period) {
     if (share >= 1) return {segment.increment, {segment.endVelocity.v, 0, segment.endVelocity.w}};
     const LogPoint p = logAt(segment, share);
     const ArcTerms terms(p.value.rotation);
-    const Point moved = terms.displacement(p.value);
-    return {{moved.x, moved.y, p.value.rotation}, (1 / period) * RightJacobian(p.value, terms).apply(p.rate)};
+    const TwoDoubles moved = terms.displacement(p.value.way);
+    return {{moved[0], moved[1], p.value.rotation}, (1 / period) * RightJacobian(p.value, terms).apply(p.rate)};
 }
 
 PathPoint at(const MotionSegment& segment, double share, double period) {
