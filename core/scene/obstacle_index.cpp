@@ -23,14 +23,12 @@ ObstacleIndex::Box ObstacleIndex::boxOf(const ConvexPiece& piece) {
 template <class Visit>
 void ObstacleIndex::visitCells(const ConvexPiece& piece, Visit visit) const {
     const Box box = boxOf(piece);
-    const auto column = [&](double x) {
-        return static_cast<std::size_t>(std::clamp((x - corner_.x) / cell_, 0.0, static_cast<double>(columns_ - 1)));
+    const auto within = [](double cell, double count) {
+        return static_cast<std::size_t>(std::clamp(cell, 0.0, count - 1));
     };
-    const auto row = [&](double y) {
-        return static_cast<std::size_t>(std::clamp((y - corner_.y) / cell_, 0.0, static_cast<double>(rows_ - 1)));
-    };
-    for (std::size_t r = row(box.least.y - margin_); r <= row(box.most.y + margin_); ++r)
-        for (std::size_t c = column(box.least.x - margin_); c <= column(box.most.x + margin_); ++c) {
+    const Point reach{margin_, margin_}, least = inCells(box.least - reach), most = inCells(box.most + reach);
+    for (std::size_t r = within(least.y, size_.y); r <= within(most.y, size_.y); ++r)
+        for (std::size_t c = within(least.x, size_.x); c <= within(most.x, size_.x); ++c) {
             // A slanted wall's box is much larger than the wall.
             const Point centre =
                 corner_ + Point{(static_cast<double>(c) + 0.5) * cell_, (static_cast<double>(r) + 0.5) * cell_};
@@ -41,6 +39,7 @@ void ObstacleIndex::visitCells(const ConvexPiece& piece, Visit visit) const {
 ObstacleIndex::ObstacleIndex(const Environment& environment, double margin) : margin_(margin) {
     for (std::uint32_t i = 0; i < environment.obstacles.size(); ++i)
         for (const ConvexPiece& piece : environment.obstacles[i].shape.pieces) {
+            all_.push_back(static_cast<std::uint32_t>(pieces_.size()));
             pieces_.push_back(piece);
             surfaces_.push_back(environment.obstacles[i].surface);
             obstacles_.push_back(i);
@@ -56,8 +55,10 @@ ObstacleIndex::ObstacleIndex(const Environment& environment, double margin) : ma
     const Point size = all.most + Point{margin, margin} - corner_;
     cell_ = std::max(
         {smallestCell, margin / 2, std::sqrt(size.x * size.y / mostCells), std::max(size.x, size.y) / mostCells});
-    columns_ = static_cast<std::size_t>(size.x / cell_) + 1;
-    rows_ = static_cast<std::size_t>(size.y / cell_) + 1;
+    perCell_ = 1 / cell_;
+    columns_ = static_cast<std::size_t>(size.x * perCell_) + 1;
+    rows_ = static_cast<std::size_t>(size.y * perCell_) + 1;
+    size_ = {static_cast<double>(columns_), static_cast<double>(rows_)};
     begins_.assign(columns_ * rows_ + 1, 0);
     for (const ConvexPiece& piece : pieces_) visitCells(piece, [&](std::size_t cell) { ++begins_[cell + 1]; });
     for (std::size_t i = 1; i < begins_.size(); ++i) begins_[i] += begins_[i - 1];
@@ -65,13 +66,6 @@ ObstacleIndex::ObstacleIndex(const Environment& environment, double margin) : ma
     std::vector<std::uint32_t> filled(begins_.begin(), begins_.end() - 1);
     for (std::uint32_t i = 0; i < pieces_.size(); ++i)
         visitCells(pieces_[i], [&](std::size_t cell) { entries_[filled[cell]++] = i; });
-}
-
-std::span<const std::uint32_t> ObstacleIndex::near(const Point& point) const {
-    const double x = (point.x - corner_.x) / cell_, y = (point.y - corner_.y) / cell_;
-    if (!(x >= 0 && y >= 0 && x < static_cast<double>(columns_) && y < static_cast<double>(rows_))) return {};
-    const std::size_t cell = cellOf(static_cast<std::size_t>(x), static_cast<std::size_t>(y));
-    return std::span(entries_).subspan(begins_[cell], begins_[cell + 1] - begins_[cell]);
 }
 
 }  // namespace mrose

@@ -21,13 +21,26 @@ public:
 
     double margin() const { return margin_; }
     /// At least those pieces nearer than `margin` to `point`, ascending.
-    std::span<const std::uint32_t> near(const Point& point) const;
+    std::span<const std::uint32_t> near(const Point& point) const {
+        const Point in = inCells(point);
+        if (!(in.x >= 0 && in.y >= 0 && in.x < size_.x && in.y < size_.y)) return {};
+        // As signed numbers: processors turn doubles into those at once.
+        const auto column = static_cast<std::int64_t>(in.x), row = static_cast<std::int64_t>(in.y);
+        const std::size_t cell = cellOf(static_cast<std::size_t>(column), static_cast<std::size_t>(row));
+        return {entries_.data() + begins_[cell], begins_[cell + 1] - begins_[cell]};
+    }
+    /// At least those nearer than `reach`, however far that is.
+    std::span<const std::uint32_t> near(const Point& point, double reach) const {
+        return reach <= margin_ ? near(point) : std::span<const std::uint32_t>(all_);
+    }
 
 private:
     struct Box {
         Point least, most;
     };
     static Box boxOf(const ConvexPiece& piece);
+    /// A point seen from the grid's corner, in cells.
+    Point inCells(const Point& point) const { return perCell_ * (point - corner_); }
     std::size_t cellOf(std::size_t column, std::size_t row) const { return row * columns_ + column; }
     template <class Visit>
     void visitCells(const ConvexPiece& piece, Visit visit) const;
@@ -35,10 +48,12 @@ private:
     std::vector<ConvexPiece> pieces_;
     std::vector<Surface> surfaces_;
     std::vector<std::uint32_t> obstacles_;
+    std::vector<std::uint32_t> all_;  ///< the pieces' numbers
     double margin_;
-    Point corner_;     ///< of the grid, lower left
-    double cell_ = 1;  ///< m
+    Point corner_;                   ///< of the grid, lower left
+    double cell_ = 1, perCell_ = 1;  ///< m, 1/m
     std::size_t columns_ = 0, rows_ = 0;
+    Point size_;                         ///< the same as numbers
     std::vector<std::uint32_t> begins_;  ///< of each cell's pieces in `entries_`; one more than there are cells
     std::vector<std::uint32_t> entries_;
 };

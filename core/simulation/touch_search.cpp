@@ -1,6 +1,7 @@
 #include "simulation/touch_search.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace mrose {
@@ -68,9 +69,7 @@ std::pair<std::span<const ConvexPiece>, std::span<const ConvexPiece>> TouchSearc
 }
 
 void TouchSearch::consider(std::span<const SweptBody> bodies, std::uint32_t a, std::uint32_t b) {
-    const double reach = radii_[a] + radii_[b];
-    const Point between = centres_[b] - centres_[a];
-    if (dot(between, between) <= reach * reach) considerNear(bodies[a], a, bodies[b], b);
+    if (circles_[a].meets(circles_[b])) considerNear(bodies[a], a, bodies[b], b);
 }
 
 void TouchSearch::remember(std::span<const ContactImpulse> pressed, std::size_t bodies) {
@@ -117,11 +116,12 @@ void TouchSearch::considerNear(const SweptBody& first, std::uint32_t a, const Sw
 }
 
 void TouchSearch::considerObstacle(const SweptBody& body, std::uint32_t index, std::uint32_t piece,
-                                   const ConvexPiece& obstacle) {
+                                   const ObstacleIndex& obstacles) {
     if (pressedObstacle(index, piece)) {
         obstaclePairs_.push_back({index, piece, true});
         return;
     }
+    const ConvexPiece& obstacle = obstacles.pieces()[piece];
     const double limit = body.travel + margin;
     const Point centre = position(body.pose);
     // How far the middle is outside the obstacle's edges separates most bodies from it.
@@ -142,13 +142,26 @@ void TouchSearch::considerObstacle(const SweptBody& body, std::uint32_t index, s
 
 void TouchSearch::findNear(std::span<const SweptBody> bodies) {
     const auto count = static_cast<std::uint32_t>(bodies.size());
-    for (std::uint32_t a = 0; a < count; ++a)
-        for (std::uint32_t b = a + 1; b < count; ++b) consider(bodies, a, b);
+    std::array<std::uint32_t, fewBodies> near;
+    for (std::uint32_t a = 0; a < count; ++a) {
+        const Circle circle = circles_[a];
+        auto end = near.begin();
+        for (std::uint32_t b = a + 1; b < count; ++b)
+            if (circle.meets(circles_[b])) *end++ = b;
+        for (auto b = near.begin(); b != end; ++b) considerNear(bodies[a], a, bodies[*b], *b);
+    }
+}
+
+double TouchSearch::widest() const {
+    double widest = 0;
+    for (const Circle& circle : circles_) widest = std::max(widest, circle.radius);
+    return widest;
 }
 
 void TouchSearch::findNearInGrid(std::span<const SweptBody> bodies) {
-    const double widest = *std::max_element(radii_.begin(), radii_.end());
-    grid_.fill(centres_, 2 * widest, 4);
+    centres_.resize(circles_.size());
+    std::transform(circles_.begin(), circles_.end(), centres_.begin(), [](const Circle& c) { return c.centre; });
+    grid_.fill(centres_, 2 * widest(), 4);
     grid_.visitNeighbours([&](std::uint32_t a, std::uint32_t b) { consider(bodies, a, b); });
     std::sort(bodyPairs_.begin(), bodyPairs_.end(), before);
 }
@@ -160,33 +173,20 @@ void TouchSearch::find(std::span<const SweptBody> bodies, const ObstacleIndex& o
     obstaclePairs_.clear();
     before_.forget(bodies.size());
     after_.forget(bodies.size());
-    centres_.clear();
-    radii_.clear();
-    for (const SweptBody& body : bodies) {
-        centres_.push_back(position(body.pose));
-        radii_.push_back(body.shape->reach + body.travel + margin / 2);
-    }
+    circles_.resize(bodies.size());
+    std::transform(bodies.begin(), bodies.end(), circles_.begin(), Circle::of);
     if (bodies.size() <= fewBodies)
         findNear(bodies);
     else
         findNearInGrid(bodies);
-    for (std::uint32_t i = 0; i < bodies.size(); ++i) considerObstacles(bodies[i], i, obstacles);
-}
-
-void TouchSearch::considerObstacles(const SweptBody& body, std::uint32_t index, const ObstacleIndex& obstacles) {
-    const auto tryPiece = [&](std::uint32_t piece) { considerObstacle(body, index, piece, obstacles.pieces()[piece]); };
-    if (body.shape->reach + body.travel + margin <= obstacles.margin()) {
-        for (const std::uint32_t piece : obstacles.near(position(body.pose))) tryPiece(piece);
-    } else {
-        for (std::uint32_t piece = 0; piece < obstacles.pieces().size(); ++piece) tryPiece(piece);
-    }
+    for (std::uint32_t i = 0; i < bodies.size(); ++i)
+        for (const std::uint32_t piece : obstaclesNear(i, obstacles)) considerObstacle(bodies[i], i, piece, obstacles);
 }
 
 std::vector<std::uint32_t> TouchSearch::widen(std::span<const SweptBody> bodies, std::span<const std::uint32_t> grown,
                                               const ObstacleIndex& obstacles) {
     const std::size_t known = bodyPairs_.size(), knownObstacles = obstaclePairs_.size();
-    for (const std::uint32_t a : grown) radii_[a] = bodies[a].shape->reach + bodies[a].travel + margin / 2;
-    const double widest = *std::max_element(radii_.begin(), radii_.end());
+    for (const std::uint32_t a : grown) circles_[a] = Circle::of(bodies[a]);
     for (const std::uint32_t a : grown) {
         const auto with = [&](std::uint32_t b) {
             if (b != a) consider(bodies, std::min(a, b), std::max(a, b));
@@ -194,12 +194,13 @@ std::vector<std::uint32_t> TouchSearch::widen(std::span<const SweptBody> bodies,
         if (bodies.size() <= fewBodies) {
             for (std::uint32_t b = 0; b < bodies.size(); ++b) with(b);
         } else {
-            const Point reach{radii_[a] + widest, radii_[a] + widest};
-            grid_.visitBox(centres_[a] - reach, centres_[a] + reach, [&](std::span<const PointGrid::Entry> entries) {
+            const auto& [centre, radius] = circles_[a];
+            const Point reach{radius + widest(), radius + widest()};
+            grid_.visitBox(centre - reach, centre + reach, [&](std::span<const PointGrid::Entry> entries) {
                 for (const PointGrid::Entry& entry : entries) with(entry.number);
             });
         }
-        considerObstacles(bodies[a], a, obstacles);
+        for (const std::uint32_t piece : obstaclesNear(a, obstacles)) considerObstacle(bodies[a], a, piece, obstacles);
     }
     std::vector<std::uint32_t> met;
     for (const std::uint32_t body : addNew(bodyPairs_, known)) met.push_back(body);

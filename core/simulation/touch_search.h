@@ -52,12 +52,30 @@ public:
     static constexpr double touching = 1e-4;
 
 private:
+    /// One that a body does not leave.
+    struct Circle {
+        Point centre;
+        double radius = 0;
+
+        static Circle of(const SweptBody& body) {
+            return {position(body.pose), body.shape->reach + body.travel + margin / 2};
+        }
+        bool meets(const Circle& other) const {
+            const double reach = radius + other.radius;
+            const Point between = other.centre - centre;
+            return dot(between, between) <= reach * reach;
+        }
+    };
+    double widest() const;  ///< radius
     void findNear(std::span<const SweptBody> bodies);
-    void considerObstacles(const SweptBody& body, std::uint32_t index, const ObstacleIndex& obstacles);
+    std::span<const std::uint32_t> obstaclesNear(std::uint32_t body, const ObstacleIndex& obstacles) const {
+        return obstacles.near(circles_[body].centre, circles_[body].radius + margin / 2);
+    }
     void findNearInGrid(std::span<const SweptBody> bodies);
     void consider(std::span<const SweptBody> bodies, std::uint32_t a, std::uint32_t b);
     void considerNear(const SweptBody& first, std::uint32_t a, const SweptBody& second, std::uint32_t b);
-    void considerObstacle(const SweptBody& body, std::uint32_t index, std::uint32_t piece, const ConvexPiece& obstacle);
+    void considerObstacle(const SweptBody& body, std::uint32_t index, std::uint32_t piece,
+                          const ObstacleIndex& obstacles);
     /// Bodies' pieces at one end of the tick, placed when first asked for. They move in memory when others are.
     struct PlacedPieces {
         Pose SweptBody::*end;
@@ -80,9 +98,8 @@ private:
     std::vector<bool> leans_;
 
     std::vector<Pair> bodyPairs_, obstaclePairs_;
-    // Circles that the bodies do not leave.
-    std::vector<Point> centres_;
-    std::vector<double> radii_;
+    std::vector<Circle> circles_;  ///< by body
+    std::vector<Point> centres_;   ///< theirs, where the grid is of them
     PointGrid grid_;
     PlacedPieces before_{&SweptBody::pose}, after_{&SweptBody::planned};
 };
