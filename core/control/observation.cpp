@@ -4,29 +4,28 @@
 
 namespace mrose {
 
-std::byte* Observation::add(const ReadingName& name, const RecordType& type, Nanoseconds measured, std::size_t count) {
-    if (used_ == readings_.size()) readings_.emplace_back();
-    Reading& reading = readings_[used_++];
-    reading.name = name;
-    reading.type = &type;
-    reading.measured = measured;
-    reading.first = static_cast<std::uint32_t>(dataSize_);
-    reading.count = static_cast<std::uint32_t>(count);
-    notePlace(reading);
-    dataSize_ += (count * type.size + 7) / 8 * 8;
-    if (dataSize_ > data_.size()) data_.resize(std::max(dataSize_, 2 * data_.size()));
-    return data_.data() + reading.first;
+void Observation::makeRoom() {
+    if (used_ > readings_.size()) readings_.resize(2 * used_);
+    if (dataSize_ > data_.size()) data_.resize(2 * dataSize_);
 }
 
-void Observation::notePlace(const Reading& reading) {
-    const auto note = [&](Place& place, const ReadingName& standard, const RecordType& type) {
-        if (reading.name == standard && place.count == 0 && isOf(reading, type))
-            place = {reading.first, reading.count, reading.measured};
-    };
-    note(self_, selfReading, recordType<Pose>());
-    note(odometry_, odometryReading, recordType<Velocity>());
-    note(robots_, robotsReading, recordType<SeenBody>());
-    note(objects_, objectsReading, recordType<SeenBody>());
+Observation::Place Observation::append(const ReadingName& name, const RecordType& type, Nanoseconds measured,
+                                       std::size_t count) {
+    const Place place{static_cast<std::uint32_t>(dataSize_), static_cast<std::uint32_t>(count), measured};
+    ++used_;
+    dataSize_ += (count * type.size + 7) / 8 * 8;
+    if (used_ > readings_.size() || dataSize_ > data_.size()) makeRoom();
+    readings_[used_ - 1] = {name, &type, measured, place.first, place.count};
+    return place;
+}
+
+std::byte* Observation::add(const ReadingName& name, const RecordType& type, Nanoseconds measured, std::size_t count) {
+    const Place place = append(name, type, measured, count);
+    const Reading& reading = readings_[used_ - 1];
+    if (isOf(reading, recordType<Pose>())) note<Pose>(name, place);
+    if (isOf(reading, recordType<Velocity>())) note<Velocity>(name, place);
+    if (isOf(reading, recordType<SeenBody>())) note<SeenBody>(name, place);
+    return data_.data() + place.first;
 }
 
 bool Observation::operator==(const Observation& other) const {

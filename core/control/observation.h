@@ -73,8 +73,9 @@ public:
     template <class T>
     void add(const ReadingName& name, Nanoseconds measured, std::span<const T> records) {
         static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= 8);
-        std::byte* const place = add(name, recordType<T>(), measured, records.size());
-        if (!records.empty()) std::memcpy(place, records.data(), records.size_bytes());
+        const Place place = append(name, recordType<T>(), measured, records.size());
+        note<T>(name, place);
+        if (!records.empty()) std::memcpy(data_.data() + place.first, records.data(), records.size_bytes());
     }
     template <class T>
     void add(const ReadingName& name, Nanoseconds measured, const T& record) {
@@ -101,7 +102,18 @@ private:
     T firstOf(const Place& place) const {
         return place.count > 0 ? allOf<T>(place).front() : T{};
     }
-    void notePlace(const Reading& reading);
+    Place append(const ReadingName& name, const RecordType& type, Nanoseconds measured, std::size_t count);
+    /// Where a reading of Ts lies, if it is one that every robot has.
+    template <class T>
+    void note(const ReadingName& name, const Place& place) {
+        const auto noteAs = [&](Place& standard, const ReadingName& its) {
+            if (name == its && standard.count == 0) standard = place;
+        };
+        if constexpr (std::is_same_v<T, Pose>) noteAs(self_, selfReading);
+        if constexpr (std::is_same_v<T, Velocity>) noteAs(odometry_, odometryReading);
+        if constexpr (std::is_same_v<T, SeenBody>) noteAs(robots_, robotsReading), noteAs(objects_, objectsReading);
+    }
+    void makeRoom();
 
     Place self_, odometry_, robots_, objects_;
     std::vector<Reading> readings_;  ///< the first `used_` of them
