@@ -6,12 +6,12 @@
 namespace mrose {
 
 PointGrid::Axis PointGrid::axisOf(std::span<const Point> points, double Point::*coordinate) {
-    const auto count = static_cast<double>(points.size());
+    const double share = 1 / static_cast<double>(points.size());
     double mean = 0, variance = 0, least = points[0].*coordinate, most = least;
-    for (const Point& point : points) mean += point.*coordinate / count;
+    for (const Point& point : points) mean += point.*coordinate * share;
     for (const Point& point : points) {
         const double value = point.*coordinate;
-        variance += (value - mean) * (value - mean) / count;
+        variance += (value - mean) * (value - mean) * share;
         least = std::min(least, value);
         most = std::max(most, value);
     }
@@ -30,7 +30,7 @@ PointGrid::Extent PointGrid::extentOf(const Axis& axis, std::size_t cell) const 
 
 void PointGrid::layOut(std::span<const Point> points, double leastSide, double cellsPerPoint) {
     x_ = y_ = {};
-    side_ = 1;
+    side_ = perSide_ = 1;
     slack_ = 0;
     if (points.empty()) return;
     x_ = axisOf(points, &Point::x);
@@ -39,18 +39,24 @@ void PointGrid::layOut(std::span<const Point> points, double leastSide, double c
     if (!std::isfinite(width * height)) return;  // one cell
     const double mostCells = cellsPerPoint * static_cast<double>(points.size());
     side_ = std::max({leastSide, std::sqrt(width * height / mostCells), width / mostCells, height / mostCells});
-    if (!(side_ > 0)) side_ = 1;  // all in one place
-    x_.cells = static_cast<std::size_t>(width / side_) + 1;
-    y_.cells = static_cast<std::size_t>(height / side_) + 1;
+    if (!(side_ > 1e-300)) side_ = 1;  // all in one place
+    perSide_ = 1 / side_;
+    setCells(x_);
+    setCells(y_);
+}
+
+void PointGrid::setCells(Axis& axis) {
+    axis.cells = static_cast<std::size_t>((axis.most - axis.least) * perSide_) + 1;
+    axis.lastCell = static_cast<double>(axis.cells - 1);
 }
 
 void PointGrid::fill(std::span<const Point> points, double leastSide, double cellsPerPoint) {
     layOut(points, leastSide, cellsPerPoint);
-    cells_.clear();
+    cells_.resize(points.size());
     begins_.assign(x_.cells * y_.cells + 1, 0);
-    for (const Point& point : points) {
-        const std::size_t cell = rowOf(point.y) * x_.cells + columnOf(point.x);
-        cells_.push_back(static_cast<std::uint32_t>(cell));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const std::size_t cell = rowOf(points[i].y) * x_.cells + columnOf(points[i].x);
+        cells_[i] = static_cast<std::uint32_t>(cell);
         ++begins_[cell];
     }
     for (std::size_t i = 1; i < begins_.size(); ++i) begins_[i] += begins_[i - 1];

@@ -56,6 +56,7 @@ private:
         double least = 0, most = 0;
         bool all = true;  ///< none is elsewhere
         std::size_t cells = 1;
+        double lastCell = 0;  ///< cells - 1
     };
     struct Extent {
         double least, most;
@@ -63,9 +64,10 @@ private:
     Extent extentOf(const Axis& axis, std::size_t cell) const;
     Axis axisOf(std::span<const Point> points, double Point::*coordinate);
     void layOut(std::span<const Point> points, double leastSide, double cellsPerPoint);
+    void setCells(Axis& axis);
     std::size_t cellOn(const Axis& axis, double value) const {
-        const double cell = (value - axis.least) / side_;
-        return static_cast<std::size_t>(std::min(std::max(0.0, cell), static_cast<double>(axis.cells - 1)));
+        const double cell = std::min(std::max(0.0, (value - axis.least) * perSide_), axis.lastCell);
+        return static_cast<std::size_t>(static_cast<std::int64_t>(cell));  // which processors turn doubles into at once
     }
     std::size_t columnOf(double x) const { return cellOn(x_, x); }
     std::size_t rowOf(double y) const { return cellOn(y_, y); }
@@ -78,7 +80,7 @@ private:
     }
 
     Axis x_, y_;
-    double side_ = 1;  ///< m, of a cell
+    double side_ = 1, perSide_ = 1;  ///< m, of a cell; 1/m
     double slack_ = 0;
     std::vector<std::uint32_t> cells_;   ///< by point
     std::vector<std::uint32_t> begins_;  ///< of each cell's entries; one more than there are cells
@@ -87,10 +89,10 @@ private:
 
 template <class Visit>
 void PointGrid::visitNeighbours(Visit visit) const {
-    const std::size_t columns = x_.cells;
+    const auto columns = static_cast<std::uint32_t>(x_.cells);
     for (std::size_t k = 0; k < entries_.size(); ++k) {
         const std::uint32_t a = entries_[k].number;
-        const std::size_t cell = cells_[a], column = cell % columns, right = column + 1 < columns ? 1 : 0;
+        const std::uint32_t cell = cells_[a], column = cell % columns, right = column + 1 < columns ? 1 : 0;
         const auto visitAll = [&](std::size_t from, std::size_t to) {
             for (const Entry& b : entries(from, to)) visit(std::min(a, b.number), std::max(a, b.number));
         };
