@@ -155,7 +155,7 @@ void addNoise(const SensorView& view, const BodySight& sight, const Kind& kind, 
 
 void see(const SensorView& view, const BodySight& sight, const Kind& kind, double bearingBias,
          std::vector<SeenBody>& seen) {
-    if (!sight.present || kind.count == 0) return;
+    if (kind.count == 0) return;
     const BodyMap& map = view.bodiesBefore(view.lagOf(sight.latency));
     collect(view, sight, map, kind, seen);
     if (sight.dropOut > 0)
@@ -204,7 +204,7 @@ void BodySensor::sense(const SensorView& view, std::span<std::byte> memory, Obse
         if (traits_) kind.channel = NoiseChannel::sensor;
         std::vector<SeenBody>& seen = view.buffers.seen;
         seen.clear();
-        see(view, sight, kind, bias, seen);
+        if (sight.present) see(view, sight, kind, bias, seen);
         out.add(name, view.timeBefore(view.lagOf(sight.latency)), std::span<const SeenBody>(seen));
     };
     give(0, robots_, robotsReading_, {0, robots, NoiseChannel::sightOfRobots, 0});

@@ -12,23 +12,6 @@ void addFault(StepTrace* trace, std::size_t robot, std::string what) {
     if (trace != nullptr) trace->faults.push_back({static_cast<std::uint32_t>(robot), std::move(what)});
 }
 
-/// What is wrong with orders; empty: nothing.
-std::string objection(const Decision& decision, Nanoseconds now, std::size_t manipulators) {
-    if (decision.command && isAbsurd(*decision.command)) return "its controller " + absurdity(*decision.command);
-    Nanoseconds last = std::numeric_limits<Nanoseconds>::min();
-    for (const StampedCommand& earlier : decision.earlier) {
-        if (isAbsurd(earlier.command)) return "its controller " + absurdity(earlier.command);
-        if (earlier.time < last || earlier.time > now)
-            return "its controller gave commands out of order or of the future";
-        last = earlier.time;
-    }
-    for (const Kick& kick : decision.kicks) {
-        if (!(kick.power >= 0 && kick.power <= 1)) return "its controller gave a kick whose power is not in 0 ... 1";
-        if (kick.manipulator >= manipulators) return "its controller kicked with a manipulator that it does not have";
-    }
-    return {};
-}
-
 /// More of them in one instant are a fault.
 constexpr std::size_t mostMessages = 64;
 
@@ -41,6 +24,24 @@ const char* messageObjection(const Decision& decision, std::size_t robots) {
             return "its controller sent a message to a robot that is not there";
     }
     return nullptr;
+}
+
+/// What is wrong with orders; empty: nothing.
+std::string objection(const Decision& decision, Nanoseconds now, std::size_t manipulators, std::size_t robots) {
+    if (decision.command && isAbsurd(*decision.command)) return "its controller " + absurdity(*decision.command);
+    Nanoseconds last = std::numeric_limits<Nanoseconds>::min();
+    for (const StampedCommand& earlier : decision.earlier) {
+        if (isAbsurd(earlier.command)) return "its controller " + absurdity(earlier.command);
+        if (earlier.time < last || earlier.time > now)
+            return "its controller gave commands out of order or of the future";
+        last = earlier.time;
+    }
+    for (const Kick& kick : decision.kicks) {
+        if (!(kick.power >= 0 && kick.power <= 1)) return "its controller gave a kick whose power is not in 0 ... 1";
+        if (kick.manipulator >= manipulators) return "its controller kicked with a manipulator that it does not have";
+    }
+    if (const char* const wrong = messageObjection(decision, robots); wrong != nullptr) return wrong;
+    return {};
 }
 
 /// Messages that cannot be sent become a fault, and the others are what they say they are: nothing else is recorded.
@@ -67,10 +68,7 @@ void issue(const Scenario& scenario, WorldState& state, std::size_t robot, const
 void obey(const Scenario& scenario, WorldState& state, std::size_t robot, const Decision& decision, StepTrace* trace) {
     const Nanoseconds now = scenario.scene().timeOf(state.tick);
     const std::vector<Manipulator>& manipulators = scenario.scene().typeOf(robot).manipulators;
-    std::string wrong = objection(decision, now, manipulators.size());
-    if (wrong.empty())
-        if (const char* const message = messageObjection(decision, state.robots.size()); message != nullptr)
-            wrong = message;
+    const std::string wrong = objection(decision, now, manipulators.size(), state.robots.size());
     if (!wrong.empty() || !decision.fault.empty()) {
         addFault(trace, robot, wrong.empty() ? decision.fault : wrong);
         issue(scenario, state, robot, {now, {}});
