@@ -61,16 +61,18 @@ PackedMlp MlpInference::packed() const {
     return net;
 }
 
-void MlpInference::one(const float* x, float* y) const {
+void MlpInference::one(const float* x, float* y) const { oneByOne(x, y, 1); }
+
+void MlpInference::oneByOne(const float* rows, float* out, std::size_t n) const {
     const PackedMlp net = packed();
-    withScratch(net.hiddenStride + net.outputStride, [&](float* scratch) { kernel_->one(net, x, y, scratch); });
+    withScratch(net.hiddenStride + net.outputStride, [&](float* scratch) {
+        for (std::size_t i = 0; i < n; ++i, rows += net.inputs, out += net.outputs)
+            kernel_->one(net, rows, out, scratch);
+    });
 }
 
 void MlpInference::batch(const float* rows, float* out, std::size_t n) const {
-    if (n <= kFewRows) {
-        for (std::size_t i = 0; i < n; ++i) one(rows + i * shape_.inputs, out + i * shape_.outputs);
-        return;
-    }
+    if (n <= kFewRows) return oneByOne(rows, out, n);
     const PackedMlp net = packed();
     const std::size_t floats = 64 * net.inputs + kMostLanes * (net.hidden + net.outputs);
     withScratch(floats, [&](float* scratch) { kernel_->batch(net, rows, out, n, scratch); });

@@ -28,6 +28,7 @@ public:
 
 private:
     PackedMlp packed() const;
+    void oneByOne(const float* rows, float* out, std::size_t n) const;
 
     MlpShape shape_;
     const InferenceKernel* kernel_;
