@@ -16,7 +16,8 @@ target_compile_options(mrose_flags INTERFACE
   # GCC 12 sees overlaps in std::string's operator+ that are not there (GCC bug 105651), and optionals that are read unset
   # (80635); clang, clang-tidy and the sanitizers look for real ones.
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>
-  # A fused multiply-add rounds once where two instructions round twice: what feeds the state must not depend on it.
+  # A fused multiply-add rounds once where two instructions round twice: what feeds the state must not depend on it. (Nor
+  # does core round doubles to floats and back: GCC 12 forgets that of pairs which it puts into one register.)
   -ffp-contract=off)
 
 # What __FILE__ and debugging symbols say of a source begins at the root: objects do not depend on where the clone lies.

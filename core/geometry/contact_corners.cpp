@@ -9,19 +9,11 @@ namespace {
 
 using Precision = ContactPrecision;
 
-/// As the solver gets it, in m.
-Point rounded(const Point& p) {
-    const auto inFloat = [](double metres) {
-        return static_cast<double>(static_cast<float>(metres * Precision::unitsPerMetre)) / Precision::unitsPerMetre;
-    };
-    return {inFloat(p.x), inFloat(p.y)};
-}
-
 Polygon welded(const Polygon& polygon) {
     Polygon kept;
     for (const Point& p : polygon)
         if (std::all_of(kept.begin(), kept.end(),
-                        [&](const Point& k) { return distance(rounded(k), rounded(p)) > Precision::weld; }))
+                        [&](const Point& k) { return distance(k, p) > Precision::weld; }))
             kept.push_back(p);
     return kept;
 }
@@ -29,7 +21,7 @@ Polygon welded(const Polygon& polygon) {
 /// Of three corners that do not clearly turn left the one between the others.
 std::optional<std::size_t> unclear(const Polygon& polygon, const std::array<std::size_t, 3>& three) {
     std::array<Point, 3> p;
-    for (std::size_t i = 0; i < 3; ++i) p[i] = rounded(polygon[three[i]]);
+    for (std::size_t i = 0; i < 3; ++i) p[i] = polygon[three[i]];
     double longest = 0;
     std::size_t between = 0;
     for (std::size_t i = 0; i < 3; ++i)

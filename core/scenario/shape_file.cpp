@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t mostParts = 64;
 constexpr Colour grey{128, 128, 128};
-/// In floats, in which contact cuts edges, little is left of what is small and far from its reference point.
+/// A robot's pose is its reference point's, and where that is a long way off the least turn would carry the robot away.
 constexpr double mostAside = 100;
 
 }  // namespace

@@ -30,22 +30,12 @@ Polygon randomConvex(std::int64_t which) {
     return polygon;
 }
 
-/// What Box2D does with corners first: in float, and those nearer than 0.25 mm are one.
-struct InFloat {
-    float x, y;
-};
-std::vector<InFloat> inFloat(const Polygon& corners) {
-    std::vector<InFloat> points;
-    for (const Point& p : corners) points.push_back({static_cast<float>(p.x * 10), static_cast<float>(p.y * 10)});
-    return points;
-}
-float cross(const InFloat& o, const InFloat& a, const InFloat& b) {
-    const float ax = a.x - o.x, ay = a.y - o.y, bx = b.x - o.x, by = b.y - o.y;
-    return ax * by - ay * bx;
+long double cross(const Point& o, const Point& a, const Point& b) {
+    return (static_cast<long double>(a.x) - o.x) * (static_cast<long double>(b.y) - o.y) -
+           (static_cast<long double>(a.y) - o.y) * (static_cast<long double>(b.x) - o.x);
 }
 
-/// The solver wraps a string round the corners: from each, to the one that has all others to its left.
-TEST(ContactCorners, FloatsTellAnyTwoApartAndAnyThreeTurnLeft) {
+TEST(ContactCorners, AnyTwoAreApartAndAnyThreeTurnLeft) {
     int kept = 0, some = 0, none = 0;
     for (std::int64_t which = 0; which < 20'000; ++which) {
         const Polygon before = randomConvex(which), corners = contactCorners(before);
@@ -54,30 +44,28 @@ TEST(ContactCorners, FloatsTellAnyTwoApartAndAnyThreeTurnLeft) {
             continue;
         }
         (corners.size() == before.size() ? kept : some) += 1;
-        ASSERT_GE(corners.size(), 3u);
-        const auto points = inFloat(corners);
-        const std::size_t n = points.size();
-        float area = 0;
+        const std::size_t n = corners.size();
+        ASSERT_GE(n, 3u);
         for (std::size_t i = 0; i < n; ++i)
             for (std::size_t j = i + 1; j < n; ++j) {
-                const float dx = points[i].x - points[j].x, dy = points[i].y - points[j].y;
-                ASSERT_GE(dx * dx + dy * dy, 0.0025F * 0.0025F) << which;
-                for (std::size_t k = j + 1; k < n; ++k) {
-                    ASSERT_GT(cross(points[i], points[j], points[k]), 0) << which;
-                    ASSERT_GT(cross(points[j], points[k], points[i]), 0) << which;
-                    ASSERT_GT(cross(points[k], points[i], points[j]), 0) << which;
-                }
-                if (i == 0 && j + 1 < n) area += cross(points[0], points[j], points[j + 1]) / 2;
+                ASSERT_GT(distance(corners[i], corners[j]), 0.000299) << which;
+                for (std::size_t k = j + 1; k < n; ++k)
+                    ASSERT_GT(cross(corners[i], corners[j], corners[k]), 0.99e-5 * 0.000299) << which;
             }
-        ASSERT_GT(area, 1.2e-7F) << which;
+        // Edges see all corners behind them, wherever the piece lies.
+        const auto piece = ConvexPiece::polygon(corners);
+        ASSERT_TRUE(piece) << which;
+        for (std::size_t edge = 0; edge < piece->count; ++edge)
+            for (const Point& p : corners)
+                ASSERT_LE(dot(piece->normals[edge], p - piece->corners[edge]), 1e-9) << which;
     }
     EXPECT_GT(kept, 1000);
     EXPECT_GT(some, 1000);
     EXPECT_GT(none, 1000);
 }
 
-TEST(ContactCorners, WhatFloatsBearIsKeptAsItIs) {
-    for (const double far : {0.0, 20.0}) {
+TEST(ContactCorners, WhatIsLargeEnoughIsKeptAsItIs) {
+    for (const double far : {0.0, 20.0, 1e5}) {
         const Polygon box{{far, 0}, {far + 0.001, 0}, {far + 0.001, 0.001}, {far, 0.001}};
         EXPECT_EQ(contactCorners(box), box);
         const Polygon needle{{far, 0}, {far + 10, 0}, {far + 10, 0.0004}};
@@ -88,9 +76,9 @@ TEST(ContactCorners, WhatFloatsBearIsKeptAsItIs) {
 TEST(ContactCorners, NearOnesAreOne) {
     EXPECT_EQ(contactCorners({{0, 0}, {1, 0}, {1, 1}, {0.9999, 1}}), (Polygon{{0, 0}, {1, 0}, {1, 1}}));
     EXPECT_EQ(contactCorners({{0, 0}, {1, 0}, {1, 0.0002}}), Polygon{});
-    // 0.4 mm apart, but 1 km away the solver's floats are 0.06 mm apart, and at 100 km 8 mm.
-    EXPECT_EQ(contactCorners({{1000, 0}, {1001, 0}, {1001, 0.0004}}).size(), 3u);
-    EXPECT_EQ(contactCorners({{1e5, 1e5}, {1e5 + 1, 1e5}, {1e5 + 1, 1e5 + 0.0004}}), Polygon{});
+    // So they are however far away.
+    EXPECT_EQ(contactCorners({{1e5, 1e5}, {1e5 + 1, 1e5}, {1e5 + 1, 1e5 + 0.0004}}).size(), 3u);
+    EXPECT_EQ(contactCorners({{1e5, 1e5}, {1e5 + 1, 1e5}, {1e5 + 1, 1e5 + 0.0002}}), Polygon{});
     // A needle of 2 km, which is 1 mm wide at its end.
     EXPECT_EQ(contactCorners({{-1000, 0}, {1000, 0}, {1000, 0.001}}), Polygon{});
 }
