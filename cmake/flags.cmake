@@ -18,7 +18,9 @@ target_compile_options(mrose_flags INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>
   # A fused multiply-add rounds once where two instructions round twice: what feeds the state must not depend on it. (Nor
   # does core round doubles to floats and back: GCC 12 forgets that of pairs which it puts into one register.)
-  -ffp-contract=off)
+  -ffp-contract=off
+  # Nobody reads errno after a square root, which is one instruction then.
+  -fno-math-errno)
 
 # What __FILE__ and debugging symbols say of a source begins at the root: objects do not depend on where the clone lies.
 target_compile_options(mrose_flags INTERFACE -ffile-prefix-map=${PROJECT_SOURCE_DIR}/=)

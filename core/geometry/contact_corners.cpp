@@ -12,8 +12,7 @@ using Precision = ContactPrecision;
 Polygon welded(const Polygon& polygon) {
     Polygon kept;
     for (const Point& p : polygon)
-        if (std::all_of(kept.begin(), kept.end(),
-                        [&](const Point& k) { return distance(k, p) > Precision::weld; }))
+        if (std::all_of(kept.begin(), kept.end(), [&](const Point& k) { return distance(k, p) > Precision::weld; }))
             kept.push_back(p);
     return kept;
 }

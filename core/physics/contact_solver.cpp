@@ -90,11 +90,12 @@ void ContactSolver::startTouching(std::span<const ContactImpulse> before) {
     island_.resize(bodies_.size());
     std::iota(island_.begin(), island_.end(), 0);
     effort_.assign(bodies_.size(), 0);
+    touching_.assign(bodies_.size(), 0);
     for (Meeting& meeting : meetings_) {
         const ContactImpulse key = keyOf(*cluster_, meeting);
         meeting.kept = impulsesOf(key, before);
         meeting.leant = !meeting.kept.empty() || leantTurned(key, before);
-        meeting.far = tooFar(pieceA(meeting), pieceB(meeting), 0, tick_->duration);
+        meeting.far = !meeting.leant && tooFar(pieceA(meeting), pieceB(meeting), 0, tick_->duration);
         if (meeting.far) continue;
         const ConvexPiece& a = bodies_[meeting.a].body->pieces[meeting.pieceA];
         const ConvexPiece& b =
@@ -103,11 +104,13 @@ void ContactSolver::startTouching(std::span<const ContactImpulse> before) {
         if (meeting.gap.distance > touchDistance + touchSlack && !comesToPress(meeting)) continue;
         meeting.touch = findTouch(a, b, meeting.gap);
         meeting.touches = true;
-        if (meeting.grounded()) continue;
-        join(meeting);
+        touching_[meeting.a] = 1;
+        if (!meeting.grounded()) join(meeting);
     }
     for (std::uint32_t i = 0; i < bodies_.size(); ++i)
-        if (islandOf(i) == i) touchAt(0, i, nullptr);
+        if (touching_[i] != 0) touching_[islandOf(i)] = 1;
+    for (std::uint32_t i = 0; i < bodies_.size(); ++i)
+        if (touching_[i] != 0 && islandOf(i) == i) touchAt(0, i, nullptr);
 }
 
 /// From touch to touch, in the order of time.
@@ -173,50 +176,55 @@ bool ContactSolver::mayBounce(const Meeting& meeting, const Meeting* arriving) c
 /// Adds what is to be solved for of a pair that presses or bounces at a time.
 void ContactSolver::addPair(Meeting& meeting, double time, const Meeting* arriving) {
     const bool starts = arriving == nullptr;
-    const MovingBody& a = bodies_[meeting.a];
     if (!starts) {
         const ConvexPiece one = placedAt(pieceA(meeting), time), other = placedAt(pieceB(meeting), time);
         meeting.gap = gapBetween(one, other);
         meeting.touch = findTouch(one, other, meeting.gap);
     }
     if (&meeting == arriving && meeting.state == Meeting::State::pressing) ++meeting.sinkings;
-    const Touch& touch = meeting.touch;
-    PressedPair pair;
+    PressedPair& pair = pairs_.emplace_back();
     pair.a = place_[meeting.a];
     pair.b = meeting.grounded() ? static_cast<std::uint32_t>(members_.size()) : place_[meeting.b];
-    pair.normal = touch.normal;
+    pair.normal = meeting.touch.normal;
     pair.friction = meeting.friction;
-    const double left = tick_->duration - time;
-    const bool may = mayBounce(meeting, arriving);
+    const bool bounces = addSpots(meeting, tick_->duration - time, mayBounce(meeting, arriving), pair);
+    meeting.state = bounces ? Meeting::State::apart : Meeting::State::pressing;
+    if (pair.count == 0) {
+        pairs_.pop_back();
+        return;
+    }
+    if (starts) warm(pair, meeting);
+    pairOf_.push_back(&meeting);
+    bounces_.push_back(bounces);
+}
+
+/// The spots at which the pair presses on each other, `left` seconds before the tick's end, or bounces, if it may:
+/// which of the two. The meeting's touch is without others then.
+bool ContactSolver::addSpots(Meeting& meeting, double left, bool mayBounce, PressedPair& pair) const {
+    Touch& touch = meeting.touch;
     const auto apart = [&](int i) { return touch.spots[i].distance - touchDistance; };
     std::array<double, 2> parts{};
     bool bounces = false;
     for (int i = 0; i < touch.count; ++i) {
-        PressedPair::Spot& s = pair.spots[i];
-        s.armOfA = touch.spots[i].position - a.centre;
-        s.armOfB = meeting.grounded() ? Point{} : touch.spots[i].position - bodies_[meeting.b].centre;
         parts[i] = partingAt(meeting, touch.spots[i].position, touch.normal);
-        bounces = bounces || (may && apart(i) <= touchSlack && parts[i] < -bounceThreshold);
+        bounces = bounces || (mayBounce && apart(i) <= touchSlack && parts[i] < -bounceThreshold);
     }
     for (int i = 0; i < touch.count; ++i) {
-        PressedPair::Spot& s = pair.spots[pair.count];
-        s = pair.spots[i];
+        double wanted = 0;
         if (apart(i) > 0) {
             // Who bounces is looked at again; else this one must not sink in either before the tick's end.
             if (apart(i) > touchSlack && (bounces || left <= 0)) continue;
-            s.wanted = left > 0 ? -apart(i) / left : 0;
+            wanted = left > 0 ? -apart(i) / left : 0;
         }
-        if (bounces) s.wanted = std::max(0.0, -meeting.restitution * parts[i]);
-        meeting.touch.spots[pair.count++] = touch.spots[i];
+        if (bounces) wanted = std::max(0.0, -meeting.restitution * parts[i]);
+        const Point& position = touch.spots[i].position;
+        const Point armOfB = meeting.grounded() ? Point{} : position - bodies_[meeting.b].centre;
+        pair.spots[pair.count] = {position - bodies_[meeting.a].centre, armOfB, wanted};
+        touch.spots[pair.count++] = touch.spots[i];
     }
+    touch.count = pair.count;
     if (pair.count == 2 && std::abs(touch.spots[1].distance) < std::abs(touch.spots[0].distance)) pair.rubs = 1;
-    meeting.touch.count = pair.count;
-    meeting.state = bounces ? Meeting::State::apart : Meeting::State::pressing;
-    if (pair.count == 0) return;
-    if (starts) warm(pair, meeting);
-    pairs_.push_back(pair);
-    pairOf_.push_back(&meeting);
-    bounces_.push_back(bounces);
+    return bounces;
 }
 
 void ContactSolver::collectSolution(double time, const Meeting* arriving) {

@@ -27,6 +27,7 @@ private:
     void join(const Meeting& meeting);
     void touchAt(double time, std::uint32_t island, Meeting* arriving);
     void addPair(Meeting& meeting, double time, const Meeting* arriving);
+    bool addSpots(Meeting& meeting, double left, bool mayBounce, PressedPair& pair) const;
     void findImpulses();
     void collectSolution(double time, const Meeting* arriving);
     void lookAhead(Meeting& meeting, double time);
@@ -44,8 +45,9 @@ private:
     const ContactCluster* cluster_ = nullptr;
     std::vector<MovingBody> bodies_;
     std::vector<Meeting> meetings_;
-    std::vector<std::uint32_t> island_;  ///< of each body: those that touched in this tick are one, named by its first
-    std::vector<std::size_t> effort_;    ///< by island: pairs that have been solved for after the tick's start
+    std::vector<std::uint32_t> island_;   ///< of each body: those that touched in this tick are one, named by its first
+    std::vector<std::uint8_t> touching_;  ///< by island, once the start has been looked at: has a pair that touches
+    std::vector<std::size_t> effort_;     ///< by island: pairs that have been solved for after the tick's start
 
     // Of the island that is being solved.
     ExactImpulses exact_;

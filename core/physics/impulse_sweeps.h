@@ -19,18 +19,26 @@ public:
 private:
     struct Member {
         PairBlock block;
-        RigidBody &a, &b;
+        std::uint32_t a, b;
         PairBlock::Triple impulses, way{}, newest{};  ///< N s; the search's direction; the last sweep's change
+    };
+    /// The same in bodies: the search's direction, and how they moved when the last sweep began.
+    struct Way {
+        Point velocity;
+        double rotation = 0;
+        Point velocityBefore;
+        double rotationBefore = 0;
     };
     /// How much a sweep changed: twice the energy of its change, and the fastest change of a spot's velocity, m/s.
     struct Change {
         double square = 0, fastest = 0;
     };
-    bool settle(int mostSweeps);
-    Change sweep();
-    void goOn(double share);
+    bool settle(std::span<RigidBody> bodies, int mostSweeps);
+    Change sweep(std::span<RigidBody> bodies);
+    void goOn(std::span<RigidBody> bodies, double share);
 
     std::vector<Member> members_;
+    std::vector<Way> ways_;  ///< of the bodies
 };
 
 }  // namespace mrose

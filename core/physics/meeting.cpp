@@ -9,55 +9,58 @@
 namespace mrose {
 namespace {
 
-/// The paper's random factor.
-void vary(const ContactTick& tick, std::uint32_t first, std::uint32_t second, Meeting& meeting) {
-    if (tick.randomFactor == 0) return;
+/// Friction and restitution of two bodies.
+struct Surfaces {
+    double friction, restitution;
+};
+
+/// By the paper's random factor.
+Surfaces varied(const ContactTick& tick, std::uint32_t first, std::uint32_t second, const Surfaces& nominal) {
+    if (tick.randomFactor == 0) return nominal;
     const std::uint32_t body = std::min(first, second), other = std::max(first, second);
     const auto factor = [&](NoiseChannel what) {
         const std::uint32_t channel = channelOf(what, other == noBody ? 0 : other + 1);
         return 1 + tick.randomFactor * (2 * uniformNoise({tick.seed, tick.tick, body, channel}) - 1);
     };
-    meeting.restitution = std::min(1.0, meeting.restitution * factor(NoiseChannel::restitution));
-    meeting.friction *= factor(NoiseChannel::contactFriction);
+    return {nominal.friction * factor(NoiseChannel::contactFriction),
+            std::min(1.0, nominal.restitution * factor(NoiseChannel::restitution))};
 }
 
-using Piece = CollisionShape::Piece;
+void add(const Surfaces& surfaces, std::vector<Meeting>& meetings, std::uint32_t a, std::uint32_t pieceA,
+         const CollisionShape::Piece& outlineA, std::uint32_t b, std::uint32_t pieceB,
+         const CollisionShape::Piece& outlineB) {
+    Meeting& meeting = meetings.emplace_back();
+    meeting.a = a;
+    meeting.b = b;
+    meeting.pieceA = pieceA;
+    meeting.pieceB = pieceB;
+    meeting.outlineA = &outlineA;
+    meeting.outlineB = &outlineB;
+    meeting.friction = surfaces.friction;
+    meeting.restitution = surfaces.restitution;
+}
 
 }  // namespace
 
 void findMeetings(const ContactTick& tick, const ContactCluster& cluster, std::vector<Meeting>& meetings) {
     meetings.clear();
-    const auto piecesOf = [&](std::uint32_t body) -> const std::vector<Piece>& {
-        return cluster.bodies[body].shape->pieces;
-    };
-    Meeting meeting;
     for (const auto& [a, b] : cluster.pairs) {
         const ContactBody &first = cluster.bodies[a], &second = cluster.bodies[b];
-        meeting.a = a;
-        meeting.b = b;
-        meeting.friction = std::sqrt(first.friction * second.friction);
-        meeting.restitution = std::max(first.restitution, second.restitution);
-        vary(tick, first.body, second.body, meeting);
-        for (meeting.pieceA = 0; meeting.pieceA < piecesOf(a).size(); ++meeting.pieceA)
-            for (meeting.pieceB = 0; meeting.pieceB < piecesOf(b).size(); ++meeting.pieceB) {
-                meeting.outlineA = &piecesOf(a)[meeting.pieceA];
-                meeting.outlineB = &piecesOf(b)[meeting.pieceB];
-                meetings.push_back(meeting);
-            }
+        const Surfaces surfaces =
+            varied(tick, first.body, second.body,
+                   {std::sqrt(first.friction * second.friction), std::max(first.restitution, second.restitution)});
+        const auto &own = first.shape->pieces, &theirs = second.shape->pieces;
+        for (std::uint32_t i = 0; i < own.size(); ++i)
+            for (std::uint32_t j = 0; j < theirs.size(); ++j) add(surfaces, meetings, a, i, own[i], b, j, theirs[j]);
     }
     for (const ObstaclePair& pair : cluster.obstacles) {
         const ContactBody& body = cluster.bodies[pair.body];
-        meeting.a = pair.body;
-        meeting.b = noBody;
-        meeting.pieceB = pair.piece;
-        meeting.outlineB = &tick.obstacleShape->pieces[pair.piece];
-        meeting.friction = std::sqrt(body.friction * pair.friction);
-        meeting.restitution = std::max(body.restitution, pair.restitution);
-        vary(tick, body.body, noBody, meeting);
-        for (meeting.pieceA = 0; meeting.pieceA < piecesOf(pair.body).size(); ++meeting.pieceA) {
-            meeting.outlineA = &piecesOf(pair.body)[meeting.pieceA];
-            meetings.push_back(meeting);
-        }
+        const Surfaces surfaces =
+            varied(tick, body.body, noBody,
+                   {std::sqrt(body.friction * pair.friction), std::max(body.restitution, pair.restitution)});
+        const CollisionShape::Piece& obstacle = tick.obstacleShape->pieces[pair.piece];
+        for (std::uint32_t i = 0; i < body.shape->pieces.size(); ++i)
+            add(surfaces, meetings, pair.body, i, body.shape->pieces[i], noBody, pair.piece, obstacle);
     }
 }
 

@@ -40,8 +40,13 @@ void addSpots(const Face& face, const ConvexPiece& other, std::size_t edge, Touc
     }
     const double length = face.seen(face.end).x;
     const auto ends = static_cast<int32>(face.owner.cornerAfter(face.edge));
-    if (b2ClipSegmentToLine(cut.data(), whole.data(), {-1, 0}, 0, static_cast<int32>(face.edge)) < 2) return;
-    if (b2ClipSegmentToLine(spots.data(), cut.data(), {1, 0}, static_cast<float>(length), ends) < 2) return;
+    const auto beside = [&](const Point& p) { return p.x >= 0 && p.x <= length; };
+    if (beside(seen[0]) && beside(seen[1])) {
+        spots = whole;
+    } else {
+        if (b2ClipSegmentToLine(cut.data(), whole.data(), {-1, 0}, 0, static_cast<int32>(face.edge)) < 2) return;
+        if (b2ClipSegmentToLine(spots.data(), cut.data(), {1, 0}, static_cast<float>(length), ends) < 2) return;
+    }
     for (const b2ClipVertex& spot : spots) {
         Point there;
         if (spot.id.cf.typeB == b2ContactFeature::e_vertex) {

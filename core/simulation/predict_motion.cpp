@@ -13,8 +13,8 @@ namespace {
 
 bool plausible(const MotionStep& step, double period) {
     const auto& [increment, velocity] = step;
-    return !isAbsurd(increment.x / period) && !isAbsurd(increment.y / period) && !isAbsurd(increment.heading / period) &&
-           !isAbsurd(velocity.v) && !isAbsurd(velocity.w);
+    return !isAbsurd(increment.x / period) && !isAbsurd(increment.y / period) &&
+           !isAbsurd(increment.heading / period) && !isAbsurd(velocity.v) && !isAbsurd(velocity.w);
 }
 
 /// What is wrong with one that is not plausible.
