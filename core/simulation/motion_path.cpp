@@ -163,7 +163,7 @@ Recovery recover(const PathPoint& now, const PathPoint& onWay, const PathPoint& 
     const double speed = length(slip), lost = traction * duration;
     slip = speed > lost ? (1 - lost / speed) * slip : Point{};
     turn = std::copysign(std::max(0.0, std::abs(turn) - lost * turnLever), turn);
-    Recovery result{next, !(slip == Point{}) || turn != 0, next.pose};
+    Recovery result{next, !(slip == Point{}) || turn != 0};
     const Pose way = relative(onWay.pose, next.pose);
     result.point.pose =
         now.pose * Pose{way.x + slip.x * duration, way.y + slip.y * duration, way.heading + turn * duration};
@@ -173,7 +173,8 @@ Recovery recover(const PathPoint& now, const PathPoint& onWay, const PathPoint& 
     return result;
 }
 
-void moveTo(MotionSegment& segment, const Pose& onWay, const Pose& pose) {
+void moveTo(MotionSegment& segment, double share, const Pose& pose) {
+    const Pose onWay = fromStart(segment, share, 1).pose;
     const double heading = pose.heading - onWay.heading;
     const auto [s, c] = sineCosine(heading);
     segment.start = {pose.x - (c * onWay.x - s * onWay.y), pose.y - (s * onWay.x + c * onWay.y), heading};

@@ -30,12 +30,11 @@ PathPoint at(const MotionSegment& segment, double share, double period);
 struct Recovery {
     PathPoint point;
     bool recovering = false;
-    Pose onWay = {};  ///< of `next`
 };
 Recovery recover(const PathPoint& now, const PathPoint& onWay, const PathPoint& next, double duration, double traction,
                  double turnLever);
 
-/// The same way moved so that its point `onWay`, seen from its start, lies at `pose`: how a pushed robot goes on.
-void moveTo(MotionSegment& segment, const Pose& onWay, const Pose& pose);
+/// The same way moved so that at `share` it passes through `pose`: how a pushed robot goes on.
+void moveTo(MotionSegment& segment, double share, const Pose& pose);
 
 }  // namespace mrose

@@ -213,10 +213,11 @@ void commit(const Scenario& scenario, WorldState& state, StepBuffers::Content& b
     const std::size_t robots = state.robots.size();
     for (std::size_t i = 0; i < robots; ++i) {
         RobotState& robot = state.robots[i];
-        const auto& [point, recovering, onWay] = buffers.paths[i];
+        const auto& [point, recovering] = buffers.paths[i];
         robot.pose = point.pose;
         robot.velocity_B = point.velocity_B;
-        if (robot.pushed && !recovering) moveTo(robot.segment, onWay, robot.pose);
+        if (robot.pushed && !recovering)
+            moveTo(robot.segment, shareOfPeriod(scenario, robot, i, state.tick + 1), robot.pose);
         robot.pushed = recovering;
         if (trace != nullptr) trace->robots[i].planned = point.pose;
     }

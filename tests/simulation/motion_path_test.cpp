@@ -70,7 +70,7 @@ TEST(MotionPath, PushedRobotGoesOnFromWhereItWasPushedTo) {
     MotionSegment segment = beginSegment({1, 1, 0.3}, {0.4, 0, 2.5}, turning, 0, period);
     const Pose middle = at(segment, 0.4, period).pose, end = at(segment, 1, period).pose;
     const Pose pushed{2, -1, 2};
-    moveTo(segment, fromStart(segment, 0.4, 1).pose, pushed);
+    moveTo(segment, 0.4, pushed);
     const Pose now = at(segment, 0.4, period).pose;
     EXPECT_NEAR(now.x, pushed.x, 1e-14);
     EXPECT_NEAR(now.heading, pushed.heading, 1e-14);
