@@ -240,8 +240,11 @@ QWidget* OverlayPanel::makeModels() {
     connect(remove, &QAction::triggered, this, [this] { emit modelRemovalWanted(); });
     models_->addAction(remove);
     connect(models_, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item) {
-        overlay_.models().show(static_cast<std::size_t>(models_->indexOfTopLevelItem(item)),
-                               item->checkState(0) == Qt::Checked);
+        const auto model = static_cast<std::size_t>(models_->indexOfTopLevelItem(item));
+        const bool shown = item->checkState(0) == Qt::Checked;
+        // Once the item has changed: refreshing the list deletes it.
+        QMetaObject::invokeMethod(
+            this, [this, model, shown] { overlay_.models().show(model, shown); }, Qt::QueuedConnection);
     });
     auto* line = new QHBoxLayout;
     auto* add = new QToolButton;
