@@ -160,12 +160,15 @@ void ContactSolver::touchAt(double time, std::uint32_t island, Meeting* arriving
 }
 
 void ContactSolver::findImpulses() {
-    constexpr int soon = 24, mostSweeps = 40;
-    const bool few = pairs_.size() <= ExactImpulses::mostPairs;
-    if (pairs_.size() > 1 && (sweeps_.find(rigid_, pairs_, few ? soon : mostSweeps) || !few)) return;
+    constexpr int soon = 24, mostOfFew = 40, mostOfHeap = 400;
+    if (pairs_.size() > ExactImpulses::mostPairs) {
+        sweeps_.find(rigid_, pairs_, mostOfHeap);
+        return;
+    }
+    if (pairs_.size() > 1 && sweeps_.find(rigid_, pairs_, soon)) return;
     // Where masses are unequal sweeps hardly get on.
     rigid_.assign(rigidBefore_.begin(), rigidBefore_.end());
-    if (!exact_.find(rigid_, pairs_)) sweeps_.find(rigid_, pairs_, mostSweeps);
+    if (!exact_.find(rigid_, pairs_)) sweeps_.find(rigid_, pairs_, mostOfFew);
 }
 
 bool ContactSolver::mayBounce(const Meeting& meeting, const Meeting* arriving) const {

@@ -29,8 +29,8 @@ struct Meeting {
     double atEnd = 0;     ///< m at least from each other when the tick ends, of one that presses
     Touch touch;          ///< when it was last looked at
     Gap gap;              ///< likewise, unless they are far from each other
-    bool far = false;
-    double impulse = 0;                       ///< N s, along the normal, in the whole tick
+    bool far = false;     ///< when the tick began: too far to touch in it as planned; `gap` is not known then
+    double impulse = 0;   ///< N s, along the normal, in the whole tick
     std::array<ContactImpulse, 2> atStart{};  ///< what it pressed when the tick began: warms the next tick's search
     int startCount = 0;
 

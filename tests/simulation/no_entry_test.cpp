@@ -7,6 +7,7 @@
 #include "simulation/small_world.h"
 #include "support/contact_measures.h"
 #include "support/outlines.h"
+#include "support/scenes.h"
 #include "support/shipped.h"
 #include "support/units.h"
 #include "world/noise.h"
@@ -184,6 +185,28 @@ TEST(NoEntry, RobotsAtFullSpeedStayOutOfEachOther) {
     }
     EXPECT_LE(deepest, robotMayEnter);
     EXPECT_GT(hits, 200);
+}
+
+/// 120 times as heavy as what they push together.
+TEST(NoEntry, LightBoxesThatHeavyRobotsHeapUp) {
+    SmallWorld world(walledField(6, 6));
+    for (int i = 0; i < 4; ++i)
+        world.robot(squareRobot(0.45, 60), {1.1 + 0.55 * i, 2.9 - 0.55 * i, pi * 5 / 4},
+                    std::make_shared<const Told>(Command{0.5, 0}), ideal());
+    for (int i = 0; i < 24; ++i) world.object(boxType(0.3, 0.5), {0.25 + 0.32 * (i % 5), 0.25 + 0.32 * (i / 5), 0}, {});
+    const Scenario scenario = world.scenario();
+    WorldState state = scenario.initialState();
+    StepBuffers buffers;
+    StepTrace trace;
+    double deepest = 0;
+    std::size_t most = 0;
+    for (int k = 0; k < 400; ++k) {
+        step(scenario, state, buffers, {}, &trace);
+        most = std::max(most, trace.contacts.size());
+        deepest = std::max(deepest, -leastGap(scenario, state));
+    }
+    EXPECT_LE(deepest, 0.003);
+    EXPECT_GT(most, 24U);
 }
 
 }  // namespace
