@@ -15,7 +15,7 @@ double inverseMassAlong(const MovingBody& body, const Point& arm, const Point& a
 }
 
 /// Whether it had to be pressed out.
-bool pressOut(MovingBody& a, MovingBody* b, const Meeting& meeting) {
+bool pushApart(MovingBody& a, MovingBody* b, const Meeting& meeting) {
     const ConvexPiece one = placed(meeting.outlineA->outline, a.frame);
     const ConvexPiece other = b != nullptr ? placed(meeting.outlineB->outline, b->frame) : meeting.outlineB->outline;
     const double reach = one.reach + other.reach + touchDistance;
@@ -59,7 +59,7 @@ void pressOut(std::span<MovingBody> bodies, std::span<Meeting> meetings, double 
             if (!displaced && !sunk) continue;
             a.advance(time);
             if (b != nullptr) b->advance(time);
-            if (pressOut(a, b, meeting)) any = true;
+            if (pushApart(a, b, meeting)) any = true;
         }
         if (!any) return;
     }

@@ -5,7 +5,7 @@
 namespace mrose {
 namespace {
 
-// Spots that are farther from each other do not touch in this tick, m.
+// Spots farther than this from each other are left out: bodies at 5 m/s close so much in a tick, m.
 constexpr double farthest = 0.1;
 
 /// Where two edges lie side by side: the ends of that stretch of the one which has the corners.
@@ -28,7 +28,7 @@ std::size_t opposingEdge(const ConvexPiece& piece, std::size_t corner, const Poi
 }
 
 /// Box2D says which parts of the two edges lie opposite, and names them; where exactly they do is said in doubles.
-void addSpots(const Face& face, const ConvexPiece& other, std::size_t edge, Touch& touch) {
+void addOppositeSpots(const Face& face, const ConvexPiece& other, std::size_t edge, Touch& touch) {
     const std::array<std::size_t, 2> corners{edge, other.cornerAfter(edge)};
     std::array<Point, 2> seen;
     std::array<b2ClipVertex, 2> whole, cut, spots;
@@ -70,7 +70,8 @@ Touch findTouch(const ConvexPiece& a, const ConvexPiece& b, const Gap& gap) {
     if (gap.edge != Gap::Edge::none && !a.isCircle() && !b.isCircle()) {
         const bool first = gap.edge == Gap::Edge::ofFirst;
         const ConvexPiece &owner = first ? a : b, &other = first ? b : a;
-        addSpots({owner, gap.edgeNumber}, other, opposingEdge(other, gap.corner, owner.normals[gap.edgeNumber]), touch);
+        addOppositeSpots({owner, gap.edgeNumber}, other, opposingEdge(other, gap.corner, owner.normals[gap.edgeNumber]),
+                         touch);
     }
     if (touch.count == 0) {
         touch.spots[0] = {gap.at + (gap.distance / 2) * gap.axis, gap.distance, 0};
