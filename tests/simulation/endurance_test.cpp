@@ -135,7 +135,7 @@ TEST(Endurance, AMillionTicksOfAnythingStayFiniteAndInside) {
     });
     for (std::size_t w = 0; w < worlds; ++w) EXPECT_EQ(wrong[w], "") << "world " << w;
     EXPECT_GT(touches, worlds * ticks / 2);
-    EXPECT_GT(kicks, worlds / 2);
+    EXPECT_GT(kicks, 3 * worlds / 4);  // about one a world by chance, +-5 %
 }
 
 /// Without robots there is no source of energy: the sum of all never grows.

@@ -74,5 +74,20 @@ TEST(StateSize, OfEightRobotsIsAtMostEightKilobytesAndOfTheirMemories768BytesEac
         }
 }
 
+/// With the step by Box2D's world it was 4.2 KB. Contacts come and go: the mean of a minute.
+TEST(StateSize, EightRobotsThatCollideTakeNoMoreThanWithBox2DsWorld) {
+    const Scenario scenario = fieldScenario({});
+    WorldState state = scenario.initialState();
+    StepBuffers buffers;
+    std::size_t sum = 0;
+    constexpr std::size_t ticks = 3000;
+    for (std::size_t k = 0; k < ticks; ++k) {
+        step(scenario, state, buffers);
+        sum += stateBytes(state).size();
+    }
+    EXPECT_LE(sum / ticks, 4200u);
+    EXPECT_GT(sum / ticks, 2000u);
+}
+
 }  // namespace
 }  // namespace mrose
