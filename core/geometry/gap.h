@@ -4,7 +4,7 @@
 
 namespace mrose {
 
-/// How two convex pieces in one frame lie to each other, exact to rounding.
+/// How two convex pieces in one frame lie to each other, exact to a nanometre.
 struct Gap {
     double distance = 0;  ///< m; negative where they overlap: the least depth along an edge's normal
     Point axis;           ///< from the first to the second where they are nearest, length 1
