@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "simulation/small_world.h"
+#include "support/contact_measures.h"
 #include "support/shipped.h"
 #include "support/units.h"
 #include "world/noise.h"
@@ -126,6 +127,45 @@ TEST(BallAndRobots, BallGuideCannotHoldTheBall) {
         }
         const Carried stopped = carried({}, model);
         EXPECT_GT(stopped.ball_B.x, 0.32) << "it rolls on";
+    }
+}
+
+/// Two square robots that drive at each other, a ball `aside` m off the line between them.
+SmallWorld pressedBall(double speed, double aside) {
+    SmallWorld world;
+    const auto drive = std::make_shared<const Told>(Command{speed, 0});
+    world.robot(squareRobot(), {-0.8, 0, 0}, drive, ideal());
+    world.robot(squareRobot(), {0.8, 0, pi}, drive, ideal());
+    world.object(ballType(), {0, aside, 0});
+    return world;
+}
+
+TEST(BallAndRobots, BallBetweenRobotsThatPressStaysBetweenThem) {
+    for (const double speed : {0.3, 1.0, 2.0}) {
+        const Scenario scenario = pressedBall(speed, 0).scenario();
+        WorldState state = scenario.initialState();
+        StepBuffers buffers;
+        for (int k = 0; k < 500; ++k) {
+            step(scenario, state, buffers);
+            ASSERT_GE(leastGap(scenario, state), -0.0005) << speed << ", tick " << k;
+        }
+        EXPECT_LT(std::abs(state.objects[0].pose.x), 0.001) << speed;
+        EXPECT_LT(std::abs(state.objects[0].pose.y), 0.001) << speed;
+        EXPECT_LT(gapBetween(scenario, state, 0, 2), 0.005) << "the robot is at the ball";
+        EXPECT_LT(gapBetween(scenario, state, 1, 2), 0.005);
+    }
+}
+
+/// 3 mm aside they turn about it and let it out: into nobody.
+TEST(BallAndRobots, BallAsideOfRobotsThatPressIsLetOutButEntersNothing) {
+    for (const double speed : {0.3, 1.0, 2.0}) {
+        const Scenario scenario = pressedBall(speed, 0.003).scenario();
+        WorldState state = scenario.initialState();
+        StepBuffers buffers;
+        for (int k = 0; k < 500; ++k) {
+            step(scenario, state, buffers);
+            ASSERT_GE(leastGap(scenario, state), -0.0005) << speed << ", tick " << k;
+        }
     }
 }
 

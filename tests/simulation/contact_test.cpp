@@ -70,6 +70,19 @@ TEST(Contact, PushedBoxRestsWithinTwoMillimetresOfTheWall) {
     }
 }
 
+/// An hour to the bit: nobody pushes it.
+TEST(Contact, BoxThatRestsAtTheWallStaysWhereItIs) {
+    SmallWorld world(walledField(4, 4));
+    world.object(boxType(0.3), {3.7, 2, 0.05}, {1, 0, 0});
+    const Scenario scenario = world.scenario();
+    WorldState state = scenario.initialState();
+    run(scenario, state, 500);
+    const Pose start = state.objects[0].pose;
+    EXPECT_GT(start.x, 3.7) << "it came to rest at the wall";
+    run(scenario, state, 3600 * 50);
+    EXPECT_EQ(state.objects[0].pose, start);
+}
+
 TEST(Contact, RobotFeelsTheWallInTheVelocityThatItsModelSeesNext) {
     SmallWorld world(walledField(4, 4));
     world.robot(squareRobot(), {3, 2, 0}, std::make_shared<const Told>(Command{0.5, 0}), paperFormModel());
