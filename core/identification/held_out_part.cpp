@@ -39,6 +39,7 @@ Trajectory cut(Trajectory trajectory, Nanoseconds known, const Span& span) {
     keepWithin(known, span.end, trajectory.measuredVelocity);
     keepWithin(known, span.end, trajectory.measuredRotation);
     keepWithin(span.begin, span.end, trajectory.poses);
+    for (SensorLog& sensor : trajectory.sensors) keepWithin(span.begin, span.end, sensor.looks);
     return trajectory;
 }
 
@@ -73,6 +74,7 @@ void dropTimeOf(const Trajectory& heldOut, Trajectory& trajectory) {
     keepWithin(after, ever, trajectory.blips);
     keepWithin(after, ever, trajectory.measuredVelocity);
     keepWithin(after, ever, trajectory.measuredRotation);
+    for (SensorLog& sensor : trajectory.sensors) keepWithin(after, ever, sensor.looks);
 }
 
 /// Of a trajectory that is not divided into blocks.

@@ -1,91 +1,26 @@
 #include "logs/mrclam_reader.h"
 
-#include <algorithm>
-#include <array>
 #include <charconv>
 #include <map>
 
 #include "io/file.h"
 #include "logs/conditioning.h"
-#include "logs/decimal.h"
+#include "logs/mrclam_measurements.h"
+#include "logs/mrclam_rows.h"
 #include "logs/row_check.h"
-#include "logs/text_lines.h"
 
 namespace mrose {
 namespace {
 
 constexpr std::string_view odometrySuffix = "_Odometry.dat", truthSuffix = "_Groundtruth.dat";
-constexpr std::array<const char*, 3> odometryColumns = {"time", "v", "w"};
-constexpr std::array<const char*, 4> truthColumns = {"time", "x", "y", "heading"};
-constexpr std::string_view blanks = " \t\r\n";
-
-void store(StampedCommand& sample, const double* values) { sample.command = {values[0], values[1]}; }
-void store(StampedPose& sample, const double* values) { sample.pose = {values[0], values[1], values[2]}; }
-
-/// One file of rows of numbers while it is read.
-template <class Sample, std::size_t columns>
-class RowParser {
-public:
-    RowParser(std::string_view content, const std::string& name, const std::array<const char*, columns>& keys)
-        : content_(content), name_(name), keys_(keys), end_(content.data() + content.size()) {}
-
-    Expected<std::vector<Sample>> parse(LogDefects& defects) {
-        std::vector<Sample> samples;
-        samples.reserve(content_.size() / (12 * columns));
-        for (const char* at = nextLine(content_.data(), end_); at != end_; at = nextLine(at, end_)) {
-            at = parseRow(at, samples.emplace_back());
-            if (error_) return *error_;
-            if (at != nullptr) continue;
-            samples.pop_back();
-            ++defects.cutLines;
-            break;
-        }
-        const auto checked = checkDirection(samples, name_, [&](std::size_t row) { return lineOf(row); });
-        if (!checked) return tl::unexpected(checked.error());
-        return samples;
-    }
-
-private:
-    /// The end of the row's line; nullptr where it is cut off, and with error_ where something is wrong.
-    const char* parseRow(const char* at, Sample& sample) {
-        std::array<double, columns> values;
-        for (std::size_t i = 0; i < columns; ++i) {
-            const char* const behind = i == 0 ? parseInstant(at, end_, sample.time) : parseSample(at, end_, values[i]);
-            if (behind == nullptr || (behind < end_ && blanks.find(*behind) == blanks.npos)) return reject(at, i);
-            at = skipBlanks(behind, end_);
-        }
-        if (at == end_) return nullptr;
-        if (*at != '\n') return refuse(at, {}, "more than " + std::to_string(columns) + " columns");
-        store(sample, values.data() + 1);
-        return at + 1;
-    }
-
-    const char* reject(const char* at, std::size_t column) {
-        // What is cut off ends in the middle of a number, or before it.
-        if (std::find_first_of(at, end_, blanks.begin(), blanks.end()) == end_) return nullptr;
-        if (*at == '\n')
-            return refuse(at, keys_[column],
-                          "missing: " + std::to_string(column) + " of " + std::to_string(columns) + " columns");
-        return refuse(at, keys_[column], noNumberCause(content_, at, blanks, column == 0));
-    }
-
-    const char* refuse(const char* at, std::string key, std::string cause) {
-        error_ = failAt(name_, content_, at, std::move(key), std::move(cause));
-        return nullptr;
-    }
-
-    int lineOf(std::size_t row) const {
-        const char* at = nextLine(content_.data(), end_);
-        for (std::size_t i = 0; i < row; ++i) at = nextLine(lineEnd(at, end_), end_);
-        return positionIn(content_, at).line;
-    }
-
-    std::string_view content_;
-    const std::string& name_;
-    const std::array<const char*, columns>& keys_;
-    const char* end_;
-    std::optional<tl::unexpected<Error>> error_;
-};
+constexpr MrclamLayout<StampedCommand, 3> odometryLayout{{"time", "v", "w"},
+                                                         [](StampedCommand& sample, const double* numbers) {
+                                                             sample.command = {numbers[0], numbers[1]};
+                                                         }};
+constexpr MrclamLayout<StampedPose, 4> truthLayout{{"time", "x", "y", "heading"},
+                                                   [](StampedPose& sample, const double* numbers) {
+                                                       sample.pose = {numbers[0], numbers[1], numbers[2]};
+                                                   }};
 
 /// The N of "Robot<N><suffix>".
 std::optional<int> robotNumber(std::string_view fileName, std::string_view suffix) {
@@ -128,13 +63,13 @@ int datasetNumber(const std::filesystem::path& folder) {
 /// The rows of one of a log's files; none, and what is missing without them, where there are too few.
 template <class Sample, std::size_t columns>
 Expected<std::vector<Sample>> readRows(Log& log, const std::filesystem::path& path,
-                                       const std::array<const char*, columns>& keys, const std::string& without,
+                                       const MrclamLayout<Sample, columns>& layout, const std::string& without,
                                        LogDefects& defects) {
     const auto content = readFile(path);
     if (!content) return tl::unexpected(content.error());
     log.files.push_back({path.string(), contentHash(*content)});
     const std::int64_t cutBefore = defects.cutLines;
-    auto rows = RowParser<Sample, columns>(*content, path.string(), keys).parse(defects);
+    auto rows = MrclamRows(*content, path.string(), layout).parse(defects.cutLines);
     if (!rows) return rows;
     if (defects.cutLines > cutBefore) log.incomplete.push_back(cutLineText(path.string()));
     if (rows->size() >= fewestRows) return rows;
@@ -146,7 +81,7 @@ Expected<RobotLog> readRobot(Log& log, int number, const std::filesystem::path& 
     const std::string called = "robot " + std::to_string(number);
     RobotLog robot{std::to_string(number), {}, {}};
     Trajectory trajectory{.name = "whole"};
-    auto commands = readRows<StampedCommand>(log, odometry, odometryColumns,
+    auto commands = readRows<StampedCommand>(log, odometry, odometryLayout,
                                              "nothing says what was sent to " + called + '.', robot.defects);
     if (!commands) return tl::unexpected(commands.error());
     trajectory.commands = std::move(*commands);
@@ -155,7 +90,7 @@ Expected<RobotLog> readRobot(Log& log, int number, const std::filesystem::path& 
     const auto truth = truthFile(odometry.parent_path(), number);
     if (std::filesystem::exists(truth)) {
         auto poses =
-            readRows<StampedPose>(log, truth, truthColumns, "nothing says where " + called + " was.", robot.defects);
+            readRows<StampedPose>(log, truth, truthLayout, "nothing says where " + called + " was.", robot.defects);
         if (!poses) return tl::unexpected(poses.error());
         trajectory.poses = std::move(*poses);
         conditionPoses(trajectory.poses, options, robot.defects);
@@ -192,17 +127,18 @@ Expected<Log> readMrclam(const std::filesystem::path& folder, const LogOptions& 
     reportMissingTruth(log, folder);
     std::erase_if(log.robots, [](const RobotLog& robot) { return robot.trajectories.empty(); });
     if (log.robots.empty()) return fail(folder.string(), tooShortCause(0));
+    if (auto read = readMrclamMeasurements(log, folder); !read) return tl::unexpected(read.error());
     return log;
 }
 
 Expected<std::vector<StampedCommand>> parseMrclamOdometry(std::string_view content, const std::string& name,
                                                           LogDefects& defects) {
-    return RowParser<StampedCommand, 3>(content, name, odometryColumns).parse(defects);
+    return MrclamRows(content, name, odometryLayout).parse(defects.cutLines);
 }
 
 Expected<std::vector<StampedPose>> parseMrclamGroundtruth(std::string_view content, const std::string& name,
                                                           LogDefects& defects) {
-    return RowParser<StampedPose, 4>(content, name, truthColumns).parse(defects);
+    return MrclamRows(content, name, truthLayout).parse(defects.cutLines);
 }
 
 }  // namespace mrose

@@ -14,8 +14,9 @@ bool isMrclamFolder(const std::filesystem::path& folder);
 
 /// A folder of the UTIAS multi-robot data sets as published (Leung, Halpern, Barfoot, Liu, IJRR 2011): one robot for
 /// each Robot<N>_Odometry.dat, in the order of N, with one trajectory; poses from Robot<N>_Groundtruth.dat where it
-/// exists. A file with fewer than 2 rows is as good as none; Log::incomplete says so, and a robot of which nothing is
-/// left is not in the log. Error: the first thing wrong with a file; nothing is left of any robot.
+/// exists, and what the cameras saw (mrclam_measurements.h). A file with fewer than 2 rows is as good as none;
+/// Log::incomplete says so, and a robot of which nothing is left is not in the log. Error: the first thing wrong with a
+/// file; nothing is left of any robot.
 Expected<Log> readMrclam(const std::filesystem::path& folder, const LogOptions& options = {});
 
 /// The rows of an odometry file: time [s], v [m/s], w [rad/s], separated by blanks; lines that begin with # are

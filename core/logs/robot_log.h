@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/pose.h"
+#include "logs/measurements.h"
 #include "world/command.h"
 #include "world/time.h"
 
@@ -49,6 +50,7 @@ struct Trajectory {
     /// What the robot itself measured, where the log has it: wheel speeds through the drive, and the gyro (v is 0). A
     /// prediction may use it up to its start. Like commands it may begin before the poses.
     std::vector<StampedVelocity> measuredVelocity, measuredRotation;
+    std::vector<SensorLog> sensors = {};  ///< what its sensors reported, each once
 };
 
 struct RobotLog {
@@ -85,6 +87,10 @@ struct Log {
     /// What should be there and is not, a sentence each: a file that is empty or missing, the end of one that is cut
     /// off. The rest is as sound as ever.
     std::vector<std::string> incomplete = {};
+    std::vector<LogSubject> subjects = {};  ///< what readings are of
+    /// Files of readings and subjects. They are not among `files`, by which motion networks know their logs: data sets
+    /// share such files.
+    std::vector<LogFile> measurementFiles = {};
 };
 
 }  // namespace mrose

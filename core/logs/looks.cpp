@@ -1,0 +1,112 @@
+#include "logs/looks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "io/format.h"
+#include "logs/conditioning.h"
+
+namespace mrose {
+namespace {
+
+constexpr int mostPeriods = 8;
+constexpr double periodTolerance = 0.012;  // s
+
+void add(Look& look, const LogReading& reading, SensorDefects& defects) {
+    const auto known = std::find_if(look.readings.begin(), look.readings.end(),
+                                    [&](const LogReading& other) { return other.subject == reading.subject; });
+    if (known == look.readings.end()) return look.readings.push_back(reading);
+    *known = reading;
+    ++defects.repeated;
+}
+
+/// A stamp in seconds, to the millisecond: the double nearest to the text of the file.
+double inSeconds(Nanoseconds time) { return std::nearbyint(static_cast<double>(time) * 1e-6) / 1e3; }
+Nanoseconds fromMilliseconds(double seconds) { return std::llrint(seconds * 1e3) * 1'000'000; }
+
+/// How many periods lie between two looks, where it looked between them; 1 where it did not.
+int periodsBetween(double before, double after, double period) {
+    const double ratio = std::nearbyint((after - before) / period);
+    if (!(ratio > 1 && ratio <= mostPeriods)) return 1;
+    return std::abs((after - before) / ratio - period) < periodTolerance ? static_cast<int>(ratio) : 1;
+}
+
+/// The first and the last instant of commands and poses.
+std::pair<Nanoseconds, Nanoseconds> spanOf(const Trajectory& trajectory) {
+    Nanoseconds first = latestTime, last = -latestTime;
+    const auto include = [&](const auto& samples) {
+        if (samples.empty()) return;
+        first = std::min(first, samples.front().time);
+        last = std::max(last, samples.back().time);
+    };
+    include(trajectory.commands);
+    include(trajectory.poses);
+    return {first, last};
+}
+
+std::string secondsText(Nanoseconds time) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3f", toSeconds(time));
+    return text;
+}
+
+}  // namespace
+
+std::vector<Look> joinLooks(std::vector<StampedReading> readings, Nanoseconds same, SensorDefects& defects) {
+    LogDefects order;
+    sortByTime(readings, order);
+    defects.outOfOrder += order.outOfOrder;
+    std::vector<Look> looks;
+    Nanoseconds latest = 0;
+    for (const StampedReading& row : readings) {
+        if (looks.empty() || row.time - looks.back().time > same)
+            looks.push_back({row.time, {}});
+        else
+            defects.joinedStamps += row.time != latest;
+        latest = row.time;
+        if (row.reading) add(looks.back(), *row.reading, defects);
+    }
+    return looks;
+}
+
+void addEmptyLooks(std::vector<Look>& looks, double period, SensorDefects& defects) {
+    std::vector<Look> all;
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+        if (i > 0) {
+            const double before = inSeconds(looks[i - 1].time), after = inSeconds(looks[i].time);
+            const int periods = periodsBetween(before, after, period);
+            for (int k = 1; k < periods; ++k)
+                all.push_back({fromMilliseconds(before + (after - before) * k / periods), {}});
+            defects.emptyLooks += periods - 1;
+        }
+        all.push_back(std::move(looks[i]));
+    }
+    looks = std::move(all);
+}
+
+std::string wrongRange(double range) {
+    if (range >= 0) return {};
+    return "expected a range of at least 0 m, found " + numberText(range) + ": are columns swapped?";
+}
+
+std::string wrongBearing(double bearing) {
+    if (std::abs(bearing) <= 2 * std::numbers::pi) return {};
+    return "expected radians within +-2 pi, found " + numberText(bearing) + ": are these degrees?";
+}
+
+bool sharesTime(const SensorLog& sensor, const Trajectory& trajectory) {
+    if (sensor.looks.empty()) return true;
+    const auto [first, last] = spanOf(trajectory);
+    return sensor.looks.front().time <= last && sensor.looks.back().time >= first;
+}
+
+std::string otherTimeCause(const SensorLog& sensor, const Trajectory& trajectory) {
+    const auto [first, last] = spanOf(trajectory);
+    return "readings from " + secondsText(sensor.looks.front().time) + " to " + secondsText(sensor.looks.back().time) +
+           " s; expected some within the robot's commands and poses, " + secondsText(first) + " to " +
+           secondsText(last) + " s";
+}
+
+}  // namespace mrose
