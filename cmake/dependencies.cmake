@@ -11,6 +11,10 @@ pkg_check_modules(zstd REQUIRED IMPORTED_TARGET libzstd)
 pkg_check_modules(lua REQUIRED IMPORTED_TARGET lua5.4)
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
 find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)
+# OpenCV's own CMake package comes with all of OpenCV only.
+find_path(OPENCV_INCLUDE_DIR opencv2/ml.hpp PATH_SUFFIXES opencv4 REQUIRED)
+find_library(OPENCV_ML opencv_ml REQUIRED)
+find_library(OPENCV_CORE opencv_core REQUIRED)
 
 # The window; core and the program mrose do without.
 if(MROSE_GUI)

@@ -1,6 +1,7 @@
 #include <cstdio>
 
 #include "common.h"
+#include "workflow/predict_readings.h"
 #include "workflow/predict_windows.h"
 
 namespace mrose::cli {
@@ -21,6 +22,23 @@ int runPredict(PredictRequest request, const CommonFlags& common) {
     return success;
 }
 
+int runReadings(PredictReadingsRequest request, const CommonFlags& common) {
+    request.overwrite = common.overwrite;
+    request.seed = common.seed;
+    const auto predicted = predictReadings(request);
+    if (!predicted) return report(predicted.error());
+    if (common.json) {
+        const nlohmann::json json{
+            {"queries", predicted->queries}, {"predictions", request.output}, {"notices", predicted->notices}};
+        std::puts(json.dump(2).c_str());
+    } else if (!common.quiet) {
+        std::printf("%s: %zu readings predicted, %d samples of each\n", request.output.c_str(), predicted->queries,
+                    request.samples);
+        for (const std::string& notice : predicted->notices) std::printf("Note: %s\n", notice.c_str());
+    }
+    return success;
+}
+
 }  // namespace
 
 Subcommand addPredict(CLI::App& app, CommonFlags& common) {
@@ -31,17 +49,46 @@ Subcommand addPredict(CLI::App& app, CommonFlags& common) {
         "The windows file has the columns dataset,robot,t_start (mrose evaluate --report writes one); the output "
         "dataset,robot,t_start,t,x,y,heading.\n"
         "A prediction uses the commands up to the predicted instant and the ground truth up to t_start, nothing "
-        "later.");
+        "later.\n"
+        "  mrose predict create_camera.net --log MRCLAM_Dataset7 --robots 1,2 --queries queries.csv -o samples.csv\n"
+        "The queries file has the columns dataset,robot,t,subject; the output "
+        "dataset,robot,t,subject,p_detect,sample,\n"
+        "range_m,bearing_rad. Predictions use no reading of the log.");
     addOverwrite(*sub, common);
     sub->add_option("NET", request->network, "Network file")->required();
     sub->add_option("--log", request->log, "The log to predict")->required();
-    sub->add_option("--windows", request->windows, "CSV file that says which windows")->required();
+    CLI::Option* windows =
+        sub->add_option("--windows", request->windows, "Of motion: CSV file that says which windows");
+    auto readings = std::make_shared<PredictReadingsRequest>();
+    CLI::Option* queries =
+        sub->add_option("--queries", readings->queries, "Of a sensor: CSV file that says which subjects at which looks")
+            ->excludes(windows);
     sub->add_option("-o,--output", request->output, "The CSV file to write")->required()->check(someName());
-    sub->add_option("--robots", request->robots, "Only these robots, by name: 1,2")->delimiter(',');
+    sub->add_option("--robots", request->robots,
+                    "Predict only these robots, by name: 1,2. The others are there all the same, and occlude")
+        ->delimiter(',');
     sub->add_option("--horizon", request->horizon, "Length of a prediction in s")
         ->check(numberRange(0.1, 3600.0))
         ->capture_default_str();
-    return {sub, [request, &common] { return runPredict(*request, common); }};
+    sub->add_option("--samples", readings->samples, "Of a sensor: independent draws of each reading")
+        ->check(CLI::Range(1, 100000))
+        ->needs(queries)
+        ->capture_default_str();
+    addSeed(*sub, common);
+    return {sub, [request, readings, windows, queries, &common] {
+                if (*queries) {
+                    readings->network = request->network;
+                    readings->log = request->log;
+                    readings->output = request->output;
+                    readings->robots = request->robots;
+                    return runReadings(*readings, common);
+                }
+                if (!*windows) {
+                    mrose::cli::report({.cause = "expected --windows of a motion network, or --queries of a sensor"});
+                    return static_cast<int>(usage);
+                }
+                return runPredict(*request, common);
+            }};
 }
 
 }  // namespace mrose::cli

@@ -5,13 +5,39 @@
 #include "common.h"
 #include "report/program_json.h"
 #include "workflow/train_network.h"
+#include "workflow/train_sensor.h"
 
 namespace mrose::cli {
 namespace {
 
 struct TrainFlags {
     TrainRequest request;
-    std::string model, method = "irprop+", loss, holdOutBy;
+    TrainSensorRequest sensor;  ///< of what concerns sensors alone
+    std::string model, method = "irprop+", loss, holdOutBy, family = "network";
+
+    TrainSensorRequest wholeSensor(const CommonFlags& common) const {
+        TrainSensorRequest whole = sensor;
+        whole.logs = request.logs.sources;
+        whole.robots = request.logs.robots;
+        whole.output = request.output;
+        whole.robotKind = request.robotKind;
+        const auto at = std::ranges::find(regressorFamilyNames, family);
+        SensorTrainerOptions& training = whole.training;
+        training.family = static_cast<RegressorFamily>(at - regressorFamilyNames.begin());
+        const auto take = [](int given, int& option) {
+            if (given > 0) option = given;
+        };
+        take(request.members, training.members);
+        for (SensorHalfOptions* half : {&training.reported, &training.error}) {
+            take(request.hidden, half->hidden);
+            take(request.epochs, half->epochs);
+            take(request.patience, half->patience);
+        }
+        training.seed = common.seed;
+        whole.overwrite = common.overwrite;
+        whole.command = commandLine();
+        return whole;
+    }
 
     /// With what these words mean.
     TrainRequest whole(const CommonFlags& common) const {
@@ -103,6 +129,25 @@ void addResponseTimes(CLI::App& sub, TrainFlags& flags) {
         ->check(numberRange(0.0, 2.0));
 }
 
+void addSensor(CLI::App& sub, TrainFlags& flags) {
+    CLI::Option* sensor =
+        sub.add_option("--sensor", flags.sensor.sensor,
+                       "Learn a sensor, by its name in the logs, instead of motion: how likely a subject is reported, "
+                       "and the distribution of range and bearing");
+    sub.add_option("--family", flags.family, "What the sensor's distribution is learned by")
+        ->check(CLI::IsMember(std::vector<std::string>(regressorFamilyNames.begin(), regressorFamilyNames.end())))
+        ->needs(sensor)
+        ->capture_default_str();
+    sub.add_option("--components", flags.sensor.training.components,
+                   "Of a network: normal distributions in its mixture")
+        ->check(CLI::Range(1, ReadingForm::maxComponents))
+        ->needs(sensor)
+        ->capture_default_str();
+    sub.add_option("--latency", flags.sensor.latency, "Of the sensor in s, instead of the one identified from turning")
+        ->check(numberRange(0.0, 1.0))
+        ->needs(sensor);
+}
+
 /// What the models are, for the help.
 constexpr const char* modelsText =
     "Models:\n"
@@ -183,6 +228,46 @@ int runTrain(const TrainRequest& request, const CommonFlags& common) {
     return trained->cancelled ? interruptedStatus() : success;
 }
 
+/// Shows how learning a sensor goes.
+class SensorDisplay {
+public:
+    explicit SensorDisplay(bool quiet) : line_(quiet) {}
+
+    bool operator()(double share) {
+        const int percent = static_cast<int>(100 * share);
+        if (percent != shown_) line_.show("learned " + std::to_string(percent) + " %");
+        shown_ = percent;
+        return !wasInterrupted();
+    }
+
+private:
+    ProgressLine line_;
+    int shown_ = -1;
+};
+
+void printSensor(const TrainedSensor& trained, const std::string& file, double seconds) {
+    const SensorNetwork& n = trained.network;
+    std::printf("%s%s: %s of \"%s\", %d inputs; learned from %lld looks with %lld readings in %s\n", file.c_str(),
+                trained.cancelled ? " (interrupted: what was learned so far)" : "",
+                std::string(nameOf(familyOf(n.learned.regressor))).c_str(), n.sensor.c_str(),
+                static_cast<int>(n.learned.inputs.size()), static_cast<long long>(n.heldOut.looks),
+                static_cast<long long>(n.heldOut.readings), durationText(seconds).c_str());
+    std::printf("latency %.0f ms; held out, mean log-likelihood: detection %.4f, error %.4f\n",
+                1e3 * toSeconds(n.latency), n.heldOut.reported, n.heldOut.error);
+}
+
+int runTrainSensor(const TrainSensorRequest& request, const CommonFlags& common) {
+    const auto begin = std::chrono::steady_clock::now();
+    watchInterrupts();
+    SensorDisplay display(common.quiet);
+    const auto trained = trainSensor(request, std::ref(display));
+    if (!trained && wasInterrupted()) return reportInterrupted();
+    if (!trained) return report(trained.error());
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
+    printSensor(*trained, request.output, spent.count());
+    return trained->cancelled ? interruptedStatus() : success;
+}
+
 }  // namespace
 
 Subcommand addTrain(CLI::App& app, CommonFlags& common) {
@@ -203,7 +288,11 @@ Subcommand addTrain(CLI::App& app, CommonFlags& common) {
     addWhat(*sub, *flags);
     addHow(*sub, *flags);
     addResponseTimes(*sub, *flags);
-    return {sub, [flags, &common] { return runTrain(flags->whole(common), common); }};
+    addSensor(*sub, *flags);
+    return {sub, [flags, &common] {
+                return flags->sensor.sensor.empty() ? runTrain(flags->whole(common), common)
+                                                    : runTrainSensor(flags->wholeSensor(common), common);
+            }};
 }
 
 }  // namespace mrose::cli

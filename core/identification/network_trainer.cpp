@@ -86,7 +86,7 @@ public:
             gatherSteps(samples, network, chainStarts(samples, 1, 1, learned));
     }
 
-    const MlpGradient& engine() const override { return engine_; }
+    const MlpGradient* engine() const override { return &engine_; }
     double lossAndGradient(std::span<const float> parameters, std::span<double> gradient) const override {
         return chains_ ? chains_->lossAndGradient(engine_, parameters, loss_, gradient)
                        : engine_.meanSquaredError(parameters, steps_.inputs, steps_.targets, gradient);
@@ -150,7 +150,7 @@ Member learn(MotionObjective& objective, const NetworkTrainerOptions& options, i
         return !progress || progress({index, options.members, p.epoch, options.epochs, p.loss, member.error});
     };
     const std::uint64_t seed = options.seed * 1000 + static_cast<std::uint64_t>(index);
-    const MlpShape shape = objective.engine().shape();
+    const MlpShape shape = objective.engine()->shape();
     TrainingResult result = train(objective, randomMlp(shape, {.seed = seed}).parameters, training, report);
     member.mlp = {shape, std::move(result.parameters)};
     member.epochs = result.epochs;

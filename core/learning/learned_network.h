@@ -6,7 +6,7 @@
 
 #include "learning/ensemble.h"
 #include "learning/hold_out.h"
-#include "learning/mlp.h"
+#include "learning/regressor.h"
 
 namespace mrose {
 
@@ -38,13 +38,13 @@ struct NetworkTraining {
 
 /// A learned mapping as a value: what is the same in all network files, whatever the mapping is for.
 struct LearnedNetwork {
-    static constexpr std::size_t maxInputs = 256, maxOutputs = 64, maxHidden = 4096;
+    static constexpr std::size_t maxInputs = 256, maxOutputs = 64, maxHidden = 4096, maxTrees = 4096;
 
     std::string kind;        ///< what it is a mapping of: "motion"
     bool synthetic = false;  ///< learned from data that no real robot made
     std::vector<NetworkVariable> inputs, outputs;
-    Mlp mlp;
-    std::vector<EnsembleMember> members;  ///< empty where it is one network, or they are not known
+    Regressor regressor;
+    std::vector<EnsembleMember> members;  ///< of an Mlp; empty where it is one network, or they are not known
     NetworkTraining training;
     HoldOut holdOut;
     bool operator==(const LearnedNetwork&) const = default;

@@ -1,5 +1,7 @@
 #include "learning/network_file.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "io/format.h"
@@ -58,7 +60,7 @@ std::string holdOutText(const HoldOut& h) {
            line(which, "{ " + rule + " }");
 }
 
-std::string layersText(const Mlp& mlp) {
+std::string mappingText(const Mlp& mlp) {
     const auto [inputs, hidden, outputs] = mlp.shape;
     const float* p = mlp.parameters.data();
     std::string text = "\n[layers]\nhidden_weights = [ # a row for each hidden unit\n";
@@ -68,6 +70,139 @@ std::string layersText(const Mlp& mlp) {
     text += "output_weights = [ # a row for each output\n";
     for (int k = 0; k < outputs; ++k, p += hidden) text += "  " + rowText(p, hidden) + ",\n";
     return text + "]\noutput_biases = " + rowText(p, outputs) + '\n';
+}
+
+std::string mappingText(const LookupTable& table) {
+    std::string text;
+    for (const LookupTable::Grid& grid : table.grids) {
+        text += "\n[[grid]] # values: a row of outputs for each point, the last axis' points side by side\naxes = [\n";
+        for (const LookupTable::Axis& axis : grid.axes)
+            text += "  { input = " + std::to_string(axis.input) +
+                    ", knots = " + rowText(axis.knots.data(), static_cast<int>(axis.knots.size())) + " },\n";
+        text += "]\nvalues = [\n";
+        for (std::size_t point = 0; point < grid.points(); ++point)
+            text += "  " +
+                    rowText(grid.values.data() + point * static_cast<std::size_t>(table.outputs), table.outputs) +
+                    ",\n";
+        text += "]\n";
+    }
+    return text;
+}
+
+std::string mappingText(const DecisionTrees& trees) {
+    std::string text =
+        "\n[decision_trees]\ntrees = [ # nodes: [input, value, left, right], a leaf's input is -1; on at left where "
+        "the "
+        "input <= value\n";
+    for (const DecisionTrees::Tree& tree : trees.trees) {
+        text += "  { output = " + std::to_string(tree.output) + ", nodes = [";
+        for (const DecisionTrees::Node& node : tree.nodes)
+            text += (&node == tree.nodes.data() ? "[" : ", [") + std::to_string(node.input) + ", " +
+                    numberText(node.value) + ", " + std::to_string(node.left) + ", " + std::to_string(node.right) + "]";
+        text += "] },\n";
+    }
+    return text + "]\n";
+}
+
+LookupTable::Axis readAxis(TomlTable& table, int inputs) {
+    LookupTable::Axis axis;
+    axis.input = static_cast<int>(table.integer("input", 0, inputs - 1));
+    for (const double knot : table.someNumbers("knots", 2, LookupTable::maxPoints, anyFloat)) {
+        if (!axis.knots.empty() && static_cast<float>(knot) <= axis.knots.back())
+            table.reject("knots", "expected ascending numbers");
+        axis.knots.push_back(static_cast<float>(knot));
+    }
+    table.rejectUnknown();
+    return axis;
+}
+
+LookupTable readTable(TomlTable& root, int inputs, int outputs) {
+    LookupTable read{inputs, outputs, {}};
+    for (TomlTable& table : root.tables("grid")) {
+        LookupTable::Grid grid;
+        std::vector<TomlTable> axes = table.tables("axes");
+        if (axes.empty() || axes.size() > LookupTable::maxAxes)
+            table.reject("axes", "expected 1 to " + std::to_string(LookupTable::maxAxes) + " axes");
+        if (table.failed()) return read;
+        std::size_t points = 1;
+        for (TomlTable& axis : axes) {
+            grid.axes.push_back(readAxis(axis, inputs));
+            points *= std::max<std::size_t>(grid.axes.back().knots.size(), 1);
+            if (points > LookupTable::maxPoints) axis.reject("knots", "make too many points together");
+            if (axis.failed()) return read;
+        }
+        for (const double value : table.matrix("values", points, static_cast<std::size_t>(outputs), anyFloat))
+            grid.values.push_back(static_cast<float>(value));
+        table.rejectUnknown();
+        read.grids.push_back(std::move(grid));
+    }
+    return read;
+}
+
+/// What is wrong with nodes; "": nothing.
+std::string wrongNodes(const std::vector<DecisionTrees::Node>& nodes, int inputs) {
+    const auto count = static_cast<int>(nodes.size());
+    for (int i = 0; i < count; ++i) {
+        const DecisionTrees::Node& node = nodes[static_cast<std::size_t>(i)];
+        if (node.input < -1 || node.input >= inputs) return "expected inputs from -1 to " + std::to_string(inputs - 1);
+        const bool ahead = node.left > i && node.right > i && node.left < count && node.right < count;
+        if (node.input >= 0 && !ahead) return "node " + std::to_string(i) + " must go on at later nodes of the tree";
+    }
+    return {};
+}
+
+DecisionTrees readTrees(TomlTable part, int inputs, int outputs) {
+    DecisionTrees read{inputs, outputs, {}};
+    std::vector<TomlTable> tables = part.tables("trees");
+    if (tables.size() > LearnedNetwork::maxTrees)
+        part.reject("trees", "expected at most " + std::to_string(LearnedNetwork::maxTrees));
+    for (TomlTable& table : tables) {
+        DecisionTrees::Tree tree;
+        tree.output = static_cast<int>(table.integer("output", 0, outputs - 1));
+        const std::vector<double> numbers = table.rows("nodes", 4, 1, DecisionTrees::maxNodes, anyFloat);
+        const auto whole = [&](std::size_t i) {
+            const double number = numbers[i];
+            if (!(std::abs(number) <= double(DecisionTrees::maxNodes)) || number != std::floor(number))
+                table.reject("nodes", "expected whole numbers of inputs and nodes");
+            return table.failed() ? -1 : static_cast<int>(number);
+        };
+        for (std::size_t i = 0; i + 3 < numbers.size() && !table.failed(); i += 4)
+            tree.nodes.push_back({whole(i), static_cast<float>(numbers[i + 1]), whole(i + 2), whole(i + 3)});
+        if (const std::string wrong = wrongNodes(tree.nodes, inputs); !wrong.empty()) table.reject("nodes", wrong);
+        table.rejectUnknown();
+        if (table.failed()) return read;
+        read.trees.push_back(std::move(tree));
+    }
+    if (read.nodeCount() > DecisionTrees::maxNodes) part.reject("trees", "have too many nodes");
+    part.rejectUnknown();
+    return read;
+}
+
+void readNetwork(TomlTable& root, const MlpShape& shape, LearnedNetwork& network) {
+    Mlp mlp = readNetworkLayers(root.table("layers"), shape);
+    if (!root.failed() && !network.members.empty() && !isMeanOf(mlp, network.members))
+        root.reject("members",
+                    "do not make up this network: expected blocks that fill the hidden layer, with output "
+                    "biases whose means are the network's");
+    network.regressor = std::move(mlp);
+}
+
+std::string familyText(const LearnedNetwork& network) {
+    if (const auto* const mlp = std::get_if<Mlp>(&network.regressor))
+        return line("hidden", std::int64_t{mlp->shape.hidden});
+    return line("family", tomlString(nameOf(familyOf(network.regressor))));
+}
+
+RegressorFamily readFamily(TomlTable& root, std::string_view kind, std::span<const std::string_view> families) {
+    if (!root.has("family")) return RegressorFamily::network;
+    const auto family = static_cast<RegressorFamily>(root.choice("family", regressorFamilyNames));
+    if (std::find(families.begin(), families.end(), nameOf(family)) != families.end()) return family;
+    std::string expected;
+    for (const std::string_view known : families)
+        expected += (expected.empty() ? "\"" : "\" or \"") + std::string(known);
+    root.reject("family", "is \"" + std::string(nameOf(family)) + "\"; expected \"" + expected.substr(1) +
+                              "\" of a \"" + std::string(kind) + "\" network");
+    return family;
 }
 
 void readFormat(TomlTable& root, std::string_view kind) {
@@ -121,11 +256,17 @@ std::string networkFileText(const LearnedNetwork& network, std::string_view sect
     return "# A network learned by mrose; nets/README.md explains the keys.\n" +
            line("format", tomlString(networkFormat)) + line("version", networkVersion) +
            line("kind", tomlString(network.kind)) + line("synthetic", network.synthetic ? "true" : "false") +
-           line("hidden", std::int64_t{network.mlp.shape.hidden}) +
-           "inputs = [ # the network reads (value - mean) / scale\n" + variablesText(network.inputs) +
-           "outputs = [ # the value is mean + scale * output\n" + variablesText(network.outputs) +
-           membersText(network.members) + '\n' + std::string(section) + trainingText(network.training) +
-           holdOutText(network.holdOut) + layersText(network.mlp);
+           familyText(network) + "inputs = [ # the network reads (value - mean) / scale\n" +
+           variablesText(network.inputs) + "outputs = [ # the value is mean + scale * output\n" +
+           variablesText(network.outputs) + membersText(network.members) + '\n' + std::string(section) +
+           trainingText(network.training) + holdOutText(network.holdOut) +
+           std::visit([](const auto& mapping) { return mappingText(mapping); }, network.regressor);
+}
+
+std::string networkKind(std::string_view text) {
+    TomlTable root(text, "");
+    const bool known = !root.failed() && root.stringOr("format", "") == networkFormat;
+    return known ? root.stringOr("kind", "") : "";
 }
 
 NetworkTraining readNetworkTraining(TomlTable table) {
@@ -176,16 +317,20 @@ HoldOut readHoldOut(TomlTable& table) {
 }
 
 Expected<LearnedNetwork> readNetworkFile(TomlTable& root, std::string_view kind,
-                                         const NetworkSectionReader& readSection) {
+                                         const NetworkSectionReader& readSection,
+                                         std::span<const std::string_view> families) {
     LearnedNetwork network;
     network.kind = kind;
     readFormat(root, kind);
     if (root.failed()) return tl::unexpected(root.error());
     network.synthetic = root.boolean("synthetic");
-    const auto hidden = static_cast<int>(root.integer("hidden", 1, std::int64_t{LearnedNetwork::maxHidden}));
+    const RegressorFamily family = readFamily(root, kind, families);
+    const bool isNetwork = family == RegressorFamily::network;
+    const auto hidden =
+        isNetwork ? static_cast<int>(root.integer("hidden", 1, std::int64_t{LearnedNetwork::maxHidden})) : 0;
     network.inputs = readVariables(root, "inputs", LearnedNetwork::maxInputs);
     network.outputs = readVariables(root, "outputs", LearnedNetwork::maxOutputs);
-    network.members = readMembers(root, network.outputs.size());
+    if (isNetwork) network.members = readMembers(root, network.outputs.size());
     network.training = readNetworkTraining(root.table("training"));
     if (root.has("held_out")) {
         TomlTable table = root.table("held_out");
@@ -195,12 +340,14 @@ Expected<LearnedNetwork> readNetworkFile(TomlTable& root, std::string_view kind,
     TomlTable section = root.table(kind);
     readSection(section, network);
     section.rejectUnknown();
-    const MlpShape shape{static_cast<int>(network.inputs.size()), hidden, static_cast<int>(network.outputs.size())};
-    if (!root.failed()) network.mlp = readNetworkLayers(root.table("layers"), shape);
-    if (!root.failed() && !network.members.empty() && !isMeanOf(network.mlp, network.members))
-        root.reject("members",
-                    "do not make up this network: expected blocks that fill the hidden layer, with output "
-                    "biases whose means are the network's");
+    const int inputs = static_cast<int>(network.inputs.size()), outputs = static_cast<int>(network.outputs.size());
+    if (root.failed()) return tl::unexpected(root.error());
+    if (family == RegressorFamily::table)
+        network.regressor = readTable(root, inputs, outputs);
+    else if (family == RegressorFamily::trees)
+        network.regressor = readTrees(root.table("decision_trees"), inputs, outputs);
+    else
+        readNetwork(root, {inputs, hidden, outputs}, network);
     root.rejectUnknown();
     if (root.failed()) return tl::unexpected(root.error());
     return network;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -19,9 +20,13 @@ std::string networkFileText(const LearnedNetwork& network, std::string_view sect
 using NetworkSectionReader = std::function<void(TomlTable& section, const LearnedNetwork& network)>;
 
 /// Reads the network file of one kind whose root this is. Error: file, line, column and key of the first thing that
-/// does not fit; another kind of network; no network at all.
+/// does not fit; another kind of network; no network at all; another family than those that the kind knows.
 Expected<LearnedNetwork> readNetworkFile(TomlTable& root, std::string_view kind,
-                                         const NetworkSectionReader& readSection);
+                                         const NetworkSectionReader& readSection,
+                                         std::span<const std::string_view> families = regressorFamilyNames);
+
+/// The kind that a network file says it is of; "" where its text is no network file.
+std::string networkKind(std::string_view text);
 
 /// The keys of [training], for readers of other files that have such a part. For .cpp files of loaders.
 NetworkTraining readNetworkTraining(TomlTable table);

@@ -12,7 +12,7 @@ public:
                  InstructionSet set = bestInstructionSet())
         : engine_(shape, set), training_(training), heldOut_(heldOut) {}
 
-    const MlpGradient& engine() const override { return engine_; }
+    const MlpGradient* engine() const override { return &engine_; }
     double lossAndGradient(std::span<const float> parameters, std::span<double> gradient) const override {
         return engine_.meanSquaredError(parameters, training_.inputs, training_.targets, gradient);
     }

@@ -26,7 +26,7 @@ RpropVariant variantOf(TrainingMethod method) {
 Epoch levenbergMarquardtEpochs(const TrainingObjective& objective, const TrainingOptions& options) {
     const PatternSet* const patterns = objective.patterns();
     assert(patterns != nullptr);
-    return [optimiser = LevenbergMarquardt(objective.engine(), patterns->inputs, patterns->targets,
+    return [optimiser = LevenbergMarquardt(*objective.engine(), patterns->inputs, patterns->targets,
                                            options.levenbergMarquardt)](std::span<float> parameters) mutable {
         optimiser.step(parameters);
         return optimiser.loss();
@@ -36,11 +36,11 @@ Epoch levenbergMarquardtEpochs(const TrainingObjective& objective, const Trainin
 Epoch rpropEpochs(const TrainingObjective& objective, const TrainingOptions& options) {
     RpropOptions rpropOptions = options.rprop;
     rpropOptions.variant = variantOf(options.method);
-    const std::size_t count = objective.engine().shape().parameterCount();
+    const std::size_t count = objective.parameterCount();
     return [&objective, decay = options.weightDecay, rprop = Rprop(count, rpropOptions),
             gradient = std::vector<double>(count)](std::span<float> parameters) mutable {
         const double loss = objective.lossAndGradient(parameters, gradient);
-        const double term = decay > 0 ? addWeightDecay(objective.engine().shape(), parameters, decay, gradient) : 0.0;
+        const double term = decay > 0 ? addWeightDecay(objective.engine()->shape(), parameters, decay, gradient) : 0.0;
         rprop.step(parameters, gradient, loss + term);
         return loss;
     };
@@ -63,7 +63,7 @@ bool ends(const TrainingOptions& options, bool goesOn, TrainingResult& result) {
 
 TrainingResult train(TrainingObjective& objective, std::vector<float> parameters, const TrainingOptions& options,
                      const TrainingCallback& callback) {
-    assert(parameters.size() == objective.engine().shape().parameterCount());
+    assert(parameters.size() == objective.parameterCount());
     const Epoch epoch = options.method == TrainingMethod::levenbergMarquardt
                             ? levenbergMarquardtEpochs(objective, options)
                             : rpropEpochs(objective, options);

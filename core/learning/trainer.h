@@ -20,8 +20,10 @@ class TrainingObjective {
 public:
     virtual ~TrainingObjective() = default;
 
-    /// What computes the network; its shape is the network's.
-    virtual const MlpGradient& engine() const = 0;
+    /// What computes the network, and says its shape; null of what is none, which has neither weights that decay nor
+    /// Levenberg and Marquardt's method.
+    virtual const MlpGradient* engine() const = 0;
+    virtual std::size_t parameterCount() const { return engine()->shape().parameterCount(); }
 
     /// The loss over the data that are learned from; its derivative by the parameters overwrites `gradient`.
     virtual double lossAndGradient(std::span<const float> parameters, std::span<double> gradient) const = 0;
@@ -78,7 +80,8 @@ struct TrainingResult {
     TrainingEnd end = TrainingEnd::epochs;
 };
 
-/// Trains a network, in Mlp's order of parameters, from those given. Deterministic; threads as in MlpGradient.
+/// Trains a network, in Mlp's order of parameters, or what else the objective is of, from those given. Deterministic;
+/// threads as in MlpGradient.
 TrainingResult train(TrainingObjective& objective, std::vector<float> parameters, const TrainingOptions& options = {},
                      const TrainingCallback& callback = {});
 

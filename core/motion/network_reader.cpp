@@ -46,7 +46,7 @@ Expected<MotionNetwork> parseNetwork(std::string_view text, const std::string& f
     TomlTable root(text, file);
     if (isFirstMotionVersion(root)) return readFirstMotionVersion(root);
     MotionNetwork network;
-    auto general = readNetworkFile(root, motionKind, [&](TomlTable& section, const LearnedNetwork& read) {
+    const auto readSection = [&](TomlTable& section, const LearnedNetwork& read) {
         readMotionBasics(section, network);
         readInputs(section, read, network);
         readOutputs(section, read, network);
@@ -55,10 +55,12 @@ Expected<MotionNetwork> parseNetwork(std::string_view text, const std::string& f
         error.rejectUnknown();
         readMotionParts(section, network);
         checkMotionInputs(section, network);
-    });
+    };
+    constexpr std::string_view families[] = {nameOf(RegressorFamily::network)};
+    auto general = readNetworkFile(root, motionKind, readSection, families);
     if (!general) return tl::unexpected(general.error());
     network.synthetic = general->synthetic;
-    network.mlp = std::move(general->mlp);
+    network.mlp = std::get<Mlp>(std::move(general->regressor));
     network.members = std::move(general->members);
     network.training = std::move(general->training);
     network.heldOut.part = general->holdOut;

@@ -87,7 +87,7 @@ LearnedNetwork generalPart(const MotionNetwork& network) {
         general.outputs[i].mean = network.outputs[i].mean;
         general.outputs[i].scale = network.outputs[i].scale;
     }
-    general.mlp = network.mlp;
+    general.regressor = network.mlp;
     general.members = network.members;
     general.training = network.training;
     general.holdOut = network.heldOut.part;

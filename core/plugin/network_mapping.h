@@ -5,7 +5,7 @@
 #include "control/learned_mapping.h"
 #include "io/toml_table.h"
 #include "learning/learned_network.h"
-#include "learning/mlp_inference.h"
+#include "learning/regressor.h"
 
 namespace mrose {
 
@@ -14,7 +14,7 @@ class NetworkMapping final : public LearnedMapping {
 public:
     static constexpr const char* kind = "task";  ///< of its network files
 
-    explicit NetworkMapping(LearnedNetwork network) : network_(std::move(network)), inference_(network_.mlp) {}
+    explicit NetworkMapping(LearnedNetwork network) : network_(std::move(network)), inference_(network_.regressor) {}
 
     std::size_t inputs() const override { return network_.inputs.size(); }
     std::size_t outputs() const override { return network_.outputs.size(); }
@@ -28,7 +28,7 @@ private:
     }
 
     LearnedNetwork network_;
-    MlpInference inference_;
+    RegressorInference inference_;
 };
 
 /// From the text of a network file. Error: as of readNetworkFile(), in a file called `name`.

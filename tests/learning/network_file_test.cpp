@@ -20,7 +20,7 @@ LearnedNetwork nose() {
     network.synthetic = true;
     network.inputs = {{"distance", "m", 1.0 / 3, 0.1}, {"wind \"w\"", "m/s", -1e-17, 7}};
     network.outputs = {{"smell", "1", 0.25, 1e-3}};
-    network.mlp = mergedMean(members);
+    network.regressor = mergedMean(members);
     network.members = membersOf(members);
     network.training = {"mrose smell a\tb",
                         "irprop+",

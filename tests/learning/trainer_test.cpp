@@ -35,7 +35,7 @@ class NormalLikelihood final : public TrainingObjective {
 public:
     explicit NormalLikelihood(PatternSet patterns) : engine_({1, 6, 2}), patterns_(std::move(patterns)) {}
 
-    const MlpGradient& engine() const override { return engine_; }
+    const MlpGradient* engine() const override { return &engine_; }
     double lossAndGradient(std::span<const float> parameters, std::span<double> gradient) const override {
         PatternMatrix outputs;
         engine_.forward(parameters, patterns_.inputs, outputs);

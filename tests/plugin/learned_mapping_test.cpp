@@ -22,7 +22,7 @@ LearnedNetwork gain(const std::string& kind = "task") {
     network.kind = kind;
     network.inputs = {{"turned", "rad", 0.5, 2}, {"speed", "m/s", 0.1, 0.25}};
     network.outputs = {{"speed", "m/s", 0.3, 0.125}};
-    network.mlp = test::normalNetwork({2, 5, 1}, 3);
+    network.regressor = test::normalNetwork({2, 5, 1}, 3);
     network.training.method = "irprop+";
     network.training.loss = "one-step";
     return network;
@@ -35,10 +35,10 @@ std::string optionsWith(const std::string& text) {
 }
 
 double expected(double turned, double speed) {
-    const LearnedNetwork network = gain();
-    const std::vector<double> parameters(network.mlp.parameters.begin(), network.mlp.parameters.end());
+    const Mlp network = std::get<Mlp>(gain().regressor);
+    const std::vector<double> parameters(network.parameters.begin(), network.parameters.end());
     const double x[] = {(turned - 0.5) / 2, (speed - 0.1) / 0.25};
-    return 0.3 + 0.125 * test::referenceOutputs(network.mlp.shape, parameters, x)[0];
+    return 0.3 + 0.125 * test::referenceOutputs(network.shape, parameters, x)[0];
 }
 
 TEST(LearnedMapping, IsTheFormulaOfItsFile) {

@@ -1,0 +1,117 @@
+#include "identification/sensor_samples.h"
+
+#include <algorithm>
+
+#include "world/noise.h"
+
+namespace mrose {
+namespace {
+
+const SensorLog* sensorOf(const Trajectory& trajectory, const std::string& name) {
+    const auto found = std::find_if(trajectory.sensors.begin(), trajectory.sensors.end(),
+                                    [&](const SensorLog& sensor) { return sensor.sensor == name; });
+    return found == trajectory.sensors.end() ? nullptr : &*found;
+}
+
+/// Collects the cases of one robot's trajectory.
+class Collector {
+public:
+    Collector(const LoggedView& view, const SensorSampleOptions& options, SensorSamples& samples)
+        : view_(view), options_(options), margin_(options.view.margin()), samples_(samples) {}
+
+    void collect(std::size_t log, std::size_t robot, std::size_t trajectory, int name) {
+        const Trajectory& from = view_.log().robots[robot].trajectories[trajectory];
+        const SensorLog* const sensor = sensorOf(from, options_.sensor);
+        if (sensor == nullptr || sensor->looks.empty()) return;
+        const Nanoseconds begin = sensor->looks.front().time;
+        for (const Look& look : sensor->looks) {
+            const Nanoseconds measured = look.time - options_.latency;
+            if (!view_.known(robot, trajectory, measured)) {
+                ++samples_.withoutTruth;
+                continue;
+            }
+            const int block = static_cast<int>(toSeconds(look.time - begin) / options_.block);
+            const auto add = [&](const std::optional<LoggedView::Unknown>& unknown) {
+                samples_.looks.push_back({log, name, look.time, block, samples_.cases.size(), 0, unknown.has_value()});
+                addCases(look, view_.at(robot, trajectory, measured, options_.view, unknown), unknown.has_value());
+                samples_.looks.back().count = samples_.cases.size() - samples_.looks.back().first;
+            };
+            add(std::nullopt);
+            if (const auto unknown = oneKnown(robot, measured)) add(unknown);
+        }
+    }
+
+private:
+    /// One of the tracked robots, another one every now and then; nothing where there are no two.
+    std::optional<LoggedView::Unknown> oneKnown(std::size_t robot, Nanoseconds time) const {
+        constexpr Nanoseconds stays = 20'000'000'000;
+        std::vector<std::size_t> tracked;
+        const std::vector<LogSubject>& subjects = view_.log().subjects;
+        for (std::size_t i = 0; i < subjects.size(); ++i)
+            if (subjects[i].kind == LogSubject::Kind::robot && subjects[i].robot != view_.log().robots[robot].robot &&
+                view_.positionOf(i, time))
+                tracked.push_back(i);
+        if (tracked.size() < 2) return std::nullopt;
+        const NoiseKey key{0, time / stays, static_cast<std::uint32_t>(robot), 0};
+        return LoggedView::Unknown{tracked[noiseBits(key) % tracked.size()]};
+    }
+
+    void addCases(const Look& look, const std::vector<LoggedSubject>& subjects, bool again) {
+        std::int64_t found = 0;
+        for (const LoggedSubject& subject : subjects) {
+            const auto reading = std::find_if(look.readings.begin(), look.readings.end(), [&](const LogReading& known) {
+                return known.subject == subject.subject;
+            });
+            const bool reported = reading != look.readings.end();
+            found += reported;
+            const SensedState& state = subject.state;
+            if (!margin_.holds(state.range, state.bearing)) {
+                if (!again) samples_.outOfView += reported;
+                continue;
+            }
+            SensorCase& added = samples_.cases.emplace_back(SensorCase{state, subject.subject, reported, {}});
+            if (reported) added.error = {reading->range - state.range, wrappedAngle(reading->bearing - state.bearing)};
+        }
+        if (!again) samples_.unknownPlace += static_cast<std::int64_t>(look.readings.size()) - found;
+    }
+
+    const LoggedView& view_;
+    const SensorSampleOptions& options_;
+    View margin_;
+    SensorSamples& samples_;
+};
+
+int indexOf(std::vector<std::string>& names, const std::string& name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found != names.end()) return static_cast<int>(found - names.begin());
+    names.push_back(name);
+    return static_cast<int>(names.size()) - 1;
+}
+
+}  // namespace
+
+std::size_t SensorSamples::readings() const {
+    std::size_t count = 0;
+    for (const SensorLook& look : looks)
+        for (std::size_t i = 0; i < look.count && !look.unknown; ++i) count += cases[look.first + i].reported;
+    return count;
+}
+
+SensorSamples sensorSamples(std::span<const Log> logs, const SensorSampleOptions& options) {
+    SensorSamples samples;
+    for (std::size_t log = 0; log < logs.size(); ++log) {
+        const LoggedView view(logs[log], options.sizes);
+        Collector collector(view, options, samples);
+        for (std::size_t robot = 0; robot < logs[log].robots.size(); ++robot) {
+            const RobotLog& from = logs[log].robots[robot];
+            if (!options.robots.empty() &&
+                std::find(options.robots.begin(), options.robots.end(), from.robot) == options.robots.end())
+                continue;
+            const int name = indexOf(samples.robots, from.robot);
+            for (std::size_t t = 0; t < from.trajectories.size(); ++t) collector.collect(log, robot, t, name);
+        }
+    }
+    return samples;
+}
+
+}  // namespace mrose

@@ -1,0 +1,324 @@
+#include "identification/sensor_trainer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "geometry/normal_distribution.h"
+#include "identification/likelihood_objective.h"
+#include "identification/reading_noise_fit.h"
+#include "identification/sensor_blueprint.h"
+#include "identification/tree_growing.h"
+#include "learning/ensemble.h"
+#include "learning/initial_weights.h"
+#include "perception/learned_sensor.h"
+
+namespace mrose {
+namespace {
+
+/// Both halves of what is learned: whether there is a reading, of all cases; its error, of those with one.
+enum class Half { reported, error };
+
+constexpr std::size_t fewestReadings = 200;
+
+/// Cases by which one half is learned, or by which it is validated.
+struct Patterns {
+    std::vector<std::size_t> cases;
+    LikelihoodData data;
+};
+
+class SensorLearner {
+public:
+    SensorLearner(SensorNetwork& network, const SensorSamples& samples, const SensorTrainerOptions& options)
+        : network_(network), samples_(samples), options_(options), inputs_(network.learned.inputs, network.robots) {
+        for (const SensorLook& look : samples.looks)
+            for (std::size_t i = 0; i < look.count; ++i) {
+                robots_.push_back(look.robot);
+                folds_.push_back(look.block % options.members);
+                unknown_.push_back(look.unknown);
+            }
+    }
+
+    /// One member of one half, by its fold; its validation error is added to `score`.
+    Regressor learn(Half half, int fold, double& score, std::int64_t& count) {
+        const Patterns learned = patternsOf(half, [&](int of) { return of != fold || options_.members == 1; });
+        const Patterns heldOut = patternsOf(half, [&](int of) { return of == fold; });
+        Regressor regressor;
+        double error = 0;
+        if (options_.family == RegressorFamily::trees)
+            regressor = grow(half, learned, heldOut, fold, error);
+        else
+            regressor = fit(half, learned, heldOut, fold, error);
+        score -= error * static_cast<double>(heldOut.cases.size());
+        count += static_cast<std::int64_t>(heldOut.cases.size());
+        return regressor;
+    }
+
+    bool enough(int fold) const {
+        const Patterns heldOut = patternsOf(Half::error, [&](int of) { return of == fold; });
+        return heldOut.cases.size() >= fewestReadings / 10;
+    }
+    std::int64_t epochs() const { return epochs_; }
+
+private:
+    std::vector<NetworkVariable> outputsOf(Half half) const {
+        const std::vector<NetworkVariable>& all = network_.learned.outputs;
+        return half == Half::reported ? std::vector(all.begin(), all.begin() + 1)
+                                      : std::vector(all.begin() + 1, all.end());
+    }
+
+    template <class Takes>
+    Patterns patternsOf(Half half, const Takes& takes) const {
+        Patterns patterns;
+        for (std::size_t i = 0; i < samples_.cases.size(); ++i)
+            if (takes(folds_[i]) && (half == Half::reported || (samples_.cases[i].reported && !unknown_[i])))
+                patterns.cases.push_back(i);
+        patterns.data.outputs = outputsOf(half);
+        std::vector<float> row(inputs_.width());
+        patterns.data.inputs.resize(patterns.cases.size(), static_cast<int>(row.size()));
+        for (std::size_t p = 0; p < patterns.cases.size(); ++p) {
+            const std::size_t i = patterns.cases[p];
+            inputs_.read(samples_.cases[i].state, robots_[i], row.data());
+            for (std::size_t k = 0; k < row.size(); ++k) patterns.data.inputs(p, static_cast<int>(k)) = row[k];
+        }
+        return patterns;
+    }
+
+    /// The loss refers to the patterns' cases.
+    void setLoss(Half half, Patterns& patterns) const {
+        const std::vector<SensorCase>& cases = samples_.cases;
+        const std::vector<std::size_t>& of = patterns.cases;
+        if (half == Half::reported)
+            patterns.data.loss = [&cases, &of](std::size_t p, std::span<const double> values, double* gradient) {
+                return reportLoss(values[0], cases[of[p]].reported, gradient);
+            };
+        else
+            patterns.data.loss = [&cases, &of, this](std::size_t p, std::span<const double> values, double* gradient) {
+                std::array<double, LearnedNetwork::maxOutputs> all, slope;
+                std::copy(values.begin(), values.end(), all.begin() + 1);
+                const double loss =
+                    errorLoss(network_.form, all.data(), network_.gross, cases[of[p]].error, slope.data());
+                std::copy_n(slope.begin() + 1, values.size(), gradient);
+                return loss;
+            };
+    }
+
+    Regressor fit(Half half, const Patterns& learnedFrom, const Patterns& heldOutFrom, int fold, double& error) {
+        Patterns learned = learnedFrom, heldOut = heldOutFrom;
+        setLoss(half, learned);
+        setLoss(half, heldOut);
+        const SensorHalfOptions& how = half == Half::reported ? options_.reported : options_.error;
+        TrainingOptions training;
+        training.rprop.firstStep = 0.01;
+        training.rprop.largestStep = 1;
+        training.epochs = how.epochs;
+        training.patience = how.patience;
+        training.validateEvery = 10;
+        const int outputs = static_cast<int>(learned.data.outputs.size());
+        if (options_.family == RegressorFamily::network) {
+            training.weightDecay = how.weightDecay;
+            NetworkLikelihood objective(learned.data, heldOut.data, how.hidden);
+            const MlpShape shape = objective.engine()->shape();
+            const std::uint64_t seed =
+                options_.seed * 1000 + static_cast<std::uint64_t>(2 * fold) + static_cast<std::uint64_t>(half);
+            const Mlp first = randomMlp(shape, {.seed = seed, .hiddenScale = 1.5, .outputScale = 0.3});
+            return Mlp{shape, trained(objective, first.parameters, training, error)};
+        }
+        LookupTable table = sensorTableFor(network_.learned.inputs, network_, outputs);
+        TableLikelihood objective(learned.data, heldOut.data, table, options_.roughness);
+        const std::vector<float> values =
+            trained(objective, std::vector<float>(objective.parameterCount()), training, error);
+        const float* from = values.data();
+        for (LookupTable::Grid& grid : table.grids) {
+            std::copy_n(from, grid.values.size(), grid.values.begin());
+            from += grid.values.size();
+        }
+        return table;
+    }
+
+    std::vector<float> trained(TrainingObjective& objective, const std::vector<float>& first,
+                               const TrainingOptions& training, double& error) {
+        const TrainingResult result = train(objective, first, training);
+        error = result.validationError;
+        epochs_ += result.epochs;
+        return result.parameters.empty() ? first : result.parameters;
+    }
+
+    Regressor grow(Half half, const Patterns& learned, const Patterns& heldOutFrom, int fold, double& error) {
+        TreeOptions growing;
+        growing.trees = options_.trees;
+        growing.seed = options_.seed * 1000 + static_cast<std::uint64_t>(2 * fold) + static_cast<std::uint64_t>(half);
+        const DecisionTrees trees = half == Half::reported ? growReportTrees(learned.data, reportsOf(learned), growing)
+                                                           : growErrorTrees(learned.data, errorsOf(learned), growing);
+        Patterns heldOut = heldOutFrom;
+        setLoss(half, heldOut);
+        error = meanLoss(trees, heldOut.data);
+        return trees;
+    }
+
+    std::vector<bool> reportsOf(const Patterns& patterns) const {
+        std::vector<bool> reports;
+        for (const std::size_t i : patterns.cases) reports.push_back(samples_.cases[i].reported);
+        return reports;
+    }
+    std::vector<std::vector<double>> errorsOf(const Patterns& patterns) const {
+        std::vector<std::vector<double>> errors(static_cast<std::size_t>(network_.form.dimensions));
+        for (const std::size_t i : patterns.cases)
+            for (std::size_t d = 0; d < errors.size(); ++d) errors[d].push_back(samples_.cases[i].error[d]);
+        return errors;
+    }
+
+    static double meanLoss(const Regressor& regressor, const LikelihoodData& data) {
+        const RegressorInference inference(regressor);
+        const std::vector<float> rows = data.inputs.toRows();
+        const std::size_t count = data.inputs.patterns(), width = data.outputs.size();
+        std::vector<float> outputs(count * width);
+        inference.batch(rows.data(), outputs.data(), count);
+        std::array<double, LearnedNetwork::maxOutputs> values, slope;
+        double sum = 0;
+        for (std::size_t p = 0; p < count; ++p) {
+            for (std::size_t k = 0; k < width; ++k)
+                values[k] = data.outputs[k].mean + data.outputs[k].scale * static_cast<double>(outputs[p * width + k]);
+            sum += data.loss(p, std::span(values).first(width), slope.data());
+        }
+        return sum / static_cast<double>(std::max<std::size_t>(count, 1));
+    }
+
+    SensorNetwork& network_;
+    const SensorSamples& samples_;
+    const SensorTrainerOptions& options_;
+    SensorInputs inputs_;
+    std::vector<int> robots_, folds_;  ///< by case, as the next one
+    std::vector<bool> unknown_;        ///< SensorLook::unknown
+    std::int64_t epochs_ = 0;
+};
+
+double medianOf(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// Errors beyond ten times what the middle half of them would make the standard deviation are gross.
+GrossErrors findGross(const SensorSamples& samples, int dimensions) {
+    GrossErrors gross;
+    std::array<double, ReadingForm::maxDimensions> bound{};
+    std::size_t readings = 0, wrong = 0;
+    for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions); ++d) {
+        std::vector<double> errors;
+        for (const SensorCase& one : samples.cases)
+            if (one.reported) errors.push_back(one.error[d]);
+        readings = errors.size();
+        const double middle = medianOf(errors);
+        for (double& error : errors) error = std::abs(error - middle);
+        bound[d] = std::max(10 * 1.4826 * medianOf(errors), 1e-6);
+        gross.reach[d] = 2 * bound[d];
+    }
+    for (const SensorCase& one : samples.cases) {
+        bool sound = true;
+        for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions); ++d)
+            sound = sound && std::abs(one.error[d]) <= bound[d];
+        if (!one.reported || sound) continue;
+        ++wrong;
+        for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions); ++d)
+            gross.reach[d] = std::max(gross.reach[d], std::abs(one.error[d]));
+    }
+    gross.share = (static_cast<double>(wrong) + 0.5) / (static_cast<double>(readings) + 1);
+    return gross;
+}
+
+/// How the outputs are standardised: by all cases together, so that zeros are a first guess of everything.
+void findOutputScales(SensorNetwork& network, const SensorSamples& samples) {
+    std::vector<NetworkVariable>& outputs = network.learned.outputs;
+    outputs = sensorOutputs(network.measures, network.form);
+    const double readings = static_cast<double>(samples.readings());
+    outputs[ReadingForm::reported].mean = normalQuantile(readings / static_cast<double>(samples.cases.size()));
+    const auto at = [&](int i) -> NetworkVariable& { return outputs[static_cast<std::size_t>(i)]; };
+    for (int d = 0; d < network.form.dimensions; ++d) {
+        const auto i = static_cast<std::size_t>(d);
+        double sum = 0, squares = 0, count = 0;
+        const auto visit = [&](auto use) {
+            for (const SensorCase& one : samples.cases)
+                if (one.reported && std::abs(one.error[i]) < 0.5 * network.gross.reach[i]) use(one.error[i]);
+        };
+        visit([&](double error) { sum += error, ++count; });
+        const double mean = sum / count;
+        visit([&](double error) { squares += (error - mean) * (error - mean); });
+        const double deviation = std::sqrt(squares / count);
+        for (int k = 0; k < network.form.components; ++k) {
+            at(network.form.errorOf(k, d)).mean = mean;
+            at(network.form.errorOf(k, d)).scale = deviation;
+            // components begin of different widths, so that each finds its part
+            at(network.form.spreadOf(k, d)).mean = logarithm(deviation) + 0.7 * k - 0.3 * (network.form.components - 1);
+        }
+    }
+    for (int k = 1; k < network.form.components; ++k) at(network.form.shareOf(k)).mean = -1;
+}
+
+Regressor meanOf(const std::vector<Regressor>& members) {
+    if (std::holds_alternative<Mlp>(members.front())) {
+        std::vector<Mlp> networks;
+        for (const Regressor& member : members) networks.push_back(std::get<Mlp>(member));
+        return mergedMean(networks);
+    }
+    if (std::holds_alternative<DecisionTrees>(members.front())) {
+        DecisionTrees all = std::get<DecisionTrees>(members.front());
+        for (std::size_t m = 1; m < members.size(); ++m) {
+            const std::vector<DecisionTrees::Tree>& trees = std::get<DecisionTrees>(members[m]).trees;
+            all.trees.insert(all.trees.end(), trees.begin(), trees.end());
+        }
+        return all;
+    }
+    LookupTable mean = std::get<LookupTable>(members.front());
+    for (std::size_t g = 0; g < mean.grids.size(); ++g)
+        for (std::size_t i = 0; i < mean.grids[g].values.size(); ++i) {
+            double sum = 0;
+            for (const Regressor& member : members)
+                sum += static_cast<double>(std::get<LookupTable>(member).grids[g].values[i]);
+            mean.grids[g].values[i] = static_cast<float>(sum / static_cast<double>(members.size()));
+        }
+    return mean;
+}
+
+}  // namespace
+
+Expected<TrainedSensor> trainSensor(const SensorNetwork& blueprint, const SensorSamples& samples,
+                                    const SensorTrainerOptions& options, const Progress& progress) {
+    const std::size_t readings = samples.readings();
+    if (readings < fewestReadings)
+        return fail("", "holds " + std::to_string(readings) + " readings of what is known; learning needs " +
+                            std::to_string(fewestReadings));
+    TrainedSensor trained{blueprint};
+    SensorNetwork& network = trained.network;
+    network.robots = samples.robots;
+    network.form.dimensions = static_cast<int>(dimensionsOf(network.measures).size());
+    network.form.components = options.family == RegressorFamily::network ? options.components : 1;
+    network.gross = findGross(samples, network.form.dimensions);
+    network.learned.kind = SensorNetwork::kind;
+    network.learned.inputs = sensorInputsFor(network, samples);
+    findOutputScales(network, samples);
+    SensorLearner learner(network, samples, options);
+    std::vector<Regressor> reported, errors;
+    for (int fold = 0; fold < options.members && !trained.cancelled; ++fold) {
+        if (!learner.enough(fold)) return fail("", "is too short to hold out a part of it: less than a few minutes");
+        trained.cancelled = !mayGoOn(progress, static_cast<double>(2 * fold) / (2 * options.members));
+        if (trained.cancelled && !errors.empty()) break;
+        reported.push_back(learner.learn(Half::reported, fold, network.heldOut.reported, network.heldOut.cases));
+        trained.cancelled = !mayGoOn(progress, static_cast<double>(2 * fold + 1) / (2 * options.members));
+        errors.push_back(learner.learn(Half::error, fold, network.heldOut.error, network.heldOut.readings));
+    }
+    network.heldOut.looks = static_cast<std::int64_t>(samples.looks.size());
+    network.heldOut.reported /= static_cast<double>(network.heldOut.cases);
+    network.heldOut.error /= static_cast<double>(network.heldOut.readings);
+    network.learned.regressor = sideBySide(meanOf(reported), meanOf(errors));
+    network.learned.training.method = options.family == RegressorFamily::trees ? "trees" : "irprop+";
+    network.learned.training.loss = "likelihood";
+    network.learned.training.seed = options.seed;
+    network.learned.training.patterns = static_cast<std::int64_t>(samples.cases.size());
+    network.learned.training.epochs = learner.epochs();
+    network.noise = fitReadingNoises(LearnedSensor(network), samples);
+    mayGoOn(progress, 1);
+    return trained;
+}
+
+}  // namespace mrose

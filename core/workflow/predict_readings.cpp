@@ -1,0 +1,38 @@
+#include "workflow/predict_readings.h"
+
+#include <algorithm>
+
+#include "assessment/sensor_queries.h"
+#include "io/file.h"
+#include "workflow/log_files.h"
+#include "workflow/outputs.h"
+#include "workflow/resources.h"
+
+namespace mrose {
+
+Expected<PredictedReadings> predictReadings(const PredictReadingsRequest& request) {
+    if (auto can =
+            checkOutput(request.output, {request.network, placeOfLog(request.log), request.queries}, request.overwrite);
+        !can)
+        return tl::unexpected(can.error());
+    auto network = loadSensor(request.network);
+    if (!network) return tl::unexpected(network.error());
+    const auto log = openLog(request.log, {});
+    if (!log) return tl::unexpected(log.error());
+    auto queries = readQueries(request.queries);
+    if (!queries) return tl::unexpected(queries.error());
+    if (!request.robots.empty())
+        std::erase_if(*queries, [&](const SensorQuery& query) {
+            return std::ranges::find(request.robots, query.robot) == request.robots.end();
+        });
+    const LearnedSensor sensor(std::move(*network));
+    const auto predictions = predictQueries(sensor, LoggedView(*log), *queries, request.queries);
+    if (!predictions) return tl::unexpected(predictions.error());
+    if (auto written = writeFileAtomically(request.output,
+                                           sensorSamplesCsv(*queries, *predictions, request.samples, request.seed));
+        !written)
+        return tl::unexpected(written.error());
+    return PredictedReadings{queries->size(), log->incomplete};
+}
+
+}  // namespace mrose

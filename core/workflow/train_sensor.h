@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "identification/sensor_trainer.h"
+#include "io/progress.h"
+
+namespace mrose {
+
+/// From which logs a sensor is learned, and how. What is left open is as SensorTrainerOptions say.
+struct TrainSensorRequest {
+    std::vector<std::string> logs;
+    std::string sensor;                    ///< its name in the logs
+    std::string output;                    ///< the network file; empty: it is written nowhere
+    bool overwrite = false;                ///< of a file that is there already
+    std::vector<std::string> robots = {};  ///< whose sensors; empty: of all. The others are seen and occlude
+    std::string robotKind = {};            ///< a name or a robot file; empty: what the log says
+    std::optional<double> latency = {};    ///< s; otherwise identified
+    SensorTrainerOptions training = {};
+    std::string command = {};  ///< what the network says that it was made by
+};
+
+/// Reads the logs, learns, and writes the network. Ended while it learns, what was learned so far is the result, and
+/// written. Error: of the logs, openLog(); one without readings, or of such a sensor; the file cannot be written, is
+/// there already or one of the logs; too little to learn from.
+Expected<TrainedSensor> trainSensor(const TrainSensorRequest& request, const Progress& progress = {});
+
+}  // namespace mrose
