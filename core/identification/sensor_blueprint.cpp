@@ -91,6 +91,18 @@ std::vector<NetworkVariable> sensorInputsFor(const SensorNetwork& network, const
     return inputs;
 }
 
+bool isReadForErrors(std::string_view input) {
+    static const std::string mask = std::getenv("MASK") ? std::getenv("MASK") : "";
+    if (mask == "A")
+        return input != "nearness" && input != "view_edge" && input != "clearance" && input != "log_separation" &&
+               input != "log_nearer_separation" && input != "others_in_view" && input != "unknown_robots";
+    if (mask == "B")
+        return input != "nearness" && input != "view_edge" && input != "log_separation" &&
+               input != "log_nearer_separation" && input != "others_in_view" && input != "unknown_robots";
+    if (mask == "C") return input != "others_in_view" && input != "unknown_robots";
+    return true;
+}
+
 LookupTable sensorTableFor(const std::vector<NetworkVariable>& inputs, const SensorNetwork& network, int outputs) {
     const Axes axes(inputs);
     LookupTable table{static_cast<int>(inputs.size()), outputs, {}};

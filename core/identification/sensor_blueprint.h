@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "identification/sensor_samples.h"
@@ -10,6 +11,9 @@ namespace mrose {
 
 /// What a learned sensor reads of what is true, with the scales that the samples give.
 std::vector<NetworkVariable> sensorInputsFor(const SensorNetwork& network, const SensorSamples& samples);
+
+/// Whether the error of a reading is learned from an input, too; whether there is one is learned from all.
+bool isReadForErrors(std::string_view input);
 
 /// Between which points a lookup table of these inputs interpolates: a grid over the geometry, one over it for each
 /// robot, coarser, and one for each of the others. Values are 0.

@@ -31,6 +31,10 @@ class SensorLearner {
 public:
     SensorLearner(SensorNetwork& network, const SensorSamples& samples, const SensorTrainerOptions& options)
         : network_(network), samples_(samples), options_(options), inputs_(network.learned.inputs, network.robots) {
+        for (const NetworkVariable& input : network.learned.inputs) {
+            read_[0].push_back(true);
+            read_[1].push_back(isReadForErrors(input.name));
+        }
         for (const SensorLook& look : samples.looks)
             for (std::size_t i = 0; i < look.count; ++i) {
                 robots_.push_back(look.robot);
@@ -75,11 +79,13 @@ private:
                 patterns.cases.push_back(i);
         patterns.data.outputs = outputsOf(half);
         std::vector<float> row(inputs_.width());
+        const std::vector<bool>& read = read_[static_cast<std::size_t>(half)];
         patterns.data.inputs.resize(patterns.cases.size(), static_cast<int>(row.size()));
         for (std::size_t p = 0; p < patterns.cases.size(); ++p) {
             const std::size_t i = patterns.cases[p];
             inputs_.read(samples_.cases[i].state, robots_[i], row.data());
-            for (std::size_t k = 0; k < row.size(); ++k) patterns.data.inputs(p, static_cast<int>(k)) = row[k];
+            for (std::size_t k = 0; k < row.size(); ++k)
+                patterns.data.inputs(p, static_cast<int>(k)) = read[k] ? row[k] : 0.0f;
         }
         return patterns;
     }
@@ -121,8 +127,10 @@ private:
             const MlpShape shape = objective.engine()->shape();
             const std::uint64_t seed =
                 options_.seed * 1000 + static_cast<std::uint64_t>(2 * fold) + static_cast<std::uint64_t>(half);
-            const Mlp first = randomMlp(shape, {.seed = seed, .hiddenScale = 1.5, .outputScale = 0.3});
-            return Mlp{shape, trained(objective, first.parameters, training, error)};
+            Mlp network = randomMlp(shape, {.seed = seed, .hiddenScale = 1.5, .outputScale = 0.3});
+            forgetUnread(half, network);
+            network.parameters = trained(objective, network.parameters, training, error);
+            return network;
         }
         LookupTable table = sensorTableFor(network_.learned.inputs, network_, outputs);
         TableLikelihood objective(learned.data, heldOut.data, table, options_.roughness);
@@ -134,6 +142,15 @@ private:
             from += grid.values.size();
         }
         return table;
+    }
+
+    /// What is always 0 has no gradient: these weights stay as they are.
+    void forgetUnread(Half half, Mlp& network) const {
+        const int inputs = network.shape.inputs;
+        for (int j = 0; j < network.shape.hidden; ++j)
+            for (int i = 0; i < inputs; ++i)
+                if (!read_[static_cast<std::size_t>(half)][static_cast<std::size_t>(i)])
+                    network.parameters[static_cast<std::size_t>(j * inputs + i)] = 0;
     }
 
     std::vector<float> trained(TrainingObjective& objective, const std::vector<float>& first,
@@ -188,6 +205,7 @@ private:
     const SensorSamples& samples_;
     const SensorTrainerOptions& options_;
     SensorInputs inputs_;
+    std::array<std::vector<bool>, 2> read_;  ///< by Half: which inputs it reads
     std::vector<int> robots_, folds_;  ///< by case, as the next one
     std::vector<bool> unknown_;        ///< SensorLook::unknown
     std::int64_t epochs_ = 0;

@@ -1,0 +1,57 @@
+#include "perception/some_sensor.h"
+
+#include "learning/reference_network.h"
+#include "perception/sensor_inputs.h"
+
+namespace mrose::test {
+namespace {
+
+SensorNetwork camera(int components) {
+    SensorNetwork network;
+    network.sensor = "camera";
+    network.robotType = "irobot-create";
+    network.robots = {"1", "2"};
+    network.period = 236'000'000;
+    network.latency = 40'000'000;
+    network.latencyError = 0.001;
+    network.robotSubjects = true;
+    network.view = {7.5, 1.15};
+    network.form = {2, components};
+    network.gross = {1.0 / 1024, {2.5, 0.15}};
+    network.learned.kind = SensorNetwork::kind;
+    network.learned.training = {"mrose train", "irprop+", "likelihood", 1, 2, 3, {{"a.dat", "0123456789abcdef"}}};
+    for (const SensorQuantity& quantity : sensorQuantities())
+        network.learned.inputs.push_back({std::string(quantity.name), std::string(quantity.unit), 0.25, 0.5});
+    for (const std::string& robot : network.robots)
+        network.learned.inputs.push_back({robotInput(robot), std::string(robotInputUnit), 0.5, 0.5});
+    network.learned.outputs = sensorOutputs(network.measures, network.form);
+    return network;
+}
+
+}  // namespace
+
+SensorNetwork someCamera(std::uint64_t seed) {
+    SensorNetwork network = camera(2);
+    network.noise[0] = {0.1, 0.2, 1.5, 0.3, 7};
+    network.noise[2] = {0.25, 0.125, 1.0 / 3, 0.1, 9};
+    network.heldOut = {10, 20, 5, -0.4, 5.5};
+    const int inputs = static_cast<int>(network.learned.inputs.size());
+    Mlp mlp = normalNetwork({inputs, 9, network.form.outputs()}, static_cast<unsigned>(seed));
+    for (float& parameter : mlp.parameters) parameter *= 0.3f;
+    network.learned.regressor = std::move(mlp);
+    for (NetworkVariable& output : network.learned.outputs) output.scale = output.unit == "rad" ? 0.01 : 0.1;
+    network.learned.outputs[0].scale = 1;
+    return network;
+}
+
+SensorNetwork constantCamera(const std::vector<double>& outputs, int components) {
+    SensorNetwork network = camera(components);
+    network.gross = {0, {1, 1}};
+    Mlp mlp{{static_cast<int>(network.learned.inputs.size()), 1, network.form.outputs()}, {}};
+    mlp.parameters.resize(mlp.shape.parameterCount());
+    for (std::size_t i = 0; i < outputs.size(); ++i) network.learned.outputs[i].mean = outputs[i];
+    network.learned.regressor = std::move(mlp);
+    return network;
+}
+
+}  // namespace mrose::test
