@@ -29,6 +29,15 @@ void keepWithin(Nanoseconds begin, Nanoseconds end, std::vector<Stamped>& values
     std::erase_if(values, [&](const Stamped& value) { return value.time < begin || value.time > end; });
 }
 
+/// What sensors reported between two instants.
+void keepWithin(Nanoseconds begin, Nanoseconds end, std::vector<SensorLog>& sensors) {
+    for (SensorLog& sensor : sensors) {
+        keepWithin(begin, end, sensor.looks);
+        keepWithin(begin, end, sensor.poses);
+        keepWithin(begin, end, sensor.scans);
+    }
+}
+
 /// The trajectory between two instants, with the commands from `known` on; the first of them is the one in force then.
 Trajectory cut(Trajectory trajectory, Nanoseconds known, const Span& span) {
     const auto later = std::find_if(trajectory.commands.begin(), trajectory.commands.end(),
@@ -39,7 +48,7 @@ Trajectory cut(Trajectory trajectory, Nanoseconds known, const Span& span) {
     keepWithin(known, span.end, trajectory.measuredVelocity);
     keepWithin(known, span.end, trajectory.measuredRotation);
     keepWithin(span.begin, span.end, trajectory.poses);
-    for (SensorLog& sensor : trajectory.sensors) keepWithin(span.begin, span.end, sensor.looks);
+    keepWithin(span.begin, span.end, trajectory.sensors);
     return trajectory;
 }
 
@@ -74,7 +83,7 @@ void dropTimeOf(const Trajectory& heldOut, Trajectory& trajectory) {
     keepWithin(after, ever, trajectory.blips);
     keepWithin(after, ever, trajectory.measuredVelocity);
     keepWithin(after, ever, trajectory.measuredRotation);
-    for (SensorLog& sensor : trajectory.sensors) keepWithin(after, ever, sensor.looks);
+    keepWithin(after, ever, trajectory.sensors);
 }
 
 /// Of a trajectory that is not divided into blocks.

@@ -64,6 +64,19 @@ bool isOutlier(const Pose& before, const Pose& pose, const Pose& after) {
            isFarOff(turn(before, pose), turn(pose, after), turn(before, after), outlierAngle);
 }
 
+/// A run of rows behind an earlier one.
+struct BackwardRun {
+    std::size_t rows = 0, farBehind = 0;  // farBehind: by more than 2 s
+    bool toTheEnd = false;
+};
+
+bool isForGood(const BackwardRun& run, std::size_t total) {
+    if (run.toTheEnd && (run.rows >= 10 || 2 * run.rows >= total)) return true;
+    return run.farBehind > 10 && 20 * run.farBehind > total;
+}
+
+}  // namespace
+
 void unwrapHeadings(std::vector<StampedPose>& poses, LogDefects& defects) {
     constexpr double wholeTurn = 2 * std::numbers::pi;
     double offset = 0;
@@ -77,19 +90,6 @@ void unwrapHeadings(std::vector<StampedPose>& poses, LogDefects& defects) {
         heading += offset;
     }
 }
-
-/// A run of rows behind an earlier one.
-struct BackwardRun {
-    std::size_t rows = 0, farBehind = 0;  // farBehind: by more than 2 s
-    bool toTheEnd = false;
-};
-
-bool isForGood(const BackwardRun& run, std::size_t total) {
-    if (run.toTheEnd && (run.rows >= 10 || 2 * run.rows >= total)) return true;
-    return run.farBehind > 10 && 20 * run.farBehind > total;
-}
-
-}  // namespace
 
 std::optional<ClockReset> findClockReset(std::span<const Nanoseconds> times) {
     std::size_t latest = 0;

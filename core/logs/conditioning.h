@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "logs/log_reader.h"
@@ -42,7 +43,8 @@ void keepLastOfEqualStamps(std::vector<Sample>& samples, LogDefects& defects) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < samples.size(); ++i) {
         if (kept > 0 && samples[kept - 1].time == samples[i].time) --kept;
-        samples[kept++] = samples[i];
+        if (kept != i) samples[kept] = std::move(samples[i]);
+        ++kept;
     }
     defects.duplicates += static_cast<std::int64_t>(samples.size() - kept);
     samples.resize(kept);
@@ -52,6 +54,9 @@ void keepLastOfEqualStamps(std::vector<Sample>& samples, LogDefects& defects) {
 /// counts gaps.
 void conditionCommands(std::vector<StampedCommand>& commands, const LogOptions& options, LogDefects& defects,
                        std::vector<StampedCommand>* blips = nullptr);
+
+/// Undoes and counts jumps by whole turns.
+void unwrapHeadings(std::vector<StampedPose>& poses, LogDefects& defects);
 
 /// Sorts by time (stable), keeps the last of equal stamps, drops outliers, unwraps headings, and counts gaps.
 void conditionPoses(std::vector<StampedPose>& poses, const LogOptions& options, LogDefects& defects);

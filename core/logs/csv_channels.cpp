@@ -4,7 +4,6 @@
 
 #include "geometry/pose.h"
 #include "logs/conditioning.h"
-#include "logs/row_check.h"
 
 namespace mrose {
 namespace {
@@ -21,23 +20,6 @@ Expected<void> forEachStream(CsvChannels& channels, Function function) {
     for (auto& stream : channels.alone)
         if (result) result = function(stream);
     return result;
-}
-
-template <class Sample>
-Expected<void> endStream(CsvStream<Sample>& stream, std::string_view content, const std::string& name,
-                         LogDefects& defects) {
-    const auto fresh = stream.samples.end() - static_cast<std::ptrdiff_t>(stream.places.size());
-    if (!std::is_sorted(fresh, stream.samples.end(), earlier<Sample>)) {
-        std::vector<Sample> added(fresh, stream.samples.end());
-        const auto lineOf = [&](std::size_t row) { return positionIn(content, stream.places[row]).line; };
-        if (auto checked = checkDirection(added, name, lineOf); !checked) return checked;
-        sortByTime(added, defects);
-        std::copy(added.begin(), added.end(), fresh);
-    }
-    if (fresh != stream.samples.begin() && fresh != stream.samples.end() && earlier(*fresh, *std::prev(fresh)))
-        std::inplace_merge(stream.samples.begin(), fresh, stream.samples.end(), earlier<Sample>);
-    stream.places.clear();
-    return {};
 }
 
 /// Whole samples taken apart, into the channels where values stand alone.
@@ -125,26 +107,29 @@ std::vector<StampedPose> pairPoses(const Values& x, const Values& y, const Value
 
 }  // namespace
 
-void CsvChannels::add(Nanoseconds time, const std::array<const CsvCell*, csvChannels>& cells, const char* place) {
-    const auto has = [&](std::size_t channel) { return cells[channel] != nullptr && cells[channel]->present; };
+bool CsvChannels::add(const CsvCells& cells, const char* place) {
+    const Nanoseconds time = cells[CsvColumn::time]->instant;
+    std::array<const CsvCell*, csvChannels> row{};
+    for (std::size_t channel = 0; channel < csvChannels; ++channel) row[channel] = cells[CsvColumn(channel)];
     const auto addAlone = [&](std::size_t channel) {
-        if (has(channel)) alone[channel].add({time, cells[channel]->number}, place);
+        if (row[channel] != nullptr) alone[channel].add({time, row[channel]->number}, place);
     };
-    if (has(vChannel) && has(wChannel)) {
-        commands.add({time, {cells[vChannel]->number, cells[wChannel]->number}}, place);
+    if (row[vChannel] != nullptr && row[wChannel] != nullptr) {
+        commands.add({time, {row[vChannel]->number, row[wChannel]->number}}, place);
     } else {
         addAlone(vChannel);
         addAlone(wChannel);
     }
-    if (has(xChannel) && has(yChannel) && has(headingChannel)) {
-        poses.add({time, {cells[xChannel]->number, cells[yChannel]->number, cells[headingChannel]->number}}, place);
+    if (row[xChannel] != nullptr && row[yChannel] != nullptr && row[headingChannel] != nullptr) {
+        poses.add({time, {row[xChannel]->number, row[yChannel]->number, row[headingChannel]->number}}, place);
     } else {
         for (const std::size_t channel : {xChannel, yChannel, headingChannel}) addAlone(channel);
     }
+    return std::any_of(row.begin(), row.end(), [](const CsvCell* cell) { return cell != nullptr; });
 }
 
 Expected<void> endFile(CsvChannels& channels, std::string_view content, const std::string& name, LogDefects& defects) {
-    return forEachStream(channels, [&](auto& stream) { return endStream(stream, content, name, defects); });
+    return forEachStream(channels, [&](auto& stream) { return endFile(stream, content, name, defects.outOfOrder); });
 }
 
 void merge(CsvChannels& channels, const LogOptions& options, Trajectory& trajectory, LogDefects& defects) {

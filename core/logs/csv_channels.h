@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "io/error.h"
-#include "logs/csv_format.h"
-#include "logs/csv_rows.h"
+#include "logs/csv_cells.h"
+#include "logs/csv_stream.h"
 #include "logs/log_reader.h"
 #include "logs/robot_log.h"
 
@@ -19,26 +19,14 @@ struct StampedValue {
     double value = 0;
 };
 
-/// Samples as they stand in the files. Those of the file that is being read come last, each with its place in the text.
-template <class Sample>
-struct CsvStream {
-    std::vector<Sample> samples;
-    std::vector<const char*> places;
-
-    void add(const Sample& sample, const char* place) {
-        samples.push_back(sample);
-        places.push_back(place);
-    }
-};
-
 /// What the rows of one trajectory say: whole commands, whole poses, and values that stand alone in their row.
 struct CsvChannels {
     CsvStream<StampedCommand> commands;
     CsvStream<StampedPose> poses;
     std::array<CsvStream<StampedValue>, csvChannels> alone;
 
-    /// A row's cells by channel; nullptr where the file has no such column.
-    void add(Nanoseconds time, const std::array<const CsvCell*, csvChannels>& cells, const char* place);
+    /// A row with a time. Whether it has a value of any channel.
+    bool add(const CsvCells& cells, const char* place);
 };
 
 /// To be called at the end of each file: brings its samples in order among those of earlier files. Error: they run

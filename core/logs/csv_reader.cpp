@@ -9,6 +9,7 @@
 #include "io/file.h"
 #include "logs/csv_channels.h"
 #include "logs/csv_rows.h"
+#include "logs/csv_sensors.h"
 #include "logs/row_check.h"
 
 namespace mrose {
@@ -18,6 +19,7 @@ struct CsvTrajectory {
     std::string name;
     int group = 0;
     CsvChannels channels;
+    CsvSensors sensors;
 };
 
 struct CsvRobot {
@@ -41,21 +43,10 @@ std::string knownColumns() {
 
 constexpr CellKind kindOf(CsvColumn column) {
     if (column == CsvColumn::time) return CellKind::instant;
-    return column == CsvColumn::robot || column == CsvColumn::trajectory ? CellKind::text : CellKind::number;
+    constexpr std::array texts = {CsvColumn::robot, CsvColumn::trajectory, CsvColumn::sensor, CsvColumn::subject,
+                                  CsvColumn::scan};
+    return std::find(texts.begin(), texts.end(), column) != texts.end() ? CellKind::text : CellKind::number;
 }
-
-constexpr const char* badNameCause = "expected a name of at most 64 printable characters without quotes";
-
-bool isName(std::string_view text) {
-    const auto isBad = [](char c) { return (c >= 0 && c < ' ') || c == '\x7f' || c == '"'; };
-    return text.size() <= 64 && std::none_of(text.begin(), text.end(), isBad);
-}
-
-/// Which cell of a row holds which column; nullptr where the file has none.
-struct CsvCells {
-    std::array<const CsvCell*, csvChannels> channels{};
-    const CsvCell *time = nullptr, *robot = nullptr, *trajectory = nullptr, *group = nullptr;
-};
 
 /// All files of one log while they are read.
 class CsvLog {
@@ -64,21 +55,27 @@ public:
     explicit CsvLog(bool several = false) : several_(several) {}
 
     Expected<void> addFile(std::string_view content, const std::string& name);
-    Expected<std::vector<RobotLog>> finish(const std::string& source, const LogOptions& options);
-    bool synthetic() const { return synthetic_; }
-    const std::vector<std::string>& incomplete() const { return incomplete_; }
+    Expected<Log> finish(const std::string& source, const LogOptions& options);
 
 private:
-    Expected<void> addRow(const CsvRows& rows, const CsvCells& cells);
+    Expected<void> addRows(CsvRows& rows, std::string_view content, const std::string& name);
+    Expected<void> addRow(const CsvRows& rows, const CsvCells& cells, const std::string& name);
+    Expected<void> finishTrajectory(CsvTrajectory& from, RobotLog& log, const LogOptions& options);
     CsvTrajectory& select(std::string_view robot, std::string_view trajectory);
 
     std::deque<CsvRobot> robots_;
     CsvRobot* robot_ = nullptr;  // of the row before
     CsvTrajectory* trajectory_ = nullptr;
-    std::size_t rows_ = 0;
-    bool several_, synthetic_ = false;
-    std::vector<std::string> incomplete_;
+    CsvSubjects subjects_;
+    std::size_t rows_ = 0;  // with a time
+    std::size_t drivenRows_ = 0, measuredRows_ = 0;
+    bool several_;
+    Log log_{.format = "csv"};
 };
+
+constexpr std::array measurementColumns = {
+    CsvColumn::range,           CsvColumn::bearing,   CsvColumn::reportedX, CsvColumn::reportedY,
+    CsvColumn::reportedHeading, CsvColumn::scanStart, CsvColumn::scanStep,  CsvColumn::scan};
 
 Expected<void> checkHeader(const CsvRows& rows, const std::string& name) {
     std::set<std::string_view> seen;
@@ -89,7 +86,15 @@ Expected<void> checkHeader(const CsvRows& rows, const std::string& name) {
         if (!seen.insert(column).second)
             return fail(name, "column named twice", rows.headerLine(), std::string(column));
     }
-    if (!seen.contains("t")) return fail(name, "column missing from the header", rows.headerLine(), "t");
+    const auto isThere = [&](CsvColumn column) { return seen.contains(csvColumnNames[std::size_t(column)]); };
+    const auto missing = [&](CsvColumn column) {
+        return fail(name, "column missing from the header", rows.headerLine(),
+                    std::string(csvColumnNames[std::size_t(column)]));
+    };
+    if (!isThere(CsvColumn::sensor) && std::any_of(measurementColumns.begin(), measurementColumns.end(), isThere))
+        return missing(CsvColumn::sensor);
+    const bool ofSubjects = isThere(CsvColumn::subject) && !isThere(CsvColumn::sensor);
+    if (!isThere(CsvColumn::time) && !ofSubjects) return missing(CsvColumn::time);
     return {};
 }
 
@@ -102,59 +107,68 @@ CsvCells bindCells(CsvRows& rows) {
     std::vector<CellKind> kinds;
     for (const std::string_view name : rows.header()) kinds.push_back(kindOf(CsvColumn(columnOf(name))));
     rows.setKinds(std::move(kinds));
-    std::array<const CsvCell*, csvColumnNames.size()> cells{};
-    for (std::size_t i = 0; i < rows.header().size(); ++i) cells[columnOf(rows.header()[i])] = &rows.cells()[i];
     CsvCells bound;
-    std::copy_n(cells.begin(), csvChannels, bound.channels.begin());
-    bound.time = cells[std::size_t(CsvColumn::time)];
-    bound.robot = cells[std::size_t(CsvColumn::robot)];
-    bound.trajectory = cells[std::size_t(CsvColumn::trajectory)];
-    bound.group = cells[std::size_t(CsvColumn::group)];
+    for (std::size_t i = 0; i < rows.header().size(); ++i) bound.columns[columnOf(rows.header()[i])] = &rows.cells()[i];
     return bound;
 }
 
 Expected<void> CsvLog::addFile(std::string_view content, const std::string& name) {
     auto rows = CsvRows::open(content, name);
-    if (!rows && several_) return incomplete_.push_back(tooShortText(name, 0) + '.'), Expected<void>();
-    if (!rows) return tl::unexpected(rows.error());
-    if (auto checked = checkHeader(*rows, name); !checked) return checked;
-    synthetic_ = synthetic_ || isSynthetic(rows->preamble());
-    const CsvCells cells = bindCells(*rows);
-    const std::size_t before = rows_;
-    for (; rows->next(); ++rows_)
-        if (auto added = addRow(*rows, cells); !added) return added;
-    if (rows->error() && !rows->cutOff()) return tl::unexpected(*rows->error());
-    if (rows->cutOff()) incomplete_.push_back(cutLineText(name));
-    if (rows->cutOff() && robot_ != nullptr) ++robot_->defects.cutLines;
-    if (rows_ == before && several_) incomplete_.push_back(tooShortText(name, 0) + '.');
-    if (rows_ - before < fewestRows && !several_) return fail(name, tooShortCause(rows_ - before));
-    for (CsvRobot& robot : robots_)
-        for (CsvTrajectory& trajectory : robot.trajectories)
-            if (auto ended = endFile(trajectory.channels, content, name, robot.defects); !ended) return ended;
+    if (!rows && !several_) return tl::unexpected(rows.error());
+    const std::size_t drivenBefore = drivenRows_, measuredBefore = measuredRows_;
+    if (!rows)
+        log_.incomplete.push_back(tooShortText(name, 0) + '.');
+    else if (auto added = addRows(*rows, content, name); !added)
+        return added;
+    const bool measuredAlone = drivenRows_ == drivenBefore && measuredRows_ > measuredBefore;
+    (measuredAlone ? log_.measurementFiles : log_.files).push_back({name, contentHash(content)});
     return {};
 }
 
-Expected<void> CsvLog::addRow(const CsvRows& rows, const CsvCells& cells) {
-    const auto missing = [&](CsvColumn column) {
-        return tl::unexpected(rows.about(std::string(csvColumnNames[std::size_t(column)]), "the cell is empty"));
-    };
-    if (!cells.time->present) return missing(CsvColumn::time);
-    if (cells.robot != nullptr && !cells.robot->present) return missing(CsvColumn::robot);
-    if (cells.trajectory != nullptr && !cells.trajectory->present) return missing(CsvColumn::trajectory);
-    if (cells.group != nullptr && !cells.group->present) return missing(CsvColumn::group);
-    const std::string_view robot = cells.robot == nullptr ? defaultRobot : cells.robot->text;
-    const std::string_view name = cells.trajectory == nullptr ? defaultTrajectory : cells.trajectory->text;
-    if (!isName(robot)) return tl::unexpected(rows.about("robot", badNameCause));
-    if (!isName(name)) return tl::unexpected(rows.about("trajectory", badNameCause));
-    CsvTrajectory& trajectory = select(robot, name);
-    if (cells.group != nullptr) {
-        const double group = cells.group->number;
-        if (group != std::floor(group) || std::abs(group) > 1e9)
-            return tl::unexpected(rows.about("group", "expected a whole number of at most nine digits"));
-        trajectory.group = static_cast<int>(group);
-    }
-    trajectory.channels.add(cells.time->instant, cells.channels, rows.position());
+Expected<void> CsvLog::addRows(CsvRows& rows, std::string_view content, const std::string& name) {
+    if (auto checked = checkHeader(rows, name); !checked) return checked;
+    log_.synthetic = log_.synthetic || isSynthetic(rows.preamble());
+    const CsvCells cells = bindCells(rows);
+    const std::size_t before = rows_, measuredBefore = measuredRows_;
+    while (rows.next())
+        if (auto added = addRow(rows, cells, name); !added) return added;
+    if (rows.error() && !rows.cutOff()) return tl::unexpected(*rows.error());
+    if (rows.cutOff()) log_.incomplete.push_back(cutLineText(name));
+    if (rows.cutOff() && robot_ != nullptr) ++robot_->defects.cutLines;
+    if (rows_ == before && measuredRows_ == measuredBefore && several_)
+        log_.incomplete.push_back(tooShortText(name, 0) + '.');
+    if (rows_ - before < fewestRows && !several_) return fail(name, tooShortCause(rows_ - before));
+    for (CsvRobot& robot : robots_)
+        for (CsvTrajectory& trajectory : robot.trajectories) {
+            if (auto ended = endFile(trajectory.channels, content, name, robot.defects); !ended) return ended;
+            if (auto ended = trajectory.sensors.endFile(content, name); !ended) return ended;
+        }
     return {};
+}
+
+Expected<void> CsvLog::addRow(const CsvRows& rows, const CsvCells& cells, const std::string& name) {
+    if (cells[CsvColumn::time] == nullptr) return ++measuredRows_, subjects_.declare(rows, cells);
+    for (const CsvColumn column : {CsvColumn::robot, CsvColumn::trajectory, CsvColumn::group})
+        if (cells.hasColumn(column) && cells[column] == nullptr) return failEmpty(rows, column);
+    const auto nameIn = [&](CsvColumn column, std::string_view usual) {
+        return cells.hasColumn(column) ? cells[column]->text : usual;
+    };
+    const std::string_view robot = nameIn(CsvColumn::robot, defaultRobot);
+    const std::string_view run = nameIn(CsvColumn::trajectory, defaultTrajectory);
+    if (!isCsvName(robot)) return failCell(rows, CsvColumn::robot, badCsvName);
+    if (!isCsvName(run)) return failCell(rows, CsvColumn::trajectory, badCsvName);
+    CsvTrajectory& trajectory = select(robot, run);
+    if (const CsvCell* const cell = cells[CsvColumn::group]) {
+        if (cell->number != std::floor(cell->number) || std::abs(cell->number) > 1e9)
+            return failCell(rows, CsvColumn::group, "expected a whole number of at most nine digits");
+        trajectory.group = static_cast<int>(cell->number);
+    }
+    ++rows_;
+    drivenRows_ += trajectory.channels.add(cells, rows.position());
+    if (cells[CsvColumn::sensor] == nullptr)
+        return hasReport(cells) ? Expected<void>(failEmpty(rows, CsvColumn::sensor)) : Expected<void>();
+    ++measuredRows_;
+    return trajectory.sensors.add(rows, cells, subjects_, name);
 }
 
 CsvTrajectory& CsvLog::select(std::string_view robot, std::string_view trajectory) {
@@ -175,22 +189,28 @@ CsvTrajectory& CsvLog::select(std::string_view robot, std::string_view trajector
     return *trajectory_;
 }
 
-Expected<std::vector<RobotLog>> CsvLog::finish(const std::string& source, const LogOptions& options) {
+Expected<void> CsvLog::finishTrajectory(CsvTrajectory& from, RobotLog& log, const LogOptions& options) {
+    Trajectory& trajectory = log.trajectories.emplace_back();
+    trajectory.name = from.name;
+    trajectory.group = from.group;
+    merge(from.channels, options, trajectory, log.defects);
+    if (trajectory.commands.empty() && trajectory.poses.empty())
+        return fail(log_.source, "robot " + log.robot + ", trajectory " + from.name +
+                                     ": neither a command (v_cmd and w_cmd) nor a pose (x, y and heading)");
+    return from.sensors.finish(trajectory, options);
+}
+
+Expected<Log> CsvLog::finish(const std::string& source, const LogOptions& options) {
+    log_.source = source;
     if (rows_ < fewestRows) return fail(source, tooShortCause(rows_));
-    std::vector<RobotLog> logs;
     for (CsvRobot& robot : robots_) {
-        RobotLog& log = logs.emplace_back(RobotLog{robot.name, {}, robot.defects});
-        for (CsvTrajectory& from : robot.trajectories) {
-            Trajectory& trajectory = log.trajectories.emplace_back();
-            trajectory.name = from.name;
-            trajectory.group = from.group;
-            merge(from.channels, options, trajectory, log.defects);
-            if (trajectory.commands.empty() && trajectory.poses.empty())
-                return fail(source, "robot " + robot.name + ", trajectory " + from.name +
-                                        ": neither a command (v_cmd and w_cmd) nor a pose (x, y and heading)");
-        }
+        RobotLog& log = log_.robots.emplace_back(RobotLog{robot.name, {}, robot.defects});
+        for (CsvTrajectory& from : robot.trajectories)
+            if (auto finished = finishTrajectory(from, log, options); !finished)
+                return tl::unexpected(finished.error());
     }
-    return logs;
+    log_.subjects = subjects_.finish(log_.robots, log_.incomplete);
+    return std::move(log_);
 }
 
 std::vector<std::filesystem::path> csvFiles(const std::filesystem::path& source) {
@@ -207,30 +227,21 @@ std::vector<std::filesystem::path> csvFiles(const std::filesystem::path& source)
 }  // namespace
 
 Expected<Log> readCsv(const std::filesystem::path& source, const LogOptions& options) {
-    Log log{source.string(), "csv", 0, {}, {}, false};
     const auto files = csvFiles(source);
     CsvLog csv(files.size() > 1);
     if (files.empty()) return fail(source.string(), "holds no *.csv");
     for (const std::filesystem::path& file : files) {
         const auto content = readFile(file);
         if (!content) return tl::unexpected(content.error());
-        log.files.push_back({file.string(), contentHash(*content)});
         if (auto added = csv.addFile(*content, file.string()); !added) return tl::unexpected(added.error());
     }
-    auto robots = csv.finish(log.source, options);
-    if (!robots) return tl::unexpected(robots.error());
-    log.robots = std::move(*robots);
-    log.synthetic = csv.synthetic();
-    log.incomplete = csv.incomplete();
-    return log;
+    return csv.finish(source.string(), options);
 }
 
 Expected<Log> parseCsv(std::string_view content, const std::string& name, const LogOptions& options) {
     CsvLog csv;
     if (auto added = csv.addFile(content, name); !added) return tl::unexpected(added.error());
-    auto robots = csv.finish(name, options);
-    if (!robots) return tl::unexpected(robots.error());
-    return Log{name, "csv", 0, std::move(*robots), {{name, contentHash(content)}}, csv.synthetic(), csv.incomplete()};
+    return csv.finish(name, options);
 }
 
 bool looksLikeCsvLog(std::string_view content) {

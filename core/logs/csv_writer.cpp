@@ -1,5 +1,6 @@
 #include "logs/csv_writer.h"
 
+#include <array>
 #include <cassert>
 #include <charconv>
 #include <cmath>
@@ -31,10 +32,24 @@ void append(std::string& text, Nanoseconds time) {
 /// Which of the optional columns say something.
 struct Labels {
     bool robot = false, trajectory = false, group = false;
+    bool readings = false, reported = false, scans = false;
+
+    bool sensors() const { return readings || reported || scans; }
 };
+
+void addReports(Labels& labels, const Trajectory& trajectory) {
+    for (const SensorLog& sensor : trajectory.sensors) {
+        labels.readings = labels.readings || !sensor.looks.empty();
+        labels.reported = labels.reported || !sensor.poses.empty();
+        labels.scans = labels.scans || !sensor.scans.empty();
+    }
+}
 
 Labels labelsOf(const Log& log) {
     Labels labels;
+    labels.readings = !log.subjects.empty();
+    for (const LogSubject& subject : log.subjects)
+        labels.robot = labels.robot || subject.kind == LogSubject::Kind::robot;
     for (const RobotLog& robot : log.robots) {
         labels.robot = labels.robot || log.robots.size() > 1 || robot.robot != defaultRobot;
         int index = 0;
@@ -42,12 +57,91 @@ Labels labelsOf(const Log& log) {
             labels.trajectory =
                 labels.trajectory || robot.trajectories.size() > 1 || trajectory.name != defaultTrajectory;
             labels.group = labels.group || trajectory.group != index++;
+            addReports(labels, trajectory);
         }
     }
     return labels;
 }
 
-void appendRows(std::string& text, const std::string& prefix, const Trajectory& trajectory) {
+/// The cells of a row that a sensor fills, in the order of the columns; "" where it has none.
+struct ReportCells {
+    std::string_view sensor = {}, subject = {};
+    std::string range = {}, bearing = {};
+    std::array<std::string, 3> reported = {}, scan = {};
+};
+
+void appendCells(std::string& text, const Labels& labels, const ReportCells& cells) {
+    const auto append = [&](std::string_view cell) { text.append(",").append(cell); };
+    if (labels.sensors()) append(cells.sensor);
+    if (labels.readings)
+        for (const std::string_view cell :
+             {cells.subject, std::string_view(cells.range), std::string_view(cells.bearing)})
+            append(cell);
+    if (labels.reported)
+        for (const std::string& cell : cells.reported) append(cell);
+    if (labels.scans)
+        for (const std::string& cell : cells.scan) append(cell);
+    text += '\n';
+}
+
+std::string cell(double number) {
+    std::string text;
+    append(text, number);
+    return text;
+}
+
+std::string rangesText(const std::vector<double>& ranges) {
+    std::string text;
+    for (const double range : ranges) {
+        if (!text.empty()) text += ';';
+        if (std::isfinite(range))
+            append(text, range);
+        else
+            text += "inf";
+    }
+    return text;
+}
+
+void appendReport(std::string& text, const std::string& prefix, const Labels& labels, Nanoseconds time,
+                  const ReportCells& cells) {
+    text += prefix;
+    append(text, time);
+    text += ",,,,,";
+    appendCells(text, labels, cells);
+}
+
+void appendSensor(std::string& text, const std::string& prefix, const Labels& labels, const SensorLog& sensor,
+                  const std::vector<LogSubject>& subjects) {
+    for (const Look& look : sensor.looks) {
+        if (look.readings.empty()) appendReport(text, prefix, labels, look.time, {sensor.sensor});
+        for (const LogReading& reading : look.readings)
+            appendReport(text, prefix, labels, look.time,
+                         {sensor.sensor, subjects[reading.subject].name, cell(reading.range), cell(reading.bearing)});
+    }
+    for (const auto& [time, pose] : sensor.poses)
+        appendReport(text, prefix, labels, time,
+                     {.sensor = sensor.sensor, .reported = {cell(pose.x), cell(pose.y), cell(pose.heading)}});
+    for (const LogScan& scan : sensor.scans)
+        appendReport(text, prefix, labels, scan.time,
+                     {.sensor = sensor.sensor, .scan = {cell(scan.start), cell(scan.step), rangesText(scan.ranges)}});
+}
+
+/// Rows without a time: who or where the subjects are.
+void appendSubjects(std::string& text, const Labels& labels, const std::vector<LogSubject>& subjects) {
+    for (const LogSubject& subject : subjects) {
+        if (labels.robot) text += subject.robot + ',';
+        if (labels.trajectory) text += ',';
+        if (labels.group) text += ',';
+        text += ",,,";
+        if (subject.position) append(text, subject.position->x);
+        text += ',';
+        if (subject.position) append(text, subject.position->y);
+        text += ',';
+        appendCells(text, labels, {.subject = subject.name});
+    }
+}
+
+void appendRows(std::string& text, const std::string& prefix, const Labels& labels, const Trajectory& trajectory) {
     const auto& commands = trajectory.commands;
     const auto& poses = trajectory.poses;
     for (std::size_t c = 0, p = 0; c < commands.size() || p < poses.size();) {
@@ -65,7 +159,7 @@ void appendRows(std::string& text, const std::string& prefix, const Trajectory& 
         if (hasPose) append(text, poses[p].pose.y);
         text += ',';
         if (hasPose) append(text, poses[p].pose.heading);
-        text += '\n';
+        appendCells(text, labels, {});
         c += hasCommand;
         p += hasPose;
     }
@@ -80,14 +174,21 @@ std::string toCsv(const Log& log) {
     if (labels.robot) text += "robot,";
     if (labels.trajectory) text += "trajectory,";
     if (labels.group) text += "group,";
-    text += "t,v_cmd,w_cmd,x,y,heading\n";
+    text += "t,v_cmd,w_cmd,x,y,heading";
+    if (labels.sensors()) text += ",sensor";
+    if (labels.readings) text += ",subject,range,bearing";
+    if (labels.reported) text += ",reported_x,reported_y,reported_heading";
+    if (labels.scans) text += ",scan_start,scan_step,scan";
+    text += '\n';
+    appendSubjects(text, labels, log.subjects);
     for (const RobotLog& robot : log.robots)
         for (const Trajectory& trajectory : robot.trajectories) {
             std::string prefix;
             if (labels.robot) prefix += robot.robot + ',';
             if (labels.trajectory) prefix += trajectory.name + ',';
             if (labels.group) prefix += std::to_string(trajectory.group) + ',';
-            appendRows(text, prefix, trajectory);
+            appendRows(text, prefix, labels, trajectory);
+            for (const SensorLog& sensor : trajectory.sensors) appendSensor(text, prefix, labels, sensor, log.subjects);
         }
     return text;
 }

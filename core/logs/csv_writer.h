@@ -8,8 +8,9 @@
 
 namespace mrose {
 
-/// The log as the text that readCsv reads: commands and poses come back bit for bit, times to the nanosecond. Columns
-/// robot, trajectory and group are there where they say something. Asserts that numbers are finite.
+/// The log as the text that readCsv reads: commands, poses and what sensors reported come back bit for bit, times to
+/// the nanosecond. Columns are there where they say something; commands and poses always. Asserts that numbers are
+/// finite.
 std::string toCsv(const Log& log);
 
 /// Error: what the system says, with an earlier file at `path` untouched.

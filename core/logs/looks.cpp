@@ -33,17 +33,30 @@ int periodsBetween(double before, double after, double period) {
     return std::abs((after - before) / ratio - period) < periodTolerance ? static_cast<int>(ratio) : 1;
 }
 
-/// The first and the last instant of commands and poses.
-std::pair<Nanoseconds, Nanoseconds> spanOf(const Trajectory& trajectory) {
+/// From the first to the last instant of all these samples; nothing: last < first.
+template <class... Samples>
+std::pair<Nanoseconds, Nanoseconds> spanOf(const std::vector<Samples>&... samples) {
     Nanoseconds first = latestTime, last = -latestTime;
-    const auto include = [&](const auto& samples) {
-        if (samples.empty()) return;
-        first = std::min(first, samples.front().time);
-        last = std::max(last, samples.back().time);
+    const auto include = [&](const auto& some) {
+        if (some.empty()) return;
+        first = std::min(first, some.front().time);
+        last = std::max(last, some.back().time);
     };
-    include(trajectory.commands);
-    include(trajectory.poses);
+    (include(samples), ...);
     return {first, last};
+}
+
+std::pair<Nanoseconds, Nanoseconds> reportedSpan(const SensorLog& sensor) {
+    return spanOf(sensor.looks, sensor.poses, sensor.scans);
+}
+
+template <class Sample>
+void sortAndKeepLast(std::vector<Sample>& samples, SensorDefects& defects) {
+    LogDefects found;
+    sortByTime(samples, found);
+    keepLastOfEqualStamps(samples, found);
+    defects.outOfOrder += found.outOfOrder;
+    defects.repeated += found.duplicates;
 }
 
 std::string secondsText(Nanoseconds time) {
@@ -96,15 +109,25 @@ std::string wrongBearing(double bearing) {
     return "expected radians within +-2 pi, found " + numberText(bearing) + ": are these degrees?";
 }
 
+void conditionReported(std::vector<StampedPose>& poses, SensorDefects& defects) {
+    sortAndKeepLast(poses, defects);
+    LogDefects found;
+    unwrapHeadings(poses, found);
+    defects.headingWraps += found.headingWraps;
+}
+
+void conditionReported(std::vector<LogScan>& scans, SensorDefects& defects) { sortAndKeepLast(scans, defects); }
+
 bool sharesTime(const SensorLog& sensor, const Trajectory& trajectory) {
-    if (sensor.looks.empty()) return true;
-    const auto [first, last] = spanOf(trajectory);
-    return sensor.looks.front().time <= last && sensor.looks.back().time >= first;
+    const auto [reportedFirst, reportedLast] = reportedSpan(sensor);
+    const auto [first, last] = spanOf(trajectory.commands, trajectory.poses);
+    return reportedLast < reportedFirst || (reportedFirst <= last && reportedLast >= first);
 }
 
 std::string otherTimeCause(const SensorLog& sensor, const Trajectory& trajectory) {
-    const auto [first, last] = spanOf(trajectory);
-    return "readings from " + secondsText(sensor.looks.front().time) + " to " + secondsText(sensor.looks.back().time) +
+    const auto [reportedFirst, reportedLast] = reportedSpan(sensor);
+    const auto [first, last] = spanOf(trajectory.commands, trajectory.poses);
+    return "readings from " + secondsText(reportedFirst) + " to " + secondsText(reportedLast) +
            " s; expected some within the robot's commands and poses, " + secondsText(first) + " to " +
            secondsText(last) + " s";
 }

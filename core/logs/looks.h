@@ -27,7 +27,11 @@ void addEmptyLooks(std::vector<Look>& looks, double period, SensorDefects& defec
 std::string wrongRange(double range);
 std::string wrongBearing(double bearing);
 
-/// Whether the time from a sensor's first to its last look shares a part with that of the trajectory's commands and
+/// Reported poses and scans: sorted by time (stable), the last of equal stamps kept; headings unwrapped.
+void conditionReported(std::vector<StampedPose>& poses, SensorDefects& defects);
+void conditionReported(std::vector<LogScan>& scans, SensorDefects& defects);
+
+/// Whether the time from a sensor's first to its last report shares a part with that of the trajectory's commands and
 /// poses.
 bool sharesTime(const SensorLog& sensor, const Trajectory& trajectory);
 /// What to say where it does not.

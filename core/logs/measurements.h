@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/point.h"
+#include "logs/stamped_pose.h"
 #include "world/time.h"
 
 namespace mrose {
@@ -34,20 +35,33 @@ struct Look {
     bool operator==(const Look&) const = default;
 };
 
+/// The ranges of one scan, at evenly spaced angles.
+struct LogScan {
+    Nanoseconds time = 0;
+    double start = 0,
+           step = 0;  ///< rad: the first ray's angle, counter-clockwise from the robot's heading; to the next
+    std::vector<double> ranges;  ///< m, not negative; infinite: no echo
+    bool operator==(const LogScan&) const = default;
+};
+
 /// What a reader found in the rows of one sensor and did, so that nothing is hidden.
 struct SensorDefects {
     std::int64_t outOfOrder = 0;       ///< stamps earlier than the one before: sorted
     std::int64_t joinedStamps = 0;     ///< stamps so shortly after another that they are of the same look
-    std::int64_t repeated = 0;         ///< readings of a subject that its look has already: the last one kept
+    std::int64_t repeated = 0;         ///< of a subject in one look, or poses or scans of one stamp: the last one kept
     std::int64_t unknownSubjects = 0;  ///< readings of what the log does not name: dropped, their look kept
     std::int64_t emptyLooks = 0;       ///< looks that no row tells of and that the sensor's clock shows: added
+    std::int64_t headingWraps = 0;     ///< jumps of reported headings by whole turns: unwrapped
     std::int64_t cutLines = 0;         ///< last lines of files that are cut off: dropped
 };
 
-/// What one sensor of a robot reported, on the clock of its trajectory; looks in strictly ascending time.
+/// What one sensor of a robot reported, on the clock of its trajectory; all in strictly ascending time. Most sensors
+/// have but one of the three.
 struct SensorLog {
     std::string sensor;  ///< "camera"
-    std::vector<Look> looks;
+    std::vector<Look> looks = {};
+    std::vector<StampedPose> poses = {};  ///< of the robot, as its own localisation reported them
+    std::vector<LogScan> scans = {};
     SensorDefects defects = {};
 };
 

@@ -104,7 +104,7 @@ Expected<BarcodeSubjects> readSubjects(Log& log, const std::filesystem::path& fo
 }
 
 SensorLog cameraOf(const std::vector<BarcodeReading>& rows, const BarcodeSubjects& subjects, SensorDefects defects) {
-    SensorLog camera{mrclamCamera, {}, defects};
+    SensorLog camera{.sensor = mrclamCamera, .defects = defects};
     std::vector<StampedReading> readings;
     readings.reserve(rows.size());
     for (const BarcodeReading& row : rows) {

@@ -4,17 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "geometry/pose.h"
 #include "logs/measurements.h"
+#include "logs/stamped_pose.h"
 #include "world/command.h"
 #include "world/time.h"
 
 namespace mrose {
-
-struct StampedPose {
-    Nanoseconds time = 0;
-    Pose pose;  ///< heading continuous (unwrapped)
-};
 
 struct StampedVelocity {
     Nanoseconds time = 0;

@@ -11,7 +11,8 @@ namespace {
 
 constexpr Nanoseconds shortTime = truthGap / 2;   // noise is small beside what happens meanwhile
 constexpr double fastest = 50, fastestTurn = 20;  // m/s, rad/s: no mobile robot is
-constexpr double seldom = 0.05;                   // share of the time that trackers may err
+constexpr double farthest = 300;                  // m: no sensor of a mobile robot reports more
+constexpr double seldom = 0.05;                   // share of the time that trackers and sensors may err
 
 /// What is known of neighbouring poses of all robots.
 struct Motion {
@@ -39,6 +40,27 @@ void Motion::add(const std::vector<StampedPose>& poses) {
     }
 }
 
+/// What is known of ranges of all sensors.
+struct Ranges {
+    std::int64_t count = 0, far = 0;
+
+    void add(double range) {
+        if (!std::isfinite(range)) return;
+        ++count;
+        far += range > farthest;
+    }
+    void add(const SensorLog& sensor) {
+        for (const Look& look : sensor.looks)
+            for (const LogReading& reading : look.readings) add(reading.range);
+        for (const LogScan& scan : sensor.scans)
+            for (const double range : scan.ranges) add(range);
+    }
+};
+
+bool isOften(std::int64_t count, std::int64_t all) {
+    return static_cast<double>(count) > seldom * static_cast<double>(all);
+}
+
 std::string shortText(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.3g", value);
@@ -49,22 +71,33 @@ std::string shortText(double value) {
 
 std::vector<std::string> unitDoubts(const Log& log) {
     if (log.format != "csv") return {};
-    Motion motion;
+    Motion motion, reported;
+    Ranges ranges;
     for (const RobotLog& robot : log.robots)
-        for (const Trajectory& trajectory : robot.trajectories) motion.add(trajectory.poses);
+        for (const Trajectory& trajectory : robot.trajectories) {
+            motion.add(trajectory.poses);
+            for (const SensorLog& sensor : trajectory.sensors) {
+                reported.add(sensor.poses);
+                ranges.add(sensor);
+            }
+        }
     std::vector<std::string> doubts;
     if (motion.steps > 0 && motion.far == motion.steps)
         doubts.push_back("The poses of the log are " + shortText(motion.seconds / static_cast<double>(motion.steps)) +
                          " s apart, so that no rollout can be compared: times are expected in seconds.");
-    const auto often = [&](std::int64_t count) {
-        return static_cast<double>(count) > seldom * static_cast<double>(motion.spans);
-    };
-    if (often(motion.fast))
+    if (isOften(motion.fast, motion.spans))
         doubts.push_back("The real robots would drive at more than " + shortText(fastest) +
                          " m/s: positions are expected in metres, times in seconds.");
-    if (often(motion.fastTurns))
+    if (isOften(motion.fastTurns, motion.spans))
         doubts.push_back("The real robots would turn by more than " + shortText(fastestTurn) +
                          " rad/s: headings are expected in radians, not in degrees.");
+    if (isOften(reported.fast, reported.spans) || isOften(reported.fastTurns, reported.spans))
+        doubts.push_back("By the poses that they reported, the real robots would drive at more than " +
+                         shortText(fastest) + " m/s or turn by more than " + shortText(fastestTurn) +
+                         " rad/s: metres, seconds and radians are expected.");
+    if (isOften(ranges.far, ranges.count))
+        doubts.push_back("The sensors would report what is more than " + shortText(farthest) +
+                         " m away: ranges are expected in metres, not in millimetres.");
     return doubts;
 }
 

@@ -21,6 +21,21 @@ void requireAscending(const std::vector<Sample>& samples) {
     for (std::size_t i = 1; i < samples.size(); ++i) require(samples[i - 1].time < samples[i].time);
 }
 
+void requireSound(const SensorLog& sensor, std::size_t subjects) {
+    requireAscending(sensor.looks);
+    requireAscending(sensor.poses);
+    requireAscending(sensor.scans);
+    for (const Look& look : sensor.looks)
+        for (const LogReading& reading : look.readings)
+            require(reading.subject < subjects && std::isfinite(reading.range) && std::isfinite(reading.bearing));
+    for (const StampedPose& sample : sensor.poses)
+        require(std::isfinite(sample.pose.x) && std::isfinite(sample.pose.heading));
+    for (const LogScan& scan : sensor.scans) {
+        require(std::isfinite(scan.start) && std::isfinite(scan.step));
+        for (const double range : scan.ranges) require(range >= 0);
+    }
+}
+
 void requireSound(const Trajectory& trajectory) {
     requireAscending(trajectory.commands);
     requireAscending(trajectory.poses);
@@ -36,7 +51,10 @@ void requireSound(const Trajectory& trajectory) {
 void requireSound(const Expected<Log>& log) {
     if (!log) return requireOneLine(log.error());
     for (const RobotLog& robot : log->robots)
-        for (const Trajectory& trajectory : robot.trajectories) requireSound(trajectory);
+        for (const Trajectory& trajectory : robot.trajectories) {
+            requireSound(trajectory);
+            for (const SensorLog& sensor : trajectory.sensors) requireSound(sensor, log->subjects.size());
+        }
 }
 
 /// One stream of rows, conditioned.

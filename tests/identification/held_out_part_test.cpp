@@ -179,6 +179,53 @@ TEST(MotionSamplesOfContinuedWindows, WhatIsLearnedFromReadsNothingOfTheFoldThat
     EXPECT_EQ(whole, 4 * 32 - 32 - 14);
 }
 
+/// A long trajectory with a sensor of each kind, which report every 100 ms.
+Log reportingLog(double seconds) {
+    Trajectory trajectory{.name = "whole"};
+    SensorLog sensor{.sensor = "all"};
+    for (Nanoseconds t = 0; t <= fromSeconds(seconds); t += 100 * ms) {
+        trajectory.commands.push_back({t, {0.1, 0}});
+        trajectory.poses.push_back({t, {0.1 * toSeconds(t), 0, 0}});
+        sensor.looks.push_back({t, {}});
+        sensor.poses.push_back({t, {}});
+        sensor.scans.push_back({t, 0, 0, {1}});
+    }
+    trajectory.sensors = {sensor};
+    Log log;
+    log.robots.push_back({"1", {trajectory}, {}});
+    return log;
+}
+
+TEST(HeldOutTime, EachReportOfASensorIsInOnePartOrInAGuard) {
+    const Log log = reportingLog(400);
+    const HoldOut fourth{4, 1, 25, 2};
+    const auto learned = partOf(log, fourth, LogPart::learned), heldOut = partOf(log, fourth, LogPart::heldOut);
+    ASSERT_TRUE(learned && heldOut);
+    const auto blocks = heldOutBlocks(log.robots[0].trajectories[0], fourth);
+    ASSERT_EQ(blocks.size(), 4u);
+    const auto timesIn = [](const Log& part, auto samples) {
+        std::set<Nanoseconds> times;
+        for (const Trajectory& trajectory : part.robots[0].trajectories)
+            for (const auto& sample : trajectory.sensors.at(0).*samples) EXPECT_TRUE(times.insert(sample.time).second);
+        return times;
+    };
+    const auto check = [&](auto samples) {
+        const auto known = timesIn(*learned, samples), held = timesIn(*heldOut, samples);
+        for (Nanoseconds t = 0; t <= 400 * second; t += 100 * ms) {
+            bool inBlock = false, guarded = false;
+            for (const auto& [begin, end] : blocks) {
+                inBlock = inBlock || (t >= begin && t < end);
+                guarded = guarded || (t > begin - 2 * second && t < end + 2 * second);
+            }
+            EXPECT_EQ(held.contains(t), inBlock) << t;
+            EXPECT_EQ(known.contains(t), !guarded) << t;
+        }
+    };
+    check(&SensorLog::looks);
+    check(&SensorLog::poses);
+    check(&SensorLog::scans);
+}
+
 TEST(HeldOutGroups, LearnedPartHasNoDataOfTheirTime) {
     const Log log = continuedWindows(12);  // of the groups 0 to 5
     const auto learned = partOf(log, {3, 1}, LogPart::learned);

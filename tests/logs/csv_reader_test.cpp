@@ -153,7 +153,8 @@ TEST(CsvReader, DefectsAreCounted) {
 TEST(CsvReader, EachErrorIsOneLineWithFileLineAndKey) {
     EXPECT_EQ(messageOf(""), "l.csv: is empty; expected a header line");
     EXPECT_EQ(messageOf("# c\nt,v_cmd,speed\n"),
-              "l.csv:2: 'speed': unknown column; known are v_cmd, w_cmd, x, y, heading, t, robot, trajectory, group");
+              "l.csv:2: 'speed': unknown column; known are v_cmd, w_cmd, x, y, heading, t, robot, trajectory, group, "
+              "sensor, subject, range, bearing, reported_x, reported_y, reported_heading, scan_start, scan_step, scan");
     EXPECT_EQ(messageOf("t,x,x\n1,2,3\n"), "l.csv:1: x: column named twice");
     EXPECT_EQ(messageOf("v_cmd,w_cmd\n1,2\n1,2\n"), "l.csv:1: t: column missing from the header");
     EXPECT_EQ(messageOf("t,v_cmd,w_cmd\n1,2,3\n"), "l.csv: too short: 1 row; expected at least 2");

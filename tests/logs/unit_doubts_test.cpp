@@ -56,6 +56,23 @@ TEST(UnitDoubts, PositionsInMillimetres) {
                 ElementsAre(HasSubstr("in metres")));
 }
 
+TEST(UnitDoubts, RangesInMillimetresAndReportedHeadingsInDegrees) {
+    const auto reporting = [](double range, double turn) {
+        Log log = circle([](StampedPose&) {});
+        SensorLog sensor{.sensor = "all"};
+        for (int i = 0; i < 600; ++i) {
+            sensor.looks.push_back({i * 100 * ms, {{0, range * (i % 9 + 1), 0}}});
+            sensor.scans.push_back({i * 100 * ms, 0, 0, {INFINITY}});
+            sensor.poses.push_back({i * 100 * ms, {0, 0, turn * i}});
+        }
+        log.robots[0].trajectories[0].sensors = {sensor};
+        return unitDoubts(log);
+    };
+    EXPECT_THAT(reporting(1, 0.1), IsEmpty());
+    EXPECT_THAT(reporting(1000, 0.1), ElementsAre(HasSubstr("not in millimetres")));
+    EXPECT_THAT(reporting(1, 3), ElementsAre(HasSubstr("By the poses that they reported")));
+}
+
 TEST(UnitDoubts, TrackerThatJumpsNowAndThenIsLeftAlone) {
     int count = 0;
     EXPECT_THAT(unitDoubts(circle([&](StampedPose& stamped) {
