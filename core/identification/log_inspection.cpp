@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "learning/parallel_for.h"
+
 namespace mrose {
 namespace {
 
@@ -42,10 +44,18 @@ void MeasuredRange::add(double x) {
 double RobotInspection::commandRate() const { return rate(commands, trajectories, commandTime); }
 double RobotInspection::poseRate() const { return rate(poses, trajectories, poseTime); }
 
+bool LogInspection::hasMeasurements() const {
+    return std::any_of(robots.begin(), robots.end(),
+                       [](const RobotInspection& robot) { return !robot.sensors.empty(); });
+}
+
 LogInspection inspect(const Log& log) {
     LogInspection found{log.source, log.format, log.synthetic, log.files, log.incomplete, {}};
     const std::vector<DeadTimes> delays = identifyEachDeadTime(log);
     for (std::size_t i = 0; i < log.robots.size(); ++i) found.robots.push_back(inspectRobot(log.robots[i], delays[i]));
+    found.measurementFiles = log.measurementFiles;
+    parallelFor(log.robots.size(),
+                [&](std::size_t i) { found.robots[i].sensors = inspectSensors(log, log.robots[i]); });
     return found;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "identification/dead_time.h"
+#include "identification/sensor_inspection.h"
 #include "logs/robot_log.h"
 
 namespace mrose {
@@ -26,6 +27,7 @@ struct RobotInspection {
     MeasuredRange x, y;                    ///< of the poses, m
     LogDefects defects;
     DeadTimes delays;
+    std::vector<SensorInspection> sensors = {};
 
     double commandRate() const;  ///< Hz; 0 where it has none
     double poseRate() const;
@@ -38,9 +40,12 @@ struct LogInspection {
     std::vector<LogFile> files;
     std::vector<std::string> incomplete;  ///< as Log::incomplete
     std::vector<RobotInspection> robots;
+    std::vector<LogFile> measurementFiles = {};  ///< as Log::measurementFiles
+
+    bool hasMeasurements() const;
 };
 
-/// Counts, and identifies each robot's dead times.
+/// Counts, and identifies each robot's dead times and how late its sensors are; on all processors.
 LogInspection inspect(const Log& log);
 
 /// One of the counts of what a reader found and did, with its name in files and its words.

@@ -28,11 +28,63 @@ Printed printed(const ChannelDelay& c) {
             {"quality", c.quality()}};
 }
 
+Printed printed(const SensorLateness& lateness) {
+    if (!lateness.identified) return {{"identified", false}, {"reason", lateness.reason}};
+    return {{"identified", true}, {"lateness_s", lateness.lateness}, {"lateness_error_s", lateness.error}};
+}
+
+Printed printed(const SensorChange& change) {
+    Printed json{{"quantity", change.bearing ? "bearing" : "range"},
+                 {"trajectory", change.trajectory},
+                 {"begin_s", change.begin},
+                 {"end_s", change.end},
+                 {change.bearing ? "offset_rad" : "offset_share", change.offset},
+                 {change.bearing ? "offset_error_rad" : "offset_error_share", change.error},
+                 {"cause", change.cause == SensorChange::Cause::truth    ? "ground truth"
+                           : change.cause == SensorChange::Cause::sensor ? "sensor"
+                                                                         : "unknown"}};
+    if (change.headingError > 0) {
+        json["heading_offset_rad"] = change.headingOffset;
+        json["heading_offset_error_rad"] = change.headingError;
+    }
+    return json;
+}
+
+Printed printed(const SensorInspection& sensor) {
+    Printed defects, changes = Printed::array();
+    for (const SensorDefectCount& count : sensorDefectCounts()) defects[count.key] = sensor.defects.*count.count;
+    for (const SensorChange& change : sensor.changes) changes.push_back(printed(change));
+    Printed json{{"sensor", sensor.sensor},
+                 {"looks", sensor.looks},
+                 {"looks_with_readings", sensor.seeingLooks},
+                 {"readings", sensor.readings},
+                 {"subjects", sensor.subjects},
+                 {"landmark_readings", sensor.landmarkReadings},
+                 {"poses", sensor.poses},
+                 {"scans", sensor.scans},
+                 {"period_s", sensor.period > 0 ? Printed(sensor.period) : Printed(nullptr)},
+                 {"period_spread_s", sensor.period > 0 ? Printed(sensor.periodSpread) : Printed(nullptr)},
+                 {"lateness", printed(sensor.lateness)},
+                 {"defects", defects},
+                 {"changes", changes},
+                 {"truth", nullptr}};
+    if (sensor.known > 0)
+        json["truth"] = {{"readings", sensor.known},
+                         {"gross", sensor.gross},
+                         {"range_offset_m", sensor.rangeOffset},
+                         {"range_spread_m", sensor.rangeSpread},
+                         {"bearing_offset_rad", sensor.bearingOffset},
+                         {"bearing_spread_rad", sensor.bearingSpread}};
+    return json;
+}
+
 Printed printed(const RobotInspection& robot) {
     Printed defects;
     for (const DefectCount& count : defectCounts()) defects[count.key] = robot.defects.*count.count;
     defects["longest_command_gap_s"] = robot.defects.longestCommandGap;
     defects["longest_pose_gap_s"] = robot.defects.longestPoseGap;
+    Printed sensors = Printed::array();
+    for (const SensorInspection& sensor : robot.sensors) sensors.push_back(printed(sensor));
     return {{"robot", robot.robot},
             {"trajectories", robot.trajectories},
             {"commands",
@@ -48,6 +100,7 @@ Printed printed(const RobotInspection& robot) {
               {"x_m", printed(robot.x)},
               {"y_m", printed(robot.y)}}},
             {"defects", defects},
+            {"sensors", sensors},
             {"delays", {{"v", printed(robot.delays.v)}, {"w", printed(robot.delays.w)}}}};
 }
 
@@ -59,6 +112,8 @@ std::string inspectionJson(const LogInspection& inspection) {
                  {"synthetic", inspection.synthetic},
                  {"incomplete", inspection.incomplete}};
     for (const LogFile& file : inspection.files) json["files"].push_back({{"path", file.path}, {"xxh3", file.hash}});
+    for (const LogFile& file : inspection.measurementFiles)
+        json["measurement_files"].push_back({{"path", file.path}, {"xxh3", file.hash}});
     for (const RobotInspection& robot : inspection.robots) json["robots"].push_back(printed(robot));
     return json.dump(2);
 }

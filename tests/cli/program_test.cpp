@@ -246,6 +246,32 @@ TEST_F(Program, InspectReportsWhatItDropped) {
     EXPECT_EQ(json["robots"][0]["defects"]["unpaired"], 1);
 }
 
+TEST_F(Program, InspectSaysWhatSensorsReported) {
+    const std::string without = write("without.csv", "t,v_cmd,w_cmd\n0,1,0\n1,1,0\n2,1,0\n");
+    EXPECT_NE(runMrose({"inspect", without}).out.find("\nThe log holds no measurements: "), std::string::npos);
+    EXPECT_EQ(Json::parse(runMrose({"inspect", without, "--json"}).out)["robots"][0]["sensors"], Json::array());
+    const std::string with = write("with.csv",
+                                   "t,v_cmd,w_cmd,sensor,subject,range,bearing\n"
+                                   "0,1,0,,,,\n0.1,,,camera,6,1,0\n0.4,,,camera,,,\n0.7,,,camera,6,1,0\n"
+                                   "0.701,,,camera,7,1,0\n2,1,0,,,,\n");
+    const std::string text = runMrose({"inspect", with}).out;
+    EXPECT_EQ(text.find("no measurements"), std::string::npos);
+    EXPECT_NE(
+        text.find("\n  camera    3 looks, 1 of them empty; 3 readings of 2 subjects (100 % landmarks), 1.5 a look\n"),
+        std::string::npos)
+        << text;
+    EXPECT_NE(text.find("every 0.300 ± 0.000 s; lateness not identified: no ground truth\n"), std::string::npos)
+        << text;
+    EXPECT_NE(text.find("found     1 stamp shortly after another, taken for one look\n"), std::string::npos) << text;
+    const Json camera = Json::parse(runMrose({"inspect", with, "--json"}).out)["robots"][0]["sensors"][0];
+    EXPECT_EQ(camera["sensor"], "camera");
+    EXPECT_EQ(camera["looks"], 3);
+    EXPECT_EQ(camera["lateness"]["reason"], "no ground truth");
+    EXPECT_EQ(camera["defects"]["joined_stamps"], 1);
+    EXPECT_EQ(camera["changes"], Json::array());
+    EXPECT_TRUE(camera["truth"].is_null());
+}
+
 TEST_F(Program, PredictWritesARowForEachWindowAndStep) {
     const std::string out = path("predicted.csv");
     const ProgramResult result =

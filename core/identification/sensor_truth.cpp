@@ -1,0 +1,167 @@
+#include "identification/sensor_truth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+
+#include "geometry/pose.h"
+#include "logs/pose_grid.h"
+
+namespace mrose {
+namespace {
+
+constexpr Nanoseconds misfitBlock = 10 * nanosecondsPerSecond;
+constexpr double absent = std::numeric_limits<double>::quiet_NaN();
+
+const Trajectory* trajectoryBeside(const Trajectory& own, const Log& log, const std::string& robot) {
+    for (const RobotLog& other : log.robots) {
+        if (other.robot != robot) continue;
+        for (const Trajectory& trajectory : other.trajectories)
+            if (trajectory.name == own.name) return &trajectory;
+        return other.trajectories.size() == 1 ? &other.trajectories.front() : nullptr;
+    }
+    return nullptr;
+}
+
+std::optional<Pose> poseAt(const Trajectory& trajectory, Nanoseconds time) {
+    if (!truthIsKnown(trajectory.poses, time)) return std::nullopt;
+    return truthAt(trajectory.poses, time);
+}
+
+/// Blocks of 10 s, numbered through all trajectories.
+class BlockNumbers {
+public:
+    std::int32_t of(std::size_t trajectory, Nanoseconds time) {
+        if (trajectory != trajectory_) trajectory_ = trajectory, start_ = time, first_ = last_ + 1;
+        last_ = first_ + static_cast<std::int32_t>((time - start_) / misfitBlock);
+        return last_;
+    }
+
+private:
+    std::size_t trajectory_ = std::numeric_limits<std::size_t>::max();
+    Nanoseconds start_ = 0;
+    std::int32_t first_ = 0, last_ = -1;
+};
+
+void addKnown(std::vector<KnownReading>& known, const Log& log, const Trajectory& trajectory, std::size_t index,
+              const Look& look) {
+    for (const LogReading& reading : look.readings) {
+        const LogSubject& subject = log.subjects[reading.subject];
+        KnownReading found{index, look.time, reading, &trajectory, nullptr, {}};
+        if (subject.position)
+            found.landmark = *subject.position;
+        else if (subject.kind == LogSubject::Kind::robot)
+            found.subject = trajectoryBeside(trajectory, log, subject.robot);
+        if ((subject.position || found.subject != nullptr) && misfitOf(found, 0)) known.push_back(found);
+    }
+}
+
+/// Two poses of one localisation, about a second apart.
+struct ReportedStep {
+    const Trajectory* trajectory = nullptr;
+    Nanoseconds begin = 0, end = 0;
+    Pose moved;
+};
+
+void addSteps(std::vector<ReportedStep>& steps, LateMisfits& misfits, BlockNumbers& blocks, std::size_t index,
+              const Trajectory& trajectory, const std::vector<StampedPose>& poses) {
+    constexpr Nanoseconds shortest = nanosecondsPerSecond, longest = 2 * nanosecondsPerSecond;
+    for (std::size_t i = 0, j = 0; i < poses.size(); ++i) {
+        while (j < poses.size() && poses[j].time - poses[i].time < shortest) ++j;
+        if (j == poses.size()) return;
+        if (poses[j].time - poses[i].time > longest) continue;
+        steps.push_back({&trajectory, poses[i].time, poses[j].time, relative(poses[i].pose, poses[j].pose)});
+        for (const std::int32_t kind : {0, 1}) {
+            misfits.kinds.push_back(kind);
+            misfits.blocks.push_back(blocks.of(index, poses[i].time));
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<KnownReading> knownReadings(const Log& log, const RobotLog& robot, const std::string& sensor) {
+    std::vector<KnownReading> known;
+    for (std::size_t index = 0; index < robot.trajectories.size(); ++index)
+        for (const SensorLog& own : robot.trajectories[index].sensors)
+            if (own.sensor == sensor)
+                for (const Look& look : own.looks) addKnown(known, log, robot.trajectories[index], index, look);
+    return known;
+}
+
+std::optional<ReadingMisfit> misfitOf(const KnownReading& known, double lateness) {
+    const Nanoseconds time = known.time - fromSeconds(lateness);
+    const auto pose = poseAt(*known.robot, time);
+    if (!pose) return std::nullopt;
+    Point place = known.landmark;
+    if (known.subject != nullptr) {
+        const auto other = poseAt(*known.subject, time);
+        if (!other) return std::nullopt;
+        place = position(*other);
+    }
+    const Point way = place - position(*pose);
+    return ReadingMisfit{known.reading.range - length(way),
+                         wrapAngle(known.reading.bearing - (direction(way) - pose->heading))};
+}
+
+LateMisfits bearingMisfits(const std::vector<KnownReading>& readings) {
+    LateMisfits misfits;
+    BlockNumbers blocks;
+    for (const KnownReading& known : readings) misfits.blocks.push_back(blocks.of(known.trajectory, known.time));
+    misfits.kinds.resize(readings.size());
+    misfits.at = [&readings](double lateness) {
+        std::vector<double> values;
+        values.reserve(readings.size());
+        for (const KnownReading& known : readings) {
+            const auto misfit = misfitOf(known, lateness);
+            values.push_back(misfit ? misfit->bearing : absent);
+        }
+        return values;
+    };
+    return misfits;
+}
+
+LateMisfits motionMisfits(const RobotLog& robot, const std::string& sensor) {
+    LateMisfits misfits;
+    BlockNumbers blocks;
+    const auto steps = std::make_shared<std::vector<ReportedStep>>();
+    for (std::size_t index = 0; index < robot.trajectories.size(); ++index)
+        for (const SensorLog& own : robot.trajectories[index].sensors)
+            if (own.sensor == sensor) addSteps(*steps, misfits, blocks, index, robot.trajectories[index], own.poses);
+    misfits.at = [steps](double lateness) {
+        std::vector<double> values;
+        values.reserve(2 * steps->size());
+        for (const ReportedStep& step : *steps) {
+            const auto from = poseAt(*step.trajectory, step.begin - fromSeconds(lateness));
+            const auto to = poseAt(*step.trajectory, step.end - fromSeconds(lateness));
+            const Pose moved = from && to ? relative(*from, *to) : Pose{absent, absent, absent};
+            values.push_back(step.moved.heading - moved.heading);
+            values.push_back(step.moved.x - moved.x);
+        }
+        return values;
+    };
+    return misfits;
+}
+
+std::vector<StampedMisfit> courseMisfits(const std::vector<StampedPose>& poses) {
+    constexpr Nanoseconds half = nanosecondsPerSecond / 2;
+    constexpr double shortestWay = 0.05, largestTurn = 0.2;  // m, rad
+    std::vector<StampedMisfit> misfits;
+    if (poses.empty()) return misfits;
+    for (Nanoseconds time = poses.front().time + half; time + half < poses.back().time; time += half) {
+        if (!truthIsKnown(poses, time - half) || !truthIsKnown(poses, time) || !truthIsKnown(poses, time + half))
+            continue;
+        const Pose from = truthAt(poses, time - half), to = truthAt(poses, time + half);
+        const Point way = position(to) - position(from);
+        if (length(way) < shortestWay || std::abs(to.heading - from.heading) > largestTurn) continue;
+        // Of an arc, the chord's direction is that of the heading half way.
+        double off = wrapAngle(direction(way) - truthAt(poses, time).heading);
+        if (std::abs(off) > std::numbers::pi / 2) off = wrapAngle(off + std::numbers::pi);
+        misfits.push_back({time, off});
+    }
+    return misfits;
+}
+
+}  // namespace mrose

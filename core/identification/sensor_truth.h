@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "identification/level_changes.h"
+#include "identification/sensor_lateness.h"
+#include "logs/robot_log.h"
+
+namespace mrose {
+
+/// A reading of a subject of which the ground truth shows where it was.
+struct KnownReading {
+    std::size_t trajectory = 0;  ///< of the robot
+    Nanoseconds time = 0;
+    LogReading reading;
+    const Trajectory* robot = nullptr;    ///< where its truth is
+    const Trajectory* subject = nullptr;  ///< likewise of another robot; nullptr: a landmark
+    Point landmark;
+};
+
+/// A sensor's readings that have ground truth at their stamps, in ascending time within each trajectory. They point
+/// into the log. Truth of a robot that is reported is that of its trajectory of the same name, or of its only one.
+std::vector<KnownReading> knownReadings(const Log& log, const RobotLog& robot, const std::string& sensor);
+
+/// What was reported less the true geometry a lateness [s] before the stamp; nullopt without truth at that instant.
+struct ReadingMisfit {
+    double range = 0, bearing = 0;  ///< m; rad, within a half turn
+};
+std::optional<ReadingMisfit> misfitOf(const KnownReading& known, double lateness);
+
+/// The bearings' misfits.
+LateMisfits bearingMisfits(const std::vector<KnownReading>& readings);
+
+/// Of poses that the robot's localisation reported: how it moved forward and turned from each to one about a second
+/// later, less what the truth says. No frame enters, nor a drift.
+LateMisfits motionMisfits(const RobotLog& robot, const std::string& sensor);
+
+/// How the direction in which a robot moves differs from its tracked heading while it drives, every 0.5 s; a half turn
+/// is left out, for it may drive backwards. It is the tracker's error where the robot cannot slip aside.
+std::vector<StampedMisfit> courseMisfits(const std::vector<StampedPose>& poses);
+
+}  // namespace mrose
