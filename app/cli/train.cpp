@@ -27,11 +27,10 @@ struct TrainFlags {
         const auto take = [](int given, int& option) {
             if (given > 0) option = given;
         };
-        take(request.members, training.members);
+        take(request.patience, training.patience);
         for (SensorHalfOptions* half : {&training.reported, &training.error}) {
             take(request.hidden, half->hidden);
             take(request.epochs, half->epochs);
-            take(request.patience, half->patience);
         }
         training.seed = common.seed;
         whole.overwrite = common.overwrite;
@@ -245,10 +244,8 @@ private:
     int shown_ = -1;
 };
 
-void printSensor(const TrainedSensor& trained, const std::string& file, double seconds) {
-    const SensorNetwork& n = trained.network;
-    std::printf("%s%s: %s of \"%s\", %d inputs; learned from %lld looks with %lld readings in %s\n", file.c_str(),
-                trained.cancelled ? " (interrupted: what was learned so far)" : "",
+void printSensor(const SensorNetwork& n, const std::string& file, double seconds) {
+    std::printf("%s: %s of \"%s\", %d inputs; learned from %lld looks with %lld readings in %s\n", file.c_str(),
                 std::string(nameOf(familyOf(n.learned.regressor))).c_str(), n.sensor.c_str(),
                 static_cast<int>(n.learned.inputs.size()), static_cast<long long>(n.heldOut.looks),
                 static_cast<long long>(n.heldOut.readings), durationText(seconds).c_str());
@@ -265,7 +262,7 @@ int runTrainSensor(const TrainSensorRequest& request, const CommonFlags& common)
     if (!trained) return report(trained.error());
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
     printSensor(*trained, request.output, spent.count());
-    return trained->cancelled ? interruptedStatus() : success;
+    return success;
 }
 
 }  // namespace

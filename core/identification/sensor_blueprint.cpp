@@ -92,18 +92,14 @@ std::vector<NetworkVariable> sensorInputsFor(const SensorNetwork& network, const
 }
 
 bool isReadForErrors(std::string_view input) {
-    static const std::string mask = std::getenv("MASK") ? std::getenv("MASK") : "";
-    if (mask == "A")
-        return input != "nearness" && input != "view_edge" && input != "clearance" && input != "log_separation" &&
-               input != "log_nearer_separation" && input != "others_in_view" && input != "unknown_robots";
-    if (mask == "B")
-        return input != "nearness" && input != "view_edge" && input != "log_separation" &&
-               input != "log_nearer_separation" && input != "others_in_view" && input != "unknown_robots";
-    if (mask == "C") return input != "others_in_view" && input != "unknown_robots";
-    return true;
+    constexpr std::string_view others[] = {
+        "nearness",       "view_edge",     "clearance", "log_separation", "log_nearer_separation",
+        "others_in_view", "unknown_robots"};
+    return std::ranges::find(others, input) == std::end(others);
 }
 
-LookupTable sensorTableFor(const std::vector<NetworkVariable>& inputs, const SensorNetwork& network, int outputs) {
+LookupTable sensorTableFor(const std::vector<NetworkVariable>& inputs, const SensorNetwork& network, SensorHalf half,
+                           int outputs) {
     const Axes axes(inputs);
     LookupTable table{static_cast<int>(inputs.size()), outputs, {}};
     const auto add = [&](std::vector<LookupTable::Axis> of) {
@@ -131,6 +127,7 @@ LookupTable sensorTableFor(const std::vector<NetworkVariable>& inputs, const Sen
             add({axes.at(robotInput(robot), {0, 1}), axes.even("range", 0, far, 1.5),
                  axes.even("bearing", -wide, wide, 10 * degree)});
     add({axes.even("rotation", -0.6, 0.6, 0.15)});
+    if (half == SensorHalf::error) return table;
     add({axes.even("clearance", -SensedState::hidden, SensedState::clear, 0.05)});
     add({axes.at("log_separation", {-5, -4, -3.5, -3, -2.5, -2, -1.5, -0.5})});
     add({axes.at("log_nearer_separation", {-5, -4, -3.5, -3, -2.5, -2, -1.5, -0.5})});

@@ -7,17 +7,16 @@
 #include "geometry/normal_distribution.h"
 #include "identification/likelihood_objective.h"
 #include "identification/reading_noise_fit.h"
+#include "identification/robust_statistics.h"
 #include "identification/sensor_blueprint.h"
 #include "identification/tree_growing.h"
-#include "learning/ensemble.h"
 #include "learning/initial_weights.h"
 #include "perception/learned_sensor.h"
 
 namespace mrose {
 namespace {
 
-/// Both halves of what is learned: whether there is a reading, of all cases; its error, of those with one.
-enum class Half { reported, error };
+using Half = SensorHalf;
 
 constexpr std::size_t fewestReadings = 200;
 
@@ -38,29 +37,42 @@ public:
         for (const SensorLook& look : samples.looks)
             for (std::size_t i = 0; i < look.count; ++i) {
                 robots_.push_back(look.robot);
-                folds_.push_back(look.block % options.members);
+                folds_.push_back(look.block % options.folds);
                 unknown_.push_back(look.unknown);
             }
     }
 
-    /// One member of one half, by its fold; its validation error is added to `score`.
-    Regressor learn(Half half, int fold, double& score, std::int64_t& count) {
-        const Patterns learned = patternsOf(half, [&](int of) { return of != fold || options_.members == 1; });
+    /// How one fold was predicted by what was learned from the others.
+    struct FoldScore {
+        double loss = 0;  ///< mean
+        std::size_t cases = 0;
+        int epochs = 0;  ///< after which that was
+    };
+    FoldScore validate(Half half, int fold) {
+        const Patterns learned = patternsOf(half, [&](int of) { return of != fold; });
         const Patterns heldOut = patternsOf(half, [&](int of) { return of == fold; });
-        Regressor regressor;
-        double error = 0;
+        FoldScore score{0, heldOut.cases.size(), 0};
         if (options_.family == RegressorFamily::trees)
-            regressor = grow(half, learned, heldOut, fold, error);
+            score.loss = meanLoss(grow(half, learned), heldOut, half);
         else
-            regressor = fit(half, learned, heldOut, fold, error);
-        score -= error * static_cast<double>(heldOut.cases.size());
-        count += static_cast<std::int64_t>(heldOut.cases.size());
-        return regressor;
+            fit(half, learned, heldOut, score);
+        return score;
     }
 
-    bool enough(int fold) const {
-        const Patterns heldOut = patternsOf(Half::error, [&](int of) { return of == fold; });
-        return heldOut.cases.size() >= fewestReadings / 10;
+    /// From all samples.
+    Regressor learn(Half half, int epochs) {
+        const Patterns all = patternsOf(half, [](int) { return true; });
+        if (options_.family == RegressorFamily::trees) return grow(half, all);
+        FoldScore fixed{0, 0, epochs};
+        return fit(half, all, all, fixed);
+    }
+
+    /// Whether each fold has something to be judged by.
+    bool enough() const {
+        std::vector<std::size_t> readings(static_cast<std::size_t>(options_.folds));
+        for (std::size_t i = 0; i < folds_.size(); ++i)
+            readings[static_cast<std::size_t>(folds_[i])] += samples_.cases[i].reported && !unknown_[i];
+        return *std::ranges::min_element(readings) >= fewestReadings / 10;
     }
     std::int64_t epochs() const { return epochs_; }
 
@@ -109,33 +121,32 @@ private:
             };
     }
 
-    Regressor fit(Half half, const Patterns& learnedFrom, const Patterns& heldOutFrom, int fold, double& error) {
-        Patterns learned = learnedFrom, heldOut = heldOutFrom;
+    /// With score.epochs as many as that, otherwise as many as predict best what is held out.
+    Regressor fit(Half half, Patterns learned, Patterns heldOut, FoldScore& score) {
         setLoss(half, learned);
         setLoss(half, heldOut);
         const SensorHalfOptions& how = half == Half::reported ? options_.reported : options_.error;
         TrainingOptions training;
         training.rprop.firstStep = 0.01;
         training.rprop.largestStep = 1;
-        training.epochs = how.epochs;
-        training.patience = how.patience;
-        training.validateEvery = 10;
+        training.epochs = score.epochs > 0 ? score.epochs : how.epochs;
+        training.patience = options_.patience;
+        training.validateEvery = score.epochs > 0 ? score.epochs : 20;
         const int outputs = static_cast<int>(learned.data.outputs.size());
         if (options_.family == RegressorFamily::network) {
             training.weightDecay = how.weightDecay;
             NetworkLikelihood objective(learned.data, heldOut.data, how.hidden);
-            const MlpShape shape = objective.engine()->shape();
-            const std::uint64_t seed =
-                options_.seed * 1000 + static_cast<std::uint64_t>(2 * fold) + static_cast<std::uint64_t>(half);
-            Mlp network = randomMlp(shape, {.seed = seed, .hiddenScale = 1.5, .outputScale = 0.3});
+            const std::uint64_t seed = 2 * options_.seed + static_cast<std::uint64_t>(half);
+            Mlp network =
+                randomMlp(objective.engine()->shape(), {.seed = seed, .hiddenScale = 1.5, .outputScale = 0.3});
             forgetUnread(half, network);
-            network.parameters = trained(objective, network.parameters, training, error);
+            network.parameters = trained(objective, network.parameters, training, score);
             return network;
         }
-        LookupTable table = sensorTableFor(network_.learned.inputs, network_, outputs);
+        LookupTable table = sensorTableFor(network_.learned.inputs, network_, half, outputs);
         TableLikelihood objective(learned.data, heldOut.data, table, options_.roughness);
         const std::vector<float> values =
-            trained(objective, std::vector<float>(objective.parameterCount()), training, error);
+            trained(objective, std::vector<float>(objective.parameterCount()), training, score);
         const float* from = values.data();
         for (LookupTable::Grid& grid : table.grids) {
             std::copy_n(from, grid.values.size(), grid.values.begin());
@@ -154,23 +165,20 @@ private:
     }
 
     std::vector<float> trained(TrainingObjective& objective, const std::vector<float>& first,
-                               const TrainingOptions& training, double& error) {
+                               const TrainingOptions& training, FoldScore& score) {
         const TrainingResult result = train(objective, first, training);
-        error = result.validationError;
+        score.loss = result.validationError;
+        score.epochs = result.bestEpoch;
         epochs_ += result.epochs;
         return result.parameters.empty() ? first : result.parameters;
     }
 
-    Regressor grow(Half half, const Patterns& learned, const Patterns& heldOutFrom, int fold, double& error) {
+    DecisionTrees grow(Half half, const Patterns& learned) const {
         TreeOptions growing;
         growing.trees = options_.trees;
-        growing.seed = options_.seed * 1000 + static_cast<std::uint64_t>(2 * fold) + static_cast<std::uint64_t>(half);
-        const DecisionTrees trees = half == Half::reported ? growReportTrees(learned.data, reportsOf(learned), growing)
-                                                           : growErrorTrees(learned.data, errorsOf(learned), growing);
-        Patterns heldOut = heldOutFrom;
-        setLoss(half, heldOut);
-        error = meanLoss(trees, heldOut.data);
-        return trees;
+        growing.seed = 2 * options_.seed + static_cast<std::uint64_t>(half);
+        return half == Half::reported ? growReportTrees(learned.data, reportsOf(learned), growing)
+                                      : growErrorTrees(learned.data, errorsOf(learned), growing);
     }
 
     std::vector<bool> reportsOf(const Patterns& patterns) const {
@@ -185,7 +193,9 @@ private:
         return errors;
     }
 
-    static double meanLoss(const Regressor& regressor, const LikelihoodData& data) {
+    double meanLoss(const Regressor& regressor, Patterns patterns, Half half) const {
+        setLoss(half, patterns);
+        const LikelihoodData& data = patterns.data;
         const RegressorInference inference(regressor);
         const std::vector<float> rows = data.inputs.toRows();
         const std::size_t count = data.inputs.patterns(), width = data.outputs.size();
@@ -206,16 +216,10 @@ private:
     const SensorTrainerOptions& options_;
     SensorInputs inputs_;
     std::array<std::vector<bool>, 2> read_;  ///< by Half: which inputs it reads
-    std::vector<int> robots_, folds_;  ///< by case, as the next one
-    std::vector<bool> unknown_;        ///< SensorLook::unknown
+    std::vector<int> robots_, folds_;        ///< by case, as the next one
+    std::vector<bool> unknown_;              ///< SensorLook::unknown
     std::int64_t epochs_ = 0;
 };
-
-double medianOf(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 /// Errors beyond ten times what the middle half of them would make the standard deviation are gross.
 GrossErrors findGross(const SensorSamples& samples, int dimensions) {
@@ -227,9 +231,7 @@ GrossErrors findGross(const SensorSamples& samples, int dimensions) {
         for (const SensorCase& one : samples.cases)
             if (one.reported) errors.push_back(one.error[d]);
         readings = errors.size();
-        const double middle = medianOf(errors);
-        for (double& error : errors) error = std::abs(error - middle);
-        bound[d] = std::max(10 * 1.4826 * medianOf(errors), 1e-6);
+        bound[d] = std::max(10 * robustSpread(errors, medianOf(errors)), 1e-6);
         gross.reach[d] = 2 * bound[d];
     }
     for (const SensorCase& one : samples.cases) {
@@ -273,41 +275,21 @@ void findOutputScales(SensorNetwork& network, const SensorSamples& samples) {
     for (int k = 1; k < network.form.components; ++k) at(network.form.shareOf(k)).mean = -1;
 }
 
-Regressor meanOf(const std::vector<Regressor>& members) {
-    if (std::holds_alternative<Mlp>(members.front())) {
-        std::vector<Mlp> networks;
-        for (const Regressor& member : members) networks.push_back(std::get<Mlp>(member));
-        return mergedMean(networks);
-    }
-    if (std::holds_alternative<DecisionTrees>(members.front())) {
-        DecisionTrees all = std::get<DecisionTrees>(members.front());
-        for (std::size_t m = 1; m < members.size(); ++m) {
-            const std::vector<DecisionTrees::Tree>& trees = std::get<DecisionTrees>(members[m]).trees;
-            all.trees.insert(all.trees.end(), trees.begin(), trees.end());
-        }
-        return all;
-    }
-    LookupTable mean = std::get<LookupTable>(members.front());
-    for (std::size_t g = 0; g < mean.grids.size(); ++g)
-        for (std::size_t i = 0; i < mean.grids[g].values.size(); ++i) {
-            double sum = 0;
-            for (const Regressor& member : members)
-                sum += static_cast<double>(std::get<LookupTable>(member).grids[g].values[i]);
-            mean.grids[g].values[i] = static_cast<float>(sum / static_cast<double>(members.size()));
-        }
-    return mean;
+/// The middle one of what was best for the folds.
+int usualEpochs(std::vector<int> epochs) {
+    std::sort(epochs.begin(), epochs.end());
+    return epochs[epochs.size() / 2];
 }
 
 }  // namespace
 
-Expected<TrainedSensor> trainSensor(const SensorNetwork& blueprint, const SensorSamples& samples,
+Expected<SensorNetwork> trainSensor(const SensorNetwork& blueprint, const SensorSamples& samples,
                                     const SensorTrainerOptions& options, const Progress& progress) {
     const std::size_t readings = samples.readings();
     if (readings < fewestReadings)
         return fail("", "holds " + std::to_string(readings) + " readings of what is known; learning needs " +
                             std::to_string(fewestReadings));
-    TrainedSensor trained{blueprint};
-    SensorNetwork& network = trained.network;
+    SensorNetwork network = blueprint;
     network.robots = samples.robots;
     network.form.dimensions = static_cast<int>(dimensionsOf(network.measures).size());
     network.form.components = options.family == RegressorFamily::network ? options.components : 1;
@@ -316,19 +298,31 @@ Expected<TrainedSensor> trainSensor(const SensorNetwork& blueprint, const Sensor
     network.learned.inputs = sensorInputsFor(network, samples);
     findOutputScales(network, samples);
     SensorLearner learner(network, samples, options);
-    std::vector<Regressor> reported, errors;
-    for (int fold = 0; fold < options.members && !trained.cancelled; ++fold) {
-        if (!learner.enough(fold)) return fail("", "is too short to hold out a part of it: less than a few minutes");
-        trained.cancelled = !mayGoOn(progress, static_cast<double>(2 * fold) / (2 * options.members));
-        if (trained.cancelled && !errors.empty()) break;
-        reported.push_back(learner.learn(Half::reported, fold, network.heldOut.reported, network.heldOut.cases));
-        trained.cancelled = !mayGoOn(progress, static_cast<double>(2 * fold + 1) / (2 * options.members));
-        errors.push_back(learner.learn(Half::error, fold, network.heldOut.error, network.heldOut.readings));
+    if (!learner.enough()) return fail("", "is too short to hold out a part of it: less than a few minutes");
+    // learning from all takes somewhat longer than from a fold's others
+    const double steps = 2.0 * (options.folds + 1);
+    double done = 0;
+    std::array<int, 2> epochs{};
+    for (const Half half : {Half::reported, Half::error}) {
+        std::vector<int> best;
+        double score = 0, cases = 0;
+        for (int fold = 0; fold < options.folds; ++fold) {
+            if (!mayGoOn(progress, done++ / steps)) return fail("", "was not learned from: cancelled");
+            const auto found = learner.validate(half, fold);
+            best.push_back(found.epochs);
+            score -= found.loss * static_cast<double>(found.cases);
+            cases += static_cast<double>(found.cases);
+        }
+        epochs[static_cast<std::size_t>(half)] = usualEpochs(best);
+        (half == Half::reported ? network.heldOut.reported : network.heldOut.error) = score / cases;
+        (half == Half::reported ? network.heldOut.cases : network.heldOut.readings) = static_cast<std::int64_t>(cases);
     }
-    network.heldOut.looks = static_cast<std::int64_t>(samples.looks.size());
-    network.heldOut.reported /= static_cast<double>(network.heldOut.cases);
-    network.heldOut.error /= static_cast<double>(network.heldOut.readings);
-    network.learned.regressor = sideBySide(meanOf(reported), meanOf(errors));
+    network.heldOut.looks =
+        std::count_if(samples.looks.begin(), samples.looks.end(), [](const SensorLook& look) { return !look.unknown; });
+    if (!mayGoOn(progress, done++ / steps)) return fail("", "was not learned from: cancelled");
+    const Regressor reported = learner.learn(Half::reported, epochs[0]);
+    if (!mayGoOn(progress, done++ / steps)) return fail("", "was not learned from: cancelled");
+    network.learned.regressor = sideBySide(reported, learner.learn(Half::error, epochs[1]));
     network.learned.training.method = options.family == RegressorFamily::trees ? "trees" : "irprop+";
     network.learned.training.loss = "likelihood";
     network.learned.training.seed = options.seed;
@@ -336,7 +330,7 @@ Expected<TrainedSensor> trainSensor(const SensorNetwork& blueprint, const Sensor
     network.learned.training.epochs = learner.epochs();
     network.noise = fitReadingNoises(LearnedSensor(network), samples);
     mayGoOn(progress, 1);
-    return trained;
+    return network;
 }
 
 }  // namespace mrose

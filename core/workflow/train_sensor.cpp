@@ -32,7 +32,7 @@ View viewOf(const std::vector<Log>& logs, const SensorSampleOptions& options) {
 
 }  // namespace
 
-Expected<TrainedSensor> trainSensor(const TrainSensorRequest& request, const Progress& progress) {
+Expected<SensorNetwork> trainSensor(const TrainSensorRequest& request, const Progress& progress) {
     std::vector<std::string> read;
     for (const std::string& log : request.logs) read.push_back(placeOfLog(log));
     if (!request.output.empty())
@@ -59,7 +59,7 @@ Expected<TrainedSensor> trainSensor(const TrainSensorRequest& request, const Pro
     blueprint.learned.training.command = request.command;
     auto trained = trainSensor(blueprint, samples, request.training, progress);
     if (!trained || request.output.empty()) return trained;
-    if (auto saved = saveSensor(trained->network, request.output); !saved) return tl::unexpected(saved.error());
+    if (auto saved = saveSensor(*trained, request.output); !saved) return tl::unexpected(saved.error());
     return trained;
 }
 

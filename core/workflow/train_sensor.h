@@ -23,9 +23,9 @@ struct TrainSensorRequest {
     std::string command = {};  ///< what the network says that it was made by
 };
 
-/// Reads the logs, learns, and writes the network. Ended while it learns, what was learned so far is the result, and
-/// written. Error: of the logs, openLog(); one without readings, or of such a sensor; the file cannot be written, is
-/// there already or one of the logs; too little to learn from.
-Expected<TrainedSensor> trainSensor(const TrainSensorRequest& request, const Progress& progress = {});
+/// Reads the logs, learns, and writes the network. Error: of the logs, openLog(); one without readings, or of such a
+/// sensor; the file cannot be written, is there already or one of the logs; too little to learn from; `progress` ended
+/// it.
+Expected<SensorNetwork> trainSensor(const TrainSensorRequest& request, const Progress& progress = {});
 
 }  // namespace mrose

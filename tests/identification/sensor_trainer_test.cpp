@@ -1,0 +1,258 @@
+// Learned sensors, from samples whose distribution is known.
+#include "identification/sensor_trainer.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <tbb/task_arena.h>
+
+#include "geometry/normal_distribution.h"
+#include "identification/reading_noise_fit.h"
+#include "perception/learned_sensor.h"
+#include "world/noise.h"
+
+namespace mrose {
+namespace {
+
+using testing::HasSubstr;
+
+/// What the planted camera does of a state.
+struct Planted {
+    double threshold, mean[2], spread[2];
+};
+Planted plantedOf(const SensedState& s, int robot) {
+    return {0.8 - 0.4 * s.range,
+            {0.05 * s.range + (robot == 0 ? 0.1 : -0.1), 0.02 * s.velocity.w},
+            {0.02 + 0.01 * s.range, 0.01}};
+}
+
+constexpr double period = 0.25;  // s
+const ReadingNoises plantedNoise{{{0.2, 0.15, 2, 0.3, 6}, {0.1, 0.2, 5, 0.2, 4}, {0.3, 0.2, 3, 0.1, 10}, {}}};
+
+double normal(std::int64_t i, std::uint32_t part, std::uint32_t channel) { return normalNoise({7, i, part, channel}); }
+
+/// Looks of two robots at four subjects whose places wander about, by the planted distribution and noise.
+SensorSamples plantedSamples(int looks, const ReadingNoises& noises) {
+    SensorSamples samples;
+    samples.robots = {"a", "b"};
+    const NoiseWeights weights(noises);
+    constexpr std::size_t subjects = 4;
+    for (int robot = 0; robot < 2; ++robot) {
+        ChannelNumbers slow{};
+        std::array<ChannelNumbers, subjects> own{};
+        const auto step = [&](ChannelNumbers& numbers, std::int64_t look, std::uint32_t part, bool ofSubject) {
+            for (std::uint32_t c = 0; c < 3; ++c) {
+                const double time = ofSubject ? noises[c].subjectTime : noises[c].slowTime;
+                const double draw = normal(look, part, c);
+                numbers[c] = look % looks == 0 ? draw : lasting(numbers[c], period, time, draw);
+            }
+        };
+        for (int l = 0; l < looks; ++l) {
+            const std::int64_t look = robot * looks + l;
+            SensorLook& added = samples.looks.emplace_back();
+            added = {0, robot, std::int64_t(l * period * 1e9), int(l * period / 60), samples.cases.size(), subjects};
+            step(slow, look, 100, false);
+            const auto own0 = static_cast<std::uint32_t>(200);
+            for (std::size_t k = 0; k < subjects; ++k) {
+                const auto part = static_cast<std::uint32_t>(k);
+                step(own[k], look, own0 + part, true);
+                SensorCase one;
+                one.subject = k;
+                one.state.range = 1 + 4 * uniformNoise({8, look, part, 0});
+                one.state.bearing = uniformNoise({8, look, part, 1}) - 0.5;
+                one.state.velocity = {0, uniformNoise({8, look, 50, 0}) - 0.5};
+                one.state.edge = viewEdge(one.state.bearing, 1.2);
+                const Planted planted = plantedOf(one.state, robot);
+                ChannelNumbers z;
+                for (std::uint32_t c = 0; c < 3; ++c)
+                    z[c] = weights.look[c] * normal(look, 300, c) + weights.slow[c] * slow[c] +
+                           weights.subject[c] * own[k][c] + weights.alone[c] * normal(look, 400 + part, c);
+                one.reported = z[0] < planted.threshold;
+                if (one.reported)
+                    for (std::size_t d = 0; d < 2; ++d) one.error[d] = planted.mean[d] + planted.spread[d] * z[1 + d];
+                samples.cases.push_back(one);
+            }
+        }
+    }
+    return samples;
+}
+
+SensorNetwork blueprint() {
+    SensorNetwork network;
+    network.sensor = "camera";
+    network.view = {6, 1.2};
+    network.robotSubjects = true;
+    return network;
+}
+
+SensorTrainerOptions quick(RegressorFamily family) {
+    SensorTrainerOptions options;
+    options.family = family;
+    options.components = 1;
+    options.folds = 2;
+    options.reported = {.hidden = 6, .epochs = 150, .weightDecay = 1e-4};
+    options.error = {.hidden = 6, .epochs = 300, .weightDecay = 1e-4};
+    return options;
+}
+
+class SensorTraining : public testing::TestWithParam<RegressorFamily> {};
+
+TEST_P(SensorTraining, FindsThePlantedDistribution) {
+    const SensorSamples samples = plantedSamples(2000, {});
+    const auto trained = trainSensor(blueprint(), samples, quick(GetParam()));
+    ASSERT_TRUE(trained) << trained.error().message();
+    const LearnedSensor sensor((*trained));
+    double chance = 0, mean[2] = {}, spread[2] = {};
+    const std::size_t count = 1000;
+    for (std::size_t i = 0; i < count; ++i) {
+        const SensorLook& look = samples.looks[4 * i % samples.looks.size()];
+        const SensedState& state = samples.cases[look.first].state;
+        const Planted planted = plantedOf(state, look.robot);
+        ReadingDistribution found;
+        sensor.distributions({&state, 1}, look.robot, {&found, 1});
+        chance += std::abs(found.probability() - normalProbability(planted.threshold)) / count;
+        for (int d = 0; d < 2; ++d) {
+            mean[d] += std::abs(found.component[0].mean[d] - planted.mean[d]) / planted.spread[d] / count;
+            spread[d] += std::abs(std::log(found.component[0].spread[d] / planted.spread[d])) / count;
+        }
+    }
+    EXPECT_LT(chance, 0.05);
+    for (int d = 0; d < 2; ++d) {
+        EXPECT_LT(mean[d], 0.4) << "in standard deviations";
+        EXPECT_LT(spread[d], 0.25);
+    }
+    // what is learned comes close to what no model can be better than
+    double best = 0;
+    for (const SensorLook& look : samples.looks)
+        for (std::size_t i = 0; i < look.count; ++i) {
+            const SensorCase& one = samples.cases[look.first + i];
+            const double p = normalProbability(plantedOf(one.state, look.robot).threshold);
+            best += std::log(one.reported ? p : 1 - p) / static_cast<double>(samples.cases.size());
+        }
+    EXPECT_GT(trained->heldOut.reported, best - 0.03);
+    EXPECT_LT(trained->heldOut.reported, best + 0.01);
+}
+
+std::string familyName(const testing::TestParamInfo<RegressorFamily>& info) { return std::string(nameOf(info.param)); }
+INSTANTIATE_TEST_SUITE_P(Families, SensorTraining,
+                         testing::Values(RegressorFamily::network, RegressorFamily::table, RegressorFamily::trees),
+                         familyName);
+
+TEST(SensorTraining, GivesTheSameNetworkOnAnyNumberOfThreads) {
+    const SensorSamples samples = plantedSamples(600, plantedNoise);
+    for (const RegressorFamily family : {RegressorFamily::network, RegressorFamily::table, RegressorFamily::trees}) {
+        SensorTrainerOptions options = quick(family);
+        options.reported.epochs = options.error.epochs = 20;
+        options.trees = 3;
+        const auto textOn = [&](int threads) {
+            tbb::task_arena arena(threads);
+            return arena.execute([&] { return sensorText(*trainSensor(blueprint(), samples, options)); });
+        };
+        EXPECT_EQ(textOn(1), textOn(3)) << nameOf(family);
+    }
+}
+
+TEST(SensorTraining, FindsWhatReadingsHaveInCommon) {
+    const SensorSamples samples = plantedSamples(12000, plantedNoise);
+    // The planted distribution itself, so that nothing of the noise is taken for something else.
+    SensorNetwork network = blueprint();
+    network.robots = samples.robots;
+    network.learned.inputs = {{"range", "m"}, {"rotation", "rad/s"}, {"robot a", "1"}, {"robot b", "1"}};
+    network.learned.outputs = sensorOutputs(network.measures, network.form);
+    // tanh of so little is linear
+    constexpr float small = 1e-3f;
+    network.learned.regressor = Mlp{{4, 3, 5},
+                                    {small,
+                                     0,
+                                     0,
+                                     0,
+                                     0,
+                                     small,
+                                     0,
+                                     0,
+                                     0,
+                                     0,
+                                     small,
+                                     -small,
+                                     0,
+                                     0,
+                                     0,  // hidden
+                                     -0.4f / small,
+                                     0,
+                                     0,
+                                     0.05f / small,
+                                     0,
+                                     0.1f / small,
+                                     0,
+                                     0.02f / small,
+                                     0,  // report, errors
+                                     0,
+                                     0,
+                                     0,
+                                     0,
+                                     0,
+                                     0,  // spreads
+                                     0.8f,
+                                     0,
+                                     0,
+                                     std::log(0.05f),
+                                     std::log(0.01f)}};
+    SensorSamples even = samples;  // of a spread that does not depend on the range
+    for (const SensorLook& look : even.looks)
+        for (std::size_t i = 0; i < look.count; ++i) {
+            SensorCase& one = even.cases[look.first + i];
+            const Planted planted = plantedOf(one.state, look.robot);
+            one.error[0] = planted.mean[0] + 0.05 * (one.error[0] - planted.mean[0]) / planted.spread[0];
+        }
+    const ReadingNoises found = fitReadingNoises(LearnedSensor(network), even);
+    for (std::size_t c = 0; c < 3; ++c) {
+        EXPECT_NEAR(found[c].look, plantedNoise[c].look, 0.05) << c;
+        EXPECT_NEAR(found[c].slow, plantedNoise[c].slow, 0.05) << c;
+        EXPECT_NEAR(found[c].subject, plantedNoise[c].subject, 0.06) << c;
+        EXPECT_NEAR(std::log(found[c].subjectTime / plantedNoise[c].subjectTime), 0, 0.4) << c;
+    }
+    const ReadingNoises none = fitReadingNoises(LearnedSensor(network), [&] {
+        SensorSamples independent = plantedSamples(12000, {});
+        for (const SensorLook& look : independent.looks)
+            for (std::size_t i = 0; i < look.count; ++i) {
+                SensorCase& one = independent.cases[look.first + i];
+                const Planted planted = plantedOf(one.state, look.robot);
+                one.error[0] = planted.mean[0] + 0.05 * (one.error[0] - planted.mean[0]) / planted.spread[0];
+            }
+        return independent;
+    }());
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_GT(none[c].alone(), 0.93) << c;
+}
+
+TEST(SensorTraining, CountsGrossErrors) {
+    SensorSamples samples = plantedSamples(2000, {});
+    std::size_t wrong = 0, readings = 0;
+    for (SensorCase& one : samples.cases)
+        if (one.reported && readings++ % 200 == 0) one.error[0] += 5, ++wrong;
+    SensorTrainerOptions options = quick(RegressorFamily::network);
+    options.reported.epochs = options.error.epochs = 20;
+    const auto trained = trainSensor(blueprint(), samples, options);
+    ASSERT_TRUE(trained) << trained.error().message();
+    EXPECT_NEAR(trained->gross.share * static_cast<double>(readings), static_cast<double>(wrong), 1);
+    EXPECT_GT(trained->gross.reach[0], 4.5);
+}
+
+TEST(SensorTraining, SaysWhatIsTooLittle) {
+    const auto few = trainSensor(blueprint(), plantedSamples(40, {}), quick(RegressorFamily::network));
+    ASSERT_FALSE(few);
+    EXPECT_THAT(few.error().message(), HasSubstr("learning needs 200"));
+    const auto shortOnes = trainSensor(blueprint(), plantedSamples(200, {}), quick(RegressorFamily::network));
+    ASSERT_FALSE(shortOnes) << "all of it is one block of time";
+    EXPECT_THAT(shortOnes.error().message(), HasSubstr("too short"));
+}
+
+TEST(SensorTraining, EndsWhenItIsToldTo) {
+    const auto trained = trainSensor(blueprint(), plantedSamples(600, {}), quick(RegressorFamily::network),
+                                     [](double share) { return share < 0.3; });
+    ASSERT_FALSE(trained);
+    EXPECT_THAT(trained.error().message(), HasSubstr("cancelled"));
+}
+
+}  // namespace
+}  // namespace mrose
