@@ -21,7 +21,7 @@ struct SensorHalfOptions {
 /// score; then all samples are learned from, for so many epochs.
 struct SensorTrainerOptions {
     RegressorFamily family = RegressorFamily::network;
-    int components = 3;  ///< of the mixture; tables and trees have 1
+    int components = 4;  ///< of the mixture; tables and trees have 1
     int folds = 4;
     SensorHalfOptions reported{.hidden = 16, .epochs = 400, .weightDecay = 1e-3};
     SensorHalfOptions error{.hidden = 28, .epochs = 1300, .weightDecay = 5e-4};
