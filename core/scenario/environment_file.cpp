@@ -88,6 +88,7 @@ Obstacle readObstacle(TomlTable& table, const Surface& surface) {
     std::vector<ShapePart> parts{part(table, stone, metresFar)};
     obstacle.name = parts[0].name.empty() ? "obstacle" : parts[0].name;
     obstacle.surface = surfaceOr(table, "surface", surface);
+    obstacle.landmark = nameOr(table, "landmark", "");
     table.rejectUnknown();
     if (!table.failed()) obstacle.shape = Shape::fromParts(obstacle.name, std::move(parts));
     return obstacle;
@@ -128,6 +129,18 @@ FloorSurface readFloor(TomlTable table) {
     return floor;
 }
 
+void readObstacles(TomlTable& root, const Surface& surface, Environment& environment) {
+    for (TomlTable& table : root.tablesOrNone("obstacle")) {
+        Obstacle obstacle = readObstacle(table, surface);
+        const auto same = [&](const Obstacle& other) {
+            return !other.landmark.empty() && other.landmark == obstacle.landmark;
+        };
+        if (std::any_of(environment.obstacles.begin(), environment.obstacles.end(), same))
+            table.reject("landmark", '"' + obstacle.landmark + "\" is another obstacle's too");
+        environment.obstacles.push_back(std::move(obstacle));
+    }
+}
+
 void readGoals(TomlTable& root, Environment& environment) {
     for (TomlTable& table : root.tablesOrNone("goal")) {
         Goal goal = readGoal(table);
@@ -147,8 +160,7 @@ Expected<Environment> readEnvironment(const Value& content, const std::string& f
     const Surface surface = surfaceOr(root, "surface", {});
     environment.floor = readFloor(root.tableOrEmpty("floor"));
     for (TomlTable& table : root.tablesOrNone("wall")) environment.obstacles.push_back(readWall(table, surface));
-    for (TomlTable& table : root.tablesOrNone("obstacle"))
-        environment.obstacles.push_back(readObstacle(table, surface));
+    readObstacles(root, surface, environment);
     for (TomlTable& table : root.tablesOrNone("marking")) environment.markings.push_back(readMarking(table));
     readGoals(root, environment);
     root.rejectUnknown();

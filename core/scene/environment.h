@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,8 @@ struct Obstacle {
     std::string name;
     Shape shape;
     Surface surface;
-    bool wall = false;  ///< was described as one
+    bool wall = false;       ///< was described as one
+    std::string landmark{};  ///< the name by which sensors and logs know it; "": it is no landmark
 };
 
 /// A line on the floor: a polyline, or a circle; for the eye only.
@@ -54,5 +56,15 @@ struct Environment {
     std::vector<Goal> goals;
     FloorSurface floor;
 };
+
+/// An obstacle that sensors know by its name.
+struct Landmark {
+    std::string name;
+    Point position;              ///< the centre of its circle, the centroid of other shapes
+    std::uint32_t obstacle = 0;  ///< in Environment::obstacles
+};
+
+/// In the order of the obstacles: sensors report landmarks by their places in this list.
+std::vector<Landmark> landmarksOf(const Environment& environment);
 
 }  // namespace mrose

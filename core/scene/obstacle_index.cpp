@@ -36,13 +36,18 @@ void ObstacleIndex::visitCells(const ConvexPiece& piece, Visit visit) const {
         }
 }
 
-ObstacleIndex::ObstacleIndex(const Environment& environment, double margin) : margin_(margin) {
+ObstacleIndex::ObstacleIndex(const Environment& environment, double margin)
+    : landmarks_(landmarksOf(environment)), margin_(margin) {
+    std::vector<Point> places;
+    for (const Landmark& landmark : landmarks_) places.push_back(landmark.position);
+    landmarkGrid_.fill(places, 0, 1);
     for (std::uint32_t i = 0; i < environment.obstacles.size(); ++i)
         for (const ConvexPiece& piece : environment.obstacles[i].shape.pieces) {
             all_.push_back(static_cast<std::uint32_t>(pieces_.size()));
             pieces_.push_back(piece);
             surfaces_.push_back(environment.obstacles[i].surface);
             obstacles_.push_back(i);
+            ofWall_.push_back(environment.obstacles[i].wall ? 1 : 0);
         }
     if (pieces_.empty()) return;
     Box all = boxOf(pieces_.front());

@@ -6,11 +6,12 @@
 
 #include "geometry/shape.h"
 #include "scene/environment.h"
+#include "scene/point_grid.h"
 
 namespace mrose {
 
 /// All obstacles' convex pieces in one list, and which of them are near a point: a grid whose cells know the pieces
-/// within `margin` of them.
+/// within `margin` of them. And the landmarks, in a grid of their own.
 class ObstacleIndex {
 public:
     ObstacleIndex(const Environment& environment, double margin);
@@ -18,6 +19,10 @@ public:
     const std::vector<ConvexPiece>& pieces() const { return pieces_; }
     const Surface& surfaceOf(std::uint32_t piece) const { return surfaces_[piece]; }
     std::uint32_t obstacleOf(std::uint32_t piece) const { return obstacles_[piece]; }
+    bool ofWall(std::uint32_t piece) const { return ofWall_[piece] != 0; }
+
+    std::span<const Landmark> landmarks() const { return landmarks_; }
+    const PointGrid& landmarkGrid() const { return landmarkGrid_; }  ///< of their positions
 
     double margin() const { return margin_; }
     /// At least those pieces nearer than `margin` to `point`, ascending.
@@ -48,6 +53,9 @@ private:
     std::vector<ConvexPiece> pieces_;
     std::vector<Surface> surfaces_;
     std::vector<std::uint32_t> obstacles_;
+    std::vector<char> ofWall_;
+    std::vector<Landmark> landmarks_;
+    PointGrid landmarkGrid_;
     std::vector<std::uint32_t> all_;  ///< the pieces' numbers
     double margin_;
     Point corner_;                   ///< of the grid, lower left

@@ -61,6 +61,23 @@ TEST(EnvironmentFile, GivesWhatTheFileHolds) {
     EXPECT_EQ(environment->markings[1].colour, (Colour{0, 255, 0}));
 }
 
+TEST(EnvironmentFile, LandmarksAreListedInTheOrderOfTheirObstacles) {
+    const Environment environment = parsed(
+        "[[wall]]\npoints_m = [[0, 0], [1, 0]]\nthickness_m = 0.1\n"
+        "[[obstacle]]\nlandmark = \"b\"\ncircle = { centre_m = [0.1, 0.7], radius_m = 0.3 }\n"
+        "[[obstacle]]\ncircle = { radius_m = 0.3 }\n"
+        "[[obstacle]]\nname = \"post\"\nlandmark = \"a\"\npolygon_m = [[2, 0], [4, 0], [4, 1], [2, 1]]\n");
+    const std::vector<Landmark> landmarks = landmarksOf(environment);
+    ASSERT_EQ(landmarks.size(), 2u);
+    EXPECT_EQ(landmarks[0].name, "b");
+    EXPECT_EQ(landmarks[0].position, (Point{0.1, 0.7})) << "exactly as the file says";
+    EXPECT_EQ(landmarks[0].obstacle, 1u);
+    EXPECT_EQ(landmarks[1].name, "a");
+    EXPECT_NEAR(distance(landmarks[1].position, {3, 0.5}), 0, 1e-12);
+    EXPECT_EQ(landmarks[1].obstacle, 3u);
+    EXPECT_EQ(environment.obstacles[3].name, "post");
+}
+
 TEST(EnvironmentFile, ClosedWallIsAFrameOfTheThicknessOnItsSide) {
     const std::string points =
         "[[wall]]\npoints_m = [[0, 0], [4, 0], [4, 3], [0, 3]]\nclosed = true\nthickness_m = 0.2\n";
@@ -114,6 +131,13 @@ TEST(EnvironmentFile, EveryMistakeNamesItsPlace) {
         {"[[obstacle]]\npolygon_m = [[0, 0], [1, 1], [1, 0], [0, 1]]",
          "f:5:30: obstacle[1].polygon_m[3]: begins an edge that meets the edge from corner 1; expected a simple "
          "polygon"},
+        {"[[obstacle]]\nlandmark = \"6\"\ncircle = { radius_m = 1 }\n[[obstacle]]\nlandmark = \"6\"\n"
+         "circle = { radius_m = 2 }",
+         "f:8:12: obstacle[2].landmark: \"6\" is another obstacle's too"},
+        {"[[obstacle]]\nlandmark = 6\ncircle = { radius_m = 1 }", "f:5:12: obstacle[1].landmark: expected a string"},
+        {"[[wall]]\npoints_m = [[0, 0], [1, 0]]\nthickness_m = 0.1\nlandmark = \"6\"",
+         "f:7:12: wall[1].landmark: is not a known key; expected one of closed, colour, name, points_m, side, surface, "
+         "thickness_m"},
         {"[[goal]]\narea_m = [[0, 0], [1, 0], [0, 1]]", "f:4:1: goal[1].name: is missing"},
         {"[[goal]]\nname = \"a\"\narea_m = [[0, 0], [1, 0], [0, 1]]\n[[goal]]\nname = \"a\"\narea_m = [[0, 0], [1, 0], "
          "[0, 1]]",
