@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 namespace mrose {
@@ -13,7 +14,10 @@ struct NoiseKey {
     std::uint32_t channel = 0;
 };
 
-/// 64 random bits, from Philox 4x64-10 (Salmon et al. 2011).
+/// 256 random bits, from Philox 4x64-10 (Salmon et al. 2011).
+std::array<std::uint64_t, 4> noiseWords(const NoiseKey& key);
+
+/// The first 64 of them.
 std::uint64_t noiseBits(const NoiseKey& key);
 
 /// Random bits as a number in the open interval (0, 1): neither 0 nor 1, whatever they are.
@@ -33,5 +37,18 @@ NoisePair normalPair(const NoiseKey& key);
 
 /// Standard normal, by Box and Muller's transform of the same counter's two words.
 double normalNoise(const NoiseKey& key);
+
+/// Eight uniform numbers in the open interval (0, 1) of 32 bits each, at the price of one: the key's bits in order.
+class UniformDraws {
+public:
+    explicit UniformDraws(const NoiseKey& key) : words_(noiseWords(key)) {}
+    double operator[](std::size_t i) const {
+        const auto bits = static_cast<std::uint32_t>(words_[i / 2] >> (i % 2 * 32));
+        return (static_cast<double>(bits) + 0.5) * 0x1p-32;
+    }
+
+private:
+    std::array<std::uint64_t, 4> words_;
+};
 
 }  // namespace mrose

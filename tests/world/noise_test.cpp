@@ -1,9 +1,12 @@
 #include "world/noise.h"
 
+#include <array>
 #include <cmath>
 #include <set>
 
 #include <gtest/gtest.h>
+
+#include "geometry/normal_distribution.h"
 
 namespace mrose {
 namespace {
@@ -43,6 +46,46 @@ TEST(Noise, UniformDrawsFillTheUnitIntervalEvenly) {
     double chiSquared = 0;
     for (const int count : counts) chiSquared += std::pow(count - n / cells, 2) / (n / cells);
     EXPECT_LT(chiSquared, 43.8);  // 99.9 % of chi squared with 19 degrees of freedom
+}
+
+TEST(Noise, EightDrawsOfAKeyAreItsBitsInOrder) {
+    const NoiseKey key{3, 4, 5, 6};
+    const auto words = noiseWords(key);
+    EXPECT_EQ(words[0], noiseBits(key));
+    const UniformDraws draws(key);
+    std::set<double> all;
+    for (std::size_t i = 0; i < 8; ++i) {
+        const double bits = static_cast<double>(i % 2 == 0 ? words[i / 2] & 0xffffffff : words[i / 2] >> 32);
+        EXPECT_EQ(draws[i], (bits + 0.5) / 4294967296.0);
+        all.insert(draws[i]);
+    }
+    EXPECT_EQ(all.size(), 8u);
+}
+
+TEST(Noise, NormalsDrawnFromThemAreNormalAndIndependent) {
+    const int n = 100000;
+    std::array<double, 8> sum{}, squares{};
+    std::array<double, 8> products{};  // with the next one
+    std::array<int, 4> beyond{};       // 0, 1, 2, 3
+    for (int i = 0; i < n; ++i) {
+        const UniformDraws draws({77, i, 0, 0});
+        for (std::size_t k = 0; k < 8; ++k) {
+            const double x = drawnNormal(draws[k]);
+            sum[k] += x;
+            squares[k] += x * x;
+            products[k] += x * drawnNormal(draws[(k + 1) % 8]);
+            for (std::size_t limit = 0; limit < 4; ++limit) beyond[limit] += x > static_cast<double>(limit);
+        }
+    }
+    for (std::size_t k = 0; k < 8; ++k) {
+        EXPECT_NEAR(sum[k] / n, 0, 4.5 / std::sqrt(n)) << k;
+        EXPECT_NEAR(squares[k] / n, 1, 4.5 * std::sqrt(2.0 / n)) << k;
+        EXPECT_NEAR(products[k] / n, 0, 4.5 / std::sqrt(n)) << k;
+    }
+    for (std::size_t limit = 0; limit < 4; ++limit) {
+        const double p = 1 - normalProbability(static_cast<double>(limit)), all = 8 * n;
+        EXPECT_NEAR(beyond[limit] / all, p, 4.5 * std::sqrt(p / all)) << limit;
+    }
 }
 
 TEST(Noise, UniformDrawsAreNeitherZeroNorOne) {
