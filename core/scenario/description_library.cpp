@@ -106,4 +106,15 @@ std::shared_ptr<const LearnedMotion> DescriptionLibrary::motion(const MotionNetw
     return motion;
 }
 
+std::shared_ptr<const LearnedSensor> DescriptionLibrary::sensor(TomlTable& table, std::string_view key,
+                                                                const std::string& from) {
+    const Value::File file = this->file(table, key, from, "nets", Holds::text);
+    if (!file) return nullptr;
+    std::shared_ptr<const LearnedSensor>& sensor = sensors_[file];
+    if (sensor) return sensor;
+    auto parsed = parseSensor(*file->content.asText(), shown(file->name));
+    if (!parsed) return table.adopt(parsed.error()), nullptr;
+    return sensor = std::make_shared<const LearnedSensor>(std::move(*parsed));
+}
+
 }  // namespace mrose

@@ -12,6 +12,7 @@
 #include "io/toml_table.h"
 #include "io/value.h"
 #include "motion/learned_model.h"
+#include "perception/learned_sensor.h"
 #include "scenario/description_source.h"
 
 namespace mrose {
@@ -37,6 +38,7 @@ public:
     const MotionNetwork* network(TomlTable& table, std::string_view key, const std::string& from);
     /// One of these networks made ready for use, once for each dead time: that of the network, so much later.
     std::shared_ptr<const LearnedMotion> motion(const MotionNetwork& network, Nanoseconds laterV, Nanoseconds laterW);
+    std::shared_ptr<const LearnedSensor> sensor(TomlTable& table, std::string_view key, const std::string& from);
     /// A robot's part of a log; nullopt where there is no such log.
     Expected<std::optional<ExcerptContent>> excerpt(const LogExcerpt& excerpt) { return source_.excerpt(excerpt); }
 
@@ -50,6 +52,7 @@ private:
     std::map<std::pair<std::string, Holds>, Value::File> files_;
     std::map<Value::File, std::shared_ptr<const Shape>> shapes_;
     std::map<Value::File, MotionNetwork> networks_;
+    std::map<Value::File, std::shared_ptr<const LearnedSensor>> sensors_;
     std::map<std::tuple<const MotionNetwork*, Nanoseconds, Nanoseconds>, std::shared_ptr<const LearnedMotion>> motions_;
 };
 

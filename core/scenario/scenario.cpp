@@ -78,7 +78,9 @@ void Scenario::layOut() {
             }
             // What is measured between two control instants is up to a period older when it is told.
             const std::int64_t between = sensor->period() > 0 ? model.period() / scene.tickLength - 1 : 0;
-            depth = std::max(depth, scene.ticksOf(sensor->latency()) + between);
+            const std::int64_t ticks =
+                sensor->exact() ? sensor->lookBack() / scene.tickLength + 2 : scene.ticksOf(sensor->lookBack());
+            depth = std::max(depth, ticks + between);
         }
         const auto alike = std::search(wanted_.begin(), wanted_.end(), wanted.begin(), wanted.end());
         slots.wanted = static_cast<std::uint32_t>(alike - wanted_.begin());

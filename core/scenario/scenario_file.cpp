@@ -193,7 +193,8 @@ void ScenarioReader::readRobot(TomlTable& table, bool person) {
         table.reject("type", "has a control period of " + plainSeconds(robot->controlPeriod()) +
                                  "; expected a multiple of tick_s = " + plainSeconds(scene_.tickLength));
     body.type = typeIndex(*kind, person);
-    body.model = modelIndex(*robot, motionRobot(table, *robot));
+    body.motionRobot = motionRobot(table, *robot);
+    body.model = modelIndex(*robot, body.motionRobot);
     ControllerSetting setting{noController()};
     if (table.has("controller"))
         setting = readController(table.table("controller"), {*robot, ballRadius(), walls_}, name_, library_, loading_);

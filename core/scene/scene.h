@@ -34,6 +34,7 @@ struct SceneRobot {
     Velocity velocity = {};  ///< at the start, as its model reads it
     /// Where others were left out: its place among all, by which people, colours and conditions know it.
     std::optional<std::uint32_t> place = {};
+    std::string motionRobot = {};  ///< which of the robots of its networks it is; "": none of them
 };
 
 struct SceneObject {

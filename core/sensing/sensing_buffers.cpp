@@ -9,10 +9,14 @@ namespace {
 // Up to here a single cell is quicker than a grid.
 constexpr std::size_t bodiesOfOneCell = 24;
 
-void fill(BodyMap& map, const PastPoses& past, const WorldState& state, std::int64_t lag) {
+void fill(BodyMap& map, const PastPoses& past, const WorldState& state, std::int64_t lag, double earlier) {
     map.lag = lag;
+    map.earlier = earlier;
     map.positions.clear();
-    if (lag == 0) {
+    if (earlier > 0) {
+        for (std::size_t body = 0; body < state.robots.size() + state.objects.size(); ++body)
+            map.positions.push_back(position(past.poseBetween(state, body, lag, earlier)));
+    } else if (lag == 0) {
         for (const RobotState& robot : state.robots) map.positions.push_back(position(robot.pose));
         for (const ObjectState& object : state.objects) map.positions.push_back(position(object.pose));
     } else {
@@ -24,12 +28,14 @@ void fill(BodyMap& map, const PastPoses& past, const WorldState& state, std::int
 
 }  // namespace
 
-const BodyMap& SensingBuffers::bodiesBefore(const PastPoses& past, const WorldState& state, std::int64_t lag) {
+const BodyMap& SensingBuffers::bodiesBefore(const PastPoses& past, const WorldState& state, std::int64_t lag,
+                                            double earlier) {
     const auto end = maps_.begin() + static_cast<std::ptrdiff_t>(used_);
-    const auto found = std::find_if(maps_.begin(), end, [&](const auto& map) { return map->lag == lag; });
+    const auto found =
+        std::find_if(maps_.begin(), end, [&](const auto& map) { return map->lag == lag && map->earlier == earlier; });
     if (found != end) return **found;
     if (used_ == maps_.size()) maps_.push_back(std::make_unique<BodyMap>());
-    fill(*maps_[used_], past, state, lag);
+    fill(*maps_[used_], past, state, lag, earlier);
     return *maps_[used_++];
 }
 

@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "control/observation.h"
+#include "perception/learned_sensor.h"
 #include "scene/point_grid.h"
 #include "sensing/horizon.h"
+#include "sensing/simulated_view.h"
 #include "world/past_poses.h"
 
 namespace mrose {
@@ -15,6 +17,7 @@ namespace mrose {
 /// Where all bodies were some ticks ago, arranged for looking.
 struct BodyMap {
     std::int64_t lag = 0;
+    double earlier = 0;            ///< than `lag` ticks ago: a share of a tick
     std::vector<Point> positions;  ///< by body: robots first, then objects
     PointGrid grid;                ///< of them
 };
@@ -25,12 +28,17 @@ class SensingBuffers {
 public:
     void forget() { used_ = 0; }
     /// The same for all who perceive at this tick. Valid until forget().
-    const BodyMap& bodiesBefore(const PastPoses& past, const WorldState& state, std::int64_t lag);
+    const BodyMap& bodiesBefore(const PastPoses& past, const WorldState& state, std::int64_t lag, double earlier = 0);
 
     // Of one robot's observation.
     Horizon horizon;
     PointGrid::Spreading spreading;
     std::vector<SeenBody> seen;
+    SimulatedView simulated;
+    std::vector<SensedState> states;
+    std::vector<std::uint32_t> which;
+    std::vector<ReadingDraw> draws;
+    std::vector<LearnedSensor::Report> reports;
     std::vector<ReceivedMessage> received;
 
 private:

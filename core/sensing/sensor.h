@@ -43,6 +43,11 @@ public:
     virtual Nanoseconds period() const { return 0; }
     /// How long ago a reading was measured when it arrives, the longest if they differ.
     virtual Nanoseconds latency() const { return 0; }
+    /// Whether it measures at the very instants, SensorView::measured, that its period and latency say; a measurement
+    /// then arrives at the first tick at which its latency is over. Others measure at the nearest ticks.
+    virtual bool exact() const { return false; }
+    /// How far back it reads poses, from when a reading arrives.
+    virtual Nanoseconds lookBack() const { return latency(); }
 
     /// How wide and far it looks for bodies, constant; nullptr: it looks for none.
     virtual const BodySight* sight() const { return nullptr; }

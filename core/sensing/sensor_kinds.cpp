@@ -36,24 +36,27 @@ std::vector<SensorPointer> standardSensors(const Perception& perception) {
 
 namespace {
 
-SensorPointer readCamera(TomlTable& table, const SensorTraits& traits) {
+SensorPointer readCamera(TomlTable& table, const SensorTraits& traits, const SensorNetworkReader& /*networks*/) {
     const double biasTime = table.numberOr("bias_time_s", SelfLocalisation().biasTime, {0.001, 1e6});
     const BodySight sight = readBodySight(table);
     return std::make_shared<const BodySensor>(sight, sight, biasTime, traits);
 }
 
-SensorPointer readLocaliser(TomlTable& table, const SensorTraits& traits) {
+SensorPointer readLocaliser(TomlTable& table, const SensorTraits& traits, const SensorNetworkReader& /*networks*/) {
     return std::make_shared<const SelfLocaliser>(readSelfLocalisation(table), traits);
 }
 
-SensorPointer readOdometry(TomlTable& table, const SensorTraits& traits) {
+SensorPointer readOdometry(TomlTable& table, const SensorTraits& traits, const SensorNetworkReader& /*networks*/) {
     if (traits.period > 0) table.reject("period_s", "odometry measures at each control instant; expected none");
     const double velocityNoise = table.numberOr("velocity_noise_mps", 0, metresOff);
     return std::make_shared<const Odometry>(velocityNoise, angleOr(table, "rotation_noise_degps", 0, degreesOff),
                                             traits);
 }
 
-constexpr SensorKind kinds[] = {{"camera", readCamera}, {"localisation", readLocaliser}, {"odometry", readOdometry}};
+constexpr SensorKind kinds[] = {{"camera", readCamera},
+                                {"localisation", readLocaliser},
+                                {"odometry", readOdometry},
+                                {"learned", readLearnedCamera}};
 
 /// What every robot's sensors are called, and what a controller and a motion model have of their own.
 constexpr ReadingName takenNames[] = {selfReading,     odometryReading, robotsReading, objectsReading,
@@ -63,7 +66,8 @@ constexpr ReadingName takenNames[] = {selfReading,     odometryReading, robotsRe
 
 std::span<const SensorKind> sensorKinds() { return kinds; }
 
-std::vector<SensorPointer> readSensors(std::vector<TomlTable> tables, std::span<const SensorKind> of) {
+std::vector<SensorPointer> readSensors(std::vector<TomlTable> tables, const SensorNetworkReader& networks,
+                                       std::span<const SensorKind> of) {
     std::vector<std::string_view> words;
     for (const SensorKind& kind : of) words.push_back(kind.name);
     std::set<std::string, std::less<>> names(std::begin(takenNames), std::end(takenNames));
@@ -82,7 +86,7 @@ std::vector<SensorPointer> readSensors(std::vector<TomlTable> tables, std::span<
             table.reject("name", "expected letters, digits and _, at most " + std::to_string(SensorTraits::mostName));
         if (!names.insert(traits.name).second) table.reject("name", "is taken: \"" + traits.name + '"');
         if (table.failed()) continue;
-        sensors.push_back(of[kind].read(table, traits));
+        sensors.push_back(of[kind].read(table, traits, networks));
         table.rejectUnknown();
     }
     return sensors;

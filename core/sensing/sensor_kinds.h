@@ -5,6 +5,7 @@
 
 #include "io/toml_table.h"
 #include "scene/perception.h"
+#include "sensing/learned_camera.h"
 #include "sensing/sensor.h"
 
 namespace mrose {
@@ -14,15 +15,15 @@ Perception readPerception(TomlTable table);
 std::vector<SensorPointer> standardSensors(const Perception& perception);
 
 /// A kind of sensor that a robot file may ask for: [[sensor]] with `kind`, `name`, `period_s` (none: at each control
-/// instant), and the keys that `read` reads.
+/// instant), and the keys that `read` reads; what is learned comes from `networks`.
 struct SensorKind {
     std::string_view name;
-    SensorPointer (*read)(TomlTable& table, const SensorTraits& traits);
+    SensorPointer (*read)(TomlTable& table, const SensorTraits& traits, const SensorNetworkReader& networks);
 };
 std::span<const SensorKind> sensorKinds();
 
 /// The sensors that the tables [[sensor]] of a robot file ask for.
-std::vector<SensorPointer> readSensors(std::vector<TomlTable> tables,
+std::vector<SensorPointer> readSensors(std::vector<TomlTable> tables, const SensorNetworkReader& networks,
                                        std::span<const SensorKind> kinds = sensorKinds());
 
 }  // namespace mrose

@@ -28,6 +28,7 @@ struct SensorView {
     std::uint32_t wanted = ~0u;   ///< readings that the controller reads: bit k for Sensor::gives()[k]
     double sinceLast = 0;         ///< s since the measurement before
     std::int64_t arrivedAgo = 0;  ///< ticks
+    Nanoseconds measured = 0;     ///< the instant, of a sensor that is exact()
 
     bool wants(std::size_t reading) const { return (wanted >> reading & 1) != 0; }
     /// For the `draw`-th draw of this measurement.
@@ -44,6 +45,25 @@ struct SensorView {
     Nanoseconds timeBefore(std::int64_t lag) const { return scene.timeOf(state.tick - arrivedAgo - lag); }
     const Pose& poseBefore(std::size_t body, std::int64_t lag) const {
         return past.poseBefore(state, body, arrivedAgo + lag);
+    }
+    /// An instant between two ticks: so many ticks before now, and so much of a tick earlier.
+    struct Moment {
+        std::int64_t lag;
+        double earlier;
+    };
+    Moment momentOf(Nanoseconds time) const {
+        const Nanoseconds ago = scene.timeOf(state.tick) - time;
+        return {ago / scene.tickLength,
+                static_cast<double>(ago % scene.tickLength) / static_cast<double>(scene.tickLength)};
+    }
+    /// Where a body was then, not after the measurement has arrived.
+    Pose poseAt(std::size_t body, const Moment& moment) const {
+        return past.poseBetween(state, body, moment.lag, moment.earlier);
+    }
+    Pose poseAt(std::size_t body, Nanoseconds time) const { return poseAt(body, momentOf(time)); }
+    const BodyMap& bodiesAt(Nanoseconds time) const {
+        const Moment moment = momentOf(time);
+        return buffers.bodiesBefore(past, state, moment.lag, moment.earlier);
     }
     const BodyMap& bodiesBefore(std::int64_t lag) const { return buffers.bodiesBefore(past, state, arrivedAgo + lag); }
 };

@@ -10,17 +10,19 @@ namespace {
 /// Lets a sensor with a clock of its own measure whatever arrives after tick `last`.
 void senseByItsClock(const Sensor& sensor, SensorView view, std::int64_t last, std::span<std::byte> memory,
                      Observation& out) {
-    const Nanoseconds period = sensor.period();
-    const std::int64_t lag = view.lagOf(sensor.latency());
-    // The nearest tick, also before the start.
-    const auto tickOf = [&, length = view.scene.tickLength](std::int64_t count) {
-        const Nanoseconds later = count * period + length / 2;
+    const Nanoseconds period = sensor.period(), length = view.scene.tickLength;
+    const bool exact = sensor.exact();
+    const std::int64_t lag = exact ? 0 : view.lagOf(sensor.latency());
+    // The nearest tick, or that of an exact one's arrival; also before the start.
+    const Nanoseconds ahead = exact ? sensor.latency() + length - 1 : length / 2;
+    const auto tickOf = [&](std::int64_t count) {
+        const Nanoseconds later = count * period + ahead;
         return later / length - (later % length < 0 ? 1 : 0);
     };
     // Before the start all stood still where it starts.
     const std::int64_t now = view.state.tick - lag, before = last - lag;
     view.sinceLast = toSeconds(std::max(period, view.scene.tickLength));
-    std::int64_t count = view.scene.timeOf(before) / period;
+    std::int64_t count = (view.scene.timeOf(before) - (exact ? sensor.latency() : 0)) / period;
     while (tickOf(count) > before) --count;
     while (tickOf(count) <= before) ++count;
     // At most one a tick: the draws of a measurement are its tick's.
@@ -28,6 +30,7 @@ void senseByItsClock(const Sensor& sensor, SensorView view, std::int64_t last, s
         if (tickOf(count) == measured) continue;
         measured = tickOf(count);
         view.arrivedAgo = now - measured;
+        view.measured = count * period;
         sensor.sense(view, memory, out);
     }
 }
@@ -64,6 +67,7 @@ void observe(const Scenario& scenario, const WorldState& state, std::size_t robo
         view.sensor = k;
         view.wanted = scenario.wanted(robot, k);
         view.sinceLast = scenario.periodOf(robot).seconds;
+        view.measured = out.time - sensor.latency();
         const std::span<std::byte> own = scenario.partOf(memory, robot, k);
         if (sensor.period() == 0)
             sensor.sense(view, own, out);

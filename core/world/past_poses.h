@@ -23,6 +23,14 @@ public:
     const Pose& poseBefore(const WorldState& state, std::size_t body, std::int64_t lag) const {
         return lag == 0 ? poseOf(state, body) : posesBefore(state, lag)[body];
     }
+    /// `earlier` of a tick before that, 0 <= earlier < 1: evenly from the one tick's to the other's.
+    Pose poseBetween(const WorldState& state, std::size_t body, std::int64_t lag, double earlier) const {
+        const Pose& after = poseBefore(state, body, lag);
+        if (earlier == 0) return after;
+        const Pose& before = poseBefore(state, body, lag + 1);
+        return {after.x + earlier * (before.x - after.x), after.y + earlier * (before.y - after.y),
+                after.heading + earlier * (before.heading - after.heading)};
+    }
     /// Of all bodies, 0 < lag <= depth.
     std::span<const Pose> posesBefore(const WorldState& state, std::int64_t lag) const {
         assert(lag > 0 && lag <= depth_);

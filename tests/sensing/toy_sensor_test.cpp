@@ -45,7 +45,7 @@ public:
     EchoSounder(SensorTraits traits, double noise, Nanoseconds latency)
         : traits_(std::move(traits)), noise_(noise), latency_(latency) {}
 
-    static SensorPointer read(TomlTable& table, const SensorTraits& traits) {
+    static SensorPointer read(TomlTable& table, const SensorTraits& traits, const SensorNetworkReader& /*networks*/) {
         const double noise = table.numberOr("noise_m", 0, metresOff);
         return std::make_shared<const EchoSounder>(traits, noise, durationOr(table, "latency_s", 0, latencies));
     }
@@ -282,7 +282,7 @@ std::vector<SensorPointer> sensorsOf(const std::string& text, std::string& error
     static constexpr SensorKind kinds[] = {{"echo_sounder", EchoSounder::read}};
     const auto content = parseToml(text, "r.toml");
     TomlTable root = TomlTable::of(*content, "r.toml");
-    auto sensors = readSensors(root.tablesOrNone("sensor"), kinds);
+    auto sensors = readSensors(root.tablesOrNone("sensor"), {}, kinds);
     error = root.failed() ? root.error().message() : "";
     return sensors;
 }

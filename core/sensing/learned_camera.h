@@ -1,0 +1,94 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "geometry/point.h"
+#include "io/toml_table.h"
+#include "perception/learned_sensor.h"
+#include "perception/reading_noise.h"
+#include "scene/perception.h"
+#include "sensing/sensor.h"
+
+namespace mrose {
+
+class SimulatedView;
+
+/// A camera as it was learned from logs (perception/): it reports landmarks and robots, at its own period, as they were
+/// its latency ago, with what logs say of readings that are missing, off, and off together. The readings NAME.landmarks
+/// and NAME.robots hold SeenBody: the landmark's place in the environment's list, or the robot's number. A look at
+/// which it reports nothing gives empty ones.
+class LearnedCamera final : public Sensor {
+public:
+    static constexpr std::size_t mostName = 21;  ///< characters, for NAME.landmarks
+
+    struct Options {
+        std::optional<std::string> robot;  ///< whose camera; nullopt: SceneRobot::motionRobot's, where it was learned
+        std::optional<Nanoseconds> latency;
+    };
+    /// The network is of subjects, not of poses. A period of 0 is the network's.
+    LearnedCamera(std::shared_ptr<const LearnedSensor> learned, const SensorTraits& traits, const Options& options);
+    LearnedCamera(std::shared_ptr<const LearnedSensor> learned, const SensorTraits& traits)
+        : LearnedCamera(std::move(learned), traits, Options{}) {}
+
+    static constexpr std::size_t channels = 3;  ///< whether it is reported, range, bearing
+
+    /// Standard normal numbers that last.
+    struct Memory {
+        /// Of one subject.
+        struct Slot {
+            std::uint32_t subject = 0;  ///< landmarks first, then robots, from 1; 0: nobody's
+            std::array<float, channels> parts{};
+            Nanoseconds looked = 0;
+        };
+        Nanoseconds looked = 0;   ///< the last instant of measurement
+        std::uint32_t begun = 0;  ///< 0 until the first
+        std::array<float, channels> slow{};
+        std::array<Slot, 32> slots{};  ///< subject number modulo 32
+    };
+
+    std::string name() const override { return traits_.name; }
+    std::vector<ReadingKind> gives() const override;
+    Nanoseconds period() const override { return traits_.period; }
+    Nanoseconds latency() const override { return latency_; }
+    bool exact() const override { return true; }
+    Nanoseconds lookBack() const override { return latency_ + reach_; }
+    const BodySight* sight() const override { return &sight_; }
+    std::size_t memorySize() const override { return sizeof(Memory); }
+    bool sound(std::span<const std::byte> memory) const override;
+    std::vector<MemoryEntry> explain(std::span<const std::byte> memory) const override;
+    void sense(const SensorView& view, std::span<std::byte> memory, Observation& out) const override;
+
+private:
+    /// How a part that lasts goes on after some time, by channel.
+    struct Lasting {
+        std::array<double, channels> kept{}, added{};
+    };
+    Lasting after(Nanoseconds duration, double ReadingNoise::*time) const;
+    ReadingDraw common(const SensorView& view, Memory& memory) const;
+    ReadingDraw draw(const SensorView& view, std::uint32_t subject, const ReadingDraw& common, Memory& memory) const;
+    int robotOf(const SensorView& view) const;
+    Velocity ownVelocity(const SensorView& view, const Placement& own) const;
+    bool reports(SubjectKind kind) const;
+
+    std::shared_ptr<const LearnedSensor> learned_;
+    SensorTraits traits_;
+    std::optional<int> robot_;  ///< of the network's
+    Nanoseconds latency_, reach_;
+    BodySight sight_;
+    NoiseWeights weights_;
+    bool anyCommon_ = false, anySubject_ = false;
+    Lasting slow_, subject_;  ///< after one period
+    std::vector<ReadingKind> gives_;
+};
+
+/// Gives the sensor network that a table names by a key; null after an error, which the table remembers.
+using SensorNetworkReader = std::function<std::shared_ptr<const LearnedSensor>(TomlTable& table, std::string_view key)>;
+
+/// Its keys in a robot file, [[sensor]] of the kind "learned".
+SensorPointer readLearnedCamera(TomlTable& table, const SensorTraits& traits, const SensorNetworkReader& networks);
+
+}  // namespace mrose
