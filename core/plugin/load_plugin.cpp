@@ -18,10 +18,23 @@ namespace {
 
 constexpr std::size_t mostMemory = 1 << 20;
 
+/// Landmarks, and the names that they point to.
+struct KnownLandmarks {
+    std::vector<std::unique_ptr<const std::string>> names;
+    std::vector<PluginLandmark> all;
+};
+
 class TableOptions final : public PluginOptions {
 public:
-    TableOptions(TomlTable& table, const std::string& path, std::vector<std::unique_ptr<const LearnedMapping>>& kept)
-        : table_(table), mappings_(table.tableOrEmpty(mappingsKey)), path_(path), kept_(kept) {}
+    TableOptions(TomlTable& table, const std::string& path, std::vector<std::unique_ptr<const LearnedMapping>>& kept,
+                 KnownLandmarks& landmarks)
+        : table_(table), mappings_(table.tableOrEmpty(mappingsKey)), path_(path), kept_(kept), landmarks_(landmarks) {
+        for (TomlTable& landmark : table.tablesOrNone(landmarksKey)) {
+            const auto& name =
+                landmarks_.names.emplace_back(std::make_unique<const std::string>(landmark.string("name")));
+            landmarks_.all.push_back({name->c_str(), landmark.number("x_m"), landmark.number("y_m")});
+        }
+    }
     double number(const char* key, double fallback) override { return table_.numberOr(key, fallback); }
     bool flag(const char* key, bool fallback) override { return table_.booleanOr(key, fallback); }
     std::string text(const char* key, const char* fallback) override { return table_.stringOr(key, fallback); }
@@ -34,6 +47,9 @@ public:
                                   (error.key.empty() ? "" : error.key + ": ") + error.cause);
         return nullptr;
     }
+    const PluginLandmark* landmark(std::uint32_t index) override {
+        return index < landmarks_.all.size() ? &landmarks_.all[index] : nullptr;
+    }
     void reject(const char* key, const char* cause) override { table_.reject(key, cause); }
     void rejectUnknown() {
         mappings_.rejectUnknown();
@@ -45,6 +61,7 @@ private:
     TomlTable mappings_;
     const std::string& path_;
     std::vector<std::unique_ptr<const LearnedMapping>>& kept_;
+    KnownLandmarks& landmarks_;
 };
 
 /// Runs what a plug-in has; gives what it threw, and "" where it did not.
@@ -119,6 +136,7 @@ struct PluginController::Library {
     void* handle = nullptr;
     const PluginDescriptor* descriptor = nullptr;
     std::vector<std::unique_ptr<const LearnedMapping>> mappings;  ///< that the controller calls
+    KnownLandmarks landmarks;
     Controller* controller = nullptr;
 
     Library() = default;
@@ -144,7 +162,7 @@ Expected<void> PluginController::open(const std::string& options) {
     if (library_->descriptor == nullptr) return fail(path_, "is no plug-in: it has no mrosePlugin (MROSE_PLUGIN)");
     if (const std::string cause = incompatibility(*library_->descriptor); !cause.empty()) return fail(path_, cause);
     TomlTable table(options, path_);
-    TableOptions reader(table, path_, library_->mappings);
+    TableOptions reader(table, path_, library_->mappings, library_->landmarks);
     std::string thrown = thrownBy([&] { library_->controller = library_->descriptor->create(reader); });
     if (thrown.empty() || table.failed()) reader.rejectUnknown();
     if (table.failed()) return fail(path_, table.error().cause, 0, table.error().key);

@@ -44,6 +44,8 @@ private:
 
 /// Where the options of a plug-in hold its mappings: a table of the texts of network files.
 constexpr const char* mappingsKey = "mappings";
+/// Likewise the environment's landmarks: tables { name, x_m, y_m }.
+constexpr const char* landmarksKey = "landmarks";
 
 /// Loads the plug-in at `path` and makes one controller of it, with the TOML text `options`. Error: file `path` and
 /// what is wrong: there is none, it is no plug-in, it was built for another interface or standard library, or its

@@ -12,6 +12,12 @@
 
 namespace mrose {
 
+/// A landmark of the scenario's environment, as learned cameras report it: by its place in the environment's list.
+struct PluginLandmark {
+    const char* name = "";
+    double x = 0, y = 0;  ///< m, in the world's frame
+};
+
 /// What a scenario says about a plug-in's controller, in its tables `options` and `mappings`. A key of another type
 /// than asked for, and one that is never asked for, refuse the plug-in with file, line and column.
 class PluginOptions {
@@ -22,6 +28,9 @@ public:
     /// The learned mapping that the scenario's table `mappings` names by `key`; nullptr: it names none. It lives as
     /// long as the controller does.
     virtual const LearnedMapping* mapping(const char* key) = 0;
+    /// The landmark that SeenBody::index means in a reading NAME.landmarks; nullptr: there are not so many. It lives as
+    /// long as the controller does.
+    virtual const PluginLandmark* landmark(std::uint32_t index) = 0;
     /// Refuses the plug-in because of the value of `key`.
     virtual void reject(const char* key, const char* cause) = 0;
 
@@ -31,7 +40,7 @@ protected:
 
 /// Grows with every change of what plug-ins and programs share: these declarations, control/controller.h and what it
 /// includes.
-constexpr std::uint32_t pluginInterface = 4;
+constexpr std::uint32_t pluginInterface = 5;
 
 /// Sizes of what goes from the one to the other.
 struct PluginLayout {

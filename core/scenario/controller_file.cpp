@@ -160,16 +160,26 @@ std::string mappingsText(const Context& context) {
     return tomlText(Value::Table{{mappingsKey, std::move(texts)}});
 }
 
+/// The environment's landmarks, likewise.
+std::string landmarksText(const Environment& environment) {
+    Value::Array landmarks;
+    for (const Landmark& landmark : landmarksOf(environment))
+        landmarks.push_back(
+            Value::Table{{"name", landmark.name}, {"x_m", landmark.position.x}, {"y_m", landmark.position.y}});
+    return landmarks.empty() ? "" : tomlText(Value::Table{{landmarksKey, std::move(landmarks)}});
+}
+
 ControllerSetting plugin(const Context& context) {
     TomlTable& table = context.table;
     const std::string library = table.string("library");
     TomlTable options = table.tableOrEmpty("options");
     if (options.has(mappingsKey)) options.reject(mappingsKey, "stands beside the options, not among them");
-    const std::string mappings = mappingsText(context);
+    if (options.has(landmarksKey)) options.reject(landmarksKey, "are the environment's; expected another key");
+    const std::string told = landmarksText(context.driven.environment) + mappingsText(context);
     if (table.failed()) return {};
     if (!context.loading.plugins) return {std::make_shared<AbsentController>()};
     auto loaded =
-        context.loading.plugins(context.library.shown(joinedName(context.from, library)), options.text() + mappings);
+        context.loading.plugins(context.library.shown(joinedName(context.from, library)), options.text() + told);
     if (loaded) return {std::move(*loaded)};
     const Error& error = loaded.error();
     if (error.key.empty())

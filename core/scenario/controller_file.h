@@ -10,6 +10,7 @@
 #include "scenario/description_library.h"
 #include "scenario/robot_file.h"
 #include "scenario/scenario_file.h"
+#include "scene/environment.h"
 
 namespace mrose {
 
@@ -25,6 +26,7 @@ struct DrivenRobot {
     const RobotDescription& robot;
     double ballRadius = 0;  ///< m, of the scenario's ball; 0 where there is none
     std::shared_ptr<const FloorPlan> walls;
+    const Environment& environment;
 };
 
 /// Reads `controller = { kind = ..., ... }` of the scenario file called `from`. resources/README.md lists the kinds and

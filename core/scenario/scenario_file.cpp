@@ -197,7 +197,8 @@ void ScenarioReader::readRobot(TomlTable& table, bool person) {
     body.model = modelIndex(*robot, body.motionRobot);
     ControllerSetting setting{noController()};
     if (table.has("controller"))
-        setting = readController(table.table("controller"), {*robot, ballRadius(), walls_}, name_, library_, loading_);
+        setting = readController(table.table("controller"), {*robot, ballRadius(), walls_, scene_.environment}, name_,
+                                 library_, loading_);
     if (setting.logStart && !table.has("start"))
         body.start = *setting.logStart;
     else

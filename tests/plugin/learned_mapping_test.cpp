@@ -118,6 +118,32 @@ TEST(LearnedMapping, ScenarioNamesItsFileAndCarriesIt) {
     EXPECT_EQ(given, optionsWith(textOf(gain())));
 }
 
+/// In the order of the environment's obstacles, whose places cameras report.
+TEST(PluginLandmarks, AreNamedByTheirPlaces) {
+    auto world = worldWith("options = { label = \"count\" }");
+    world["e.toml"] +=
+        "[[obstacle]]\nlandmark = \"z 2\"\ncircle = { centre_m = [-4, 2], radius_m = 0.1 }\n"
+        "[[obstacle]]\nlandmark = \"a\"\ncircle = { centre_m = [4, -2], radius_m = 0.1 }\n";
+    ScenarioLoading loading;
+    std::shared_ptr<const Controller> loaded;
+    loading.plugins = [&](const std::string& path, const std::string& options) {
+        auto plugin = loadPlugin(path, options);
+        if (plugin) loaded = *plugin;
+        return plugin;
+    };
+    KeptDescriptions source(world);
+    const auto scenario = loadScenario("s.toml", source, loading);
+    ASSERT_TRUE(scenario) << scenario.error().message();
+    std::vector<std::byte> memory(loaded->memorySize());
+    loaded->start(memory);
+    EXPECT_EQ(loaded->explain(memory).back().text, "z 2<a>");
+    world["s.toml"].replace(world["s.toml"].find("label ="), 7, "landmarks =");
+    KeptDescriptions other(world);
+    const auto refused = loadScenario("s.toml", other, loading);
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().message(), HasSubstr("controller.options.landmarks: are the environment's"));
+}
+
 TEST(LearnedMapping, ScenarioSaysWhereItsMappingIsWrong) {
     ScenarioLoading loading;
     loading.plugins = [](const std::string& path, const std::string& options) { return loadPlugin(path, options); };

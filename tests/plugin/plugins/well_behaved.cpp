@@ -13,6 +13,8 @@ public:
           kicks_(options.flag("kicks", false)),
           label_(options.text("label", "count")),
           gain_(options.mapping("gain")) {
+        for (std::uint32_t i = 0; const mrose::PluginLandmark* landmark = options.landmark(i); ++i)
+            landmarks_ += std::string(landmark->name) + (landmark->x < landmark->y ? "<" : ">");
         if (speed_ < 0) options.reject("speed_mps", "expected at least 0");
     }
 
@@ -29,7 +31,10 @@ public:
 
     std::vector<mrose::MemoryEntry> explain(std::span<const std::byte> memory) const override {
         const auto& known = mrose::as<Memory>(memory);
-        return {{"count", static_cast<double>(known.count)}, {"turned", known.turned, "rad"}, {"label", 0, "", label_}};
+        std::vector<mrose::MemoryEntry> entries{
+            {"count", static_cast<double>(known.count)}, {"turned", known.turned, "rad"}, {"label", 0, "", label_}};
+        if (!landmarks_.empty()) entries.push_back({"landmarks", 0, "", landmarks_});
+        return entries;
     }
 
     void decide(const mrose::Observation& observation, std::span<std::byte> memory,
@@ -59,7 +64,7 @@ public:
 private:
     double speed_;
     bool kicks_;
-    std::string label_;
+    std::string label_, landmarks_;
     const mrose::LearnedMapping* gain_;
 };
 
