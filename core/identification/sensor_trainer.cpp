@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "geometry/normal_distribution.h"
+#include "identification/constant_noise_fit.h"
 #include "identification/likelihood_objective.h"
 #include "identification/reading_noise_fit.h"
 #include "identification/robust_statistics.h"
@@ -294,6 +295,7 @@ Expected<SensorNetwork> trainSensor(const SensorNetwork& blueprint, const Sensor
     network.form.dimensions = static_cast<int>(dimensionsOf(network.measures).size());
     network.form.components = options.family == RegressorFamily::network ? options.components : 1;
     network.gross = findGross(samples, network.form.dimensions);
+    network.constant = fitConstantNoise(network, samples);
     network.learned.kind = SensorNetwork::kind;
     network.learned.inputs = sensorInputsFor(network, samples);
     findOutputScales(network, samples);

@@ -27,10 +27,11 @@ std::string listText(const std::vector<std::string>& words) {
     return '[' + text + ']';
 }
 
-/// "reach_range_m".
-std::string reachKey(const ReadingDimension& dimension) {
-    return "reach_" + std::string(dimension.name) + '_' + std::string(dimension.unit);
+/// "range_m".
+std::string unitKey(const ReadingDimension& dimension) {
+    return std::string(dimension.name) + '_' + std::string(dimension.unit);
 }
+std::string reachKey(const ReadingDimension& dimension) { return "reach_" + unitKey(dimension); }
 
 std::string_view channelName(const SensorNetwork& network, std::size_t channel) {
     return channel == 0 ? "reported" : dimensionsOf(network.measures)[channel - 1].name;
@@ -59,6 +60,12 @@ std::string sectionText(const SensorNetwork& n) {
         text += ", " + reachKey(dimensionsOf(n.measures)[i]) + " = " + numberText(n.gross.reach[i]);
     }
     text += " } # of the readings, anywhere within reach of the truth\n";
+    text += "constant = { seen = " + numberText(n.constant.seen) + ", unseen = " + numberText(n.constant.unseen);
+    for (int d = 0; d < n.form.dimensions; ++d) {
+        const auto i = static_cast<std::size_t>(d);
+        text += ", " + unitKey(dimensionsOf(n.measures)[i]) + " = " + numberText(n.constant.spread[i]);
+    }
+    text += " } # an ideal sensor's noise, to compare with\n";
     text += "held_out_score = { looks = " + std::to_string(n.heldOut.looks) +
             ", cases = " + std::to_string(n.heldOut.cases) + ", readings = " + std::to_string(n.heldOut.readings) +
             ", reported = " + numberText(n.heldOut.reported) + ", error = " + numberText(n.heldOut.error) +
@@ -108,6 +115,16 @@ void readGross(TomlTable table, SensorNetwork& network) {
     table.rejectUnknown();
 }
 
+void readConstant(TomlTable table, SensorNetwork& network) {
+    network.constant.seen = table.number("seen", {0, 1});
+    network.constant.unseen = table.number("unseen", {0, 1});
+    for (int d = 0; d < network.form.dimensions; ++d) {
+        const auto i = static_cast<std::size_t>(d);
+        network.constant.spread[i] = table.number(unitKey(dimensionsOf(network.measures)[i]), {1e-9, 1e6});
+    }
+    table.rejectUnknown();
+}
+
 void readHeldOut(TomlTable table, SensorNetwork::HeldOut& heldOut) {
     constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
     heldOut = {table.integer("looks", 0, most), table.integer("cases", 0, most), table.integer("readings", 0, most),
@@ -141,6 +158,7 @@ void readSection(TomlTable& table, const LearnedNetwork& learned, SensorNetwork&
     network.form.components =
         static_cast<int>(table.integer("components", 1, std::int64_t{ReadingForm::maxComponents}));
     readGross(table.table("gross_errors"), network);
+    readConstant(table.table("constant"), network);
     readHeldOut(table.table("held_out_score"), network.heldOut);
     readNoise(table.table("noise"), network);
     if (!table.failed()) checkVariables(table, learned, network);

@@ -7,6 +7,7 @@
 
 #include "io/error.h"
 #include "learning/learned_network.h"
+#include "perception/constant_noise.h"
 #include "perception/reading_distribution.h"
 #include "perception/reading_noise.h"
 #include "perception/view.h"
@@ -35,6 +36,7 @@ struct SensorNetwork {
     ReadingForm form;
     GrossErrors gross;
     ReadingNoises noise;
+    ConstantNoise constant;  ///< of an ideal sensor, from the same readings
 
     /// What it is about what it did not learn from: mean logarithms of likelihoods.
     struct HeldOut {

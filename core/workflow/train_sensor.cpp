@@ -57,6 +57,11 @@ Expected<SensorNetwork> trainSensor(const TrainSensorRequest& request, const Pro
     blueprint.view = sampling.view;
     blueprint.robotSubjects = true;
     blueprint.learned.training.command = request.command;
+    for (const Log& log : logs) {
+        blueprint.learned.synthetic |= log.synthetic;
+        for (const auto* files : {&log.files, &log.measurementFiles})
+            for (const LogFile& file : *files) blueprint.learned.training.logs.push_back({file.path, file.hash});
+    }
     auto trained = trainSensor(blueprint, samples, request.training, progress);
     if (!trained || request.output.empty()) return trained;
     if (auto saved = saveSensor(*trained, request.output); !saved) return tl::unexpected(saved.error());

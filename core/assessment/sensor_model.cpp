@@ -1,0 +1,43 @@
+#include "assessment/sensor_model.h"
+
+#include "geometry/normal_distribution.h"
+#include "perception/ideal_view.h"
+
+namespace mrose {
+namespace {
+
+// The quantiles of a probability that is as good as 0, and of its complement.
+constexpr double never = -38, always = 38;
+
+double quantileOf(double probability) {
+    return probability <= 0 ? never : probability >= 1 ? always : normalQuantile(probability);
+}
+
+}  // namespace
+
+void LearnedSensorModel::distributions(std::span<const SensedState> states, const std::string& robot,
+                                       std::span<ReadingDistribution> to) const {
+    sensor_.distributions(states, sensor_.robotIndex(robot), to);
+    for (std::size_t i = 0; i < states.size(); ++i)
+        if (!sensor_.inView(states[i])) to[i].threshold = never;
+}
+
+IdealSensorModel::IdealSensorModel(const SensorNetwork& like, Noise noise) : latency_(like.latency), view_(like.view) {
+    const bool noisy = noise == Noise::constant;
+    seen_.dimensions = like.form.dimensions;
+    seen_.component[0].spread.fill(1e-9);
+    if (noisy) {
+        seen_.component[0].spread = like.constant.spread;
+        seen_.gross = like.gross;
+    }
+    unseen_ = seen_;
+    seen_.threshold = noisy ? quantileOf(like.constant.seen) : always;
+    unseen_.threshold = noisy ? quantileOf(like.constant.unseen) : never;
+}
+
+void IdealSensorModel::distributions(std::span<const SensedState> states, const std::string&,
+                                     std::span<ReadingDistribution> to) const {
+    for (std::size_t i = 0; i < states.size(); ++i) to[i] = ideallySeen(view_, states[i]) ? seen_ : unseen_;
+}
+
+}  // namespace mrose

@@ -1,0 +1,42 @@
+#include "identification/constant_noise_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "perception/ideal_view.h"
+
+namespace mrose {
+namespace {
+
+/// How many of the cases were reported; never none and never all.
+struct Share {
+    double reported = 0.5, cases = 1;
+    void add(bool one) { reported += one, ++cases; }
+    double value() const { return reported / cases; }
+};
+
+}  // namespace
+
+ConstantNoise fitConstantNoise(const SensorNetwork& sensor, const SensorSamples& samples) {
+    Share seen, unseen;
+    ReadingError squares{};
+    double sound = 0;
+    const auto dimensions = static_cast<std::size_t>(sensor.form.dimensions);
+    for (const SensorLook& look : samples.looks)
+        for (std::size_t i = look.first; i < look.first + look.count && !look.unknown; ++i) {
+            const SensorCase& one = samples.cases[i];
+            const bool inView = sensor.measures == SensorNetwork::Measures::pose || ideallySeen(sensor.view, one.state);
+            (inView ? seen : unseen).add(one.reported);
+            bool isSound = one.reported;
+            for (std::size_t d = 0; d < dimensions; ++d)
+                isSound = isSound && std::abs(one.error[d]) <= 0.5 * sensor.gross.reach[d];
+            if (!isSound) continue;
+            ++sound;
+            for (std::size_t d = 0; d < dimensions; ++d) squares[d] += one.error[d] * one.error[d];
+        }
+    ConstantNoise noise{seen.value(), unseen.value(), {}};
+    for (std::size_t d = 0; d < dimensions; ++d) noise.spread[d] = std::max(std::sqrt(squares[d] / sound), 1e-6);
+    return noise;
+}
+
+}  // namespace mrose
