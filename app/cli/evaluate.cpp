@@ -1,6 +1,7 @@
 #include <cstdio>
 
 #include "common.h"
+#include "evaluate_sensor.h"
 #include "io/format.h"
 #include "report/evaluation_files.h"
 #include "report/evaluation_report.h"
@@ -13,6 +14,8 @@ namespace {
 struct EvaluateFlags {
     EvaluateRequest what;
     std::string folder;
+    bool families = false;
+    std::vector<const CLI::Option*> ofMotion = {}, ofSensors = {};  ///< that only such networks know
 };
 
 std::string robotList(const Evaluation& evaluation) {
@@ -88,38 +91,72 @@ int runEvaluate(const EvaluateFlags& flags, const CommonFlags& common) {
     return success;
 }
 
+/// Error: a flag that was given and that this kind of network does not know.
+Expected<void> checkFlags(const std::vector<const CLI::Option*>& others, const std::string& network, bool sensor) {
+    for (const CLI::Option* option : others)
+        if (*option)
+            return fail({},
+                        "is for networks of " + std::string(sensor ? "motion" : "sensors") + "; " + network +
+                            " is of " + (sensor ? "a sensor" : "motion"),
+                        0, option->get_name());
+    return {};
+}
+
+int runEither(const EvaluateFlags& flags, const CommonFlags& common) {
+    const auto sensor = isSensorFile(flags.what.network);
+    if (!sensor) return report(sensor.error());
+    const auto fits = checkFlags(*sensor ? flags.ofMotion : flags.ofSensors, flags.what.network, *sensor);
+    if (!fits) {
+        report(fits.error());
+        return usage;
+    }
+    if (!*sensor) return runEvaluate(flags, common);
+    EvaluateSensorRequest request{flags.what.network, flags.what.log, flags.what.robots, flags.what.against};
+    request.families = flags.families;
+    request.command = flags.what.command;
+    return runEvaluateSensor(request, flags.folder, common);
+}
+
 }  // namespace
 
 Subcommand addEvaluate(CLI::App& app, CommonFlags& common) {
     auto flags = std::make_shared<EvaluateFlags>();
     flags->what.command = commandLine();
     CLI::App* sub =
-        addSubcommand(app, common, "evaluate", "Say how true a learned robot is: open-loop predictions against a log",
+        addSubcommand(app, common, "evaluate", "Say how true a learned robot or sensor is: predictions against a log",
                       "  mrose evaluate create.net --log MRCLAM_Dataset7 --robots 1,2 --report report\n"
                       "  mrose evaluate create.net --log MRCLAM_Dataset7 --against create_paper.net --json\n"
                       "  mrose evaluate create.net --log MRCLAM_Dataset7 --report report --show 12,40\n"
                       "  mrose evaluate husky.net --log husky_windows.csv --held-out\n"
+                      "  mrose evaluate create_camera.net --log MRCLAM_Dataset7 --robots 1,2 --families --report seen\n"
                       "The log should be one that the network was not learned from, or the part of it held out.");
     addOverwrite(*sub, common);
     sub->add_option("NET", flags->what.network, "Network file")->required();
     sub->add_option("--log", flags->what.log, "The log to compare with")->required();
     sub->add_option("--robots", flags->what.robots, "Only these robots, by name: 1,2")->delimiter(',');
     sub->add_option("--against", flags->what.against, "Other network files, beside it in all tables and pictures");
-    sub->add_option("--horizon", flags->what.horizon, "Length of a window in s")
-        ->check(numberRange(0.5, 3600.0))
-        ->capture_default_str();
+    flags->ofSensors.push_back(
+        sub->add_flag("--families", flags->families,
+                      "Of a sensor: beside it the other two of network, lookup table and decision trees, learned from "
+                      "the logs that its file names"));
+    flags->ofMotion.push_back(sub->add_option("--horizon", flags->what.horizon, "Of motion: length of a window in s")
+                                  ->check(numberRange(0.5, 3600.0))
+                                  ->capture_default_str());
     CLI::Option* folder =
         sub->add_option("--report", flags->folder,
-                        "Folder for report.html, results.csv, results.json and windows.csv (for mrose predict)")
+                        "Folder for report.html, results.csv, results.json and windows.csv, of a sensor cases.csv "
+                        "(for mrose predict)")
             ->check(someName());
-    sub->add_option("--show", flags->what.shown, "Windows whose paths the report shows too, by number: 12,40")
-        ->delimiter(',')
-        ->needs(folder);
-    sub->add_flag("--held-out", flags->what.heldOut,
-                  "Only the part of the log that mrose train --hold-out kept from learning");
-    sub->add_flag_callback(
-        "--no-floor", [flags] { flags->what.withFloor = false; }, "Do not compare near-identical commands");
-    return {sub, [flags, &common] { return runEvaluate(*flags, common); }};
+    flags->ofMotion.push_back(sub->add_option("--show", flags->what.shown,
+                                              "Of motion: windows whose paths the report shows too, by number: 12,40")
+                                  ->delimiter(',')
+                                  ->needs(folder));
+    flags->ofMotion.push_back(
+        sub->add_flag("--held-out", flags->what.heldOut,
+                      "Of motion: only the part of the log that mrose train --hold-out kept from learning"));
+    flags->ofMotion.push_back(sub->add_flag_callback(
+        "--no-floor", [flags] { flags->what.withFloor = false; }, "Of motion: do not compare near-identical commands"));
+    return {sub, [flags, &common] { return runEither(*flags, common); }};
 }
 
 }  // namespace mrose::cli

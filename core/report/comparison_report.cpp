@@ -29,7 +29,7 @@ std::string header(const Comparison& comparison, const ReportContext& context) {
         cat(escaped(comparison.scenario), " beside the log"),
         cat(counted(comparison.requests.size(), "rollout"), " of ", lengthText(least->steps * step, most->steps * step),
             ", ", counted(comparison.robots.size(), "robot")),
-        comparison.log, context, context.notices);
+        {comparison.log.source, comparison.log.synthetic}, context, context.notices);
 }
 
 /// cm, over the instants that are known.

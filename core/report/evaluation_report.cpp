@@ -158,7 +158,7 @@ std::string header(const Evaluation& evaluation, const ReportContext& context) {
                     cat(counted(log.windows.size(), "window"), " of ",
                         lengthText(least->steps() * log.options.step, most->steps() * log.options.step), ", ",
                         robotsText(evaluation)),
-                    log, context, notices);
+                    {log.source, log.synthetic}, context, notices);
 }
 
 std::string typicalWindow(const Evaluation& evaluation, const Summary& s) {

@@ -30,8 +30,10 @@ std::string seriesClass(std::size_t series) {
     return cat("s", std::to_string(series < seriesStyles ? series : 1 + (series - 1) % (seriesStyles - 1)));
 }
 
-std::string seriesName(const Assessment& assessment, std::size_t series) {
-    return cat("<span class=\"model\">", lineSample(seriesClass(series)), escaped(assessment.name), "</span>");
+std::string seriesName(const Assessment& assessment, std::size_t series) { return seriesName(assessment.name, series); }
+
+std::string seriesName(std::string_view name, std::size_t series) {
+    return cat("<span class=\"model\">", lineSample(seriesClass(series)), escaped(name), "</span>");
 }
 
 std::string lineEntry(std::string_view cssClass, std::string_view label) { return entry(lineSample(cssClass), label); }

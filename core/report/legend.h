@@ -15,6 +15,9 @@ std::string seriesClass(std::size_t series);
 /// An assessment's name behind a sample of its line.
 std::string seriesName(const Assessment& assessment, std::size_t series);
 
+/// The same of anything else that has a name.
+std::string seriesName(std::string_view name, std::size_t series);
+
 /// A sample of a line of a class, and what it is.
 std::string lineEntry(std::string_view cssClass, std::string_view label);
 /// A sample of an area.

@@ -10,12 +10,6 @@
 namespace mrose {
 namespace {
 
-std::string tile(std::string_view label, std::string_view value, std::string_view unit, std::string_view more) {
-    return element("div", "tile",
-                   cat("<div class=\"name\">", label, "</div><div class=\"value\">", value, " <small>", unit,
-                       "</small></div><div class=\"more\">", more, "</div>"));
-}
-
 std::string intervalText(const Interval& interval, std::size_t windows) {
     if (windows < leastForInterval) return cat("of ", std::to_string(windows), ": too few for an interval");
     return cat("95\u00a0% interval ", fixed(interval.low, 2), "–", percentText(interval.high));
@@ -43,12 +37,12 @@ std::string reportPage(std::string_view title, std::string_view body) {
                "</title>\n<style>", reportStyle, "</style></head>\n<body><main>\n", body, "</main></body></html>\n");
 }
 
-std::string pageHead(std::string_view title, std::string_view subtitle, const LogWindows& log,
+std::string pageHead(std::string_view title, std::string_view subtitle, const PageSource& source,
                      const ReportContext& context, const std::vector<std::string>& notices) {
-    const char* const badge = log.synthetic ? "<span class=\"badge\">synthetic data</span>" : "";
+    const char* const badge = source.synthetic ? "<span class=\"badge\">synthetic data</span>" : "";
     const std::string program = context.program.empty() ? "" : cat(" · ", escaped(context.program));
     std::string text = element("h1", "", cat(title, badge)) +
-                       element("p", "sub", cat(subtitle, ", log <code>", escaped(log.source), "</code>", program));
+                       element("p", "sub", cat(subtitle, ", log <code>", escaped(source.log), "</code>", program));
     for (const std::string& notice : notices) text += element("p", "notice", escaped(notice));
     return text;
 }
@@ -67,8 +61,12 @@ std::string card(std::string_view title, std::string_view content) {
 
 std::string tableCard(std::string_view content) { return element("div", "card", content); }
 
+std::string cardPair(std::string_view first, std::string_view second) {
+    return element("div", "pair", cat(first, second));
+}
+
 std::string figurePair(std::string_view position, std::string_view heading) {
-    return element("div", "pair", card("Position", position) + card("Heading", heading));
+    return cardPair(card("Position", position), card("Heading", heading));
 }
 
 std::string p90Text(const Distribution& d, double unit, int decimals) {
@@ -101,9 +99,16 @@ std::string lengthText(Nanoseconds shortest, Nanoseconds longest) {
     return cat(shortest == longest ? "" : cat(secondsText(shortest, 0), " to "), secondsText(longest, 0), " s");
 }
 
+std::string tile(std::string_view label, std::string_view value, std::string_view unit, std::string_view more) {
+    return element("div", "tile",
+                   cat("<div class=\"name\">", label, "</div><div class=\"value\">", value, " <small>", unit,
+                       "</small></div><div class=\"more\">", more, "</div>"));
+}
+
+std::string tileRow(std::string_view tiles) { return element("div", "tiles", tiles); }
+
 std::string tiles(const Summary& s) {
-    return element("div", "tiles",
-                   cat(tile("P: position error over path", fixed(s.p, 2), "%", intervalText(s.p95, s.windows)),
+    return tileRow(cat(tile("P: position error over path", fixed(s.p, 2), "%", intervalText(s.p95, s.windows)),
                        tile("Hd: heading error over rotation", fixed(s.hd, 2), "%", intervalText(s.hd95, s.windows)),
                        tile("position at the end, median", fixed(100 * s.positionFinal.median, 1), "cm",
                             percentilesText(s.positionFinal, 100, " cm")),

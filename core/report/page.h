@@ -32,8 +32,13 @@ std::string element(std::string_view tag, std::string_view cssClass, std::string
 
 /// A whole page that needs nothing else, with its style sheet.
 std::string reportPage(std::string_view title, std::string_view body);
+/// What a page is about.
+struct PageSource {
+    std::string_view log;
+    bool synthetic = false;
+};
 /// Title, a line below it, and sentences (plain text) that must be read before the numbers.
-std::string pageHead(std::string_view title, std::string_view subtitle, const LogWindows& log,
+std::string pageHead(std::string_view title, std::string_view subtitle, const PageSource& source,
                      const ReportContext& context, const std::vector<std::string>& notices);
 
 std::string heading(std::string_view content);
@@ -41,6 +46,7 @@ std::string paragraph(std::string_view content);
 /// A term of a list of definitions, and what it means.
 std::string definition(std::string_view term, std::string_view meaning);
 std::string card(std::string_view title, std::string_view content);
+std::string cardPair(std::string_view first, std::string_view second);
 /// A figure of positions and one of headings.
 std::string figurePair(std::string_view position, std::string_view heading);
 std::string tableCard(std::string_view content);
@@ -84,6 +90,10 @@ std::string errorDefinitions(const WindowOptions& options, std::string_view wind
 
 /// The distribution's 90th percentile, or nothing where it is of too few.
 std::string p90Text(const Distribution& distribution, double unit, int decimals);
+
+/// A figure in large with its label above it and what more there is to say below it, in a row of such.
+std::string tile(std::string_view label, std::string_view value, std::string_view unit, std::string_view more);
+std::string tileRow(std::string_view tiles);
 
 /// P, Hd and the errors at the end, large.
 std::string tiles(const Summary& summary);

@@ -85,6 +85,14 @@ path.axis { stroke: var(--soft); stroke-width: 1.2; fill: none; }
 .miss { stroke: var(--soft); stroke-width: 1.2; stroke-dasharray: 2 3; }
 .floorline { --c: var(--soft); stroke-width: 1.4; stroke-dasharray: 5 3; }
 rect.k0 { fill: var(--k0); } rect.k1 { fill: var(--k1); } rect.k2 { fill: var(--k2); }
+.realband { fill: var(--real); stroke: none; opacity: .28; } .realband.inner { opacity: .5; }
+.edge { stroke-width: 1.6; stroke-dasharray: none; } .edge.outer { stroke-width: 1.4; stroke-dasharray: 5 3; }
+.realmark { fill: var(--real); stroke: var(--card); stroke-width: 1; } .realmiss { --c: var(--realarrow); stroke-width: 1.4; }
+.sample { fill: var(--c0); opacity: .55; } .subject { fill: var(--ink); } .unreported { fill: var(--card); stroke: var(--ink); stroke-width: 1.6; }
+.body { fill: var(--k0); opacity: .6; } .own { fill: var(--ink); } .arc { --c: var(--rule); stroke-width: 1; } .sight { --c: var(--soft); stroke-width: 1.2; stroke-dasharray: 5 3; }
+rect.even { fill: var(--c0); opacity: .55; } .nothing { fill: var(--grid); }
+.v0 { fill: #440154; } .v1 { fill: #482878; } .v2 { fill: #3e4989; } .v3 { fill: #31688e; } .v4 { fill: #26828e; }
+.v5 { fill: #1f9e89; } .v6 { fill: #35b779; } .v7 { fill: #6ece58; } .v8 { fill: #b5de2b; } .v9 { fill: #fde725; }
 details { margin: 8px 0; } summary { cursor: pointer; color: var(--soft); }
 dl { display: grid; grid-template-columns: minmax(120px, max-content) 1fr; gap: 6px 22px; margin: 8px 0; max-width: 110ch; }
 dt { font-weight: 600; } dd { margin: 0; }

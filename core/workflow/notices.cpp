@@ -17,31 +17,37 @@ std::string listOf(const std::vector<std::string>& names) {
     return text;
 }
 
-std::string ofOtherKind(const MotionNetwork& network, const std::string& kind, const std::string& whose) {
-    if (kind.empty() || kind == "robot" || network.robotType == "robot" || kind == network.robotType) return {};
-    return "The network is of another kind of robot (" + network.robotType + ") than " + whose + " (" + kind +
+std::string ofOtherKind(const std::string& known, const std::string& kind, const std::string& whose) {
+    if (kind.empty() || kind == "robot" || known == "robot" || kind == known) return {};
+    return "The network is of another kind of robot (" + known + ") than " + whose + " (" + kind +
            "): its predictions mean little.";
 }
 
-std::string ofUnknownRobots(const MotionNetwork& network, const Log& log) {
+std::string ofUnknownRobots(const std::vector<std::string>& known, const std::vector<std::string>& robots) {
     std::vector<std::string> unknown;
-    for (const RobotLog& robot : log.robots)
-        if (std::find(network.robots.begin(), network.robots.end(), robot.robot) == network.robots.end())
-            unknown.push_back(robot.robot);
-    if (unknown.empty() || network.robots.empty()) return {};
+    for (const std::string& robot : robots)
+        if (std::find(known.begin(), known.end(), robot) == known.end()) unknown.push_back(robot);
+    if (unknown.empty() || known.empty()) return {};
     return "The network was not learned from " + listOf(unknown) +
-           (network.robots.size() == 1 ? ", which it takes for " : ", which it takes for the mean of ") +
-           listOf(network.robots) + '.';
+           (known.size() == 1 ? ", which it takes for " : ", which it takes for the mean of ") + listOf(known) + '.';
 }
 
-std::string ofKnownLog(const MotionNetwork& network, const Log& log, const std::string& howJudged) {
-    const auto& known = network.training.logs;
+std::vector<std::string> namesOf(const Log& log) {
+    std::vector<std::string> names;
+    for (const RobotLog& robot : log.robots) names.push_back(robot.robot);
+    return names;
+}
+
+/// `howJudged`: what is said beside it.
+std::string ofKnownLog(const std::vector<NetworkSource>& known, const Log& log, const std::string& howJudged) {
     const auto isKnown = [&](const LogFile& file) {
         return std::any_of(known.begin(), known.end(), [&](const auto& source) { return source.hash == file.hash; });
     };
     if (std::none_of(log.files.begin(), log.files.end(), isKnown)) return {};
-    return std::string("The network was learned from this log: on another one its errors are larger.") +
-           (network.heldOut.part.holdsAny() ? howJudged : "");
+    return "The network was learned from this log: on another one its errors are larger." + howJudged;
+}
+std::string ofKnownLog(const MotionNetwork& network, const Log& log, const std::string& howJudged) {
+    return ofKnownLog(network.training.logs, log, network.heldOut.part.holdsAny() ? howJudged : "");
 }
 
 }  // namespace
@@ -68,9 +74,19 @@ std::vector<std::string> noticesOf(const Log& log) {
 }
 
 std::vector<std::string> noticesOf(const MotionNetwork& network, const Log& log, bool heldOutOnly) {
-    std::vector<std::string> notices{ofOtherKind(network, robotKind(log), "the log"), ofUnknownRobots(network, log)};
+    std::vector<std::string> notices{ofOtherKind(network.robotType, robotKind(log), "the log"),
+                                     ofUnknownRobots(network.robots, namesOf(log))};
     if (!heldOutOnly)
         notices.push_back(ofKnownLog(network, log, " --held-out judges it by what was kept from learning."));
+    std::erase(notices, std::string());
+    return notices;
+}
+
+std::vector<std::string> noticesOf(const SensorNetwork& network, const Log& log,
+                                   const std::vector<std::string>& robots) {
+    std::vector<std::string> notices{ofOtherKind(network.robotType, robotKind(log), "the log"),
+                                     ofUnknownRobots(network.robots, robots),
+                                     ofKnownLog(network.learned.training.logs, log, "")};
     std::erase(notices, std::string());
     return notices;
 }
@@ -79,7 +95,8 @@ std::vector<std::string> noticesOf(const MotionNetwork& network, const LogWorld&
     Log compared;
     compared.files = world.log().files;
     for (const ComparedRobot& robot : world.robots()) compared.robots.push_back({robot.realName, {}, {}});
-    std::vector<std::string> notices{otherKindNotice(network, world), ofUnknownRobots(network, compared),
+    std::vector<std::string> notices{otherKindNotice(network, world),
+                                     ofUnknownRobots(network.robots, namesOf(compared)),
                                      ofKnownLog(network, compared, " mrose evaluate can judge it by what was kept.")};
     std::erase(notices, std::string());
     return notices;
@@ -88,8 +105,8 @@ std::vector<std::string> noticesOf(const MotionNetwork& network, const LogWorld&
 std::string otherKindNotice(const MotionNetwork& network, const LogWorld& world) {
     const std::string kind = robotKind(world.log());
     const auto own = networksOf(world.parts());
-    if (!kind.empty() || own.empty()) return ofOtherKind(network, kind, "the log");
-    return ofOtherKind(network, own.front()->robotType, "the scenario's");
+    if (!kind.empty() || own.empty()) return ofOtherKind(network.robotType, kind, "the log");
+    return ofOtherKind(network.robotType, own.front()->robotType, "the scenario's");
 }
 
 }  // namespace mrose

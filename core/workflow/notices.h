@@ -6,6 +6,7 @@
 #include "assessment/log_world.h"
 #include "logs/robot_log.h"
 #include "motion/motion_network.h"
+#include "perception/sensor_network.h"
 #include "scenario/scenario.h"
 
 namespace mrose {
@@ -24,6 +25,9 @@ std::vector<const MotionNetwork*> networksOf(const ScenarioParts& parts);
 /// another kind of robot, robots that it was not learned from, a log that it was learned from. `heldOutOnly`: the log
 /// is but the part that was kept from learning.
 std::vector<std::string> noticesOf(const MotionNetwork& network, const Log& log, bool heldOutOnly = false);
+/// The same of a sensor and those robots of a log that are judged.
+std::vector<std::string> noticesOf(const SensorNetwork& network, const Log& log,
+                                   const std::vector<std::string>& robots);
 /// The same of the robots of a log that are compared. Where the log names no kind of robot, theirs is that of their
 /// motion.
 std::vector<std::string> noticesOf(const MotionNetwork& network, const LogWorld& world);
