@@ -62,6 +62,12 @@ SensorAssessment assess(const LoggedView& view, const LoggedCases& cases, const 
     return assessment;
 }
 
+/// The first stamp of its commands and poses.
+Nanoseconds startOf(const Trajectory& trajectory) {
+    const Nanoseconds poses = trajectory.poses.front().time;
+    return trajectory.commands.empty() ? poses : std::min(poses, trajectory.commands.front().time);
+}
+
 /// The first of those with the most readings.
 ShownLook lookWithMost(const LoggedView& view, const LoggedCases& cases) {
     const auto readings = [&](const LoggedLook& look) {
@@ -70,8 +76,9 @@ ShownLook lookWithMost(const LoggedView& view, const LoggedCases& cases) {
                              [](const LoggedCase& one) { return one.sound; });
     };
     const auto most = std::ranges::max_element(cases.looks, {}, readings);
-    ShownLook shown{static_cast<std::size_t>(most - cases.looks.begin()), {}};
     const std::size_t own = cases.robots[most->robot].inLog;
+    const Nanoseconds start = startOf(view.log().robots[own].trajectories[most->trajectory]);
+    ShownLook shown{static_cast<std::size_t>(most - cases.looks.begin()), most->time - start, {}};
     for (const LoggedSubject& subject : view.at(own, most->trajectory, most->time, View{}))
         if (subject.state.subject == SubjectKind::robot)
             shown.robots.push_back(subject.state.range * towards(subject.state.bearing));

@@ -28,8 +28,9 @@ struct SensorAssessment {
 
 /// A look that a page shows, seen from its robot: x ahead, y to the left.
 struct ShownLook {
-    std::size_t look = 0;       ///< in LoggedCases::looks
-    std::vector<Point> robots;  ///< the other ones, m, as far as the log says where they were
+    std::size_t look = 0;        ///< in LoggedCases::looks
+    Nanoseconds sinceStart = 0;  ///< of its drive
+    std::vector<Point> robots;   ///< the other ones, m, as far as the log says where they were
 };
 
 /// Several models against the same cases. Bands, map and look are of the first.

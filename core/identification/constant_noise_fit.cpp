@@ -25,6 +25,7 @@ ConstantNoise fitConstantNoise(const SensorNetwork& sensor, const SensorSamples&
     for (const SensorLook& look : samples.looks)
         for (std::size_t i = look.first; i < look.first + look.count && !look.unknown; ++i) {
             const SensorCase& one = samples.cases[i];
+            if (sensor.landmarks && one.state.subject == SubjectKind::robot) continue;
             const bool inView = sensor.measures == SensorNetwork::Measures::pose || ideallySeen(sensor.view, one.state);
             (inView ? seen : unseen).add(one.reported);
             bool isSound = one.reported;

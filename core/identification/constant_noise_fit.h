@@ -6,7 +6,8 @@
 
 namespace mrose {
 
-/// The likeliest constant noise of an ideal sensor, by the readings without gross errors. `sensor` says what is in view
+/// The likeliest constant noise of an ideal sensor, by the readings of landmarks without gross
+/// errors, or of robots for one that reports no landmarks. `sensor` says what is in view
 /// and which errors are gross.
 ConstantNoise fitConstantNoise(const SensorNetwork& sensor, const SensorSamples& samples);
 

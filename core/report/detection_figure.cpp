@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "drawing/svg.h"
+#include "io/format.h"
 #include "report/legend.h"
 #include "report/page.h"
 #include "report/view_plot.h"
@@ -14,8 +15,19 @@ namespace {
 constexpr std::size_t fewestCases = 10;
 constexpr int shareColours = 10;
 
-std::string shareClass(double share) {
-    return cat("v", std::to_string(std::clamp(static_cast<int>(share * shareColours), 0, shareColours - 1)));
+bool isShown(const DetectionMap::Cell& cell) { return cell.cases >= fewestCases; }
+
+/// The share that the last colour ends at, the same for both sides: a multiple of 20 %.
+double highestShare(const DetectionMap& map) {
+    double highest = 0.2;
+    for (const DetectionMap::Cell& cell : map.cells)
+        if (isShown(cell)) highest = std::max({highest, cell.real, cell.predicted});
+    return 0.2 * std::ceil(5 * highest - 1e-9);
+}
+
+std::string shareClass(double share, double highest) {
+    const int colour = static_cast<int>(share / highest * shareColours);
+    return cat("v", std::to_string(std::clamp(colour, 0, shareColours - 1)));
 }
 
 }  // namespace
@@ -23,6 +35,7 @@ std::string shareClass(double share) {
 std::string detectionFigure(const SensorEvaluation& evaluation, DetectionSide side) {
     const DetectionMap& map = evaluation.map;
     const double far = map.ranges * map.rangeStep, wide = -map.firstBearing;
+    const double highest = highestShare(map);
     const bool real = side == DetectionSide::real;
     ViewPlot view(far, wide,
                   cat("Share of the subjects that is reported, ", real ? evaluation.log.real() : "predicted"));
@@ -30,19 +43,21 @@ std::string detectionFigure(const SensorEvaluation& evaluation, DetectionSide si
     for (int b = 0; b < map.bearings; ++b)
         for (int r = 0; r < map.ranges; ++r) {
             const DetectionMap::Cell& cell = map.at(b, r);
-            if (cell.cases < fewestCases) continue;
+            if (!isShown(cell)) continue;
             const double right = map.firstBearing + b * map.bearingStep;
             view.cell(r * map.rangeStep, (r + 1) * map.rangeStep, right, right + map.bearingStep,
-                      shareClass(real ? cell.real : cell.predicted));
+                      shareClass(real ? cell.real : cell.predicted, highest));
         }
     view.scale();
-    for (const double side_ : {-0.5, 0.5})
-        view.ray(0, std::min(far, evaluation.view.range), side_ * evaluation.view.fieldOfView, "sight");
+    const double half = 0.5 * evaluation.view.fieldOfView, reach = std::min(far, evaluation.view.range);
+    for (const double edge : {-half, half}) view.ray(0, reach, edge, "sight over");
+    view.arc(reach, -half, half, "sight over");
     return view.text();
 }
 
-std::string shareLegend() {
-    constexpr double width = 26, height = 14, left = 18;
+std::string shareLegend(const SensorEvaluation& evaluation) {
+    constexpr double width = 26, height = 14, left = 22;
+    constexpr int labels = 5;
     std::string marks;
     for (int i = 0; i < shareColours; ++i)
         marks += element("rect", {{"class", cat("v", std::to_string(i))},
@@ -50,8 +65,9 @@ std::string shareLegend() {
                                   {"y", 0.0},
                                   {"width", width},
                                   {"height", height}});
-    for (const int percent : {0, 20, 40, 60, 80, 100})
-        marks += svgText({left + width * percent / 10, height + 15}, cat(std::to_string(percent), " %"),
+    for (int i = 0; i < labels; ++i)
+        marks += svgText({left + width * shareColours * i / (labels - 1), height + 15},
+                         cat(fixed(100 * highestShare(evaluation.map) * i / (labels - 1), 0), " %"),
                          {{"class", "tick middle"}});
     const double whole = 2 * left + width * shareColours;
     const std::string scale = element("svg",
@@ -59,7 +75,7 @@ std::string shareLegend() {
                                        {"height", "32"},
                                        {"viewBox", cat("0 0 ", px(whole), " 32")},
                                        {"role", "img"},
-                                       {"aria-label", "Colours from 0 to 100 % reported"}},
+                                       {"aria-label", "Colours by the share that is reported"}},
                                       marks);
     return legend(cat(element("span", "", cat(scale, "of the subjects there are reported")),
                       boxEntry("nothing", "fewer than 10 cases"),

@@ -11,6 +11,6 @@ enum class DetectionSide { real, predicted };
 std::string detectionFigure(const SensorEvaluation& evaluation, DetectionSide side);
 
 /// What the colours mean.
-std::string shareLegend();
+std::string shareLegend(const SensorEvaluation& evaluation);
 
 }  // namespace mrose

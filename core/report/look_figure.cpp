@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "assessment/reading_scores.h"
+#include "drawing/label_placement.h"
 #include "geometry/normal_distribution.h"
 #include "io/format.h"
 #include "report/legend.h"
@@ -13,7 +14,7 @@
 namespace mrose {
 namespace {
 
-constexpr double pixelsOfRobot = 9;
+constexpr double pixelsOfRobot = 7, pixelsOfSubject = 3.4, pixelsOfReading = 3.4, pixelsOfDraw = 1.6;
 
 struct ShownCases {
     std::size_t first = 0, count = 0;
@@ -30,12 +31,13 @@ void forEachCase(const SensorEvaluation& evaluation, const Use& use) {
 }
 
 ViewPlot viewOf(const SensorEvaluation& evaluation, std::string_view description) {
-    double far = 1;
+    double far = 1, wide = 0.5 * evaluation.view.fieldOfView;
     forEachCase(evaluation, [&](std::size_t, const LoggedCase& one) {
         far = std::max({far, one.range + 0.4, one.reported ? one.measuredRange + 0.4 : 0});
+        wide = std::max(wide, std::abs(one.bearing));
     });
     far = std::min(far, evaluation.log.rule.range);
-    ViewPlot view(far, evaluation.log.rule.bearing, description);
+    ViewPlot view(far, std::min(wide + 0.03, evaluation.log.rule.bearing), description);
     view.scale();
     for (const double side : {-0.5, 0.5})
         view.ray(0, std::min(far, evaluation.view.range), side * evaluation.view.fieldOfView, "sight");
@@ -45,14 +47,46 @@ ViewPlot viewOf(const SensorEvaluation& evaluation, std::string_view description
 
 enum class LookSide { real, predicted };
 
+/// Writes labels beside the subjects that are on nothing else.
+class SubjectLabels {
+public:
+    SubjectLabels(const SensorEvaluation& evaluation, ViewPlot& view) : view_(view) {
+        forEachCase(evaluation, [&](std::size_t, const LoggedCase& one) {
+            marks_.push_back(pixels(ViewPlot::place(one.range, one.bearing)));
+            if (one.reported) marks_.push_back(pixels(ViewPlot::place(one.measuredRange, one.measuredBearing)));
+        });
+    }
+
+    void write(const Point& place, std::string_view text) {
+        constexpr double letter = 7.6, height = 13, descent = 3;
+        const Point at = pixels(place);
+        const PageBox box = placeLabel(at, letter * static_cast<double>(text.size()), height, marks_, taken_, page_);
+        taken_.push_back(box);
+        view_.plot().label(place, box.left - at.x, box.bottom - descent - at.y, text, "tick");
+    }
+
+private:
+    /// On a page without margins.
+    Point pixels(const Point& place) const {
+        const double scale = 1 / view_.plot().unitsPerPixel();
+        return {scale * place.x, -scale * place.y};
+    }
+
+    ViewPlot& view_;
+    const PageBox page_{-1e4, -1e4, 1e4, 1e4};
+    std::vector<Point> marks_;
+    std::vector<PageBox> taken_;
+};
+
 /// The subjects themselves, with their names or the predicted shares.
 void drawSubjects(const SensorEvaluation& evaluation, ViewPlot& view, LookSide side) {
+    SubjectLabels labels(evaluation, view);
     forEachCase(evaluation, [&](std::size_t i, const LoggedCase& one) {
         const Point place = ViewPlot::place(one.range, one.bearing);
-        const std::string& name = evaluation.log.subjects[one.subject];
-        view.plot().circle(place, 4, one.reported ? "subject" : "unreported");
+        view.plot().circle(place, pixelsOfSubject, one.reported ? "subject" : "unreported");
         const double chance = evaluation.models.front().scores[i].probability;
-        view.plot().label(place, 9, -6, side == LookSide::real ? name : cat(fixed(100 * chance, 0), " %"), "tick");
+        labels.write(place,
+                     side == LookSide::real ? evaluation.log.subjects[one.subject] : cat(fixed(100 * chance, 0), " %"));
     });
 }
 
@@ -84,7 +118,8 @@ void drawDraws(const CasePrediction& prediction, std::size_t index, ViewPlot& vi
         const ReadingDraw numbers{normalQuantile(others.first), others.second, {errors.first, errors.second}};
         if (!prediction.distribution.reports(numbers)) continue;
         const ReadingError error = prediction.distribution.error(numbers);
-        view.plot().circle(ViewPlot::place(prediction.range + error[0], prediction.bearing + error[1]), 2.2, "sample");
+        view.plot().circle(ViewPlot::place(prediction.range + error[0], prediction.bearing + error[1]), pixelsOfDraw,
+                           "sample");
     }
 }
 
@@ -98,7 +133,7 @@ std::string realLookFigure(const SensorEvaluation& evaluation) {
         const Point ends[] = {ViewPlot::place(one.range, one.bearing),
                               ViewPlot::place(one.measuredRange, one.measuredBearing)};
         view.plot().line(ends, "realmiss");
-        view.plot().circle(ends[1], 5, "realmark");
+        view.plot().circle(ends[1], pixelsOfReading, "realmark");
     });
     return view.text();
 }

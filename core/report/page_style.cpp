@@ -37,7 +37,7 @@ p { margin: 6px 0 10px; max-width: 86ch; }
 .pair { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 460px), 1fr)); gap: 14px; }
 .paths { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 340px), 1fr)); gap: 14px; }
 .paths .soft { font-size: 13.5px; margin: 0 0 4px; line-height: 1.4; }
-.bars + .bars { margin-top: 14px; }
+.bars + .bars, .pair + .pair { margin-top: 14px; }
 .paths .plot { margin: 0 auto; } .paths table + .soft { margin-top: 10px; }
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; font-size: 14.5px; font-variant-numeric: tabular-nums; width: 100%; }
@@ -89,7 +89,7 @@ rect.k0 { fill: var(--k0); } rect.k1 { fill: var(--k1); } rect.k2 { fill: var(--
 .edge { stroke-width: 1.6; stroke-dasharray: none; } .edge.outer { stroke-width: 1.4; stroke-dasharray: 5 3; }
 .realmark { fill: var(--real); stroke: var(--card); stroke-width: 1; } .realmiss { --c: var(--realarrow); stroke-width: 1.4; }
 .sample { fill: var(--c0); opacity: .55; } .subject { fill: var(--ink); } .unreported { fill: var(--card); stroke: var(--ink); stroke-width: 1.6; }
-.body { fill: var(--k0); opacity: .6; } .own { fill: var(--ink); } .arc { --c: var(--rule); stroke-width: 1; } .sight { --c: var(--soft); stroke-width: 1.2; stroke-dasharray: 5 3; }
+.body { fill: var(--k0); opacity: .6; } .own { fill: var(--ink); } .arc { --c: var(--rule); stroke-width: 1; } .sight { --c: var(--soft); stroke-width: 1.2; stroke-dasharray: 5 3; } .sight.over { --c: #fff; }
 rect.even { fill: var(--c0); opacity: .55; } .nothing { fill: var(--grid); }
 .v0 { fill: #440154; } .v1 { fill: #482878; } .v2 { fill: #3e4989; } .v3 { fill: #31688e; } .v4 { fill: #26828e; }
 .v5 { fill: #1f9e89; } .v6 { fill: #35b779; } .v7 { fill: #6ece58; } .v8 { fill: #b5de2b; } .v9 { fill: #fde725; }

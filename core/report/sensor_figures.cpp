@@ -35,11 +35,27 @@ PlotRange extentOf(const std::vector<ErrorBand>& bands, double factor) {
 }
 
 SvgPlot squarePlot(std::string_view description, std::string_view xTitle, std::string_view yTitle) {
-    SvgPlot plot({.width = 420, .height = 400}, {0, 100}, {0, 100}, description);
+    SvgPlot plot({.width = 350, .height = 340}, {0, 100}, {0, 100}, description);
     plot.axes(xTitle, yTitle);
     const Point diagonal[] = {{0, 0}, {100, 100}};
     plot.line(diagonal, "floorline");
     return plot;
+}
+
+/// Groups of the same prediction as one.
+std::vector<CalibrationGroup> distinct(const std::vector<CalibrationGroup>& groups) {
+    std::vector<CalibrationGroup> joined;
+    for (const CalibrationGroup& group : groups) {
+        if (joined.empty() || group.predicted - joined.back().predicted > 1e-6) {
+            joined.push_back(group);
+            continue;
+        }
+        CalibrationGroup& same = joined.back();
+        const double before = static_cast<double>(same.cases), more = static_cast<double>(group.cases);
+        same.reported = (before * same.reported + more * group.reported) / (before + more);
+        same.cases += group.cases;
+    }
+    return joined;
 }
 
 std::vector<Point> coverageLine(const std::vector<std::size_t>& below) {
@@ -93,7 +109,7 @@ std::string reliabilityFigure(const SensorEvaluation& evaluation) {
     SvgPlot plot = squarePlot("Reported against predicted share", "predicted to be reported (%)", "reported (%)");
     for (std::size_t i = evaluation.models.size(); i-- > 0;) {
         std::vector<Point> points;
-        for (const CalibrationGroup& group : evaluation.models[i].all.groups)
+        for (const CalibrationGroup& group : distinct(evaluation.models[i].all.groups))
             points.push_back({100 * group.predicted, 100 * group.reported});
         plot.line(points, seriesClass(i));
         if (i == 0)

@@ -10,12 +10,17 @@
 #include "report/look_figure.h"
 #include "report/sensor_figures.h"
 #include "report/sensor_files.h"
-#include "world/seconds_text.h"
 
 namespace mrose {
 namespace {
 
 constexpr const char* sensorFiles[] = {"results.csv", "results.json", "cases.csv", "report.html"};
+
+/// With a minus sign where it is negative.
+std::string numberCell(double value, int decimals) {
+    const std::string text = fixed(value, decimals);
+    return text.starts_with('-') ? cat("−", text.substr(1)) : text;
+}
 
 enum class Better { less, more };
 
@@ -27,8 +32,8 @@ std::vector<std::string> bestBold(const std::vector<double>& values, int decimal
         if (!std::isnan(value) && (std::isnan(best) || (better == Better::less ? value < best : value > best)))
             best = value;
     for (const double value : values) {
-        const std::string text = fixed(value, decimals);
-        cells.push_back(values.size() > 1 && text == fixed(best, decimals) && std::isfinite(value)
+        const std::string text = numberCell(value, decimals);
+        cells.push_back(values.size() > 1 && text == numberCell(best, decimals) && std::isfinite(value)
                             ? cat("<b>", text, "</b>")
                             : text);
     }
@@ -39,38 +44,55 @@ std::string insideText(const ErrorScores& error) {
     return cat(fixed(100 * error.inside50, 1), " / ", fixed(100 * error.inside90, 1));
 }
 
-/// The table of models, over all cases (`robot` null) or those of one robot.
-std::string scoreTable(const SensorEvaluation& evaluation, const std::size_t* robot) {
-    HtmlTable table({{"", {""}},
-                     {"range", {"CRPS cm", "RMSE cm", "inside 50 / 90 %"}},
-                     {"bearing", {"CRPS mrad", "RMSE mrad", "inside 50 / 90 %"}},
-                     {"both", {"log density"}},
-                     {"detection", {"log-likelihood", "worst group off, %"}}},
-                    "dense");
+/// A table of models: their scores over all cases, or over parts of them.
+class ScoreTable {
+public:
+    explicit ScoreTable(const SensorEvaluation& evaluation) : evaluation_(evaluation) {}
+
+    void part(std::string_view content) { table_.part(content); }
+
+    /// The models' scores of the same cases.
+    void rows(const std::vector<const SensorScores*>& scores) {
+        std::vector<std::vector<std::string>> columns;
+        const auto column = [&](auto value, int decimals, Better better) {
+            std::vector<double> values;
+            for (const SensorScores* of : scores) values.push_back(value(*of));
+            columns.push_back(bestBold(values, decimals, better));
+        };
+        for (std::size_t d = 0; d < readingDimensions; ++d) {
+            const double factor = shownDimension(d).factor;
+            column([&](const SensorScores& s) { return factor * s.error[d].crps; }, 2, Better::less);
+            column([&](const SensorScores& s) { return factor * s.error[d].rmse; }, 2, Better::less);
+            columns.emplace_back();
+            for (const SensorScores* of : scores) columns.back().push_back(insideText(of->error[d]));
+        }
+        column([](const SensorScores& s) { return s.logDensity; }, 3, Better::more);
+        column([](const SensorScores& s) { return s.detection; }, 4, Better::more);
+        column([](const SensorScores& s) { return 100 * s.off; }, 1, Better::less);
+        for (std::size_t i = 0; i < scores.size(); ++i) {
+            std::vector<std::string> cells{seriesName(evaluation_.models[i].name, i)};
+            for (const auto& of : columns) cells.push_back(of[i]);
+            table_.row(cells);
+        }
+    }
+
+    std::string text() const { return table_.text(); }
+
+private:
+    const SensorEvaluation& evaluation_;
+    HtmlTable table_{{{"", {""}},
+                      {"range", {"CRPS cm", "RMSE cm", "inside 50 / 90 %"}},
+                      {"bearing", {"CRPS mrad", "RMSE mrad", "inside 50 / 90 %"}},
+                      {"both", {"log density"}},
+                      {"detection", {"log-likelihood", "worst group off, %"}}},
+                     "dense"};
+};
+
+std::string modelScores(const SensorEvaluation& evaluation) {
     std::vector<const SensorScores*> scores;
-    for (const SensorAssessment& model : evaluation.models)
-        scores.push_back(robot == nullptr ? &model.all : &model.byRobot[*robot]);
-    std::vector<std::vector<std::string>> columns;
-    const auto column = [&](auto value, int decimals, Better better) {
-        std::vector<double> values;
-        for (const SensorScores* of : scores) values.push_back(value(*of));
-        columns.push_back(bestBold(values, decimals, better));
-    };
-    for (std::size_t d = 0; d < readingDimensions; ++d) {
-        const double factor = shownDimension(d).factor;
-        column([&](const SensorScores& s) { return factor * s.error[d].crps; }, 2, Better::less);
-        column([&](const SensorScores& s) { return factor * s.error[d].rmse; }, 2, Better::less);
-        columns.emplace_back();
-        for (const SensorScores* of : scores) columns.back().push_back(insideText(of->error[d]));
-    }
-    column([](const SensorScores& s) { return s.logDensity; }, 3, Better::more);
-    column([](const SensorScores& s) { return s.detection; }, 4, Better::more);
-    column([](const SensorScores& s) { return 100 * s.off; }, 1, Better::less);
-    for (std::size_t i = 0; i < scores.size(); ++i) {
-        std::vector<std::string> cells{seriesName(evaluation.models[i].name, i)};
-        for (const auto& of : columns) cells.push_back(of[i]);
-        table.row(cells);
-    }
+    for (const SensorAssessment& model : evaluation.models) scores.push_back(&model.all);
+    ScoreTable table(evaluation);
+    table.rows(scores);
     return table.text();
 }
 
@@ -122,10 +144,10 @@ std::string sensorHeadline(const SensorEvaluation& evaluation) {
     return element(
         "p", "lead",
         cat("Given only where the robot and everything about it truly were, the model says how likely each of the ",
-            subjectsOf(log), " is reported, and what range and bearing would be read. Of ", std::to_string(all.cases),
-            " ", subjectsOf(log), " before the sensor ", std::to_string(all.readings), " (",
+            subjectsOf(log), " is reported, and what range and bearing would be read. In ", std::to_string(all.cases),
+            " cases, of which ", std::to_string(all.readings), " (",
             fixed(100 * static_cast<double>(all.readings) / static_cast<double>(all.cases), 0),
-            "\u00a0%) were reported. Its distribution of the range is off by <b>", fixed(100 * all.error[0].crps, 1),
+            "\u00a0%) were reported, its distribution of the range is off by <b>", fixed(100 * all.error[0].crps, 1),
             "\u00a0cm</b> and that of the bearing by <b>", fixed(1000 * all.error[1].crps, 1),
             "\u00a0mrad</b> (CRPS), and <b>", fixed(100 * all.error[0].inside90, 0), "\u00a0%</b> of the ", log.real(),
             " ranges and <b>", fixed(100 * all.error[1].inside90, 0),
@@ -143,7 +165,7 @@ std::string sensorTiles(const SensorEvaluation& evaluation) {
                       cat("inside the central 50\u00a0%: ", fixed(100 * error.inside50, 1),
                           ", 90\u00a0%: ", fixed(100 * error.inside90, 1)));
     }
-    tiles += tile("detection: log-likelihood", fixed(all.detection, 4), "",
+    tiles += tile("detection: log-likelihood", numberCell(all.detection, 4), "",
                   cat("of ", std::to_string(all.cases), " ", subjectsOf(evaluation.log)));
     tiles += tile("detection: worst group off by", fixed(100 * all.off, 1), "%",
                   cat("of ", std::to_string(all.groups.size()), " groups, between predicted and ",
@@ -172,7 +194,7 @@ std::string detectionSection(const SensorEvaluation& evaluation) {
         heading("Detection over the field of view"),
         paragraph("From above: the robot is the dot at the bottom and looks up. Each cell holds the subjects "
                   "that were there at a look, hidden ones too."),
-        shareLegend(),
+        shareLegend(evaluation),
         cardPair(card(capitalised(evaluation.log.real()), detectionFigure(evaluation, DetectionSide::real)),
                  card(escaped(evaluation.models.front().name), detectionFigure(evaluation, DetectionSide::predicted))));
 }
@@ -202,8 +224,8 @@ std::string lookSection(const SensorEvaluation& evaluation) {
     const LoggedLook& look = log.looks[evaluation.shown.look];
     return cat(heading("One look"),
                paragraph(cat("The look with the most readings, of robot ", escaped(log.robots[look.robot].name), " at ",
-                             secondsText(look.time),
-                             " s of the log’s clock, from above. Left: the subjects by name, and what was reported. "
+                             fixed(toSeconds(evaluation.shown.sinceStart), 1),
+                             " s, from above. Left: the subjects by name, and what was reported. "
                              "Right: how likely each is reported by the model, and what ",
                              std::to_string(shownDraws), " looks drawn from it report.")),
                lookLegend(evaluation),
@@ -213,14 +235,16 @@ std::string lookSection(const SensorEvaluation& evaluation) {
 
 std::string robotSection(const SensorEvaluation& evaluation) {
     if (evaluation.log.robots.size() < 2) return {};
-    std::string text = heading("By robot");
+    ScoreTable table(evaluation);
     for (std::size_t i = 0; i < evaluation.log.robots.size(); ++i) {
         const LoggedCases::Robot& robot = evaluation.log.robots[i];
-        text += card(cat("Robot ", escaped(robot.name), ": ", std::to_string(robot.readings), " of ",
-                         std::to_string(robot.cases), " reported"),
-                     scoreTable(evaluation, &i));
+        table.part(cat("robot ", escaped(robot.name), ": ", std::to_string(robot.readings), " of ",
+                       std::to_string(robot.cases), " ", subjectsOf(evaluation.log), " reported"));
+        std::vector<const SensorScores*> scores;
+        for (const SensorAssessment& model : evaluation.models) scores.push_back(&model.byRobot[i]);
+        table.rows(scores);
     }
-    return element("div", "robots", text);
+    return cat(heading("By robot"), tableCard(table.text()));
 }
 
 std::string sensorDefinitions(const LoggedCases& log) {
@@ -292,12 +316,12 @@ std::string sensorProvenance(const SensorEvaluation& evaluation, const ReportCon
 std::string sensorReportHtml(const SensorEvaluation& evaluation, const ReportContext& context) {
     const std::string title = cat(escaped(evaluation.models.front().name), " on ", escaped(evaluation.log.source),
                                   evaluation.log.synthetic ? " (synthetic)" : "");
-    return reportPage(
-        title, cat(sensorHeader(evaluation, context), sensorHeadline(evaluation), sensorTiles(evaluation),
-                   heading("Models side by side"), tableCard(scoreTable(evaluation, nullptr)), lookSection(evaluation),
-                   bandSection(evaluation), detectionSection(evaluation), reliabilitySection(evaluation),
-                   robotSection(evaluation), heading("What the numbers mean"), sensorDefinitions(evaluation.log),
-                   sensorProvenance(evaluation, context)));
+    return reportPage(title,
+                      cat(sensorHeader(evaluation, context), sensorHeadline(evaluation), sensorTiles(evaluation),
+                          heading("Models side by side"), tableCard(modelScores(evaluation)), lookSection(evaluation),
+                          bandSection(evaluation), detectionSection(evaluation), reliabilitySection(evaluation),
+                          robotSection(evaluation), heading("What the numbers mean"), sensorDefinitions(evaluation.log),
+                          sensorProvenance(evaluation, context)));
 }
 
 Expected<void> checkSensorReportFolder(const std::filesystem::path& folder, bool overwrite) {

@@ -8,7 +8,7 @@
 namespace mrose {
 namespace {
 
-constexpr double margin = 1.07;  // for the labels at the outer arc
+constexpr double margin = 1.12;  // for the labels at the outer arc
 
 double halfWidth(double range, double bearing) {
     return margin * range * (bearing < 1.57 ? std::max(0.35, sine(bearing)) : 1);
@@ -57,17 +57,9 @@ void ViewPlot::scale() {
     }
     for (const double bearing : {-bearing_, 0.0, bearing_}) {
         ray(0, range_, bearing, "arc");
-        const char* const anchor = bearing == 0 ? "tick middle" : bearing > 0 ? "tick end" : "tick";
-        plot_.label(place(range_, bearing),
-                    bearing == 0  ? 0
-                    : bearing > 0 ? -4
-                                  : 4,
-                    -6,
-                    cat(fixed(degrees * std::abs(bearing), 0), "°",
-                        bearing == 0  ? ""
-                        : bearing > 0 ? " left"
-                                      : " right"),
-                    anchor);
+        const char* const side = bearing == 0 ? "" : bearing > 0 ? " left" : " right";
+        plot_.label(place(range_, bearing), 0, -7, cat(fixed(degrees * std::abs(bearing), 0), "°", side),
+                    "tick middle");
     }
     plot_.circle({0, 0}, 6, "own");
 }

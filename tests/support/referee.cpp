@@ -19,6 +19,10 @@ std::filesystem::path rolloutReferee() {
     return named("MROSE_REFEREE").value_or(sourceFolder().parent_path() / "shared/tools/score_rollouts.py");
 }
 
+std::filesystem::path cameraReferee() {
+    return named("MROSE_CAMERA_REFEREE").value_or(rolloutReferee().parent_path() / "score_perception.py");
+}
+
 /// A Python that has numpy.
 std::optional<std::string> python() {
     for (const char* const name : {"python3", "/usr/bin/python3"})
@@ -45,7 +49,7 @@ std::optional<std::string> referee() {
 }
 
 std::optional<std::string> cameraQueries(const std::string& folder, int dataset, const std::string& robots) {
-    const auto script = named("MROSE_CAMERA_REFEREE").value_or(rolloutReferee().parent_path() / "score_perception.py");
+    const auto script = cameraReferee();
     const auto runner = python();
     if (!runner || !std::filesystem::exists(script)) return std::nullopt;
     const std::string program =
@@ -55,6 +59,14 @@ std::optional<std::string> cameraQueries(const std::string& folder, int dataset,
         "    print(\"%d,%.3f,%d,%d,%.3f,%.3f\" % (row[0], row[1], row[2], row[5], row[6], row[7] + 0.0))";
     return outputOf(*runner + " -B -c '" + program + "' '" + script.parent_path().string() + "' '" + folder + "' " +
                     std::to_string(dataset) + " " + robots);
+}
+
+std::optional<std::string> cameraVerdict(const std::string& folder, int dataset, const std::string& robots,
+                                         const std::string& file) {
+    const auto runner = python();
+    if (!runner || !std::filesystem::exists(cameraReferee())) return std::nullopt;
+    return outputOf(*runner + " -B '" + cameraReferee().string() + "' score '" + folder + "' --dataset " +
+                    std::to_string(dataset) + " --robots " + robots + " '" + file + "'");
 }
 
 double numberAfter(const std::string& text, const std::string& label) {

@@ -18,6 +18,10 @@ std::optional<std::string> referee();
 /// there is none, or no numpy.
 std::optional<std::string> cameraQueries(const std::string& folder, int dataset, const std::string& robots);
 
+/// What that referee says of predictions in a file, for the same queries; nullopt likewise, or where it refuses them.
+std::optional<std::string> cameraVerdict(const std::string& folder, int dataset, const std::string& robots,
+                                         const std::string& file);
+
 /// The number behind a label in a text; not a number where there is none.
 double numberAfter(const std::string& text, const std::string& label);
 

@@ -1,0 +1,78 @@
+// Scores of a camera on real logs, beside those of the independent referee.
+#include <filesystem>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "assessment/sensor_assessment.h"
+#include "assessment/sensor_queries.h"
+#include "io/file.h"
+#include "logs/log_reader.h"
+#include "support/referee.h"
+#include "support/test_data.h"
+#include "support/toy_camera.h"
+
+namespace mrose {
+namespace {
+
+constexpr int samples = 32;
+
+/// What a model says of all cases, as the referee reads it.
+std::string samplesOf(const SensorEvaluation& evaluation) {
+    std::vector<SensorQuery> queries;
+    std::vector<SensorPrediction> predictions;
+    for (const LoggedLook& look : evaluation.log.looks)
+        for (std::size_t i = look.first; i < look.first + look.count; ++i) {
+            queries.push_back({evaluation.log.dataset, evaluation.log.robots[look.robot].name,
+                               evaluation.log.subjects[evaluation.log.cases[i].subject], look.time});
+            const CasePrediction& of = evaluation.models[0].predictions[i];
+            SensorPrediction& prediction = predictions.emplace_back();
+            prediction.state.range = of.range;
+            prediction.state.bearing = of.bearing;
+            prediction.distribution = of.distribution;
+            prediction.inView = true;
+        }
+    return sensorSamplesCsv(queries, predictions, samples, 1);
+}
+
+TEST(CameraReferee, FindsTheSameCasesAndScores) {
+    const auto data = realData();
+    if (!data || !std::filesystem::is_directory(*data / "mrclam/MRCLAM_Dataset7")) GTEST_SKIP() << "no real logs";
+    const auto log = readLog(*data / "mrclam/MRCLAM_Dataset7");
+    ASSERT_TRUE(log) << log.error().message();
+    const std::vector<std::string> robots{"1", "2"};
+    auto cases = loggedCases(*log, "camera", robots, {});
+    ASSERT_TRUE(cases) << cases.error().message();
+    const ToyCamera camera;
+    const NamedSensor named{"toy", &camera};
+    const auto evaluation = evaluateSensors(*log, std::move(*cases), {&named, 1});
+    ASSERT_TRUE(evaluation) << evaluation.error().message();
+    const auto file = std::filesystem::temp_directory_path() / ("mrose_camera_" + std::to_string(getpid()) + ".csv");
+    ASSERT_TRUE(writeFileAtomically(file, samplesOf(*evaluation)));
+    const auto verdict = cameraVerdict((*data / "mrclam").string(), 7, "1,2", file.string());
+    std::filesystem::remove(file);
+    if (!verdict) GTEST_SKIP() << "no referee of cameras with numpy";
+    const SensorAssessment& toy = evaluation->models[0];
+    const std::string total = verdict->substr(verdict->find("queries="));
+    // It refuses predictions of other queries than its own.
+    EXPECT_EQ(numberAfter(total, "queries="), static_cast<double>(toy.all.cases)) << *verdict;
+    EXPECT_EQ(numberAfter(total, "reported="), static_cast<double>(toy.all.readings));
+    EXPECT_NEAR(numberAfter(total, "detection="), toy.all.detection, 1e-4);
+    EXPECT_NEAR(numberAfter(total, "off="), 100 * toy.all.off, 0.06);
+    EXPECT_NEAR(numberAfter(total, "range="), 100 * toy.all.error[0].crps, 0.05);
+    for (std::size_t i = 0; i < robots.size(); ++i)
+        for (std::size_t d = 0; d < readingDimensions; ++d) {
+            const std::string row =
+                verdict->substr(verdict->find("robot " + robots[i] + "  " + (d == 0 ? "range" : "bearing")));
+            const ErrorScores& ours = toy.byRobot[i].error[d];
+            const double unit = d == 0 ? 100 : 1000;
+            EXPECT_NEAR(numberAfter(row, "crps"), unit * ours.crps, 0.02 * unit * ours.crps) << row;
+            EXPECT_NEAR(numberAfter(row, "rmse"), unit * ours.rmse, 0.04 * unit * ours.rmse) << row;
+            // It ranks a reading among the samples.
+            EXPECT_NEAR(numberAfter(row, "50 %:"), 100 * ours.inside50, 2.5) << row;
+            EXPECT_NEAR(numberAfter(row, "90 %:"), 100 * ours.inside90, 2.5) << row;
+        }
+}
+
+}  // namespace
+}  // namespace mrose

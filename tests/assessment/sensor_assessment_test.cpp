@@ -1,0 +1,150 @@
+#include "assessment/sensor_assessment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/toy_camera.h"
+
+namespace mrose {
+namespace {
+
+using testing::HasSubstr;
+
+/// A log that was made by a camera, and models of it.
+class SensorAssessments : public testing::Test {
+protected:
+    SensorEvaluation evaluate(const std::vector<NamedSensor>& models) const {
+        auto cases = loggedCases(log_, "camera", {}, {});
+        EXPECT_TRUE(cases) << cases.error().message();
+        return evaluateSensors(log_, std::move(*cases), models).value();
+    }
+    std::string objection(const std::string& sensor, const std::vector<std::string>& robots) const {
+        const auto cases = loggedCases(log_, sensor, robots, {});
+        return cases ? "" : cases.error().message();
+    }
+
+    const ToyCamera camera_;
+    Log log_ = seenLog(camera_, 600);
+};
+
+/// Three standard deviations of a share of so many.
+double sampling(double share, std::size_t count) {
+    return 3 * std::sqrt(share * (1 - share) / static_cast<double>(count));
+}
+
+TEST_F(SensorAssessments, TheModelThatMadeTheLogIsCalibrated) {
+    const SensorEvaluation evaluation = evaluate({{"itself", &camera_}});
+    const SensorAssessment& itself = evaluation.models[0];
+    ASSERT_GT(itself.all.sound, 2000u);
+    EXPECT_EQ(itself.all.sound, itself.all.readings);
+    for (std::size_t d = 0; d < readingDimensions; ++d) {
+        EXPECT_NEAR(itself.all.error[d].inside50, 0.5, sampling(0.5, itself.all.sound)) << d;
+        EXPECT_NEAR(itself.all.error[d].inside90, 0.9, sampling(0.9, itself.all.sound)) << d;
+        // even: chi squared with 19 degrees of freedom is below 44 but once in a thousand
+        const double each = static_cast<double>(itself.all.sound) / SensorAssessment::belowParts;
+        double squares = 0;
+        for (const std::size_t count : itself.below[d])
+            squares += (static_cast<double>(count) - each) * (static_cast<double>(count) - each) / each;
+        EXPECT_LT(squares, 44) << d;
+    }
+    EXPECT_LT(itself.all.off, sampling(0.5, itself.all.cases / calibrationGroups));
+}
+
+TEST_F(SensorAssessments, NoOtherModelScoresBetter) {
+    const ToyCamera wide(2), narrow(0.5);
+    const SensorEvaluation evaluation = evaluate({{"itself", &camera_}, {"wide", &wide}, {"narrow", &narrow}});
+    const SensorScores& itself = evaluation.models[0].all;
+    for (std::size_t i : {std::size_t{1}, std::size_t{2}}) {
+        const SensorScores& other = evaluation.models[i].all;
+        EXPECT_EQ(other.detection, itself.detection);
+        EXPECT_LT(other.logDensity, itself.logDensity);
+        for (std::size_t d = 0; d < readingDimensions; ++d) {
+            EXPECT_GT(other.error[d].crps, itself.error[d].crps);
+            EXPECT_EQ(other.error[d].inside90 > itself.error[d].inside90, i == 1);
+        }
+    }
+}
+
+TEST_F(SensorAssessments, BandsAndMapAreThoseOfTheModelThatMadeTheLog) {
+    const SensorEvaluation evaluation = evaluate({{"itself", &camera_}});
+    const std::vector<ErrorBand>& bands = evaluation.bands[0][static_cast<std::size_t>(BandAxis::range)];
+    ASSERT_GE(bands.size(), 4u);
+    for (const ErrorBand& band : bands) {
+        const double range = 0.5 * (band.from + band.to);
+        EXPECT_NEAR(band.predicted[2], 0.03 * range, 0.03 * 0.26) << "the median is the bias";
+        const double spread = band.predicted[3] - band.predicted[1];
+        for (std::size_t s = 1; s < 4; ++s)
+            EXPECT_NEAR(band.real[s], band.predicted[s], 4 * spread / std::sqrt(static_cast<double>(band.readings)))
+                << range;
+    }
+    std::size_t cases = 0;
+    for (const DetectionMap::Cell& cell : evaluation.map.cells) {
+        cases += cell.cases;
+        if (cell.cases >= 50) {
+            EXPECT_NEAR(cell.real, cell.predicted, sampling(std::max(0.02, cell.predicted), cell.cases) * 1.4);
+        }
+    }
+    EXPECT_EQ(cases, evaluation.log.cases.size());
+}
+
+TEST_F(SensorAssessments, AnIdealSensorIsAsGoodAsItsNoise) {
+    SensorNetwork like;
+    like.view = camera_.view();
+    like.latency = camera_.latency();
+    like.constant = {0.8, 0.001, {0.05, 0.02}};
+    const IdealSensorModel noisy(like, IdealSensorModel::Noise::constant), exact(like, IdealSensorModel::Noise::none);
+    log_ = seenLog(noisy, 600);
+    const SensorEvaluation evaluation = evaluate({{"noisy", &noisy}, {"exact", &exact}});
+    const SensorScores &first = evaluation.models[0].all, &second = evaluation.models[1].all;
+    // of a normal distribution about itself: its standard deviation over the square root of pi
+    EXPECT_NEAR(first.error[0].crps, 0.05 / std::sqrt(std::numbers::pi), 0.001);
+    EXPECT_NEAR(first.error[1].rmse, 0.02, 0.001);
+    EXPECT_NEAR(first.error[1].inside50, 0.5, sampling(0.5, first.sound));
+    EXPECT_NEAR(second.error[0].crps, 0.05 * std::sqrt(2 / std::numbers::pi), 0.002) << "the mean absolute error";
+    EXPECT_EQ(second.error[0].inside90, 0);
+    EXPECT_TRUE(std::isnan(second.logDensity)) << "a point has no density";
+    EXPECT_LT(second.detection, first.detection);
+}
+
+TEST_F(SensorAssessments, TheShownLookHasTheMostReadings) {
+    const SensorEvaluation evaluation = evaluate({{"itself", &camera_}});
+    const auto readings = [&](const LoggedLook& look) {
+        std::size_t count = 0;
+        for (std::size_t i = look.first; i < look.first + look.count; ++i) count += evaluation.log.cases[i].reported;
+        return count;
+    };
+    const LoggedLook& shown = evaluation.log.looks[evaluation.shown.look];
+    for (const LoggedLook& look : evaluation.log.looks) EXPECT_LE(readings(look), readings(shown));
+    EXPECT_EQ(evaluation.shown.sinceStart, shown.time);
+    EXPECT_EQ(evaluation.shown.robots.size(), 1u);
+}
+
+TEST_F(SensorAssessments, GrossErrorsAreCountedAndNotJudged) {
+    const SensorScores before = evaluate({{"itself", &camera_}}).models[0].all;
+    for (Look& look : log_.robots[0].trajectories[0].sensors[0].looks)
+        if (!look.readings.empty() && look.time % 10'000'000'000 == 0) look.readings[0].range += 5;
+    const SensorEvaluation evaluation = evaluate({{"itself", &camera_}});
+    EXPECT_GT(evaluation.log.robots[0].gross, 5u);
+    EXPECT_EQ(evaluation.models[0].all.readings, before.readings);
+    EXPECT_EQ(evaluation.models[0].all.sound, before.sound - evaluation.log.robots[0].gross);
+    EXPECT_NEAR(evaluation.models[0].all.error[0].crps, before.error[0].crps, 0.001);
+}
+
+TEST_F(SensorAssessments, WhatCannotBeJudgedIsSaidInOneLine) {
+    EXPECT_THAT(objection("camera", {"9"}), HasSubstr("seen: has no robot \"9\""));
+    EXPECT_THAT(objection("sonar", {}), HasSubstr("seen: has no sensor \"sonar\"; it has \"camera\""));
+    EXPECT_THAT(objection("camera", {"2"}), HasSubstr("has no sensor \"camera\" of robot \"2\""));
+    for (Look& look : log_.robots[0].trajectories[0].sensors[0].looks) look.readings.clear();
+    EXPECT_THAT(objection("camera", {}), HasSubstr("reported no landmark"));
+    for (LogSubject& subject : log_.subjects) subject.position.reset();
+    EXPECT_THAT(objection("camera", {}), HasSubstr("has no landmark that \"camera\" of robot 1 had before it"));
+    log_.robots[0].trajectories[0].sensors.clear();
+    EXPECT_THAT(objection("camera", {}), HasSubstr("it has no measurements"));
+}
+
+}  // namespace
+}  // namespace mrose

@@ -1,0 +1,94 @@
+// mrose evaluate of a learned sensor.
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "perception/sensor_network.h"
+#include "support/camera_folder.h"
+#include "support/workshop.h"
+
+namespace mrose {
+namespace {
+
+using testing::HasSubstr;
+
+class EvaluateSensorProgram : public Workshop {
+protected:
+    /// A sensor that was learned in no time from the log that it is judged by.
+    std::string learned(const std::string& family) {
+        const std::string file = path(family + ".net");
+        const ProgramResult trained =
+            runMrose({"train", folder_.path(), "--sensor", "camera", "--family", family, "-o", file, "--members", "1",
+                      "--epochs", "20", "--hidden", "4", "-q", "--overwrite"});
+        EXPECT_EQ(trained.status, 0) << trained.err;
+        return file;
+    }
+    std::vector<std::string> words(const std::string& network, const std::vector<std::string>& more = {}) const {
+        std::vector<std::string> all{"evaluate", network, "--log", folder_.path(), "-q"};
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    }
+
+    const CameraFolder folder_;
+};
+
+TEST_F(EvaluateSensorProgram, ComparesNetworksWithIdealSensors) {
+    const std::string table = learned("table"), trees = learned("trees");
+    const ProgramResult shown = runMrose(words(table, {"--against", trees}));
+    ASSERT_EQ(shown.status, 0) << shown.err;
+    for (const char* text : {"camera of robot 1", "table.net", "trees.net", "ideal plus noise", "bearing 1 mrad",
+                             "Note: The network was learned from this log"})
+        EXPECT_THAT(shown.out, HasSubstr(text));
+    const ProgramResult printed = runMrose(words(table, {"--json", "--robots", "1", "--report", path("report")}));
+    ASSERT_EQ(printed.status, 0) << printed.err;
+    const auto json = nlohmann::json::parse(printed.out);
+    EXPECT_EQ(json["models"].size(), 3u);
+    EXPECT_GT(json["models"][0]["all"]["readings"], 200);
+    EXPECT_LT(json["models"][0]["all"]["range"]["crps_m"], 0.05);
+    EXPECT_THAT(read("report/report.html"), HasSubstr("How true is table.net?"));
+    EXPECT_EQ(read("report/results.json"), printed.out.substr(0, printed.out.size() - 1));
+    expectOneLine(runMrose(words(table, {"--report", path("report")})), {"report", "--overwrite"});
+}
+
+TEST_F(EvaluateSensorProgram, ConstantNoiseIsInTheFileToTheBit) {
+    const auto network = loadSensor(learned("table"));
+    ASSERT_TRUE(network) << network.error().message();
+    EXPECT_NEAR(network->constant.seen, 0.8, 0.1);
+    EXPECT_NEAR(network->constant.spread[0], 0.03, 0.01);
+    EXPECT_NEAR(network->constant.spread[1], 0.01, 0.004);
+    const auto again = parseSensor(sensorText(*network), "again");
+    ASSERT_TRUE(again) << again.error().message();
+    EXPECT_TRUE(*again == *network);
+    std::string text = read("table.net");
+    const auto wrong = parseSensor(replaced(text, "constant = { seen = ", "constant = { seen = 7"), "w.net");
+    ASSERT_FALSE(wrong);
+    EXPECT_THAT(wrong.error().message(), HasSubstr("sensor.constant.seen"));
+}
+
+TEST_F(EvaluateSensorProgram, LearnsTheOtherFamiliesFromTheSameLogs) {
+    const ProgramResult shown = runMrose(words(learned("trees"), {"--families"}));
+    ASSERT_EQ(shown.status, 0) << shown.err;
+    EXPECT_THAT(shown.out, HasSubstr("\nnetwork "));
+    EXPECT_THAT(shown.out, HasSubstr("\nlookup table "));
+    EXPECT_THAT(shown.out, testing::Not(HasSubstr("\ndecision trees")));
+    folder_.write(1, "Odometry", "# Time [s] v w\n1248444187.0 0.07 0.1\n");
+    expectOneLine(runMrose(words(path("trees.net"), {"--families"})),
+                  {"Robot1_Odometry.dat", "has other content than what", "trees.net was learned from"});
+}
+
+TEST_F(EvaluateSensorProgram, WhatDoesNotFitIsSaidInOneLine) {
+    const std::string net = learned("table");
+    expectOneLine(runMrose(words(net, {"--robots", "9"})), {folder_.path(), "has no robot \"9\""});
+    expectOneLine(runMrose(words(net, {"--against", network()})), {network(), "motion"});
+    expectOneLine(runMrose({"evaluate", network(), "--log", log(), "--against", net}), {net, "sensor"});
+    expectOneLine(runMrose({"evaluate", net, "--log", log()}), {log(), "has no sensor \"camera\""});
+    expectOneLine(runMrose({"evaluate", path("none.net"), "--log", log()}), {path("none.net")});
+    expectOneLine(runMrose(words(net, {"--held-out"})), {"--held-out", "motion"}, 2);
+    expectOneLine(runMrose({"evaluate", network(), "--log", log(), "--families"}), {"--families", "sensors"}, 2);
+    write("sonar.net", replaced(read("table.net"), "name = \"camera\"", "name = \"sonar\""));
+    expectOneLine(runMrose(words(net, {"--against", path("sonar.net")})),
+                  {path("sonar.net"), "\"sonar\"", "\"camera\""});
+    expectOneLine(runMrose(words(path("sonar.net"))), {folder_.path(), "has no sensor \"sonar\"; it has \"camera\""});
+}
+
+}  // namespace
+}  // namespace mrose
