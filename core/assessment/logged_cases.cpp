@@ -10,25 +10,27 @@
 namespace mrose {
 namespace {
 
+/// One that looks for subjects; null: there is none of that name.
 const SensorLog* sensorOf(const Trajectory& trajectory, const std::string& name) {
     const auto found = std::ranges::find(trajectory.sensors, name, &SensorLog::sensor);
-    return found == trajectory.sensors.end() ? nullptr : &*found;
+    return found == trajectory.sensors.end() || found->looks.empty() ? nullptr : &*found;
 }
 
 bool hasSensor(const RobotLog& robot, const std::string& name) {
     return std::ranges::any_of(robot.trajectories, [&](const Trajectory& t) { return sensorOf(t, name) != nullptr; });
 }
 
-/// "; it has camera, laser".
+/// "; it has "camera", "laser"".
 std::string sensorsText(const Log& log) {
     std::vector<std::string> names;
     for (const RobotLog& robot : log.robots)
         for (const Trajectory& trajectory : robot.trajectories)
             for (const SensorLog& sensor : trajectory.sensors)
-                if (std::ranges::find(names, sensor.sensor) == names.end()) names.push_back(sensor.sensor);
+                if (!sensor.looks.empty() && std::ranges::find(names, sensor.sensor) == names.end())
+                    names.push_back(sensor.sensor);
     std::string text;
     for (const std::string& name : names) text += (text.empty() ? "; it has \"" : ", \"") + name + '"';
-    return text.empty() ? "; it has no measurements" : text;
+    return text.empty() ? "; it has no readings of landmarks or robots" : text;
 }
 
 Expected<std::vector<std::size_t>> chosenRobots(const Log& log, const std::string& sensor,

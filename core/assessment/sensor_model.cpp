@@ -1,5 +1,7 @@
 #include "assessment/sensor_model.h"
 
+#include <algorithm>
+
 #include "geometry/normal_distribution.h"
 #include "perception/ideal_view.h"
 
@@ -25,11 +27,9 @@ void LearnedSensorModel::distributions(std::span<const SensedState> states, cons
 IdealSensorModel::IdealSensorModel(const SensorNetwork& like, Noise noise) : latency_(like.latency), view_(like.view) {
     const bool noisy = noise == Noise::constant;
     seen_.dimensions = like.form.dimensions;
-    seen_.component[0].spread.fill(1e-9);
-    if (noisy) {
-        seen_.component[0].spread = like.constant.spread;
-        seen_.gross = like.gross;
-    }
+    if (noisy) seen_.gross = like.gross;
+    for (std::size_t d = 0; d < ReadingForm::maxDimensions; ++d)
+        seen_.component[0].spread[d] = std::max(noisy ? like.constant.spread[d] : 0, 1e-9);
     unseen_ = seen_;
     seen_.threshold = noisy ? quantileOf(like.constant.seen) : always;
     unseen_.threshold = noisy ? quantileOf(like.constant.unseen) : never;

@@ -120,7 +120,7 @@ void readConstant(TomlTable table, SensorNetwork& network) {
     network.constant.unseen = table.number("unseen", {0, 1});
     for (int d = 0; d < network.form.dimensions; ++d) {
         const auto i = static_cast<std::size_t>(d);
-        network.constant.spread[i] = table.number(unitKey(dimensionsOf(network.measures)[i]), {1e-9, 1e6});
+        network.constant.spread[i] = table.number(unitKey(dimensionsOf(network.measures)[i]), {0, 1e6});
     }
     table.rejectUnknown();
 }

@@ -37,7 +37,7 @@ ViewPlot viewOf(const SensorEvaluation& evaluation, std::string_view description
         wide = std::max(wide, std::abs(one.bearing));
     });
     far = std::min(far, evaluation.log.rule.range);
-    ViewPlot view(far, std::min(wide + 0.03, evaluation.log.rule.bearing), description);
+    ViewPlot view(far, std::min(wide + 0.1, evaluation.log.rule.bearing), description);
     view.scale();
     for (const double side : {-0.5, 0.5})
         view.ray(0, std::min(far, evaluation.view.range), side * evaluation.view.fieldOfView, "sight");

@@ -38,7 +38,7 @@ p { margin: 6px 0 10px; max-width: 86ch; }
 .paths { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 340px), 1fr)); gap: 14px; }
 .paths .soft { font-size: 13.5px; margin: 0 0 4px; line-height: 1.4; }
 .bars + .bars, .pair + .pair { margin-top: 14px; }
-.paths .plot { margin: 0 auto; } .paths table + .soft { margin-top: 10px; }
+.paths + p { margin-top: 16px; } .paths .plot { margin: 0 auto; } .paths table + .soft { margin-top: 10px; }
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; font-size: 14.5px; font-variant-numeric: tabular-nums; width: 100%; }
 th, td { padding: 4px 8px; text-align: right; border-bottom: 1px solid var(--grid); white-space: nowrap; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include "logs/log_reader.h"
 #include "workflow/resources.h"
@@ -10,42 +11,54 @@
 namespace mrose {
 namespace {
 
-/// The log that a file is of, where it was when it was learned from, or by its name.
-Expected<std::string> logThatHolds(const std::filesystem::path& file) {
-    const std::filesystem::path byName = file.parent_path().filename() / file.filename();
-    for (const std::filesystem::path& candidate : {file, byName, file.filename()}) {
-        const std::filesystem::path place = logOfFile(placeOfLog(candidate.string()));
-        if (looksLikeLog(place)) return place.string();
+bool isKnown(const SensorNetwork& network, const std::string& hash) {
+    const std::vector<NetworkSource>& sources = network.learned.training.logs;
+    return std::ranges::find(sources, hash, &NetworkSource::hash) != sources.end();
+}
+
+std::vector<LogFile> filesOf(const Log& log) {
+    std::vector<LogFile> files = log.files;
+    files.insert(files.end(), log.measurementFiles.begin(), log.measurementFiles.end());
+    return files;
+}
+
+/// The log that a file is of, and nothing but what was learned from: the file's folder or itself, where it was or by
+/// its name.
+Expected<Log> logThatHolds(const std::filesystem::path& file, const SensorNetwork& network, const std::string& path) {
+    const std::filesystem::path folder = file.parent_path();
+    std::optional<Error> wrong;
+    for (const std::filesystem::path& candidate :
+         {folder, folder.filename(), file, folder.filename() / file.filename()}) {
+        const std::string place = placeOfLog(candidate.string());
+        if (candidate.empty() || !looksLikeLog(place)) continue;
+        auto log = readLog(place);
+        if (!log) return log;
+        const std::vector<LogFile> files = filesOf(*log);
+        const auto other = std::ranges::find_if(files, [&](const LogFile& of) { return !isKnown(network, of.hash); });
+        if (other == files.end()) return log;
+        if (!wrong)
+            wrong = Error{.file = other->path, .cause = "has other content than what " + path + " was learned from"};
     }
-    return existingLog(byName.string()).and_then([&](const std::string& place) -> Expected<std::string> {
-        return fail(place, "is no log any more");
-    });
+    if (wrong) return tl::unexpected(*wrong);
+    const auto place = existingLog((folder.filename() / file.filename()).string());
+    if (!place) return tl::unexpected(place.error());
+    return fail(*place, "is no part of a log, though " + path + " was learned from it");
 }
 
 Expected<std::vector<std::string>> logsOf(const SensorNetwork& network, const std::string& path) {
-    std::vector<std::string> logs;
-    const std::vector<NetworkSource>& sources = network.learned.training.logs;
-    if (sources.empty()) return fail(path, "does not say which logs it was learned from", 0, "training.logs");
-    for (const NetworkSource& source : sources) {
-        auto log = logThatHolds(source.path);
+    if (network.learned.training.logs.empty())
+        return fail(path, "does not say which logs it was learned from", 0, "training.logs");
+    std::vector<std::string> places, read;
+    for (const NetworkSource& source : network.learned.training.logs) {
+        if (std::ranges::find(read, source.hash) != read.end()) continue;
+        const auto log = logThatHolds(source.path, network, path);
         if (!log) return tl::unexpected(log.error());
-        if (std::ranges::find(logs, *log) == logs.end()) logs.push_back(std::move(*log));
+        places.push_back(log->source);
+        for (const LogFile& file : filesOf(*log)) read.push_back(file.hash);
+        if (std::ranges::find(read, source.hash) == read.end())
+            return fail(log->source, "no longer holds " + source.path + ", which " + path + " was learned from");
     }
-    return logs;
-}
-
-Expected<void> checkContent(const std::vector<std::string>& logs, const SensorNetwork& network,
-                            const std::string& path) {
-    for (const std::string& place : logs) {
-        const auto log = readLog(place);
-        if (!log) return tl::unexpected(log.error());
-        for (const auto* files : {&log->files, &log->measurementFiles})
-            for (const LogFile& file : *files)
-                if (std::ranges::find(network.learned.training.logs, file.hash, &NetworkSource::hash) ==
-                    network.learned.training.logs.end())
-                    return fail(file.path, "has other content than what " + path + " was learned from");
-    }
-    return {};
+    return places;
 }
 
 }  // namespace
@@ -65,7 +78,6 @@ Expected<std::vector<SensorNetwork>> learnOtherFamilies(const SensorNetwork& net
                                                         const Progress& progress) {
     auto logs = logsOf(network, path);
     if (!logs) return tl::unexpected(logs.error());
-    if (auto same = checkContent(*logs, network, path); !same) return tl::unexpected(same.error());
     TrainSensorRequest request{.logs = std::move(*logs), .sensor = network.sensor};
     request.robots = network.robots;
     request.latency = toSeconds(network.latency);

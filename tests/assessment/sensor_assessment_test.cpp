@@ -143,7 +143,7 @@ TEST_F(SensorAssessments, WhatCannotBeJudgedIsSaidInOneLine) {
     for (LogSubject& subject : log_.subjects) subject.position.reset();
     EXPECT_THAT(objection("camera", {}), HasSubstr("has no landmark that \"camera\" of robot 1 had before it"));
     log_.robots[0].trajectories[0].sensors.clear();
-    EXPECT_THAT(objection("camera", {}), HasSubstr("it has no measurements"));
+    EXPECT_THAT(objection("camera", {}), HasSubstr("it has no readings of landmarks or robots"));
 }
 
 }  // namespace

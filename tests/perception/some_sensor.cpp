@@ -34,6 +34,7 @@ SensorNetwork someCamera(std::uint64_t seed) {
     SensorNetwork network = camera(2);
     network.noise[0] = {0.1, 0.2, 1.5, 0.3, 7};
     network.noise[2] = {0.25, 0.125, 1.0 / 3, 0.1, 9};
+    network.constant = {0.3, 0.05, {0.17, 0.011}};
     network.heldOut = {10, 20, 5, -0.4, 5.5};
     const int inputs = static_cast<int>(network.learned.inputs.size());
     Mlp mlp = normalNetwork({inputs, 9, network.form.outputs()}, static_cast<unsigned>(seed));
