@@ -91,8 +91,7 @@ Expected<std::vector<SensorNetwork>> learnOtherFamilies(const SensorNetwork& net
             return mayGoOn(progress, (done + share) / (regressorFamilyNames.size() - 1));
         });
         if (!trained) return tl::unexpected(trained.error());
-        if (trained->cancelled) return fail(path, "was not compared: cancelled");
-        others.push_back(std::move(trained->network));
+        others.push_back(std::move(*trained));
     }
     return others;
 }
