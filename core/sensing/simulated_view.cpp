@@ -108,39 +108,43 @@ private:
 
 void SimulatedView::add(SubjectKind kind, std::uint32_t index, const Point& place) {
     const Point offset = place - eye_.origin;
-    const double squared = dot(offset, offset);
-    if (squared > margin_.range * margin_.range * (1 + rounding)) return;
-    const Point offset_B = eye_.rotateBack(offset);
-    // Far outside already; who stands at the very place is in view.
-    if (halfCosine_ > 0.01 && squared > 0 &&
-        (offset_B.x <= 0 || offset_B.x * offset_B.x < halfCosine_ * halfCosine_ * (1 - 1e-6) * squared))
-        return;
-    const double range = std::sqrt(squared);
-    const double bearing = direction(offset_B);
+    const double range = length(offset);
+    const double bearing = direction(eye_.rotateBack(offset));
     if (margin_.holds(range, bearing))
         subjects_.push_back({kind, index, offset, range, bearing, limits_.holds(range, bearing)});
 }
 
 void SimulatedView::look(const SensorView& view, const View& limits) {
     subjects_.clear();
-    limits_ = limits;
-    margin_ = limits.margin();
-    const bool allRound = margin_.fieldOfView >= 2 * std::numbers::pi;
-    const auto [s, c] = allRound ? SineCosine{0, -1} : sineCosine(0.5 * margin_.fieldOfView);
-    halfCosine_ = c;
-    halfSine_ = s;
+    if (halfCosine_ <= -1 || !(limits == limits_)) {  // all round, or not known yet
+        limits_ = limits;
+        margin_ = limits.margin();
+        const bool allRound = margin_.fieldOfView >= 2 * std::numbers::pi;
+        const auto [s, c] = allRound ? SineCosine{0, -1} : sineCosine(0.5 * margin_.fieldOfView);
+        halfCosine_ = c;
+        halfSine_ = s;
+    }
     eye_ = Placement(view.poseAt(view.robot, view.measured));
-    const auto find = [&](const PointGrid* grid, std::size_t count, SubjectKind kind, auto place, auto asked) {
+    // What is outside for certain costs little; who stands at the very place is in view.
+    const auto outside = [eye = eye_, farthest = margin_.range * margin_.range * (1 + rounding),
+                          edge = halfCosine_ * halfCosine_ * (1 - 1e-6),
+                          narrow = halfCosine_ > 0.01](const Point& place) {
+        const Point offset = place - eye.origin;
+        const double squared = dot(offset, offset), ahead = eye.cosine * offset.x + eye.sine * offset.y;
+        return squared > farthest || (narrow && squared > 0 && (ahead <= 0 || ahead * ahead < edge * squared));
+    };
+    const auto find = [&](const PointGrid* grid, std::size_t count, SubjectKind kind, auto placeOf, auto asked) {
         const std::size_t first = subjects_.size();
+        const auto tryOne = [&](std::uint32_t i, const Point& place) {
+            if (asked(i) && !outside(place)) add(kind, i, place);
+        };
         if (count <= few) {
-            for (std::uint32_t i = 0; i < count; ++i)
-                if (asked(i)) add(kind, i, place(i));
+            for (std::uint32_t i = 0; i < count; ++i) tryOne(i, placeOf(i));
             return;
         }
-        const auto [least, most] = boxOfView(eye_, c, s, margin_.range, 0);
+        const auto [least, most] = boxOfView(eye_, halfCosine_, halfSine_, margin_.range, 0);
         grid->visitBox(least, most, [&](std::span<const PointGrid::Entry> entries) {
-            for (const PointGrid::Entry& entry : entries)
-                if (asked(entry.number)) add(kind, entry.number, entry.point);
+            for (const PointGrid::Entry& entry : entries) tryOne(entry.number, entry.point);
         });
         std::sort(subjects_.begin() + static_cast<std::ptrdiff_t>(first), subjects_.end(),
                   [](const Subject& a, const Subject& b) { return a.index < b.index; });
@@ -165,8 +169,19 @@ void SimulatedView::placeBodies(const SensorView& view) {
         return;
     }
     ownPlaces_.clear();
-    const SensorView::Moment moment = view.momentOf(view.measured);
-    for (std::size_t body = 0; body < bodies; ++body) ownPlaces_.push_back(position(view.poseAt(body, moment)));
+    const auto [lag, earlier] = view.momentOf(view.measured);
+    const auto placesBefore = [&](std::int64_t ticks, auto take) {
+        if (ticks == 0)
+            for (std::size_t body = 0; body < bodies; ++body) take(body, poseOf(view.state, body));
+        else
+            for (std::size_t body = 0; const Pose& pose : view.past.posesBefore(view.state, ticks)) take(body++, pose);
+    };
+    placesBefore(lag, [&](std::size_t, const Pose& pose) { ownPlaces_.push_back(position(pose)); });
+    if (earlier > 0)
+        placesBefore(lag + 1, [&](std::size_t body, const Pose& before) {
+            Point& place = ownPlaces_[body];
+            place = {place.x + earlier * (before.x - place.x), place.y + earlier * (before.y - place.y)};
+        });
     places_ = ownPlaces_;
 }
 
