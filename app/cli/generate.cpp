@@ -81,6 +81,7 @@ Subcommand addGenerate(CLI::App& app, CommonFlags& common) {
         "  mrose generate --set training -o training\n"
         "  mrose generate --set held-out --seed 2 -o held-out\n"
         "  mrose generate --pattern ellipse --repeats 10 -o ellipse\n"
+        "  mrose generate --set training --sensors -o sensors\n"
         "Sets:\n" +
             setsText() +
             "The files are CSV logs, one for each drive pattern, and say that they are synthetic. "
@@ -98,6 +99,9 @@ Subcommand addGenerate(CLI::App& app, CommonFlags& common) {
                     "Length of a trajectory in s; the jink and the ellipse take as long as they take")
         ->check(numberRange(5.0, 36'000.0));
     sub->add_option("--repeats", request->repeats, "Runs of each trajectory's commands")->check(CLI::Range(1, 1000));
+    sub->add_flag("--sensors", request->sensors,
+                  "Also what sensors of the robot report: its own localisation (\"localisation\") and a camera that "
+                  "sees landmarks (\"camera\")");
     return {sub, [request, &common] { return runGenerate(*request, common); }};
 }
 

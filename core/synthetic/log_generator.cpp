@@ -4,15 +4,25 @@
 #include <cstdio>
 #include <numbers>
 
+#include "synthetic/field_landmarks.h"
+#include "synthetic/reference_camera.h"
+#include "synthetic/reference_localiser.h"
 #include "world/noise.h"
 
 namespace mrose {
 namespace {
 
-enum TrackerChannel : std::uint32_t { trackedX = 200, trackedY, trackedHeading, startX, startY, startHeading, runSeed };
+enum TrackerChannel : std::uint32_t {
+    trackedX = 200,
+    trackedY,
+    trackedHeading,
+    startX,
+    startY,
+    startHeading,
+    seedOfRuns
+};
 
 constexpr double pause = 5;  // s between trajectories
-constexpr double fieldLength = 9, fieldWidth = 5;
 
 double inTenThousandths(double value) { return std::round(value * 1e4) / 1e4; }
 
@@ -27,14 +37,14 @@ Pose startOf(std::uint64_t seed, std::uint32_t index, DrivePattern pattern) {
     const auto uniform = [&](std::uint32_t channel) {
         return uniformNoise({seed, static_cast<std::int64_t>(pattern), index, channel});
     };
-    return {fieldLength * uniform(startX), fieldWidth * uniform(startY),
+    return {syntheticFieldLength * uniform(startX), syntheticFieldWidth * uniform(startY),
             std::numbers::pi * (2 * uniform(startHeading) - 1)};
 }
 
 /// A seed of its own for each run of a log.
 std::uint64_t seedOfRun(std::uint64_t seed, DrivePattern pattern, std::uint32_t index, int repeat) {
     const std::int64_t which = static_cast<std::int64_t>(pattern) * 1'000'000 + repeat;
-    return static_cast<std::uint64_t>(uniformNoise({seed, which, index, runSeed}) * 0x1p53);
+    return static_cast<std::uint64_t>(uniformNoise({seed, which, index, seedOfRuns}) * 0x1p53);
 }
 
 std::string trajectoryName(DrivePattern pattern, int index, int repeat, int repeats) {
@@ -42,6 +52,21 @@ std::string trajectoryName(DrivePattern pattern, int index, int repeat, int repe
     std::snprintf(text, sizeof text, repeats > 1 ? "%s%d.%d" : "%s%d", std::string(name(pattern)).c_str(), index + 1,
                   repeat + 1);
     return text;
+}
+
+std::vector<SensorLog> sensorsOf(const SyntheticRun& run, std::uint64_t seed) {
+    const TruePath path(run.truth);
+    return {localise(path, seed), photograph(path, seed)};
+}
+
+/// By so much later.
+void shift(Trajectory& trajectory, Nanoseconds by) {
+    for (StampedCommand& command : trajectory.commands) command.time += by;
+    for (StampedPose& pose : trajectory.poses) pose.time += by;
+    for (SensorLog& sensor : trajectory.sensors) {
+        for (Look& look : sensor.looks) look.time += by;
+        for (StampedPose& pose : sensor.poses) pose.time += by;
+    }
 }
 
 Nanoseconds wholeSteps(double seconds) {
@@ -86,21 +111,22 @@ const std::vector<SyntheticSet>& syntheticSets() {
 std::optional<Log> generateLog(const SyntheticPart& part, std::uint64_t seed, const Progress& progress) {
     const double duration = part.duration < 0 ? patternDuration(part.pattern) : part.duration;
     Log log{"", "csv", 0, {{"reference", {}, {}}}, {}, true};
+    if (part.sensors) log.subjects = fieldLandmarks();
     auto& trajectories = log.robots.front().trajectories;
     Nanoseconds begin = 0;
     for (int i = 0; i < part.trajectories; ++i) {
         const auto index = static_cast<std::uint32_t>(i);
         const auto commands = patternCommands(part.pattern, duration, seed, index);
         for (int repeat = 0; repeat < part.repeats; ++repeat) {
-            const SyntheticRun run = runReferenceRobot(commands, duration, startOf(seed, index, part.pattern),
-                                                       seedOfRun(seed, part.pattern, index, repeat));
+            const std::uint64_t runSeed = seedOfRun(seed, part.pattern, index, repeat);
+            const SyntheticRun run = runReferenceRobot(commands, duration, startOf(seed, index, part.pattern), runSeed);
             Trajectory& trajectory = trajectories.emplace_back();
             trajectory.name = trajectoryName(part.pattern, i, repeat, part.repeats);
             trajectory.group = i;
             trajectory.commands = commands;
             trajectory.poses = run.tracked;
-            for (StampedCommand& command : trajectory.commands) command.time += begin;
-            for (StampedPose& pose : trajectory.poses) pose.time += begin;
+            if (part.sensors) trajectory.sensors = sensorsOf(run, runSeed);
+            shift(trajectory, begin);
             begin += fromSeconds(std::ceil(duration + pause));
             const double done = static_cast<double>(trajectories.size()) / (part.trajectories * part.repeats);
             if (progress && !progress(done)) return std::nullopt;

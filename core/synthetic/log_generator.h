@@ -36,6 +36,7 @@ struct SyntheticPart {
     int trajectories = 1;  ///< different ones (of the jink and the ellipse: with other jitter only)
     double duration = -1;  ///< s each; below 0: patternDuration
     int repeats = 1;       ///< of each one's commands; the repetitions are one group
+    bool sensors = false;  ///< with what the robot's localisation and camera report
 };
 
 /// A set of logs under its name.
@@ -46,8 +47,6 @@ struct SyntheticSet {
 
 /// The sets that mrose generate offers: training, held-out, example, repeat.
 const std::vector<SyntheticSet>& syntheticSets();
-
-/// Called after each trajectory with the share that is done; false stops.
 
 /// The log of one part, of a robot called "reference": Log::synthetic is set. Trajectories follow each other in time,
 /// each from rest. Nothing when it was stopped.

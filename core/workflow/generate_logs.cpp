@@ -26,6 +26,7 @@ Expected<std::vector<SyntheticPart>> partsOf(const GenerateRequest& request) {
         if (!shapedByItself(part.pattern)) part.duration = request.duration.value_or(part.duration);
         part.trajectories = request.trajectories.value_or(part.trajectories);
         part.repeats = request.repeats.value_or(part.repeats);
+        part.sensors = request.sensors;
     }
     return parts;
 }

@@ -19,6 +19,7 @@ struct GenerateRequest {
     std::string set = {}, pattern = {};   ///< by name: one of them
     std::optional<double> duration = {};  ///< s, of a trajectory; jink and ellipse take as long as they take
     std::optional<int> trajectories = {}, repeats = {};
+    bool sensors = false;  ///< with what the robot's localisation and camera report
     std::uint64_t seed = 1;
 };
 
