@@ -1,0 +1,99 @@
+#include "sensing/learned_localiser.h"
+
+#include <cassert>
+#include <cmath>
+
+#include "geometry/point.h"
+#include "sensing/sensor_view.h"
+
+namespace mrose {
+namespace {
+
+/// The counters of a look's draws: one for each channel's numbers, and which component it is.
+enum LookDraw : std::uint32_t { channelNumbers = 0, whichComponent = readingChannels };
+
+/// The mean velocity over up to 0.1 s after the instant `lag` ticks ago; now, where there is no time after it.
+Velocity velocityBefore(const SensorView& view, std::int64_t lag) {
+    constexpr Nanoseconds over = 100'000'000;
+    const std::int64_t ticks = std::min(lag, view.scene.ticksOf(over));
+    if (ticks == 0) {
+        const Twist& now_B = view.state.robots[view.robot].velocity_B;
+        return {now_B.x, now_B.rotation};
+    }
+    const Pose &from = view.poseBefore(view.robot, lag), &to = view.poseBefore(view.robot, lag - ticks);
+    const double seconds = toSeconds(ticks * view.scene.tickLength);
+    return {dot(position(to) - position(from), towards(from.heading)) / seconds, (to.heading - from.heading) / seconds};
+}
+
+}  // namespace
+
+LearnedLocaliser::LearnedLocaliser(std::shared_ptr<const LearnedSensor> learned, const SensorTraits& traits,
+                                   const std::string& robot)
+    : learned_(std::move(learned)),
+      traits_(traits),
+      robot_(learned_->robotIndex(robot)),
+      weights_(learned_->network().noise) {
+    assert(learned_->network().measures == SensorNetwork::Measures::pose);
+    if (traits_.period == 0) traits_.period = learned_->network().period;
+}
+
+bool LearnedLocaliser::sound(std::span<const std::byte> memory) const {
+    constexpr double farthest = 1e3;
+    for (const double number : as<Memory>(memory).slow)
+        if (!(std::abs(number) <= farthest)) return false;
+    return true;
+}
+
+std::vector<MemoryEntry> LearnedLocaliser::explain(std::span<const std::byte> memory) const {
+    const auto& own = as<Memory>(memory);
+    if (own.begun == 0) return {};
+    std::vector<MemoryEntry> entries{{"lasting_reported", own.slow[0]}};
+    std::size_t channel = 1;
+    for (const ReadingDimension& dimension : dimensionsOf(SensorNetwork::Measures::pose))
+        entries.push_back({"lasting_" + std::string(dimension.name), own.slow[channel++]});
+    return entries;
+}
+
+void LearnedLocaliser::carryOn(const SensorView& view, Memory& memory) const {
+    for (std::size_t i = 0; i < channels(); ++i) {
+        const ReadingNoise& noise = learned_->network().noise[i];
+        if (noise.slow == 0) continue;
+        const double normal = normalPair(view.key(channelNumbers + static_cast<std::uint32_t>(i))).first;
+        memory.slow[i] = memory.begun != 0 ? lasting(memory.slow[i], view.sinceLast, noise.slowTime, normal) : normal;
+    }
+    memory.begun = 1;
+}
+
+/// One reading is all of its look, so that what does not last is its own.
+ReadingDraw LearnedLocaliser::drawOf(const SensorView& view, const Memory& memory) const {
+    ChannelNumbers numbers{};
+    for (std::size_t i = 0; i < channels(); ++i) {
+        const double normal = normalPair(view.key(channelNumbers + static_cast<std::uint32_t>(i))).second;
+        const double slow = learned_->network().noise[i].slow;
+        numbers[i] = weights_.slow[i] * memory.slow[i] + std::sqrt(1 - slow) * normal;
+    }
+    return {numbers[0], uniformPair(view.key(whichComponent)).first, {numbers[1], numbers[2], numbers[3]}};
+}
+
+void LearnedLocaliser::sense(const SensorView& view, std::span<std::byte> memory, Observation& out) const {
+    auto& own = as<Memory>(memory);
+    carryOn(view, own);
+    if (!view.wants(0)) return;
+    const std::int64_t lag = view.lagOf(latency());
+    SensedState state;
+    state.own = view.poseBefore(view.robot, lag);
+    state.velocity = velocityBefore(view, lag);
+    ReadingDistribution distribution;
+    learned_->distributions({&state, 1}, robot_, {&distribution, 1});
+    const ReadingDraw draw = drawOf(view, own);
+    if (!distribution.reports(draw)) return;
+    const ReadingError error = distribution.error(draw);
+    out.add(traits_.name, view.timeBefore(lag), state.own * Pose{error[0], error[1], error[2]});
+}
+
+SensorPointer learnedLocaliser(std::shared_ptr<const LearnedSensor> learned, const SensorTraits& traits,
+                               const std::string& robot) {
+    return std::make_shared<const LearnedLocaliser>(std::move(learned), traits, robot);
+}
+
+}  // namespace mrose

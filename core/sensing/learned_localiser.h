@@ -1,0 +1,49 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "perception/learned_sensor.h"
+#include "sensing/sensor.h"
+
+namespace mrose {
+
+/// Where its robot is, as a learned sensor says: each look one Pose in the world's frame, or none where it reports
+/// none.
+class LearnedLocaliser final : public Sensor {
+public:
+    /// `learned` measures poses; `robot` is one of those that it was learned from, any other is as their mean. Without
+    /// a period in `traits` the learned one is its clock.
+    LearnedLocaliser(std::shared_ptr<const LearnedSensor> learned, const SensorTraits& traits,
+                     const std::string& robot);
+
+    struct Memory {
+        ChannelNumbers slow{};    ///< what lasts of each channel's number: standard normal
+        std::uint64_t begun = 0;  ///< 0 until the first look
+    };
+
+    std::string name() const override { return traits_.name; }
+    std::vector<ReadingKind> gives() const override { return {{traits_.name, &recordType<Pose>()}}; }
+    Nanoseconds period() const override { return traits_.period; }
+    Nanoseconds latency() const override { return learned_->network().latency; }
+    std::size_t memorySize() const override { return sizeof(Memory); }
+    bool sound(std::span<const std::byte> memory) const override;
+    std::vector<MemoryEntry> explain(std::span<const std::byte> memory) const override;
+    void sense(const SensorView& view, std::span<std::byte> memory, Observation& out) const override;
+
+private:
+    std::size_t channels() const { return 1 + static_cast<std::size_t>(learned_->network().form.dimensions); }
+    void carryOn(const SensorView& view, Memory& memory) const;
+    ReadingDraw drawOf(const SensorView& view, const Memory& memory) const;
+
+    std::shared_ptr<const LearnedSensor> learned_;
+    SensorTraits traits_;
+    int robot_;
+    NoiseWeights weights_;
+};
+
+/// For [[sensor]] kind = "learned" of a network that measures poses.
+SensorPointer learnedLocaliser(std::shared_ptr<const LearnedSensor> learned, const SensorTraits& traits,
+                               const std::string& robot);
+
+}  // namespace mrose
